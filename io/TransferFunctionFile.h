@@ -1,0 +1,30 @@
+#pragma once
+// Transfer functions as JSON: the presets in resources/transfer-functions and the user's own files.
+//
+// { "name": "CT bone", "domain": "value" | "percentile",
+//   "nodes": [ {"value": 150, "colour": [r,g,b], "opacity": o}, … ] }
+// colour is display RGB 0..1, opacity that of 1 mm of material. With "percentile", values are 0..100 and are mapped
+// through the volume's own value distribution: MR values have no unit.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "io/Error.h"
+#include "rendering/scene/TransferFunction.h"
+#include "rendering/scene/Volume.h"
+
+namespace fenestra::io {
+
+struct TransferFunctionPreset {
+  std::string id;     ///< "ct-bone"; the command line's name for it
+  std::string name;   ///< "CT bone"
+};
+/// The built-in presets, in the order a menu shows them.
+std::vector<TransferFunctionPreset> transferFunctionPresets();
+/// A preset by id, or a file by path, made for `volume`. Throws Error.
+TransferFunction loadTransferFunction(const std::string& presetOrPath, const Volume& volume);
+/// The preset to start with: by modality and value range.
+std::string defaultPreset(const Volume& volume);
+
+}  // namespace fenestra::io

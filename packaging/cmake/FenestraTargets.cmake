@@ -1,0 +1,58 @@
+# Helpers every folder's CMakeLists uses: one way to declare a library, one way to embed files.
+
+# fenestra_library(NAME SOURCES... [PUBLIC libs...] [PRIVATE libs...])
+# A static library `fenestra_NAME`, alias `fenestra::NAME`, with the project's warnings as errors and the repository root
+# as its only include directory.
+function(fenestra_library NAME)
+  cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  set(target fenestra_${NAME})
+  add_library(${target} STATIC ${ARG_SOURCES})
+  add_library(fenestra::${NAME} ALIAS ${target})
+  target_include_directories(${target} PUBLIC "${PROJECT_SOURCE_DIR}")
+  target_link_libraries(${target} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
+  fenestra_own_code(${target})
+endfunction()
+
+# The project's own code: warnings are errors, sanitizers when asked for.
+function(fenestra_own_code TARGET)
+  target_compile_features(${TARGET} PUBLIC cxx_std_20)
+  target_compile_options(${TARGET} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Werror)
+  if(FENESTRA_SANITIZE)
+    target_compile_options(${TARGET} PUBLIC -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
+    target_link_options(${TARGET} PUBLIC -fsanitize=address,undefined)
+  endif()
+endfunction()
+
+# fenestra_embed(NAME ROOT dir FILES rel/paths...)
+# A library `fenestra::NAME` that holds the files' bytes: `std::string_view fenestra::NAME::find(std::string_view path)`
+# (empty when absent) and `fenestra::NAME::paths()`. Declared in the generated header "fenestra/NAME.h".
+function(fenestra_embed NAME)
+  cmake_parse_arguments(ARG "" "ROOT" "FILES" ${ARGN})
+  set(out "${CMAKE_CURRENT_BINARY_DIR}/${NAME}")
+  set(inputs ${ARG_FILES})
+  list(TRANSFORM inputs PREPEND "${ARG_ROOT}/")
+  string(REPLACE ";" "|" packed "${ARG_FILES}")
+  add_custom_command(
+    OUTPUT "${out}/fenestra/${NAME}.h" "${out}/${NAME}.cpp"
+    COMMAND ${CMAKE_COMMAND} -DNAME=${NAME} -DROOT=${ARG_ROOT} -DOUT=${out} "-DFILES=${packed}"
+            -P "${PROJECT_SOURCE_DIR}/packaging/cmake/Embed.cmake"
+    DEPENDS ${inputs} "${PROJECT_SOURCE_DIR}/packaging/cmake/Embed.cmake"
+    VERBATIM)
+  add_library(fenestra_${NAME} STATIC "${out}/${NAME}.cpp" "${out}/fenestra/${NAME}.h")
+  add_library(fenestra::${NAME} ALIAS fenestra_${NAME})
+  target_include_directories(fenestra_${NAME} PUBLIC "${out}")
+  target_compile_features(fenestra_${NAME} PUBLIC cxx_std_20)
+endfunction()
+
+# fenestra_test(NAME SOURCES... LIBS libs... [LABELS ...])
+# A GoogleTest executable whose cases ctest lists one by one.
+function(fenestra_test NAME)
+  cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;LIBS;LABELS" ${ARGN})
+  add_executable(${NAME} ${ARG_SOURCES})
+  target_link_libraries(${NAME} PRIVATE ${ARG_LIBS} fenestra_test_support)
+  fenestra_own_code(${NAME})
+  if(NOT ARG_TIMEOUT)
+    set(ARG_TIMEOUT 120)
+  endif()
+  gtest_discover_tests(${NAME} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS "${ARG_LABELS}")
+endfunction()

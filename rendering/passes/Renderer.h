@@ -1,0 +1,89 @@
+#pragma once
+// The chain of passes from a scene and a camera to a picture. Re-runs only what depends on something that changed.
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "rendering/scene/Scene.h"
+
+namespace fenestra {
+
+class GpuScene;
+
+enum class Quality : std::uint8_t {
+  Draft,   ///< one sample a voxel, no gradient lighting on the way to it: while dragging
+  Normal,  ///< two samples a voxel
+  High,    ///< four samples a voxel
+};
+
+/// One picture to make.
+struct View {
+  Camera camera;
+  glm::ivec2 size{0};       ///< rendered pixels, at least 1×1
+  double pixelScale = 1.0;  ///< rendered pixels per device-independent pixel; widths in pixels scale with it
+  Quality quality = Quality::Normal;
+  bool operator==(const View&) const = default;
+};
+
+enum class Pass : std::uint8_t {
+  HitPoints, PullPush, DistanceMap, RayStart, FocusLayer, ContextLayer, Composite
+};
+inline constexpr std::size_t passCount = 7;
+std::string_view nameOf(Pass pass);
+
+/// Row-major from the top of the picture; t in mm along the pixel's ray (see Camera), NaN where there is nothing.
+struct Layers {
+  glm::ivec2 size{0};
+  std::vector<float> tContext, tFocus, tFocusFilled, tStart;
+  std::vector<float> distance;            ///< px, 0 inside the focus projection, +inf beyond w_open + w_border
+  std::vector<glm::vec4> focusLayer;      ///< premultiplied RGBA
+  std::vector<glm::vec4> contextLayer;    ///< κ1, κ2 (1/mm), illumination, value (real units)
+  std::vector<glm::vec4> final;           ///< premultiplied RGBA
+};
+
+struct PassStats {
+  std::uint64_t runs = 0;      ///< since the renderer was made
+  double milliseconds = 0.0;   ///< GPU time of the last run; 0 until timing is on
+};
+
+/// Needs a current OpenGL 4.5 context in every call, always the same one or one that shares with it. Move-only.
+class Renderer {
+ public:
+  /// `gpuScene` may be shared by several renderers whose contexts share objects: voxels are uploaded once.
+  explicit Renderer(std::shared_ptr<GpuScene> gpuScene);
+  ~Renderer();
+  Renderer(Renderer&&) noexcept;
+  Renderer& operator=(Renderer&&) noexcept;
+
+  /// Makes the picture. Nothing runs for an unchanged scene and view.
+  void render(const Scene& scene, const View& view);
+
+  /// Draws the last picture into `framebuffer` (an OpenGL name; QOpenGLWidget's is not 0), stretched over the rectangle
+  /// x, y (from the bottom left), width, height. Restores the state it changes.
+  void present(std::uint32_t framebuffer, glm::ivec4 rectangle);
+
+  /// The last picture, 8-bit RGBA, premultiplied, row by row from the top.
+  std::vector<std::uint8_t> readPicture();
+  /// Every stage of the last picture. Stages that the scene does not use come back empty.
+  Layers readLayers();
+
+  /// World position of what pixel (i, j from the top, in rendered pixels) of the last picture shows: where its ray starts
+  /// to see. Empty where it shows the background.
+  std::optional<glm::dvec3> pick(glm::dvec2 pixel);
+
+  /// Measures each pass with timer queries; waits for the GPU, so off by default.
+  void setTiming(bool on);
+  const std::array<PassStats, passCount>& stats() const;
+  /// Bytes of this renderer's own images (the volume's are GpuScene's).
+  std::size_t imageBytes() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace fenestra

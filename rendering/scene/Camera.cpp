@@ -1,0 +1,135 @@
+#include "rendering/scene/Camera.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/gtc/constants.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace fenestra {
+namespace {
+
+/// The world axis least aligned with `direction`: a stand-in up that is never parallel to it.
+glm::dvec3 leastAlignedAxis(glm::dvec3 direction) {
+  const glm::dvec3 size = glm::abs(direction);
+  if (size.z <= size.x && size.z <= size.y) return {0.0, 0.0, 1.0};
+  return size.y <= size.x ? glm::dvec3(0.0, 1.0, 0.0) : glm::dvec3(1.0, 0.0, 0.0);
+}
+
+Camera framed(glm::dvec3 towardsEye, glm::dvec3 up, const Grid& grid, Projection projection) {
+  Camera camera;
+  camera.projection = projection;
+  camera.target = grid.centre();
+  camera.up = up;
+  // Fit the box as seen from here: the eye stands far enough for every corner to lie inside the vertical field of view.
+  const double halfAngle = glm::radians(camera.verticalFov) * 0.5;
+  camera.eye = camera.target + towardsEye;
+  const Camera::Axes axes = camera.axes();
+  double distance = 0.0, halfHeight = 0.0;
+  for (const glm::dvec3& corner : grid.corners()) {
+    const glm::dvec3 offset = corner - camera.target;
+    const double lateral = std::max(std::abs(glm::dot(offset, axes.right)), std::abs(glm::dot(offset, axes.up)));
+    halfHeight = std::max(halfHeight, lateral);
+    distance = std::max(distance, lateral / std::tan(halfAngle) - glm::dot(offset, axes.forward));
+  }
+  constexpr double margin = 1.03;
+  camera.orthographicHeight = 2.0 * halfHeight * margin;
+  // Parallel rays start on the plane through the eye, which must lie before the whole box.
+  const double orthographicDistance = grid.boundingRadius() * 2.0;
+  camera.eye = camera.target +
+               towardsEye * (projection == Projection::Perspective ? distance * margin : orthographicDistance);
+  return camera;
+}
+
+}  // namespace
+
+Camera::Axes Camera::axes() const {
+  glm::dvec3 forward = target - eye;
+  const double length = glm::length(forward);
+  forward = length > 0.0 ? forward / length : glm::dvec3(0.0, 1.0, 0.0);
+  glm::dvec3 right = glm::cross(forward, up);
+  // Below a hundred-thousandth the cross product of the two is rounding noise.
+  if (!(glm::length(right) > 1e-5 * glm::length(up))) right = glm::cross(forward, leastAlignedAxis(forward));
+  right = glm::normalize(right);
+  return {right, glm::cross(right, forward), forward};
+}
+
+glm::dmat4 Camera::viewFromWorld() const {
+  const Axes a = axes();
+  const glm::dmat3 rotation = glm::transpose(glm::dmat3(a.right, a.up, -a.forward));
+  glm::dmat4 result(rotation);
+  result[3] = glm::dvec4(-(rotation * eye), 1.0);
+  return result;
+}
+
+glm::dmat4 Camera::clipFromView(double aspect, const Grid& grid) const {
+  const double radius = std::max(grid.boundingRadius(), 1e-9);
+  const double depth = glm::dot(grid.centre() - eye, axes().forward);
+  const double farPlane = std::max(depth + radius, radius);
+  if (projection == Projection::Orthographic) {
+    const double halfHeight = orthographicHeight * 0.5, halfWidth = halfHeight * aspect;
+    return glm::ortho(-halfWidth, halfWidth, -halfHeight, halfHeight, 0.0, farPlane);
+  }
+  const double nearPlane = std::max(depth - radius, radius * 1e-3);
+  return glm::perspective(glm::radians(verticalFov), aspect, nearPlane, farPlane);
+}
+
+glm::dmat4 Camera::clipFromWorld(double aspect, const Grid& grid) const {
+  return clipFromView(aspect, grid) * viewFromWorld();
+}
+
+Camera Camera::rotated(const glm::dmat3& worldRotation) const {
+  Camera camera = *this;
+  camera.eye = target + worldRotation * (eye - target);
+  camera.up = worldRotation * up;
+  return camera;
+}
+
+Camera Camera::orbited(double yaw, double pitch) const {
+  const Axes a = axes();
+  const glm::dmat4 turn = glm::rotate(glm::dmat4(1.0), yaw, a.up) * glm::rotate(glm::dmat4(1.0), pitch, a.right);
+  Camera camera = *this;
+  camera.up = a.up;
+  return camera.rotated(glm::dmat3(turn));
+}
+
+Camera Camera::zoomed(double factor) const {
+  Camera camera = *this;
+  if (projection == Projection::Perspective) camera.eye = target + (eye - target) / factor;
+  camera.orthographicHeight = orthographicHeight / factor;
+  return camera;
+}
+
+Camera Camera::panned(double rightMm, double upMm) const {
+  const Axes a = axes();
+  const glm::dvec3 shift = a.right * rightMm + a.up * upMm;
+  Camera camera = *this;
+  camera.eye += shift;
+  camera.target += shift;
+  return camera;
+}
+
+Camera Camera::standard(StandardView view, const Grid& grid, Projection projection) {
+  const glm::dvec3 superior(0.0, 0.0, 1.0), anterior(0.0, -1.0, 0.0);
+  switch (view) {
+    case StandardView::Anterior: return framed(anterior, superior, grid, projection);
+    case StandardView::Posterior: return framed(-anterior, superior, grid, projection);
+    case StandardView::Left: return framed({1.0, 0.0, 0.0}, superior, grid, projection);
+    case StandardView::Right: return framed({-1.0, 0.0, 0.0}, superior, grid, projection);
+    case StandardView::Superior: return framed(superior, anterior, grid, projection);
+    case StandardView::Inferior: break;
+  }
+  return framed(-superior, anterior, grid, projection);
+}
+
+Camera Camera::fromAngles(double azimuth, double elevation, const Grid& grid, Projection projection) {
+  const double az = glm::radians(azimuth), el = glm::radians(elevation);
+  const glm::dvec3 towardsEye(std::sin(az) * std::cos(el), -std::cos(az) * std::cos(el), std::sin(el));
+  // Looking along the body axis, "up" is where the head would tip to: towards the azimuth's far side.
+  const glm::dvec3 up = std::abs(std::cos(el)) > 1e-6
+                            ? glm::dvec3(0.0, 0.0, 1.0)
+                            : glm::dvec3(-std::sin(az), std::cos(az), 0.0) * (el > 0.0 ? 1.0 : -1.0);
+  return framed(towardsEye, up, grid, projection);
+}
+
+}  // namespace fenestra

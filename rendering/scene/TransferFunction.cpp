@@ -1,0 +1,59 @@
+#include "rendering/scene/TransferFunction.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fenestra {
+
+double extinctionFromOpacity(double opacityPerMm) {
+  // Fully opaque in 1 mm would be an infinite extinction; the largest opacity that 8 bits tell from 1 is cut at 1 - 1e-6.
+  return -std::log1p(-std::clamp(opacityPerMm, 0.0, 1.0 - 1e-6));
+}
+
+double opacityFromExtinction(double extinction) { return -std::expm1(-extinction); }
+
+OpticalProperties TransferFunction::evaluate(double value) const {
+  if (nodes.empty() || std::isnan(value)) return {};
+  const auto after = std::upper_bound(nodes.begin(), nodes.end(), value,
+                                      [](double wanted, const Node& node) { return wanted < node.value; });
+  if (after == nodes.begin()) return nodes.front().properties;
+  if (after == nodes.end()) return nodes.back().properties;
+  const Node &a = *std::prev(after), &b = *after;
+  const double s = (value - a.value) / (b.value - a.value);
+  return {glm::mix(a.properties.colour, b.properties.colour, s),
+          a.properties.extinction + s * (b.properties.extinction - a.properties.extinction)};
+}
+
+double TransferFunction::maxExtinction(ValueRange values) const {
+  double greatest = std::max(evaluate(values.low).extinction, evaluate(values.high).extinction);
+  for (const Node& node : nodes)
+    if (node.value >= values.low && node.value <= values.high)
+      greatest = std::max(greatest, node.properties.extinction);
+  return greatest;
+}
+
+std::vector<ValueGap> TransferFunction::transparentGaps(double opacity) const {
+  const double threshold = extinctionFromOpacity(opacity);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (nodes.empty()) return {{-infinity, infinity}};
+  std::vector<ValueGap> gaps;
+  bool open = nodes.front().properties.extinction <= threshold;
+  double low = -infinity;
+  for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
+    const Node &a = nodes[i], &b = nodes[i + 1];
+    const double ka = a.properties.extinction, kb = b.properties.extinction;
+    const bool next = kb <= threshold;
+    if (next == open) continue;
+    const double crossing = a.value + (threshold - ka) / (kb - ka) * (b.value - a.value);
+    if (open) {
+      if (crossing > low) gaps.push_back({low, crossing});
+    } else {
+      low = crossing;
+    }
+    open = next;
+  }
+  if (open) gaps.push_back({low, infinity});
+  return gaps;
+}
+
+}  // namespace fenestra

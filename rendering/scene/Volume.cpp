@@ -1,0 +1,93 @@
+#include "rendering/scene/Volume.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <mutex>
+
+#include "rendering/scene/Parallel.h"
+
+namespace fenestra {
+
+double Volume::value(glm::ivec3 index) const {
+  const double stored =
+      voxels.visit([&](auto scalars) { return static_cast<double>(scalars[grid.offset(index)]); });
+  return slope * stored + intercept;
+}
+
+double Volume::sample(glm::dvec3 index) const {
+  const glm::dvec3 clamped = glm::clamp(index, glm::dvec3(0.0), glm::dvec3(grid.dims - 1));
+  const glm::ivec3 base = glm::min(glm::ivec3(glm::floor(clamped)), glm::max(grid.dims - 2, 0));
+  const glm::dvec3 f = clamped - glm::dvec3(base);
+  double sum = 0.0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::ivec3 step(corner & 1, (corner >> 1) & 1, corner >> 2);
+    const double weight = (step.x ? f.x : 1.0 - f.x) * (step.y ? f.y : 1.0 - f.y) * (step.z ? f.z : 1.0 - f.z);
+    if (weight != 0.0) sum += weight * value(glm::min(base + step, grid.dims - 1));
+  }
+  return sum;
+}
+
+void Volume::computeRange() {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  std::mutex mutex;
+  voxels.visit([&](auto scalars) {
+    parallelFor(scalars.size(), 1 << 20, [&](std::size_t begin, std::size_t end) {
+      using T = typename decltype(scalars)::value_type;
+      T least = std::numeric_limits<T>::max(), greatest = std::numeric_limits<T>::lowest();
+      bool any = false;
+      for (std::size_t i = begin; i < end; ++i) {
+        const T scalar = scalars[i];
+        if constexpr (std::is_floating_point_v<T>)
+          if (!std::isfinite(scalar)) continue;
+        least = std::min(least, scalar);
+        greatest = std::max(greatest, scalar);
+        any = true;
+      }
+      if (!any) return;
+      const std::scoped_lock lock(mutex);
+      low = std::min(low, static_cast<double>(least));
+      high = std::max(high, static_cast<double>(greatest));
+    });
+  });
+  if (low > high) {
+    range = {};
+    return;
+  }
+  const double a = slope * low + intercept, b = slope * high + intercept;
+  range = {std::min(a, b), std::max(a, b)};
+}
+
+WindowLevel Volume::defaultWindow() const {
+  if (!windows.empty()) return windows.front();
+  if (!(range.high > range.low)) return {1.0, range.low};
+  // A histogram of up to about a million voxels is plenty for two percentiles.
+  constexpr std::size_t bins = 1024;
+  std::vector<std::size_t> histogram(bins, 0);
+  std::size_t total = 0;
+  voxels.visit([&](auto scalars) {
+    const std::size_t stride = std::max<std::size_t>(1, scalars.size() >> 20);
+    for (std::size_t i = 0; i < scalars.size(); i += stride) {
+      const double real = slope * static_cast<double>(scalars[i]) + intercept;
+      if (!std::isfinite(real)) continue;
+      const double position = (real - range.low) / (range.high - range.low) * bins;
+      ++histogram[std::min(bins - 1, static_cast<std::size_t>(std::max(0.0, position)))];
+      ++total;
+    }
+  });
+  const auto percentile = [&](double fraction) {
+    const double wanted = fraction * static_cast<double>(total);
+    double seen = 0.0;
+    for (std::size_t bin = 0; bin < bins; ++bin) {
+      seen += static_cast<double>(histogram[bin]);
+      if (seen >= wanted) return range.low + (range.high - range.low) * (static_cast<double>(bin) + 0.5) / bins;
+    }
+    return range.high;
+  };
+  const double low = percentile(0.01), high = percentile(0.99);
+  if (!(high > low)) return {range.high - range.low, 0.5 * (range.low + range.high)};
+  return {high - low, 0.5 * (low + high)};
+}
+
+}  // namespace fenestra

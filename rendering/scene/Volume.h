@@ -1,0 +1,49 @@
+#pragma once
+// A scalar volume: stored voxels, the linear map to real values, and where they lie in the patient.
+
+#include <string>
+#include <vector>
+
+#include "rendering/scene/Grid.h"
+#include "rendering/scene/Voxels.h"
+
+namespace fenestra {
+
+/// A closed interval of real values (HU for CT).
+struct ValueRange {
+  double low = 0.0;
+  double high = 0.0;
+  bool operator==(const ValueRange&) const = default;
+};
+
+/// Display window: values from level - width/2 (black) to level + width/2 (white).
+struct WindowLevel {
+  double width = 1.0;
+  double level = 0.5;
+  bool operator==(const WindowLevel&) const = default;
+};
+
+enum class Modality : std::uint8_t { Unknown, CT, MR };
+
+/// Immutable once built and shared by std::shared_ptr<const Volume>; its address is its identity.
+struct Volume {
+  Grid grid;
+  Voxels voxels;           ///< x fastest, grid.voxelCount() scalars
+  double slope = 1.0;      ///< real value = slope · stored + intercept
+  double intercept = 0.0;
+  ValueRange range;        ///< least and greatest finite real value; {0,0} when there is none
+  Modality modality = Modality::Unknown;
+  std::string unit;        ///< "HU", or empty
+  std::vector<WindowLevel> windows;  ///< the file's own display windows (DICOM VOI), first is the default
+
+  /// Real value of one voxel; NaN and Inf come out as stored.
+  double value(glm::ivec3 index) const;
+  /// Real value at a continuous index position: trilinear, clamped to the edge.
+  double sample(glm::dvec3 index) const;
+  /// Fills `range` from the voxels (all cores). Readers call it once.
+  void computeRange();
+  /// A sensible first display window: the file's own, or one that spans the data's 1st to 99th percentile.
+  WindowLevel defaultWindow() const;
+};
+
+}  // namespace fenestra
