@@ -28,7 +28,9 @@ bool leavesHull(vec4 b, float low, float high) {
 float firstExit(vec4 b, float low, float high) {
   if (b.x <= low || b.x >= high) return 0.0;
   // Extrema: roots of the derivative d0(1-u)² + 2 d1 u(1-u) + d2 u², by the formula that does not cancel.
+  // Scaled to one, so that no value a float can hold overflows in the squares.
   vec3 d = b.yzw - b.xyz;
+  d /= max(max(abs(d.x), max(abs(d.y), abs(d.z))), 1e-30);
   float qa = d.x - 2.0 * d.y + d.z, qb = d.y - d.x, qc = d.x;
   float discriminant = qb * qb - qa * qc;
   float r1 = 1.0, r2 = 1.0;
