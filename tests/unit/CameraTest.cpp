@@ -32,9 +32,9 @@ TEST(Camera, standardViewsPutThePatientsSidesRight) {
     StandardView view;
     glm::dvec3 rightOfPicture, topOfPicture;
   } cases[] = {
-      {StandardView::Anterior, left, superior},     {StandardView::Posterior, right, superior},
-      {StandardView::Left, posterior, superior},    {StandardView::Right, anterior, superior},
-      {StandardView::Superior, right, anterior},    {StandardView::Inferior, left, anterior},
+      {StandardView::Anterior, left, superior},  {StandardView::Posterior, right, superior},
+      {StandardView::Left, posterior, superior}, {StandardView::Right, anterior, superior},
+      {StandardView::Superior, right, anterior}, {StandardView::Inferior, left, anterior},
   };
   for (const Projection projection : {Projection::Perspective, Projection::Orthographic})
     for (const auto& c : cases) {
@@ -49,8 +49,11 @@ TEST(Camera, anglesMeetTheStandardViews) {
   const struct {
     double azimuth, elevation;
     StandardView view;
-  } cases[] = {{0, 0, StandardView::Anterior},    {90, 0, StandardView::Left},      {180, 0, StandardView::Posterior},
-               {-90, 0, StandardView::Right},     {0, -90, StandardView::Inferior}};
+  } cases[] = {{0, 0, StandardView::Anterior},
+               {90, 0, StandardView::Left},
+               {180, 0, StandardView::Posterior},
+               {-90, 0, StandardView::Right},
+               {0, -90, StandardView::Inferior}};
   for (const auto& c : cases) {
     const Camera a = Camera::fromAngles(c.azimuth, c.elevation, grid), b = Camera::standard(c.view, grid);
     expectNear(a.axes().forward, b.axes().forward, rounding);
@@ -120,7 +123,8 @@ TEST(Camera, orbitKeepsTheDistanceAndTheTarget) {
   expectOrthonormal(camera);
   EXPECT_NEAR(glm::distance(camera.eye, camera.target), distance, 1e-9 * distance);
   const Camera turned = Camera::standard(StandardView::Anterior, gridOf({10, 20, 30})).orbited(glm::radians(90.0), 0.0);
-  expectNear(turned.axes().forward, Camera::standard(StandardView::Left, gridOf({10, 20, 30})).axes().forward, rounding);
+  expectNear(turned.axes().forward, Camera::standard(StandardView::Left, gridOf({10, 20, 30})).axes().forward,
+             rounding);
 }
 
 TEST(Camera, rotatedCameraSeesTheRotatedWorldAsBefore) {

@@ -23,8 +23,8 @@ S onlyShape(const std::string& shape) {
 }
 
 TEST(PhantomFile, readsEveryMember) {
-  const Phantom phantom = parsePhantom(
-      withShape(R"({"type": "ellipsoid", "centre": [1, 2, 3], "semiAxes": [4, 5, 6]})"), "test");
+  const Phantom phantom =
+      parsePhantom(withShape(R"({"type": "ellipsoid", "centre": [1, 2, 3], "semiAxes": [4, 5, 6]})"), "test");
   EXPECT_EQ(phantom.name, "N");
   EXPECT_EQ(phantom.extent, glm::dvec3(10, 20, 30));
   EXPECT_EQ(phantom.background, -1000.0);
@@ -110,7 +110,8 @@ TEST(PhantomFile, complainsAboutWhatIsWrong) {
       {withShape("7"), "a shape must be an object"},
       {withShape(R"({"type": "cone"})"), "unknown shape \"cone\""},
       {withShape(R"({"type": "box", "centre": [0, 0, 0], "semiAxes": [1, -1, 1]})"), "\"semiAxes\" must be positive"},
-      {withShape(R"({"type": "box", "centre": [0, 0, 0], "semiAxes": [1, 1, 1], "radius": 2})"), "unknown key \"radius\""},
+      {withShape(R"({"type": "box", "centre": [0, 0, 0], "semiAxes": [1, 1, 1], "radius": 2})"),
+       "unknown key \"radius\""},
       {withShape(R"({"type": "box", "centre": [0, 0, 0], "semiAxes": [1, 1, 1], "mirror": 1})"), "\"mirror\" must be"},
       {withShape(R"({"type": "chain", "points": [[0, 0, 0]], "radius": 2})"), "at least two points"},
       {withShape(R"({"type": "chain", "points": [[0, 0, 0], [0, 0, 1]], "radius": 0})"), "\"radius\" must be positive"},
@@ -151,7 +152,8 @@ TEST(PhantomFile, builtInPhantomsHaveWellNamedLabels) {
     const Phantom::Rasterised raster = phantom.rasterise(128);
     std::set<std::uint16_t> present;
     raster.labels->voxels.visit([&](auto voxels) { present.insert(voxels.begin(), voxels.end()); });
-    for (const Label& label : raster.labels->labels) EXPECT_TRUE(present.count(label.value)) << name << ": " << label.name;
+    for (const Label& label : raster.labels->labels)
+      EXPECT_TRUE(present.count(label.value)) << name << ": " << label.name;
   }
 }
 

@@ -12,18 +12,22 @@ namespace {
 using namespace tests;
 
 glm::dmat3 randomRotation(std::mt19937& random) {
-  return glm::dmat3(glm::rotate(glm::dmat4(1.0), std::uniform_real_distribution<double>(0.0, 6.28)(random),
-                                randomUnit(random)));
+  return glm::dmat3(
+      glm::rotate(glm::dmat4(1.0), std::uniform_real_distribution<double>(0.0, 6.28)(random), randomUnit(random)));
 }
 
 Shape randomShape(std::mt19937& random, int kind) {
   const glm::dvec3 centre = randomIn(random, glm::dvec3(-20.0), glm::dvec3(20.0));
   const glm::dvec3 semiAxes = randomIn(random, glm::dvec3(2.0), glm::dvec3(15.0));
   switch (kind) {
-    case 0: return Ellipsoid{centre, semiAxes, randomRotation(random)};
-    case 1: return Cylinder{centre, semiAxes, randomRotation(random)};
-    case 2: return Capsule{centre, randomIn(random, glm::dvec3(-20.0), glm::dvec3(20.0)), semiAxes.x};
-    default: return Box{centre, semiAxes, randomRotation(random)};
+    case 0:
+      return Ellipsoid{centre, semiAxes, randomRotation(random)};
+    case 1:
+      return Cylinder{centre, semiAxes, randomRotation(random)};
+    case 2:
+      return Capsule{centre, randomIn(random, glm::dvec3(-20.0), glm::dvec3(20.0)), semiAxes.x};
+    default:
+      return Box{centre, semiAxes, randomRotation(random)};
   }
 }
 

@@ -1,5 +1,6 @@
 // Fill, distance, ray start and widths of the reference.
 
+#include <bit>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -32,12 +33,8 @@ TEST(ReferenceFill, keepsKnownPixelsAndLeavesNoHole) {
       known[known.size() / 2] = 200.0;
       const Image filled = fill(known, size);
       ASSERT_EQ(filled.size(), known.size());
-      const auto [least, greatest] =
-          std::minmax_element(known.begin(), known.end(), [](double a, double b) { return a < b || std::isnan(b); });
-      static_cast<void>(least);
-      static_cast<void>(greatest);
       for (std::size_t i = 0; i < known.size(); ++i) {
-        if (!std::isnan(known[i])) EXPECT_TRUE(sameBits(filled[i], known[i]));
+        EXPECT_TRUE(std::isnan(known[i]) || sameBits(filled[i], known[i]));
         // Averages and convex combinations stay within what they are made of.
         EXPECT_GE(filled[i], 100.0 - 1e-9);
         EXPECT_LE(filled[i], 300.0 + 1e-9);
@@ -160,12 +157,14 @@ TEST(ReferenceWidths, millimetresAreMeasuredAtTheFocus) {
 
 TEST(ReferenceWidths, valueFocusIsTheBoxOfItsCells) {
   const Grid grid = gridOf({20, 20, 20});
-  Scene scene = valueScene(grid, [](glm::ivec3 i) { return i == glm::ivec3(9, 12, 9) ? 1.0 : 0.0; }, 0.5);
+  Scene scene = valueScene(
+      grid, [](glm::ivec3 i) { return i == glm::ivec3(9, 12, 9) ? 1.0 : 0.0; }, 0.5);
   scene.cutaway.unit = WidthUnit::Millimetre;
   scene.cutaway.openWidth = 1.0;
   const Camera camera = lookAt({9.0, -100.0, 9.0}, {9.0, 0.0, 9.0});
   // Cells 11 … 12 along y span index 11 … 13.
-  EXPECT_NEAR(widthsInPixels(scene, camera, {100, 100}, 1.0).open, 50.0 / (std::tan(glm::radians(15.0)) * 112.0), 1e-12);
+  EXPECT_NEAR(widthsInPixels(scene, camera, {100, 100}, 1.0).open, 50.0 / (std::tan(glm::radians(15.0)) * 112.0),
+              1e-12);
 }
 
 TEST(ReferenceWidths, stayFiniteWithTheFocusBehindTheCamera) {

@@ -1,5 +1,6 @@
 // The cases that break ray casters: degenerate grids, far cameras, values that are no numbers, extreme foci.
 
+#include <bit>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -83,10 +84,11 @@ TEST(ReferenceHardCases, cameraInsideTheVolumeAndInsideTheFocus) {
 
 TEST(ReferenceHardCases, cameraAKilometreAwaySeesTheSame) {
   const Grid grid = obliqueGrid({16, 16, 16});
-  const Scene scene = labelScene(grid, [](glm::ivec3 i) { return glm::distance(glm::dvec3(i), glm::dvec3(8.0)) < 5.0; });
+  const Scene scene =
+      labelScene(grid, [](glm::ivec3 i) { return glm::distance(glm::dvec3(i), glm::dvec3(8.0)) < 5.0; });
   const glm::dvec3 centre = grid.centre(), towards = glm::normalize(glm::dvec3(1.0, -2.0, 0.5));
   const auto from = [&](double distance) {
-    return hitPoints(scene, lookAt(centre + distance * towards, centre, Projection::Orthographic, 40.0), {41, 37});
+    return hitPoints(scene, lookAt(centre + distance * towards, centre, Projection::Orthographic, 20.0), {41, 37});
   };
   const HitPoints near = from(100.0), distant = from(1e6);
   EXPECT_GT(knownCount(near.tFocus), 100);
@@ -100,10 +102,10 @@ TEST(ReferenceHardCases, cameraAKilometreAwaySeesTheSame) {
 TEST(ReferenceHardCases, thinVoxelsFarFromTheOrigin) {
   const auto picture = [](glm::dvec3 origin) {
     const Grid grid = gridOf({64, 64, 5}, {0.05, 0.05, 10.0}, origin);
-    Scene scene =
-        labelScene(grid, [](glm::ivec3 i) { return glm::distance(glm::dvec2(i), glm::dvec2(31.5)) < 20.0 && i.z == 2; });
+    Scene scene = labelScene(
+        grid, [](glm::ivec3 i) { return glm::distance(glm::dvec2(i), glm::dvec2(31.5)) < 20.0 && i.z == 2; });
     scene.context = opaqueFrom(-1.0);
-    return geometricStages(scene, Camera::fromAngles(20.0, 60.0, grid), {45, 45});
+    return geometricStages(scene, Camera::fromAngles(20.0, 85.0, grid), {90, 90});
   };
   const Stages near = picture(glm::dvec3(0.0)), distant = picture({1e6, -1e6, 1e6});
   expectSound(near);
@@ -111,7 +113,9 @@ TEST(ReferenceHardCases, thinVoxelsFarFromTheOrigin) {
   EXPECT_GT(knownCount(near.hits.tFocus), 20);
   for (std::size_t i = 0; i < near.tStart.size(); ++i) {
     ASSERT_EQ(std::isnan(near.hits.tFocus[i]), std::isnan(distant.hits.tFocus[i]));
-    if (!std::isnan(near.tStart[i])) EXPECT_NEAR(near.tStart[i], distant.tStart[i], 1e-6);
+    ASSERT_EQ(std::isnan(near.tStart[i]), std::isnan(distant.tStart[i]));
+    if (std::isnan(near.tStart[i])) continue;
+    EXPECT_NEAR(near.tStart[i], distant.tStart[i], 1e-6);  // 1e6 mm in doubles, over a slope of 0.05 : 10
   }
 }
 
@@ -158,7 +162,8 @@ TEST(ReferenceHardCases, valuesThatAreNoNumbersMakeNoSurface) {
 }
 
 TEST(ReferenceHardCases, hugeValuesKeepTheirSurfaces) {
-  Scene scene = valueScene(gridOf({6, 3, 3}), [](glm::ivec3 i) { return i.x >= 3 ? 1e30 : -1e30; }, 0.0);
+  Scene scene = valueScene(
+      gridOf({6, 3, 3}), [](glm::ivec3 i) { return i.x >= 3 ? 1e30 : -1e30; }, 0.0);
   const Camera camera = lookAt({-10.0, 1.0, 1.0}, {0.0, 1.0, 1.0}, Projection::Orthographic, 1.0);
   EXPECT_NEAR(hitPoints(scene, camera, {1, 1}).tFocus[0], 12.5, 1e-12);
 }
@@ -177,7 +182,8 @@ TEST(ReferenceHardCases, full16BitRanges) {
 TEST(ReferenceHardCases, constantVolumes) {
   const Grid grid = gridOf({8, 8, 8});
   const Camera camera = Camera::standard(StandardView::Anterior, grid);
-  Scene scene = valueScene(grid, [](glm::ivec3) { return 5.0; }, 5.0, 5.0);
+  Scene scene = valueScene(
+      grid, [](glm::ivec3) { return 5.0; }, 5.0, 5.0);
   const Stages all = geometricStages(scene, camera, {21, 21});
   expectSound(all);
   EXPECT_EQ(knownCount(all.hits.tFocus), knownCount(all.hits.tOut));
@@ -210,7 +216,7 @@ TEST(ReferenceHardCases, emptyFocusAndFocusOutOfView) {
   EXPECT_EQ(knownCount(empty.tFocusFilled), 0);
   for (std::size_t i = 0; i < empty.tStart.size(); ++i) {
     EXPECT_EQ(empty.distance[i], infinity);
-    if (!std::isnan(empty.tStart[i])) EXPECT_EQ(empty.tStart[i], empty.hits.tContext[i]);
+    EXPECT_TRUE(std::isnan(empty.tStart[i]) || empty.tStart[i] == empty.hits.tContext[i]);
   }
   Camera away = camera;
   away.target = away.eye + (away.eye - camera.target);
@@ -225,22 +231,24 @@ TEST(ReferenceHardCases, sheetsThinnerThanAnyStepAreHit) {
   const Camera camera = Camera::fromAngles(40.0, 25.0, grid);
   const glm::ivec2 size(40, 40);
   const Scene sheet = labelScene(grid, [](glm::ivec3 i) { return i.y == 20; });
-  const Scene thin = valueScene(grid, [](glm::ivec3 i) { return static_cast<double>(i.y); }, 20.0, 20.001);
-  for (const Scene& scene : {sheet, thin}) {
+  const Scene thin = valueScene(
+      grid, [](glm::ivec3 i) { return static_cast<double>(i.y); }, 20.0, 20.001);
+  const auto expectPlane = [&](const Scene& scene, double y) {
     const HitPoints hits = hitPoints(scene, camera, size);
+    int count = 0;
     for (int j = 0; j < size.y; ++j)
       for (int i = 0; i < size.x; ++i) {
         const Ray ray = pixelRay(camera, size, {i, j});
-        const double t = ((&scene == &sheet ? 19.5 : 20.0) - ray.origin.y) / ray.direction.y;
         const auto span = clip(ray, grid);
-        const std::size_t pixel = static_cast<std::size_t>(j * size.x + i);
-        if (!span) continue;
-        const bool level = std::holds_alternative<LabelFocus>(scene.focus);
-        const double expected = ((level ? 19.5 : 20.0) - ray.origin.y) / ray.direction.y;
-        static_cast<void>(t);
-        if (expected > span->tIn && expected < span->tOut) EXPECT_NEAR(hits.tFocus[pixel], expected, 1e-9);
+        const double t = (y - ray.origin.y) / ray.direction.y;
+        if (!span || t <= span->tIn || t >= span->tOut) continue;
+        EXPECT_NEAR(hits.tFocus[static_cast<std::size_t>(j * size.x + i)], t, 1e-9);
+        ++count;
       }
-  }
+    EXPECT_GT(count, 300);
+  };
+  expectPlane(sheet, 19.5);
+  expectPlane(thin, 20.0);
 }
 
 TEST(ReferenceHardCases, everyViewportSize) {
@@ -280,7 +288,8 @@ TEST(ReferenceHardCases, theSamePictureTwice) {
   std::mt19937 random(2);
   std::uniform_real_distribution<double> value(0.0, 1.0);
   const Grid grid = obliqueGrid({15, 15, 15});
-  Scene scene = valueScene(grid, [&](glm::ivec3) { return value(random); }, 0.9);
+  Scene scene = valueScene(
+      grid, [&](glm::ivec3) { return value(random); }, 0.9);
   scene.context = opaqueFrom(0.7);
   const Camera camera = Camera::fromAngles(10.0, 10.0, grid);
   const Stages a = geometricStages(scene, camera, {60, 50}), b = geometricStages(scene, camera, {60, 50});

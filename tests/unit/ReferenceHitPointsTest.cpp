@@ -16,8 +16,7 @@ using namespace tests;
 template <class F>
 void forEachRay(const Camera& camera, glm::ivec2 size, F&& f) {
   for (int j = 0; j < size.y; ++j)
-    for (int i = 0; i < size.x; ++i)
-      f(static_cast<std::size_t>(j * size.x + i), pixelRay(camera, size, {i, j}));
+    for (int i = 0; i < size.x; ++i) f(static_cast<std::size_t>(j * size.x + i), pixelRay(camera, size, {i, j}));
 }
 
 glm::dvec3 worldAt(const Grid& grid, glm::dvec3 index) {
@@ -61,7 +60,7 @@ TEST(ReferenceRays, clipToTheVoxelsExtents) {
   ASSERT_TRUE(inside);
   EXPECT_DOUBLE_EQ(inside->tIn, 0.0);
   EXPECT_DOUBLE_EQ(inside->tOut, 11.0);
-  EXPECT_FALSE(clip({{10.0, 0.0, 0.0}, {1.0, 0.0, 0.0}}, grid));   // behind
+  EXPECT_FALSE(clip({{10.0, 0.0, 0.0}, {1.0, 0.0, 0.0}}, grid));    // behind
   EXPECT_FALSE(clip({{-10.0, 50.0, 0.0}, {1.0, 0.0, 0.0}}, grid));  // beside
 }
 
@@ -80,8 +79,7 @@ TEST(ReferenceHitPoints, labelSurfaceOfAHalfSpaceIsMidwayBetweenCentres) {
   for (const Projection projection : {Projection::Perspective, Projection::Orthographic}) {
     const Grid grid = obliqueGrid({12, 14, 10});
     const Scene scene = labelScene(grid, [](glm::ivec3 i) { return i.x >= 5; });
-    const Camera camera =
-        lookAt(worldAt(grid, {-20.0, 3.0, 7.0}), worldAt(grid, {6.0, 6.0, 4.0}), projection, 12.0);
+    const Camera camera = lookAt(worldAt(grid, {-20.0, 3.0, 7.0}), worldAt(grid, {6.0, 6.0, 4.0}), projection, 12.0);
     const glm::ivec2 size(23, 17);
     const HitPoints hits = hitPoints(scene, camera, size);
     int count = 0;
@@ -125,7 +123,8 @@ TEST(ReferenceHitPoints, levelPlanesOfARampAreExact) {
     const auto tOf = [&](double level) {
       return (level - glm::dot(slope, local.origin)) / glm::dot(slope, local.direction);
     };
-    const glm::dvec3 at = local.origin + tOf(low) * local.direction, before = local.origin + tOf(low - 2.0) * local.direction;
+    const glm::dvec3 at = local.origin + tOf(low) * local.direction,
+                     before = local.origin + tOf(low - 2.0) * local.direction;
     for (const glm::dvec3& p : {at, before})
       if (glm::any(glm::lessThan(p, glm::dvec3(0.0))) || glm::any(glm::greaterThan(p, glm::dvec3(19.0)))) return;
     EXPECT_NEAR(hits.tFocus[pixel], tOf(low), 1e-9);
@@ -159,8 +158,8 @@ TEST(ReferenceHitPoints, firstCrossingsInNoiseAgreeWithFineMarching) {
     const double low = 0.72, high = 0.75;
     Scene scene = valueScene(grid, noise, low, high);
     scene.context = opaqueFrom(0.85);
-    const Camera camera = lookAt(worldAt(grid, {-9.0, 3.0 * trial, 20.0}), worldAt(grid, {3.0, 2.5, 2.0}));
-    const glm::ivec2 size(21, 19);
+    const Camera camera = Camera::fromAngles(40.0 * trial, 15.0, grid);
+    const glm::ivec2 size(35, 33);
     const HitPoints hits = hitPoints(scene, camera, size);
     const double step = 2e-3;
     forEachRay(camera, size, [&](std::size_t pixel, const Ray& ray) {
@@ -172,11 +171,10 @@ TEST(ReferenceHitPoints, firstCrossingsInNoiseAgreeWithFineMarching) {
           return;
         }
         // Marching may step over a sliver; the reference may not come later than it.
-        if (!std::isnan(marched.at)) EXPECT_LE(t, marched.at + 1e-9);
+        EXPECT_FALSE(t > marched.at + 1e-9);
         if (std::isnan(marched.at) || t < marched.before - 1e-9) ++slivers;
         const double found = scene.volume->sample(indexAt(ray, grid, t));
-        if (t > span->tIn) EXPECT_NEAR(found, level, 1e-9);
-        else EXPECT_TRUE(isIn(found));
+        EXPECT_TRUE(std::abs(found - level) < 1e-9 || (t == span->tIn && isIn(found))) << found;
         ++hitCount;
       };
       const auto inFocus = [&](double v) { return v >= low && v <= high; };
@@ -188,9 +186,10 @@ TEST(ReferenceHitPoints, firstCrossingsInNoiseAgreeWithFineMarching) {
       const Marched context = march(*scene.volume, ray, *span, step, inContext);
       const double tContext = std::fmin(context.at, focus.at);
       EXPECT_EQ(std::isnan(hits.tContext[pixel]), std::isnan(hits.tFocus[pixel]) && std::isnan(context.at));
-      if (!std::isnan(tContext)) EXPECT_LE(hits.tContext[pixel], tContext + 1e-9);
-      if (hits.tContext[pixel] > span->tIn && hits.tContext[pixel] != hits.tFocus[pixel])
+      EXPECT_FALSE(hits.tContext[pixel] > tContext + 1e-9);
+      if (hits.tContext[pixel] > span->tIn && hits.tContext[pixel] != hits.tFocus[pixel]) {
         EXPECT_NEAR(scene.volume->sample(indexAt(ray, grid, hits.tContext[pixel])), 0.85, 1e-9);
+      }
     });
   }
   EXPECT_GT(hitCount, 500);
@@ -202,8 +201,10 @@ TEST(ReferenceHitPoints, contextInsideAGapLeavesByEitherEnd) {
   const double profile[] = {15, 12, 18, 25, 15, 5};
   Scene scene;
   scene.volume = volumeOf(gridOf({6, 3, 3}), [&](glm::ivec3 i) { return profile[i.x]; });
-  scene.context.nodes = {{10.0, {glm::dvec3(1.0), 5.0}}, {10.0, {glm::dvec3(1.0), 0.0}},
-                         {20.0, {glm::dvec3(1.0), 0.0}}, {20.0, {glm::dvec3(1.0), 5.0}}};
+  scene.context.nodes = {{10.0, {glm::dvec3(1.0), 5.0}},
+                         {10.0, {glm::dvec3(1.0), 0.0}},
+                         {20.0, {glm::dvec3(1.0), 0.0}},
+                         {20.0, {glm::dvec3(1.0), 5.0}}};
   Camera camera = lookAt({-10.0, 1.0, 1.0}, {0.0, 1.0, 1.0}, Projection::Orthographic, 1.0);
   EXPECT_NEAR(hitPoints(scene, camera, {1, 1}).tContext[0], 10.0 + 2.0 + 2.0 / 7.0, 1e-12);
   camera = lookAt({20.0, 1.0, 1.0}, {0.0, 1.0, 1.0}, Projection::Orthographic, 1.0);
@@ -215,7 +216,7 @@ TEST(ReferenceHitPoints, labelsOfABallConvergeToTheBall) {
   Phantom phantom;
   phantom.extent = glm::dvec3(40.0);
   phantom.bodies = {{1, "ball", {}, 100.0, {Ellipsoid{{0.37, -0.21, 0.13}, glm::dvec3(14.0)}}}};
-  const glm::ivec2 size(41, 41);
+  const glm::ivec2 size(61, 61);
   double meanBefore = infinity;
   for (const int voxels : {20, 40, 80}) {
     const Phantom::Rasterised raster = phantom.rasterise(voxels);
@@ -246,8 +247,7 @@ TEST(ReferenceHitPoints, labelsOfABallConvergeToTheBall) {
   }
 }
 
-TEST(ReferenceHitPoints, thePhantomsValuesAndLabelsAgree) {
-  // The 0.5 level of the labels and the level halfway between the materials are the same surface, sampled differently.
+TEST(ReferenceHitPoints, levelHalfwayBetweenMaterialsIsTheBallsSurface) {
   Phantom phantom;
   phantom.extent = glm::dvec3(40.0);
   phantom.background = 0.0;
@@ -263,8 +263,10 @@ TEST(ReferenceHitPoints, thePhantomsValuesAndLabelsAgree) {
     const auto exact = phantom.firstHit(ray.origin, ray.direction, {1});
     if (!exact) return;
     const double cosine = -glm::dot(glm::normalize(ray.origin + *exact * ray.direction), ray.direction);
-    // Coverage averages over a voxel, which is far smoother than the labels' yes and no.
-    if (cosine > 0.3) EXPECT_LT(std::abs(hits.tFocus[pixel] - *exact) * cosine, 0.12 * raster.volume->grid.spacing.x);
+    // Coverage is a mean over the voxel, far smoother than the labels' yes and no; its quarter-voxel rows shift a
+    // surface by up to an eighth of a voxel, interpolation by less than that again.
+    if (cosine < 0.3) return;
+    EXPECT_LT(std::abs(hits.tFocus[pixel] - *exact) * cosine, 0.2 * raster.volume->grid.spacing.x);
   });
 }
 
@@ -289,12 +291,12 @@ TEST(ReferenceFocusCells, smallComponentsAreDropped) {
 
 TEST(ReferenceFocusCells, cellsThatShareACornerAreConnected) {
   // Cells of voxel (5,5,5) reach corner 6; those of voxel (7,7,7) begin there.
-  const auto volume = volumeOf(gridOf({12, 12, 12}),
-                               [](glm::ivec3 i) { return i == glm::ivec3(5) || i == glm::ivec3(7) ? 1.0 : 0.0; });
+  const auto volume =
+      volumeOf(gridOf({12, 12, 12}), [](glm::ivec3 i) { return i == glm::ivec3(5) || i == glm::ivec3(7) ? 1.0 : 0.0; });
   const FocusCells together = focusCells(*volume, {{0.5, 2.0}, 16.0});
   EXPECT_EQ(std::count(together.kept.begin(), together.kept.end(), 1), 16);
-  const auto apart = volumeOf(gridOf({12, 12, 12}),
-                              [](glm::ivec3 i) { return i == glm::ivec3(5) || i == glm::ivec3(8) ? 1.0 : 0.0; });
+  const auto apart =
+      volumeOf(gridOf({12, 12, 12}), [](glm::ivec3 i) { return i == glm::ivec3(5) || i == glm::ivec3(8) ? 1.0 : 0.0; });
   const FocusCells none = focusCells(*apart, {{0.5, 2.0}, 16.0});
   EXPECT_EQ(std::count(none.kept.begin(), none.kept.end(), 1), 0);
 }

@@ -28,8 +28,7 @@ TEST(Volume, sampleReproducesAMultilinearFunction) {
     const glm::dvec3 p = randomIn(random, {0, 0, 0}, {1, 1, 1});
     EXPECT_NEAR(volume->sample(p), f(p), 1e-12);
   }
-  forEachVoxel(volume->grid.dims,
-               [&](glm::ivec3 i) { EXPECT_EQ(volume->sample(glm::dvec3(i)), volume->value(i)); });
+  forEachVoxel(volume->grid.dims, [&](glm::ivec3 i) { EXPECT_EQ(volume->sample(glm::dvec3(i)), volume->value(i)); });
 }
 
 TEST(Volume, sampleClampsToTheEdge) {
@@ -76,9 +75,8 @@ TEST(Volume, defaultWindowIsTheFilesOwn) {
 
 TEST(Volume, defaultWindowSpansTheBulkOfTheValues) {
   // 0 … 99 evenly, and one voxel far out, which must not flatten the picture.
-  const auto volume = volumeOf(gridOf({100, 10, 10}), [](glm::ivec3 i) {
-    return i == glm::ivec3(0) ? 150.0 : static_cast<double>(i.x);
-  });
+  const auto volume = volumeOf(gridOf({100, 10, 10}),
+                               [](glm::ivec3 i) { return i == glm::ivec3(0) ? 150.0 : static_cast<double>(i.x); });
   const WindowLevel window = volume->defaultWindow();
   // Percentiles are read from 1024 bins over 150 values.
   EXPECT_NEAR(window.level - 0.5 * window.width, 1.0, 1.0);
