@@ -86,9 +86,14 @@ vec3 wallNormal(ivec2 pixel, float start) {
 }
 #endif
 
+// 1 - exp(-x), by its series where the difference would cancel.
+float opacityOf(float depth) {
+  return depth < 1e-2 ? depth * (1.0 - depth * (0.5 - depth / 6.0)) : 1.0 - exp(-depth);
+}
+
 vec4 integrate(Ray ray, float start, vec3 wall) {
   vec3 colour = vec3(0.0);
-  float transmittance = 1.0;
+  float transmittance = 1.0, opticalDepth = 0.0;
   bool cut = dot(wall, wall) > 0.0;
   float end = ray.sOut;
   vec3 perCell = 1.0 / vec3(volumeDims);
@@ -129,9 +134,8 @@ vec4 integrate(Ray ray, float start, vec3 wall) {
         material = texelFetch(transferTable, ivec2(int(entry + 0.5), 0), 0);
       }
       if (material.a <= 0.0) continue;
-      // 1 - exp(-x) by its series where x is small: the difference would cancel.
       float depth = material.a * stepLength;
-      float alpha = depth < 1e-3 ? depth * (1.0 - 0.5 * depth) : 1.0 - exp(-depth);
+      float alpha = opacityOf(depth);
       vec3 shade = material.rgb;
 #if SHADING
       vec4 gradient = texture(gradientTexture, uvw);
@@ -157,10 +161,11 @@ vec4 integrate(Ray ray, float start, vec3 wall) {
 #endif
       colour += transmittance * alpha * shade;
       transmittance *= 1.0 - alpha;
+      opticalDepth += depth;
       if (transmittance < 1.0 - OPAQUE) return vec4(colour, 1.0 - transmittance);
     }
   }
-  return vec4(colour, 1.0 - transmittance);
+  return vec4(colour, opacityOf(opticalDepth));
 }
 
 void main() {
