@@ -3,8 +3,10 @@
 //
 // { "name": "CT bone", "domain": "value" | "percentile",
 //   "nodes": [ {"value": 150, "colour": [r,g,b], "opacity": o}, … ] }
-// colour is display RGB 0..1, opacity that of 1 mm of material. With "percentile", values are 0..100 and are mapped
-// through the volume's own value distribution: MR values have no unit.
+// Nodes are in ascending order of value; two of the same value make a step. colour is display RGB 0..1, opacity that of
+// 1 mm of material. With "percentile", values are 0..100 and are mapped through the volume's own value distribution,
+// because MR values have no unit. The distribution is that of the tissue: background (air and its noise) is left out, by
+// the threshold that separates the volume's two main classes best (Otsu's), so that percentile 0 is where tissue begins.
 
 #include <filesystem>
 #include <string>
@@ -24,7 +26,8 @@ struct TransferFunctionPreset {
 std::vector<TransferFunctionPreset> transferFunctionPresets();
 /// A preset by id, or a file by path, made for `volume`. Throws Error.
 TransferFunction loadTransferFunction(const std::string& presetOrPath, const Volume& volume);
-/// The preset to start with: by modality and value range.
+/// The preset to start with, by modality and value range: CT in HU gets "ct-soft-tissue", all else (MR, CT that is not in
+/// HU) the percentile-based "mr".
 std::string defaultPreset(const Volume& volume);
 
 }  // namespace fenestra::io

@@ -1,0 +1,334 @@
+#include "app/SceneOptions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numeric>
+#include <string_view>
+
+#include <CLI/CLI.hpp>
+
+#include "app/CameraFile.h"
+#include "app/OptionHelpers.h"
+#include "io/PhantomFile.h"
+#include "io/TransferFunctionFile.h"
+
+namespace fenestra::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int largestPicture = 16384;  ///< pixels a side, what OpenGL 4.5 drivers commonly offer
+
+std::optional<CameraChoice> parseCamera(const std::string& text) {
+  static const std::vector<std::pair<std::string, StandardView>> views{
+      {"A", StandardView::Anterior}, {"P", StandardView::Posterior}, {"L", StandardView::Left},
+      {"R", StandardView::Right},    {"S", StandardView::Superior},  {"I", StandardView::Inferior}};
+  for (const auto& [letter, view] : views)
+    if (text == letter) return view;
+  if (const auto angles = parseNumbers<double, 2>(text, ',')) return ViewAngles{(*angles)[0], (*angles)[1]};
+  if (fs::path(text).extension() == ".json") return fs::path(text);
+  return std::nullopt;
+}
+
+std::string lowered(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(c < 0x80 ? std::tolower(c) : c); });
+  return text;
+}
+
+/// Number of insertions, deletions and replacements that turn a into b (Levenshtein).
+std::size_t editDistance(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i + 1;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+std::string described(const Label& label) { return std::to_string(label.value) + " " + label.name; }
+
+/// The labels most like `wanted`: by name, or by value when it is a number.
+std::string nearestLabels(const LabelMap& labels, const std::string& wanted) {
+  const std::optional<long> number = parseNumber<long>(wanted);
+  const auto distance = [&](const Label& label) -> std::size_t {
+    if (number) return static_cast<std::size_t>(std::abs(*number - static_cast<long>(label.value)));
+    const std::string name = lowered(label.name), part = lowered(wanted);
+    return name.find(part) != std::string::npos ? 0 : editDistance(name, part);
+  };
+  std::vector<const Label*> order;
+  for (const Label& label : labels.labels) order.push_back(&label);
+  std::stable_sort(order.begin(), order.end(), [&](auto* a, auto* b) { return distance(*a) < distance(*b); });
+  std::string text;
+  constexpr std::size_t shown = 3;
+  for (std::size_t i = 0; i < std::min(shown, order.size()); ++i) text += (i ? ", " : "") + described(*order[i]);
+  return text;
+}
+
+std::size_t countVoxels(const LabelMap& labels, const std::vector<std::uint16_t>& wanted) {
+  return labels.voxels.visit([&](auto scalars) {
+    return static_cast<std::size_t>(std::count_if(scalars.begin(), scalars.end(), [&](auto value) {
+      return std::binary_search(wanted.begin(), wanted.end(), static_cast<std::uint16_t>(value));
+    }));
+  });
+}
+
+/// What a phantom opens on: structures behind others, and the side from which the way in is worth seeing.
+struct PhantomView {
+  std::vector<std::string> focus;
+  CameraChoice camera;
+};
+PhantomView phantomView(const std::string& phantom) {
+  if (phantom == "head") return {{"tumour", "ventricles"}, ViewAngles{50.0, 20.0}};
+  return {{"heart muscle", "left ventricle", "right ventricle", "left atrium", "right atrium", "aorta", "left kidney",
+           "right kidney", "lesion"},
+          ViewAngles{25.0, 12.0}};
+}
+
+Camera makeCamera(const SceneOptions& options, const CameraChoice& choice, const Grid& grid) {
+  const Projection projection = options.projection.value_or(Projection::Perspective);
+  if (const auto* view = std::get_if<StandardView>(&choice)) return Camera::standard(*view, grid, projection);
+  const auto& angles = std::get<ViewAngles>(choice);
+  return Camera::fromAngles(angles.azimuth, angles.elevation, grid, projection);
+}
+
+/// The part of a progress bar from `begin` to `end`.
+io::Progress part(const io::Progress& progress, double begin, double end) {
+  if (!progress) return {};
+  return [=](double fraction, std::string_view doing) { return progress(std::lerp(begin, end, fraction), doing); };
+}
+
+}  // namespace
+
+std::string VolumeOptions::source() const { return phantom.empty() ? path.string() : "phantom " + phantom; }
+
+void addVolumeOptions(CLI::App& command, VolumeOptions& options) {
+  command.option_defaults()->group("Volume");
+  auto* path = addParsed(command, "PATH", "PATH", "DICOM folder or file, NIfTI, NRRD, MetaImage, or raw with --raw",
+                         [&options](const std::string& text) {
+                           options.path = text;
+                           return !text.empty();
+                         });
+  std::string names;
+  for (const std::string& name : io::phantomNames()) names += (names.empty() ? "" : "|") + name;
+  auto* phantom =
+      addParsed(command, "--phantom", names, "a built-in phantom instead of PATH", [&options](const std::string& text) {
+        const std::vector<std::string> known = io::phantomNames();
+        options.phantom = text;
+        return std::find(known.begin(), known.end(), text) != known.end();
+      });
+  path->excludes(phantom);
+  addParsed(command, "--phantom-voxels", "1..1024", "voxels along the phantom's longest side, default 256",
+            [&options](const std::string& text) {
+              options.phantomVoxels = parseNumber<int>(text).value_or(0);
+              return options.phantomVoxels >= 1 && options.phantomVoxels <= 1024;
+            })
+      ->needs(phantom);
+  command.add_option("--series", options.series, "the series' UID; the largest series otherwise")
+      ->type_name("UID")
+      ->excludes(phantom);
+  auto* raw = command
+                  .add_option_function<std::string>(
+                      "--raw",
+                      [&options](const std::string& text) {
+                        try {
+                          options.raw = io::parseRawDescription(text);
+                        } catch (const io::Error& error) {
+                          throw CLI::ValidationError("--raw", error.cause() + "; " + error.hint());
+                        }
+                      },
+                      "how to read PATH's bytes, e.g. 256x256x128:uint16:be:skip=512")
+                  ->type_name("WxHxD:TYPE[:le|be][:skip=BYTES]")
+                  ->excludes(phantom);
+  // Options take effect in the order in which they are added, so --raw is known here.
+  addParsed(command, "--spacing", "X,Y,Z", "mm between the voxels of --raw", [&options](const std::string& text) {
+    const auto spacing = parseNumbers<double, 3>(text, ',');
+    if (!spacing || !std::all_of(spacing->begin(), spacing->end(), [](double mm) { return mm > 0.0; })) return false;
+    if (options.raw) options.raw->spacing = {(*spacing)[0], (*spacing)[1], (*spacing)[2]};
+    return true;
+  })->needs(raw);
+  command.option_defaults()->group("Options");
+}
+
+void addSceneOptions(CLI::App& command, SceneOptions& options) {
+  addVolumeOptions(command, options);
+  auto* phantom = command.get_option("--phantom");
+  command.option_defaults()->group("Focus");
+  auto* labels = addParsed(command, "--labels", "FILE", "label map, resampled to the volume where its grid differs",
+                           [&options](const std::string& text) {
+                             options.labels = text;
+                             return !text.empty();
+                           })
+                     ->excludes(phantom);
+  auto* focusLabels = addParsed(command, "--focus-labels", "LABEL,...", "labels to open the view to, by value or name",
+                                [&options](const std::string& text) {
+                                  options.focusLabels = split(text, ',');
+                                  return std::none_of(options.focusLabels.begin(), options.focusLabels.end(),
+                                                      [](const std::string& label) { return label.empty(); });
+                                });
+  addParsed(command, "--focus-range", "LOW:HIGH", "values to open the view to, e.g. 300:3000",
+            [&options](const std::string& text) {
+              const auto range = parseNumbers<double, 2>(text, ':');
+              if (!range || (*range)[0] > (*range)[1]) return false;
+              options.focusRange = ValueRange{(*range)[0], (*range)[1]};
+              return true;
+            })
+      ->excludes(focusLabels);
+  addNumber(command, "--focus-min-size", 0.0, 1e12, "MM3",
+            "leave out islands of --focus-range below this volume, default 300", options.focusMinimumSize);
+  // Whether a focus by labels has labels to choose from is known only once the whole line is.
+  command.parse_complete_callback([=] {
+    if (focusLabels->count() && !labels->count() && !phantom->count())
+      throw CLI::RequiresError("--focus-labels", "--labels or --phantom");
+  });
+
+  command.option_defaults()->group("Picture");
+  std::string presets;
+  for (const io::TransferFunctionPreset& preset : io::transferFunctionPresets())
+    presets += (presets.empty() ? "" : "|") + preset.id;
+  command.add_option("--transfer-function", options.transferFunction, "optical properties of everything but the focus")
+      ->type_name(presets + "|FILE.json");
+  addParsed(
+      command, "--camera", "A|P|L|R|S|I|AZIMUTH,ELEVATION|FILE.json",
+      "side to look from, angles in degrees (0,0 faces the patient, 90,0 is the patient's left), or a camera file",
+      [&options](const std::string& text) {
+        options.camera = parseCamera(text);
+        return options.camera.has_value();
+      });
+  addChoice<Projection>(command, "--projection", "default perspective",
+                        {{"perspective", Projection::Perspective}, {"orthographic", Projection::Orthographic}},
+                        options.projection);
+  addParsed(command, "--size", "WxH", "picture in pixels, up to 16384 a side", [&options](const std::string& text) {
+    const auto size = parseNumbers<int, 2>(text, 'x');
+    if (!size || std::any_of(size->begin(), size->end(), [](int n) { return n < 1 || n > largestPicture; }))
+      return false;
+    options.size = glm::ivec2((*size)[0], (*size)[1]);
+    return true;
+  });
+
+  constexpr double widest = 1e5;
+  addSwitch(command, "--cutaway", "open the view to the focus, default on", options.cutaway.enabled);
+  addNumber(command, "--w-open", 0.0, widest, "WIDTH", "how far the cut opens around the focus, default 24",
+            options.cutaway.openWidth);
+  addNumber(command, "--w-border", 0.0, widest, "WIDTH", "width of the line around the cut, default 2",
+            options.cutaway.borderWidth);
+  addChoice<WidthUnit>(command, "--width-unit", "of the two widths, default px; mm are those at the focus's depth",
+                       {{"px", WidthUnit::Pixel}, {"mm", WidthUnit::Millimetre}}, options.cutaway.unit);
+  addNumber(command, "--context-layer", 0.0, 1.0, "0..1", "strength of the context's edges over the focus, default 0.6",
+            options.contextLayer.strength);
+  addSwitch(command, "--shading", "light by the gradient, default on", options.shading.enabled);
+  addChoice<Quality>(command, "--quality", "default normal",
+                     {{"draft", Quality::Draft}, {"normal", Quality::Normal}, {"high", Quality::High}},
+                     options.quality);
+  addParsed(command, "--background", "R,G,B", "0..1 each, default 0,0,0", [&options](const std::string& text) {
+    const auto colour = parseNumbers<double, 3>(text, ',');
+    if (!colour || std::any_of(colour->begin(), colour->end(), [](double c) { return c < 0.0 || c > 1.0; }))
+      return false;
+    options.background = {(*colour)[0], (*colour)[1], (*colour)[2]};
+    return true;
+  });
+  command.option_defaults()->group("Options");
+}
+
+OpenedData openData(const VolumeOptions& options, const io::Progress& progress) {
+  if (options.phantom.empty())
+    return {io::openVolume(options.path, {.series = options.series, .raw = options.raw, .progress = progress}),
+            nullptr};
+  if (progress && !progress(0.0, "making the phantom")) throw io::Cancelled();
+  const Phantom phantom = io::loadPhantom(options.phantom);
+  Phantom::Rasterised rasterised = phantom.rasterise(options.phantomVoxels);
+  OpenedData data;
+  data.volume.format = "phantom";
+  data.volume.series.id = options.phantom;
+  data.volume.series.modality = "CT";
+  data.volume.series.description = phantom.name;
+  data.volume.series.dims = rasterised.volume->grid.dims;
+  data.volume.volume = std::move(rasterised.volume);
+  data.labels = std::move(rasterised.labels);
+  return data;
+}
+
+LoadedScene loadScene(const SceneOptions& options, const io::Progress& progress) {
+  LoadedScene loaded;
+  Scene& scene = loaded.scene;
+  const double volumeShare = options.labels.empty() ? 1.0 : 0.8;
+  OpenedData data = openData(options, part(progress, 0.0, volumeShare));
+  loaded.volume = std::move(data.volume);
+  loaded.warnings = std::move(loaded.volume.warnings);
+  loaded.volume.warnings.clear();
+  scene.volume = loaded.volume.volume;
+  scene.labels = std::move(data.labels);
+  if (!options.labels.empty()) {
+    io::OpenedLabels opened = io::openLabels(options.labels, scene.volume->grid, part(progress, volumeShare, 1.0));
+    scene.labels = std::move(opened.labels);
+    std::move(opened.warnings.begin(), opened.warnings.end(), std::back_inserter(loaded.warnings));
+  }
+
+  loaded.transferFunction =
+      options.transferFunction.empty() ? io::defaultPreset(*scene.volume) : options.transferFunction;
+  scene.context = io::loadTransferFunction(loaded.transferFunction, *scene.volume);
+
+  CameraChoice camera = options.camera.value_or(StandardView::Anterior);
+  std::vector<std::string> focusLabels = options.focusLabels;
+  if (!options.phantom.empty() && focusLabels.empty() && !options.focusRange) {
+    const PhantomView view = phantomView(options.phantom);
+    focusLabels = view.focus;
+    camera = options.camera.value_or(view.camera);
+  }
+  if (options.focusRange) {
+    scene.focus = ValueFocus{*options.focusRange, options.focusMinimumSize};
+  } else if (!focusLabels.empty()) {
+    const fs::path file = options.labels.empty() ? fs::path(options.source()) : options.labels;
+    LabelFocus focus{resolveLabels(*scene.labels, focusLabels, file)};
+    if (countVoxels(*scene.labels, focus.labels) == 0)
+      loaded.warnings.push_back({io::Warning::Kind::Other, "the focus has no voxels in this volume", {file}});
+    scene.focus = std::move(focus);
+  }
+  scene.cutaway = options.cutaway;
+  scene.contextLayer = options.contextLayer;
+  scene.shading = options.shading;
+  scene.background = options.background;
+
+  loaded.view.size = {960, 720};
+  loaded.view.quality = options.quality;
+  if (const auto* file = std::get_if<fs::path>(&camera)) {
+    const CameraFile saved = readCamera(*file);
+    loaded.view.camera = saved.camera;
+    loaded.view.camera.projection = options.projection.value_or(saved.camera.projection);
+    loaded.view.size = saved.size;
+  } else {
+    loaded.view.camera = makeCamera(options, camera, scene.volume->grid);
+  }
+  loaded.view.size = options.size.value_or(loaded.view.size);
+  return loaded;
+}
+
+std::vector<std::uint16_t> resolveLabels(const LabelMap& labels, const std::vector<std::string>& wanted,
+                                         const fs::path& file) {
+  std::vector<std::uint16_t> values;
+  for (const std::string& text : wanted) {
+    const std::string name = lowered(text);
+    const std::optional<std::uint16_t> number = parseNumber<std::uint16_t>(text);
+    const auto at = std::find_if(labels.labels.begin(), labels.labels.end(), [&](const Label& label) {
+      return number ? label.value == *number : lowered(label.name) == name;
+    });
+    if (at == labels.labels.end()) {
+      const std::string nearest = nearestLabels(labels, text);
+      throw io::Error(file, "there is no label \"" + text + "\"",
+                      nearest.empty() ? "the label map is empty" : "the nearest are " + nearest);
+    }
+    values.push_back(at->value);
+  }
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+  return values;
+}
+
+}  // namespace fenestra::app

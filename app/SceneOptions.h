@@ -1,0 +1,89 @@
+#pragma once
+// The options that describe what to show, the same for the window and the command line, and the one way from them to a
+// scene.
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "io/VolumeReader.h"
+#include "rendering/passes/Renderer.h"
+#include "rendering/scene/Scene.h"
+
+namespace CLI {
+class App;
+}
+
+namespace fenestra::app {
+
+/// Which volume.
+struct VolumeOptions {
+  std::filesystem::path path;  ///< empty with a phantom
+  std::string phantom;         ///< name of a built-in phantom, or empty
+  int phantomVoxels = 256;     ///< along its longest side
+  std::string series;
+  std::optional<io::RawDescription> raw;
+
+  bool empty() const { return path.empty() && phantom.empty(); }
+  /// What errors and titles call it: the path, or "phantom NAME".
+  std::string source() const;
+};
+
+/// Degrees, as Camera::fromAngles takes them.
+struct ViewAngles {
+  double azimuth = 0.0, elevation = 0.0;
+};
+/// A standard view, angles, or a camera file.
+using CameraChoice = std::variant<StandardView, ViewAngles, std::filesystem::path>;
+
+/// Everything that --help lists under SCENE; unset members mean "what suits the data".
+struct SceneOptions : VolumeOptions {
+  std::filesystem::path labels;
+  std::vector<std::string> focusLabels;  ///< values or names
+  std::optional<ValueRange> focusRange;
+  double focusMinimumSize = ValueFocus{}.minimumComponent;  ///< mm³
+  std::string transferFunction;                             ///< preset or file; empty: io::defaultPreset
+  std::optional<CameraChoice> camera;
+  std::optional<Projection> projection;
+  std::optional<glm::ivec2> size;  ///< rendered pixels
+  Cutaway cutaway;
+  ContextLayer contextLayer;
+  Shading shading;
+  Quality quality = Quality::Normal;
+  glm::dvec3 background = Scene{}.background;
+};
+
+/// Adds PATH, --phantom, --series, --raw and --spacing. Values are checked while parsing, and mistakes throw
+/// CLI::ParseError. Numbers are read with a decimal point whatever the locale. `options` must outlive `command`.
+void addVolumeOptions(CLI::App& command, VolumeOptions& options);
+/// Adds the above and everything else in SceneOptions.
+void addSceneOptions(CLI::App& command, SceneOptions& options);
+
+/// Opens the volume, or makes the phantom (format "phantom"). Throws io::Error, io::Cancelled.
+struct OpenedData {
+  io::OpenedVolume volume;
+  std::shared_ptr<const LabelMap> labels;  ///< a phantom's own; null for files
+};
+OpenedData openData(const VolumeOptions& options, const io::Progress& progress = {});
+
+struct LoadedScene {
+  io::OpenedVolume volume;  ///< its warnings moved to `warnings`
+  Scene scene;
+  View view;
+  std::string transferFunction;       ///< preset or file in use
+  std::vector<io::Warning> warnings;  ///< of volume, labels and focus
+};
+/// From options to a scene: opens the data, resolves labels and transfer function, places the camera. A phantom
+/// without focus options gets the focus that shows the cutaway best. Throws io::Error, io::Cancelled.
+LoadedScene loadScene(const SceneOptions& options, const io::Progress& progress = {});
+
+/// Label values for `wanted` (values or names, case ignored) out of `labels`; sorted, unique. Throws io::Error with
+/// `file` and the nearest names.
+std::vector<std::uint16_t> resolveLabels(const LabelMap& labels, const std::vector<std::string>& wanted,
+                                         const std::filesystem::path& file);
+
+}  // namespace fenestra::app

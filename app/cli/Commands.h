@@ -1,0 +1,49 @@
+#pragma once
+// The commands of fenestra-cli. Results go to standard output as JSON, progress and warnings to standard error. Errors
+// are thrown: io::Error, egl::EglError.
+
+#include <filesystem>
+#include <optional>
+
+#include "app/SceneOptions.h"
+#include "rendering/scene/Slice.h"
+
+namespace fenestra::cli {
+
+struct InfoOptions {
+  app::VolumeOptions volume;
+  bool descriptions = false;  ///< also the series' free texts, which may hold anything the operator typed
+};
+void info(const InfoOptions& options);
+
+struct ConvertOptions {
+  app::VolumeOptions volume;
+  std::filesystem::path output;
+};
+void convert(const ConvertOptions& options);
+
+struct SliceOptions {
+  app::VolumeOptions volume;
+  SlicePlane plane = SlicePlane::Axial;
+  std::optional<double> at;  ///< mm along S, L or P; the middle slice when neither is given
+  std::optional<int> index;
+  std::optional<double> width, level;
+  std::filesystem::path output;
+};
+void slice(const SliceOptions& options);
+
+struct RenderOptions {
+  app::SceneOptions scene;
+  std::filesystem::path output, layers, stats;  ///< empty: not written
+  int repeat = 1;                               ///< frames, each from the first pass on
+  bool reference = false;                       ///< the geometric stages on the CPU instead of the picture
+};
+void render(const RenderOptions& options);
+
+struct CompareOptions {
+  std::filesystem::path a, b;
+};
+/// False when NaN or infinities of the two disagree.
+bool compare(const CompareOptions& options);
+
+}  // namespace fenestra::cli

@@ -1,0 +1,168 @@
+// info, convert and slice: commands on a volume, without a picture in 3-D.
+
+#include "app/cli/Commands.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "app/cli/Report.h"
+#include "io/ImageWriter.h"
+#include "io/VolumeWriter.h"
+
+namespace fenestra::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <class Vector>
+Json list(const Vector& v) {
+  return Json{v.x, v.y, v.z};
+}
+
+const char* nameOf(Modality modality) {
+  switch (modality) {
+    case Modality::CT:
+      return "CT";
+    case Modality::MR:
+      return "MR";
+    case Modality::Unknown:
+      break;
+  }
+  return "";
+}
+
+const char* nameOf(io::Warning::Kind kind) {
+  using Kind = io::Warning::Kind;
+  switch (kind) {
+    case Kind::GantryTilt:
+      return "gantry tilt";
+    case Kind::UnevenSpacing:
+      return "uneven spacing";
+    case Kind::MissingSlices:
+      return "missing slices";
+    case Kind::DuplicateSlices:
+      return "duplicate slices";
+    case Kind::MixedSizes:
+      return "mixed sizes";
+    case Kind::MixedOrientations:
+      return "mixed orientations";
+    case Kind::UnreadableFiles:
+      return "unreadable files";
+    case Kind::NoGeometry:
+      return "no geometry";
+    case Kind::PrecisionLoss:
+      return "precision loss";
+    case Kind::TimePoints:
+      return "time points";
+    case Kind::Other:
+      break;
+  }
+  return "other";
+}
+
+const char* nameOf(SlicePlane plane) {
+  switch (plane) {
+    case SlicePlane::Axial:
+      return "axial";
+    case SlicePlane::Sagittal:
+      return "sagittal";
+    case SlicePlane::Coronal:
+      break;
+  }
+  return "coronal";
+}
+
+Json describe(const io::SeriesInfo& series, bool descriptions) {
+  Json json{
+      {"id", series.id}, {"modality", series.modality}, {"dims", list(series.dims)}, {"files", series.files.size()}};
+  if (descriptions) json["description"] = series.description;
+  return json;
+}
+
+Json describe(const std::vector<io::Warning>& warnings) {
+  Json json = Json::array();
+  for (const io::Warning& warning : warnings) {
+    Json files = Json::array();
+    for (const std::filesystem::path& file : warning.files) files.push_back(file.string());
+    json.push_back({{"kind", nameOf(warning.kind)}, {"text", warning.text}, {"files", std::move(files)}});
+  }
+  return json;
+}
+
+}  // namespace
+
+void info(const InfoOptions& options) {
+  const io::OpenedVolume opened = app::openData(options.volume, progressOnTerminal()).volume;
+  const Volume& volume = *opened.volume;
+  const Grid& grid = volume.grid;
+  Json windows = Json::array();
+  for (const WindowLevel& window : volume.windows)
+    windows.push_back({{"width", window.width}, {"level", window.level}});
+  Json others = Json::array();
+  for (const io::SeriesInfo& series : opened.otherSeries) others.push_back(describe(series, options.descriptions));
+  const glm::dmat3& d = grid.direction;
+  const WindowLevel shown = volume.defaultWindow();
+  printJson(Json{
+      {"source", options.volume.source()},
+      {"format", opened.format},
+      {"dims", list(grid.dims)},
+      {"spacing", list(grid.spacing)},
+      {"origin", list(grid.origin)},
+      {"direction", {{d[0].x, d[1].x, d[2].x}, {d[0].y, d[1].y, d[2].y}, {d[0].z, d[1].z, d[2].z}}},
+      {"type", fenestra::nameOf(volume.voxels.type())},
+      {"slope", volume.slope},
+      {"intercept", volume.intercept},
+      {"range", {volume.range.low, volume.range.high}},
+      {"unit", volume.unit},
+      {"modality", nameOf(volume.modality)},
+      {"windows", std::move(windows)},
+      {"default_window", {{"width", shown.width}, {"level", shown.level}}},
+      {"series", describe(opened.series, options.descriptions)},
+      {"other_series", std::move(others)},
+      {"warnings", describe(opened.warnings)},
+  });
+}
+
+void convert(const ConvertOptions& options) {
+  const io::OpenedVolume opened = app::openData(options.volume, progressOnTerminal()).volume;
+  printWarnings(opened.warnings);
+  io::writeVolume(*opened.volume, options.output);
+}
+
+void slice(const SliceOptions& options) {
+  const io::OpenedVolume opened = app::openData(options.volume, progressOnTerminal()).volume;
+  printWarnings(opened.warnings);
+  const Volume& volume = *opened.volume;
+  const SliceGeometry geometry = sliceGeometry(volume.grid, options.plane);
+  int index = geometry.count / 2;
+  if (options.at) index = geometry.sliceAt(*options.at);
+  if (options.index) index = *options.index;
+  if (index < 0 || index >= geometry.count)
+    throw io::Error(options.volume.source(),
+                    "there is no " + std::string(nameOf(options.plane)) + " slice " + std::to_string(index),
+                    "slices run from 0 to " + std::to_string(geometry.count - 1));
+  WindowLevel window = volume.defaultWindow();
+  window.width = options.width.value_or(window.width);
+  window.level = options.level.value_or(window.level);
+
+  const std::vector<std::uint8_t> grey = windowed(sliceValues(volume, geometry, index), window);
+  io::writePng(options.output, {geometry.width, geometry.height}, 1, grey);
+  printJson(Json{
+      {"plane", nameOf(options.plane)},
+      {"slice", index},
+      {"slices", geometry.count},
+      {"size", {geometry.width, geometry.height}},
+      {"pixel_spacing", {glm::length(geometry.right), glm::length(geometry.down)}},
+      {"centre", list(geometry.worldFromPixel(0.5 * (geometry.width - 1), 0.5 * (geometry.height - 1), index))},
+      {"edges",
+       {{"left", orientationLetters(-geometry.right)},
+        {"right", orientationLetters(geometry.right)},
+        {"top", orientationLetters(-geometry.down)},
+        {"bottom", orientationLetters(geometry.down)}}},
+      {"window", {{"width", window.width}, {"level", window.level}}},
+  });
+}
+
+}  // namespace fenestra::cli

@@ -1,0 +1,147 @@
+#include "app/cli/Commands.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <system_error>
+
+#include <nlohmann/json.hpp>
+
+#include "app/CameraFile.h"
+#include "app/cli/Report.h"
+#include "io/ImageWriter.h"
+#include "rendering/egl/EglContext.h"
+#include "rendering/passes/GpuScene.h"
+#include "rendering/reference/Reference.h"
+
+namespace fenestra::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+double millisecondsSince(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// Writes one layer as NAME.mha; a stage that the scene does not use has no file.
+void writeLayer(const fs::path& folder, const char* name, glm::ivec2 size, const std::vector<float>& values) {
+  if (!values.empty()) io::writeLayer(folder / (std::string(name) + ".mha"), size, 1, values);
+}
+void writeLayer(const fs::path& folder, const char* name, glm::ivec2 size, const std::vector<glm::vec4>& values) {
+  if (values.empty()) return;
+  io::writeLayer(folder / (std::string(name) + ".mha"), size, 4, {&values[0].x, values.size() * 4});
+}
+
+void makeFolder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw io::Error(folder, "cannot be made: " + error.message(), "choose a folder you may write to");
+}
+
+void writeLayers(const fs::path& folder, const Layers& layers) {
+  writeLayer(folder, "t_context", layers.size, layers.tContext);
+  writeLayer(folder, "t_focus", layers.size, layers.tFocus);
+  writeLayer(folder, "t_focus_filled", layers.size, layers.tFocusFilled);
+  writeLayer(folder, "t_start", layers.size, layers.tStart);
+  writeLayer(folder, "distance", layers.size, layers.distance);
+  writeLayer(folder, "focus_layer", layers.size, layers.focusLayer);
+  writeLayer(folder, "context_layer", layers.size, layers.contextLayer);
+  writeLayer(folder, "final", layers.size, layers.final);
+}
+
+Layers referenceLayers(const Scene& scene, const View& view) {
+  const auto single = [](const reference::Image& image) { return std::vector<float>(image.begin(), image.end()); };
+  Layers layers;
+  layers.size = view.size;
+  const reference::HitPoints hits = reference::hitPoints(scene, view.camera, view.size);
+  layers.tContext = single(hits.tContext);
+  if (!hasCutaway(scene)) return layers;
+  const reference::Widths widths = reference::widthsInPixels(scene, view.camera, view.size, view.pixelScale);
+  const reference::Image filled = reference::fill(hits.tFocus, view.size);
+  const reference::Image distance = reference::distanceMap(hits.tFocus, view.size, widths.open + widths.border);
+  layers.tFocus = single(hits.tFocus);
+  layers.tFocusFilled = single(filled);
+  layers.distance = single(distance);
+  layers.tStart = single(reference::rayStart(hits, filled, distance, widths.open));
+  return layers;
+}
+
+/// The picture over the background, opaque RGB.
+std::vector<std::uint8_t> overBackground(const std::vector<std::uint8_t>& premultiplied, glm::dvec3 background) {
+  std::vector<std::uint8_t> rgb(premultiplied.size() / 4 * 3);
+  for (std::size_t pixel = 0; pixel < premultiplied.size() / 4; ++pixel) {
+    const double through = 255.0 - premultiplied[pixel * 4 + 3];
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+      const double value = premultiplied[pixel * 4 + channel] + through * background[static_cast<int>(channel)];
+      rgb[pixel * 3 + channel] = static_cast<std::uint8_t>(std::lround(std::min(value, 255.0)));
+    }
+  }
+  return rgb;
+}
+
+/// The first frame uploads the volume and compiles shaders; it counts only where it is alone.
+std::vector<double> warmFrames(const std::vector<double>& frames) {
+  std::vector<double> warm(frames.begin() + (frames.size() > 1 ? 1 : 0), frames.end());
+  std::sort(warm.begin(), warm.end());
+  return warm;
+}
+
+Json statistics(const std::string& description, const View& view, const Renderer& renderer, const GpuScene& gpuScene,
+                const std::vector<double>& frames) {
+  Json passes = Json::array();
+  for (std::size_t pass = 0; pass < passCount; ++pass) {
+    const PassStats& stats = renderer.stats()[pass];
+    passes.push_back({{"name", nameOf(static_cast<Pass>(pass))}, {"runs", stats.runs}, {"ms", stats.milliseconds}});
+  }
+  Json resources = Json::array();
+  for (const GpuScene::Resource& resource : gpuScene.resources())
+    resources.push_back({{"name", resource.name}, {"bytes", resource.bytes}});
+  resources.push_back({{"name", "images"}, {"bytes", renderer.imageBytes()}});
+  const std::vector<double> warm = warmFrames(frames);
+  return {
+      {"gl", description},           {"size", {view.size.x, view.size.y}},
+      {"passes", std::move(passes)}, {"resources", std::move(resources)},
+      {"total_ms", frames.back()},   {"frames_ms", frames},
+  };
+}
+
+}  // namespace
+
+void render(const RenderOptions& options) {
+  const app::LoadedScene loaded = app::loadScene(options.scene, progressOnTerminal());
+  printWarnings(loaded.warnings);
+  const Scene& scene = loaded.scene;
+  View view = loaded.view;
+  if (!options.layers.empty()) {
+    makeFolder(options.layers);
+    app::writeCamera(options.layers / "camera.json", {view.camera, view.size}, scene.volume->grid);
+  }
+  if (options.reference) {
+    writeLayers(options.layers, referenceLayers(scene, view));
+    return;
+  }
+
+  egl::EglContext context;
+  const auto gpuScene = std::make_shared<GpuScene>();
+  Renderer renderer(gpuScene);
+  renderer.setTiming(!options.stats.empty());
+  std::vector<std::uint8_t> picture;
+  std::vector<double> frames;
+  for (int frame = 0; frame < options.repeat; ++frame) {
+    // An unchanged view would run no pass: the eye moves by the least that a double can hold.
+    if (frame > 0) view.camera.eye.x = std::nextafter(view.camera.eye.x, std::numeric_limits<double>::infinity());
+    const auto start = std::chrono::steady_clock::now();
+    renderer.render(scene, view);
+    picture = renderer.readPicture();
+    frames.push_back(millisecondsSince(start));
+  }
+  io::writePng(options.output, view.size, 3, overBackground(picture, scene.background));
+  if (!options.layers.empty()) writeLayers(options.layers, renderer.readLayers());
+  if (!options.stats.empty())
+    io::writeText(options.stats, statistics(context.description(), view, renderer, *gpuScene, frames).dump(2) + "\n");
+}
+
+}  // namespace fenestra::cli

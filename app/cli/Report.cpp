@@ -1,0 +1,46 @@
+#include "app/cli/Report.h"
+
+#include <unistd.h>
+#include <algorithm>
+#include <cstdio>
+#include <iostream>
+
+#include <nlohmann/json.hpp>
+
+namespace fenestra::cli {
+
+io::Progress progressOnTerminal() {
+  if (!isatty(STDERR_FILENO)) return {};
+  return [shown = -1](double fraction, std::string_view doing) mutable {
+    const int percent = static_cast<int>(std::clamp(fraction, 0.0, 1.0) * 100.0);
+    if (percent != shown) {
+      shown = percent;
+      std::fprintf(stderr, "\r\033[K%3d %% %.*s%s", percent, static_cast<int>(doing.size()), doing.data(),
+                   percent == 100 ? "\r\033[K" : "");
+      std::fflush(stderr);
+    }
+    return true;
+  };
+}
+
+void printWarnings(const std::vector<io::Warning>& warnings) {
+  for (const io::Warning& warning : warnings) {
+    std::string line = "fenestra-cli: warning: " + warning.text;
+    if (!warning.files.empty()) line += " (" + warning.files.front().filename().string();
+    if (warning.files.size() > 1) line += " and " + std::to_string(warning.files.size() - 1) + " more";
+    if (!warning.files.empty()) line += ")";
+    std::cerr << oneLine(line) << '\n';
+  }
+}
+
+void printJson(const nlohmann::ordered_json& json) {
+  std::cout << json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n' << std::flush;
+}
+
+std::string oneLine(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
+  return text;
+}
+
+}  // namespace fenestra::cli

@@ -1,0 +1,22 @@
+#pragma once
+// What a command says while it works and when it is done.
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "io/VolumeReader.h"
+
+namespace fenestra::cli {
+
+/// A percentage on standard error while that is a terminal; empty otherwise.
+io::Progress progressOnTerminal();
+/// One line each on standard error.
+void printWarnings(const std::vector<io::Warning>& warnings);
+/// To standard output, indented; bytes that are not UTF-8 (file names) are replaced.
+void printJson(const nlohmann::ordered_json& json);
+/// `text` without line breaks and other control characters.
+std::string oneLine(std::string text);
+
+}  // namespace fenestra::cli

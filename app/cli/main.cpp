@@ -1,0 +1,155 @@
+// fenestra-cli: everything that needs no window. Exit codes: 0 done, 1 the input or the machine is at fault, 2 wrong
+// usage.
+
+#include <exception>
+#include <functional>
+#include <iostream>
+#include <new>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "app/OptionHelpers.h"
+#include "app/SceneOptions.h"
+#include "app/cli/Commands.h"
+#include "app/cli/Report.h"
+#include "rendering/egl/EglContext.h"
+
+namespace fenestra::cli {
+namespace {
+
+constexpr int done = 0, failed = 1, misused = 2;
+
+/// A command: its options, and what to do with them; false is a failure that has been said.
+struct Command {
+  CLI::App* app;
+  const app::VolumeOptions* source;  ///< what an error that names no file is about; may be null
+  std::function<bool()> run;
+};
+
+void requireSource(CLI::App& command) {
+  command.final_callback([&command] {
+    if (!command.get_option("PATH")->count() && !command.get_option("--phantom")->count())
+      throw CLI::RequiredError("PATH or --phantom");
+  });
+}
+
+int fail(const std::string& what) {
+  std::cerr << oneLine("fenestra-cli: " + what) << '\n';
+  return failed;
+}
+
+int run(const Command& command) {
+  const std::string source = command.source ? command.source->source() : command.app->get_name();
+  try {
+    return command.run() ? done : failed;
+  } catch (const io::Error& error) {
+    return fail(error.what());
+  } catch (const egl::EglError& error) {
+    return fail(source + ": " + error.what());
+  } catch (const std::bad_alloc&) {
+    return fail(source + ": not enough memory; close other programs or use a smaller volume");
+  } catch (const std::exception& error) {
+    return fail(source + ": unexpected failure: " + error.what() + "; please report it");
+  }
+}
+
+int main(int argc, char** argv) {
+  CLI::App program{
+      "Fenestra without a window: looks into medical volumes and pictures them with an adaptive cutaway.\n"
+      "Not for diagnostic use.",
+      "fenestra-cli"};
+  program.require_subcommand(1);
+  program.set_version_flag("--version", FENESTRA_VERSION);
+  program.get_formatter()->column_width(40);
+  std::vector<Command> commands;
+
+  InfoOptions infoOptions;
+  CLI::App* command = program.add_subcommand("info", "geometry, type, value range, series and warnings, as JSON");
+  app::addVolumeOptions(*command, infoOptions.volume);
+  command->add_flag("--descriptions", infoOptions.descriptions,
+                    "also the series' descriptions, free texts that may name the patient");
+  requireSource(*command);
+  commands.push_back({command, &infoOptions.volume, [&] { return info(infoOptions), true; }});
+
+  ConvertOptions convertOptions;
+  command = program.add_subcommand("convert", "write the volume's real values to .mha, .nii.gz, .nii or .nrrd");
+  app::addVolumeOptions(*command, convertOptions.volume);
+  command->add_option("-o,--output", convertOptions.output, "file to write")->required()->type_name("FILE");
+  requireSource(*command);
+  commands.push_back({command, &convertOptions.volume, [&] { return convert(convertOptions), true; }});
+
+  SliceOptions sliceOptions;
+  command = program.add_subcommand("slice", "one slice as PNG, a pixel a voxel, radiological convention");
+  app::addVolumeOptions(*command, sliceOptions.volume);
+  app::addChoice<SlicePlane>(
+      *command, "--plane", "default axial",
+      {{"axial", SlicePlane::Axial}, {"sagittal", SlicePlane::Sagittal}, {"coronal", SlicePlane::Coronal}},
+      sliceOptions.plane);
+  CLI::Option* at = command->add_option("--at", sliceOptions.at, "mm along S (axial), L (sagittal) or P (coronal)");
+  command->add_option("--index", sliceOptions.index, "slice number, growing the same way; the middle one otherwise")
+      ->excludes(at);
+  command->add_option("--window", sliceOptions.width, "width of the display window; the file's own otherwise")
+      ->check(CLI::PositiveNumber);
+  command->add_option("--level", sliceOptions.level, "centre of the display window");
+  command->add_option("-o,--output", sliceOptions.output, "PNG to write")->required()->type_name("FILE");
+  requireSource(*command);
+  commands.push_back({command, &sliceOptions.volume, [&] { return slice(sliceOptions), true; }});
+
+  RenderOptions renderOptions;
+  command = program.add_subcommand("render", "a picture with the adaptive cutaway");
+  app::addSceneOptions(*command, renderOptions.scene);
+  CLI::Option* output = command->add_option("-o,--output", renderOptions.output, "PNG to write")->type_name("FILE");
+  CLI::Option* layers =
+      command->add_option("--layers", renderOptions.layers, "folder for every stage, as .mha")->type_name("FOLDER");
+  command->add_option("--stats", renderOptions.stats, "JSON of times and memory to write")
+      ->type_name("FILE")
+      ->needs(output);
+  command->add_option("--repeat", renderOptions.repeat, "frames to draw and time, each from the first pass on")
+      ->check(CLI::Range(1, 10000))
+      ->needs(output);
+  CLI::Option* reference =
+      command->add_flag("--reference", renderOptions.reference,
+                        "write the layers of the geometric stages, in double precision on the CPU, and no picture");
+  reference->needs(layers)->excludes(output);
+  command->final_callback([=] {
+    if (!command->get_option("PATH")->count() && !command->get_option("--phantom")->count())
+      throw CLI::RequiredError("PATH or --phantom");
+    if (!output->count() && !reference->count()) throw CLI::RequiredError("--output");
+  });
+  commands.push_back({command, &renderOptions.scene, [&] { return render(renderOptions), true; }});
+
+  CompareOptions compareOptions;
+  command = program.add_subcommand("compare", "errors between two pictures or layers, as JSON");
+  command->add_option("A", compareOptions.a, "PNG or .mha")->required()->type_name("");
+  command->add_option("B", compareOptions.b, "of the same size")->required()->type_name("");
+  commands.push_back({command, nullptr, [&] { return compare(compareOptions); }});
+
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::Success& success) {
+    return program.exit(success);
+  } catch (const CLI::ParseError& error) {
+    const bool named = !program.get_subcommands().empty();
+    const std::string what = named ? error.what() : "expected info, convert, slice, render or compare";
+    std::cerr << oneLine("fenestra-cli: " + what + "; see --help") << '\n';
+    return misused;
+  }
+  for (const Command& each : commands)
+    if (each.app->parsed()) return run(each);
+  return misused;
+}
+
+}  // namespace
+}  // namespace fenestra::cli
+
+int main(int argc, char** argv) {
+  try {
+    return fenestra::cli::main(argc, argv);
+  } catch (const std::exception& error) {
+    std::cerr << "fenestra-cli: cannot start: " << fenestra::cli::oneLine(error.what()) << '\n';
+    return 1;
+  }
+}

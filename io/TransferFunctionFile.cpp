@@ -1,0 +1,211 @@
+#include "io/TransferFunctionFile.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <optional>
+#include <string_view>
+#include <system_error>
+
+#include <nlohmann/json.hpp>
+
+#include "fenestra/resources.h"
+
+namespace fenestra::io {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+constexpr std::string_view presetFolder = "transfer-functions/";
+constexpr std::string_view presetEnding = ".json";
+
+std::string presetPath(const std::string& id) { return std::string(presetFolder) + id + std::string(presetEnding); }
+
+/// Reads one description; every mistake is an Error that names `source` and says which entry it is.
+class Parser {
+ public:
+  Parser(fs::path source, std::string_view text) : source_(std::move(source)) {
+    try {
+      root_ = Json::parse(text);
+    } catch (const Json::parse_error& error) {
+      fail("not valid JSON near byte " + std::to_string(error.byte));
+    }
+    if (!root_.is_object()) fail("the top level is not an object");
+  }
+
+  std::string name() const {
+    const auto name = root_.find("name");
+    if (name == root_.end() || !name->is_string()) fail("\"name\" is not a text");
+    return name->get<std::string>();
+  }
+
+  bool byPercentile() const {
+    const auto domain = root_.find("domain");
+    if (domain != root_.end() && *domain == "value") return false;
+    if (domain != root_.end() && *domain == "percentile") return true;
+    fail("\"domain\" is neither \"value\" nor \"percentile\"");
+  }
+
+  /// Nodes with values as written.
+  TransferFunction function() const {
+    const auto nodes = root_.find("nodes");
+    if (nodes == root_.end() || !nodes->is_array() || nodes->empty()) fail("\"nodes\" is not a list of nodes");
+    const bool percentile = byPercentile();
+    TransferFunction result;
+    for (const Json& entry : *nodes) {
+      const std::string where = "node " + std::to_string(result.nodes.size() + 1) + ": ";
+      if (!entry.is_object()) fail(where + "not an object");
+      TransferFunction::Node node;
+      node.value = number(entry, "value", where);
+      if (percentile && (node.value < 0.0 || node.value > 100.0)) fail(where + "a percentile outside 0 to 100");
+      if (!result.nodes.empty() && node.value < result.nodes.back().value)
+        fail(where + "its value is less than the node's before it");
+      node.properties.extinction = extinctionFromOpacity(fraction(number(entry, "opacity", where), "opacity", where));
+      const auto colour = entry.find("colour");
+      if (colour == entry.end() || !colour->is_array() || colour->size() != 3)
+        fail(where + "\"colour\" is not a list of three numbers");
+      for (int channel = 0; channel < 3; ++channel) {
+        const Json& component = (*colour)[static_cast<std::size_t>(channel)];
+        if (!component.is_number()) fail(where + "\"colour\" is not a list of three numbers");
+        node.properties.colour[channel] = fraction(component.get<double>(), "colour", where);
+      }
+      result.nodes.push_back(node);
+    }
+    return result;
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& cause) const {
+    throw Error(source_, "not a transfer function: " + cause,
+                "see the presets in resources/transfer-functions for the form");
+  }
+  double number(const Json& entry, const char* key, const std::string& where) const {
+    const auto at = entry.find(key);
+    if (at == entry.end() || !at->is_number() || !std::isfinite(at->get<double>()))
+      fail(where + "\"" + key + "\" is not a number");
+    return at->get<double>();
+  }
+  double fraction(double value, const char* key, const std::string& where) const {
+    if (!(value >= 0.0 && value <= 1.0)) fail(where + "\"" + key + "\" lies outside 0 to 1");
+    return value;
+  }
+
+  fs::path source_;
+  Json root_;
+};
+
+std::string readFile(const fs::path& path) {
+  // Hand-written files are a few hundred bytes; anything beyond this is another kind of file.
+  constexpr std::uintmax_t largest = 1 << 20;
+  std::error_code error;
+  if (!fs::is_regular_file(path, error)) {
+    std::string names;
+    for (const TransferFunctionPreset& preset : transferFunctionPresets())
+      names += (names.empty() ? "" : ", ") + preset.id;
+    throw Error(path, "neither a preset nor a file", "the presets are " + names);
+  }
+  if (fs::file_size(path, error) > largest || error)
+    throw Error(path, "not a transfer function: too large", "give a JSON file of nodes");
+  std::ifstream file(path, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  if (!file.good() && !file.eof()) throw Error(path, "cannot be read", "check its permissions");
+  return text;
+}
+
+/// The value distribution of what is not background.
+class TissuePercentiles {
+ public:
+  explicit TissuePercentiles(const Volume& volume) : values_(sampled(volume)) {
+    if (!values_.empty()) values_.erase(values_.begin(), values_.begin() + backgroundCount());
+  }
+
+  double at(double percentile) const {
+    if (values_.empty()) return 0.0;
+    const double position = percentile / 100.0 * static_cast<double>(values_.size() - 1);
+    const auto below = static_cast<std::size_t>(position);
+    const auto above = std::min(below + 1, values_.size() - 1);
+    return std::lerp(values_[below], values_[above], position - static_cast<double>(below));
+  }
+
+ private:
+  /// Finite real values of evenly spaced voxels, sorted. A quarter of a million give a percentile to a tenth of one.
+  static std::vector<double> sampled(const Volume& volume) {
+    constexpr std::size_t wanted = 1 << 18;
+    std::vector<double> values;
+    volume.voxels.visit([&](auto scalars) {
+      // An odd stride does not fall into step with rows whose length is a power of two.
+      const std::size_t stride = scalars.size() / wanted | 1;
+      values.reserve(scalars.size() / stride + 1);
+      for (std::size_t i = 0; i < scalars.size(); i += stride) {
+        const double real = volume.slope * static_cast<double>(scalars[i]) + volume.intercept;
+        if (std::isfinite(real)) values.push_back(real);
+      }
+    });
+    std::sort(values.begin(), values.end());
+    return values;
+  }
+
+  /// How many of the sorted values are background: air and its noise, below the threshold that separates the two
+  /// classes best (Otsu, IEEE Trans. SMC 9(1), 1979: the greatest variance between classes).
+  std::ptrdiff_t backgroundCount() const {
+    // Outliers (metal, a spike) would be a class of their own.
+    const std::size_t tail = values_.size() / 1000;
+    const auto clipped = [&](std::size_t i) {
+      return std::clamp(values_[i], values_[tail], values_[values_.size() - 1 - tail]);
+    };
+    double total = 0.0;
+    for (std::size_t i = 0; i < values_.size(); ++i) total += clipped(i);
+    const auto count = static_cast<double>(values_.size());
+    double below = 0.0, greatest = 0.0;
+    std::size_t split = 0;
+    for (std::size_t i = 1; i < values_.size(); ++i) {
+      below += clipped(i - 1);
+      if (values_[i] == values_[i - 1]) continue;
+      const double n = static_cast<double>(i);
+      const double difference = below / n - (total - below) / (count - n);
+      const double between = n * (count - n) * difference * difference;
+      if (between > greatest) {
+        greatest = between;
+        split = i;
+      }
+    }
+    return static_cast<std::ptrdiff_t>(split);
+  }
+
+  std::vector<double> values_;
+};
+
+}  // namespace
+
+std::vector<TransferFunctionPreset> transferFunctionPresets() {
+  std::vector<TransferFunctionPreset> presets;
+  for (const std::string_view path : resources::paths()) {
+    if (!path.starts_with(presetFolder) || !path.ends_with(presetEnding)) continue;
+    std::string id(path.substr(presetFolder.size(), path.size() - presetFolder.size() - presetEnding.size()));
+    presets.push_back({std::move(id), Parser(path, resources::find(path)).name()});
+  }
+  return presets;
+}
+
+TransferFunction loadTransferFunction(const std::string& presetOrPath, const Volume& volume) {
+  const std::string_view embedded = resources::find(presetPath(presetOrPath));
+  const Parser parser(presetOrPath, embedded.empty() ? readFile(presetOrPath) : std::string(embedded));
+  TransferFunction function = parser.function();
+  if (parser.byPercentile()) {
+    const TissuePercentiles percentiles(volume);
+    for (TransferFunction::Node& node : function.nodes) node.value = percentiles.at(node.value);
+  }
+  return function;
+}
+
+std::string defaultPreset(const Volume& volume) {
+  if (volume.modality == Modality::MR) return "mr";
+  // Air is -1000 HU, fat -100: a CT in HU goes below zero. One whose values are something else (rescaled to 0..1,
+  // offset by 1024) is told by its range, and shown by its own distribution as an MR is.
+  const bool negative = volume.range.low < 0.0;
+  const bool spansAirAndBone = volume.range.low <= -300.0 && volume.range.low >= -10000.0 && volume.range.high >= 150.0;
+  return (volume.unit == "HU" && negative) || spansAirAndBone ? "ct-soft-tissue" : "mr";
+}
+
+}  // namespace fenestra::io

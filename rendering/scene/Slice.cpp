@@ -1,0 +1,220 @@
+#include "rendering/scene/Slice.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "rendering/scene/Parallel.h"
+
+namespace fenestra {
+namespace {
+
+/// The index axis that runs along each patient axis (x: L, y: P, z: S). Of the six assignments the one with the largest
+/// product of cosines: it is never zero for a lattice of full rank, so that every patient axis gets an axis that moves
+/// along it.
+std::array<int, 3> indexAxes(const glm::dmat3& direction) {
+  std::array<int, 3> order{0, 1, 2}, best = order;
+  double greatest = -1.0;
+  do {
+    const double product = std::abs(direction[order[0]].x * direction[order[1]].y * direction[order[2]].z);
+    if (product > greatest) {
+      greatest = product;
+      best = order;
+    }
+  } while (std::next_permutation(order.begin(), order.end()));
+  return best;
+}
+
+/// One way across a picture: the index axis that runs that way, and whether backwards.
+struct Side {
+  int axis = 0;
+  glm::dvec3 step{0.0};   ///< world, mm per voxel, along the picture's side
+  bool reversed = false;  ///< pixel 0 is the axis's last voxel
+};
+
+Side side(const Grid& grid, int axis, glm::dvec3 towards) {
+  const glm::dvec3 step = grid.direction[axis] * grid.spacing[axis];
+  const bool reversed = glm::dot(step, towards) < 0.0;
+  return {axis, reversed ? -step : step, reversed};
+}
+
+/// Index positions of a slice's pixels.
+struct IndexWalk {
+  glm::dvec3 start, right, down;
+
+  glm::dvec3 at(int i, int j) const { return start + static_cast<double>(i) * right + static_cast<double>(j) * down; }
+};
+
+IndexWalk indexWalk(const Grid& grid, const SliceGeometry& geometry, int slice) {
+  const glm::dmat3 linear(grid.indexFromWorld());
+  // Subtracting the origins first keeps the precision where both are metres away.
+  return {linear * (geometry.worldFromPixel(0, 0, slice) - grid.origin), linear * geometry.right,
+          linear * geometry.down};
+}
+
+bool isNearInteger(glm::dvec3 v, double tolerance) {
+  return glm::all(glm::lessThanEqual(glm::abs(v - glm::round(v)), glm::dvec3(tolerance)));
+}
+
+/// Whether every pixel of a slice is the centre of a voxel, to a thousandth of a voxel across the whole picture.
+bool liesOnVoxels(const IndexWalk& walk, const SliceGeometry& geometry) {
+  constexpr double tolerance = 1e-3;
+  return isNearInteger(walk.start, tolerance) && isNearInteger(walk.right, tolerance / geometry.width) &&
+         isNearInteger(walk.down, tolerance / geometry.height);
+}
+
+std::size_t pixelCount(const SliceGeometry& geometry) {
+  return static_cast<std::size_t>(geometry.width) * static_cast<std::size_t>(geometry.height);
+}
+
+/// Calls pixel(index of the pixel, index position in the grid) for all pixels of a slice, on all cores.
+template <class F>
+void forEachPixel(const SliceGeometry& geometry, const IndexWalk& walk, F&& pixel) {
+  const auto width = static_cast<std::size_t>(geometry.width);
+  constexpr std::size_t worthAThread = 1 << 16;
+  parallelFor(static_cast<std::size_t>(geometry.height), worthAThread / std::max<std::size_t>(width, 1) + 1,
+              [&](std::size_t begin, std::size_t end) {
+                for (std::size_t j = begin; j < end; ++j)
+                  for (std::size_t i = 0; i < width; ++i)
+                    pixel(j * width + i, walk.at(static_cast<int>(i), static_cast<int>(j)));
+              });
+}
+
+}  // namespace
+
+glm::dvec3 SliceGeometry::worldFromPixel(double i, double j, double slice) const {
+  return origin + i * right + j * down + slice * normal;
+}
+
+glm::dvec3 SliceGeometry::pixelFromWorld(glm::dvec3 world) const {
+  return glm::inverse(glm::dmat3(right, down, normal)) * (world - origin);
+}
+
+int SliceGeometry::sliceAt(double mm) const {
+  const int along = plane == SlicePlane::Axial ? 2 : plane == SlicePlane::Sagittal ? 0 : 1;
+  const double first = worldFromPixel(0.5 * (width - 1), 0.5 * (height - 1), 0.0)[along];
+  const double slice = std::round((mm - first) / normal[along]);
+  if (!(slice > 0.0)) return 0;
+  return slice < count ? static_cast<int>(slice) : count - 1;
+}
+
+SliceGeometry sliceGeometry(const Grid& grid, SlicePlane plane) {
+  const auto [toLeft, toPosterior, toSuperior] = indexAxes(grid.direction);
+  const glm::dvec3 left(1.0, 0.0, 0.0), posterior(0.0, 1.0, 0.0), superior(0.0, 0.0, 1.0);
+
+  Side right, down, normal;
+  switch (plane) {
+    case SlicePlane::Axial:
+      right = side(grid, toLeft, left);
+      down = side(grid, toPosterior, posterior);
+      normal = side(grid, toSuperior, superior);
+      break;
+    case SlicePlane::Sagittal:
+      right = side(grid, toPosterior, posterior);
+      down = side(grid, toSuperior, -superior);
+      normal = side(grid, toLeft, left);
+      break;
+    case SlicePlane::Coronal:
+      right = side(grid, toLeft, left);
+      down = side(grid, toSuperior, -superior);
+      normal = side(grid, toPosterior, posterior);
+      break;
+  }
+
+  SliceGeometry geometry;
+  geometry.plane = plane;
+  geometry.axis = normal.axis;
+  geometry.count = grid.dims[normal.axis];
+  geometry.width = grid.dims[right.axis];
+  geometry.height = grid.dims[down.axis];
+  geometry.normal = normal.step;
+
+  glm::dvec3 first = grid.origin;
+  for (const Side& s : {right, down, normal})
+    if (s.reversed) first -= s.step * static_cast<double>(grid.dims[s.axis] - 1);
+
+  // A sheared plane: the side nearer to its patient axis stays (the table's travel under a tilted gantry), the other
+  // one loses its component along it, and the picture grows along the first by what the shear shifts. Columns (or rows)
+  // still fall on the voxels'; only the way along them is interpolated.
+  const auto alignment = [](const Side& s) {
+    const glm::dvec3 unit = glm::abs(glm::normalize(s.step));
+    return std::max({unit.x, unit.y, unit.z});
+  };
+  const bool keepDown = alignment(down) >= alignment(right);
+  Side& kept = keepDown ? down : right;
+  Side& turned = keepDown ? right : down;
+  int& keptPixels = keepDown ? geometry.height : geometry.width;
+  const int turnedPixels = keepDown ? geometry.width : geometry.height;
+  const double shiftPerPixel = glm::dot(turned.step, kept.step) / glm::dot(kept.step, kept.step);
+  const double shift = shiftPerPixel * (turnedPixels - 1);
+  // Direction cosines are often stored with six digits: less than half a pixel across the picture is no shear.
+  if (std::abs(shift) > 0.5) {
+    turned.step -= shiftPerPixel * kept.step;
+    keptPixels += static_cast<int>(std::ceil(std::abs(shift)));
+    if (shift < 0.0) first += std::floor(shift) * kept.step;
+  }
+  geometry.origin = first;
+  geometry.right = right.step;
+  geometry.down = down.step;
+  return geometry;
+}
+
+std::vector<float> sliceValues(const Volume& volume, const SliceGeometry& geometry, int slice) {
+  std::vector<float> values(pixelCount(geometry), std::numeric_limits<float>::quiet_NaN());
+  const IndexWalk walk = indexWalk(volume.grid, geometry, slice);
+  if (liesOnVoxels(walk, geometry)) {
+    volume.voxels.visit([&](auto scalars) {
+      forEachPixel(geometry, walk, [&](std::size_t pixel, glm::dvec3 position) {
+        const glm::ivec3 index(glm::round(position));
+        if (!volume.grid.contains(index)) return;
+        const auto stored = static_cast<double>(scalars[volume.grid.offset(index)]);
+        values[pixel] = static_cast<float>(volume.slope * stored + volume.intercept);
+      });
+    });
+    return values;
+  }
+  const glm::dvec3 last = glm::dvec3(volume.grid.dims) - 0.5;
+  forEachPixel(geometry, walk, [&](std::size_t pixel, glm::dvec3 position) {
+    if (glm::any(glm::lessThan(position, glm::dvec3(-0.5))) || glm::any(glm::greaterThan(position, last))) return;
+    values[pixel] = static_cast<float>(volume.sample(position));
+  });
+  return values;
+}
+
+std::vector<std::uint16_t> sliceLabels(const LabelMap& labels, const SliceGeometry& geometry, int slice) {
+  std::vector<std::uint16_t> values(pixelCount(geometry), 0);
+  labels.voxels.visit([&](auto scalars) {
+    forEachPixel(geometry, indexWalk(labels.grid, geometry, slice), [&](std::size_t pixel, glm::dvec3 position) {
+      const glm::ivec3 index(glm::round(position));
+      if (labels.grid.contains(index)) values[pixel] = static_cast<std::uint16_t>(scalars[labels.grid.offset(index)]);
+    });
+  });
+  return values;
+}
+
+std::vector<std::uint8_t> windowed(const std::vector<float>& values, WindowLevel window) {
+  const double low = window.level - 0.5 * window.width;
+  const double scale = window.width > 0.0 ? 255.0 / window.width : std::numeric_limits<double>::max();
+  std::vector<std::uint8_t> grey(values.size());
+  std::transform(values.begin(), values.end(), grey.begin(), [&](float value) {
+    const double level = (static_cast<double>(value) - low) * scale;
+    if (!(level > 0.0)) return std::uint8_t{0};
+    return level < 255.0 ? static_cast<std::uint8_t>(std::lround(level)) : std::uint8_t{255};
+  });
+  return grey;
+}
+
+std::string orientationLetters(glm::dvec3 direction) {
+  constexpr const char* positive = "LPS";
+  constexpr const char* negative = "RAI";
+  const glm::dvec3 size = glm::abs(direction);
+  std::array<int, 3> order{0, 1, 2};
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return size[a] > size[b]; });
+  std::string letters;
+  for (const int axis : order)
+    if (size[axis] > 0.25 * size[order[0]]) letters += (direction[axis] < 0.0 ? negative : positive)[axis];
+  return letters;
+}
+
+}  // namespace fenestra

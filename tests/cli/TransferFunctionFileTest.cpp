@@ -1,0 +1,139 @@
+#include "io/TransferFunctionFile.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/TestData.h"
+
+namespace fenestra::io {
+namespace {
+
+template <class T>
+Volume volumeOf(const std::vector<T>& values) {
+  Volume volume;
+  volume.grid.dims = {static_cast<int>(values.size()), 1, 1};
+  volume.voxels = Voxels(scalarTypeOf<T>(), values.size());
+  std::copy(values.begin(), values.end(), volume.voxels.as<T>().begin());
+  volume.computeRange();
+  return volume;
+}
+
+Volume ct() {
+  Volume volume = volumeOf<std::int16_t>({-1024, 0, 60, 1500});
+  volume.modality = Modality::CT;
+  volume.unit = "HU";
+  return volume;
+}
+
+std::filesystem::path written(const std::string& text) {
+  const std::filesystem::path path = tests::scratchFolder() / "function.json";
+  std::ofstream(path) << text;
+  return path;
+}
+
+/// The error's cause, or empty when the file was read.
+std::string causeOf(const std::string& text) {
+  try {
+    loadTransferFunction(written(text).string(), ct());
+  } catch (const Error& error) {
+    return error.cause();
+  }
+  return {};
+}
+
+TEST(TransferFunctionFile, EveryPresetLoads) {
+  const auto presets = transferFunctionPresets();
+  ASSERT_EQ(presets.size(), 4u);
+  for (const TransferFunctionPreset& preset : presets) {
+    EXPECT_FALSE(preset.name.empty());
+    const TransferFunction function = loadTransferFunction(preset.id, ct());
+    EXPECT_GE(function.nodes.size(), 2u) << preset.id;
+    EXPECT_EQ(function.nodes.front().properties.extinction, 0.0) << preset.id << " makes air opaque";
+    EXPECT_GT(function.maxExtinction({-1e9, 1e9}), 0.0) << preset.id;
+  }
+}
+
+TEST(TransferFunctionFile, OpacityIsThatOfOneMillimetre) {
+  const TransferFunction function = loadTransferFunction(
+      written(R"({"name": "x", "domain": "value", "nodes": [{"value": -5, "colour": [0, 0.5, 1], "opacity": 0.75}]})")
+          .string(),
+      ct());
+  ASSERT_EQ(function.nodes.size(), 1u);
+  EXPECT_EQ(function.nodes[0].value, -5.0);
+  EXPECT_EQ(function.nodes[0].properties.colour, glm::dvec3(0.0, 0.5, 1.0));
+  EXPECT_DOUBLE_EQ(1.0 - std::exp(-function.nodes[0].properties.extinction), 0.75);
+}
+
+TEST(TransferFunctionFile, PercentilesDescribeTissueOnly) {
+  // Three quarters of a head scan are air with noise; tissue runs from 1000 to 2000 in equal shares.
+  std::vector<float> values;
+  for (int i = 0; i < 3000; ++i) values.push_back(static_cast<float>(i % 50));
+  for (int i = 0; i <= 1000; ++i) values.push_back(static_cast<float>(1000 + i));
+  values.push_back(1e30f);
+  values.push_back(std::numeric_limits<float>::quiet_NaN());
+  values.push_back(std::numeric_limits<float>::infinity());
+  const auto path = written(R"({"name": "x", "domain": "percentile", "nodes": [
+      {"value": 0, "colour": [1, 1, 1], "opacity": 0}, {"value": 50, "colour": [1, 1, 1], "opacity": 1}]})");
+  const TransferFunction function = loadTransferFunction(path.string(), volumeOf(values));
+  EXPECT_EQ(function.nodes[0].value, 1000.0);
+  // The one outlier shifts the middle of 1002 values by half a step.
+  EXPECT_NEAR(function.nodes[1].value, 1500.0, 0.5);
+}
+
+TEST(TransferFunctionFile, PercentilesOfDegenerateVolumes) {
+  const auto nodesOf = [](const Volume& volume) { return loadTransferFunction("mr", volume).nodes; };
+  for (const auto& node : nodesOf(volumeOf<std::uint8_t>({7, 7, 7, 7}))) EXPECT_EQ(node.value, 7.0);
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  for (const auto& node : nodesOf(volumeOf<float>({nan, nan}))) EXPECT_EQ(node.value, 0.0);
+  for (const auto& node : nodesOf(volumeOf<std::int16_t>({-3}))) EXPECT_EQ(node.value, -3.0);
+}
+
+TEST(TransferFunctionFile, SaysWhatIsWrong) {
+  const auto expectCause = [](const std::string& text, const std::string& part) {
+    EXPECT_NE(causeOf(text).find(part), std::string::npos) << "got: " << causeOf(text);
+  };
+  expectCause("", "not valid JSON");
+  expectCause("[]", "top level");
+  expectCause(R"({"name": "x", "nodes": []})", "nodes");
+  expectCause(R"({"name": "x", "domain": "hue", "nodes": [{}]})", "domain");
+  const auto node = [](const std::string& body) {
+    return R"({"name": "x", "domain": "percentile", "nodes": [)" + body + "]}";
+  };
+  expectCause(node("3"), "node 1: not an object");
+  expectCause(node(R"({"value": "3", "colour": [1, 1, 1], "opacity": 0})"), "\"value\" is not a number");
+  expectCause(node(R"({"value": 101, "colour": [1, 1, 1], "opacity": 0})"), "percentile outside");
+  expectCause(node(R"({"value": 1, "colour": [1, 1], "opacity": 0})"), "\"colour\"");
+  expectCause(node(R"({"value": 1, "colour": [1, 1, 2], "opacity": 0})"), "\"colour\" lies outside");
+  expectCause(node(R"({"value": 1, "colour": [1, 1, 1], "opacity": -1})"), "\"opacity\" lies outside");
+  expectCause(
+      node(R"({"value": 1, "colour": [1, 1, 1], "opacity": 0}, {"value": 0, "colour": [1, 1, 1], "opacity": 0})"),
+      "node 2: its value is less");
+}
+
+TEST(TransferFunctionFile, UnknownNameListsThePresets) {
+  try {
+    loadTransferFunction("ct-bones", ct());
+    FAIL() << "an unknown preset was accepted";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.hint(), "the presets are ct-angio, ct-bone, ct-soft-tissue, mr");
+  }
+}
+
+TEST(TransferFunctionFile, DefaultFollowsModalityAndRange) {
+  EXPECT_EQ(defaultPreset(ct()), "ct-soft-tissue");
+  Volume mr = volumeOf<std::int16_t>({0, 1200});
+  mr.modality = Modality::MR;
+  EXPECT_EQ(defaultPreset(mr), "mr");
+  EXPECT_EQ(defaultPreset(volumeOf<std::int32_t>({-1207, 40, 3382})), "ct-soft-tissue") << "HU without a modality";
+  EXPECT_EQ(defaultPreset(volumeOf<float>({0.0f, 0.5f, 1.0f})), "mr") << "CT rescaled to 0..1";
+  EXPECT_EQ(defaultPreset(volumeOf<std::int16_t>({0, 2669})), "mr") << "CT offset by 1024";
+}
+
+}  // namespace
+}  // namespace fenestra::io
