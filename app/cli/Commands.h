@@ -1,6 +1,6 @@
 #pragma once
 // The commands of fenestra-cli. Results go to standard output as JSON, progress and warnings to standard error. Errors
-// are thrown: io::Error, egl::EglError.
+// are thrown: io::Error, egl::EglError, RenderError.
 
 #include <filesystem>
 #include <optional>

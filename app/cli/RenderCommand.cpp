@@ -35,13 +35,11 @@ void writeLayer(const fs::path& folder, const char* name, glm::ivec2 size, const
   io::writeLayer(folder / (std::string(name) + ".mha"), size, 4, {&values[0].x, values.size() * 4});
 }
 
-void makeFolder(const fs::path& folder) {
+void writeLayers(const fs::path& folder, const Layers& layers, const View& view, const Grid& grid) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw io::Error(folder, "cannot be made: " + error.message(), "choose a folder you may write to");
-}
-
-void writeLayers(const fs::path& folder, const Layers& layers) {
+  app::writeCamera(folder / "camera.json", {view.camera, view.size}, grid);
   writeLayer(folder, "t_context", layers.size, layers.tContext);
   writeLayer(folder, "t_focus", layers.size, layers.tFocus);
   writeLayer(folder, "t_focus_filled", layers.size, layers.tFocusFilled);
@@ -115,12 +113,8 @@ void render(const RenderOptions& options) {
   printWarnings(loaded.warnings);
   const Scene& scene = loaded.scene;
   View view = loaded.view;
-  if (!options.layers.empty()) {
-    makeFolder(options.layers);
-    app::writeCamera(options.layers / "camera.json", {view.camera, view.size}, scene.volume->grid);
-  }
   if (options.reference) {
-    writeLayers(options.layers, referenceLayers(scene, view));
+    writeLayers(options.layers, referenceLayers(scene, view), view, scene.volume->grid);
     return;
   }
 
@@ -139,7 +133,7 @@ void render(const RenderOptions& options) {
     frames.push_back(millisecondsSince(start));
   }
   io::writePng(options.output, view.size, 3, overBackground(picture, scene.background));
-  if (!options.layers.empty()) writeLayers(options.layers, renderer.readLayers());
+  if (!options.layers.empty()) writeLayers(options.layers, renderer.readLayers(), view, scene.volume->grid);
   if (!options.stats.empty())
     io::writeText(options.stats, statistics(context.description(), view, renderer, *gpuScene, frames).dump(2) + "\n");
 }

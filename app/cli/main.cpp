@@ -16,6 +16,7 @@
 #include "app/cli/Commands.h"
 #include "app/cli/Report.h"
 #include "rendering/egl/EglContext.h"
+#include "rendering/passes/RenderError.h"
 
 namespace fenestra::cli {
 namespace {
@@ -48,6 +49,8 @@ int run(const Command& command) {
   } catch (const io::Error& error) {
     return fail(error.what());
   } catch (const egl::EglError& error) {
+    return fail(source + ": " + error.what());
+  } catch (const RenderError& error) {
     return fail(source + ": " + error.what());
   } catch (const std::bad_alloc&) {
     return fail(source + ": not enough memory; close other programs or use a smaller volume");
