@@ -20,6 +20,7 @@ uniform sampler2D hitPoints;
 
 #if SHADING
 uniform sampler3D gradientTexture; // world normal · ½ + ½, and the root of the magnitude over gradientUnit
+uniform vec3 gradientOrigin;       // cell frame position of its first texel's outer corner; beyond it all is flat
 uniform vec2 gradientGate;         // magnitudes (in w) between which lighting fades in: flat regions have no normal
 #if HAS_RAY_START
 uniform float wallDepth;           // mm behind a cut face over which its own normal gives way to the gradient's
@@ -97,6 +98,9 @@ vec4 integrate(Ray ray, float start, vec3 wall) {
   bool cut = dot(wall, wall) > 0.0;
   float end = ray.sOut;
   vec3 perCell = 1.0 / vec3(volumeDims);
+#if SHADING
+  vec3 perGradientTexel = 1.0 / vec3(textureSize(gradientTexture, 0));
+#endif
   int count = int(ceil((end - start) / stepLength - 0.5));
   for (int k = 0; k < count;) {
     vec3 position = cellPosition(ray, start + (float(k) + 0.5) * stepLength);
@@ -138,7 +142,7 @@ vec4 integrate(Ray ray, float start, vec3 wall) {
       float alpha = opacityOf(depth);
       vec3 shade = material.rgb;
 #if SHADING
-      vec4 gradient = texture(gradientTexture, uvw);
+      vec4 gradient = texture(gradientTexture, (at - gradientOrigin) * perGradientTexel);
       vec3 normal = gradient.xyz * 2.0 - 1.0;
       float gate = smoothstep(gradientGate.x, gradientGate.y, gradient.w);
 #if FOCUS_KIND == 1
