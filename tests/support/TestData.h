@@ -20,7 +20,7 @@ std::filesystem::path scratchFolder();
 
 }  // namespace fenestra::tests
 
-/// Binds `path` to the real file or skips the test with a message that names it.
-#define FENESTRA_TEST_DATA_OR_SKIP(path, relative)                            \
-  const std::filesystem::path path = ::fenestra::tests::findTestData(relative); \
-  if (path.empty()) GTEST_SKIP() << "needs the test-data file " << (relative)
+/// Binds `name` to the path of the real file or skips the test with a message that names it.
+#define FENESTRA_TEST_DATA_OR_SKIP(name, relative)                              \
+  const std::filesystem::path name = ::fenestra::tests::findTestData(relative); \
+  if (name.empty()) GTEST_SKIP() << "needs the test-data file " << (relative)
