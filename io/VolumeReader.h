@@ -40,9 +40,9 @@ struct RawDescription {
 RawDescription parseRawDescription(std::string_view text);
 
 struct OpenOptions {
-  std::string series;                          ///< a series' id as listSeries gives it; empty: the largest
-  std::optional<RawDescription> raw;           ///< read PATH as raw bytes
-  Progress progress;                           ///< may be empty
+  std::string series = {};                     ///< a series' id as listSeries gives it; empty: the largest
+  std::optional<RawDescription> raw = {};      ///< read PATH as raw bytes
+  Progress progress = {};                      ///< may be empty
 };
 
 /// A stack of images that forms one volume. `id` tells stacks of one SeriesInstanceUID apart ("UID", "UID#2", …; an empty
