@@ -12,7 +12,7 @@ namespace fenestra::app {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 [[noreturn]] void fail(const fs::path& path, const std::string& cause) {
   throw io::Error(path, "not a camera: " + cause, "use a camera.json that `fenestra-cli render --layers` wrote");

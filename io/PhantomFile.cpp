@@ -59,7 +59,8 @@ class Parser {
   }
 
   double toNumber(const Json& value, const char* key) const {
-    if (!value.is_number() || !std::isfinite(value.get<double>())) fail(std::string("\"") + key + "\" must be a number");
+    if (!value.is_number() || !std::isfinite(value.get<double>()))
+      fail(std::string("\"") + key + "\" must be a number");
     return value.get<double>();
   }
   double number(const Json& object, const char* key) const { return toNumber(member(object, key), key); }
@@ -110,13 +111,15 @@ class Parser {
     appendChain(points, positive(shape, "radius"), shapes);
   }
 
-  /// Capsules along centre + u·cos φ + v·sin φ, φ from "from" to "to" degrees in "steps" pieces: a rib, a vessel's bend.
+  /// Capsules along centre + u·cos φ + v·sin φ, φ from "from" to "to" degrees in "steps" pieces: a rib, a vessel's
+  /// bend.
   void parseArc(const Json& shape, std::vector<Shape>& shapes) const {
     checkKeys(shape, {"type", "centre", "u", "v", "from", "to", "steps", "radius", "mirror"});
     const glm::dvec3 centre = vector(shape, "centre"), u = vector(shape, "u"), v = vector(shape, "v");
     const double from = glm::radians(number(shape, "from")), to = glm::radians(number(shape, "to"));
     const double steps = number(shape, "steps");
-    if (!(steps >= 1.0 && steps <= 1000.0) || steps != std::floor(steps)) fail("\"steps\" must be a whole number from 1 to 1000");
+    if (!(steps >= 1.0 && steps <= 1000.0) || steps != std::floor(steps))
+      fail("\"steps\" must be a whole number from 1 to 1000");
     std::vector<glm::dvec3> points;
     for (int i = 0; i <= static_cast<int>(steps); ++i) {
       const double angle = from + (to - from) * i / steps;
@@ -133,7 +136,8 @@ class Parser {
       for (int axis = 0; axis < 3; ++axis) solid.axes[axis] *= flip;
       return solid;
     };
-    if (const auto* capsule = std::get_if<Capsule>(&shape)) return Capsule{capsule->a * flip, capsule->b * flip, capsule->radius};
+    if (const auto* capsule = std::get_if<Capsule>(&shape))
+      return Capsule{capsule->a * flip, capsule->b * flip, capsule->radius};
     if (const auto* ellipsoid = std::get_if<Ellipsoid>(&shape)) return flipSolid(*ellipsoid);
     if (const auto* cylinder = std::get_if<Cylinder>(&shape)) return flipSolid(*cylinder);
     return flipSolid(std::get<Box>(shape));
@@ -168,7 +172,8 @@ class Parser {
     checkKeys(inset, {"of", "by"});
     const std::string name = string(inset, "of");
     const double by = number(inset, "by");
-    const auto body = std::find_if(earlier.begin(), earlier.end(), [&](const PhantomBody& b) { return b.name == name; });
+    const auto body =
+        std::find_if(earlier.begin(), earlier.end(), [&](const PhantomBody& b) { return b.name == name; });
     if (body == earlier.end()) fail("\"inset\" names no earlier body: \"" + name + "\"");
     for (Shape shape : body->shapes) {
       const double thinnest = std::visit(
@@ -197,7 +202,8 @@ class Parser {
     body.label = static_cast<std::uint16_t>(label);
     body.value = number(object, "value");
     body.colour = vector(object, "colour");
-    if (glm::any(glm::lessThan(body.colour, glm::dvec3(0.0))) || glm::any(glm::greaterThan(body.colour, glm::dvec3(1.0))))
+    if (glm::any(glm::lessThan(body.colour, glm::dvec3(0.0))) ||
+        glm::any(glm::greaterThan(body.colour, glm::dvec3(1.0))))
       fail("\"colour\" must be three numbers from 0 to 1");
     if (object.contains("inset")) parseInset(object["inset"], earlier, body.shapes);
     if (object.contains("shapes")) {

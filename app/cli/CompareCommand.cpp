@@ -43,7 +43,7 @@ bool compare(const CompareOptions& options) {
     return errors[static_cast<std::size_t>(std::ceil(percent / 100.0 * static_cast<double>(errors.size() - 1)))];
   };
   const auto count = static_cast<double>(std::max<std::size_t>(errors.size(), 1));
-  printJson({
+  printJson(nlohmann::ordered_json{
       {"size", {a.size.x, a.size.y}},
       {"channels", a.channels},
       {"compared", errors.size()},

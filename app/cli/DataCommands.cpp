@@ -14,7 +14,7 @@
 namespace fenestra::cli {
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 template <class Vector>
 Json list(const Vector& v) {
@@ -102,7 +102,7 @@ void info(const InfoOptions& options) {
   for (const io::SeriesInfo& series : opened.otherSeries) others.push_back(describe(series, options.descriptions));
   const glm::dmat3& d = grid.direction;
   const WindowLevel shown = volume.defaultWindow();
-  printJson({
+  printJson(Json{
       {"source", options.volume.source()},
       {"format", opened.format},
       {"dims", list(grid.dims)},
@@ -147,7 +147,7 @@ void slice(const SliceOptions& options) {
 
   const std::vector<std::uint8_t> grey = windowed(sliceValues(volume, geometry, index), window);
   io::writePng(options.output, {geometry.width, geometry.height}, 1, grey);
-  printJson({
+  printJson(Json{
       {"plane", nameOf(options.plane)},
       {"slice", index},
       {"slices", geometry.count},

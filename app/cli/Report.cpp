@@ -33,8 +33,8 @@ void printWarnings(const std::vector<io::Warning>& warnings) {
   }
 }
 
-void printJson(const nlohmann::json& json) {
-  std::cout << json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n' << std::flush;
+void printJson(const nlohmann::ordered_json& json) {
+  std::cout << json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n' << std::flush;
 }
 
 std::string oneLine(std::string text) {

@@ -15,7 +15,7 @@ io::Progress progressOnTerminal();
 /// One line each on standard error.
 void printWarnings(const std::vector<io::Warning>& warnings);
 /// To standard output, indented; bytes that are not UTF-8 (file names) are replaced.
-void printJson(const nlohmann::json& json);
+void printJson(const nlohmann::ordered_json& json);
 /// `text` without line breaks and other control characters.
 std::string oneLine(std::string text);
 

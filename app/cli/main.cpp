@@ -11,6 +11,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/OptionHelpers.h"
 #include "app/SceneOptions.h"
 #include "app/cli/Commands.h"
 #include "app/cli/Report.h"
@@ -83,10 +84,10 @@ int main(int argc, char** argv) {
   SliceOptions sliceOptions;
   command = program.add_subcommand("slice", "one slice as PNG, a pixel a voxel, radiological convention");
   app::addVolumeOptions(*command, sliceOptions.volume);
-  command->add_option("--plane", sliceOptions.plane, "default axial")
-      ->transform(CLI::CheckedTransformer(std::vector<std::pair<std::string, SlicePlane>>{
-          {"axial", SlicePlane::Axial}, {"sagittal", SlicePlane::Sagittal}, {"coronal", SlicePlane::Coronal}}))
-      ->type_name("axial|sagittal|coronal");
+  app::addChoice<SlicePlane>(
+      *command, "--plane", "default axial",
+      {{"axial", SlicePlane::Axial}, {"sagittal", SlicePlane::Sagittal}, {"coronal", SlicePlane::Coronal}},
+      sliceOptions.plane);
   CLI::Option* at = command->add_option("--at", sliceOptions.at, "mm along S (axial), L (sagittal) or P (coronal)");
   command->add_option("--index", sliceOptions.index, "slice number, growing the same way; the middle one otherwise")
       ->excludes(at);
@@ -131,7 +132,9 @@ int main(int argc, char** argv) {
   } catch (const CLI::Success& success) {
     return program.exit(success);
   } catch (const CLI::ParseError& error) {
-    std::cerr << oneLine("fenestra-cli: " + std::string(error.what()) + "; see --help") << '\n';
+    const bool named = !program.get_subcommands().empty();
+    const std::string what = named ? error.what() : "expected info, convert, slice, render or compare";
+    std::cerr << oneLine("fenestra-cli: " + what + "; see --help") << '\n';
     return misused;
   }
   for (const Command& each : commands)

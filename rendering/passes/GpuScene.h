@@ -1,35 +1,107 @@
 #pragma once
-// A scene's voxels and tables as GPU objects, made when a picture first needs them and remade when the scene's part
-// behind them changes.
+// A scene's voxels and tables as GPU objects, made when a picture first needs them, remade when the part of the scene
+// behind them changes, and dropped when the scene no longer uses them.
 
-#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "rendering/gl/Buffer.h"
+#include "rendering/gl/Texture.h"
+#include "rendering/passes/Bricks.h"
+#include "rendering/passes/FocusIndex.h"
+#include "rendering/passes/VolumeTexture.h"
 #include "rendering/scene/Scene.h"
 
 namespace fenestra {
 
 class GpuScene {
  public:
-  GpuScene();
-  ~GpuScene();
-  GpuScene(const GpuScene&) = delete;
-  GpuScene& operator=(const GpuScene&) = delete;
+  /// Brings everything up to date. Needs a current context, as does destruction. Throws RenderError.
+  void update(const Scene& scene);
 
-  /// GPU memory by resource, for reports: name and bytes.
+  /// GPU memory by resource, for reports.
   struct Resource {
     std::string name;
     std::size_t bytes = 0;
   };
   std::vector<Resource> resources() const;
 
-  struct State;  ///< for the passes
-  State& state() { return *state_; }
+  // What the passes bind. A version grows whenever what it names was remade.
+  struct Versions {
+    std::uint64_t volume = 0, gradient = 0, focus = 0, gaps = 0, transfer = 0, occupancy = 0, derivative = 0, palette = 0;
+  };
+  const Versions& versions() const { return versions_; }
+
+  const Grid& grid() const { return volume_->grid; }
+  const VolumeTexture& volume() const { return volumeTexture_; }
+  const gl::Texture& gradient() const { return gradient_; }
+  const DerivativeVolume& derivative() const { return derivative_; }
+
+  /// Transparent gaps of the context in coded values, clipped to float's range: gapCount() vec2.
+  const gl::Buffer& gaps() const { return gapBuffer_; }
+  int gapCount() const { return static_cast<int>(gaps_.size()); }
+  /// Colour and extinction (1/mm), tableSize entries; table position = coded value · map.x + map.y.
+  static constexpr int tableSize = 4096;
+  const gl::Texture& transferTable() const { return transferTable_; }
+  glm::vec2 transferMap() const { return transferMap_; }
+  /// Chebyshev distances in bricks: to anything of the context; to anything at all; to the focus.
+  const gl::Texture& contextSkip() const { return contextSkip_; }
+  const gl::Texture& occupiedSkip() const { return focusSkip_ ? occupiedSkip_ : contextSkip_; }
+
+  FocusIndex::Kind focusKind() const { return focus_.kind; }
+  const FocusIndex& focus() const { return focus_; }
+  ValueRange focusValues() const { return std::get<ValueFocus>(focusWanted_).values; }  ///< of a value focus, real
+  const gl::Texture& focusBricks() const { return focusBricks_; }
+  const gl::Texture& focusSkip() const { return focusSkip_; }
+  const gl::Buffer& focusCells() const { return focusCells_; }
+  /// Per-voxel palette entries around a label focus of several colours; empty when one colour does.
+  const gl::Texture& focusPaletteIndex() const { return focusPaletteIndex_; }
+  const gl::Texture& focusPalette() const { return focusPalette_; }
+  glm::ivec3 focusOrigin() const { return focusOrigin_; }  ///< index of focusPaletteIndex's first texel
+  glm::dvec3 focusColour() const { return focusColour_; }  ///< where one colour does
+  /// Smoothed indicator around a label focus, for its normals; only while shading is on.
+  const gl::Texture& focusSmooth() const { return focusSmooth_; }
+  glm::ivec3 focusSmoothOrigin() const { return focusSmoothOrigin_; }  ///< index of its first texel
+
+  /// World position of the centre of the focus's box; empty when nothing is in focus.
+  std::optional<glm::dvec3> focusCentre() const;
 
  private:
-  std::unique_ptr<State> state_;
+  void updateVolume(const Scene& scene);
+  void updateFocus(const Scene& scene);
+  void updateFocusColours(const Scene& scene);
+  void updateFocusSmooth(const Scene& scene);
+  void updateTransfer(const Scene& scene);
+
+  std::shared_ptr<const Volume> volume_;
+  std::shared_ptr<const LabelMap> labels_;
+  Focus focusWanted_;
+  TransferFunction context_;
+  FocusAppearance appearance_;
+  Versions versions_;
+
+  VolumeTexture volumeTexture_;
+  BrickRanges bricks_;
+  gl::Texture gradient_;
+  DerivativeVolume derivative_;
+
+  std::vector<glm::vec2> gaps_;
+  gl::Buffer gapBuffer_;
+  gl::Texture transferTable_;
+  glm::vec2 transferMap_{0.0f};
+  std::vector<std::uint8_t> contextOccupied_;  ///< per brick
+  gl::Texture contextSkip_, occupiedSkip_;
+
+  FocusIndex focus_;
+  gl::Texture focusBricks_, focusSkip_;
+  gl::Buffer focusCells_;
+  gl::Texture focusPaletteIndex_, focusPalette_;
+  glm::ivec3 focusOrigin_{0};
+  glm::dvec3 focusColour_{1.0};
+  gl::Texture focusSmooth_;
+  glm::ivec3 focusSmoothOrigin_{0};
 };
 
 }  // namespace fenestra

@@ -18,6 +18,9 @@ struct Ray {
 /// The ray through the centre of pixel (i, j), j from the top.
 Ray pixelRay(const Camera& camera, glm::ivec2 size, glm::ivec2 pixel);
 
+/// The same ray in index space; t is still in mm, so the direction is not a unit vector.
+Ray indexRay(const Ray& ray, const Grid& grid);
+
 /// Where a ray runs inside the grid's box [-½, dims-½], t ≥ 0.
 struct Span {
   double tIn = 0.0, tOut = 0.0;
@@ -29,22 +32,44 @@ using Image = std::vector<double>;
 
 struct HitPoints {
   Image tContext, tFocus;
+  Image tOut;  ///< where the ray leaves the grid's box
 };
 
-/// Stage 1: along each ray the first point of context or focus, and the first point of the focus. Cell by cell: inside
-/// a cell the trilinear field along the ray is a cubic, whose first crossing is found between its extrema.
+/// Stage 1: along each ray the first point of context or focus, and the first point of the focus; tIn where the ray
+/// already starts in it. Cell by cell, with no step: inside a cell the trilinear field along the ray is a cubic, whose
+/// first crossing is found between its extrema.
+///
+/// Context is every value whose opacity over 1 mm exceeds 1/255. Values that are not numbers count as the volume's
+/// least finite value, infinite ones as its least or greatest, so that neither makes a surface of its own.
 HitPoints hitPoints(const Scene& scene, const Camera& camera, glm::ivec2 size);
+
 /// Stage 2: pyramid interpolation of the unknown pixels (Strengert, Kraus, Ertl, VMV 2006), known pixels untouched.
+/// Level by level, each half the size rounded up, a pixel is the mean of the known pixels in its 2×2 block; back from
+/// the 1×1 level, unknown pixels take the biquadratic B-spline subdivision of the coarser level (weights 9/16, 3/16,
+/// 3/16, 1/16), clamped to the edge. All NaN when nothing is known.
 Image fill(const Image& tFocus, glm::ivec2 size);
-/// Stage 3: Euclidean distance in pixels to the nearest known pixel of tFocus; +inf beyond `range`. Brute force.
+
+/// Stage 3: Euclidean distance in pixels to the centre of the nearest known pixel of tFocus, exact; +inf beyond
+/// `range`.
 Image distanceMap(const Image& tFocus, glm::ivec2 size, double range);
-/// Stage 4. `openWidth` in rendered pixels.
+
+/// Stage 4: tFocus where the ray hits the focus; from the filled tFocus to tContext over `openWidth` (rendered pixels)
+/// around it; tContext elsewhere. Within [tContext, tOut]; NaN where the ray meets nothing.
 Image rayStart(const HitPoints& hits, const Image& tFocusFilled, const Image& distance, double openWidth);
 
-/// w_open and w_border in rendered pixels, whatever unit the scene gives them in (mm: at the depth of the focus's centre).
+/// w_open and w_border in rendered pixels, whatever unit the scene gives them in. Millimetres are measured at the depth
+/// of the centre of the focus's bounding box (of its voxels, or of the cells that hold its values); of the volume's
+/// centre when there is no focus before the camera.
 struct Widths {
   double open = 0.0, border = 0.0;
 };
 Widths widthsInPixels(const Scene& scene, const Camera& camera, glm::ivec2 size, double pixelScale);
+
+/// Stages 1 to 4 in one go. Without a cutaway, tFocusFilled and distance are empty and tStart is tContext.
+struct Stages {
+  HitPoints hits;
+  Image tFocusFilled, distance, tStart;
+};
+Stages geometricStages(const Scene& scene, const Camera& camera, glm::ivec2 size, double pixelScale = 1.0);
 
 }  // namespace fenestra::reference

@@ -256,9 +256,9 @@ std::vector<Label> labelTable(const std::vector<PhantomBody>& bodies) {
     if (body.label != 0) labels.push_back({body.label, body.name, body.colour});
   std::stable_sort(labels.begin(), labels.end(), [](const Label& a, const Label& b) { return a.value < b.value; });
   // Bodies that share a label share its first name.
-  labels.erase(std::unique(labels.begin(), labels.end(),
-                           [](const Label& a, const Label& b) { return a.value == b.value; }),
-               labels.end());
+  labels.erase(
+      std::unique(labels.begin(), labels.end(), [](const Label& a, const Label& b) { return a.value == b.value; }),
+      labels.end());
   return labels;
 }
 

@@ -1,0 +1,103 @@
+#pragma once
+// Options whose values are checked while the command line is parsed, with one form of message. Numbers are read with a
+// decimal point whatever the locale.
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+namespace fenestra::app {
+
+inline std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  for (std::size_t begin = 0;;) {
+    const std::size_t end = text.find(separator, begin);
+    parts.push_back(text.substr(begin, end - begin));
+    if (end == std::string::npos) return parts;
+    begin = end + 1;
+  }
+}
+
+/// The whole of `text` as a number, or nothing. std::from_chars knows no locale.
+template <class T>
+std::optional<T> parseNumber(std::string_view text) {
+  if (text.starts_with('+')) text.remove_prefix(1);
+  T value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  if constexpr (std::is_floating_point_v<T>)
+    if (!std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+/// Exactly N numbers between separators.
+template <class T, std::size_t N>
+std::optional<std::array<T, N>> parseNumbers(const std::string& text, char separator) {
+  const std::vector<std::string> parts = split(text, separator);
+  if (parts.size() != N) return std::nullopt;
+  std::array<T, N> numbers{};
+  for (std::size_t i = 0; i < N; ++i) {
+    const std::optional<T> number = parseNumber<T>(parts[i]);
+    if (!number) return std::nullopt;
+    numbers[i] = *number;
+  }
+  return numbers;
+}
+
+/// An option whose text `parse` turns into a value or nothing; `form` says what was expected.
+template <class Parse>
+CLI::Option* addParsed(CLI::App& command, const std::string& name, const std::string& form,
+                       const std::string& description, Parse parse) {
+  return command
+      .add_option_function<std::string>(
+          name,
+          [=](const std::string& text) {
+            if (!parse(text)) throw CLI::ValidationError(name, "\"" + text + "\" is not " + form);
+          },
+          description)
+      ->type_name(form);
+}
+
+inline CLI::Option* addNumber(CLI::App& command, const std::string& name, double low, double high,
+                              const std::string& form, const std::string& description, double& target) {
+  return addParsed(command, name, form, description, [=, &target](const std::string& text) {
+    const std::optional<double> number = parseNumber<double>(text);
+    if (!number || *number < low || *number > high) return false;
+    target = *number;
+    return true;
+  });
+}
+
+inline CLI::Option* addSwitch(CLI::App& command, const std::string& name, const std::string& description,
+                              bool& target) {
+  return addParsed(command, name, "on|off", description, [&target](const std::string& text) {
+    target = text == "on";
+    return target || text == "off";
+  });
+}
+
+/// An option that takes one of a few words.
+template <class T, class Target>
+CLI::Option* addChoice(CLI::App& command, const std::string& name, const std::string& description,
+                       std::vector<std::pair<std::string, T>> choices, Target& target) {
+  std::string form;
+  for (const auto& [word, value] : choices) form += (form.empty() ? "" : "|") + word;
+  return addParsed(command, name, form, description, [&target, choices](const std::string& text) {
+    const auto at =
+        std::find_if(choices.begin(), choices.end(), [&](const auto& choice) { return choice.first == text; });
+    if (at == choices.end()) return false;
+    target = at->second;
+    return true;
+  });
+}
+
+}  // namespace fenestra::app

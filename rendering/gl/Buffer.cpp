@@ -1,0 +1,33 @@
+#include "rendering/gl/Buffer.h"
+
+#include <utility>
+
+#include <epoxy/gl.h>
+
+namespace fenestra::gl {
+
+Buffer::Buffer(std::span<const std::byte> bytes) : bytes_(bytes.size()) {
+  constexpr std::uint32_t word = 0;
+  glCreateBuffers(1, &name_);
+  if (bytes.size() >= sizeof word)
+    glNamedBufferStorage(name_, static_cast<GLsizeiptr>(bytes.size()), bytes.data(), 0);
+  else
+    glNamedBufferStorage(name_, sizeof word, &word, 0);
+}
+
+Buffer::~Buffer() {
+  if (name_) glDeleteBuffers(1, &name_);
+}
+
+Buffer::Buffer(Buffer&& other) noexcept
+    : name_(std::exchange(other.name_, 0)), bytes_(std::exchange(other.bytes_, 0)) {}
+
+Buffer& Buffer::operator=(Buffer&& other) noexcept {
+  std::swap(name_, other.name_);
+  std::swap(bytes_, other.bytes_);
+  return *this;
+}
+
+void Buffer::bind(unsigned binding) const { glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, name_); }
+
+}  // namespace fenestra::gl

@@ -1,0 +1,29 @@
+#pragma once
+// Shader storage buffers: move-only, written once.
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace fenestra::gl {
+
+class Buffer {
+ public:
+  Buffer() = default;
+  /// A buffer that holds `bytes`, at least one 4-byte word long so that it can always be bound.
+  explicit Buffer(std::span<const std::byte> bytes);
+  ~Buffer();
+  Buffer(Buffer&& other) noexcept;
+  Buffer& operator=(Buffer&& other) noexcept;
+
+  explicit operator bool() const { return name_ != 0; }
+  std::size_t bytes() const { return bytes_; }
+  /// As the shader storage block at `binding`.
+  void bind(unsigned binding) const;
+
+ private:
+  std::uint32_t name_ = 0;
+  std::size_t bytes_ = 0;
+};
+
+}  // namespace fenestra::gl

@@ -1,0 +1,86 @@
+#include "rendering/gl/Context.h"
+
+#include <epoxy/gl.h>
+
+namespace fenestra::gl {
+
+DrawTarget::DrawTarget(std::uint32_t framebuffer, glm::ivec4 rectangle)
+    : blend_(glIsEnabled(GL_BLEND)),
+      depth_(glIsEnabled(GL_DEPTH_TEST)),
+      scissor_(glIsEnabled(GL_SCISSOR_TEST)),
+      cull_(glIsEnabled(GL_CULL_FACE)) {
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer_);
+  glGetIntegerv(GL_CURRENT_PROGRAM, &program_);
+  glGetIntegerv(GL_VIEWPORT, viewport_.data());
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+  glViewport(rectangle.x, rectangle.y, rectangle.z, rectangle.w);
+  for (const GLenum capability : {GL_BLEND, GL_DEPTH_TEST, GL_SCISSOR_TEST, GL_CULL_FACE}) glDisable(capability);
+}
+
+DrawTarget::~DrawTarget() {
+  const auto restore = [](GLenum capability, bool on) { on ? glEnable(capability) : glDisable(capability); };
+  restore(GL_BLEND, blend_);
+  restore(GL_DEPTH_TEST, depth_);
+  restore(GL_SCISSOR_TEST, scissor_);
+  restore(GL_CULL_FACE, cull_);
+  glViewport(viewport_[0], viewport_[1], viewport_[2], viewport_[3]);
+  glUseProgram(static_cast<GLuint>(program_));
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(framebuffer_));
+}
+
+TimerQuery::TimerQuery() {
+  glCreateQueries(GL_TIMESTAMP, 2, names_.data());
+  glQueryCounter(names_[0], GL_TIMESTAMP);
+}
+
+TimerQuery::~TimerQuery() { glDeleteQueries(2, names_.data()); }
+
+double TimerQuery::elapsedMilliseconds() {
+  glQueryCounter(names_[1], GL_TIMESTAMP);
+  GLuint64 begin = 0, end = 0;
+  glGetQueryObjectui64v(names_[0], GL_QUERY_RESULT, &begin);
+  glGetQueryObjectui64v(names_[1], GL_QUERY_RESULT, &end);
+  return static_cast<double>(end - begin) * 1e-6;
+}
+
+void finish() { glFinish(); }
+
+std::string takeError() {
+  std::string first;
+  for (GLenum error = glGetError(); error != GL_NO_ERROR; error = glGetError()) {
+    if (!first.empty()) continue;
+    switch (error) {
+      case GL_INVALID_ENUM: first = "GL_INVALID_ENUM"; break;
+      case GL_INVALID_VALUE: first = "GL_INVALID_VALUE"; break;
+      case GL_INVALID_OPERATION: first = "GL_INVALID_OPERATION"; break;
+      case GL_INVALID_FRAMEBUFFER_OPERATION: first = "GL_INVALID_FRAMEBUFFER_OPERATION"; break;
+      case GL_OUT_OF_MEMORY: first = "GL_OUT_OF_MEMORY"; break;
+      default: first = "GL error " + std::to_string(error);
+    }
+  }
+  return first;
+}
+
+std::string description() {
+  const auto text = [](GLenum what) {
+    const auto* s = reinterpret_cast<const char*>(glGetString(what));
+    return std::string(s ? s : "unknown");
+  };
+  return text(GL_RENDERER) + ", " + text(GL_VERSION);
+}
+
+std::string unsupportedReason() {
+  const int version = epoxy_gl_version();
+  if (!epoxy_is_desktop_gl() || version < 45)
+    return "3-D needs OpenGL 4.5, this machine offers " + description() +
+           "; update the graphics driver, or install Mesa's software driver";
+  return {};
+}
+
+int maxTextureSize3D() {
+  GLint size = 0;
+  glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &size);
+  return size;
+}
+
+}  // namespace fenestra::gl

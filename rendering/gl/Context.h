@@ -1,0 +1,52 @@
+#pragma once
+// What the renderer needs to know about, and put back in, the context it runs in.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include <glm/glm.hpp>
+
+namespace fenestra::gl {
+
+/// Draws into `framebuffer` over a rectangle (x, y from the bottom left, width, height) while it lives; afterwards
+/// framebuffer, viewport, blending, depth, scissor and program are what they were.
+class DrawTarget {
+ public:
+  DrawTarget(std::uint32_t framebuffer, glm::ivec4 rectangle);
+  ~DrawTarget();
+  DrawTarget(const DrawTarget&) = delete;
+  DrawTarget& operator=(const DrawTarget&) = delete;
+
+ private:
+  int framebuffer_ = 0, program_ = 0;
+  std::array<int, 4> viewport_{};
+  bool blend_ = false, depth_ = false, scissor_ = false, cull_ = false;
+};
+
+/// Measures the GPU time between construction and elapsedMilliseconds(), which waits for it.
+class TimerQuery {
+ public:
+  TimerQuery();
+  ~TimerQuery();
+  TimerQuery(const TimerQuery&) = delete;
+  TimerQuery& operator=(const TimerQuery&) = delete;
+  double elapsedMilliseconds();
+
+ private:
+  std::array<std::uint32_t, 2> names_{};
+};
+
+/// Waits until everything asked of the GPU is done.
+void finish();
+/// Name of the first pending OpenGL error, and clears them all; empty when there is none. Tests end with it.
+std::string takeError();
+/// "RENDERER, VERSION" of the current context.
+std::string description();
+/// Why the current context cannot run the renderer (too old, no compute shaders); empty when it can.
+std::string unsupportedReason();
+/// Longest side of a 3-D texture here, in texels.
+int maxTextureSize3D();
+
+}  // namespace fenestra::gl

@@ -1,0 +1,62 @@
+#pragma once
+// Textures: move-only owners of immutable-storage OpenGL textures.
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include <glm/glm.hpp>
+
+namespace fenestra::gl {
+
+enum class Format : std::uint8_t { R8, R16, R32F, RG32F, RGBA8, RGBA32F, R8UI, R16UI, R32UI };
+/// Bytes of one texel, and what upload() and read() exchange per texel: the format's own components, tightly packed.
+std::size_t bytesPerTexel(Format format);
+
+enum class Filter : std::uint8_t { Nearest, Linear };  ///< clamped to the edge in either case
+
+/// Access of a compute shader to an image unit.
+enum class Access : std::uint8_t { Read, Write, ReadWrite };
+
+class Texture {
+ public:
+  Texture() = default;  ///< owns nothing; binds as texture 0
+  static Texture make2D(Format format, glm::ivec2 size, Filter filter = Filter::Nearest);
+  static Texture make3D(Format format, glm::ivec3 size, Filter filter = Filter::Nearest);
+  ~Texture();
+  Texture(Texture&& other) noexcept;
+  Texture& operator=(Texture&& other) noexcept;
+
+  explicit operator bool() const { return name_ != 0; }
+  glm::ivec3 size() const { return size_; }  ///< z is 1 for 2-D
+  Format format() const { return format_; }
+  std::size_t bytes() const;
+
+  /// Replaces the texels from `offset` on, `extent` of them, x fastest. `texels` holds the format's components packed.
+  void upload(glm::ivec3 offset, glm::ivec3 extent, std::span<const std::byte> texels);
+  /// The whole texture, tightly packed.
+  template <class T>
+  void upload(std::span<const T> texels) {
+    upload(glm::ivec3(0), size_, std::as_bytes(texels));
+  }
+  void read(std::span<std::byte> texels) const;
+  template <class T>
+  void readInto(std::span<T> texels) const {
+    read(std::as_writable_bytes(texels));
+  }
+  /// One texel, as floats (missing components 0).
+  glm::vec4 readTexel(glm::ivec2 pixel) const;
+
+  void bind(unsigned unit) const;
+  void bindImage(unsigned unit, Access access) const;
+
+  /// For gl's own classes.
+  std::uint32_t name() const { return name_; }
+
+ private:
+  std::uint32_t name_ = 0;
+  Format format_ = Format::R8;
+  glm::ivec3 size_{0};
+};
+
+}  // namespace fenestra::gl

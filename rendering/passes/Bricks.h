@@ -1,0 +1,34 @@
+#pragma once
+// Empty-space skipping: the volume's cells in bricks of 8³.
+//
+// Cell frame: index + 1. Cell c spans [c, c+1] between voxel centres, half cells at the border included, so a side of n
+// voxels has n + 1 cells. Brick b holds cells 8b … 8b+7.
+
+#include <cstdint>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "rendering/scene/Volume.h"
+
+namespace fenestra {
+
+inline constexpr int brickSide = 8;
+
+/// Bricks along each axis of a volume of `dims` voxels.
+glm::ivec3 brickCount(glm::ivec3 dims);
+std::size_t brickOffset(glm::ivec3 bricks, glm::ivec3 brick);
+
+/// Least and greatest real value at the corners of each brick's cells; the trilinear field inside a brick lies between
+/// them. Non-finite voxels count as the volume's least value (NaN) or its range's ends (±Inf).
+struct BrickRanges {
+  glm::ivec3 dims{0};
+  std::vector<ValueRange> ranges;  ///< x fastest
+};
+BrickRanges brickRanges(const Volume& volume);
+
+/// For each brick the Chebyshev distance, in bricks, to the nearest one with `occupied` ≠ 0; 0 in those, at most 255.
+/// All bricks nearer than that are empty.
+std::vector<std::uint8_t> chebyshevDistance(glm::ivec3 dims, const std::vector<std::uint8_t>& occupied);
+
+}  // namespace fenestra

@@ -1,0 +1,29 @@
+#include "rendering/passes/CompositePass.h"
+
+#include "rendering/passes/SceneBinding.h"
+
+namespace fenestra {
+
+void CompositePass::run(const Inputs& inputs, const Scene& scene, gl::Texture& picture) {
+  const bool cutaway = inputs.distances != nullptr, layer = inputs.contextLayer != nullptr;
+  gl::ShaderProgram& program = programs_.get({{"CUTAWAY", cutaway}, {"CONTEXT_LAYER", layer}});
+  bindTexture(program, "focusLayer", 0, *inputs.focusLayer);
+  if (cutaway) {
+    bindTexture(program, "hitPoints", 1, *inputs.hitPoints);
+    bindTexture(program, "distances", 2, *inputs.distances);
+    program.set("widths", glm::vec2(inputs.widths));
+    program.set("borderColour", glm::vec3(scene.cutaway.borderColour));
+  }
+  if (layer) {
+    bindTexture(program, "contextLayer", 3, *inputs.contextLayer);
+    bindTexture(program, "silhouette", 4, *inputs.silhouette);
+    const ContextLayer& look = scene.contextLayer;
+    program.set("contextColour", glm::vec3(look.colour));
+    program.set("contextWeights", glm::vec3(look.strength, look.curvatureWeight, look.silhouetteWeight));
+    program.set("curvatureScale", static_cast<float>(inputs.curvatureScale));
+  }
+  picture.bindImage(0, gl::Access::Write);
+  program.dispatch(glm::ivec2(picture.size()));
+}
+
+}  // namespace fenestra

@@ -1,0 +1,34 @@
+#include "rendering/passes/ContextLayerPass.h"
+
+#include <algorithm>
+
+#include "rendering/passes/SceneBinding.h"
+
+namespace fenestra {
+
+void ContextLayerPass::run(const GpuScene& gpu, const Shading& shading, const RayFrame& rays,
+                           const gl::Texture& hitPoints, gl::Texture& contextLayer, gl::Texture& silhouette) {
+  gl::ShaderProgram& program = programs_.get();
+  rays.setUniforms(program);
+  bindVolume(gpu, program);
+  bindTexture(program, "hitPoints", firstFreeUnit, hitPoints);
+  const DerivativeVolume& derivative = gpu.derivative();
+  bindTexture(program, "derivativeVolume", firstFreeUnit + 1, derivative.texture);
+  const glm::dvec3 factor(derivative.factor);
+  program.set("derivativeFactor", glm::vec3(factor));
+  program.set("derivativeScale", static_cast<float>(derivative.texelScale * gpu.volume().slope));
+  const glm::dmat3 derivativeFromWorld =
+      glm::dmat3(glm::dvec3(1.0 / factor.x, 0.0, 0.0), glm::dvec3(0.0, 1.0 / factor.y, 0.0),
+                 glm::dvec3(0.0, 0.0, 1.0 / factor.z)) *
+      glm::dmat3(gpu.grid().indexFromWorld());
+  program.set("worldFromDerivative", glm::mat3(glm::transpose(derivativeFromWorld)));
+  // A surface this near to the box's entry is where the scan ends; this near to the focus it is the focus's own.
+  const glm::dvec3 spacing = gpu.grid().spacing;
+  program.set("contextMargin", static_cast<float>(0.5 * std::min({spacing.x, spacing.y, spacing.z})));
+  setLight(program, rays.axes(), shading);
+  contextLayer.bindImage(0, gl::Access::Write);
+  silhouette.bindImage(1, gl::Access::Write);
+  program.dispatch(rays.size());
+}
+
+}  // namespace fenestra

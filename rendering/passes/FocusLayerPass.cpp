@@ -1,0 +1,54 @@
+#include "rendering/passes/FocusLayerPass.h"
+
+#include <cmath>
+
+#include "rendering/passes/SceneBinding.h"
+
+namespace fenestra {
+namespace {
+/// Gradient magnitudes, as fractions of the value range per finest spacing, between which lighting fades in. Below, a
+/// gradient is noise: on CT (range about 4000 HU, 1 mm) these are 8 and 40 HU/mm.
+constexpr double gateLow = 0.002, gateHigh = 0.01;
+/// gradientUnit() is a quarter of the range over the finest spacing, and the texture holds the root.
+double gate(double fraction) { return std::sqrt(4.0 * fraction); }
+}  // namespace
+
+void FocusLayerPass::run(const GpuScene& gpu, const Scene& scene, const RayFrame& rays, const gl::Texture* rayStart,
+                         double step, gl::Texture& focusLayer) {
+  const bool shading = scene.shading.enabled;
+  const bool palette = static_cast<bool>(gpu.focusPaletteIndex());
+  gl::ShaderProgram& program = programs_.get({focusDefine(gpu), {"SHADING", shading}, {"FOCUS_PALETTE", palette},
+                                              {"HAS_RAY_START", rayStart != nullptr},
+                                              {"TABLE_SIZE", GpuScene::tableSize}});
+  rays.setUniforms(program);
+  bindVolume(gpu, program);
+  bindFocus(gpu, program);
+  unsigned unit = firstFreeUnit;
+  bindTexture(program, "occupiedSkip", unit++, gpu.occupiedSkip());
+  bindTexture(program, "transferTable", unit++, gpu.transferTable());
+  program.set("transferMap", gpu.transferMap());
+  program.set("stepLength", static_cast<float>(step));
+  if (rayStart) bindTexture(program, "rayStart", unit++, *rayStart);
+  program.set("focusProperties",
+              glm::vec4(glm::vec3(gpu.focusColour()), static_cast<float>(scene.focusAppearance.extinction)));
+  if (palette) {
+    bindTexture(program, "focusPaletteIndex", unit++, gpu.focusPaletteIndex());
+    bindTexture(program, "focusPalette", unit++, gpu.focusPalette());
+    program.set("focusOrigin", gpu.focusOrigin());
+  }
+  setLight(program, rays.axes(), scene.shading);
+  if (shading) {
+    bindTexture(program, "gradientTexture", unit++, gpu.gradient());
+    program.set("gradientGate", glm::vec2(gate(gateLow), gate(gateHigh)));
+    if (gpu.focusSmooth()) {
+      bindTexture(program, "focusSmooth", unit++, gpu.focusSmooth());
+      // A texel spans half a voxel around its centre, and the cell frame is index + 1.
+      program.set("focusSmoothOrigin", glm::vec3(gpu.focusSmoothOrigin()) + 0.5f);
+      program.set("worldFromIndexGradient", glm::mat3(glm::transpose(glm::dmat3(gpu.grid().indexFromWorld()))));
+    }
+  }
+  focusLayer.bindImage(0, gl::Access::Write);
+  program.dispatch(rays.size());
+}
+
+}  // namespace fenestra

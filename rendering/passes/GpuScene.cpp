@@ -1,0 +1,273 @@
+#include "rendering/passes/GpuScene.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "rendering/scene/Parallel.h"
+
+namespace fenestra {
+namespace {
+
+/// Opacity of 1 mm above which the context counts as there (method: ε).
+constexpr double contextThreshold = 1.0 / 255.0;
+
+gl::Texture skipTexture(glm::ivec3 bricks, const std::vector<std::uint8_t>& occupied) {
+  gl::Texture texture = gl::Texture::make3D(gl::Format::R8UI, bricks);
+  texture.upload(std::span<const std::uint8_t>(chebyshevDistance(bricks, occupied)));
+  return texture;
+}
+
+std::vector<std::uint8_t> focusOccupied(const FocusIndex& focus) {
+  std::vector<std::uint8_t> occupied(focus.slots.size());
+  std::transform(focus.slots.begin(), focus.slots.end(), occupied.begin(),
+                 [](std::uint32_t slot) { return static_cast<std::uint8_t>(slot != 0); });
+  return occupied;
+}
+
+}  // namespace
+
+void GpuScene::update(const Scene& scene) {
+  const bool volumeChanged = scene.volume != volume_;
+  if (volumeChanged) updateVolume(scene);
+
+  // A label map matters only while its labels are in focus.
+  const bool usesLabels = std::holds_alternative<LabelFocus>(scene.focus);
+  const bool focusChanged = volumeChanged || scene.focus != focusWanted_ || (usesLabels && scene.labels != labels_);
+  const bool coloursChanged = focusChanged || scene.focusAppearance != appearance_;
+  labels_ = usesLabels ? scene.labels : nullptr;
+  if (focusChanged) updateFocus(scene);
+  if (coloursChanged) updateFocusColours(scene);
+  appearance_ = scene.focusAppearance;
+
+  const bool transferChanged = volumeChanged || scene.context != context_;
+  if (transferChanged) updateTransfer(scene);
+  if ((transferChanged || focusChanged) && focus_.kind != FocusIndex::Kind::None) {
+    std::vector<std::uint8_t> occupied = focusOccupied(focus_);
+    for (std::size_t i = 0; i < occupied.size(); ++i) occupied[i] |= contextOccupied_[i];
+    occupiedSkip_ = skipTexture(bricks_.dims, occupied);
+    ++versions_.occupancy;
+  }
+
+  const bool wantsGradient = scene.shading.enabled;
+  if (!wantsGradient) gradient_ = {};
+  if (wantsGradient && !gradient_) {
+    gradient_ = makeGradientTexture(*volume_);
+    ++versions_.gradient;
+  }
+  const bool wantsSmooth = wantsGradient && focus_.kind == FocusIndex::Kind::Labels && focus_.box;
+  if (!wantsSmooth) focusSmooth_ = {};
+  if (wantsSmooth && !focusSmooth_) updateFocusSmooth(scene);
+
+  const bool wantsDerivative = hasCutaway(scene) && scene.contextLayer.strength > 0.0;
+  if (!wantsDerivative) derivative_ = {};
+  if (wantsDerivative && !derivative_.texture) {
+    derivative_ = makeDerivativeVolume(*volume_, volumeTexture_);
+    ++versions_.derivative;
+  }
+}
+
+void GpuScene::updateVolume(const Scene& scene) {
+  // The old volume goes first: two of them may not fit.
+  volumeTexture_ = {};
+  gradient_ = {};
+  derivative_ = {};
+  volume_ = scene.volume;
+  volumeTexture_ = makeVolumeTexture(*volume_);
+  bricks_ = brickRanges(*volume_);
+  ++versions_.volume;
+}
+
+void GpuScene::updateFocus(const Scene& scene) {
+  focusWanted_ = scene.focus;
+  focus_ = buildFocusIndex(scene, bricks_);
+  for (gl::Texture* texture : {&focusBricks_, &focusSkip_, &occupiedSkip_, &focusSmooth_}) *texture = {};
+  focusCells_ = {};
+  ++versions_.focus;
+  if (focus_.kind == FocusIndex::Kind::None) return;
+  focusBricks_ = gl::Texture::make3D(gl::Format::R32UI, bricks_.dims);
+  focusBricks_.upload(std::span<const std::uint32_t>(focus_.slots));
+  focusSkip_ = skipTexture(bricks_.dims, focusOccupied(focus_));
+  focusCells_ = gl::Buffer(std::as_bytes(std::span(focus_.cells)));
+}
+
+void GpuScene::updateFocusColours(const Scene& scene) {
+  ++versions_.palette;
+  focusPaletteIndex_ = {};
+  focusPalette_ = {};
+  focusColour_ = scene.focusAppearance.colour;
+  const auto* focus = std::get_if<LabelFocus>(&scene.focus);
+  if (!focus || !scene.labels) return;
+
+  // Palette entry per label value; one colour needs no texture.
+  std::vector<glm::vec4> palette;
+  std::vector<std::uint8_t> entryOf(1 << 16, 0);
+  const auto colourOf = [&](std::uint16_t value) {
+    const Label* label = scene.labels->find(value);
+    return label ? label->colour : defaultLabelColour(value);
+  };
+  for (const std::uint16_t value : focus->labels) {
+    const glm::vec4 colour(glm::vec3(colourOf(value)), 1.0f);
+    auto at = std::find(palette.begin(), palette.end(), colour);
+    // Entry 0 is "no label"; beyond 254 colours the last one serves for the rest.
+    if (at == palette.end() && palette.size() < 254) at = palette.insert(palette.end(), colour);
+    entryOf[value] = static_cast<std::uint8_t>(std::min<std::ptrdiff_t>(at - palette.begin(), 253) + 1);
+  }
+  if (!palette.empty()) focusColour_ = glm::dvec3(palette.front());
+  if (palette.size() < 2 || !focus_.box) return;
+  palette.insert(palette.begin(), palette.front());
+  focusPalette_ = gl::Texture::make2D(gl::Format::RGBA32F, {static_cast<int>(palette.size()), 1});
+  focusPalette_.upload(std::span<const glm::vec4>(palette));
+
+  // The 0.5 level reaches at most half a voxel past the labelled ones: a margin of one takes its neighbour's entry.
+  const LabelMap& labels = *scene.labels;
+  focusOrigin_ = glm::max(focus_.box->low - 1, 0);
+  const glm::ivec3 size = glm::min(focus_.box->high + 1, labels.grid.dims - 1) - focusOrigin_ + 1;
+  std::vector<std::uint8_t> entries(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *
+                                    static_cast<std::size_t>(size.z));
+  labels.voxels.visit([&](auto values) {
+    if constexpr (std::is_unsigned_v<typename decltype(values)::value_type>) {
+      const auto entryAt = [&](glm::ivec3 voxel) -> std::uint8_t {
+        return labels.grid.contains(voxel) ? entryOf[static_cast<std::uint16_t>(values[labels.grid.offset(voxel)])] : 0;
+      };
+      parallelFor(static_cast<std::size_t>(size.z), 4, [&](std::size_t begin, std::size_t end) {
+        for (int z = static_cast<int>(begin); z < static_cast<int>(end); ++z)
+          for (int y = 0; y < size.y; ++y)
+            for (int x = 0; x < size.x; ++x) {
+              const glm::ivec3 voxel = focusOrigin_ + glm::ivec3(x, y, z);
+              std::uint8_t entry = entryAt(voxel);
+              for (int n = 0; entry == 0 && n < 27; ++n)
+                entry = entryAt(voxel + glm::ivec3(n % 3, n / 3 % 3, n / 9) - 1);
+              entries[static_cast<std::size_t>(x) +
+                      static_cast<std::size_t>(size.x) *
+                          (static_cast<std::size_t>(y) + static_cast<std::size_t>(size.y) * static_cast<std::size_t>(z))] = entry;
+            }
+      });
+    }
+  });
+  focusPaletteIndex_ = gl::Texture::make3D(gl::Format::R8UI, size);
+  focusPaletteIndex_.upload(std::span<const std::uint8_t>(entries));
+}
+
+void GpuScene::updateFocusSmooth(const Scene& scene) {
+  const LabelMap& labels = *scene.labels;
+  constexpr int margin = 5;  // two passes of a five-tap filter reach four voxels out, and a gradient one more
+  focusSmoothOrigin_ = focus_.box->low - margin;
+  const glm::ivec3 size = focus_.box->high - focus_.box->low + 1 + 2 * margin;
+  const auto offset = [&](int x, int y, int z) {
+    return static_cast<std::size_t>(x) +
+           static_cast<std::size_t>(size.x) *
+               (static_cast<std::size_t>(y) + static_cast<std::size_t>(size.y) * static_cast<std::size_t>(z));
+  };
+  std::vector<std::uint8_t> wanted(1 << 16, 0);
+  for (const std::uint16_t label : std::get<LabelFocus>(scene.focus).labels) wanted[label] = 255;
+  std::vector<std::uint8_t> field(offset(0, 0, size.z));
+  labels.voxels.visit([&](auto values) {
+    if constexpr (std::is_unsigned_v<typename decltype(values)::value_type>)
+      for (int z = 0; z < size.z; ++z)
+        for (int y = 0; y < size.y; ++y)
+          for (int x = 0; x < size.x; ++x) {
+            const glm::ivec3 voxel =
+                glm::clamp(focusSmoothOrigin_ + glm::ivec3(x, y, z), glm::ivec3(0), labels.grid.dims - 1);
+            field[offset(x, y, z)] = wanted[static_cast<std::uint16_t>(values[labels.grid.offset(voxel)])];
+          }
+  });
+  // (1 4 6 4 1)/16 twice along each axis: a Gaussian of σ = √2 voxels.
+  const auto filter = [&](int axis) {
+    const glm::ivec3 lineAxes = axis == 0 ? glm::ivec3(0, 1, 2) : axis == 1 ? glm::ivec3(1, 0, 2) : glm::ivec3(2, 0, 1);
+    const int length = size[lineAxes.x];
+    parallelFor(static_cast<std::size_t>(size[lineAxes.z]), 2, [&](std::size_t begin, std::size_t end) {
+      std::vector<int> line(static_cast<std::size_t>(length) + 4);
+      for (int c = static_cast<int>(begin); c < static_cast<int>(end); ++c)
+        for (int b = 0; b < size[lineAxes.y]; ++b) {
+          const auto at = [&](int a) -> std::uint8_t& {
+            glm::ivec3 p;
+            p[lineAxes.x] = a;
+            p[lineAxes.y] = b;
+            p[lineAxes.z] = c;
+            return field[offset(p.x, p.y, p.z)];
+          };
+          for (int a = -2; a < length + 2; ++a)
+            line[static_cast<std::size_t>(a + 2)] = at(std::clamp(a, 0, length - 1));
+          for (int a = 0; a < length; ++a) {
+            const int* v = line.data() + a;
+            at(a) = static_cast<std::uint8_t>((v[0] + 4 * v[1] + 6 * v[2] + 4 * v[3] + v[4] + 8) / 16);
+          }
+        }
+    });
+  };
+  for (int pass = 0; pass < 2; ++pass)
+    for (int axis = 0; axis < 3; ++axis) filter(axis);
+  focusSmooth_ = gl::Texture::make3D(gl::Format::R8, size, gl::Filter::Linear);
+  focusSmooth_.upload(std::span<const std::uint8_t>(field));
+}
+
+void GpuScene::updateTransfer(const Scene& scene) {
+  context_ = scene.context;
+  ++versions_.transfer;
+
+  // Gaps in coded values; hit points depend on these alone, so a change of colour leaves them valid.
+  std::vector<glm::vec2> gaps;
+  for (const ValueGap& gap : context_.transparentGaps(contextThreshold)) {
+    const ValueRange coded = volumeTexture_.codedFromReal({gap.low, gap.high});
+    gaps.emplace_back(static_cast<float>(std::clamp(coded.low, -1e30, 1e30)),
+                      static_cast<float>(std::clamp(coded.high, -1e30, 1e30)));
+  }
+  if (gaps != gaps_ || !gapBuffer_) {
+    gaps_ = std::move(gaps);
+    gapBuffer_ = gl::Buffer(std::as_bytes(std::span(gaps_)));
+    ++versions_.gaps;
+  }
+
+  // The table spans the nodes: outside them the transfer function is constant.
+  ValueRange span = context_.nodes.empty() ? volume_->range
+                                           : ValueRange{context_.nodes.front().value, context_.nodes.back().value};
+  if (!(span.high > span.low)) span = {span.low - 0.5, span.low + 0.5};
+  std::vector<glm::vec4> table(tableSize);
+  for (int i = 0; i < tableSize; ++i) {
+    const OpticalProperties p = context_.evaluate(span.low + (span.high - span.low) * i / (tableSize - 1));
+    table[static_cast<std::size_t>(i)] = glm::vec4(glm::vec3(p.colour), static_cast<float>(p.extinction));
+  }
+  if (!transferTable_) transferTable_ = gl::Texture::make2D(gl::Format::RGBA32F, {tableSize, 1});
+  transferTable_.upload(std::span<const glm::vec4>(table));
+  const double perReal = (tableSize - 1) / (span.high - span.low);
+  transferMap_ = glm::vec2(volumeTexture_.slope * perReal, (volumeTexture_.offset - span.low) * perReal);
+
+  // The table is read to the nearest entry: a brick within one entry of something visible may show it.
+  const double slack = 1.0 / perReal;
+  std::vector<std::uint8_t> occupied(bricks_.ranges.size());
+  for (std::size_t i = 0; i < occupied.size(); ++i) {
+    const ValueRange& range = bricks_.ranges[i];
+    occupied[i] = context_.maxExtinction({range.low - slack, range.high + slack}) > 0.0;
+  }
+  if (occupied != contextOccupied_ || !contextSkip_ || contextSkip_.size() != bricks_.dims) {
+    contextOccupied_ = std::move(occupied);
+    contextSkip_ = skipTexture(bricks_.dims, contextOccupied_);
+    ++versions_.occupancy;
+  }
+}
+
+std::optional<glm::dvec3> GpuScene::focusCentre() const {
+  if (!focus_.box) return std::nullopt;
+  const glm::dvec3 index = 0.5 * (glm::dvec3(focus_.box->low) + glm::dvec3(focus_.box->high));
+  return glm::dvec3(volume_->grid.worldFromIndex() * glm::dvec4(index, 1.0));
+}
+
+std::vector<GpuScene::Resource> GpuScene::resources() const {
+  std::vector<Resource> all;
+  const auto add = [&](const char* name, std::size_t bytes) {
+    if (bytes > 0) all.push_back({name, bytes});
+  };
+  const auto of = [](const gl::Texture& texture) { return texture ? texture.bytes() : 0; };
+  add("volume", of(volumeTexture_.texture));
+  add("gradient", of(gradient_));
+  add("derivative volume", of(derivative_.texture));
+  add("transfer table", of(transferTable_));
+  add("empty-space skipping", of(contextSkip_) + of(occupiedSkip_) + of(focusSkip_));
+  add("focus index", of(focusBricks_) + focusCells_.bytes());
+  add("focus palette", of(focusPaletteIndex_) + of(focusPalette_));
+  add("focus normals", of(focusSmooth_));
+  return all;
+}
+
+}  // namespace fenestra

@@ -1,0 +1,24 @@
+#pragma once
+// Stage 1: first context-or-focus hit and first focus hit of every ray.
+
+#include "rendering/gl/ShaderProgram.h"
+#include "rendering/gl/Texture.h"
+#include "rendering/passes/GpuScene.h"
+#include "rendering/passes/RayFrame.h"
+
+namespace fenestra {
+
+/// Positions along rays in every map of this renderer are s = t - RayFrame::distance() in mm; `nothing` where there is
+/// no such point.
+inline constexpr float nothing = -1e30f;
+
+class HitPointPass {
+ public:
+  /// Writes RG32F (s_context, s_focus) for the pixels from `offset` on, as many as `hitPoints` has.
+  void run(const GpuScene& scene, const RayFrame& rays, gl::Texture& hitPoints, glm::ivec2 offset = glm::ivec2(0));
+
+ private:
+  gl::ShaderVariants programs_{"HitPoints.comp"};
+};
+
+}  // namespace fenestra

@@ -1,0 +1,50 @@
+#include "rendering/passes/PullPushPass.h"
+
+#include "rendering/passes/SceneBinding.h"
+
+namespace fenestra {
+
+void PullPushPass::run(const gl::Texture& hitPoints, gl::Texture& filled) {
+  glm::ivec2 size(hitPoints.size());
+  const glm::ivec2 half = (size + 1) / 2;
+  if (known_.empty() || glm::ivec2(known_.front().size()) != half) {
+    release();
+    // One level more than needed is never made: the coarsest is 1×1, and a 1×1 picture has a 1×1 level above it.
+    do {
+      size = (size + 1) / 2;
+      known_.push_back(gl::Texture::make2D(gl::Format::R32F, size));
+      filled_.push_back(gl::Texture::make2D(gl::Format::R32F, size));
+    } while (size != glm::ivec2(1));
+  }
+  gl::ShaderProgram& up = analysis_.get();
+  for (std::size_t level = 0; level < known_.size(); ++level) {
+    bindTexture(up, "fine", 0, level == 0 ? hitPoints : known_[level - 1]);
+    up.set("fineComponent", level == 0 ? 1 : 0);
+    known_[level].bindImage(0, gl::Access::Write);
+    up.dispatch(glm::ivec2(known_[level].size()));
+  }
+  gl::ShaderProgram& down = synthesis_.get();
+  for (std::size_t level = known_.size(); level-- > 0;) {
+    // The coarsest level is one pixel: known, or there is nothing to fill with.
+    const gl::Texture& coarse = level + 1 == known_.size() ? known_.back() : filled_[level];
+    gl::Texture& target = level == 0 ? filled : filled_[level - 1];
+    bindTexture(down, "fine", 0, level == 0 ? hitPoints : known_[level - 1]);
+    down.set("fineComponent", level == 0 ? 1 : 0);
+    bindTexture(down, "coarse", 1, coarse);
+    target.bindImage(0, gl::Access::Write);
+    down.dispatch(glm::ivec2(target.size()));
+  }
+}
+
+void PullPushPass::release() {
+  known_.clear();
+  filled_.clear();
+}
+
+std::size_t PullPushPass::bytes() const {
+  std::size_t sum = 0;
+  for (const gl::Texture& texture : known_) sum += 2 * texture.bytes();
+  return sum;
+}
+
+}  // namespace fenestra

@@ -1,0 +1,27 @@
+#pragma once
+// Stage 2: the focus hit of rays that miss the focus, interpolated from those that meet it.
+
+#include <vector>
+
+#include "rendering/gl/ShaderProgram.h"
+#include "rendering/gl/Texture.h"
+
+namespace fenestra {
+
+/// Pyramid interpolation of scattered pixels (Strengert, Kraus, Ertl, VMV 2006). Known pixels stay bit for bit; with no
+/// known pixel at all everything is `nothing`. Any picture size.
+class PullPushPass {
+ public:
+  /// Reads the y component of `hitPoints` (RG32F), writes `filled` (R32F) of the same size.
+  void run(const gl::Texture& hitPoints, gl::Texture& filled);
+  std::size_t bytes() const;
+  /// Drops the pyramid.
+  void release();
+
+ private:
+  gl::ShaderVariants analysis_{"PullPushAnalysis.comp"}, synthesis_{"PullPushSynthesis.comp"};
+  std::vector<gl::Texture> known_;   ///< level 1 (half size) upwards: averages of known pixels
+  std::vector<gl::Texture> filled_;  ///< the same levels without holes
+};
+
+}  // namespace fenestra

@@ -1,0 +1,54 @@
+#include "rendering/passes/RayFrame.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fenestra {
+
+RayFrame::RayFrame(const Camera& camera, glm::ivec2 size, const Grid& grid)
+    : size_(size), camera_(camera), grid_(grid), axes_(camera.axes()) {
+  const double depth = depthOf(grid.centre());
+  const double aspect = static_cast<double>(size.x) / size.y;
+  if (camera.projection == Projection::Perspective) {
+    // Never nearer than the volume's own size, or the directions of the rays would lose digits.
+    distance_ = std::max(depth, std::max(grid.boundingRadius(), 1e-9));
+    const double halfHeight = distance_ * std::tan(glm::radians(camera.verticalFov) * 0.5);
+    halfSize_ = {halfHeight * aspect, halfHeight};
+  } else {
+    distance_ = depth;
+    halfSize_ = glm::dvec2(aspect, 1.0) * (camera.orthographicHeight * 0.5);
+  }
+}
+
+void RayFrame::setUniforms(gl::ShaderProgram& program) const {
+  const glm::dmat4 indexFromWorld = grid_.indexFromWorld();
+  const glm::dmat3 worldFromView(axes_.right, axes_.up, axes_.forward);
+  const glm::dvec3 anchor = glm::dvec3(indexFromWorld * glm::dvec4(camera_.eye + axes_.forward * distance_, 1.0)) + 1.0;
+  program.set("pictureSize", size_);
+  program.set("volumeDims", grid_.dims);
+  program.set("rayAnchor", glm::vec3(anchor));
+  program.set("cellsFromView", glm::mat3(glm::dmat3(indexFromWorld) * worldFromView));
+  program.set("worldFromView", glm::mat3(worldFromView));
+  program.set("rayHalfSize", glm::vec2(halfSize_));
+  program.set("rayDistance", static_cast<float>(distance_));
+  program.set("rayPerspective", static_cast<int>(camera_.projection == Projection::Perspective));
+}
+
+glm::dvec3 RayFrame::worldPosition(glm::dvec2 pixel, double s) const {
+  const glm::dvec2 ndc(2.0 * pixel.x / size_.x - 1.0, 1.0 - 2.0 * pixel.y / size_.y);
+  const glm::dvec2 offset = ndc * halfSize_;
+  if (camera_.projection == Projection::Orthographic)
+    return camera_.eye + axes_.right * offset.x + axes_.up * offset.y + axes_.forward * (distance_ + s);
+  const glm::dvec3 direction =
+      glm::normalize(axes_.right * offset.x + axes_.up * offset.y + axes_.forward * distance_);
+  return camera_.eye + direction * (distance_ + s);
+}
+
+double RayFrame::pixelSize(double depth) const {
+  const double scale = camera_.projection == Projection::Perspective ? depth / distance_ : 1.0;
+  return 2.0 * halfSize_.y * scale / size_.y;
+}
+
+double RayFrame::depthOf(glm::dvec3 world) const { return glm::dot(world - camera_.eye, axes_.forward); }
+
+}  // namespace fenestra

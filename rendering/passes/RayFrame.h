@@ -1,0 +1,35 @@
+#pragma once
+// The camera as the shaders see it: one ray set-up for every pass (shaders/lib/Ray.glsl).
+
+#include "rendering/gl/ShaderProgram.h"
+#include "rendering/scene/Camera.h"
+
+namespace fenestra {
+
+/// Rays are anchored on a plane near the volume; positions along them are s = t - distance (mm). Computed in double and
+/// handed over relative to the volume, so that neither far cameras nor far origins cost precision.
+class RayFrame {
+ public:
+  RayFrame(const Camera& camera, glm::ivec2 size, const Grid& grid);
+
+  void setUniforms(gl::ShaderProgram& program) const;
+
+  glm::ivec2 size() const { return size_; }
+  const Camera::Axes& axes() const { return axes_; }
+  double distance() const { return distance_; }
+  /// World position of s on pixel (i, j)'s ray, and t there.
+  glm::dvec3 worldPosition(glm::dvec2 pixel, double s) const;
+  /// mm per rendered pixel at a view depth (mm from the eye along the view).
+  double pixelSize(double depth) const;
+  double depthOf(glm::dvec3 world) const;
+
+ private:
+  glm::ivec2 size_;
+  Camera camera_;
+  Grid grid_;
+  Camera::Axes axes_;
+  double distance_ = 0.0;       // eye to anchor plane
+  glm::dvec2 halfSize_{0.0};    // mm at the anchor plane
+};
+
+}  // namespace fenestra

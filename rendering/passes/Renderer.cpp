@@ -1,0 +1,374 @@
+#include "rendering/passes/Renderer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "rendering/gl/Context.h"
+#include "rendering/passes/CompositePass.h"
+#include "rendering/passes/ContextLayerPass.h"
+#include "rendering/passes/DistanceMapPass.h"
+#include "rendering/passes/FocusLayerPass.h"
+#include "rendering/passes/GpuScene.h"
+#include "rendering/passes/HitPointPass.h"
+#include "rendering/passes/PullPushPass.h"
+#include "rendering/passes/RayStartPass.h"
+#include "rendering/passes/SceneBinding.h"
+
+namespace fenestra {
+namespace {
+
+/// What a pass last ran with. Its version grows with every run, so that later passes can have it in their own keys.
+template <class Key>
+class Memo {
+ public:
+  bool isStale(const Key& key) const { return key_ != key; }
+  void ran(Key key) {
+    key_ = std::move(key);
+    ++version_;
+  }
+  void forget() { key_.reset(); }
+  std::uint64_t version() const { return version_; }
+
+ private:
+  std::optional<Key> key_;
+  std::uint64_t version_ = 0;
+};
+
+struct HitKey {
+  std::uint64_t volume, focus, gaps;
+  Camera camera;
+  glm::ivec2 size;
+  bool operator==(const HitKey&) const = default;
+};
+struct FillKey {
+  std::uint64_t hits;
+  bool operator==(const FillKey&) const = default;
+};
+struct DistanceKey {
+  std::uint64_t hits;
+  int range;
+  bool operator==(const DistanceKey&) const = default;
+};
+struct RayStartKey {
+  std::uint64_t hits, fill, distance;
+  double openWidth;
+  bool operator==(const RayStartKey&) const = default;
+};
+struct FocusLayerKey {
+  std::optional<std::uint64_t> rayStart;
+  std::uint64_t volume, focus, transfer, gradient, palette;
+  double focusExtinction;
+  Shading shading;
+  Camera camera;
+  glm::ivec2 size;
+  double step;
+  bool operator==(const FocusLayerKey&) const = default;
+};
+struct ContextLayerKey {
+  std::uint64_t hits, derivative;
+  Shading shading;
+  bool operator==(const ContextLayerKey&) const = default;
+};
+struct CompositeKey {
+  std::uint64_t focusLayer;
+  std::optional<std::uint64_t> distance, contextLayer;
+  glm::dvec2 widths;
+  glm::dvec3 borderColour;
+  ContextLayer look;
+  bool operator==(const CompositeKey&) const = default;
+};
+
+/// A picture-sized image that lasts until the size changes or it is no longer used.
+gl::Texture& sized(gl::Texture& texture, gl::Format format, glm::ivec2 size) {
+  if (!texture || glm::ivec2(texture.size()) != size) texture = gl::Texture::make2D(format, size);
+  return texture;
+}
+
+double samplesPerVoxel(Quality quality) {
+  switch (quality) {
+    case Quality::Draft: return 1.0;
+    case Quality::Normal: return 2.0;
+    case Quality::High: break;
+  }
+  return 4.0;
+}
+
+/// Distance maps reach this far (rendered pixels) or the next power of two beyond what the widths need: a slider that
+/// moves within it leaves the map as it is.
+constexpr int leastDistanceRange = 64;
+
+int distanceRange(glm::dvec2 widths, glm::ivec2 size) {
+  // Half a pixel more than the border's rim, which is anti-aliased.
+  const double needed = std::min(widths.x + widths.y + 1.0, std::hypot(size.x, size.y));
+  int range = leastDistanceRange;
+  while (range < needed) range *= 2;
+  return range;
+}
+
+}  // namespace
+
+std::string_view nameOf(Pass pass) {
+  constexpr std::array<std::string_view, passCount> names{"hit points", "pull-push", "distance map", "ray start",
+                                                          "focus layer", "context layer", "composite"};
+  return names[static_cast<std::size_t>(pass)];
+}
+
+struct Renderer::State {
+  std::shared_ptr<GpuScene> gpu;
+
+  HitPointPass hitPointPass;
+  PullPushPass pullPushPass;
+  DistanceMapPass distanceMapPass;
+  RayStartPass rayStartPass;
+  FocusLayerPass focusLayerPass;
+  ContextLayerPass contextLayerPass;
+  CompositePass compositePass;
+  gl::ShaderProgram presentProgram;
+
+  gl::Texture hitPoints, focusFilled, distances, rayStart, focusLayer, contextLayer, silhouette, picture;
+  gl::Texture pickedHit;
+
+  Memo<HitKey> hits;
+  Memo<FillKey> fill;
+  Memo<DistanceKey> distance;
+  Memo<RayStartKey> start;
+  Memo<FocusLayerKey> focus;
+  Memo<ContextLayerKey> context;
+  Memo<CompositeKey> composite;
+
+  std::optional<RayFrame> rays;  ///< of the last picture
+  glm::dvec2 widths{0.0};
+  glm::vec3 background{0.0f};
+  bool timing = false;
+  std::array<PassStats, passCount> stats{};
+
+  template <class Key, class Body>
+  void runIfStale(Pass pass, Memo<Key>& memo, Key key, const Body& body) {
+    if (!memo.isStale(key)) return;
+    PassStats& mine = stats[static_cast<std::size_t>(pass)];
+    if (timing) {
+      gl::TimerQuery timer;
+      body();
+      mine.milliseconds = timer.elapsedMilliseconds();
+    } else {
+      body();
+    }
+    ++mine.runs;
+    memo.ran(std::move(key));
+  }
+
+  glm::dvec2 widthsInPixels(const Scene& scene, double pixelScale) const;
+};
+
+glm::dvec2 Renderer::State::widthsInPixels(const Scene& scene, double pixelScale) const {
+  const glm::dvec2 wanted = glm::max(glm::dvec2(scene.cutaway.openWidth, scene.cutaway.borderWidth), glm::dvec2(0.0));
+  if (scene.cutaway.unit == WidthUnit::Pixel) return wanted * pixelScale;
+  const Grid& grid = scene.volume->grid;
+  double depth = rays->depthOf(gpu->focusCentre().value_or(grid.centre()));
+  if (!(depth > 0.0)) depth = rays->depthOf(grid.centre());
+  return wanted / rays->pixelSize(std::max(depth, 1e-3 * grid.boundingRadius()));
+}
+
+Renderer::Renderer(std::shared_ptr<GpuScene> gpuScene) : state_(std::make_unique<State>()) {
+  state_->gpu = std::move(gpuScene);
+}
+Renderer::~Renderer() = default;
+Renderer::Renderer(Renderer&&) noexcept = default;
+Renderer& Renderer::operator=(Renderer&&) noexcept = default;
+
+void Renderer::render(const Scene& scene, const View& view) {
+  State& s = *state_;
+  s.gpu->update(scene);
+  const GpuScene& gpu = *s.gpu;
+  const GpuScene::Versions& version = gpu.versions();
+  const Grid& grid = scene.volume->grid;
+  s.rays.emplace(view.camera, view.size, grid);
+  const RayFrame& rays = *s.rays;
+  s.background = glm::vec3(scene.background);
+  const bool cutaway = hasCutaway(scene);
+  const bool contextLayer = cutaway && scene.contextLayer.strength > 0.0;
+  s.widths = cutaway ? s.widthsInPixels(scene, view.pixelScale) : glm::dvec2(0.0);
+
+  if (cutaway) {
+    s.runIfStale(Pass::HitPoints, s.hits, HitKey{version.volume, version.focus, version.gaps, view.camera, view.size},
+                 [&] { s.hitPointPass.run(gpu, rays, sized(s.hitPoints, gl::Format::RG32F, view.size)); });
+    s.runIfStale(Pass::PullPush, s.fill, FillKey{s.hits.version()},
+                 [&] { s.pullPushPass.run(s.hitPoints, sized(s.focusFilled, gl::Format::R32F, view.size)); });
+    const int range = distanceRange(s.widths, view.size);
+    s.runIfStale(Pass::DistanceMap, s.distance, DistanceKey{s.hits.version(), range}, [&] {
+      s.distanceMapPass.run(s.hitPoints, range, sized(s.distances, gl::Format::R32F, view.size));
+    });
+    s.runIfStale(Pass::RayStart, s.start,
+                 RayStartKey{s.hits.version(), s.fill.version(), s.distance.version(), s.widths.x}, [&] {
+                   s.rayStartPass.run(rays, s.hitPoints, s.focusFilled, s.distances, s.widths.x,
+                                      sized(s.rayStart, gl::Format::R32F, view.size));
+                 });
+  } else {
+    // A plain volume rendering keeps none of the cutaway's images.
+    for (gl::Texture* texture : {&s.hitPoints, &s.focusFilled, &s.distances, &s.rayStart}) *texture = {};
+    s.pullPushPass.release();
+    s.distanceMapPass.release();
+    s.hits.forget();
+    s.fill.forget();
+    s.distance.forget();
+    s.start.forget();
+  }
+
+  const glm::dvec3 spacing = grid.spacing;
+  const double step = std::min({spacing.x, spacing.y, spacing.z}) / samplesPerVoxel(view.quality);
+  const FocusLayerKey focusKey{cutaway ? std::optional(s.start.version()) : std::nullopt,
+                               version.volume,
+                               version.focus,
+                               version.transfer,
+                               version.gradient,
+                               version.palette,
+                               scene.focusAppearance.extinction,
+                               scene.shading,
+                               view.camera,
+                               view.size,
+                               step};
+  s.runIfStale(Pass::FocusLayer, s.focus, focusKey, [&] {
+    s.focusLayerPass.run(gpu, scene, rays, cutaway ? &s.rayStart : nullptr, step,
+                         sized(s.focusLayer, gl::Format::RGBA32F, view.size));
+  });
+
+  if (contextLayer) {
+    s.runIfStale(Pass::ContextLayer, s.context, ContextLayerKey{s.hits.version(), version.derivative, scene.shading}, [&] {
+      s.contextLayerPass.run(gpu, scene.shading, rays, s.hitPoints,
+                             sized(s.contextLayer, gl::Format::RGBA32F, view.size),
+                             sized(s.silhouette, gl::Format::R32F, view.size));
+    });
+  } else {
+    s.contextLayer = {};
+    s.silhouette = {};
+    s.context.forget();
+  }
+
+  const CompositeKey compositeKey{s.focus.version(),
+                                  cutaway ? std::optional(s.distance.version()) : std::nullopt,
+                                  contextLayer ? std::optional(s.context.version()) : std::nullopt,
+                                  s.widths,
+                                  scene.cutaway.borderColour,
+                                  scene.contextLayer};
+  s.runIfStale(Pass::Composite, s.composite, compositeKey, [&] {
+    CompositePass::Inputs inputs;
+    inputs.focusLayer = &s.focusLayer;
+    if (cutaway) {
+      inputs.hitPoints = &s.hitPoints;
+      inputs.distances = &s.distances;
+      inputs.widths = s.widths;
+    }
+    if (contextLayer) {
+      inputs.contextLayer = &s.contextLayer;
+      inputs.silhouette = &s.silhouette;
+      inputs.curvatureScale = gpu.derivative().spacing;
+    }
+    s.compositePass.run(inputs, scene, sized(s.picture, gl::Format::RGBA32F, view.size));
+  });
+}
+
+void Renderer::present(std::uint32_t framebuffer, glm::ivec4 rectangle) {
+  State& s = *state_;
+  if (!s.picture) return;
+  if (!s.presentProgram) s.presentProgram = gl::ShaderProgram::graphics("Present.vert", "Present.frag");
+  const gl::DrawTarget target(framebuffer, rectangle);
+  bindTexture(s.presentProgram, "picture", 0, s.picture);
+  s.presentProgram.set("background", s.background);
+  s.presentProgram.drawFullScreen();
+}
+
+std::vector<std::uint8_t> Renderer::readPicture() {
+  State& s = *state_;
+  if (!s.picture) return {};
+  std::vector<glm::vec4> values(static_cast<std::size_t>(s.picture.size().x) * static_cast<std::size_t>(s.picture.size().y));
+  s.picture.readInto(std::span(values));
+  std::vector<std::uint8_t> bytes;
+  bytes.reserve(values.size() * 4);
+  for (const glm::vec4& front : values) {
+    const glm::vec3 colour = glm::vec3(front) + (1.0f - front.a) * s.background;
+    for (int channel = 0; channel < 3; ++channel)
+      bytes.push_back(static_cast<std::uint8_t>(std::clamp(colour[channel], 0.0f, 1.0f) * 255.0f + 0.5f));
+    bytes.push_back(255);
+  }
+  return bytes;
+}
+
+Layers Renderer::readLayers() {
+  State& s = *state_;
+  Layers layers;
+  if (!s.picture) return layers;
+  layers.size = glm::ivec2(s.picture.size());
+  const std::size_t count = static_cast<std::size_t>(layers.size.x) * static_cast<std::size_t>(layers.size.y);
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+  const auto time = [&](float position) {
+    return position > nothing * 0.1f ? static_cast<float>(s.rays->distance() + position) : nan;
+  };
+  const auto times = [&](const gl::Texture& texture, std::vector<float>& into) {
+    into.resize(count);
+    texture.readInto(std::span(into));
+    for (float& value : into) value = time(value);
+  };
+  if (s.hitPoints) {
+    std::vector<glm::vec2> hits(count);
+    s.hitPoints.readInto(std::span(hits));
+    for (const glm::vec2& hit : hits) {
+      layers.tContext.push_back(time(hit.x));
+      layers.tFocus.push_back(time(hit.y));
+    }
+    times(s.focusFilled, layers.tFocusFilled);
+    times(s.rayStart, layers.tStart);
+    layers.distance.resize(count);
+    s.distances.readInto(std::span(layers.distance));
+    for (float& distance : layers.distance)
+      if (distance > s.widths.x + s.widths.y) distance = std::numeric_limits<float>::infinity();
+  }
+  if (s.contextLayer) {
+    layers.contextLayer.resize(count);
+    s.contextLayer.readInto(std::span(layers.contextLayer));
+    const VolumeTexture& coding = s.gpu->volume();
+    for (glm::vec4& texel : layers.contextLayer)
+      texel = texel.x > nothing * 0.1f
+                  ? glm::vec4(glm::vec3(texel), static_cast<float>(coding.slope * texel.w + coding.offset))
+                  : glm::vec4(nan);
+  }
+  layers.focusLayer.resize(count);
+  s.focusLayer.readInto(std::span(layers.focusLayer));
+  layers.final.resize(count);
+  s.picture.readInto(std::span(layers.final));
+  return layers;
+}
+
+std::optional<glm::dvec3> Renderer::pick(glm::dvec2 pixel) {
+  State& s = *state_;
+  if (!s.picture) return std::nullopt;
+  const glm::ivec2 at(glm::floor(pixel));
+  if (glm::any(glm::lessThan(at, glm::ivec2(0))) || glm::any(glm::greaterThanEqual(at, glm::ivec2(s.picture.size()))))
+    return std::nullopt;
+  float position = nothing;
+  if (s.rayStart) {
+    position = s.rayStart.readTexel(at).x;
+  } else {
+    // A plain volume rendering has no hit points: find this pixel's alone.
+    s.hitPointPass.run(*s.gpu, *s.rays, sized(s.pickedHit, gl::Format::RG32F, glm::ivec2(1)), at);
+    position = s.pickedHit.readTexel(glm::ivec2(0)).x;
+  }
+  if (!(position > nothing * 0.1f)) return std::nullopt;
+  return s.rays->worldPosition(glm::dvec2(at) + 0.5, position);
+}
+
+void Renderer::setTiming(bool on) { state_->timing = on; }
+
+const std::array<PassStats, passCount>& Renderer::stats() const { return state_->stats; }
+
+std::size_t Renderer::imageBytes() const {
+  const State& s = *state_;
+  std::size_t sum = s.pullPushPass.bytes() + s.distanceMapPass.bytes();
+  for (const gl::Texture* texture : {&s.hitPoints, &s.focusFilled, &s.distances, &s.rayStart, &s.focusLayer,
+                                     &s.contextLayer, &s.silhouette, &s.picture, &s.pickedHit})
+    if (*texture) sum += texture->bytes();
+  return sum;
+}
+
+}  // namespace fenestra

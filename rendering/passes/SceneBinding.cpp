@@ -1,0 +1,38 @@
+#include "rendering/passes/SceneBinding.h"
+
+namespace fenestra {
+namespace {
+enum Unit : unsigned { volumeUnit, focusBricksUnit, focusSkipUnit };
+enum Block : unsigned { focusCellsBlock = 0 };
+}  // namespace
+
+void bindTexture(gl::ShaderProgram& program, const char* name, unsigned unit, const gl::Texture& texture) {
+  texture.bind(unit);
+  program.set(name, static_cast<int>(unit));
+}
+
+void bindVolume(const GpuScene& scene, gl::ShaderProgram& program) {
+  bindTexture(program, "volumeTexture", volumeUnit, scene.volume().texture);
+  program.set("texelScale", scene.volume().texelScale);
+  program.set("integerTexels", static_cast<int>(scene.volume().integers));
+}
+
+void bindFocus(const GpuScene& scene, gl::ShaderProgram& program) {
+  if (scene.focusKind() == FocusIndex::Kind::None) return;
+  bindTexture(program, "focusBricks", focusBricksUnit, scene.focusBricks());
+  bindTexture(program, "focusSkip", focusSkipUnit, scene.focusSkip());
+  scene.focusCells().bind(focusCellsBlock);
+  if (scene.focusKind() != FocusIndex::Kind::Values) return;
+  const ValueRange coded = scene.volume().codedFromReal(scene.focusValues());
+  program.set("focusLow", static_cast<float>(coded.low));
+  program.set("focusHigh", static_cast<float>(coded.high));
+}
+
+gl::Define focusDefine(const GpuScene& scene) { return {"FOCUS_KIND", static_cast<int>(scene.focusKind())}; }
+
+void setLight(gl::ShaderProgram& program, const Camera::Axes& axes, const Shading& shading) {
+  program.set("lightDirection", glm::vec3(glm::normalize(-axes.forward + 0.45 * axes.up - 0.35 * axes.right)));
+  program.set("lighting", glm::vec4(shading.ambient, shading.diffuse, shading.specular, shading.shininess));
+}
+
+}  // namespace fenestra

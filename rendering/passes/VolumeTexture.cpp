@@ -1,0 +1,234 @@
+#include "rendering/passes/VolumeTexture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "rendering/gl/Context.h"
+#include "rendering/passes/RenderError.h"
+#include "rendering/scene/Parallel.h"
+
+namespace fenestra {
+namespace {
+
+/// Texels converted and uploaded in pieces of this size, so that no second copy of the volume is made.
+constexpr std::size_t slabBytes = std::size_t{16} << 20;
+
+/// Fills the texture slab by slab: fill(z, plane) writes one plane of texels.
+template <class Texel, class Fill>
+void uploadBySlabs(gl::Texture& texture, std::size_t texelsPerPlane, const Fill& fill) {
+  const int depth = texture.size().z;
+  const int slab = static_cast<int>(
+      std::clamp<std::size_t>(slabBytes / std::max<std::size_t>(texelsPerPlane * sizeof(Texel), 1), 1, 256));
+  std::vector<Texel> texels;
+  for (int z = 0; z < depth; z += slab) {
+    const int count = std::min(slab, depth - z);
+    texels.resize(texelsPerPlane * static_cast<std::size_t>(count));
+    parallelFor(static_cast<std::size_t>(count), 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) fill(z + static_cast<int>(i), texels.data() + i * texelsPerPlane);
+    });
+    texture.upload({0, 0, z}, {texture.size().x, texture.size().y, count}, std::as_bytes(std::span(texels)));
+  }
+}
+
+/// A stored scalar with NaN and Inf replaced, so that filtering never meets them.
+template <class T>
+struct Sanitizer {
+  T low, high, standIn;
+  explicit Sanitizer(const Volume& volume) {
+    const double a = (volume.range.low - volume.intercept) / volume.slope;
+    const double b = (volume.range.high - volume.intercept) / volume.slope;
+    low = static_cast<T>(std::min(a, b));
+    high = static_cast<T>(std::max(a, b));
+    standIn = static_cast<T>(a);
+  }
+  T operator()(T scalar) const {
+    if constexpr (std::is_floating_point_v<T>) return std::isnan(scalar) ? standIn : std::clamp(scalar, low, high);
+    return scalar;
+  }
+};
+
+std::size_t planeSize(glm::ivec3 dims) { return static_cast<std::size_t>(dims.x) * static_cast<std::size_t>(dims.y); }
+
+}  // namespace
+
+ValueRange VolumeTexture::codedFromReal(ValueRange real) const {
+  const double a = codedFromReal(real.low), b = codedFromReal(real.high);
+  return {std::min(a, b), std::max(a, b)};
+}
+
+VolumeTexture makeVolumeTexture(const Volume& volume) {
+  const glm::ivec3 dims = volume.grid.dims;
+  const int limit = gl::maxTextureSize3D();
+  if (std::max({dims.x, dims.y, dims.z}) > limit)
+    throw RenderError("the volume has " + std::to_string(dims.x) + "×" + std::to_string(dims.y) + "×" +
+                      std::to_string(dims.z) + " voxels, 3-D textures here end at " + std::to_string(limit) +
+                      " a side; resample it");
+  VolumeTexture result;
+  result.slope = volume.slope;
+  volume.voxels.visit([&](auto scalars) {
+    using T = typename decltype(scalars)::value_type;
+    double base = 0.0;
+    if constexpr (std::is_integral_v<T>) {
+      const double a = (volume.range.low - volume.intercept) / volume.slope;
+      const double b = (volume.range.high - volume.intercept) / volume.slope;
+      const double low = std::round(std::min(a, b)), span = std::round(std::max(a, b)) - low;
+      // Unsigned data that fit as they are need no conversion.
+      const bool asIs = std::is_unsigned_v<T> && (sizeof(T) == 1 || (sizeof(T) == 2 && span > 255.0));
+      base = asIs ? 0.0 : low;
+      const auto fill = [&]<class Texel>(Texel) {
+        uploadBySlabs<Texel>(result.texture, planeSize(dims), [&](int z, Texel* plane) {
+          const T* from = scalars.data() + volume.grid.offset({0, 0, z});
+          const auto shift = static_cast<std::int64_t>(base);
+          for (std::size_t i = 0; i < planeSize(dims); ++i)
+            plane[i] = static_cast<Texel>(static_cast<std::int64_t>(from[i]) - shift);
+        });
+      };
+      result.integers = span <= 65535.0;
+      if (asIs) {
+        result.texture = gl::Texture::make3D(sizeof(T) == 1 ? gl::Format::R8 : gl::Format::R16, dims, gl::Filter::Linear);
+        result.texture.upload(scalars);
+      } else if (span <= 255.0) {
+        result.texture = gl::Texture::make3D(gl::Format::R8, dims, gl::Filter::Linear);
+        fill(std::uint8_t{});
+      } else if (span <= 65535.0) {
+        result.texture = gl::Texture::make3D(gl::Format::R16, dims, gl::Filter::Linear);
+        fill(std::uint16_t{});
+      } else {
+        result.texture = gl::Texture::make3D(gl::Format::R32F, dims, gl::Filter::Linear);
+        fill(float{});
+      }
+    } else {
+      result.texture = gl::Texture::make3D(gl::Format::R32F, dims, gl::Filter::Linear);
+      const Sanitizer<T> sanitize(volume);
+      uploadBySlabs<float>(result.texture, planeSize(dims), [&](int z, float* plane) {
+        const T* from = scalars.data() + volume.grid.offset({0, 0, z});
+        for (std::size_t i = 0; i < planeSize(dims); ++i) plane[i] = static_cast<float>(sanitize(from[i]));
+      });
+    }
+    result.offset = volume.slope * base + volume.intercept;
+  });
+  result.texelScale = result.texture.format() == gl::Format::R8    ? 255.0f
+                      : result.texture.format() == gl::Format::R16 ? 65535.0f
+                                                                   : 1.0f;
+  return result;
+}
+
+double gradientUnit(const Volume& volume) {
+  const glm::dvec3 s = volume.grid.spacing;
+  return std::max(volume.range.high - volume.range.low, 1e-30) / (4.0 * std::min({s.x, s.y, s.z}));
+}
+
+gl::Texture makeGradientTexture(const Volume& volume) {
+  const glm::ivec3 dims = volume.grid.dims;
+  gl::Texture texture = gl::Texture::make3D(gl::Format::RGBA8, dims, gl::Filter::Linear);
+  // World gradient = (index from world)ᵀ · index gradient.
+  const glm::mat3 worldFromIndexGradient(glm::transpose(glm::dmat3(volume.grid.indexFromWorld())) * volume.slope /
+                                         gradientUnit(volume));
+  volume.voxels.visit([&](auto scalars) {
+    using T = typename decltype(scalars)::value_type;
+    const Sanitizer<T> sanitize(volume);
+    uploadBySlabs<glm::u8vec4>(texture, planeSize(dims), [&](int z, glm::u8vec4* plane) {
+      const int zLow = std::max(z - 1, 0), zHigh = std::min(z + 1, dims.z - 1);
+      const float zScale = zHigh > zLow ? 1.0f / static_cast<float>(zHigh - zLow) : 0.0f;
+      for (int y = 0; y < dims.y; ++y) {
+        const int yLow = std::max(y - 1, 0), yHigh = std::min(y + 1, dims.y - 1);
+        const float yScale = yHigh > yLow ? 1.0f / static_cast<float>(yHigh - yLow) : 0.0f;
+        const T* row = scalars.data() + volume.grid.offset({0, y, z});
+        const T* above = scalars.data() + volume.grid.offset({0, y, zHigh});
+        const T* below = scalars.data() + volume.grid.offset({0, y, zLow});
+        const T* front = scalars.data() + volume.grid.offset({0, yLow, z});
+        const T* back = scalars.data() + volume.grid.offset({0, yHigh, z});
+        glm::u8vec4* out = plane + static_cast<std::size_t>(y) * static_cast<std::size_t>(dims.x);
+        for (int x = 0; x < dims.x; ++x) {
+          const int xLow = std::max(x - 1, 0), xHigh = std::min(x + 1, dims.x - 1);
+          const float xScale = xHigh > xLow ? 1.0f / static_cast<float>(xHigh - xLow) : 0.0f;
+          const auto difference = [&](T high, T low, float scale) {
+            return (static_cast<float>(sanitize(high)) - static_cast<float>(sanitize(low))) * scale;
+          };
+          const glm::vec3 index(difference(row[xHigh], row[xLow], xScale), difference(back[x], front[x], yScale),
+                                difference(above[x], below[x], zScale));
+          const glm::vec3 g = worldFromIndexGradient * index;
+          const float length2 = glm::dot(g, g);
+          if (!(length2 > 1e-20f)) {
+            out[x] = {128, 128, 128, 0};
+            continue;
+          }
+          const float inverse = 1.0f / std::sqrt(length2);
+          const glm::vec3 n = g * (inverse * 127.5f) + 128.0f;  // truncated: rounds to nearest
+          out[x] = {static_cast<std::uint8_t>(n.x), static_cast<std::uint8_t>(n.y), static_cast<std::uint8_t>(n.z),
+                    static_cast<std::uint8_t>(std::min(255.0f, std::sqrt(length2 * inverse) * 255.0f + 0.5f))};
+        }
+      }
+    });
+  });
+  return texture;
+}
+
+DerivativeVolume makeDerivativeVolume(const Volume& volume, const VolumeTexture& coding) {
+  const Grid& grid = volume.grid;
+  DerivativeVolume result;
+  const double finest = std::min({grid.spacing.x, grid.spacing.y, grid.spacing.z});
+  glm::ivec3 dims;
+  result.spacing = 1e300;
+  for (int axis = 0; axis < 3; ++axis) {
+    const bool thin = grid.spacing[axis] < 2.0 * finest && grid.dims[axis] >= 8;
+    result.factor[axis] = thin ? 2 : 1;
+    dims[axis] = (grid.dims[axis] + result.factor[axis] - 1) / result.factor[axis];
+    result.spacing = std::min(result.spacing, grid.spacing[axis] * result.factor[axis]);
+  }
+  const bool wide = !coding.integers;
+  result.texture = gl::Texture::make3D(wide ? gl::Format::R32F : gl::Format::R16, dims);
+  // Eight-bit data are stretched so that smoothing keeps what lies between their steps.
+  const float stretch = coding.texture.format() == gl::Format::R8 ? 257.0f : 1.0f;
+  result.texelScale = wide ? 1.0f : 65535.0f / stretch;
+  const double base = (coding.offset - volume.intercept) / volume.slope;
+  // Taps of the texel's filter along an axis: offsets from factor·i.
+  struct Tap {
+    int offset;
+    float weight;
+  };
+  const auto taps = [&](int axis) -> std::vector<Tap> {
+    if (result.factor[axis] == 2) return {{-1, 0.125f}, {0, 0.375f}, {1, 0.375f}, {2, 0.125f}};
+    return {{0, 1.0f}};
+  };
+  const std::vector<Tap> tx = taps(0), ty = taps(1), tz = taps(2);
+  volume.voxels.visit([&](auto scalars) {
+    using T = typename decltype(scalars)::value_type;
+    const Sanitizer<T> sanitize(volume);
+    const auto plane = [&](int z, auto* out) {
+      std::vector<float> column(static_cast<std::size_t>(grid.dims.x));
+      for (int y = 0; y < dims.y; ++y) {
+        std::fill(column.begin(), column.end(), 0.0f);
+        for (const Tap& a : tz)
+          for (const Tap& b : ty) {
+            const glm::ivec3 from(0, std::clamp(y * result.factor.y + b.offset, 0, grid.dims.y - 1),
+                                  std::clamp(z * result.factor.z + a.offset, 0, grid.dims.z - 1));
+            const T* row = scalars.data() + grid.offset(from);
+            const float weight = a.weight * b.weight;
+            for (int x = 0; x < grid.dims.x; ++x)
+              column[static_cast<std::size_t>(x)] +=
+                  weight * static_cast<float>(static_cast<double>(sanitize(row[x])) - base);
+          }
+        for (int x = 0; x < dims.x; ++x) {
+          float sum = 0.0f;
+          for (const Tap& c : tx)
+            sum += c.weight * column[static_cast<std::size_t>(std::clamp(x * result.factor.x + c.offset, 0, grid.dims.x - 1))];
+          using Texel = std::remove_reference_t<decltype(out[0])>;
+          auto& texel = out[static_cast<std::size_t>(y) * static_cast<std::size_t>(dims.x) + static_cast<std::size_t>(x)];
+          if constexpr (std::is_same_v<Texel, float>)
+            texel = sum;
+          else
+            texel = static_cast<Texel>(std::clamp(sum * stretch + 0.5f, 0.0f, 65535.0f));
+        }
+      }
+    };
+    if (wide)
+      uploadBySlabs<float>(result.texture, planeSize(dims), plane);
+    else
+      uploadBySlabs<std::uint16_t>(result.texture, planeSize(dims), plane);
+  });
+  return result;
+}
+
+}  // namespace fenestra

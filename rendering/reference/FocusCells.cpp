@@ -1,0 +1,73 @@
+#include "rendering/reference/FocusCells.h"
+
+#include <algorithm>
+
+#include "rendering/scene/Parallel.h"
+
+namespace fenestra::reference {
+namespace {
+
+constexpr std::uint8_t inactive = 0, kept = 1, unvisited = 2;
+
+std::vector<std::uint8_t> activeCells(const Volume& volume, ValueRange range, const Grid& cells) {
+  std::vector<std::uint8_t> state(cells.voxelCount(), inactive);
+  withValues(volume, [&](auto valueAt) {
+    parallelFor(static_cast<std::size_t>(cells.dims.z), 1, [&](std::size_t begin, std::size_t end) {
+      for (int z = static_cast<int>(begin); z < static_cast<int>(end); ++z)
+        for (int y = 0; y < cells.dims.y; ++y)
+          for (int x = 0; x < cells.dims.x; ++x) {
+            double least = valueAt({x, y, z}), greatest = least;
+            for (int corner = 1; corner < 8; ++corner) {
+              const glm::ivec3 step(corner & 1, (corner >> 1) & 1, corner >> 2);
+              const double value = valueAt(glm::min(glm::ivec3(x, y, z) + step, volume.grid.dims - 1));
+              least = std::min(least, value);
+              greatest = std::max(greatest, value);
+            }
+            if (least <= range.high && greatest >= range.low) state[cells.offset({x, y, z})] = unvisited;
+          }
+    });
+  });
+  return state;
+}
+
+}  // namespace
+
+bool FocusCells::contains(glm::ivec3 cell) const {
+  const glm::ivec3 nearest = glm::clamp(cell, glm::ivec3(0), dims - 1);
+  Grid lattice;
+  lattice.dims = dims;
+  return kept[lattice.offset(nearest)] != 0;
+}
+
+FocusCells focusCells(const Volume& volume, const ValueFocus& focus) {
+  Grid cells;
+  cells.dims = glm::max(volume.grid.dims - 1, 1);
+  if (!(focus.values.low <= focus.values.high)) return {cells.dims, std::vector<std::uint8_t>(cells.voxelCount(), 0)};
+  std::vector<std::uint8_t> state = activeCells(volume, focus.values, cells);
+  const double cellVolume = volume.grid.voxelVolume();
+
+  std::vector<glm::ivec3> component;
+  const auto visit = [&](glm::ivec3 cell) {
+    if (!cells.contains(cell) || state[cells.offset(cell)] != unvisited) return;
+    state[cells.offset(cell)] = kept;
+    component.push_back(cell);
+  };
+  glm::ivec3 seed;
+  for (seed.z = 0; seed.z < cells.dims.z; ++seed.z)
+    for (seed.y = 0; seed.y < cells.dims.y; ++seed.y)
+      for (seed.x = 0; seed.x < cells.dims.x; ++seed.x) {
+        component.clear();
+        visit(seed);
+        for (std::size_t next = 0; next < component.size(); ++next) {
+          const glm::ivec3 cell = component[next];
+          for (int z = -1; z <= 1; ++z)
+            for (int y = -1; y <= 1; ++y)
+              for (int x = -1; x <= 1; ++x) visit(cell + glm::ivec3(x, y, z));
+        }
+        if (static_cast<double>(component.size()) * cellVolume < focus.minimumComponent)
+          for (const glm::ivec3& cell : component) state[cells.offset(cell)] = inactive;
+      }
+  return {cells.dims, std::move(state)};
+}
+
+}  // namespace fenestra::reference

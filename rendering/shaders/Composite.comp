@@ -1,0 +1,45 @@
+// Stage 7: the paper's equation. Output: premultiplied RGBA without background.
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(rgba32f, binding = 0) uniform writeonly image2D picture;
+uniform sampler2D focusLayer;
+#if CUTAWAY
+uniform sampler2D hitPoints;
+uniform sampler2D distances;
+uniform vec2 widths;          // w_open, w_border in rendered pixels
+uniform vec3 borderColour;
+#endif
+#if CONTEXT_LAYER
+uniform sampler2D contextLayer;
+uniform sampler2D silhouette;
+uniform vec3 contextColour;
+uniform vec3 contextWeights;  // strength, curvature, silhouette
+uniform float curvatureScale; // mm: length that makes curvature dimensionless, the derivative volume's spacing
+#endif
+
+void main() {
+  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  if (any(greaterThanEqual(pixel, imageSize(picture)))) return;
+  vec4 result = texelFetch(focusLayer, pixel, 0);
+#if CUTAWAY
+  vec2 hit = texelFetch(hitPoints, pixel, 0).xy;
+#if CONTEXT_LAYER
+  vec4 context = texelFetch(contextLayer, pixel, 0);
+  if (hit.y > -1e29 && context.x > -1e29) {
+    float bend = sqrt(0.5 * dot(context.xy, context.xy)) * curvatureScale;
+    float rim = texelFetch(silhouette, pixel, 0).r;
+    // Edges come out as lines: both terms rise steeply.
+    float opacity = contextWeights.y * smoothstep(0.12, 0.6, bend) + contextWeights.z * smoothstep(0.35, 0.95, rim);
+    opacity = contextWeights.x * clamp(opacity, 0.0, 1.0);
+    result = vec4(contextColour * context.z, 1.0) * opacity + result * (1.0 - opacity);
+  }
+#endif
+  if (widths.y > 0.0 && hit.x > -1e29) {
+    // Share of this pixel, a box one pixel wide across the rim, that w_open < DM ≤ w_open + w_border covers.
+    float distance = texelFetch(distances, pixel, 0).r;
+    float border = clamp(min(distance + 0.5, widths.x + widths.y) - max(distance - 0.5, widths.x), 0.0, 1.0);
+    if (distance <= 0.0) border = 0.0;
+    result = mix(result, vec4(borderColour, 1.0), border);
+  }
+#endif
+  imageStore(picture, pixel, result);
+}

@@ -1,0 +1,24 @@
+// Stage 3, last step: exact Euclidean distance, the minimum over rows of the row distance and the row's own offset.
+// Rows are visited outwards and the search ends once the offset alone is no nearer. FAR beyond `range`.
+layout(local_size_x = 8, local_size_y = 8) in;
+uniform usampler2D rowDistance;
+uniform int range;
+layout(r32f, binding = 0) uniform writeonly image2D distances;
+
+void main() {
+  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  ivec2 size = imageSize(distances);
+  if (any(greaterThanEqual(pixel, size))) return;
+  const uint unreachable = 0x7fffffffu;
+  uint limit = uint(range) * uint(range);
+  uint best = unreachable;
+  for (int offset = 0; offset <= range && uint(offset * offset) < best; ++offset) {
+    for (int side = -1; side <= 1; side += 2) {
+      int y = pixel.y + side * offset;
+      if (y < 0 || y >= size.y) continue;
+      uint across = texelFetch(rowDistance, ivec2(pixel.x, y), 0).r;
+      if (across <= uint(range)) best = min(best, across * across + uint(offset * offset));
+    }
+  }
+  imageStore(distances, pixel, vec4(best <= limit ? sqrt(float(best)) : 1e30));
+}

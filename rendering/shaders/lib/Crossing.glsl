@@ -1,0 +1,58 @@
+// First point where a trilinear field along a ray leaves an open interval.
+//
+// Inside a cell the field along a segment is a cubic. Its Bernstein coefficients are values of the trilinear form at
+// mixed end points (its blossom), so their hull bounds the field: no crossing can be missed.
+
+vec4 bernsteinAlong(float f[8], vec3 a, vec3 b) {
+  vec4 low = vec4(f[0], f[2], f[4], f[6]), high = vec4(f[1], f[3], f[5], f[7]);
+  vec4 xa = mix(low, high, a.x), xb = mix(low, high, b.x);
+  vec2 xaya = mix(xa.xz, xa.yw, a.y), xayb = mix(xa.xz, xa.yw, b.y);
+  vec2 xbya = mix(xb.xz, xb.yw, a.y), xbyb = mix(xb.xz, xb.yw, b.y);
+  float b1 = mix(xbya.x, xbya.y, a.z) + mix(xayb.x, xayb.y, a.z) + mix(xaya.x, xaya.y, b.z);
+  float b2 = mix(xbyb.x, xbyb.y, a.z) + mix(xbya.x, xbya.y, b.z) + mix(xayb.x, xayb.y, b.z);
+  return vec4(mix(xaya.x, xaya.y, a.z), b1 / 3.0, b2 / 3.0, mix(xbyb.x, xbyb.y, b.z));
+}
+
+float bernstein(vec4 b, float u) {
+  vec3 c = mix(b.xyz, b.yzw, u);
+  vec2 d = mix(c.xy, c.yz, u);
+  return mix(d.x, d.y, u);
+}
+
+// u in [0, 1] where the cubic first leaves (low, high); 2 when it never does.
+float firstExit(vec4 b, float low, float high) {
+  if (b.x <= low || b.x >= high) return 0.0;
+  if (all(greaterThan(b, vec4(low))) && all(lessThan(b, vec4(high)))) return 2.0;
+  // Extrema: roots of the derivative d0(1-u)² + 2 d1 u(1-u) + d2 u², by the formula that does not cancel.
+  vec3 d = b.yzw - b.xyz;
+  float qa = d.x - 2.0 * d.y + d.z, qb = d.y - d.x, qc = d.x;
+  float discriminant = qb * qb - qa * qc;
+  float r1 = 1.0, r2 = 1.0;
+  if (discriminant > 0.0) {
+    float q = -(qb + (qb >= 0.0 ? sqrt(discriminant) : -sqrt(discriminant)));
+    if (qa != 0.0) r1 = q / qa;
+    if (q != 0.0) r2 = qc / q;
+    if (!(r1 > 0.0 && r1 < 1.0)) r1 = 1.0;
+    if (!(r2 > 0.0 && r2 < 1.0)) r2 = 1.0;
+  }
+  float ends[3] = float[3](min(r1, r2), max(r1, r2), 1.0);
+  float begin = 0.0;
+  for (int piece = 0; piece < 3; ++piece) {
+    float end = ends[piece];
+    float value = bernstein(b, end);
+    if (value <= low || value >= high) {
+      bool down = value <= low;
+      float level = down ? low : high;
+      // Bisection in a monotone piece: 22 halvings of at most one cell, below float's own resolution of the position.
+      for (int i = 0; i < 22; ++i) {
+        float middle = 0.5 * (begin + end);
+        float v = bernstein(b, middle);
+        if (down ? v <= level : v >= level) end = middle;
+        else begin = middle;
+      }
+      return end;
+    }
+    begin = end;
+  }
+  return 2.0;
+}
