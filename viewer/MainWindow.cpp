@@ -114,7 +114,7 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent) : QMainWindow(parent
   });
   connect(&job_, &LoadJob::failed, this, [this](const QString& message) {
     showError(message);
-    emit failed(message);
+    Q_EMIT failed(message);
   });
   connect(&job_, &LoadJob::ended, this, [this] { loadingBar_->setVisible(job_.isRunning()); });
   connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
@@ -345,7 +345,7 @@ void MainWindow::open(Reader read) {
   job_.start([this, read = std::move(read)](const io::Progress& progress) -> LoadJob::Show {
     // Shared, because what is handed to the GUI thread must be copyable.
     auto study = std::make_shared<Study>(read(progress));
-    return [this, study] { show(std::move(*study)); };
+    return [this, study] { showStudy(std::move(*study)); };
   });
 }
 
@@ -382,7 +382,7 @@ void MainWindow::addSample(const QString& name, Reader read) {
   connect(sampleMenu_->addAction(name), &QAction::triggered, this, [this, read = std::move(read)] { open(read); });
 }
 
-void MainWindow::show(Study study) {
+void MainWindow::showStudy(Study study) {
   const std::filesystem::path path = study.path;
   const std::vector<io::Warning> warnings = study.warnings;
   document_.open(std::move(study));
@@ -397,7 +397,7 @@ void MainWindow::show(Study study) {
                       .arg(describe(document_.study().series)),
                   tr("Choose…"), [this] { chooseSeries(); });
   showWarnings(warnings);
-  emit opened();
+  Q_EMIT opened();
 }
 
 void MainWindow::showWarnings(const std::vector<io::Warning>& warnings) {

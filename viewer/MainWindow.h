@@ -59,7 +59,7 @@ class MainWindow : public QMainWindow {
   AppearancePanel& appearancePanel() { return *appearancePanel_; }
   CutawayPanel& cutawayPanel() { return *cutawayPanel_; }
 
- signals:
+ Q_SIGNALS:
   /// A study is on show.
   void opened();
   /// Reading came to nothing; the message is one line.
@@ -76,7 +76,7 @@ class MainWindow : public QMainWindow {
   void makeStatusBar();
   QWidget* makeWelcome();
   QWidget* makeLoadingBar();
-  void show(Study study);
+  void showStudy(Study study);
   void showWarnings(const std::vector<io::Warning>& warnings);
   void showError(const QString& message);
   void openSeries(const std::string& series);

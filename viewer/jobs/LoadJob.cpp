@@ -15,7 +15,7 @@ constexpr int progressSteps = 1000;
 LoadJob::LoadJob(QObject* parent) : QObject(parent) {
   connect(&watcher_, &QFutureWatcherBase::finished, this, &LoadJob::finish);
   connect(&watcher_, &QFutureWatcherBase::progressValueChanged, this, [this](int value) {
-    emit progressed(static_cast<double>(value) / progressSteps, watcher_.progressText());
+    Q_EMIT progressed(static_cast<double>(value) / progressSteps, watcher_.progressText());
   });
 }
 
@@ -27,7 +27,7 @@ LoadJob::~LoadJob() {
 
 void LoadJob::start(Read read) {
   watcher_.cancel();
-  emit started();
+  Q_EMIT started();
   watcher_.setFuture(QtConcurrent::run([read = std::move(read)](QPromise<Outcome>& promise) {
     promise.setProgressRange(0, progressSteps);
     const io::Progress progress = [&promise](double fraction, std::string_view doing) {
@@ -56,9 +56,9 @@ void LoadJob::finish() {
   if (!future.isCanceled() && future.resultCount() > 0) {
     const Outcome outcome = future.result();
     if (outcome.show) outcome.show();
-    else emit failed(QString::fromStdString(outcome.error));
+    else Q_EMIT failed(QString::fromStdString(outcome.error));
   }
-  emit ended();
+  Q_EMIT ended();
 }
 
 }  // namespace fenestra::viewer

@@ -27,7 +27,7 @@ class LoadJob : public QObject {
   void cancel();
   bool isRunning() const { return watcher_.isRunning(); }
 
- signals:
+ Q_SIGNALS:
   void started();
   void progressed(double fraction, const QString& doing);
   /// Nothing came of it; the message is one line.

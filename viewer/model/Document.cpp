@@ -11,22 +11,22 @@ void Document::open(Study study) {
   unshifted_ = scene().context;
   shift_ = 0.0;
   window_ = scene().volume->defaultWindow();
-  emit volumeChanged();
-  emit labelsChanged();
-  emit focusChanged();
-  emit transferFunctionChanged();
-  emit cutawayChanged();
-  emit windowChanged();
-  emit sceneChanged();
+  Q_EMIT volumeChanged();
+  Q_EMIT labelsChanged();
+  Q_EMIT focusChanged();
+  Q_EMIT transferFunctionChanged();
+  Q_EMIT cutawayChanged();
+  Q_EMIT windowChanged();
+  Q_EMIT sceneChanged();
 }
 
 void Document::setLabels(std::shared_ptr<const LabelMap> labels) {
   study_.scene.labels = std::move(labels);
   const bool focusWasLabels = std::holds_alternative<LabelFocus>(study_.scene.focus);
   if (focusWasLabels) study_.scene.focus = std::monostate{};
-  emit labelsChanged();
-  if (focusWasLabels) emit focusChanged();
-  emit sceneChanged();
+  Q_EMIT labelsChanged();
+  if (focusWasLabels) Q_EMIT focusChanged();
+  Q_EMIT sceneChanged();
 }
 
 QString Document::description() const {
@@ -43,7 +43,7 @@ QString Document::description() const {
 void Document::setWindow(WindowLevel window) {
   if (window == window_) return;
   window_ = window;
-  emit windowChanged();
+  Q_EMIT windowChanged();
 }
 
 void Document::resetWindow() {
@@ -53,8 +53,8 @@ void Document::resetWindow() {
 void Document::setFocus(Focus focus) {
   if (focus == study_.scene.focus) return;
   study_.scene.focus = std::move(focus);
-  emit focusChanged();
-  emit sceneChanged();
+  Q_EMIT focusChanged();
+  Q_EMIT sceneChanged();
 }
 
 void Document::focusOn(std::uint16_t label) { setFocus(LabelFocus{{label}}); }
@@ -92,22 +92,22 @@ void Document::setShift(double shift) {
 void Document::applyTransferFunction() {
   study_.scene.context = unshifted_;
   for (TransferFunction::Node& node : study_.scene.context.nodes) node.value += shift_;
-  emit transferFunctionChanged();
-  emit sceneChanged();
+  Q_EMIT transferFunctionChanged();
+  Q_EMIT sceneChanged();
 }
 
 void Document::setCutaway(const Cutaway& cutaway) {
   if (cutaway == study_.scene.cutaway) return;
   study_.scene.cutaway = cutaway;
-  emit cutawayChanged();
-  emit sceneChanged();
+  Q_EMIT cutawayChanged();
+  Q_EMIT sceneChanged();
 }
 
 void Document::setContextLayer(const ContextLayer& layer) {
   if (layer == study_.scene.contextLayer) return;
   study_.scene.contextLayer = layer;
-  emit cutawayChanged();
-  emit sceneChanged();
+  Q_EMIT cutawayChanged();
+  Q_EMIT sceneChanged();
 }
 
 std::optional<glm::ivec3> Document::voxelAt(glm::dvec3 world) const {

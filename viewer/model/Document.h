@@ -69,7 +69,7 @@ class Document : public QObject {
   /// The nearest voxel's index, or empty outside the volume.
   std::optional<glm::ivec3> voxelAt(glm::dvec3 world) const;
 
- signals:
+ Q_SIGNALS:
   void volumeChanged();
   void labelsChanged();
   void focusChanged();

@@ -8,7 +8,7 @@ namespace fenestra::viewer {
 void SliceCursor::setGrid(const Grid& grid) {
   grid_ = grid;
   position_ = grid.centre();
-  emit moved();
+  Q_EMIT moved();
 }
 
 void SliceCursor::moveTo(glm::dvec3 world) {
@@ -17,7 +17,7 @@ void SliceCursor::moveTo(glm::dvec3 world) {
   const glm::dvec3 inside(grid_.worldFromIndex() * glm::dvec4(index, 1.0));
   if (inside == position_) return;
   position_ = inside;
-  emit moved();
+  Q_EMIT moved();
 }
 
 int SliceCursor::slice(const SliceGeometry& geometry) const {

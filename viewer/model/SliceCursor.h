@@ -23,7 +23,7 @@ class SliceCursor : public QObject {
   /// Moves along a plane's normal by whole slices; stops at the first and last.
   void step(const SliceGeometry& geometry, int slices);
 
- signals:
+ Q_SIGNALS:
   void moved();
 
  private:

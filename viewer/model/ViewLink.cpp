@@ -34,7 +34,7 @@ Camera projected(Camera camera, Projection projection, const Camera& placed) {
 void ViewLink::setLinked(bool linked) {
   if (linked == linked_) return;
   linked_ = linked;
-  emit linkedChanged(linked);
+  Q_EMIT linkedChanged(linked);
 }
 
 void ViewLink::place(const Camera& first) {
@@ -76,7 +76,7 @@ void ViewLink::set(int view, const Camera& camera) {
   Camera& current = cameras_[static_cast<std::size_t>(view)];
   if (camera == current) return;
   current = camera;
-  emit changed(view);
+  Q_EMIT changed(view);
 }
 
 }  // namespace fenestra::viewer

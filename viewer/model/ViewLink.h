@@ -38,7 +38,7 @@ class ViewLink : public QObject {
   void setProjection(Projection projection);
   Projection projection() const { return cameras_[0].projection; }
 
- signals:
+ Q_SIGNALS:
   void changed(int view);
   void linkedChanged(bool linked);
 

@@ -17,14 +17,14 @@ class ViewOptions : public QObject {
   void setText(bool on) { set(text_, on); }
   void setLabels(bool on) { set(labels_, on); }
 
- signals:
+ Q_SIGNALS:
   void changed();
 
  private:
   void set(bool& option, bool on) {
     if (option == on) return;
     option = on;
-    emit changed();
+    Q_EMIT changed();
   }
 
   bool crosshair_ = true, text_ = true, labels_ = true;

@@ -65,7 +65,7 @@ void AppearancePanel::choose(int row) {
     try {
       document_.setPreset(toPath(id).string());
     } catch (const std::exception& error) {
-      emit failed(QString::fromUtf8(error.what()));
+      Q_EMIT failed(QString::fromUtf8(error.what()));
     }
   }
   show();

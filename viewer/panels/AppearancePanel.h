@@ -17,7 +17,7 @@ class AppearancePanel : public QWidget {
   QComboBox* presets() const { return presets_; }
   SliderSpin* shift() const { return shift_; }
 
- signals:
+ Q_SIGNALS:
   void failed(const QString& message);
 
  private:

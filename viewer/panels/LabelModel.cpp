@@ -19,7 +19,7 @@ LabelModel::LabelModel(Document& document, QObject* parent) : QAbstractListModel
     endResetModel();
   });
   connect(&document, &Document::focusChanged, this, [this] {
-    if (rowCount() > 0) emit dataChanged(index(0), index(rowCount() - 1), {Qt::CheckStateRole});
+    if (rowCount() > 0) Q_EMIT dataChanged(index(0), index(rowCount() - 1), {Qt::CheckStateRole});
   });
 }
 

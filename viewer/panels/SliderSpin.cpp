@@ -22,11 +22,11 @@ SliderSpin::SliderSpin(double low, double high, double step, QWidget* parent)
     const double value = low_ + position * step_;
     const QSignalBlocker quiet(box_);
     box_->setValue(value);
-    emit edited(value);
+    Q_EMIT edited(value);
   });
   connect(box_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
     setValue(value);
-    emit edited(value);
+    Q_EMIT edited(value);
   });
 }
 

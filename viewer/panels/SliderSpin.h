@@ -21,7 +21,7 @@ class SliderSpin : public QWidget {
   QSlider* slider() const { return slider_; }
   QDoubleSpinBox* box() const { return box_; }
 
- signals:
+ Q_SIGNALS:
   /// The user moved it.
   void edited(double value);
 

@@ -3,8 +3,9 @@
 #include <QCoreApplication>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
-#include <QOpenGLFunctions>
 #include <QSurfaceFormat>
+
+#include "rendering/gl/Context.h"
 
 namespace fenestra::viewer {
 namespace {
@@ -40,20 +41,11 @@ GlSupport probeOpenGl() {
   if (!context.makeCurrent(&surface))
     return unavailable(tr("OpenGL cannot draw on this display. On a remote desktop, use one with GLX."));
 
-  QOpenGLFunctions* functions = context.functions();
-  const auto string = [&](GLenum name) {
-    const auto* text = reinterpret_cast<const char*>(functions->glGetString(name));
-    return QString::fromUtf8(text ? text : "");
-  };
-  const QString renderer = string(GL_RENDERER), version = string(GL_VERSION);
+  const QString renderer = QString::fromStdString(gl::description());
+  const QString reason = QString::fromStdString(gl::unsupportedReason());
   context.doneCurrent();
-
-  const QSurfaceFormat got = context.format();
-  if (context.isOpenGLES() || got.version() < qMakePair(major, minor))
-    return unavailable(tr("The 3-D views need OpenGL 4.5; this display gives “%1” on %2. A newer graphics driver helps, "
-                          "or Mesa's software renderer: start Fenestra with LIBGL_ALWAYS_SOFTWARE=1.")
-                           .arg(version, renderer),
-                       renderer);
+  if (!reason.isEmpty())
+    return unavailable(tr("%1 (LIBGL_ALWAYS_SOFTWARE=1 in the environment selects it).").arg(reason), renderer);
   GlSupport support{.available = true, .software = false, .renderer = renderer, .problem = {}};
   for (const char* name : {"llvmpipe", "softpipe", "swrast", "SWR"})
     if (renderer.contains(QLatin1String(name), Qt::CaseInsensitive)) support.software = true;

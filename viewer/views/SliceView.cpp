@@ -242,8 +242,8 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
   if (buttons == Qt::NoButton) {
     const glm::dvec3 world = worldFromWidget(position);
     if (event->modifiers() & Qt::ShiftModifier && inPicture(world)) cursor_.moveTo(world);
-    if (inPicture(world)) emit pointed(world);
-    else emit left();
+    if (inPicture(world)) Q_EMIT pointed(world);
+    else Q_EMIT left();
     return;
   }
   if (!dragging_ && std::hypot(total.x(), total.y()) <= clickSlack) return;
@@ -268,7 +268,7 @@ void SliceView::mouseReleaseEvent(QMouseEvent* event) {
   const glm::dvec3 world = worldFromWidget(event->position());
   if (event->button() == Qt::LeftButton) click(event->position(), event->modifiers());
   else if (event->button() == Qt::RightButton && inPicture(world))
-    emit menuRequested(world, event->globalPosition().toPoint());
+    Q_EMIT menuRequested(world, event->globalPosition().toPoint());
 }
 
 void SliceView::click(QPointF position, Qt::KeyboardModifiers modifiers) {
@@ -291,7 +291,7 @@ void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
     cursor_.moveTo(cursorBeforeClick_);
   }
   if (event->modifiers() & Qt::ControlModifier) document_.resetWindow();
-  else emit maximiseRequested();
+  else Q_EMIT maximiseRequested();
 }
 
 void SliceView::zoomAt(QPointF position, double factor) {
@@ -328,6 +328,6 @@ void SliceView::keyPressEvent(QKeyEvent* event) {
   if (document_.hasVolume()) cursor_.step(geometry_, steps);
 }
 
-void SliceView::leaveEvent(QEvent*) { emit left(); }
+void SliceView::leaveEvent(QEvent*) { Q_EMIT left(); }
 
 }  // namespace fenestra::viewer

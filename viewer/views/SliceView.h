@@ -36,7 +36,7 @@ class SliceView : public QWidget {
   QSize sizeHint() const override { return {320, 300}; }
   QSize minimumSizeHint() const override { return {120, 120}; }
 
- signals:
+ Q_SIGNALS:
   /// The mouse points at that place.
   void pointed(glm::dvec3 world);
   void left();

@@ -32,7 +32,7 @@ class ViewArea : public QWidget {
   QByteArray saveLayout() const;
   void restoreLayout(const QByteArray& layout);
 
- signals:
+ Q_SIGNALS:
   void pointed(glm::dvec3 world);
   void left();
   void menuRequested(glm::dvec3 world, QPoint globalPosition);

@@ -91,7 +91,7 @@ void VolumeView::initializeGL() {
     renderer_.emplace(shared_.gpuScene);
   } catch (const std::exception& error) {
     problem_ = QString::fromUtf8(error.what());
-    emit failed(problem_);
+    Q_EMIT failed(problem_);
   }
 }
 
@@ -112,11 +112,11 @@ void VolumeView::paintGL() {
       renderScene();
     } catch (const std::exception& error) {
       problem_ = tr("This view cannot be drawn: %1").arg(QString::fromUtf8(error.what()));
-      emit failed(problem_);
+      Q_EMIT failed(problem_);
     }
   }
   drawOverlay();
-  if (isSettled()) emit settled();
+  if (isSettled()) Q_EMIT settled();
 }
 
 void VolumeView::renderScene() {
@@ -212,7 +212,7 @@ void VolumeView::mouseMoveEvent(QMouseEvent* event) {
     if (event->modifiers() & Qt::ShiftModifier)
       if (const std::optional<glm::dvec3> hit = pick(position)) {
         cursor_.moveTo(*hit);
-        emit pointed(*hit);
+        Q_EMIT pointed(*hit);
       }
     return;
   }
@@ -235,12 +235,12 @@ void VolumeView::mouseReleaseEvent(QMouseEvent* event) {
   const std::optional<glm::dvec3> hit = pick(event->position());
   if (!hit) return;
   if (event->button() == Qt::RightButton) {
-    emit menuRequested(*hit, event->globalPosition().toPoint());
+    Q_EMIT menuRequested(*hit, event->globalPosition().toPoint());
   } else if (event->button() == Qt::LeftButton) {
     focusBeforeClick_ = document_.focus();
     cursorBeforeClick_ = cursor_.position();
     cursor_.moveTo(*hit);
-    emit pointed(*hit);
+    Q_EMIT pointed(*hit);
     const Label* label = event->modifiers() & Qt::ControlModifier ? document_.labelAt(*hit) : nullptr;
     if (label) document_.setFocused(label->value, !document_.isFocused(label->value));
   }
@@ -253,7 +253,7 @@ void VolumeView::mouseDoubleClickEvent(QMouseEvent* event) {
     document_.setFocus(focusBeforeClick_);
     cursor_.moveTo(cursorBeforeClick_);
   }
-  emit maximiseRequested();
+  Q_EMIT maximiseRequested();
 }
 
 void VolumeView::zoom(double factor) {
@@ -281,6 +281,6 @@ void VolumeView::keyPressEvent(QKeyEvent* event) {
   if (document_.hasVolume()) cameras_.orbit(index_, yaw, pitch);
 }
 
-void VolumeView::leaveEvent(QEvent*) { emit left(); }
+void VolumeView::leaveEvent(QEvent*) { Q_EMIT left(); }
 
 }  // namespace fenestra::viewer

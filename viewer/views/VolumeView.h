@@ -49,7 +49,7 @@ class VolumeView : public QOpenGLWidget {
   QSize sizeHint() const override { return {480, 380}; }
   QSize minimumSizeHint() const override { return {160, 140}; }
 
- signals:
+ Q_SIGNALS:
   void settled();
   void failed(const QString& problem);
   void pointed(glm::dvec3 world);
