@@ -17,6 +17,7 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QPainter>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QStackedWidget>
@@ -77,6 +78,7 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent) : QMainWindow(parent
     const Study& study = document_.study();
     const Grid& grid = study.scene.volume->grid;
     cursor_.setGrid(grid);
+    if (const std::optional<glm::dvec3> focus = document_.focusCentre()) cursor_.moveTo(*focus);
     cameras_.place(study.camera.value_or(Camera::standard(StandardView::Anterior, grid, cameras_.projection())));
   });
 
@@ -188,6 +190,9 @@ void MainWindow::makeDocks() {
   QDockWidget* focus = add(tr("Focus"), "focusDock", focusPanel_);
   add(tr("Context"), "contextDock", appearancePanel_);
   add(tr("Cutaway"), "cutawayDock", cutawayPanel_);
+  // The list of structures takes the height that is left.
+  for (QWidget* panel : {static_cast<QWidget*>(appearancePanel_), static_cast<QWidget*>(cutawayPanel_)})
+    panel->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   resizeDocks({focus}, {310}, Qt::Horizontal);
 }
 
@@ -544,6 +549,17 @@ void MainWindow::whenDrawn(std::function<void()> done) {
   });
   constexpr int milliseconds = 30;
   poll->start(milliseconds);
+}
+
+QImage MainWindow::picture() {
+  QPixmap pixmap = grab();
+  // While a widget is grabbed, its QPainters paint into the grab: what a 3-D view draws over its picture lands below it.
+  // Its framebuffer holds both.
+  QPainter painter(&pixmap);
+  for (VolumeView* view : views_->volumeViews())
+    if (view->isVisible()) painter.drawImage(view->mapTo(this, QPoint(0, 0)), view->grabFramebuffer());
+  painter.end();
+  return pixmap.toImage();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

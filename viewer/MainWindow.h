@@ -50,6 +50,9 @@ class MainWindow : public QMainWindow {
   /// Calls `done` once, when nothing is being read and all views show the scene at full quality.
   void whenDrawn(std::function<void()> done);
 
+  /// The whole window in device pixels, 3-D views with what is drawn over them included.
+  QImage picture();
+
   Document& document() { return document_; }
   SliceCursor& cursor() { return cursor_; }
   ViewLink& cameras() { return cameras_; }

@@ -2,9 +2,9 @@
 
 #include <QFrame>
 #include <QHBoxLayout>
+#include <QIcon>
 #include <QLabel>
 #include <QPushButton>
-#include <QStyle>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -27,7 +27,7 @@ void NoticeBar::add(Kind kind, const QString& text, const QString& actionName, s
   label->setTextInteractionFlags(Qt::TextSelectableByMouse);
   auto* close = new QToolButton;
   close->setAutoRaise(true);
-  close->setIcon(style()->standardIcon(QStyle::SP_TitleBarCloseButton));
+  close->setIcon(QIcon(QStringLiteral(":/icons/close.svg")));
   close->setToolTip(tr("Dismiss"));
   auto* row = new QHBoxLayout(frame);
   row->setContentsMargins(8, 5, 6, 5);

@@ -51,6 +51,13 @@ void applyStyle(QApplication& application) {
     QSplitter::handle { background: #17191c; }
     QSplitter::handle:horizontal { width: 3px; }
     QSplitter::handle:vertical { height: 3px; }
+    QDockWidget { titlebar-close-icon: url(:/icons/close.svg); }
+    QCheckBox::indicator, QListView::indicator { width: 13px; height: 13px; border: 1px solid #7b828b;
+      border-radius: 2px; background: #1b1d21; }
+    QCheckBox::indicator:hover, QListView::indicator:hover { border-color: #a9b4c0; }
+    QCheckBox::indicator:checked, QListView::indicator:checked { background: #427aac; border-color: #6ea3d2;
+      image: url(:/icons/check.svg); }
+    QCheckBox::indicator:disabled { border-color: #565c64; }
     QStatusBar::item { border: none; }
     QStatusBar QLabel { padding: 0 6px; }
     QToolTip { border: 1px solid #17191c; padding: 3px; }

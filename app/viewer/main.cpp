@@ -48,7 +48,7 @@ MainWindow::Reader phantomReader(const std::string& name) {
 
 /// The whole window as a PNG, in device pixels.
 void saveScreenshot(MainWindow& window, const std::filesystem::path& path) {
-  const QImage picture = window.grab().toImage().convertToFormat(QImage::Format_RGB888);
+  const QImage picture = window.picture().convertToFormat(QImage::Format_RGB888);
   std::vector<std::uint8_t> pixels;
   pixels.reserve(static_cast<std::size_t>(picture.width()) * static_cast<std::size_t>(picture.height()) * 3);
   for (int row = 0; row < picture.height(); ++row) {
@@ -99,7 +99,7 @@ int main(int argc, char** argv) {
     std::cerr << "fenestra: " << error.what() << '\n';
     return misused;
   }
-  if (options.empty()) options.phantom = io::phantomNames().front();
+  if (options.empty()) options.phantom = "torso";
 
   MainWindow window({.gl = probeOpenGl(), .restQuality = options.quality, .remember = screenshot.empty()});
   for (const std::string& name : io::phantomNames())

@@ -54,6 +54,9 @@ class Document : public QObject {
   void setFocused(std::uint16_t label, bool focused);
   bool isFocused(std::uint16_t label) const;
 
+  /// The middle of the focus's voxels, in world mm; empty without a focus or when no voxel belongs to it.
+  std::optional<glm::dvec3> focusCentre() const;
+
   /// A built-in preset's id or a file. Throws io::Error; nothing changes then.
   void setPreset(const std::string& presetOrPath);
   const std::string& preset() const { return study_.transferFunction; }

@@ -38,7 +38,9 @@ void ViewLink::setLinked(bool linked) {
 }
 
 void ViewLink::place(const Camera& first) {
-  placed_ = {first, first.orbited(glm::half_pi<double>(), 0.0)};
+  Camera second = first.orbited(glm::half_pi<double>(), 0.0);
+  second.up = {0.0, 0.0, 1.0};
+  placed_ = {first, second};
   reset();
 }
 

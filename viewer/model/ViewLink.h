@@ -21,7 +21,8 @@ class ViewLink : public QObject {
   bool isLinked() const { return linked_; }
   void setLinked(bool linked);
 
-  /// Places C1, and C2 a quarter turn to C1's right: for an anterior C1 it looks from the patient's left.
+  /// Places C1, and C2 a quarter turn to C1's right with the patient upright: for an anterior C1 it looks from the
+  /// patient's left.
   void place(const Camera& first);
   /// Back to what was last placed.
   void reset();

@@ -34,6 +34,7 @@ FocusPanel::FocusPanel(Document& document, QWidget* parent)
   filtered_->setFilterCaseSensitivity(Qt::CaseInsensitive);
   list_->setModel(filtered_);
   list_->setUniformItemSizes(true);
+  list_->setIconSize({12, 12});
   list_->setToolTip(tr("Tick what to see; double-click to see that alone"));
   list_->setMinimumHeight(80);
 

@@ -198,7 +198,8 @@ void SliceView::paintEvent(QPaintEvent*) {
     drawCorner(painter, view, Qt::AlignBottom | Qt::AlignLeft,
                {tr("W %1  L %2").arg(window.width, 0, 'f', decimals).arg(window.level, 0, 'f', decimals)},
                QColor(190, 194, 200));
-    drawCorner(painter, view, Qt::AlignTop | Qt::AlignRight, {tr("Radiological")}, QColor(150, 154, 160));
+    if (geometry_.plane != SlicePlane::Sagittal)  // where left and right could be mistaken
+      drawCorner(painter, view, Qt::AlignTop | Qt::AlignRight, {tr("Radiological")}, QColor(150, 154, 160));
   }
   drawCorner(painter, view, Qt::AlignTop | Qt::AlignLeft, title, planeColour(geometry_.plane));
   if (hasFocus()) {
