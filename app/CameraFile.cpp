@@ -18,9 +18,12 @@ using Json = nlohmann::ordered_json;
   throw io::Error(path, "not a camera: " + cause, "use a camera.json that `fenestra-cli render --layers` wrote");
 }
 
+[[noreturn]] void fail(const fs::path& path, const char* key, const char* problem) {
+  fail(path, std::string(key) + " " + problem);
+}
+
 double number(const fs::path& path, const Json& value, const char* key) {
-  if (!value.is_number() || !std::isfinite(value.get<double>()))
-    fail(path, "\"" + std::string(key) + "\" is not made of numbers");
+  if (!value.is_number() || !std::isfinite(value.get<double>())) fail(path, key, "is not made of numbers");
   return value.get<double>();
 }
 
@@ -28,7 +31,7 @@ template <int N>
 glm::vec<N, double> vector(const fs::path& path, const Json& root, const char* key) {
   const auto at = root.find(key);
   if (at == root.end() || !at->is_array() || at->size() != N)
-    fail(path, "\"" + std::string(key) + "\" is not a list of " + std::to_string(N));
+    fail(path, key, N == 2 ? "is not a list of two" : "is not a list of three");
   glm::vec<N, double> result;
   for (int i = 0; i < N; ++i) result[i] = number(path, (*at)[static_cast<std::size_t>(i)], key);
   return result;
@@ -36,9 +39,9 @@ glm::vec<N, double> vector(const fs::path& path, const Json& root, const char* k
 
 double positive(const fs::path& path, const Json& root, const char* key, double limit) {
   const auto at = root.find(key);
-  if (at == root.end()) fail(path, "\"" + std::string(key) + "\" is missing");
+  if (at == root.end()) fail(path, key, "is missing");
   const double value = number(path, *at, key);
-  if (!(value > 0.0 && value < limit)) fail(path, "\"" + std::string(key) + "\" is out of range");
+  if (!(value > 0.0 && value < limit)) fail(path, key, "is out of range");
   return value;
 }
 
@@ -65,7 +68,7 @@ CameraFile readCamera(const fs::path& path) {
   } else if (projection != root.end() && *projection == "orthographic") {
     file.camera.projection = Projection::Orthographic;
   } else {
-    fail(path, "\"projection\" is neither \"perspective\" nor \"orthographic\"");
+    fail(path, "projection", "is neither \"perspective\" nor \"orthographic\"");
   }
   file.camera.eye = vector<3>(path, root, "eye_world");
   file.camera.target = vector<3>(path, root, "target");
@@ -74,7 +77,7 @@ CameraFile readCamera(const fs::path& path) {
   file.camera.orthographicHeight = positive(path, root, "orthographic_height", 1e12);
   const glm::dvec2 size = vector<2>(path, root, "size");
   constexpr double widest = 16384.0;
-  if (!(size.x >= 1.0 && size.x <= widest && size.y >= 1.0 && size.y <= widest)) fail(path, "\"size\" is out of range");
+  if (!(size.x >= 1.0 && size.x <= widest && size.y >= 1.0 && size.y <= widest)) fail(path, "size", "is out of range");
   file.size = glm::ivec2(size);
   return file;
 }

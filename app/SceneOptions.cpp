@@ -86,8 +86,10 @@ struct PhantomView {
   CameraChoice camera;
 };
 PhantomView phantomView(const std::string& phantom) {
-  if (phantom == "head") return {{"tumour"}, ViewAngles{50.0, 20.0}};
-  return {{"right kidney", "left kidney"}, StandardView::Posterior};
+  if (phantom == "head") return {{"tumour", "ventricles"}, ViewAngles{50.0, 20.0}};
+  return {{"heart muscle", "left ventricle", "right ventricle", "left atrium", "right atrium", "aorta", "left kidney",
+           "right kidney", "lesion"},
+          ViewAngles{25.0, 12.0}};
 }
 
 Camera makeCamera(const SceneOptions& options, const CameraChoice& choice, const Grid& grid) {

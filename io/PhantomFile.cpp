@@ -26,6 +26,8 @@ class Parser {
       root = Json::parse(text);
     } catch (const Json::parse_error& error) {
       fail("is not JSON (byte " + std::to_string(error.byte) + ")");
+    } catch (const Json::out_of_range&) {
+      fail("holds a number too large for double precision");
     }
     checkKeys(root, {"name", "extent", "background", "bodies"});
     Phantom phantom;

@@ -21,7 +21,7 @@ using Progress = std::function<bool(double fraction, std::string_view doing)>;
 /// What was noticed about a file's geometry or content that the user must know; the volume is still usable.
 struct Warning {
   enum class Kind { GantryTilt, UnevenSpacing, MissingSlices, DuplicateSlices, MixedSizes, MixedOrientations,
-                    UnreadableFiles, NoGeometry, PrecisionLoss, Other };
+                    UnreadableFiles, NoGeometry, PrecisionLoss, TimePoints, Other };
   Kind kind = Kind::Other;
   std::string text;                             ///< one sentence, with figures
   std::vector<std::filesystem::path> files;     ///< which files it is about; may be empty

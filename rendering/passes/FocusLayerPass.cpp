@@ -1,5 +1,6 @@
 #include "rendering/passes/FocusLayerPass.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "rendering/passes/SceneBinding.h"
@@ -11,14 +12,16 @@ namespace {
 constexpr double gateLow = 0.002, gateHigh = 0.01;
 /// gradientUnit() is a quarter of the range over the finest spacing, and the texture holds the root.
 double gate(double fraction) { return std::sqrt(4.0 * fraction); }
+/// A cut face's own light fades over this many of the finest voxels.
+constexpr double wallDepthVoxels = 2.0;
 }  // namespace
 
-void FocusLayerPass::run(const GpuScene& gpu, const Scene& scene, const RayFrame& rays, const gl::Texture* rayStart,
+void FocusLayerPass::run(const GpuScene& gpu, const Scene& scene, const RayFrame& rays, const std::optional<Opening>& opening,
                          double step, gl::Texture& focusLayer) {
   const bool shading = scene.shading.enabled;
   const bool palette = static_cast<bool>(gpu.focusPaletteIndex());
   gl::ShaderProgram& program = programs_.get({focusDefine(gpu), {"SHADING", shading}, {"FOCUS_PALETTE", palette},
-                                              {"HAS_RAY_START", rayStart != nullptr},
+                                              {"HAS_RAY_START", opening.has_value()},
                                               {"TABLE_SIZE", GpuScene::tableSize}});
   rays.setUniforms(program);
   bindVolume(gpu, program);
@@ -28,7 +31,12 @@ void FocusLayerPass::run(const GpuScene& gpu, const Scene& scene, const RayFrame
   bindTexture(program, "transferTable", unit++, gpu.transferTable());
   program.set("transferMap", gpu.transferMap());
   program.set("stepLength", static_cast<float>(step));
-  if (rayStart) bindTexture(program, "rayStart", unit++, *rayStart);
+  if (opening) {
+    bindTexture(program, "rayStart", unit++, opening->rayStart);
+    bindTexture(program, "hitPoints", unit++, opening->hitPoints);
+    const glm::dvec3 spacing = gpu.grid().spacing;
+    program.set("wallDepth", static_cast<float>(wallDepthVoxels * std::min({spacing.x, spacing.y, spacing.z})));
+  }
   program.set("focusProperties",
               glm::vec4(glm::vec3(gpu.focusColour()), static_cast<float>(scene.focusAppearance.extinction)));
   if (palette) {

@@ -1,6 +1,8 @@
 #pragma once
 // Stage 5: the volume rendering integral from the ray start on, focus and context each with their own properties.
 
+#include <optional>
+
 #include "rendering/gl/ShaderProgram.h"
 #include "rendering/gl/Texture.h"
 #include "rendering/passes/GpuScene.h"
@@ -10,9 +12,14 @@ namespace fenestra {
 
 class FocusLayerPass {
  public:
-  /// Writes premultiplied RGBA32F. `rayStart` null: rays start where they enter the volume. `step` in mm.
-  void run(const GpuScene& gpu, const Scene& scene, const RayFrame& rays, const gl::Texture* rayStart, double step,
-           gl::Texture& focusLayer);
+  /// Where rays start in a cutaway; hitPoints tells cut faces from the focus and the context's own surface.
+  struct Opening {
+    const gl::Texture& hitPoints;
+    const gl::Texture& rayStart;
+  };
+  /// Writes premultiplied RGBA32F. Without an opening rays start where they enter the volume. `step` in mm.
+  void run(const GpuScene& gpu, const Scene& scene, const RayFrame& rays, const std::optional<Opening>& opening,
+           double step, gl::Texture& focusLayer);
 
  private:
   gl::ShaderVariants programs_{"FocusLayer.comp"};

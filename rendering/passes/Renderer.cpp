@@ -230,8 +230,9 @@ void Renderer::render(const Scene& scene, const View& view) {
                                view.size,
                                step};
   s.runIfStale(Pass::FocusLayer, s.focus, focusKey, [&] {
-    s.focusLayerPass.run(gpu, scene, rays, cutaway ? &s.rayStart : nullptr, step,
-                         sized(s.focusLayer, gl::Format::RGBA32F, view.size));
+    std::optional<FocusLayerPass::Opening> opening;
+    if (cutaway) opening.emplace(FocusLayerPass::Opening{s.hitPoints, s.rayStart});
+    s.focusLayerPass.run(gpu, scene, rays, opening, step, sized(s.focusLayer, gl::Format::RGBA32F, view.size));
   });
 
   if (contextLayer) {

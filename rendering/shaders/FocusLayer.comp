@@ -15,11 +15,15 @@ uniform float stepLength;          // mm
 
 #if HAS_RAY_START
 uniform sampler2D rayStart;
+uniform sampler2D hitPoints;
 #endif
 
 #if SHADING
 uniform sampler3D gradientTexture; // world normal · ½ + ½, and the root of the magnitude over gradientUnit
 uniform vec2 gradientGate;         // magnitudes (in w) between which lighting fades in: flat regions have no normal
+#if HAS_RAY_START
+uniform float wallDepth;           // mm behind a cut face over which its own normal gives way to the gradient's
+#endif
 #endif
 
 #if FOCUS_KIND != 0
@@ -38,6 +42,8 @@ uniform mat3 worldFromIndexGradient;
 
 // Opacity beyond which nothing behind shows: what is left is below half a step of 8 bits.
 const float OPAQUE = 1.0 - 1.0 / 512.0;
+// How much of a cut face's light is the face's own at its surface; the rest keeps the strata's edges.
+const float WALL_SHARE = 0.75;
 
 #if FOCUS_KIND == 1
 bool inFocus(uint slot, vec3 position, float stored) {
@@ -61,9 +67,29 @@ vec3 focusNormal(vec3 position) {
 }
 #endif
 
-vec4 integrate(Ray ray, float start) {
+#if SHADING && HAS_RAY_START
+// Normal of the cut face at a pixel, from its neighbours' ray starts; zero where the ray does not start on a cut face.
+vec3 wallNormal(ivec2 pixel, float start) {
+  vec2 hit = texelFetch(hitPoints, pixel, 0).xy;
+  if (!isNone(hit.y) || start <= hit.x + 0.5 * wallDepth) return vec3(0.0);
+  vec3 tangent[2];
+  for (int axis = 0; axis < 2; ++axis) {
+    ivec2 step = ivec2(1 - axis, axis);
+    ivec2 a = max(pixel - step, ivec2(0)), b = min(pixel + step, pictureSize - 1);
+    float sa = texelFetch(rayStart, a, 0).r, sb = texelFetch(rayStart, b, 0).r;
+    if (isNone(sa) || isNone(sb)) return vec3(0.0);
+    tangent[axis] = worldPosition(pixelRay(b), sb) - worldPosition(pixelRay(a), sa);
+  }
+  vec3 n = cross(tangent[0], tangent[1]);
+  float size = length(n);
+  return size > 0.0 ? n / size : vec3(0.0);
+}
+#endif
+
+vec4 integrate(Ray ray, float start, vec3 wall) {
   vec3 colour = vec3(0.0);
   float transmittance = 1.0;
+  bool cut = dot(wall, wall) > 0.0;
   float end = ray.sOut;
   vec3 perCell = 1.0 / vec3(volumeDims);
   int count = int(ceil((end - start) / stepLength - 0.5));
@@ -121,7 +147,13 @@ vec4 integrate(Ray ray, float start) {
       }
 #endif
       float size = dot(normal, normal);
-      if (size > 1e-4) shade = mix(shade * (lighting.x + 0.7 * lighting.y), lit(shade, normal * inversesqrt(size), ray.world), gate);
+      vec3 unlit = shade * (lighting.x + 0.7 * lighting.y);
+      vec3 own = shade;
+      shade = size > 1e-4 ? mix(unlit, lit(own, normal * inversesqrt(size), ray.world), gate) : unlit;
+#if HAS_RAY_START
+      // A cut face is lit as the face it is; what lies under it, by its own gradient.
+      if (cut) shade = mix(shade, lit(own, wall, ray.world), WALL_SHARE * exp(-(float(k) + 0.5) * stepLength / wallDepth));
+#endif
 #endif
       colour += transmittance * alpha * shade;
       transmittance *= 1.0 - alpha;
@@ -138,9 +170,14 @@ void main() {
   vec4 result = vec4(0.0);
 #if HAS_RAY_START
   float start = texelFetch(rayStart, pixel, 0).r;
-  if (!isNone(start)) result = integrate(ray, start);
+#if SHADING
+  vec3 wall = isNone(start) ? vec3(0.0) : wallNormal(pixel, start);
 #else
-  if (ray.sIn <= ray.sOut) result = integrate(ray, ray.sIn);
+  vec3 wall = vec3(0.0);
+#endif
+  if (!isNone(start)) result = integrate(ray, start, wall);
+#else
+  if (ray.sIn <= ray.sOut) result = integrate(ray, ray.sIn, vec3(0.0));
 #endif
   imageStore(focusLayer, pixel, result);
 }

@@ -19,12 +19,18 @@ float bernstein(vec4 b, float u) {
   return mix(d.x, d.y, u);
 }
 
+// Whether the hull reaches out of (low, high): necessary for a crossing, and nearly always sufficient.
+bool leavesHull(vec4 b, float low, float high) {
+  return any(lessThanEqual(b, vec4(low))) || any(greaterThanEqual(b, vec4(high)));
+}
+
 // u in [0, 1] where the cubic first leaves (low, high); 2 when it never does.
 float firstExit(vec4 b, float low, float high) {
   if (b.x <= low || b.x >= high) return 0.0;
-  if (all(greaterThan(b, vec4(low))) && all(lessThan(b, vec4(high)))) return 2.0;
   // Extrema: roots of the derivative d0(1-u)² + 2 d1 u(1-u) + d2 u², by the formula that does not cancel.
+  // Scaled to one, so that no value a float can hold overflows in the squares.
   vec3 d = b.yzw - b.xyz;
+  d /= max(max(abs(d.x), max(abs(d.y), abs(d.z))), 1e-30);
   float qa = d.x - 2.0 * d.y + d.z, qb = d.y - d.x, qc = d.x;
   float discriminant = qb * qb - qa * qc;
   float r1 = 1.0, r2 = 1.0;

@@ -6,28 +6,37 @@ uniform int gapCount;             // open intervals of stored values in which th
 layout(std430, binding = 1) readonly buffer Gaps { vec2 gaps[]; };
 
 #if FOCUS_KIND != 0
-// Position of the first focus point in this cell's segment [s, sNext]; NONE when there is none.
-float focusInCell(Ray ray, ivec3 cell, float s, float sNext) {
+// The focus field along [s, sNext] in a cell as Bernstein coefficients, and the interval that it has to leave for the
+// focus to be met; false where the cell holds none of the focus.
+bool focusAlong(Ray ray, ivec3 cell, float s, float sNext, out vec4 along, out vec2 gap) {
   uint slot = focusSlot(cell);
-  vec3 a = cellPosition(ray, s) - vec3(cell), b = cellPosition(ray, sNext) - vec3(cell);
-  a = clamp(a, 0.0, 1.0);
-  b = clamp(b, 0.0, 1.0);
+  vec3 a = clamp(cellPosition(ray, s) - vec3(cell), 0.0, 1.0);
+  vec3 b = clamp(cellPosition(ray, sNext) - vec3(cell), 0.0, 1.0);
   float f[8];
 #if FOCUS_KIND == 1
   uint corners = focusCorners(slot, cell);
-  if (corners == 0u) return NONE;
+  if (corners == 0u) return false;
   for (int i = 0; i < 8; ++i) f[i] = float((corners >> i) & 1u);
-  float u = firstExit(bernsteinAlong(f, a, b), -1.0, 0.5);
+  along = bernsteinAlong(f, a, b);
+  gap = vec2(-FAR, 0.5);
 #else
-  if (!focusCellKept(slot, cell)) return NONE;
+  if (!focusCellKept(slot, cell)) return false;
   cellCorners(cell, f);
-  vec4 along = bernsteinAlong(f, a, b);
-  float u = along.x < focusLow ? firstExit(along, -FAR, focusLow)
-          : along.x > focusHigh ? firstExit(along, focusHigh, FAR) : 0.0;
+  along = bernsteinAlong(f, a, b);
+  // Starting inside the range the gap is empty: left at once.
+  gap = along.x < focusLow ? vec2(-FAR, focusLow) : along.x > focusHigh ? vec2(focusHigh, FAR) : vec2(FAR, -FAR);
 #endif
-  return u <= 1.0 ? mix(s, sNext, u) : NONE;
+  return true;
 }
 #endif
+
+void contextAlong(Ray ray, ivec3 cell, float s, float sNext, out vec4 along) {
+  float f[8];
+  cellCorners(cell, f);
+  vec3 a = clamp(cellPosition(ray, s) - vec3(cell), 0.0, 1.0);
+  vec3 b = clamp(cellPosition(ray, sNext) - vec3(cell), 0.0, 1.0);
+  along = bernsteinAlong(f, a, b);
+}
 
 // `focus` chooses the field; `gap` is the context's interval to leave.
 float firstHit(const bool focus, Ray ray, float sBegin, float sEnd, vec2 gap) {
@@ -36,42 +45,48 @@ float firstHit(const bool focus, Ray ray, float sBegin, float sEnd, vec2 gap) {
   ivec3 cell = clamp(ivec3(floor(cellPosition(ray, sBegin))), ivec3(0), cellCount - 1);
   float s = sBegin;
   // A ray meets at most the sum of the three sides in cells, and as many bricks on top.
-  int most = 2 * (cellCount.x + cellCount.y + cellCount.z);
-  for (int visited = 0; visited < most; ++visited) {
-    ivec3 brick = cell >> 3;
+  int left = 2 * (cellCount.x + cellCount.y + cellCount.z);
+  while (left > 0) {
+    // Walk to the next cell whose hull reaches out of the gap. Solving for the crossing waits until the walk is over, so
+    // that rays that run side by side solve together.
+    bool candidate = false;
+    vec4 along = vec4(0.0);
+    float sFrom = s, sTo = s;
+    for (; !candidate && left > 0; --left) {
+      ivec3 brick = cell >> 3;
 #if FOCUS_KIND != 0
-    int empty = int(focus ? texelFetch(focusSkip, brick, 0).r : texelFetch(contextSkip, brick, 0).r);
+      int empty = int(focus ? texelFetch(focusSkip, brick, 0).r : texelFetch(contextSkip, brick, 0).r);
 #else
-    int empty = int(texelFetch(contextSkip, brick, 0).r);
+      int empty = int(texelFetch(contextSkip, brick, 0).r);
 #endif
-    ivec3 lower = empty > 0 ? (brick - (empty - 1)) * 8 : cell;
-    ivec3 upper = empty > 0 ? (brick + empty) * 8 : cell + 1;
-    int axis;
-    float sNext = max(blockExit(ray, lower, upper, axis), s);
-    if (empty == 0) {
-      float sLast = min(sNext, sEnd);
+      ivec3 lower = empty > 0 ? (brick - (empty - 1)) * 8 : cell;
+      ivec3 upper = empty > 0 ? (brick + empty) * 8 : cell + 1;
+      int axis;
+      float sNext = max(blockExit(ray, lower, upper, axis), s);
+      if (empty == 0) {
+        sFrom = s;
+        sTo = min(sNext, sEnd);
 #if FOCUS_KIND != 0
-      if (focus) {
-        float hit = focusInCell(ray, cell, s, sLast);
-        if (!isNone(hit)) return hit;
-      } else
+        if (focus)
+          candidate = focusAlong(ray, cell, sFrom, sTo, along, gap);
+        else
 #endif
-      {
-        float f[8];
-        cellCorners(cell, f);
-        vec3 a = clamp(cellPosition(ray, s) - vec3(cell), 0.0, 1.0);
-        vec3 b = clamp(cellPosition(ray, sLast) - vec3(cell), 0.0, 1.0);
-        float u = firstExit(bernsteinAlong(f, a, b), gap.x, gap.y);
-        if (u <= 1.0) return mix(s, sLast, u);
+        {
+          contextAlong(ray, cell, sFrom, sTo, along);
+          candidate = true;
+        }
+        candidate = candidate && leavesHull(along, gap.x, gap.y);
       }
+      // Rounding must not carry the other two axes out of the block that was just left.
+      ivec3 next = clamp(ivec3(floor(cellPosition(ray, sNext))), lower, upper - 1);
+      next[axis] = ray.direction[axis] > 0.0 ? upper[axis] : lower[axis] - 1;
+      if (sNext >= sEnd || any(lessThan(next, ivec3(0))) || any(greaterThanEqual(next, cellCount))) left = 0;
+      cell = next;
+      s = sNext;
     }
-    if (sNext >= sEnd) return NONE;
-    // Rounding must not carry the other two axes out of the block that was just left.
-    ivec3 next = clamp(ivec3(floor(cellPosition(ray, sNext))), lower, upper - 1);
-    next[axis] = ray.direction[axis] > 0.0 ? upper[axis] : lower[axis] - 1;
-    if (any(lessThan(next, ivec3(0))) || any(greaterThanEqual(next, cellCount))) return NONE;
-    cell = next;
-    s = sNext;
+    if (!candidate) return NONE;
+    float u = firstExit(along, gap.x, gap.y);
+    if (u <= 1.0) return mix(sFrom, sTo, u);
   }
   return NONE;
 }

@@ -23,6 +23,7 @@ struct Ray {
   vec3 direction;   // cells per mm
   vec3 inverse;     // mm per cell; 0 on axes the ray is parallel to
   vec3 world;       // unit direction in world space
+  vec3 worldBase;   // world position at s = 0 relative to the middle of the anchor plane, mm
   float sIn, sOut;  // inside the box and in front of the eye; sIn > sOut: the box is missed
 };
 
@@ -40,6 +41,7 @@ Ray pixelRay(ivec2 pixel) {
   ray.direction = cellsFromView * view;
   ray.world = worldFromView * view;
   ray.base = rayAnchor + cellsFromView * vec3(offset, 0.0) - sAnchor * ray.direction;
+  ray.worldBase = worldFromView * vec3(offset, 0.0) - sAnchor * ray.world;
   bvec3 parallel = lessThan(abs(ray.direction), vec3(1e-7 * length(ray.direction)));
   ray.inverse = mix(1.0 / ray.direction, vec3(0.0), parallel);
   vec3 lower = vec3(0.5), upper = vec3(volumeDims) + 0.5;
@@ -51,6 +53,8 @@ Ray pixelRay(ivec2 pixel) {
   ray.sOut = min(far.x, min(far.y, far.z));
   return ray;
 }
+
+vec3 worldPosition(Ray ray, float s) { return ray.worldBase + s * ray.world; }
 
 vec3 cellPosition(Ray ray, float s) { return ray.base + s * ray.direction; }
 

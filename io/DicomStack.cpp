@@ -1,0 +1,279 @@
+#include "io/DicomStack.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <tuple>
+
+namespace fenestra::io {
+namespace fs = std::filesystem;
+namespace {
+
+/// Positions are compared to this many mm: headers round to a hundredth and below.
+constexpr double positionTolerance = 0.01;
+constexpr double outlierGaps = 10.0;
+
+std::string millimetres(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g mm", value);
+  return text;
+}
+
+glm::dvec3 normalOf(const DicomFrame& frame) { return glm::normalize(glm::cross(frame.axes[0], frame.axes[1])); }
+double alongNormal(const DicomFrame& frame, const glm::dvec3& normal) { return glm::dot(frame.position, normal); }
+
+bool sameAxes(const DicomFrame& a, const DicomFrame& b) {
+  // A thousandth of a radian: what rounded direction cosines of one stack differ by at most.
+  return glm::distance(a.axes[0], b.axes[0]) < 1e-3 && glm::distance(a.axes[1], b.axes[1]) < 1e-3;
+}
+
+bool sameSpacing(const DicomFrame& a, const DicomFrame& b) {
+  return glm::all(glm::lessThan(glm::abs(a.spacing - b.spacing), 1e-3 * a.spacing));
+}
+
+bool belongTogether(const DicomFrame& a, const DicomFrame& b) {
+  return a.size == b.size && a.hasGeometry == b.hasGeometry && sameSpacing(a, b) &&
+         (!a.hasGeometry || sameAxes(a, b)) && a.frameOfReference == b.frameOfReference && a.frameType == b.frameType &&
+         a.stack == b.stack;
+}
+
+/// Among frames at one position: by time, then as acquired, then as stored.
+bool earlier(const DicomFrame& a, const DicomFrame& b) {
+  return std::tie(a.temporal, a.acquisition, a.instance, a.file, a.number) <
+         std::tie(b.temporal, b.acquisition, b.instance, b.file, b.number);
+}
+
+class Stacker {
+ public:
+  explicit Stacker(const std::vector<DicomFile>& files) : files_(files) {}
+
+  std::vector<DicomStack> stack(const std::vector<DicomFrame>& frames) {
+    std::vector<std::vector<DicomFrame>> groups;
+    for (const DicomFrame& frame : frames) {
+      const auto group = std::find_if(groups.begin(), groups.end(),
+                                      [&](const auto& members) { return belongTogether(members.front(), frame); });
+      if (group != groups.end())
+        group->push_back(frame);
+      else
+        groups.push_back({frame});
+    }
+    for (auto& group : groups) {
+      if (group.front().hasGeometry)
+        placeGroup(std::move(group));
+      else
+        stackWithoutGeometry(std::move(group));
+    }
+    std::stable_sort(stacks_.begin(), stacks_.end(), [](const DicomStack& a, const DicomStack& b) {
+      return a.grid.voxelCount() > b.grid.voxelCount();
+    });
+    warnOfMixture();
+    return std::move(stacks_);
+  }
+
+ private:
+  std::vector<fs::path> pathsOf(const std::vector<DicomFrame>& frames) const {
+    std::vector<fs::path> paths;
+    for (const DicomFrame& frame : frames)
+      if (std::find(paths.begin(), paths.end(), files_[frame.file].path) == paths.end())
+        paths.push_back(files_[frame.file].path);
+    return paths;
+  }
+
+  /// Splits a group into volumes with one frame at each position and no far gaps.
+  void placeGroup(std::vector<DicomFrame> group) {
+    const glm::dvec3 normal = normalOf(group.front());
+    std::sort(group.begin(), group.end(), [&](const DicomFrame& a, const DicomFrame& b) {
+      const double along = alongNormal(a, normal), alongB = alongNormal(b, normal);
+      return along != alongB ? along < alongB : earlier(a, b);
+    });
+    std::vector<std::vector<DicomFrame>> places;
+    for (const DicomFrame& frame : group) {
+      if (places.empty() ||
+          alongNormal(frame, normal) - alongNormal(places.back().front(), normal) > positionTolerance)
+        places.emplace_back();
+      places.back().push_back(frame);
+    }
+    for (auto& place : places) std::sort(place.begin(), place.end(), earlier);
+
+    const std::size_t times = places.front().size();
+    const bool everywhere = std::all_of(places.begin(), places.end(), [&](const auto& place) { return place.size() == times; });
+    if (times > 1 && everywhere) {
+      for (std::size_t time = 0; time < times; ++time) {
+        std::vector<DicomFrame> volume;
+        for (const auto& place : places) volume.push_back(place[time]);
+        const bool first = time == 0;
+        splitAtFarGaps(std::move(volume), normal);
+        if (first)
+          stacks_.back().warnings.push_back(
+              {Warning::Kind::TimePoints,
+               (places.size() == 1 ? "all " + std::to_string(times) + " frames lie at one position"
+                                   : std::to_string(times) + " frames lie at each position") +
+                   " (time points or repeats, no deeper volume); each forms a volume of its own",
+               pathsOf(group)});
+      }
+      return;
+    }
+    std::vector<DicomFrame> volume, dropped;
+    for (const auto& place : places) {
+      volume.push_back(place.front());
+      dropped.insert(dropped.end(), place.begin() + 1, place.end());
+    }
+    splitAtFarGaps(std::move(volume), normal);
+    if (!dropped.empty())
+      stacks_.back().warnings.push_back({Warning::Kind::DuplicateSlices,
+                                         std::to_string(dropped.size()) +
+                                             " slices lie where another slice lies already and were left out",
+                                         pathsOf(dropped)});
+  }
+
+  /// The longest piece is added last, so that what is said of the group is said of it.
+  void splitAtFarGaps(std::vector<DicomFrame> volume, const glm::dvec3& normal) {
+    std::vector<double> gaps;
+    for (std::size_t i = 1; i < volume.size(); ++i)
+      gaps.push_back(alongNormal(volume[i], normal) - alongNormal(volume[i - 1], normal));
+    std::vector<std::vector<DicomFrame>> pieces(1);
+    const double usual = gaps.size() < 2 ? 0.0 : median(gaps);
+    for (std::size_t i = 0; i < volume.size(); ++i) {
+      if (i > 0 && gaps.size() >= 2 && gaps[i - 1] > outlierGaps * usual) pieces.emplace_back();
+      pieces.back().push_back(volume[i]);
+    }
+    std::stable_sort(pieces.begin(), pieces.end(), [](const auto& a, const auto& b) { return a.size() < b.size(); });
+    std::vector<DicomFrame> others;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      if (i + 1 < pieces.size()) others.insert(others.end(), pieces[i].begin(), pieces[i].end());
+      addStack(pieces[i], normal);
+    }
+    if (!others.empty())
+      stacks_.back().warnings.push_back({Warning::Kind::MissingSlices,
+                                         std::to_string(others.size()) +
+                                             " slices lie further from the others than ten times the usual distance of " +
+                                             millimetres(usual) + " and form volumes of their own",
+                                         pathsOf(others)});
+  }
+
+  static double median(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+  }
+
+  void addStack(const std::vector<DicomFrame>& frames, const glm::dvec3& normal) {
+    DicomStack stack;
+    stack.frames = frames;
+    const DicomFrame& first = frames.front();
+    const int count = static_cast<int>(frames.size());
+    const double thickness = first.thickness > 0.0 ? first.thickness : 1.0;
+    const glm::dvec3 step =
+        count > 1 ? (frames.back().position - first.position) / static_cast<double>(count - 1) : normal * thickness;
+    stack.grid.dims = {first.size.x, first.size.y, count};
+    stack.grid.origin = first.position;
+    stack.grid.spacing = {first.spacing.x, first.spacing.y, glm::length(step)};
+    stack.grid.direction = {first.axes[0], first.axes[1], glm::normalize(step)};
+    if (count > 1) {
+      warnOfTilt(stack, step, normal);
+      warnOfUnevenness(stack, step, normal);
+    }
+    stacks_.push_back(std::move(stack));
+  }
+
+  void warnOfTilt(DicomStack& stack, const glm::dvec3& step, const glm::dvec3& normal) const {
+    const double along = glm::dot(step, normal), across = glm::length(step - along * normal);
+    if (across * static_cast<double>(stack.frames.size() - 1) <= positionTolerance) return;
+    char angle[32];
+    std::snprintf(angle, sizeof angle, "%.4g", std::atan2(across, along) * 180.0 / std::numbers::pi);
+    stack.warnings.push_back({Warning::Kind::GantryTilt,
+                              std::string("the slices are tilted by ") + angle + " degrees against the direction they are stacked in (" +
+                                  millimetres(across) + " sideways from slice to slice); the volume is sheared accordingly",
+                              {}});
+  }
+
+  void warnOfUnevenness(DicomStack& stack, const glm::dvec3& step, const glm::dvec3& normal) const {
+    const auto& frames = stack.frames;
+    double farthest = 0.0;
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+      const glm::dvec3 onGrid = frames.front().position + static_cast<double>(i) * step;
+      farthest = std::max(farthest, glm::distance(frames[i].position, onGrid));
+    }
+    if (farthest <= positionTolerance) return;
+    std::vector<double> gaps;
+    for (std::size_t i = 1; i < frames.size(); ++i)
+      gaps.push_back(alongNormal(frames[i], normal) - alongNormal(frames[i - 1], normal));
+    const auto [least, greatest] = std::minmax_element(gaps.begin(), gaps.end());
+    const std::string placed = "they are shown " + millimetres(glm::length(step)) + " apart, up to " + millimetres(farthest) +
+                               " from where they are";
+    // Gaps of two or more usual distances, all else even, are slices that are not there.
+    const double usual = median(gaps);
+    int missing = 0;
+    bool multiples = true;
+    std::vector<DicomFrame> beside;
+    for (std::size_t i = 0; i < gaps.size(); ++i) {
+      const double times = std::round(gaps[i] / usual);
+      multiples = multiples && times >= 1.0 && std::abs(gaps[i] - times * usual) < 0.05 * usual;
+      if (times <= 1.0) continue;
+      missing += static_cast<int>(times) - 1;
+      beside.push_back(frames[i]);
+      beside.push_back(frames[i + 1]);
+    }
+    if (multiples && missing > 0) {
+      stack.warnings.push_back({Warning::Kind::MissingSlices,
+                                std::to_string(missing) + " slices are missing: slices lie " + millimetres(usual) +
+                                    " apart, but up to " + millimetres(*greatest) + " between the files named; " + placed,
+                                pathsOf(beside)});
+      return;
+    }
+    stack.warnings.push_back({Warning::Kind::UnevenSpacing,
+                              "the slices lie between " + millimetres(*least) + " and " + millimetres(*greatest) + " apart; " + placed,
+                              {}});
+  }
+
+  void stackWithoutGeometry(std::vector<DicomFrame> frames) {
+    std::sort(frames.begin(), frames.end(), [](const DicomFrame& a, const DicomFrame& b) {
+      return std::tie(a.instance, a.file, a.number) < std::tie(b.instance, b.file, b.number);
+    });
+    DicomStack stack;
+    const DicomFrame& first = frames.front();
+    stack.grid.dims = {first.size.x, first.size.y, static_cast<int>(frames.size())};
+    stack.grid.spacing = {first.spacing.x, first.spacing.y, first.thickness > 0.0 ? first.thickness : 1.0};
+    stack.warnings.push_back({Warning::Kind::NoGeometry,
+                              frames.size() > 1 ? "the file does not say where its slices lie in the patient; they are shown in "
+                                                  "their stored order, at a distance that is a guess"
+                                                : "the file does not say where the slice lies in the patient",
+                              pathsOf(frames)});
+    stack.frames = std::move(frames);
+    stacks_.push_back(std::move(stack));
+  }
+
+  void warnOfMixture() {
+    if (stacks_.size() < 2) return;
+    DicomStack& main = stacks_.front();
+    const DicomFrame& chosen = main.frames.front();
+    std::vector<DicomFrame> sizes, orientations, others;
+    for (std::size_t i = 1; i < stacks_.size(); ++i) {
+      const DicomFrame& frame = stacks_[i].frames.front();
+      if (belongTogether(chosen, frame)) continue;  // time points and outliers have been spoken of
+      const bool turned = frame.hasGeometry && chosen.hasGeometry && !sameAxes(chosen, frame);
+      auto& list = frame.size != chosen.size || !sameSpacing(chosen, frame) ? sizes : turned ? orientations : others;
+      list.insert(list.end(), stacks_[i].frames.begin(), stacks_[i].frames.end());
+    }
+    const auto warn = [&](Warning::Kind kind, const std::vector<DicomFrame>& frames, const char* how) {
+      if (!frames.empty())
+        main.warnings.push_back({kind, std::to_string(frames.size()) + " slices of the series " + how + " and form volumes of their own",
+                                 pathsOf(frames)});
+    };
+    warn(Warning::Kind::MixedSizes, sizes, "differ in size or pixel spacing");
+    warn(Warning::Kind::MixedOrientations, orientations, "are oriented differently");
+    warn(Warning::Kind::Other, others, "are of another kind (frame of reference, frame type or stack)");
+  }
+
+  const std::vector<DicomFile>& files_;
+  std::vector<DicomStack> stacks_;
+};
+
+}  // namespace
+
+std::vector<DicomStack> stackFrames(const std::vector<DicomFrame>& frames, const std::vector<DicomFile>& files) {
+  return Stacker(files).stack(frames);
+}
+
+}  // namespace fenestra::io

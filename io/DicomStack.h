@@ -1,0 +1,26 @@
+#pragma once
+// From single slices to volumes: which belong together, in which order, on which grid, and what is odd about them.
+// Geometry alone; knows no files and no pixels. World is LPS mm.
+
+#include <vector>
+
+#include "io/DicomHeader.h"
+#include "io/VolumeReader.h"
+
+namespace fenestra::io {
+
+/// Slices that form one volume, in the order of their positions along the slices' normal.
+struct DicomStack {
+  std::vector<DicomFrame> frames;
+  /// Sheared where the gantry was tilted. The step between slices is (last - first) / (n - 1): with uneven slices both
+  /// ends are exact.
+  Grid grid;
+  std::vector<Warning> warnings;
+};
+
+/// The volumes among the frames of one series, largest first. `files` are the scanned files that frames refer to.
+/// Slices are told apart by size, orientation, spacing, frame of reference, frame type and stack; a slice further away
+/// than ten times the usual distance, and the second and later frames at one position, form volumes of their own.
+std::vector<DicomStack> stackFrames(const std::vector<DicomFrame>& frames, const std::vector<DicomFile>& files);
+
+}  // namespace fenestra::io

@@ -1,0 +1,55 @@
+#pragma once
+// Words and numbers of the text headers of NRRD and MetaImage.
+
+#include <charconv>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fenestra::io {
+
+inline std::string trimmed(std::string_view text) {
+  constexpr std::string_view blanks = " \t\r\n";
+  const std::size_t first = text.find_first_not_of(blanks);
+  if (first == std::string_view::npos) return {};
+  return std::string(text.substr(first, text.find_last_not_of(blanks) - first + 1));
+}
+
+inline std::vector<std::string> words(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> result;
+  for (std::string word; stream >> word;) result.push_back(word);
+  return result;
+}
+
+/// The whole of `word` as a number, in the C locale; empty when it is none.
+template <class T>
+std::optional<T> numberIn(std::string_view word) {
+  if (!word.empty() && word.front() == '+') word.remove_prefix(1);
+  T value{};
+  const auto [end, failure] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (failure != std::errc() || end != word.data() + word.size()) return std::nullopt;
+  return value;
+}
+
+/// As numberIn, for a list of words; empty unless every word is a number.
+template <class T>
+std::optional<std::vector<T>> numbersIn(const std::string& text) {
+  std::vector<T> result;
+  for (const std::string& word : words(text)) {
+    const auto value = numberIn<T>(word);
+    if (!value) return std::nullopt;
+    result.push_back(*value);
+  }
+  return result;
+}
+
+inline std::string lowered(std::string text) {
+  for (char& c : text)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return text;
+}
+
+}  // namespace fenestra::io

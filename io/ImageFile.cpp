@@ -1,0 +1,318 @@
+#include "io/ImageFile.h"
+
+#include <algorithm>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <unistd.h>
+
+namespace fenestra::io {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::size_t blockBytes = 4u << 20;
+
+std::string megabytes(std::uint64_t bytes) {
+  return std::to_string(bytes / 1000000) + (bytes < 1000000 ? " MB (" + std::to_string(bytes) + " bytes)" : " MB");
+}
+
+/// Decimal numbers turned into scalars of one type in this machine's byte order.
+class TextScalars : public ByteStream {
+ public:
+  TextScalars(std::unique_ptr<ByteStream> source, ElementType type, fs::path path)
+      : source_(std::move(source)), type_(type), path_(std::move(path)) {}
+
+  std::size_t read(std::byte* into, std::size_t size) override {
+    const std::size_t scalar = sizeOf(type_);
+    std::size_t got = 0;
+    std::string word;
+    while (got + scalar <= size && nextWord(word)) {
+      visitElement(type_, [&](auto value) {
+        const char* end = word.data() + word.size();
+        const auto [stopped, failure] = std::from_chars(word.data(), end, value);
+        if (failure != std::errc() || stopped != end)
+          throw Error(path_, "holds '" + word.substr(0, 20) + "' where a number of its type belongs",
+                      "the file is damaged or its type is wrong");
+        std::memcpy(into + got, &value, sizeof value);
+      });
+      got += scalar;
+    }
+    return got;
+  }
+
+ private:
+  bool nextWord(std::string& word) {
+    // Longer than any number a type can hold, and short enough to refuse binary data soon.
+    constexpr std::size_t longestNumber = 400;
+    word.clear();
+    for (;;) {
+      if (next_ == filled_) {
+        filled_ = source_->read(buffer_.data(), buffer_.size());
+        next_ = 0;
+        if (filled_ == 0) return !word.empty();
+      }
+      const char c = static_cast<char>(buffer_[next_++]);
+      const bool separator = c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == ',';
+      if (!separator) word += c;
+      if ((separator && !word.empty()) || word.size() > longestNumber) return true;
+    }
+  }
+
+  std::unique_ptr<ByteStream> source_;
+  ElementType type_;
+  fs::path path_;
+  std::vector<std::byte> buffer_ = std::vector<std::byte>(64 * 1024);
+  std::size_t next_ = 0, filled_ = 0;
+};
+
+std::uint64_t fileBytes(const fs::path& file) {
+  std::error_code failure;
+  const std::uint64_t bytes = fs::file_size(file, failure);
+  if (failure) throw Error(file, "cannot be opened: " + failure.message(), "check the path and its permissions");
+  return bytes;
+}
+
+std::uint64_t offsetAfterLines(const VoxelSource& source, const fs::path& file) {
+  std::uint64_t offset = source.offset;
+  if (source.lines == 0) return offset;
+  const auto stream = openStream(file, offset, Packing::None);
+  std::vector<std::byte> buffer(64 * 1024);
+  std::uint64_t lines = 0;
+  while (const std::size_t got = stream->read(buffer.data(), buffer.size()))
+    for (std::size_t i = 0; i < got; ++i) {
+      ++offset;
+      if (buffer[i] == std::byte{'\n'} && ++lines == source.lines) return offset;
+    }
+  throw Error(file, "has fewer lines than its header skips", "the file is truncated or its header is wrong");
+}
+
+std::uint64_t unpackedBytes(const fs::path& file, std::uint64_t offset, Packing packing) {
+  const auto stream = openStream(file, offset, packing);
+  std::vector<std::byte> buffer(64 * 1024);
+  std::uint64_t bytes = 0;
+  while (const std::size_t got = stream->read(buffer.data(), buffer.size())) bytes += got;
+  return bytes;
+}
+
+/// The stream of one file's voxels, positioned on the first; `bytes` is what it must hold.
+std::unique_ptr<ByteStream> openShare(const ImageFile& image, const fs::path& file, std::uint64_t bytes) {
+  const VoxelSource& source = image.source;
+  const std::uint64_t offset = offsetAfterLines(source, file);
+  if (source.packing == Packing::None && !source.text) {
+    const std::uint64_t size = fileBytes(file);
+    if (source.skip == VoxelSource::atEnd) return openStream(file, size - std::min(size, bytes), Packing::None);
+    return openStream(file, offset + static_cast<std::uint64_t>(source.skip), Packing::None);
+  }
+  auto stream = openStream(file, offset, source.packing);
+  if (source.skip == VoxelSource::atEnd) {
+    const std::uint64_t all = unpackedBytes(file, offset, source.packing);
+    stream->skip(all - std::min(all, bytes));
+  } else {
+    stream->skip(static_cast<std::uint64_t>(source.skip));
+  }
+  if (source.text) return std::make_unique<TextScalars>(std::move(stream), image.type, file);
+  return stream;
+}
+
+/// Throws when the files cannot hold what the header describes: before anything is allocated.
+void checkSizes(const ImageFile& image, std::uint64_t voxels, std::uint64_t bytes) {
+  const VoxelSource& source = image.source;
+  checkMemory(image.path, saturatingProduct(voxels, sizeOf(image.type)));
+  if (source.files.empty() || bytes % source.files.size() != 0)
+    throw Error(image.path, "its voxels do not divide among its " + std::to_string(source.files.size()) + " data files",
+                "check the header's sizes and its list of data files");
+  const std::uint64_t share = bytes / source.files.size();
+  for (const fs::path& file : source.files) {
+    const std::uint64_t size = fileBytes(file);
+    std::uint64_t skipped = source.offset;
+    if (source.skip > 0 && source.packing == Packing::None) skipped += static_cast<std::uint64_t>(source.skip);
+    const std::uint64_t held = size - std::min(size, skipped);
+    // A deflate stream grows by 1032 at most (zlib's technical notes); a number takes a digit and a separator.
+    std::uint64_t most = held;
+    if (source.packing == Packing::Deflate) most = saturatingProduct(held, 1032);
+    if (source.packing == Packing::Bzip2) most = std::numeric_limits<std::uint64_t>::max();
+    const std::uint64_t needed = source.text ? share / sizeOf(image.type) * 2 - 1 : share;
+    if (most < needed)
+      throw Error(file,
+                  "holds " + std::to_string(held) + " bytes of voxels where its header describes " +
+                      std::to_string(share),
+                  "the file is truncated or its header is wrong");
+  }
+}
+
+template <class T>
+T byteSwapped(T value) {
+  auto bytes = std::bit_cast<std::array<std::byte, sizeof(T)>>(value);
+  std::reverse(bytes.begin(), bytes.end());
+  return std::bit_cast<T>(bytes);
+}
+
+}  // namespace
+
+void setDims(ImageFile& image, std::int64_t x, std::int64_t y, std::int64_t z) {
+  for (const std::int64_t dim : {x, y, z})
+    if (dim < 1 || dim > std::numeric_limits<int>::max())
+      throw Error(image.path,
+                  "its header says " + std::to_string(x) + " x " + std::to_string(y) + " x " + std::to_string(z) + " voxels",
+                  "the header is damaged");
+  image.grid.dims = {static_cast<int>(x), static_cast<int>(y), static_cast<int>(z)};
+}
+
+bool setGeometry(Grid& grid, const glm::dmat3& columns, const glm::dvec3& origin) {
+  glm::dmat3 direction;
+  glm::dvec3 spacing;
+  for (int axis = 0; axis < 3; ++axis) {
+    spacing[axis] = glm::length(columns[axis]);
+    direction[axis] = columns[axis] / spacing[axis];
+    if (!std::isfinite(spacing[axis]) || !(spacing[axis] > 0.0) || !std::isfinite(origin[axis])) return false;
+  }
+  // Below this the axes lie in a plane as far as the single-precision numbers in headers can tell.
+  if (!(std::abs(glm::determinant(direction)) > 1e-4)) return false;
+  grid.spacing = spacing;
+  grid.direction = direction;
+  grid.origin = origin;
+  return true;
+}
+
+std::string numberedName(const std::string& pattern, long number, const fs::path& header) {
+  const auto refuse = [&]() -> std::string {
+    throw Error(header, "its data file pattern '" + pattern + "' is not understood", "use one %d, as in slice%03d.raw");
+  };
+  const std::size_t percent = pattern.find('%');
+  if (percent == std::string::npos) return refuse();
+  std::size_t at = percent + 1;
+  const bool zeros = at < pattern.size() && pattern[at] == '0';
+  std::size_t width = 0;
+  while (at < pattern.size() && pattern[at] >= '0' && pattern[at] <= '9' && width < 100)
+    width = width * 10 + static_cast<std::size_t>(pattern[at++] - '0');
+  if (at >= pattern.size() || (pattern[at] != 'd' && pattern[at] != 'i' && pattern[at] != 'u') || width > 20 ||
+      pattern.find('%', at) != std::string::npos)
+    return refuse();
+  std::string digits = std::to_string(number);
+  if (digits.size() < width) digits.insert(0, width - digits.size(), zeros ? '0' : ' ');
+  return pattern.substr(0, percent) + digits + pattern.substr(at + 1);
+}
+
+fs::path besideHeader(const fs::path& header, const std::string& name) { return header.parent_path() / fs::path(name); }
+
+void checkMemory(const fs::path& path, std::uint64_t bytes) {
+  const std::uint64_t memory =
+      saturatingProduct(static_cast<std::uint64_t>(::sysconf(_SC_PHYS_PAGES)), static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE)));
+  if (bytes > memory)
+    throw Error(path, "describes a volume larger than this machine's memory of " + megabytes(memory),
+                "the header is damaged, or the volume must be made smaller first");
+}
+
+std::uint64_t saturatingProduct(std::uint64_t a, std::uint64_t b) {
+  std::uint64_t product = 0;
+  return __builtin_mul_overflow(a, b, &product) ? std::numeric_limits<std::uint64_t>::max() : product;
+}
+
+std::vector<Voxels> readVoxels(const ImageFile& image, std::int64_t layers, const Progress& progress,
+                               std::vector<Warning>& warnings) {
+  const std::uint64_t dims[] = {static_cast<std::uint64_t>(image.grid.dims.x), static_cast<std::uint64_t>(image.grid.dims.y),
+                                static_cast<std::uint64_t>(image.grid.dims.z)};
+  const std::uint64_t voxels = saturatingProduct(saturatingProduct(dims[0], dims[1]), dims[2]);
+  const std::uint64_t scalars = saturatingProduct(voxels, static_cast<std::uint64_t>(image.layers()));
+  const std::uint64_t bytes = saturatingProduct(scalars, sizeOf(image.type));
+  // Before the sizes are compared: a product that saturated compares as too large for any file and any machine.
+  checkSizes(image, saturatingProduct(voxels, static_cast<std::uint64_t>(layers)), bytes);
+
+  const std::size_t interleaved = static_cast<std::size_t>(image.interleaved);
+  const std::size_t volumesToRead = (static_cast<std::size_t>(layers) + interleaved - 1) / interleaved;
+  std::vector<VoxelSink> sinks;
+  for (std::int64_t layer = 0; layer < layers; ++layer) sinks.emplace_back(static_cast<std::size_t>(voxels));
+
+  const std::uint64_t share = bytes / image.source.files.size();
+  const std::uint64_t wanted = voxels * sizeOf(image.type) * interleaved * volumesToRead;
+  std::size_t file = 0;
+  std::uint64_t leftInFile = share;
+  auto stream = openShare(image, image.source.files[0], share);
+  const std::size_t voxelBytes = sizeOf(image.type) * interleaved;
+  std::vector<std::byte> block(std::max(blockBytes / voxelBytes, std::size_t{1}) * voxelBytes);
+
+  const bool swap = !image.source.text && image.bigEndian != (std::endian::native == std::endian::big);
+  std::uint64_t done = 0;
+  for (std::size_t volume = 0; volume < volumesToRead; ++volume) {
+    for (std::uint64_t voxel = 0; voxel < voxels;) {
+      if (progress && !progress(static_cast<double>(done) / static_cast<double>(wanted), "reading voxels")) throw Cancelled();
+      const std::size_t count = static_cast<std::size_t>(std::min<std::uint64_t>(block.size() / voxelBytes, voxels - voxel));
+      for (std::size_t filled = 0; filled < count * voxelBytes;) {
+        if (leftInFile == 0) {
+          stream = openShare(image, image.source.files[++file], share);
+          leftInFile = share;
+        }
+        const std::size_t piece = static_cast<std::size_t>(std::min<std::uint64_t>(count * voxelBytes - filled, leftInFile));
+        stream->readAll(block.data() + filled, piece, image.source.files[file]);
+        filled += piece;
+        leftInFile -= piece;
+      }
+      visitElement(image.type, [&](auto scalar) {
+        using T = decltype(scalar);
+        const std::span<T> values(reinterpret_cast<T*>(block.data()), count * interleaved);
+        if constexpr (sizeof(T) > 1)
+          if (swap)
+            for (T& value : values) value = byteSwapped(value);
+        if (interleaved == 1) {
+          sinks[volume].append(std::span<const T>(values));
+          return;
+        }
+        std::vector<T> layer(count);
+        for (std::size_t i = 0; i < interleaved && volume * interleaved + i < sinks.size(); ++i) {
+          for (std::size_t v = 0; v < count; ++v) layer[v] = values[v * interleaved + i];
+          sinks[volume * interleaved + i].append(std::span<const T>(layer));
+        }
+      });
+      voxel += count;
+      done += count * voxelBytes;
+    }
+  }
+  std::vector<Voxels> result;
+  bool lossy = false;
+  for (VoxelSink& sink : sinks) {
+    lossy |= sink.lossy();
+    result.push_back(sink.take());
+  }
+  if (lossy)
+    warnings.push_back({Warning::Kind::PrecisionLoss,
+                        "some 64-bit integers are beyond 2^53 and were rounded to the nearest double", {image.path}});
+  return result;
+}
+
+ImageFile describeRaw(const fs::path& path, const RawDescription& description) {
+  ImageFile image;
+  image.path = path;
+  image.format = "raw";
+  setDims(image, description.dims.x, description.dims.y, description.dims.z);
+  image.grid.spacing = description.spacing;
+  switch (description.type) {
+    case ScalarType::UInt8: image.type = ElementType::UInt8; break;
+    case ScalarType::Int8: image.type = ElementType::Int8; break;
+    case ScalarType::UInt16: image.type = ElementType::UInt16; break;
+    case ScalarType::Int16: image.type = ElementType::Int16; break;
+    case ScalarType::UInt32: image.type = ElementType::UInt32; break;
+    case ScalarType::Int32: image.type = ElementType::Int32; break;
+    case ScalarType::Float32: image.type = ElementType::Float32; break;
+    case ScalarType::Float64: image.type = ElementType::Float64; break;
+  }
+  image.bigEndian = description.bigEndian;
+  image.source.files = {path};
+  image.source.offset = description.skip;
+  const std::uint64_t held = fileBytes(path);
+  const std::uint64_t described =
+      saturatingProduct(saturatingProduct(saturatingProduct(static_cast<std::uint64_t>(description.dims.x),
+                                                            static_cast<std::uint64_t>(description.dims.y)),
+                                          static_cast<std::uint64_t>(description.dims.z)),
+                        sizeOf(image.type));
+  const std::uint64_t voxelBytes = held - std::min<std::uint64_t>(held, description.skip);
+  if (voxelBytes > described)
+    image.warnings.push_back({Warning::Kind::Other,
+                              "the file holds " + std::to_string(voxelBytes) + " bytes of voxels, the description uses the first " +
+                                  std::to_string(described),
+                              {path}});
+  return image;
+}
+
+}  // namespace fenestra::io

@@ -1,0 +1,75 @@
+#pragma once
+// What a volume file's header says, the same for NIfTI, NRRD, MetaImage and raw, and how its voxels are read.
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "io/ByteStream.h"
+#include "io/VolumeReader.h"
+#include "io/VoxelSink.h"
+
+namespace fenestra::io {
+
+/// Where the voxels are: `files` one after the other, each holding an equal share of them.
+struct VoxelSource {
+  static constexpr std::int64_t atEnd = -1;
+
+  std::vector<std::filesystem::path> files;
+  std::uint64_t offset = 0;   ///< bytes in each file before anything else (an attached header)
+  std::uint64_t lines = 0;    ///< lines after them to skip
+  std::int64_t skip = 0;      ///< then bytes to skip, of the unpacked data; atEnd: the voxels are the last bytes
+  Packing packing = Packing::None;
+  bool text = false;          ///< decimal numbers instead of bytes
+};
+
+struct ImageFile {
+  std::filesystem::path path;
+  std::string format;                         ///< as OpenedVolume::format
+  Grid grid;
+  ElementType type = ElementType::UInt8;
+  bool bigEndian = false;
+  double slope = 1.0, intercept = 0.0;        ///< real value = slope · stored + intercept
+  std::int64_t interleaved = 1;               ///< scalars at each voxel, one of each layer
+  std::int64_t volumes = 1;                   ///< volumes one after the other
+  Modality modality = Modality::Unknown;
+  std::vector<Warning> warnings;
+  std::map<std::string, std::string> fields;  ///< the file's own key/value pairs (NRRD)
+  VoxelSource source;
+
+  std::int64_t layers() const { return interleaved * volumes; }
+};
+
+/// Sets the grid's dims, checked: all in 1..2^31-1. Throws Error.
+void setDims(ImageFile& image, std::int64_t x, std::int64_t y, std::int64_t z);
+/// Sets spacing, direction and origin from the columns of an affine (world LPS mm from index). Returns false, and leaves
+/// the grid, when the columns are not three finite independent vectors.
+bool setGeometry(Grid& grid, const glm::dmat3& columns, const glm::dvec3& origin);
+/// "name%03d.raw" with a number in place of the one integer conversion. Throws Error (naming `header`) for other patterns.
+std::string numberedName(const std::string& pattern, long number, const std::filesystem::path& header);
+/// `name` as a header at `header` means it: relative to the header's folder.
+std::filesystem::path besideHeader(const std::filesystem::path& header, const std::string& name);
+
+bool looksLikeNifti(const std::filesystem::path& path);
+bool looksLikeNrrd(const std::filesystem::path& path);
+bool looksLikeMetaImage(const std::filesystem::path& path);
+
+/// Each reads the header alone and throws Error for what cannot become a scalar volume.
+ImageFile readNiftiHeader(const std::filesystem::path& path);
+ImageFile readNrrdHeader(const std::filesystem::path& path);
+ImageFile readMetaImageHeader(const std::filesystem::path& path);
+ImageFile describeRaw(const std::filesystem::path& path, const RawDescription& description);
+
+/// Reads the first `layers` layers, one Voxels each, in the narrowest types. Checks the sizes against the files before
+/// anything is allocated. Adds to `warnings`. Throws Error, Cancelled.
+std::vector<Voxels> readVoxels(const ImageFile& image, std::int64_t layers, const Progress& progress,
+                               std::vector<Warning>& warnings);
+
+/// Throws Error when `bytes` is more than this machine's memory.
+void checkMemory(const std::filesystem::path& path, std::uint64_t bytes);
+/// a·b, or the greatest number when it overflows.
+std::uint64_t saturatingProduct(std::uint64_t a, std::uint64_t b);
+
+}  // namespace fenestra::io

@@ -1,0 +1,176 @@
+#include "io/ImageWriter.h"
+
+#include <algorithm>
+#include <atomic>
+#include <bit>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fcntl.h>
+#include <memory>
+#include <sstream>
+#include <unistd.h>
+
+#include <png.h>
+
+#include "io/ByteStream.h"
+#include "io/Error.h"
+#include "io/HeaderText.h"
+
+namespace fenestra::io {
+namespace fs = std::filesystem;
+namespace {
+
+[[noreturn]] void failToWrite(const fs::path& path) {
+  throw Error(path, "cannot be written: " + systemCause(), "check the folder, its permissions and the free space");
+}
+
+/// Data reach the disk before the name does, so that a crash leaves the old file or the new one.
+void syncToDisk(const fs::path& file, const fs::path& named) {
+  const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) failToWrite(named);
+  const bool synced = ::fsync(descriptor) == 0;
+  ::close(descriptor);
+  if (!synced) failToWrite(named);
+}
+
+void writeBytes(const fs::path& path, std::initializer_list<std::pair<const void*, std::size_t>> pieces) {
+  std::FILE* file = std::fopen(path.c_str(), "wb");
+  if (!file) failToWrite(path);
+  bool written = true;
+  for (const auto& [bytes, size] : pieces) written = written && std::fwrite(bytes, 1, size, file) == size;
+  if (std::fclose(file) != 0 || !written) failToWrite(path);
+}
+
+Picture readPng(const fs::path& path) {
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  const auto refuse = [&] { throw Error(path, std::string("is no readable PNG (") + image.message + ")", "the file is damaged"); };
+  if (!png_image_begin_read_from_file(&image, path.c_str())) refuse();
+  const bool colour = image.format & PNG_FORMAT_FLAG_COLOR, alpha = image.format & PNG_FORMAT_FLAG_ALPHA;
+  image.format = alpha ? PNG_FORMAT_RGBA : colour ? PNG_FORMAT_RGB : PNG_FORMAT_GRAY;
+  // 2^28 pixels: larger than any screen, and it bounds what a damaged header makes us allocate.
+  if (static_cast<std::uint64_t>(image.width) * image.height > (1u << 28)) {
+    png_image_free(&image);
+    throw Error(path, "is larger than 268 million pixels", "the file is damaged");
+  }
+  Picture picture;
+  picture.size = {static_cast<int>(image.width), static_cast<int>(image.height)};
+  picture.channels = static_cast<int>(PNG_IMAGE_PIXEL_CHANNELS(image.format));
+  std::vector<std::uint8_t> bytes(PNG_IMAGE_SIZE(image));
+  if (!png_image_finish_read(&image, nullptr, bytes.data(), 0, nullptr)) refuse();
+  picture.values.resize(bytes.size());
+  std::transform(bytes.begin(), bytes.end(), picture.values.begin(), [](std::uint8_t byte) { return static_cast<float>(byte) / 255.0f; });
+  return picture;
+}
+
+/// The layers that writeLayer writes: 2-D, float32, uncompressed, local.
+Picture readLayer(const fs::path& path) {
+  const auto refuse = [&](const std::string& cause) { throw Error(path, cause, "only layers as 2-D float MetaImage, and PNG, can be read"); };
+  const auto stream = openStream(path, 0, Packing::None);
+  Picture picture;
+  picture.channels = 1;
+  std::string line;
+  bool msb = false, isFloat = false;
+  constexpr std::size_t longestLine = 4096;
+  for (char c = 0;;) {
+    line.clear();
+    while (stream->read(reinterpret_cast<std::byte*>(&c), 1) == 1 && c != '\n' && line.size() < longestLine) line += c;
+    const std::size_t equals = line.find('=');
+    if (c != '\n' || equals == std::string::npos) refuse("has no MetaImage header");
+    const std::string name = trimmed(line.substr(0, equals)), value = trimmed(line.substr(equals + 1));
+    if (name == "DimSize") {
+      const auto dims = numbersIn<int>(value);
+      if (!dims || dims->size() != 2 || (*dims)[0] < 1 || (*dims)[1] < 1) refuse("has no two dimensions");
+      picture.size = {(*dims)[0], (*dims)[1]};
+    } else if (name == "ElementNumberOfChannels") {
+      picture.channels = numberIn<int>(value).value_or(0);
+    } else if (name == "ElementType") {
+      isFloat = value == "MET_FLOAT";
+    } else if (name == "BinaryDataByteOrderMSB" || name == "ElementByteOrderMSB") {
+      msb = value == "True";
+    } else if (name == "CompressedData" && value == "True") {
+      refuse("is compressed");
+    } else if (name == "ElementDataFile") {
+      if (value != "LOCAL") refuse("keeps its values in another file");
+      break;
+    }
+  }
+  if (!isFloat || picture.channels < 1 || picture.channels > 4 || picture.size.x < 1) refuse("is no float layer");
+  const std::uint64_t count = static_cast<std::uint64_t>(picture.size.x) * static_cast<std::uint64_t>(picture.size.y) *
+                              static_cast<std::uint64_t>(picture.channels);
+  if (count * sizeof(float) > fs::file_size(path)) refuse("ends too early");
+  picture.values.resize(count);
+  stream->readAll(reinterpret_cast<std::byte*>(picture.values.data()), count * sizeof(float), path);
+  if (msb != (std::endian::native == std::endian::big)) refuse("is in another byte order");
+  return picture;
+}
+
+}  // namespace
+
+void writeAtomically(const fs::path& path, const std::function<void(const fs::path&)>& write) {
+  static std::atomic<unsigned> counter = 0;
+  std::error_code failure;
+  // A link stays a link: what it points at is replaced.
+  const fs::path target = fs::is_symlink(path, failure) ? fs::weakly_canonical(path, failure) : path;
+  fs::path temporary = target;
+  std::ostringstream name;
+  name << '.' << target.filename().string() << '.' << ::getpid() << '-' << counter++ << ".part";
+  temporary.replace_filename(name.str());
+  try {
+    write(temporary);
+    syncToDisk(temporary, path);
+    if (std::rename(temporary.c_str(), target.c_str()) != 0) failToWrite(path);
+  } catch (const Error& error) {
+    fs::remove(temporary, failure);
+    // Whoever reads the message knows the file by its own name.
+    if (error.file() == temporary) throw Error(path, error.cause(), error.hint());
+    throw;
+  } catch (...) {
+    fs::remove(temporary, failure);
+    throw;
+  }
+}
+
+void writeText(const fs::path& path, const std::string& text) {
+  writeAtomically(path, [&](const fs::path& temporary) { writeBytes(temporary, {{text.data(), text.size()}}); });
+}
+
+void writePng(const fs::path& path, glm::ivec2 size, int channels, std::span<const std::uint8_t> pixels) {
+  writeAtomically(path, [&](const fs::path& temporary) {
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION;
+    image.width = static_cast<png_uint_32>(size.x);
+    image.height = static_cast<png_uint_32>(size.y);
+    image.format = channels == 4 ? PNG_FORMAT_RGBA : channels == 3 ? PNG_FORMAT_RGB : PNG_FORMAT_GRAY;
+    if (pixels.size() != PNG_IMAGE_SIZE(image)) throw std::invalid_argument("writePng: pixels do not fill the picture");
+    errno = 0;
+    if (!png_image_write_to_file(&image, temporary.c_str(), 0, pixels.data(), 0, nullptr)) {
+      if (errno != 0) failToWrite(path);
+      throw Error(path, std::string("cannot be written (") + image.message + ")", "check the picture's size");
+    }
+  });
+}
+
+void writeLayer(const fs::path& path, glm::ivec2 size, int channels, std::span<const float> values) {
+  if (values.size() != static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * static_cast<std::size_t>(channels))
+    throw std::invalid_argument("writeLayer: values do not fill the layer");
+  const std::string header =
+      "ObjectType = Image\nNDims = 2\nBinaryData = True\nBinaryDataByteOrderMSB = " +
+      std::string(std::endian::native == std::endian::big ? "True" : "False") +
+      "\nCompressedData = False\nElementSpacing = 1 1\nDimSize = " + std::to_string(size.x) + " " + std::to_string(size.y) +
+      "\nElementNumberOfChannels = " + std::to_string(channels) + "\nElementType = MET_FLOAT\nElementDataFile = LOCAL\n";
+  writeAtomically(path, [&](const fs::path& temporary) {
+    writeBytes(temporary, {{header.data(), header.size()}, {values.data(), values.size_bytes()}});
+  });
+}
+
+Picture readPicture(const fs::path& path) {
+  std::error_code failure;
+  if (!fs::is_regular_file(path, failure)) throw Error(path, "does not exist", "name a PNG picture or a layer (.mha)");
+  std::array<std::uint8_t, 8> magic{};
+  const std::size_t got = openStream(path, 0, Packing::None)->read(reinterpret_cast<std::byte*>(magic.data()), magic.size());
+  return got == magic.size() && png_sig_cmp(magic.data(), 0, magic.size()) == 0 ? readPng(path) : readLayer(path);
+}
+
+}  // namespace fenestra::io

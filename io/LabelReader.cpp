@@ -1,0 +1,241 @@
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <numeric>
+#include <set>
+
+#include "io/HeaderText.h"
+#include "io/ImageFile.h"
+#include "io/Probe.h"
+#include "io/VolumeReader.h"
+#include "rendering/scene/Parallel.h"
+
+namespace fenestra::io {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::uint16_t greatestLabel = 65535;
+
+/// One segment of 3D Slicer's SegmentN_* fields (the "Segmentation" NRRD layout of 3D Slicer's documentation).
+struct Segment {
+  std::int64_t layer = 0;
+  std::uint16_t storedValue = 0;
+  Label label;
+};
+
+std::vector<Segment> slicerSegments(const ImageFile& image) {
+  std::vector<Segment> segments;
+  std::set<std::uint16_t> taken;
+  for (int n = 0;; ++n) {
+    const std::string prefix = "Segment" + std::to_string(n) + "_";
+    const auto field = [&](const char* name) {
+      const auto at = image.fields.find(prefix + name);
+      return at == image.fields.end() ? std::string() : at->second;
+    };
+    if (field("ID").empty() && field("Name").empty() && field("LabelValue").empty()) return segments;
+    Segment segment;
+    // Files from before layers existed have neither field: one label a segment, counted from 1.
+    const auto value = field("LabelValue").empty() ? std::optional<std::uint16_t>(static_cast<std::uint16_t>(n + 1))
+                                                   : numberIn<std::uint16_t>(field("LabelValue"));
+    if (!value || *value == 0) throw Error(image.path, "its " + prefix + "LabelValue is no label", "the file is damaged");
+    segment.storedValue = *value;
+    segment.layer = numberIn<std::int64_t>(field("Layer")).value_or(0);
+    // Layers number their labels from 1 each: a value that another layer has gets the next free one.
+    std::uint16_t unique = *value;
+    while (taken.contains(unique)) {
+      if (unique == greatestLabel) throw Error(image.path, "has more labels than fit 16 bits", "split the segmentation");
+      ++unique;
+    }
+    taken.insert(unique);
+    const auto colour = numbersIn<double>(field("Color"));
+    segment.label = {unique, field("Name"), defaultLabelColour(unique)};
+    if (colour && colour->size() == 3)
+      segment.label.colour = glm::clamp(glm::dvec3((*colour)[0], (*colour)[1], (*colour)[2]), 0.0, 1.0);
+    segments.push_back(segment);
+  }
+}
+
+/// Lines of "value name", divided by tabs or blanks; other lines are headings or comments.
+std::map<std::uint16_t, std::string> readNameTable(const fs::path& path) {
+  std::map<std::uint16_t, std::string> names;
+  std::ifstream file(path);
+  for (std::string line; std::getline(file, line);) {
+    const bool tabbed = line.find('\t') != std::string::npos;
+    const std::size_t end = line.find_first_of(tabbed ? "\t" : " ");
+    if (end == std::string::npos) continue;
+    const auto value = numberIn<std::uint16_t>(trimmed(line.substr(0, end)));
+    const std::string rest = line.substr(end + 1);
+    const std::string name = trimmed(tabbed ? rest.substr(0, rest.find('\t')) : rest.substr(0, rest.find_first_of(" \r")));
+    if (value && *value > 0 && !name.empty()) names[*value] = name;
+  }
+  return names;
+}
+
+/// The table beside a label map: its own name with .txt or .tsv, or the folder's labels.tsv.
+std::map<std::uint16_t, std::string> namesBeside(const fs::path& path) {
+  std::vector<fs::path> candidates;
+  for (fs::path stem = path; stem.has_extension();) {
+    stem.replace_extension();
+    candidates.push_back(fs::path(stem) += ".txt");
+    candidates.push_back(fs::path(stem) += ".tsv");
+  }
+  candidates.push_back(path.parent_path() / "labels.tsv");
+  for (const fs::path& candidate : candidates)
+    if (fs::is_regular_file(candidate)) return readNameTable(candidate);
+  return {};
+}
+
+/// Label values as stored, checked to be labels and scaled as the header says.
+std::vector<std::uint16_t> labelsOf(const Voxels& voxels, const ImageFile& image) {
+  std::vector<std::uint16_t> labels(voxels.count());
+  voxels.visit([&](auto scalars) {
+    parallelFor(scalars.size(), 1 << 20, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const double value = image.slope * static_cast<double>(scalars[i]) + image.intercept;
+        if (!(value >= 0.0 && value <= greatestLabel) || value != std::floor(value)) {
+          const auto text = std::isfinite(value) ? std::to_string(value) : std::string("no number");
+          throw Error(image.path, "is no label map: it holds the value " + text,
+                      "label maps hold whole numbers from 0 to 65535; open this file as a volume");
+        }
+        labels[i] = static_cast<std::uint16_t>(value);
+      }
+    });
+  });
+  return labels;
+}
+
+/// All layers in one map; of overlapping labels the later layer's stays.
+std::vector<std::uint16_t> mergedLayers(const std::vector<Voxels>& layers, const std::vector<Segment>& segments,
+                                        const ImageFile& image, std::vector<Warning>& warnings) {
+  std::vector<std::uint16_t> merged;
+  std::size_t hidden = 0;
+  for (std::size_t layer = 0; layer < layers.size(); ++layer) {
+    std::vector<std::uint16_t> labels = labelsOf(layers[layer], image);
+    std::vector<std::uint16_t> renamed(greatestLabel + 1u);
+    std::iota(renamed.begin(), renamed.end(), std::uint16_t{0});
+    for (const Segment& segment : segments)
+      if (segment.layer == static_cast<std::int64_t>(layer)) renamed[segment.storedValue] = segment.label.value;
+    for (std::uint16_t& label : labels) label = renamed[label];
+    if (layer == 0) {
+      merged = std::move(labels);
+      continue;
+    }
+    for (std::size_t i = 0; i < merged.size(); ++i) {
+      if (labels[i] == 0) continue;
+      hidden += merged[i] != 0;
+      merged[i] = labels[i];
+    }
+  }
+  if (hidden > 0)
+    warnings.push_back({Warning::Kind::Other,
+                        "labels overlap at " + std::to_string(hidden) + " voxels; the later layer's label is kept there",
+                        {image.path}});
+  return merged;
+}
+
+/// Whether `from`'s voxel centres are `to`'s, up to the axes' order and direction, within a twentieth of a voxel: headers
+/// store single precision, whose rounding adds up to hundredths over a long axis.
+bool isSameLattice(const glm::dmat4& toFromFrom, const Grid& from) {
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::dvec3 index((corner & 1) ? from.dims.x - 1 : 0, (corner & 2) ? from.dims.y - 1 : 0,
+                           (corner & 4) ? from.dims.z - 1 : 0);
+    const glm::dvec3 at(toFromFrom * glm::dvec4(index, 1.0));
+    if (glm::any(glm::greaterThan(glm::abs(at - glm::round(at)), glm::dvec3(0.05)))) return false;
+  }
+  for (int column = 0; column < 3; ++column)
+    if (std::abs(glm::length(glm::dvec3(toFromFrom[column])) - 1.0) > 0.01) return false;
+  return true;
+}
+
+std::vector<std::uint16_t> resampled(const std::vector<std::uint16_t>& labels, const Grid& from, const Grid& to,
+                                     const fs::path& path, std::vector<Warning>& warnings) {
+  const glm::dmat4 fromIndexFromTo = from.indexFromWorld() * to.worldFromIndex();
+  const bool sameLattice = isSameLattice(fromIndexFromTo, to);
+  std::vector<std::uint16_t> result(to.voxelCount(), 0);
+  const std::size_t rows = static_cast<std::size_t>(to.dims.y) * static_cast<std::size_t>(to.dims.z);
+  parallelFor(rows, 64, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t row = begin; row < end; ++row) {
+      const int y = static_cast<int>(row % static_cast<std::size_t>(to.dims.y));
+      const int z = static_cast<int>(row / static_cast<std::size_t>(to.dims.y));
+      for (int x = 0; x < to.dims.x; ++x) {
+        const glm::dvec3 at = glm::floor(glm::dvec3(fromIndexFromTo * glm::dvec4(x, y, z, 1.0)) + 0.5);
+        // Compared before the conversion: a far-off position overflows int.
+        if (glm::any(glm::lessThan(at, glm::dvec3(0.0))) || glm::any(glm::greaterThanEqual(at, glm::dvec3(from.dims)))) continue;
+        result[to.offset({x, y, z})] = labels[from.offset(glm::ivec3(at))];
+      }
+    }
+  });
+  const auto count = [](const std::vector<std::uint16_t>& map) {
+    return map.size() - static_cast<std::size_t>(std::count(map.begin(), map.end(), std::uint16_t{0}));
+  };
+  const std::size_t before = count(labels), after = count(result);
+  if (before > 0 && after == 0) {
+    warnings.push_back({Warning::Kind::Other, "every label lies outside the volume; is this the volume's label map?", {path}});
+  } else if (!sameLattice) {
+    warnings.push_back({Warning::Kind::Other, "the label map was resampled to the volume's grid by nearest label", {path}});
+  } else if (after < before) {
+    warnings.push_back({Warning::Kind::Other,
+                        std::to_string(before - after) + " of " + std::to_string(before) + " labelled voxels lie outside the volume",
+                        {path}});
+  }
+  return result;
+}
+
+bool isSameGrid(const Grid& a, const Grid& b) {
+  if (a.dims != b.dims) return false;
+  const auto cornersA = a.corners(), cornersB = b.corners();
+  const double tolerance = 0.05 * std::min({b.spacing.x, b.spacing.y, b.spacing.z});
+  for (std::size_t corner = 0; corner < cornersA.size(); ++corner)
+    if (!(glm::distance(cornersA[corner], cornersB[corner]) < tolerance)) return false;
+  return true;
+}
+
+}  // namespace
+
+OpenedLabels openLabels(const fs::path& path, const Grid& target, const Progress& progress) {
+  checkExists(path);
+  const Format format = formatOf(path);
+  if (format == Format::Dicom)
+    throw Error(path, "is DICOM, not a label map", "label maps are read from NIfTI, NRRD and MetaImage");
+  ImageFile image = readImageHeader(path, format);
+  const std::vector<Segment> segments = slicerSegments(image);
+  const bool layered = image.layers() > 1;
+  if (layered && segments.empty())
+    throw Error(path, "holds " + std::to_string(image.layers()) + " volumes, not one label map", "extract one of them first");
+
+  OpenedLabels opened;
+  opened.warnings = std::move(image.warnings);
+  std::vector<std::uint16_t> values;
+  {
+    const std::vector<Voxels> layers = readVoxels(image, image.layers(), progress, opened.warnings);
+    values = mergedLayers(layers, segments, image, opened.warnings);
+  }
+  if (!isSameGrid(image.grid, target)) values = resampled(values, image.grid, target, path, opened.warnings);
+
+  std::vector<bool> present(greatestLabel + 1u, false);
+  for (const std::uint16_t value : values) present[value] = true;
+  std::map<std::uint16_t, Label> labels;
+  for (const auto& [value, name] : namesBeside(path)) labels[value] = {value, name, defaultLabelColour(value)};
+  for (const Segment& segment : segments) labels[segment.label.value] = segment.label;
+  for (std::uint32_t value = 1; value <= greatestLabel; ++value) {
+    const auto label = static_cast<std::uint16_t>(value);
+    if (present[label] && (!labels.contains(label) || labels[label].name.empty()))
+      labels[label] = {label, "label " + std::to_string(label), labels.contains(label) ? labels[label].colour : defaultLabelColour(label)};
+  }
+
+  auto map = std::make_shared<LabelMap>();
+  map->grid = target;
+  for (const auto& [value, label] : labels) map->labels.push_back(label);
+  const auto greatest = values.empty() ? 0 : *std::max_element(values.begin(), values.end());
+  map->voxels = Voxels(greatest <= 255 ? ScalarType::UInt8 : ScalarType::UInt16, values.size());
+  if (greatest <= 255)
+    std::transform(values.begin(), values.end(), map->voxels.as<std::uint8_t>().begin(),
+                   [](std::uint16_t value) { return static_cast<std::uint8_t>(value); });
+  else
+    std::copy(values.begin(), values.end(), map->voxels.as<std::uint16_t>().begin());
+  opened.labels = std::move(map);
+  return opened;
+}
+
+}  // namespace fenestra::io

@@ -1,0 +1,316 @@
+// NRRD, attached and detached. Definition: teem.sourceforge.net/nrrd/format.html.
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+
+#include "io/HeaderText.h"
+#include "io/ImageFile.h"
+
+namespace fenestra::io {
+namespace fs = std::filesystem;
+namespace {
+
+/// Headers are a few kilobytes; Slicer's segmentations write one line of terminology a segment.
+constexpr std::size_t longestHeader = 16u << 20;
+
+const std::map<std::string, ElementType> elementTypes = {
+    {"signed char", ElementType::Int8}, {"int8", ElementType::Int8}, {"int8_t", ElementType::Int8},
+    {"uchar", ElementType::UInt8}, {"unsigned char", ElementType::UInt8}, {"uint8", ElementType::UInt8},
+    {"uint8_t", ElementType::UInt8},
+    {"short", ElementType::Int16}, {"short int", ElementType::Int16}, {"signed short", ElementType::Int16},
+    {"signed short int", ElementType::Int16}, {"int16", ElementType::Int16}, {"int16_t", ElementType::Int16},
+    {"ushort", ElementType::UInt16}, {"unsigned short", ElementType::UInt16},
+    {"unsigned short int", ElementType::UInt16}, {"uint16", ElementType::UInt16}, {"uint16_t", ElementType::UInt16},
+    {"int", ElementType::Int32}, {"signed int", ElementType::Int32}, {"int32", ElementType::Int32},
+    {"int32_t", ElementType::Int32},
+    {"uint", ElementType::UInt32}, {"unsigned int", ElementType::UInt32}, {"uint32", ElementType::UInt32},
+    {"uint32_t", ElementType::UInt32},
+    {"longlong", ElementType::Int64}, {"long long", ElementType::Int64}, {"long long int", ElementType::Int64},
+    {"signed long long", ElementType::Int64}, {"signed long long int", ElementType::Int64},
+    {"int64", ElementType::Int64}, {"int64_t", ElementType::Int64},
+    {"ulonglong", ElementType::UInt64}, {"unsigned long long", ElementType::UInt64},
+    {"unsigned long long int", ElementType::UInt64}, {"uint64", ElementType::UInt64},
+    {"uint64_t", ElementType::UInt64},
+    {"float", ElementType::Float32}, {"double", ElementType::Float64}};
+
+/// Field names come with and without blanks ("data file", "datafile").
+std::string withoutBlanks(const std::string& text) {
+  std::string result;
+  for (const char c : lowered(text))
+    if (c != ' ') result += c;
+  return result;
+}
+
+struct Header {
+  std::map<std::string, std::string> fields;   ///< by name without blanks
+  std::map<std::string, std::string> pairs;    ///< "key:=value"
+  std::vector<std::string> listed;             ///< data files after "data file: LIST"
+  std::uint64_t bytes = 0;                     ///< length with the blank line
+};
+
+Header readLines(const fs::path& path) {
+  const auto stream = openStream(path, 0, Packing::None);
+  Header header;
+  std::vector<char> buffer(16 * 1024);
+  std::string line;
+  bool first = true, listing = false;
+  std::size_t got = 0, at = 0;
+  for (;;) {
+    if (at == got) {
+      got = stream->read(reinterpret_cast<std::byte*>(buffer.data()), buffer.size());
+      at = 0;
+    }
+    const bool ended = got == 0;
+    if (!ended) {
+      ++header.bytes;
+      if (header.bytes > longestHeader) throw Error(path, "its header has no end", "the file is damaged");
+      const char c = buffer[at++];
+      if (c != '\n') {
+        line += c;
+        continue;
+      }
+    }
+    if (!line.empty() && line.back() == '\r') line.pop_back();
+    if (line.empty()) return header;
+    if (listing) {
+      header.listed.push_back(trimmed(line));
+    } else if (!first && line.front() != '#') {
+      const std::size_t colon = line.find(": "), pair = line.find(":=");
+      if (pair != std::string::npos && (colon == std::string::npos || pair < colon)) {
+        header.pairs[line.substr(0, pair)] = trimmed(line.substr(pair + 2));
+      } else if (colon != std::string::npos || line.back() == ':') {
+        const std::size_t end = colon == std::string::npos ? line.size() - 1 : colon;
+        const std::string name = withoutBlanks(line.substr(0, end));
+        const std::string value = trimmed(line.substr(end + 1));
+        listing = name == "datafile" && words(value).size() >= 1 && words(value)[0] == "LIST";
+        header.fields[name] = value;
+      } else {
+        throw Error(path, "its header has a line that is no field", "the file is damaged or no NRRD file");
+      }
+    }
+    first = false;
+    line.clear();
+    if (ended) return header;
+  }
+}
+
+/// "(a,b,c)" or "none", one each, blanks allowed inside the parentheses.
+std::optional<std::vector<std::optional<glm::dvec3>>> vectorsIn(const std::string& text) {
+  std::vector<std::optional<glm::dvec3>> result;
+  for (std::size_t at = 0; at < text.size();) {
+    if (text[at] == ' ' || text[at] == '\t') {
+      ++at;
+    } else if (text.compare(at, 4, "none") == 0) {
+      result.emplace_back();
+      at += 4;
+    } else if (text[at] == '(') {
+      const std::size_t end = text.find(')', at);
+      if (end == std::string::npos) return std::nullopt;
+      std::string inside = text.substr(at + 1, end - at - 1);
+      for (char& c : inside)
+        if (c == ',') c = ' ';
+      const auto numbers = numbersIn<double>(inside);
+      if (!numbers || numbers->size() != 3) return std::nullopt;
+      result.emplace_back(glm::dvec3((*numbers)[0], (*numbers)[1], (*numbers)[2]));
+      at = end + 1;
+    } else {
+      return std::nullopt;
+    }
+  }
+  return result;
+}
+
+struct Space {
+  glm::dvec3 lpsFrom;   ///< sign of each world axis
+  bool anatomical;
+};
+
+Space spaceNamed(const std::string& name, const fs::path& path) {
+  if (name == "left-posterior-superior" || name == "lps") return {{1, 1, 1}, true};
+  if (name == "right-anterior-superior" || name == "ras") return {{-1, -1, 1}, true};
+  if (name == "left-anterior-superior" || name == "las") return {{1, -1, 1}, true};
+  if (name.empty() || name == "scanner-xyz" || name == "3d-right-handed") return {{1, 1, 1}, false};
+  // One axis must turn round, or the patient would be mirrored; which one, the space does not say.
+  if (name == "3d-left-handed") return {{1, 1, -1}, false};
+  throw Error(path, "its space '" + name + "' is not supported", "only three-dimensional spaces without time can be opened");
+}
+
+double millimetres(const std::string& units) {
+  const auto quoted = [&](const char* unit) { return units.find(std::string("\"") + unit + "\"") != std::string::npos; };
+  if (quoted("um") || quoted("µm")) return 0.001;
+  if (quoted("cm")) return 10.0;
+  if (quoted("m")) return 1000.0;
+  return 1.0;
+}
+
+class Reader {
+ public:
+  explicit Reader(const fs::path& path) : header_(readLines(path)) {
+    image_.path = path;
+    image_.format = "NRRD";
+  }
+
+  ImageFile read() {
+    const std::string type = lowered(required("type"));
+    const auto known = elementTypes.find(type);
+    if (known == elementTypes.end())
+      throw Error(image_.path, "has voxels of type '" + type + "'", "only volumes of numbers can be opened");
+    image_.type = known->second;
+    image_.fields = header_.pairs;
+    readAxes();
+    readGeometry();
+    readEncoding();
+    return std::move(image_);
+  }
+
+ private:
+  std::string field(const char* name) const {
+    const auto at = header_.fields.find(name);
+    return at == header_.fields.end() ? std::string() : at->second;
+  }
+  std::string required(const char* name) const {
+    const std::string value = field(name);
+    if (value.empty()) throw Error(image_.path, std::string("its header has no ") + name, "the file is damaged");
+    return value;
+  }
+  [[noreturn]] void refuseField(const char* name) const {
+    throw Error(image_.path, std::string("its header's '") + name + "' is not understood", "the file is damaged");
+  }
+
+  /// Three spatial axes; axes before them are layers at each voxel, axes behind them volumes.
+  void readAxes() {
+    const auto sizes = numbersIn<std::int64_t>(required("sizes"));
+    const auto dimension = numberIn<std::size_t>(required("dimension"));
+    // 16: NRRD_DIM_MAX, the most axes the format's own library takes.
+    if (!sizes || !dimension || sizes->size() != *dimension || sizes->empty() || sizes->size() > 16) refuseField("sizes");
+    const auto directions = vectorsIn(field("spacedirections"));
+    if (!directions || (!directions->empty() && directions->size() != sizes->size())) refuseField("space directions");
+    const std::vector<std::string> kinds = words(field("kinds"));
+
+    const auto isSpatial = [&](std::size_t axis) {
+      if (!directions->empty()) return (*directions)[axis].has_value();
+      if (kinds.size() == sizes->size()) return kinds[axis] == "domain" || kinds[axis] == "space";
+      return sizes->size() <= 3 || axis < 3;
+    };
+    std::vector<std::size_t> spatial;
+    for (std::size_t axis = 0; axis < sizes->size(); ++axis) {
+      const std::int64_t size = (*sizes)[axis];
+      if (isSpatial(axis)) {
+        if (!spatial.empty() && spatial.back() + 1 != axis) refuseField("kinds");
+        spatial.push_back(axis);
+        continue;
+      }
+      if (size < 1 || size > 1'000'000) refuseField("sizes");
+      const std::string kind = kinds.size() == sizes->size() ? lowered(kinds[axis]) : "list";
+      const bool separate = size == 1 || kind == "list" || kind == "time" || kind == "???" || kind == "none" || kind == "stub";
+      if (!separate)
+        throw Error(image_.path, "holds " + std::to_string(size) + " values at each voxel (" + kind + ")",
+                    "only scalar volumes can be opened; extract one component first");
+      (spatial.empty() ? image_.interleaved : image_.volumes) *= size;
+      if (image_.layers() > 1'000'000) refuseField("sizes");
+    }
+    if (spatial.size() != 2 && spatial.size() != 3)
+      throw Error(image_.path, "has " + std::to_string(spatial.size()) + " spatial axes", "a volume has three");
+    setDims(image_, (*sizes)[spatial[0]], (*sizes)[spatial[1]], spatial.size() == 3 ? (*sizes)[spatial[2]] : 1);
+    spatial_ = spatial;
+  }
+
+  void readGeometry() {
+    const Space space = spaceNamed(lowered(field("space")), image_.path);
+    const double unit = millimetres(field("spaceunits"));
+    const auto directions = *vectorsIn(field("spacedirections"));
+    glm::dmat3 columns(1.0);
+    if (!directions.empty()) {
+      for (std::size_t i = 0; i < spatial_.size(); ++i) columns[static_cast<int>(i)] = *directions[spatial_[i]];
+      if (spatial_.size() == 2) columns[2] = glm::cross(glm::normalize(columns[0]), glm::normalize(columns[1]));
+    } else {
+      const std::vector<std::string> spacings = words(field("spacings"));
+      for (std::size_t i = 0; i < spatial_.size() && spatial_[i] < spacings.size(); ++i) {
+        const auto given = numberIn<double>(spacings[spatial_[i]]);
+        const double spacing = given ? std::abs(*given) : 0.0;
+        if (std::isfinite(spacing) && spacing > 0.0) columns[static_cast<int>(i)] *= spacing;
+      }
+    }
+    glm::dvec3 origin(0.0);
+    if (const auto given = vectorsIn(field("spaceorigin")); given && given->size() == 1 && given->front()) origin = *given->front();
+    for (int column = 0; column < 3; ++column) columns[column] *= space.lpsFrom * unit;
+    if (!setGeometry(image_.grid, columns, origin * space.lpsFrom * unit)) refuseField("space directions");
+    if (directions.empty() || !space.anatomical)
+      image_.warnings.push_back(
+          {Warning::Kind::NoGeometry,
+           std::string("the file does not say how its axes lie in the patient; they are taken as left, posterior, ") +
+               (space.lpsFrom.z < 0 ? "inferior (its space is left-handed)" : "superior"),
+           {image_.path}});
+  }
+
+  void readEncoding() {
+    const std::string encoding = lowered(required("encoding"));
+    VoxelSource& source = image_.source;
+    if (encoding == "gzip" || encoding == "gz") {
+      source.packing = Packing::Deflate;
+    } else if (encoding == "bzip2" || encoding == "bz2") {
+      source.packing = Packing::Bzip2;
+    } else if (encoding == "ascii" || encoding == "text" || encoding == "txt") {
+      source.text = true;
+    } else if (encoding != "raw") {
+      throw Error(image_.path, "its encoding '" + encoding + "' is not supported", "save it as raw, gzip, bzip2 or ascii");
+    }
+    const std::string endian = lowered(field("endian"));
+    if (sizeOf(image_.type) > 1 && !source.text && endian != "little" && endian != "big") refuseField("endian");
+    image_.bigEndian = endian == "big";
+
+    const std::string lines = header_.fields.contains("lineskip") ? field("lineskip") : "0";
+    const std::string bytes = header_.fields.contains("byteskip") ? field("byteskip") : "0";
+    const auto lineSkip = numberIn<std::uint64_t>(lines);
+    const auto byteSkip = numberIn<std::int64_t>(bytes);
+    if (!lineSkip) refuseField("line skip");
+    if (!byteSkip || *byteSkip < -1 || (*byteSkip == -1 && source.text)) refuseField("byte skip");
+    source.lines = *lineSkip;
+    source.skip = *byteSkip;
+    readDataFiles();
+  }
+
+  void readDataFiles() {
+    VoxelSource& source = image_.source;
+    const std::string dataFile = field("datafile");
+    if (dataFile.empty()) {
+      source.files = {image_.path};
+      source.offset = header_.bytes;
+      return;
+    }
+    const auto add = [&](const std::string& name) { source.files.push_back(besideHeader(image_.path, name)); };
+    const std::vector<std::string> parts = words(dataFile);
+    if (parts[0] == "LIST") {
+      for (const std::string& name : header_.listed) add(name);
+    } else if (parts.size() >= 4 && parts[0].find('%') != std::string::npos) {
+      const auto first = numberIn<long>(parts[1]), last = numberIn<long>(parts[2]), step = numberIn<long>(parts[3]);
+      constexpr long most = 1'000'000;
+      if (!first || !last || !step || *step == 0 || std::abs(*first) > most || std::abs(*last) > most || std::abs(*step) > most)
+        refuseField("data file");
+      for (long number = *first; *step > 0 ? number <= *last : number >= *last; number += *step)
+        add(numberedName(parts[0], number, image_.path));
+    } else {
+      add(dataFile);
+    }
+    if (source.files.empty()) refuseField("data file");
+  }
+
+  Header header_;
+  ImageFile image_;
+  std::vector<std::size_t> spatial_;
+};
+
+}  // namespace
+
+bool looksLikeNrrd(const fs::path& path) {
+  std::array<char, 7> magic{};
+  const std::size_t got = openStream(path, 0, Packing::None)->read(reinterpret_cast<std::byte*>(magic.data()), magic.size());
+  return got == magic.size() && std::string_view(magic.data(), magic.size()) == "NRRD000";
+}
+
+ImageFile readNrrdHeader(const fs::path& path) { return Reader(path).read(); }
+
+}  // namespace fenestra::io

@@ -1,0 +1,18 @@
+#pragma once
+// Which format a file is, by its content.
+
+#include "io/ImageFile.h"
+
+namespace fenestra::io {
+
+enum class Format { Dicom, Nifti, Nrrd, MetaImage };
+
+/// Throws Error for a path that is missing, empty, or neither a file nor a folder.
+void checkExists(const std::filesystem::path& path);
+/// Throws Error when no format fits.
+Format formatOf(const std::filesystem::path& path);
+/// Any format but Dicom.
+ImageFile readImageHeader(const std::filesystem::path& path, Format format);
+SeriesInfo describe(const ImageFile& image);
+
+}  // namespace fenestra::io

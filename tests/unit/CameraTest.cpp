@@ -1,0 +1,153 @@
+#include "rendering/scene/Camera.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/unit/Scenes.h"
+
+namespace fenestra {
+namespace {
+
+using namespace tests;
+
+constexpr double rounding = 1e-12;  // a handful of operations on numbers near 1
+
+void expectNear(glm::dvec3 actual, glm::dvec3 expected, double tolerance) {
+  EXPECT_NEAR(actual.x, expected.x, tolerance);
+  EXPECT_NEAR(actual.y, expected.y, tolerance);
+  EXPECT_NEAR(actual.z, expected.z, tolerance);
+}
+
+void expectOrthonormal(const Camera& camera) {
+  const Camera::Axes a = camera.axes();
+  EXPECT_NEAR(glm::length(a.right), 1.0, rounding);
+  EXPECT_NEAR(glm::length(a.up), 1.0, rounding);
+  EXPECT_NEAR(glm::length(a.forward), 1.0, rounding);
+  expectNear(glm::cross(a.right, a.up), -a.forward, rounding);
+}
+
+TEST(Camera, standardViewsPutThePatientsSidesRight) {
+  const Grid grid = gridOf({10, 20, 30});
+  const glm::dvec3 left(1, 0, 0), right(-1, 0, 0), posterior(0, 1, 0), anterior(0, -1, 0), superior(0, 0, 1);
+  const struct {
+    StandardView view;
+    glm::dvec3 rightOfPicture, topOfPicture;
+  } cases[] = {
+      {StandardView::Anterior, left, superior},  {StandardView::Posterior, right, superior},
+      {StandardView::Left, posterior, superior}, {StandardView::Right, anterior, superior},
+      {StandardView::Superior, right, anterior}, {StandardView::Inferior, left, anterior},
+  };
+  for (const Projection projection : {Projection::Perspective, Projection::Orthographic})
+    for (const auto& c : cases) {
+      const Camera camera = Camera::standard(c.view, grid, projection);
+      expectNear(camera.axes().right, c.rightOfPicture, rounding);
+      expectNear(camera.axes().up, c.topOfPicture, rounding);
+    }
+}
+
+TEST(Camera, anglesMeetTheStandardViews) {
+  const Grid grid = gridOf({10, 20, 30});
+  const struct {
+    double azimuth, elevation;
+    StandardView view;
+  } cases[] = {{0, 0, StandardView::Anterior},
+               {90, 0, StandardView::Left},
+               {180, 0, StandardView::Posterior},
+               {-90, 0, StandardView::Right},
+               {0, -90, StandardView::Inferior}};
+  for (const auto& c : cases) {
+    const Camera a = Camera::fromAngles(c.azimuth, c.elevation, grid), b = Camera::standard(c.view, grid);
+    expectNear(a.axes().forward, b.axes().forward, rounding);
+    expectNear(a.eye, b.eye, 1e-9);
+  }
+}
+
+TEST(Camera, anglesAreContinuousUpToThePoles) {
+  const Grid grid = gridOf({10, 20, 30});
+  for (const double azimuth : {0.0, 37.0, 190.0})
+    for (const double pole : {90.0, -90.0}) {
+      const Camera at = Camera::fromAngles(azimuth, pole, grid);
+      const Camera near = Camera::fromAngles(azimuth, pole * (1.0 - 1e-5), grid);
+      expectOrthonormal(at);
+      expectNear(at.axes().up, near.axes().up, 1e-4);  // the tilt between them is 1.6e-5 rad
+    }
+}
+
+TEST(Camera, framedVolumeLiesInsideTheSquarePicture) {
+  const Grid grid = obliqueGrid({40, 30, 20});
+  for (const Projection projection : {Projection::Perspective, Projection::Orthographic})
+    for (double azimuth = 0.0; azimuth < 360.0; azimuth += 30.0)
+      for (const double elevation : {-90.0, -30.0, 0.0, 45.0, 90.0}) {
+        const Camera camera = Camera::fromAngles(azimuth, elevation, grid, projection);
+        const glm::dmat4 clipFromWorld = camera.clipFromWorld(1.0, grid);
+        double reach = 0.0;
+        for (const glm::dvec3& corner : grid.corners()) {
+          const glm::dvec4 clip = clipFromWorld * glm::dvec4(corner, 1.0);
+          const glm::dvec3 ndc = glm::dvec3(clip) / clip.w;
+          reach = std::max({reach, std::abs(ndc.x), std::abs(ndc.y)});
+          EXPECT_LE(std::abs(ndc.z), 1.0 + 1e-9);
+        }
+        EXPECT_LE(reach, 1.0);
+        EXPECT_GE(reach, 0.9);  // and fills it
+      }
+}
+
+TEST(Camera, degenerateUpStillGivesAxes) {
+  Camera camera = lookAt({0, -100, 0}, {0, 0, 0});
+  for (const glm::dvec3 up : {glm::dvec3(0, 1, 0), glm::dvec3(0, -5, 0), glm::dvec3(0), glm::dvec3(1e-9, 1, 0)}) {
+    camera.up = up;
+    expectOrthonormal(camera);
+  }
+  camera.eye = camera.target;
+  expectOrthonormal(camera);
+}
+
+TEST(Camera, viewFromWorldLooksAlongMinusZ) {
+  const Camera camera = lookAt({3, -40, 10}, {1, 2, 3});
+  const glm::dvec3 target(camera.viewFromWorld() * glm::dvec4(camera.target, 1.0));
+  expectNear(target, {0, 0, -glm::distance(camera.eye, camera.target)}, 1e-12);
+  const glm::dvec3 eye(camera.viewFromWorld() * glm::dvec4(camera.eye, 1.0));
+  expectNear(eye, glm::dvec3(0.0), 1e-12);
+}
+
+TEST(Camera, orthographicNearPlaneIsThePlaneThroughTheEye) {
+  const Grid grid = gridOf({10, 10, 10});
+  const Camera camera = Camera::standard(StandardView::Left, grid, Projection::Orthographic);
+  const glm::dvec4 clip = camera.clipFromWorld(1.5, grid) * glm::dvec4(camera.eye, 1.0);
+  EXPECT_NEAR(clip.z / clip.w, -1.0, rounding);
+}
+
+TEST(Camera, orbitKeepsTheDistanceAndTheTarget) {
+  Camera camera = Camera::standard(StandardView::Anterior, gridOf({10, 20, 30}));
+  const double distance = glm::distance(camera.eye, camera.target);
+  for (int i = 0; i < 100; ++i) camera = camera.orbited(0.3, 0.17);
+  expectOrthonormal(camera);
+  EXPECT_NEAR(glm::distance(camera.eye, camera.target), distance, 1e-9 * distance);
+  const Camera turned = Camera::standard(StandardView::Anterior, gridOf({10, 20, 30})).orbited(glm::radians(90.0), 0.0);
+  expectNear(turned.axes().forward, Camera::standard(StandardView::Left, gridOf({10, 20, 30})).axes().forward,
+             rounding);
+}
+
+TEST(Camera, rotatedCameraSeesTheRotatedWorldAsBefore) {
+  const Camera camera = lookAt({30, -40, 10}, {1, 2, 3});
+  const glm::dmat3 turn(glm::rotate(glm::dmat4(1.0), 1.1, glm::normalize(glm::dvec3(0.3, -1.0, 0.6))));
+  const Camera rotated = camera.rotated(turn);
+  const glm::dvec3 point(7, -3, 9), moved = camera.target + turn * (point - camera.target);
+  expectNear(glm::dvec3(rotated.viewFromWorld() * glm::dvec4(moved, 1.0)),
+             glm::dvec3(camera.viewFromWorld() * glm::dvec4(point, 1.0)), 1e-12 * 100);
+}
+
+TEST(Camera, zoomAndPan) {
+  const Camera camera = lookAt({0, -100, 0}, {0, 0, 0});
+  const Camera closer = camera.zoomed(2.0);
+  EXPECT_DOUBLE_EQ(glm::distance(closer.eye, closer.target), 50.0);
+  EXPECT_DOUBLE_EQ(closer.orthographicHeight, 0.5 * camera.orthographicHeight);
+  const Camera panned = camera.panned(3.0, 4.0);
+  expectNear(panned.eye - camera.eye, {3, 0, 4}, rounding);
+  expectNear(panned.target - camera.target, {3, 0, 4}, rounding);
+  Camera parallel = camera;
+  parallel.projection = Projection::Orthographic;
+  EXPECT_EQ(parallel.zoomed(2.0).eye, parallel.eye);
+}
+
+}  // namespace
+}  // namespace fenestra

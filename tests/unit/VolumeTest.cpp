@@ -1,0 +1,93 @@
+#include "rendering/scene/Volume.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "tests/unit/Scenes.h"
+
+namespace fenestra {
+namespace {
+
+using namespace tests;
+
+TEST(Volume, valueAppliesTheRescale) {
+  auto volume = volumeOf<std::int16_t>(gridOf({2, 1, 1}), [](glm::ivec3 i) { return i.x == 0 ? -32768 : 32767; });
+  volume->slope = 0.5;
+  volume->intercept = -1024.0;
+  EXPECT_DOUBLE_EQ(volume->value({0, 0, 0}), -17408.0);
+  EXPECT_DOUBLE_EQ(volume->value({1, 0, 0}), 15359.5);
+}
+
+TEST(Volume, sampleReproducesAMultilinearFunction) {
+  const auto f = [](glm::dvec3 p) { return 3.0 + p.x - 2.0 * p.y + 0.5 * p.z + 0.25 * p.x * p.y * p.z; };
+  const auto volume = volumeOf(gridOf({3, 4, 5}), [&](glm::ivec3 i) { return f(glm::dvec3(i)); });
+  std::mt19937 random(1);
+  for (int i = 0; i < 200; ++i) {
+    // One cell at a time: only there is the interpolant that function.
+    const glm::dvec3 p = randomIn(random, {0, 0, 0}, {1, 1, 1});
+    EXPECT_NEAR(volume->sample(p), f(p), 1e-12);
+  }
+  forEachVoxel(volume->grid.dims, [&](glm::ivec3 i) { EXPECT_EQ(volume->sample(glm::dvec3(i)), volume->value(i)); });
+}
+
+TEST(Volume, sampleClampsToTheEdge) {
+  const auto volume = volumeOf(gridOf({3, 3, 1}), [](glm::ivec3 i) { return i.x + 10.0 * i.y; });
+  EXPECT_EQ(volume->sample({-5.0, 1.0, 0.0}), 10.0);
+  EXPECT_EQ(volume->sample({99.0, 1.0, 0.0}), 12.0);
+  EXPECT_EQ(volume->sample({1.0, 1.0, -0.5}), 11.0);
+  EXPECT_EQ(volume->sample({1.0, 1.0, 0.5}), 11.0);
+}
+
+TEST(Volume, rangeLeavesOutWhatIsNotFinite) {
+  const double values[] = {nan, infinity, -3.0, 8.0, -infinity, 1e30};
+  const auto volume = volumeOf<float>(gridOf({6, 1, 1}), [&](glm::ivec3 i) { return values[i.x]; });
+  EXPECT_EQ(volume->range.low, -3.0);
+  EXPECT_EQ(volume->range.high, static_cast<double>(1e30f));
+}
+
+TEST(Volume, rangeOfNothingFiniteIsZero) {
+  const auto volume = volumeOf<float>(gridOf({2, 1, 1}), [](glm::ivec3) { return nan; });
+  EXPECT_EQ(volume->range, (ValueRange{0.0, 0.0}));
+}
+
+TEST(Volume, rangeFollowsANegativeSlope) {
+  auto volume = volumeOf<std::uint16_t>(gridOf({2, 1, 1}), [](glm::ivec3 i) { return i.x * 65535; });
+  volume->slope = -2.0;
+  volume->intercept = 1.0;
+  volume->computeRange();
+  EXPECT_EQ(volume->range, (ValueRange{1.0 - 2.0 * 65535.0, 1.0}));
+}
+
+TEST(Volume, rangeIsTheSameOnManyThreads) {
+  // Large enough that the work is split.
+  const auto volume = volumeOf<std::int16_t>(gridOf({256, 128, 128}), [](glm::ivec3 i) {
+    return i == glm::ivec3(255, 127, 127) ? 32767 : i == glm::ivec3(0) ? -32768 : i.x - i.y;
+  });
+  EXPECT_EQ(volume->range, (ValueRange{-32768.0, 32767.0}));
+}
+
+TEST(Volume, defaultWindowIsTheFilesOwn) {
+  auto volume = volumeOf(gridOf({2, 2, 2}), [](glm::ivec3 i) { return i.x; });
+  volume->windows = {{400.0, 40.0}, {2000.0, 350.0}};
+  EXPECT_EQ(volume->defaultWindow(), (WindowLevel{400.0, 40.0}));
+}
+
+TEST(Volume, defaultWindowSpansTheBulkOfTheValues) {
+  // 0 … 99 evenly, and one voxel far out, which must not flatten the picture.
+  const auto volume = volumeOf(gridOf({100, 10, 10}),
+                               [](glm::ivec3 i) { return i == glm::ivec3(0) ? 150.0 : static_cast<double>(i.x); });
+  const WindowLevel window = volume->defaultWindow();
+  // Percentiles are read from 1024 bins over 150 values.
+  EXPECT_NEAR(window.level - 0.5 * window.width, 1.0, 1.0);
+  EXPECT_NEAR(window.level + 0.5 * window.width, 98.0, 1.0);
+}
+
+TEST(Volume, defaultWindowOfAConstantHasAWidth) {
+  const auto volume = volumeOf(gridOf({4, 4, 4}), [](glm::ivec3) { return 7.0; });
+  EXPECT_GT(volume->defaultWindow().width, 0.0);
+  EXPECT_EQ(volume->defaultWindow().level, 7.0);
+}
+
+}  // namespace
+}  // namespace fenestra
