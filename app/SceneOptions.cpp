@@ -304,7 +304,7 @@ LoadedScene loadScene(const SceneOptions& options, const io::Progress& progress)
     loaded.view.camera.projection = options.projection.value_or(saved.camera.projection);
     loaded.view.size = saved.size;
   } else {
-    loaded.view.camera = makeCamera(options, camera, scene.volume->grid);
+    loaded.view.camera = makeCamera(options, camera, visibleGrid(*scene.volume, scene.context));
   }
   loaded.view.size = options.size.value_or(loaded.view.size);
   return loaded;

@@ -54,6 +54,8 @@ const char* nameOf(io::Warning::Kind kind) {
       return "no geometry";
     case Kind::PrecisionLoss:
       return "precision loss";
+    case Kind::TimePoints:
+      return "time points";
     case Kind::Other:
       break;
   }

@@ -42,9 +42,9 @@ class CommandLine : public ::testing::Test {
  protected:
   Result run(const std::vector<std::string>& arguments) const {
     std::string command = quoted(FENESTRA_CLI);
-    for (const std::string& argument : arguments) command += " " + quoted(argument);
+    for (const std::string& argument : arguments) command.append(" ").append(quoted(argument));
     const fs::path out = logs_ / "out", error = logs_ / "error";
-    command += " >" + quoted(out) + " 2>" + quoted(error) + " </dev/null";
+    command.append(" >").append(quoted(out)).append(" 2>").append(quoted(error)).append(" </dev/null");
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents(out), contents(error)};
   }

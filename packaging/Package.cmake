@@ -1,0 +1,15 @@
+# `cpack` makes fenestra_VERSION_ARCH.deb in the build folder.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME fenestra)
+set(CPACK_PACKAGE_VENDOR "Fenestra developers")
+set(CPACK_PACKAGE_CONTACT "Fenestra developers <fenestra@localhost>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_RESOURCE_FILE_LICENSE "${PROJECT_SOURCE_DIR}/LICENSE")
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+# Loaded at run time, so the linker does not see it: the driver that OpenGL falls back to.
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "libgl1-mesa-dri")
+include(CPack)
