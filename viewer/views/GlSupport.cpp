@@ -15,7 +15,7 @@ constexpr int major = 4, minor = 5;
 QString tr(const char* text) { return QCoreApplication::translate("GlSupport", text); }
 
 GlSupport unavailable(const QString& problem, const QString& renderer = {}) {
-  return {.available = false, .software = false, .renderer = renderer, .problem = problem};
+  return {.renderer = renderer, .problem = problem};
 }
 
 }  // namespace
@@ -46,7 +46,7 @@ GlSupport probeOpenGl() {
   context.doneCurrent();
   if (!reason.isEmpty())
     return unavailable(tr("%1 (LIBGL_ALWAYS_SOFTWARE=1 in the environment selects it).").arg(reason), renderer);
-  GlSupport support{.available = true, .software = false, .renderer = renderer, .problem = {}};
+  GlSupport support{.available = true, .renderer = renderer};
   for (const char* name : {"llvmpipe", "softpipe", "swrast", "SWR"})
     if (renderer.contains(QLatin1String(name), Qt::CaseInsensitive)) support.software = true;
   return support;
