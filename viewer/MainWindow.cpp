@@ -111,7 +111,7 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent) : QMainWindow(parent
     loadingBar_->show();
   });
   connect(&job_, &LoadJob::progressed, this, [this](double fraction, const QString& doing) {
-    loadingText_->setText(doing);
+    if (!doing.isEmpty()) loadingText_->setText(doing);
     loadingProgress_->setValue(static_cast<int>(100.0 * fraction));
   });
   connect(&job_, &LoadJob::failed, this, [this](const QString& message) {

@@ -31,7 +31,7 @@ constexpr int patience = 30000;  ///< ms; reached only when something hangs
 constexpr std::uint16_t body = 1, marker = 2;
 
 /// Where the marker is: to the patient's left, anterior and superior of the middle.
-const glm::dvec3 markerCentre(18.0, -18.0, 18.0);
+const glm::dvec3 markerCentre(17.0, -17.0, 17.0);
 
 /// A ball of soft tissue with a green cube of bone in it, 48³ voxels of 2 mm around the world's origin.
 Study markedBall() {
@@ -73,6 +73,7 @@ class Window : public testing::Test {
     window_->resize(1280, 800);
     window_->show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get()));
+    QApplication::setActiveWindow(window_.get());  // Xvfb has no window manager to do it; keys need it
     open(markedBall());
   }
 
@@ -166,11 +167,11 @@ TEST_F(Window, ClickOnASliceSetsCrosshairAndFocus) {
   QTest::mouseClick(axial, Qt::LeftButton, {}, onMarker);
   EXPECT_EQ(window_->document().focus(), Focus(LabelFocus{{marker}}));
 
-  const QPoint onBody = axial->widgetFromWorld({-10.0, 10.0, 18.0}).toPoint();
+  const QPoint onBody = axial->widgetFromWorld({-10.0, 10.0, 17.0}).toPoint();
   QTest::mouseClick(axial, Qt::LeftButton, Qt::ControlModifier, onBody);
   EXPECT_EQ(window_->document().focus(), Focus(LabelFocus{{body, marker}}));
   // A device-independent pixel is about 0.3 mm here.
-  EXPECT_LT(glm::distance(window_->cursor().position(), glm::dvec3(-10.0, 10.0, 18.0)), 1.0);
+  EXPECT_LT(glm::distance(window_->cursor().position(), glm::dvec3(-10.0, 10.0, 17.0)), 1.0);
 
   QTest::mouseClick(axial, Qt::LeftButton, Qt::ControlModifier, onBody);
   EXPECT_EQ(window_->document().focus(), Focus(LabelFocus{{marker}}));
@@ -276,6 +277,8 @@ TEST_F(Window, DoubleClickMaximisesAndUndoesItsFirstClick) {
   const QPoint at = axial->rect().center();
   window_->document().focusOn(marker);
   const glm::dvec3 cursor = window_->cursor().position();
+  QTest::mouseClick(axial, Qt::LeftButton, {}, at + QPoint(20, 10));
+  EXPECT_EQ(window_->document().focus(), Focus(LabelFocus{{body}}));
   QTest::mouseDClick(axial, Qt::LeftButton, {}, at + QPoint(20, 10));
   EXPECT_TRUE(window_->views().isMaximised());
   EXPECT_TRUE(axial->isVisible());
@@ -312,7 +315,7 @@ TEST_F(Window, NamesWhatIsUnderTheMouse) {
   };
   EXPECT_TRUE(QTest::qWaitFor([&] { return text().contains(QStringLiteral("marker")); }, patience)) << text().toStdString();
   EXPECT_TRUE(text().contains(QStringLiteral("900 HU"))) << text().toStdString();
-  EXPECT_TRUE(text().contains(QStringLiteral("S 18."))) << text().toStdString();
+  EXPECT_TRUE(text().contains(QStringLiteral("S 17.0"))) << text().toStdString();
 }
 
 TEST_F(Window, ABrokenFileIsToldAndTheOldStudyStays) {

@@ -231,6 +231,7 @@ void SliceView::drawCrosshair(QPainter& painter) const {
 
 void SliceView::mousePressEvent(QMouseEvent* event) {
   pressed_ = last_ = event->position();
+  beforeClick_.reset();
   windowAtPress_ = document_.window();
   dragging_ = false;
 }
@@ -275,8 +276,7 @@ void SliceView::mouseReleaseEvent(QMouseEvent* event) {
 void SliceView::click(QPointF position, Qt::KeyboardModifiers modifiers) {
   const glm::dvec3 world = worldFromWidget(position);
   if (!inPicture(world)) return;
-  focusBeforeClick_ = document_.focus();
-  cursorBeforeClick_ = cursor_.position();
+  beforeClick_ = BeforeClick{document_.focus(), cursor_.position()};
   cursor_.moveTo(world);
   const Label* label = document_.labelAt(world);
   if (!label) return;
@@ -287,9 +287,9 @@ void SliceView::click(QPointF position, Qt::KeyboardModifiers modifiers) {
 void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton || !document_.hasVolume()) return;
   dragging_ = true;  // so that the release that follows is no click
-  if (inPicture(worldFromWidget(event->position()))) {
-    document_.setFocus(focusBeforeClick_);
-    cursor_.moveTo(cursorBeforeClick_);
+  if (beforeClick_) {
+    document_.setFocus(beforeClick_->focus);
+    cursor_.moveTo(beforeClick_->cursor);
   }
   if (event->modifiers() & Qt::ControlModifier) document_.resetWindow();
   else Q_EMIT maximiseRequested();

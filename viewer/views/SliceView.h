@@ -5,6 +5,8 @@
 // Left click: crosshair, and the label there becomes the focus (Ctrl: joins or leaves it); left drag: window/level;
 // middle: pan; right drag or Ctrl+wheel: zoom; wheel and arrows: slices; Shift+move: crosshair.
 
+#include <optional>
+
 #include <QImage>
 #include <QLineF>
 #include <QWidget>
@@ -82,8 +84,12 @@ class SliceView : public QWidget {
   QPointF pressed_, last_;             ///< mouse positions of the press and of the last move
   WindowLevel windowAtPress_;
   bool dragging_ = false;
-  Focus focusBeforeClick_;             ///< a double click undoes what its first click did
-  glm::dvec3 cursorBeforeClick_{0.0};
+  /// What the last click replaced: a double click undoes its first half.
+  struct BeforeClick {
+    Focus focus;
+    glm::dvec3 cursor;
+  };
+  std::optional<BeforeClick> beforeClick_;
   double wheel_ = 0.0;                 ///< wheel angle left over, in eighths of a degree
 };
 

@@ -200,6 +200,7 @@ double VolumeView::mmPerPixel() const {
 
 void VolumeView::mousePressEvent(QMouseEvent* event) {
   pressed_ = last_ = event->position();
+  beforeClick_.reset();
   dragging_ = false;
 }
 
@@ -237,8 +238,7 @@ void VolumeView::mouseReleaseEvent(QMouseEvent* event) {
   if (event->button() == Qt::RightButton) {
     Q_EMIT menuRequested(*hit, event->globalPosition().toPoint());
   } else if (event->button() == Qt::LeftButton) {
-    focusBeforeClick_ = document_.focus();
-    cursorBeforeClick_ = cursor_.position();
+    beforeClick_ = BeforeClick{document_.focus(), cursor_.position()};
     cursor_.moveTo(*hit);
     Q_EMIT pointed(*hit);
     const Label* label = event->modifiers() & Qt::ControlModifier ? document_.labelAt(*hit) : nullptr;
@@ -249,9 +249,9 @@ void VolumeView::mouseReleaseEvent(QMouseEvent* event) {
 void VolumeView::mouseDoubleClickEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return;
   dragging_ = true;  // so that the release that follows is no click
-  if (pick(event->position())) {
-    document_.setFocus(focusBeforeClick_);
-    cursor_.moveTo(cursorBeforeClick_);
+  if (beforeClick_) {
+    document_.setFocus(beforeClick_->focus);
+    cursor_.moveTo(beforeClick_->cursor);
   }
   Q_EMIT maximiseRequested();
 }

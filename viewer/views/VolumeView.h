@@ -97,8 +97,12 @@ class VolumeView : public QOpenGLWidget {
 
   QPointF pressed_, last_;
   bool dragging_ = false;
-  Focus focusBeforeClick_;        ///< a double click undoes what its first click did
-  glm::dvec3 cursorBeforeClick_{0.0};
+  /// What the last click replaced: a double click undoes its first half.
+  struct BeforeClick {
+    Focus focus;
+    glm::dvec3 cursor;
+  };
+  std::optional<BeforeClick> beforeClick_;
 };
 
 }  // namespace fenestra::viewer
