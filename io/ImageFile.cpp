@@ -249,6 +249,9 @@ std::vector<Voxels> readVoxels(const ImageFile& image, std::int64_t layers, cons
         stream->readAll(block.data() + filled, piece, image.source.files[file]);
         filled += piece;
         leftInFile -= piece;
+        // One read beyond the voxels meets the packed stream's end and its checksum.
+        std::byte beyond{};
+        if (leftInFile == 0 && image.source.packing != Packing::None) stream->read(&beyond, 1);
       }
       visitElement(image.type, [&](auto scalar) {
         using T = decltype(scalar);
