@@ -142,13 +142,6 @@ void checkSizes(const ImageFile& image, std::uint64_t voxels, std::uint64_t byte
   }
 }
 
-template <class T>
-T byteSwapped(T value) {
-  auto bytes = std::bit_cast<std::array<std::byte, sizeof(T)>>(value);
-  std::reverse(bytes.begin(), bytes.end());
-  return std::bit_cast<T>(bytes);
-}
-
 }  // namespace
 
 void setDims(ImageFile& image, std::int64_t x, std::int64_t y, std::int64_t z) {
