@@ -276,15 +276,15 @@ TEST(RealDicom, TwoVolumesInOneFile) {
   const std::vector<io::SeriesInfo> series = io::listSeries(file);
   ASSERT_EQ(series.size(), 2u);
   const auto reference = [&](const char* name) { return io::openVolume(folder / name).volume; };
-  // References keep their scale in single precision: 6e-8 of a slope of about one over values of up to 4095.
   const auto magnitude = io::openVolume(file, {.series = series[0].id}).volume;
   const auto magnitudeReference = reference("Philips_WIP_B0_NS_801_e1.nii");
   EXPECT_EQ(magnitude->grid.dims, glm::ivec3(64, 64, 32));
-  // Its converter used the maker's own scale of the same stored values.
+  // Its converter used the maker's own scale of the same stored values, in single precision.
   expectSameInWorld(*magnitude, *magnitudeReference, 1e-3, magnitude->slope / magnitudeReference->slope);
   const auto fieldMap = io::openVolume(file, {.series = series[1].id}).volume;
   EXPECT_EQ(fieldMap->grid.dims, glm::ivec3(64, 64, 32));
-  expectSameInWorld(*fieldMap, *reference("Philips_WIP_B0_NS_801_e2_fieldmaphz.nii"), 1e-4);
+  // Its slope is 0.244202 where the header has 0.2442002: a fortieth of one stored step at 4095.
+  expectSameInWorld(*fieldMap, *reference("Philips_WIP_B0_NS_801_e2_fieldmaphz.nii"), 0.01);
 }
 
 TEST(RealDicom, ReferencesOfOtherConverters) {
