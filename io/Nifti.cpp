@@ -185,7 +185,8 @@ fs::path partner(const fs::path& path, const std::string& extension) {
   fs::path plain = stem, packed = stem;
   plain.replace_extension(extension);
   packed.replace_extension(extension + ".gz");
-  return fs::exists(packed) && !fs::exists(plain) ? packed : plain;
+  std::error_code unknown;
+  return fs::exists(packed, unknown) && !fs::exists(plain, unknown) ? packed : plain;
 }
 
 bool isImg(const fs::path& path) {
@@ -197,7 +198,8 @@ bool isImg(const fs::path& path) {
 bool looksLikeNifti(const fs::path& path) {
   if (isImg(path)) {
     const fs::path header = partner(path, ".hdr");
-    return fs::is_regular_file(header) && readHeaders(header).has_value();
+    std::error_code unknown;
+    return fs::is_regular_file(header, unknown) && readHeaders(header).has_value();
   }
   return readHeaders(path).has_value();
 }
@@ -218,7 +220,8 @@ ImageFile readNiftiHeader(const fs::path& path) {
   const bool pair = headers->one ? interpret(*headers->one) : interpret(*headers->two);
   image.bigEndian = headers->swapped != (std::endian::native == std::endian::big);
   const fs::path data = pair ? partner(headerPath, ".img") : headerPath;
-  if (!fs::exists(data)) throw Error(data, "does not exist", "a .hdr file needs the .img file beside it");
+  std::error_code unknown;
+  if (!fs::exists(data, unknown)) throw Error(data, "does not exist", "a .hdr file needs the .img file beside it");
   image.source.files = {data};
   image.source.packing = isGzip(data) ? Packing::Deflate : Packing::None;
   return image;
