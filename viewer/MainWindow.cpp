@@ -59,6 +59,14 @@ QString describe(const io::SeriesInfo& series) {
       .arg(series.dims.z).trimmed();
 }
 
+/// A clause as a sentence.
+QString sentence(const std::string& clause) {
+  QString text = QString::fromStdString(clause);
+  if (text.isEmpty()) return text;
+  text[0] = text[0].toUpper();
+  return text.endsWith(QLatin1Char('.')) ? text : text + QLatin1Char('.');
+}
+
 std::vector<std::filesystem::path> localPaths(const QMimeData& data) {
   std::vector<std::filesystem::path> paths;
   for (const QUrl& url : data.urls())
@@ -407,18 +415,18 @@ void MainWindow::showStudy(Study study) {
 
 void MainWindow::showWarnings(const std::vector<io::Warning>& warnings) {
   for (const io::Warning& warning : warnings) {
+    const QString text = sentence(warning.text);
     if (warning.files.empty()) {
-      notices_->add(NoticeBar::Kind::Warning, QString::fromStdString(warning.text));
+      notices_->add(NoticeBar::Kind::Warning, text);
       continue;
     }
     QStringList files;
     for (const std::filesystem::path& file : warning.files) files << toQString(file);
-    notices_->add(NoticeBar::Kind::Warning, QString::fromStdString(warning.text), tr("Files…"),
-                  [this, text = QString::fromStdString(warning.text), files] {
-                    QMessageBox box(QMessageBox::Information, tr("Files concerned"), text, QMessageBox::Close, this);
-                    box.setDetailedText(files.join(QLatin1Char('\n')));
-                    box.exec();
-                  });
+    notices_->add(NoticeBar::Kind::Warning, text, tr("Files…"), [this, text, files] {
+      QMessageBox box(QMessageBox::Information, tr("Files concerned"), text, QMessageBox::Close, this);
+      box.setDetailedText(files.join(QLatin1Char('\n')));
+      box.exec();
+    });
   }
 }
 

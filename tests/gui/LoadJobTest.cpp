@@ -85,18 +85,18 @@ TEST(LoadJob, ANewStartReplacesWhatWasRunning) {
 }
 
 TEST(LoadJob, StopsItsReaderWhenItGoes) {
-  std::atomic<bool> stopped = false;
+  std::atomic<bool> reading = false, stopped = false;
   {
     LoadJob job;
-    QSignalSpy progressed(&job, &LoadJob::progressed);
     job.start([&](const io::Progress& progress) -> LoadJob::Show {
       struct AtEnd {
         std::atomic<bool>& flag;
         ~AtEnd() { flag = true; }
       } atEnd{stopped};
+      reading = true;
       return readForever(progress);
     });
-    ASSERT_TRUE(progressed.wait(patience));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return reading.load(); }, patience));
   }
   EXPECT_TRUE(stopped);
 }

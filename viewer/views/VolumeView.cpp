@@ -46,9 +46,9 @@ VolumeView::VolumeView(int index, Document& document, SliceCursor& cursor, ViewL
   rest_.setSingleShot(true);
   connect(&rest_, &QTimer::timeout, this, &VolumeView::settle);
   connect(&document, &Document::volumeChanged, this, [this] { cold_ = true; });
-  connect(&document, &Document::sceneChanged, this, &VolumeView::disturb);
+  connect(&document, &Document::sceneChanged, this, [this] { disturb(ViewLink::count); });
   connect(&cameras, &ViewLink::changed, this, [this](int view) {
-    if (view == index_) disturb();
+    if (view == index_) disturb(cameras_.isLinked() ? ViewLink::count : 1);
   });
   const auto repaint = [this] { update(); };
   connect(&cursor, &SliceCursor::moved, this, repaint);
@@ -66,11 +66,9 @@ VolumeView::~VolumeView() {
 
 bool VolumeView::isSettled() const { return settled_ || !problem_.isEmpty() || !document_.hasVolume(); }
 
-int VolumeView::movingViews() const { return cameras_.isLinked() ? ViewLink::count : 1; }
-
-void VolumeView::disturb() {
+void VolumeView::disturb(int views) {
   settled_ = false;
-  effort_ = shared_.pacer->moving(movingViews());
+  effort_ = shared_.pacer->moving(views);
   // Views settle one after the other, so that the window answers in between.
   rest_.start(restMilliseconds * (1 + index_));
   update();
@@ -83,7 +81,7 @@ void VolumeView::settle() {
 
 void VolumeView::resizeEvent(QResizeEvent* event) {
   QOpenGLWidget::resizeEvent(event);
-  disturb();
+  disturb(ViewLink::count);
 }
 
 void VolumeView::initializeGL() {

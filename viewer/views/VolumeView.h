@@ -70,7 +70,8 @@ class VolumeView : public QOpenGLWidget {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  void disturb();
+  /// Something changed that redraws `views` 3-D views at a time.
+  void disturb(int views);
   void settle();
   void renderScene();
   void drawOverlay();
@@ -78,7 +79,6 @@ class VolumeView : public QOpenGLWidget {
   /// World position of what the widget shows there; empty on the background.
   std::optional<glm::dvec3> pick(QPointF position);
   double mmPerPixel() const;
-  int movingViews() const;
 
   const int index_;
   Document& document_;
