@@ -55,8 +55,12 @@ QString nameOf(const Label& label) {
 }
 
 QString describe(const io::SeriesInfo& series) {
-  return QStringLiteral("%1 %2×%3×%4").arg(QString::fromStdString(series.modality)).arg(series.dims.x).arg(series.dims.y)
-      .arg(series.dims.z).trimmed();
+  return QStringLiteral("%1 %2×%3×%4")
+      .arg(QString::fromStdString(series.modality))
+      .arg(series.dims.x)
+      .arg(series.dims.y)
+      .arg(series.dims.z)
+      .trimmed();
 }
 
 /// A clause as a sentence.
@@ -86,7 +90,7 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent) : QMainWindow(parent
     const Study& study = document_.study();
     const Grid& grid = study.scene.volume->grid;
     cursor_.setGrid(grid);
-    if (const std::optional<glm::dvec3> focus = document_.focusCentre()) cursor_.moveTo(*focus);
+    goToFocus();
     cameras_.place(study.camera.value_or(Camera::standard(StandardView::Anterior, grid, cameras_.projection())));
   });
 
@@ -112,6 +116,7 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent) : QMainWindow(parent
   connect(views_, &ViewArea::left, pointer_, &QLabel::clear);
   connect(views_, &ViewArea::menuRequested, this, &MainWindow::showMenu);
   connect(views_, &ViewArea::failed, this, &MainWindow::showError, Qt::QueuedConnection);
+  connect(focusPanel_, &FocusPanel::structureChosen, this, &MainWindow::goToFocus);
   connect(appearancePanel_, &AppearancePanel::failed, this, &MainWindow::showError);
   connect(&job_, &LoadJob::started, this, [this] {
     loadingText_->setText(tr("Opening…"));
@@ -265,7 +270,8 @@ void MainWindow::makeActions() {
 
   QAction* reset = withVolume(action(tr("&Reset view"), QKeySequence(tr("R")), [this] { resetActiveView(); }));
   reset->setIcon(icon("reset"));
-  QAction* resetAll = withVolume(action(tr("Reset &all views"), QKeySequence(tr("Ctrl+R")), [this] { resetAllViews(); }));
+  QAction* resetAll =
+      withVolume(action(tr("Reset &all views"), QKeySequence(tr("Ctrl+R")), [this] { resetAllViews(); }));
   QAction* link = toggle(tr("&Link the 3-D views"), QKeySequence(tr("L")), cameras_.isLinked(),
                          [this](bool on) { cameras_.setLinked(on); });
   link->setIcon(icon("link"));
@@ -282,8 +288,8 @@ void MainWindow::makeActions() {
   QAction* overlay = toggle(tr("Label &overlay"), QKeySequence(tr("O")), options_.labels(),
                             [this](bool on) { options_.setLabels(on); });
   overlay->setIcon(icon("overlay"));
-  QAction* text = toggle(tr("Corner &text"), QKeySequence(tr("T")), options_.text(),
-                         [this](bool on) { options_.setText(on); });
+  QAction* text =
+      toggle(tr("Corner &text"), QKeySequence(tr("T")), options_.text(), [this](bool on) { options_.setText(on); });
   text->setIcon(icon("text"));
 
   QMenu* view = menuBar()->addMenu(tr("&View"));
@@ -293,14 +299,14 @@ void MainWindow::makeActions() {
     StandardView view;
   };
   QList<QAction*> sideActions;
-  for (const Side& side : {Side{"A", QT_TR_NOOP("Anterior"), StandardView::Anterior},
-                           Side{"P", QT_TR_NOOP("Posterior"), StandardView::Posterior},
-                           Side{"L", QT_TR_NOOP("Left"), StandardView::Left},
-                           Side{"R", QT_TR_NOOP("Right"), StandardView::Right},
-                           Side{"S", QT_TR_NOOP("Superior"), StandardView::Superior},
-                           Side{"I", QT_TR_NOOP("Inferior"), StandardView::Inferior}}) {
-    QAction* made = withVolume(action(tr(side.name), QKeySequence(QStringLiteral("Shift+%1").arg(QLatin1String(side.letter))),
-                                      [this, which = side.view] { face(which); }));
+  for (const Side& side :
+       {Side{"A", QT_TR_NOOP("Anterior"), StandardView::Anterior},
+        Side{"P", QT_TR_NOOP("Posterior"), StandardView::Posterior}, Side{"L", QT_TR_NOOP("Left"), StandardView::Left},
+        Side{"R", QT_TR_NOOP("Right"), StandardView::Right}, Side{"S", QT_TR_NOOP("Superior"), StandardView::Superior},
+        Side{"I", QT_TR_NOOP("Inferior"), StandardView::Inferior}}) {
+    QAction* made =
+        withVolume(action(tr(side.name), QKeySequence(QStringLiteral("Shift+%1").arg(QLatin1String(side.letter))),
+                          [this, which = side.view] { face(which); }));
     made->setIconText(QLatin1String(side.letter));
     sideActions << made;
   }
@@ -312,12 +318,13 @@ void MainWindow::makeActions() {
   view->addActions({crosshair, overlay, text});
   view->addSeparator();
   view->addAction(action(tr("All &views"), QKeySequence(tr("Esc")), [this] {
-    if (job_.isRunning()) job_.cancel();
-    else views_->showAll();
+    if (job_.isRunning())
+      job_.cancel();
+    else
+      views_->showAll();
   }));
-  view->addAction(action(tr("F&ull screen"), QKeySequence(tr("F11")), [this] {
-    setWindowState(windowState() ^ Qt::WindowFullScreen);
-  }));
+  view->addAction(action(tr("F&ull screen"), QKeySequence(tr("F11")),
+                         [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); }));
   view->addSeparator();
   for (QDockWidget* dock : findChildren<QDockWidget*>()) view->addAction(dock->toggleViewAction());
 
@@ -329,8 +336,8 @@ void MainWindow::makeActions() {
                QKeySequence(QString::number(preset.key)), [this, &preset] { document_.setWindow(preset.window); })));
 
   QMenu* focus = menuBar()->addMenu(tr("F&ocus"));
-  focus->addAction(withVolume(action(tr("&No focus"), QKeySequence(tr("Ctrl+Backspace")),
-                                     [this] { document_.setFocus(std::monostate{}); })));
+  focus->addAction(withVolume(
+      action(tr("&No focus"), QKeySequence(tr("Ctrl+Backspace")), [this] { document_.setFocus(std::monostate{}); })));
 
   QMenu* help = menuBar()->addMenu(tr("&Help"));
   help->addAction(action(tr("&Keys and mouse"), QKeySequence(tr("?")), [this] { showKeys(); }));
@@ -377,7 +384,8 @@ void MainWindow::openSeries(const std::string& series) {
   PathsToOpen chosen;
   chosen.volume = document_.study().path;
   chosen.series = series;
-  open([chosen, looks = document_.scene()](const io::Progress& progress) { return readStudy(chosen, looks, progress); });
+  open(
+      [chosen, looks = document_.scene()](const io::Progress& progress) { return readStudy(chosen, looks, progress); });
 }
 
 void MainWindow::openLabels(const std::filesystem::path& path) {
@@ -406,7 +414,8 @@ void MainWindow::showStudy(Study study) {
   const std::size_t others = document_.study().otherSeries.size();
   if (others > 0)
     notices_->add(NoticeBar::Kind::Warning,
-                  tr("There are %1 series here; this is the largest, %2.").arg(others + 1)
+                  tr("There are %1 series here; this is the largest, %2.")
+                      .arg(others + 1)
                       .arg(describe(document_.study().series)),
                   tr("Choose…"), [this] { chooseSeries(); });
   showWarnings(warnings);
@@ -492,7 +501,8 @@ void MainWindow::fillRecentMenu() {
     return;
   }
   recentMenu_->addSeparator();
-  connect(recentMenu_->addAction(tr("Forget these")), &QAction::triggered, this, [this] { preferences_.clearRecent(); });
+  connect(recentMenu_->addAction(tr("Forget these")), &QAction::triggered, this,
+          [this] { preferences_.clearRecent(); });
 }
 
 void MainWindow::pointAt(glm::dvec3 world) {
@@ -503,9 +513,11 @@ void MainWindow::pointAt(glm::dvec3 world) {
   }
   const Volume& volume = *document_.scene().volume;
   const int decimals = volume.range.high - volume.range.low < 20.0 ? 3 : 0;
-  QStringList parts{
-      QStringLiteral("%1 %2").arg(volume.value(*voxel), 0, 'f', decimals).arg(QString::fromStdString(volume.unit)).trimmed(),
-      patientCoordinates(world)};
+  QStringList parts{QStringLiteral("%1 %2")
+                        .arg(volume.value(*voxel), 0, 'f', decimals)
+                        .arg(QString::fromStdString(volume.unit))
+                        .trimmed(),
+                    patientCoordinates(world)};
   if (const Label* label = document_.labelAt(world)) parts << nameOf(*label);
   pointer_->setText(parts.join(QStringLiteral("     ")));
 }
@@ -529,9 +541,11 @@ void MainWindow::showMenu(glm::dvec3 world, QPoint globalPosition) {
   menu.exec(globalPosition);
 }
 
-int MainWindow::activeCamera() const { return lastCamera_; }
+void MainWindow::goToFocus() {
+  if (const std::optional<glm::dvec3> centre = document_.focusCentre()) cursor_.moveTo(*centre);
+}
 
-void MainWindow::face(StandardView side) { cameras_.face(activeCamera(), side); }
+void MainWindow::face(StandardView side) { cameras_.face(lastCamera_, side); }
 
 void MainWindow::resetActiveView() {
   for (SliceView* view : views_->sliceViews())
@@ -561,8 +575,8 @@ void MainWindow::whenDrawn(std::function<void()> done) {
 
 QImage MainWindow::picture() {
   QPixmap pixmap = grab();
-  // While a widget is grabbed, its QPainters paint into the grab: what a 3-D view draws over its picture lands below it.
-  // Its framebuffer holds both.
+  // While a widget is grabbed, its QPainters paint into the grab: what a 3-D view draws over its picture lands below
+  // it. Its framebuffer holds both.
   QPainter painter(&pixmap);
   for (VolumeView* view : views_->volumeViews())
     if (view->isVisible()) painter.drawImage(view->mapTo(this, QPoint(0, 0)), view->grabFramebuffer());
@@ -628,8 +642,10 @@ void MainWindow::showKeys() {
   };
   QString html = QStringLiteral("<table cellspacing='0' cellpadding='3'>");
   for (const Line& line : lines)
-    html += line.keys ? QStringLiteral("<tr><td><b>%1</b>&nbsp;&nbsp;</td><td>%2</td></tr>").arg(tr(line.keys), tr(line.meaning))
-                      : QStringLiteral("<tr><td colspan='2'><br><b>%1</b></td></tr>").arg(tr(line.meaning));
+    html +=
+        line.keys
+            ? QStringLiteral("<tr><td><b>%1</b>&nbsp;&nbsp;</td><td>%2</td></tr>").arg(tr(line.keys), tr(line.meaning))
+            : QStringLiteral("<tr><td colspan='2'><br><b>%1</b></td></tr>").arg(tr(line.meaning));
   html += QStringLiteral("</table>");
   QDialog dialog(this);
   dialog.setWindowTitle(tr("Keys and mouse"));

@@ -58,6 +58,7 @@ void applyStyle(QApplication& application) {
     QCheckBox::indicator:checked, QListView::indicator:checked { background: #427aac; border-color: #6ea3d2;
       image: url(:/icons/check.svg); }
     QCheckBox::indicator:disabled { border-color: #565c64; }
+    QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
     QStatusBar::item { border: none; }
     QStatusBar QLabel { padding: 0 6px; }
     QToolTip { border: 1px solid #17191c; padding: 3px; }

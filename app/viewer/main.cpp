@@ -59,8 +59,8 @@ void saveScreenshot(MainWindow& window, const std::filesystem::path& path) {
 }
 
 int main(int argc, char** argv) {
-  CLI::App program{
-      "Fenestra: looks into medical volumes with an adaptive cutaway.\nNot for diagnostic use.", "fenestra"};
+  CLI::App program{"Fenestra: looks into medical volumes with an adaptive cutaway.\nNot for diagnostic use.",
+                   "fenestra"};
   program.set_version_flag("--version", FENESTRA_VERSION);
   app::SceneOptions options;
   app::addSceneOptions(program, options);
@@ -68,8 +68,9 @@ int main(int argc, char** argv) {
   program.add_option("MORE", morePaths, "further slices of PATH's folder, or a label map")->type_name("PATH ...");
   std::filesystem::path screenshot;
   program
-      .add_option_function<std::string>("--screenshot", [&](const std::string& path) { screenshot = path; },
-                                        "save the whole window once everything is drawn, and exit")
+      .add_option_function<std::string>(
+          "--screenshot", [&](const std::string& path) { screenshot = path; },
+          "save the whole window once everything is drawn, and exit")
       ->type_name("OUT.png");
 
   requestOpenGl();

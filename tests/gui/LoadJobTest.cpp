@@ -20,8 +20,7 @@ constexpr int patience = 5000;  ///< ms; reached only when something hangs
 
 /// Reports progress until it is told to stop.
 LoadJob::Show readForever(const io::Progress& progress) {
-  while (progress(0.5, "reading"))
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  while (progress(0.5, "reading")) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   throw io::Cancelled();
 }
 

@@ -25,7 +25,8 @@ Ended run(const QStringList& arguments) {
   if (!program.waitForFinished(patience) || program.exitStatus() != QProcess::NormalExit) return {};
   QStringList lines;
   // Qt's own remarks about the session are not the program's.
-  for (const QString& line : QString::fromUtf8(program.readAllStandardError()).split(QLatin1Char('\n'), Qt::SkipEmptyParts))
+  for (const QString& line :
+       QString::fromUtf8(program.readAllStandardError()).split(QLatin1Char('\n'), Qt::SkipEmptyParts))
     if (line.startsWith(QStringLiteral("fenestra"))) lines << line;
   return {program.exitCode(), lines.join(QLatin1Char('\n'))};
 }
@@ -34,7 +35,8 @@ QString qt(const std::filesystem::path& path) { return QString::fromStdString(pa
 
 TEST(Program, SavesTheWholeWindowAndExits) {
   const std::filesystem::path picture = tests::scratchFolder() / "window.png";
-  const Ended ended = run({"--phantom", "torso", "--phantom-voxels", "64", "--size", "1200x760", "--screenshot", qt(picture)});
+  const Ended ended =
+      run({"--phantom", "torso", "--phantom-voxels", "64", "--size", "1200x760", "--screenshot", qt(picture)});
   EXPECT_EQ(ended.code, 0) << ended.errors.toStdString();
   const QImage image(qt(picture));
   const int scale = std::max(1, qEnvironmentVariableIntValue("QT_SCALE_FACTOR"));
@@ -57,7 +59,8 @@ TEST(Program, RefusesWrongUsage) {
 }
 
 TEST(Program, EndsWithOneLineWhenThePictureCannotBeWritten) {
-  const Ended ended = run({"--phantom", "torso", "--phantom-voxels", "32", "--screenshot", "/no/such/folder/window.png"});
+  const Ended ended =
+      run({"--phantom", "torso", "--phantom-voxels", "32", "--screenshot", "/no/such/folder/window.png"});
   EXPECT_EQ(ended.code, 1);
   EXPECT_EQ(ended.errors.count(QLatin1Char('\n')), 0);
 }

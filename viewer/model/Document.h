@@ -19,9 +19,9 @@ namespace fenestra::viewer {
 /// A data set as read, ready to be shown.
 struct Study {
   Scene scene;
-  std::string transferFunction;          ///< preset or file that made scene.context
-  std::optional<Camera> camera;          ///< where to look from first; unset: from anterior
-  std::filesystem::path path;            ///< what the user opened; empty for a phantom
+  std::string transferFunction;  ///< preset or file that made scene.context
+  std::optional<Camera> camera;  ///< where to look from first; unset: from anterior
+  std::filesystem::path path;    ///< what the user opened; empty for a phantom
   io::SeriesInfo series;
   std::vector<io::SeriesInfo> otherSeries;
   std::vector<io::Warning> warnings;

@@ -46,7 +46,10 @@ AppearancePanel::AppearancePanel(Document& document, QWidget* parent)
 
 void AppearancePanel::show() {
   setEnabled(document_.hasVolume());
-  if (!document_.hasVolume()) return;
+  if (!document_.hasVolume()) {
+    presets_->setCurrentIndex(-1);
+    return;
+  }
   const QString id = QString::fromStdString(document_.preset());
   int row = presets_->findData(id);
   if (row < 0) {  // a file: listed by its name from now on

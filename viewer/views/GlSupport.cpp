@@ -34,8 +34,9 @@ void requestOpenGl() {
 GlSupport probeOpenGl() {
   QOpenGLContext context;
   if (!context.create())
-    return unavailable(tr("No OpenGL context can be made on this display. Install the graphics driver, or Mesa's "
-                          "software renderer (Debian: libgl1-mesa-dri); on a remote desktop, start Fenestra there."));
+    return unavailable(
+        tr("No OpenGL context can be made on this display. Install the graphics driver, or Mesa's "
+           "software renderer (Debian: libgl1-mesa-dri); on a remote desktop, start Fenestra there."));
   QOffscreenSurface surface;
   surface.create();
   if (!context.makeCurrent(&surface))
