@@ -1,17 +1,15 @@
 #include "viewer/MainWindow.h"
 
-#include <algorithm>
+#include <cmath>
 
 #include <QApplication>
 #include <QCloseEvent>
-#include <QDialogButtonBox>
 #include <QDir>
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
-#include <QHeaderView>
 #include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
@@ -22,12 +20,11 @@
 #include <QPushButton>
 #include <QStackedWidget>
 #include <QStatusBar>
-#include <QTextBrowser>
 #include <QTimer>
 #include <QToolBar>
-#include <QTreeWidget>
 #include <QVBoxLayout>
 
+#include "viewer/Dialogs.h"
 #include "viewer/NoticeBar.h"
 #include "viewer/model/Paths.h"
 #include "viewer/model/WindowPresets.h"
@@ -340,8 +337,8 @@ void MainWindow::makeActions() {
       action(tr("&No focus"), QKeySequence(tr("Ctrl+Backspace")), [this] { document_.setFocus(std::monostate{}); })));
 
   QMenu* help = menuBar()->addMenu(tr("&Help"));
-  help->addAction(action(tr("&Keys and mouse"), QKeySequence(tr("?")), [this] { showKeys(); }));
-  help->addAction(action(tr("&About Fenestra"), {}, [this] { showAbout(); }));
+  help->addAction(action(tr("&Keys and mouse"), QKeySequence(tr("?")), [this] { showKeys(this); }));
+  help->addAction(action(tr("&About Fenestra"), {}, [this] { showAbout(setup_.gl, this); }));
 
   QToolBar* bar = addToolBar(tr("Tools"));
   bar->setObjectName(QStringLiteral("tools"));
@@ -460,34 +457,7 @@ void MainWindow::chooseLabels() {
 }
 
 void MainWindow::chooseSeries() {
-  QDialog dialog(this);
-  dialog.setWindowTitle(tr("Choose a series"));
-  auto* list = new QTreeWidget;
-  list->setRootIsDecorated(false);
-  list->setHeaderLabels({tr("Type"), tr("Description"), tr("Size"), tr("Images")});
-  const auto add = [&](const io::SeriesInfo& series) {
-    auto* row = new QTreeWidgetItem(list);
-    row->setText(0, QString::fromStdString(series.modality));
-    row->setText(1, QString::fromStdString(series.description));
-    row->setText(2, QStringLiteral("%1×%2×%3").arg(series.dims.x).arg(series.dims.y).arg(series.dims.z));
-    row->setText(3, QString::number(series.files.size()));
-    row->setData(0, Qt::UserRole, QString::fromStdString(series.id));
-    return row;
-  };
-  list->setCurrentItem(add(document_.study().series));
-  for (const io::SeriesInfo& series : document_.study().otherSeries) add(series);
-  for (int column = 0; column < list->columnCount(); ++column) list->resizeColumnToContents(column);
-  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Open | QDialogButtonBox::Cancel);
-  connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
-  connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
-  connect(list, &QTreeWidget::itemDoubleClicked, &dialog, &QDialog::accept);
-  auto* column = new QVBoxLayout(&dialog);
-  column->addWidget(list);
-  column->addWidget(buttons);
-  dialog.resize(640, 320);
-  if (dialog.exec() != QDialog::Accepted || !list->currentItem()) return;
-  const std::string chosen = list->currentItem()->data(0, Qt::UserRole).toString().toStdString();
-  if (chosen != document_.study().series.id) openSeries(chosen);
+  if (const std::optional<std::string> series = askForSeries(document_.study(), this)) openSeries(*series);
 }
 
 void MainWindow::fillRecentMenu() {
@@ -609,67 +579,6 @@ void MainWindow::dropEvent(QDropEvent* event) {
             [this, path] { openLabels(path); });
     menu.exec(at);
   });
-}
-
-void MainWindow::showKeys() {
-  struct Line {
-    const char *keys, *meaning;
-  };
-  static constexpr Line lines[] = {
-      {nullptr, QT_TR_NOOP("Slices")},
-      {QT_TR_NOOP("Click"), QT_TR_NOOP("crosshair; the label there becomes the focus")},
-      {QT_TR_NOOP("Ctrl+click"), QT_TR_NOOP("the label joins or leaves the focus")},
-      {QT_TR_NOOP("Drag"), QT_TR_NOOP("window width (across) and level (up and down)")},
-      {QT_TR_NOOP("Ctrl+double-click"), QT_TR_NOOP("window and level of the data")},
-      {QT_TR_NOOP("Wheel, arrows, Page up/down"), QT_TR_NOOP("next and previous slices")},
-      {nullptr, QT_TR_NOOP("3-D views")},
-      {QT_TR_NOOP("Drag, arrows"), QT_TR_NOOP("rotate; the linked view follows")},
-      {QT_TR_NOOP("Click"), QT_TR_NOOP("crosshair to the surface")},
-      {QT_TR_NOOP("Ctrl+click"), QT_TR_NOOP("its label joins or leaves the focus")},
-      {QT_TR_NOOP("Wheel"), QT_TR_NOOP("zoom")},
-      {QT_TR_NOOP("Shift+A P L R S I"), QT_TR_NOOP("look from anterior, posterior, left, right, superior, inferior")},
-      {nullptr, QT_TR_NOOP("All views")},
-      {QT_TR_NOOP("Middle drag"), QT_TR_NOOP("move the picture")},
-      {QT_TR_NOOP("Right drag, Ctrl+wheel"), QT_TR_NOOP("zoom")},
-      {QT_TR_NOOP("Right click"), QT_TR_NOOP("what can be done there")},
-      {QT_TR_NOOP("Shift+move"), QT_TR_NOOP("crosshair follows the mouse")},
-      {QT_TR_NOOP("Double-click"), QT_TR_NOOP("this view alone, and back (Esc)")},
-      {QT_TR_NOOP("R"), QT_TR_NOOP("reset the view; Ctrl+R all views")},
-      {QT_TR_NOOP("L"), QT_TR_NOOP("link the 3-D views")},
-      {QT_TR_NOOP("C  O  T"), QT_TR_NOOP("crosshair, label overlay, corner text")},
-      {QT_TR_NOOP("1"), QT_TR_NOOP("window and level of the data")},
-      {QT_TR_NOOP("3 4 5 6 7"), QT_TR_NOOP("CT window: brain, abdomen, mediastinum, bone, lung")},
-  };
-  QString html = QStringLiteral("<table cellspacing='0' cellpadding='3'>");
-  for (const Line& line : lines)
-    html +=
-        line.keys
-            ? QStringLiteral("<tr><td><b>%1</b>&nbsp;&nbsp;</td><td>%2</td></tr>").arg(tr(line.keys), tr(line.meaning))
-            : QStringLiteral("<tr><td colspan='2'><br><b>%1</b></td></tr>").arg(tr(line.meaning));
-  html += QStringLiteral("</table>");
-  QDialog dialog(this);
-  dialog.setWindowTitle(tr("Keys and mouse"));
-  auto* text = new QTextBrowser;
-  text->setHtml(html);
-  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
-  connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
-  auto* column = new QVBoxLayout(&dialog);
-  column->addWidget(text);
-  column->addWidget(buttons);
-  dialog.resize(620, 640);
-  dialog.exec();
-}
-
-void MainWindow::showAbout() {
-  QMessageBox::about(
-      this, tr("About Fenestra"),
-      tr("<h3>Fenestra %1</h3>"
-         "<p>A medical volume viewer that opens an adaptive cutaway around the structure you want to see.</p>"
-         "<p><b>Not for diagnostic use.</b></p>"
-         "<p>Free software under the GNU General Public License, version 3 or later. It comes with no warranty.</p>"
-         "<p>3-D views: %2</p>")
-          .arg(QApplication::applicationVersion(),
-               setup_.gl.available ? setup_.gl.renderer.toHtmlEscaped() : tr("not available")));
 }
 
 }  // namespace fenestra::viewer

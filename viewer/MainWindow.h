@@ -95,8 +95,6 @@ class MainWindow : public QMainWindow {
   void resetActiveView();
   void resetAllViews();
   void face(StandardView side);
-  void showKeys();
-  void showAbout();
 
   Setup setup_;
   Document document_;

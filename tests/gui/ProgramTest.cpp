@@ -18,17 +18,14 @@ struct Ended {
   QString errors;
 };
 
-Ended run(const QStringList& arguments) {
+Ended run(const QStringList& arguments,
+          const QProcessEnvironment& environment = QProcessEnvironment::systemEnvironment()) {
   QProcess program;
+  program.setProcessEnvironment(environment);
   program.start(QStringLiteral(FENESTRA_PROGRAM), arguments);
   constexpr int patience = 60000;  // ms; reached only when something hangs
   if (!program.waitForFinished(patience) || program.exitStatus() != QProcess::NormalExit) return {};
-  QStringList lines;
-  // Qt's own remarks about the session are not the program's.
-  for (const QString& line :
-       QString::fromUtf8(program.readAllStandardError()).split(QLatin1Char('\n'), Qt::SkipEmptyParts))
-    if (line.startsWith(QStringLiteral("fenestra"))) lines << line;
-  return {program.exitCode(), lines.join(QLatin1Char('\n'))};
+  return {program.exitCode(), QString::fromUtf8(program.readAllStandardError()).trimmed()};
 }
 
 QString qt(const std::filesystem::path& path) { return QString::fromStdString(path.string()); }
@@ -63,6 +60,16 @@ TEST(Program, EndsWithOneLineWhenThePictureCannotBeWritten) {
       run({"--phantom", "torso", "--phantom-voxels", "32", "--screenshot", "/no/such/folder/window.png"});
   EXPECT_EQ(ended.code, 1);
   EXPECT_EQ(ended.errors.count(QLatin1Char('\n')), 0);
+}
+
+TEST(Program, SaysThatThereIsNoDisplay) {
+  QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+  environment.remove(QStringLiteral("DISPLAY"));
+  const Ended ended = run({}, environment);
+  EXPECT_EQ(ended.code, 1);
+  EXPECT_EQ(ended.errors.count(QLatin1Char('\n')), 0) << ended.errors.toStdString();
+  EXPECT_TRUE(ended.errors.contains(QStringLiteral("no display"))) << ended.errors.toStdString();
+  EXPECT_EQ(run({QStringLiteral("--help")}, environment).code, 0);
 }
 
 }  // namespace
