@@ -64,7 +64,7 @@ void applyStyle(QApplication& application) {
     QToolTip { border: 1px solid #17191c; padding: 3px; }
     QFrame#notice { background: #33373d; border: none; border-left: 4px solid #d8a53c; }
     QFrame#notice[error="true"] { background: #43302f; border-left: 4px solid #d9605a; }
-    QFrame#welcome { background: #101215; }
+    QFrame#welcome, QLabel#noOpenGl { background: #101215; }
   )"));
 }
 

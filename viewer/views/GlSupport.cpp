@@ -1,6 +1,6 @@
 #include "viewer/views/GlSupport.h"
 
-#include <QCoreApplication>
+#include <QGuiApplication>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
 #include <QSurfaceFormat>
@@ -32,6 +32,9 @@ void requestOpenGl() {
 }
 
 GlSupport probeOpenGl() {
+  // Qt's offscreen platform makes contexts where there is an X server, but crashes when it shows their widgets.
+  if (QGuiApplication::platformName() == QLatin1String("offscreen"))
+    return unavailable(tr("Qt's offscreen platform has no OpenGL; unset QT_QPA_PLATFORM."));
   QOpenGLContext context;
   if (!context.create())
     return unavailable(
