@@ -1,17 +1,15 @@
 #include "viewer/MainWindow.h"
 
-#include <algorithm>
+#include <cmath>
 
 #include <QApplication>
 #include <QCloseEvent>
-#include <QDialogButtonBox>
 #include <QDir>
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
-#include <QHeaderView>
 #include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
@@ -22,12 +20,11 @@
 #include <QPushButton>
 #include <QStackedWidget>
 #include <QStatusBar>
-#include <QTextBrowser>
 #include <QTimer>
 #include <QToolBar>
-#include <QTreeWidget>
 #include <QVBoxLayout>
 
+#include "viewer/Dialogs.h"
 #include "viewer/NoticeBar.h"
 #include "viewer/model/Paths.h"
 #include "viewer/model/WindowPresets.h"
@@ -55,8 +52,20 @@ QString nameOf(const Label& label) {
 }
 
 QString describe(const io::SeriesInfo& series) {
-  return QStringLiteral("%1 %2×%3×%4").arg(QString::fromStdString(series.modality)).arg(series.dims.x).arg(series.dims.y)
-      .arg(series.dims.z).trimmed();
+  return QStringLiteral("%1 %2×%3×%4")
+      .arg(QString::fromStdString(series.modality))
+      .arg(series.dims.x)
+      .arg(series.dims.y)
+      .arg(series.dims.z)
+      .trimmed();
+}
+
+/// A clause as a sentence.
+QString sentence(const std::string& clause) {
+  QString text = QString::fromStdString(clause);
+  if (text.isEmpty()) return text;
+  text[0] = text[0].toUpper();
+  return text.endsWith(QLatin1Char('.')) ? text : text + QLatin1Char('.');
 }
 
 std::vector<std::filesystem::path> localPaths(const QMimeData& data) {
@@ -78,7 +87,7 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent) : QMainWindow(parent
     const Study& study = document_.study();
     const Grid& grid = study.scene.volume->grid;
     cursor_.setGrid(grid);
-    if (const std::optional<glm::dvec3> focus = document_.focusCentre()) cursor_.moveTo(*focus);
+    goToFocus();
     cameras_.place(study.camera.value_or(Camera::standard(StandardView::Anterior, grid, cameras_.projection())));
   });
 
@@ -104,6 +113,7 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent) : QMainWindow(parent
   connect(views_, &ViewArea::left, pointer_, &QLabel::clear);
   connect(views_, &ViewArea::menuRequested, this, &MainWindow::showMenu);
   connect(views_, &ViewArea::failed, this, &MainWindow::showError, Qt::QueuedConnection);
+  connect(focusPanel_, &FocusPanel::structureChosen, this, &MainWindow::goToFocus);
   connect(appearancePanel_, &AppearancePanel::failed, this, &MainWindow::showError);
   connect(&job_, &LoadJob::started, this, [this] {
     loadingText_->setText(tr("Opening…"));
@@ -257,7 +267,8 @@ void MainWindow::makeActions() {
 
   QAction* reset = withVolume(action(tr("&Reset view"), QKeySequence(tr("R")), [this] { resetActiveView(); }));
   reset->setIcon(icon("reset"));
-  QAction* resetAll = withVolume(action(tr("Reset &all views"), QKeySequence(tr("Ctrl+R")), [this] { resetAllViews(); }));
+  QAction* resetAll =
+      withVolume(action(tr("Reset &all views"), QKeySequence(tr("Ctrl+R")), [this] { resetAllViews(); }));
   QAction* link = toggle(tr("&Link the 3-D views"), QKeySequence(tr("L")), cameras_.isLinked(),
                          [this](bool on) { cameras_.setLinked(on); });
   link->setIcon(icon("link"));
@@ -274,8 +285,8 @@ void MainWindow::makeActions() {
   QAction* overlay = toggle(tr("Label &overlay"), QKeySequence(tr("O")), options_.labels(),
                             [this](bool on) { options_.setLabels(on); });
   overlay->setIcon(icon("overlay"));
-  QAction* text = toggle(tr("Corner &text"), QKeySequence(tr("T")), options_.text(),
-                         [this](bool on) { options_.setText(on); });
+  QAction* text =
+      toggle(tr("Corner &text"), QKeySequence(tr("T")), options_.text(), [this](bool on) { options_.setText(on); });
   text->setIcon(icon("text"));
 
   QMenu* view = menuBar()->addMenu(tr("&View"));
@@ -285,14 +296,14 @@ void MainWindow::makeActions() {
     StandardView view;
   };
   QList<QAction*> sideActions;
-  for (const Side& side : {Side{"A", QT_TR_NOOP("Anterior"), StandardView::Anterior},
-                           Side{"P", QT_TR_NOOP("Posterior"), StandardView::Posterior},
-                           Side{"L", QT_TR_NOOP("Left"), StandardView::Left},
-                           Side{"R", QT_TR_NOOP("Right"), StandardView::Right},
-                           Side{"S", QT_TR_NOOP("Superior"), StandardView::Superior},
-                           Side{"I", QT_TR_NOOP("Inferior"), StandardView::Inferior}}) {
-    QAction* made = withVolume(action(tr(side.name), QKeySequence(QStringLiteral("Shift+%1").arg(QLatin1String(side.letter))),
-                                      [this, which = side.view] { face(which); }));
+  for (const Side& side :
+       {Side{"A", QT_TR_NOOP("Anterior"), StandardView::Anterior},
+        Side{"P", QT_TR_NOOP("Posterior"), StandardView::Posterior}, Side{"L", QT_TR_NOOP("Left"), StandardView::Left},
+        Side{"R", QT_TR_NOOP("Right"), StandardView::Right}, Side{"S", QT_TR_NOOP("Superior"), StandardView::Superior},
+        Side{"I", QT_TR_NOOP("Inferior"), StandardView::Inferior}}) {
+    QAction* made =
+        withVolume(action(tr(side.name), QKeySequence(QStringLiteral("Shift+%1").arg(QLatin1String(side.letter))),
+                          [this, which = side.view] { face(which); }));
     made->setIconText(QLatin1String(side.letter));
     sideActions << made;
   }
@@ -304,12 +315,13 @@ void MainWindow::makeActions() {
   view->addActions({crosshair, overlay, text});
   view->addSeparator();
   view->addAction(action(tr("All &views"), QKeySequence(tr("Esc")), [this] {
-    if (job_.isRunning()) job_.cancel();
-    else views_->showAll();
+    if (job_.isRunning())
+      job_.cancel();
+    else
+      views_->showAll();
   }));
-  view->addAction(action(tr("F&ull screen"), QKeySequence(tr("F11")), [this] {
-    setWindowState(windowState() ^ Qt::WindowFullScreen);
-  }));
+  view->addAction(action(tr("F&ull screen"), QKeySequence(tr("F11")),
+                         [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); }));
   view->addSeparator();
   for (QDockWidget* dock : findChildren<QDockWidget*>()) view->addAction(dock->toggleViewAction());
 
@@ -321,12 +333,12 @@ void MainWindow::makeActions() {
                QKeySequence(QString::number(preset.key)), [this, &preset] { document_.setWindow(preset.window); })));
 
   QMenu* focus = menuBar()->addMenu(tr("F&ocus"));
-  focus->addAction(withVolume(action(tr("&No focus"), QKeySequence(tr("Ctrl+Backspace")),
-                                     [this] { document_.setFocus(std::monostate{}); })));
+  focus->addAction(withVolume(
+      action(tr("&No focus"), QKeySequence(tr("Ctrl+Backspace")), [this] { document_.setFocus(std::monostate{}); })));
 
   QMenu* help = menuBar()->addMenu(tr("&Help"));
-  help->addAction(action(tr("&Keys and mouse"), QKeySequence(tr("?")), [this] { showKeys(); }));
-  help->addAction(action(tr("&About Fenestra"), {}, [this] { showAbout(); }));
+  help->addAction(action(tr("&Keys and mouse"), QKeySequence(tr("?")), [this] { showKeys(this); }));
+  help->addAction(action(tr("&About Fenestra"), {}, [this] { showAbout(setup_.gl, this); }));
 
   QToolBar* bar = addToolBar(tr("Tools"));
   bar->setObjectName(QStringLiteral("tools"));
@@ -369,7 +381,8 @@ void MainWindow::openSeries(const std::string& series) {
   PathsToOpen chosen;
   chosen.volume = document_.study().path;
   chosen.series = series;
-  open([chosen, looks = document_.scene()](const io::Progress& progress) { return readStudy(chosen, looks, progress); });
+  open(
+      [chosen, looks = document_.scene()](const io::Progress& progress) { return readStudy(chosen, looks, progress); });
 }
 
 void MainWindow::openLabels(const std::filesystem::path& path) {
@@ -398,7 +411,8 @@ void MainWindow::showStudy(Study study) {
   const std::size_t others = document_.study().otherSeries.size();
   if (others > 0)
     notices_->add(NoticeBar::Kind::Warning,
-                  tr("There are %1 series here; this is the largest, %2.").arg(others + 1)
+                  tr("There are %1 series here; this is the largest, %2.")
+                      .arg(others + 1)
                       .arg(describe(document_.study().series)),
                   tr("Choose…"), [this] { chooseSeries(); });
   showWarnings(warnings);
@@ -407,18 +421,18 @@ void MainWindow::showStudy(Study study) {
 
 void MainWindow::showWarnings(const std::vector<io::Warning>& warnings) {
   for (const io::Warning& warning : warnings) {
+    const QString text = sentence(warning.text);
     if (warning.files.empty()) {
-      notices_->add(NoticeBar::Kind::Warning, QString::fromStdString(warning.text));
+      notices_->add(NoticeBar::Kind::Warning, text);
       continue;
     }
     QStringList files;
     for (const std::filesystem::path& file : warning.files) files << toQString(file);
-    notices_->add(NoticeBar::Kind::Warning, QString::fromStdString(warning.text), tr("Files…"),
-                  [this, text = QString::fromStdString(warning.text), files] {
-                    QMessageBox box(QMessageBox::Information, tr("Files concerned"), text, QMessageBox::Close, this);
-                    box.setDetailedText(files.join(QLatin1Char('\n')));
-                    box.exec();
-                  });
+    notices_->add(NoticeBar::Kind::Warning, text, tr("Files…"), [this, text, files] {
+      QMessageBox box(QMessageBox::Information, tr("Files concerned"), text, QMessageBox::Close, this);
+      box.setDetailedText(files.join(QLatin1Char('\n')));
+      box.exec();
+    });
   }
 }
 
@@ -443,34 +457,7 @@ void MainWindow::chooseLabels() {
 }
 
 void MainWindow::chooseSeries() {
-  QDialog dialog(this);
-  dialog.setWindowTitle(tr("Choose a series"));
-  auto* list = new QTreeWidget;
-  list->setRootIsDecorated(false);
-  list->setHeaderLabels({tr("Type"), tr("Description"), tr("Size"), tr("Images")});
-  const auto add = [&](const io::SeriesInfo& series) {
-    auto* row = new QTreeWidgetItem(list);
-    row->setText(0, QString::fromStdString(series.modality));
-    row->setText(1, QString::fromStdString(series.description));
-    row->setText(2, QStringLiteral("%1×%2×%3").arg(series.dims.x).arg(series.dims.y).arg(series.dims.z));
-    row->setText(3, QString::number(series.files.size()));
-    row->setData(0, Qt::UserRole, QString::fromStdString(series.id));
-    return row;
-  };
-  list->setCurrentItem(add(document_.study().series));
-  for (const io::SeriesInfo& series : document_.study().otherSeries) add(series);
-  for (int column = 0; column < list->columnCount(); ++column) list->resizeColumnToContents(column);
-  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Open | QDialogButtonBox::Cancel);
-  connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
-  connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
-  connect(list, &QTreeWidget::itemDoubleClicked, &dialog, &QDialog::accept);
-  auto* column = new QVBoxLayout(&dialog);
-  column->addWidget(list);
-  column->addWidget(buttons);
-  dialog.resize(640, 320);
-  if (dialog.exec() != QDialog::Accepted || !list->currentItem()) return;
-  const std::string chosen = list->currentItem()->data(0, Qt::UserRole).toString().toStdString();
-  if (chosen != document_.study().series.id) openSeries(chosen);
+  if (const std::optional<std::string> series = askForSeries(document_.study(), this)) openSeries(*series);
 }
 
 void MainWindow::fillRecentMenu() {
@@ -484,7 +471,8 @@ void MainWindow::fillRecentMenu() {
     return;
   }
   recentMenu_->addSeparator();
-  connect(recentMenu_->addAction(tr("Forget these")), &QAction::triggered, this, [this] { preferences_.clearRecent(); });
+  connect(recentMenu_->addAction(tr("Forget these")), &QAction::triggered, this,
+          [this] { preferences_.clearRecent(); });
 }
 
 void MainWindow::pointAt(glm::dvec3 world) {
@@ -495,9 +483,11 @@ void MainWindow::pointAt(glm::dvec3 world) {
   }
   const Volume& volume = *document_.scene().volume;
   const int decimals = volume.range.high - volume.range.low < 20.0 ? 3 : 0;
-  QStringList parts{
-      QStringLiteral("%1 %2").arg(volume.value(*voxel), 0, 'f', decimals).arg(QString::fromStdString(volume.unit)).trimmed(),
-      patientCoordinates(world)};
+  QStringList parts{QStringLiteral("%1 %2")
+                        .arg(volume.value(*voxel), 0, 'f', decimals)
+                        .arg(QString::fromStdString(volume.unit))
+                        .trimmed(),
+                    patientCoordinates(world)};
   if (const Label* label = document_.labelAt(world)) parts << nameOf(*label);
   pointer_->setText(parts.join(QStringLiteral("     ")));
 }
@@ -521,9 +511,11 @@ void MainWindow::showMenu(glm::dvec3 world, QPoint globalPosition) {
   menu.exec(globalPosition);
 }
 
-int MainWindow::activeCamera() const { return lastCamera_; }
+void MainWindow::goToFocus() {
+  if (const std::optional<glm::dvec3> centre = document_.focusCentre()) cursor_.moveTo(*centre);
+}
 
-void MainWindow::face(StandardView side) { cameras_.face(activeCamera(), side); }
+void MainWindow::face(StandardView side) { cameras_.face(lastCamera_, side); }
 
 void MainWindow::resetActiveView() {
   for (SliceView* view : views_->sliceViews())
@@ -553,8 +545,8 @@ void MainWindow::whenDrawn(std::function<void()> done) {
 
 QImage MainWindow::picture() {
   QPixmap pixmap = grab();
-  // While a widget is grabbed, its QPainters paint into the grab: what a 3-D view draws over its picture lands below it.
-  // Its framebuffer holds both.
+  // While a widget is grabbed, its QPainters paint into the grab: what a 3-D view draws over its picture lands below
+  // it. Its framebuffer holds both.
   QPainter painter(&pixmap);
   for (VolumeView* view : views_->volumeViews())
     if (view->isVisible()) painter.drawImage(view->mapTo(this, QPoint(0, 0)), view->grabFramebuffer());
@@ -587,65 +579,6 @@ void MainWindow::dropEvent(QDropEvent* event) {
             [this, path] { openLabels(path); });
     menu.exec(at);
   });
-}
-
-void MainWindow::showKeys() {
-  struct Line {
-    const char *keys, *meaning;
-  };
-  static constexpr Line lines[] = {
-      {nullptr, QT_TR_NOOP("Slices")},
-      {QT_TR_NOOP("Click"), QT_TR_NOOP("crosshair; the label there becomes the focus")},
-      {QT_TR_NOOP("Ctrl+click"), QT_TR_NOOP("the label joins or leaves the focus")},
-      {QT_TR_NOOP("Drag"), QT_TR_NOOP("window width (across) and level (up and down)")},
-      {QT_TR_NOOP("Ctrl+double-click"), QT_TR_NOOP("window and level of the data")},
-      {QT_TR_NOOP("Wheel, arrows, Page up/down"), QT_TR_NOOP("next and previous slices")},
-      {nullptr, QT_TR_NOOP("3-D views")},
-      {QT_TR_NOOP("Drag, arrows"), QT_TR_NOOP("rotate; the linked view follows")},
-      {QT_TR_NOOP("Click"), QT_TR_NOOP("crosshair to the surface")},
-      {QT_TR_NOOP("Ctrl+click"), QT_TR_NOOP("its label joins or leaves the focus")},
-      {QT_TR_NOOP("Wheel"), QT_TR_NOOP("zoom")},
-      {QT_TR_NOOP("Shift+A P L R S I"), QT_TR_NOOP("look from anterior, posterior, left, right, superior, inferior")},
-      {nullptr, QT_TR_NOOP("All views")},
-      {QT_TR_NOOP("Middle drag"), QT_TR_NOOP("move the picture")},
-      {QT_TR_NOOP("Right drag, Ctrl+wheel"), QT_TR_NOOP("zoom")},
-      {QT_TR_NOOP("Right click"), QT_TR_NOOP("what can be done there")},
-      {QT_TR_NOOP("Shift+move"), QT_TR_NOOP("crosshair follows the mouse")},
-      {QT_TR_NOOP("Double-click"), QT_TR_NOOP("this view alone, and back (Esc)")},
-      {QT_TR_NOOP("R"), QT_TR_NOOP("reset the view; Ctrl+R all views")},
-      {QT_TR_NOOP("L"), QT_TR_NOOP("link the 3-D views")},
-      {QT_TR_NOOP("C  O  T"), QT_TR_NOOP("crosshair, label overlay, corner text")},
-      {QT_TR_NOOP("1"), QT_TR_NOOP("window and level of the data")},
-      {QT_TR_NOOP("3 4 5 6 7"), QT_TR_NOOP("CT window: brain, abdomen, mediastinum, bone, lung")},
-  };
-  QString html = QStringLiteral("<table cellspacing='0' cellpadding='3'>");
-  for (const Line& line : lines)
-    html += line.keys ? QStringLiteral("<tr><td><b>%1</b>&nbsp;&nbsp;</td><td>%2</td></tr>").arg(tr(line.keys), tr(line.meaning))
-                      : QStringLiteral("<tr><td colspan='2'><br><b>%1</b></td></tr>").arg(tr(line.meaning));
-  html += QStringLiteral("</table>");
-  QDialog dialog(this);
-  dialog.setWindowTitle(tr("Keys and mouse"));
-  auto* text = new QTextBrowser;
-  text->setHtml(html);
-  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
-  connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
-  auto* column = new QVBoxLayout(&dialog);
-  column->addWidget(text);
-  column->addWidget(buttons);
-  dialog.resize(620, 640);
-  dialog.exec();
-}
-
-void MainWindow::showAbout() {
-  QMessageBox::about(
-      this, tr("About Fenestra"),
-      tr("<h3>Fenestra %1</h3>"
-         "<p>A medical volume viewer that opens an adaptive cutaway around the structure you want to see.</p>"
-         "<p><b>Not for diagnostic use.</b></p>"
-         "<p>Free software under the GNU General Public License, version 3 or later. It comes with no warranty.</p>"
-         "<p>3-D views: %2</p>")
-          .arg(QApplication::applicationVersion(),
-               setup_.gl.available ? setup_.gl.renderer.toHtmlEscaped() : tr("not available")));
 }
 
 }  // namespace fenestra::viewer

@@ -90,13 +90,11 @@ class MainWindow : public QMainWindow {
   void fillRecentMenu();
   void pointAt(glm::dvec3 world);
   void showMenu(glm::dvec3 world, QPoint globalPosition);
+  /// The crosshair goes to the middle of the focus.
+  void goToFocus();
   void resetActiveView();
   void resetAllViews();
   void face(StandardView side);
-  /// The 3-D view that keys and standard views act on: the one used last.
-  int activeCamera() const;
-  void showKeys();
-  void showAbout();
 
   Setup setup_;
   Document document_;
@@ -119,7 +117,7 @@ class MainWindow : public QMainWindow {
   QMenu *recentMenu_ = nullptr, *sampleMenu_ = nullptr;
   QList<QAction*> needVolume_;  ///< enabled while something is open
   QAction* chooseSeries_ = nullptr;
-  int lastCamera_ = 0;
+  int lastCamera_ = 0;  ///< of the 3-D view used last, which standard views act on
 };
 
 }  // namespace fenestra::viewer

@@ -10,10 +10,28 @@
 
 namespace fenestra::viewer {
 
-NoticeBar::NoticeBar(QWidget* parent) : QWidget(parent), rows_(new QVBoxLayout(this)) {
-  rows_->setContentsMargins(0, 0, 0, 0);
+NoticeBar::NoticeBar(QWidget* parent) : QWidget(parent), rows_(new QVBoxLayout), unfold_(new QPushButton) {
+  unfold_->setFlat(true);
   rows_->setSpacing(1);
-  hide();
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(1);
+  column->addLayout(rows_);
+  column->addWidget(unfold_);
+  connect(unfold_, &QPushButton::clicked, this, [this] {
+    unfolded_ = true;
+    fold();
+  });
+  fold();
+}
+
+void NoticeBar::fold() {
+  constexpr int few = 3;
+  const int count = rows_->count();
+  for (int row = 0; row < count; ++row) rows_->itemAt(row)->widget()->setVisible(unfolded_ || row < few);
+  unfold_->setVisible(!unfolded_ && count > few);
+  unfold_->setText(tr("%1 more").arg(count - few));
+  setVisible(count > 0);
 }
 
 void NoticeBar::add(Kind kind, const QString& text, const QString& actionName, std::function<void()> action) {
@@ -41,10 +59,10 @@ void NoticeBar::add(Kind kind, const QString& text, const QString& actionName, s
   connect(close, &QToolButton::clicked, this, [this, frame] {
     rows_->removeWidget(frame);
     frame->deleteLater();
-    setVisible(rows_->count() > 0);
+    fold();
   });
   rows_->addWidget(frame);
-  show();
+  fold();
 }
 
 void NoticeBar::clear() {
@@ -52,13 +70,13 @@ void NoticeBar::clear() {
     item->widget()->deleteLater();
     delete item;
   }
-  hide();
+  unfolded_ = false;
+  fold();
 }
 
 QStringList NoticeBar::texts() const {
   QStringList texts;
-  for (int row = 0; row < rows_->count(); ++row)
-    texts << rows_->itemAt(row)->widget()->findChild<QLabel*>()->text();
+  for (int row = 0; row < rows_->count(); ++row) texts << rows_->itemAt(row)->widget()->findChild<QLabel*>()->text();
   return texts;
 }
 

@@ -1,11 +1,12 @@
 #pragma once
 // What the user must know, above the pictures and out of the way: warnings about the data, and errors. Nothing here
-// stops the work; a notice stays until it is dismissed or replaced.
+// stops the work; a notice stays until it is dismissed or replaced. Beyond a few, the rest is folded away.
 
 #include <functional>
 
 #include <QWidget>
 
+class QPushButton;
 class QVBoxLayout;
 
 namespace fenestra::viewer {
@@ -24,7 +25,11 @@ class NoticeBar : public QWidget {
   QStringList texts() const;
 
  private:
+  void fold();
+
   QVBoxLayout* rows_;
+  QPushButton* unfold_;
+  bool unfolded_ = false;
 };
 
 }  // namespace fenestra::viewer

@@ -58,12 +58,13 @@ void applyStyle(QApplication& application) {
     QCheckBox::indicator:checked, QListView::indicator:checked { background: #427aac; border-color: #6ea3d2;
       image: url(:/icons/check.svg); }
     QCheckBox::indicator:disabled { border-color: #565c64; }
+    QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
     QStatusBar::item { border: none; }
     QStatusBar QLabel { padding: 0 6px; }
     QToolTip { border: 1px solid #17191c; padding: 3px; }
     QFrame#notice { background: #33373d; border: none; border-left: 4px solid #d8a53c; }
     QFrame#notice[error="true"] { background: #43302f; border-left: 4px solid #d9605a; }
-    QFrame#welcome { background: #101215; }
+    QFrame#welcome, QLabel#noOpenGl { background: #101215; }
   )"));
 }
 

@@ -1,5 +1,7 @@
 // fenestra: the window. Exit codes as for fenestra-cli: 0 done, 1 the input or the machine is at fault, 2 wrong usage.
 
+#include <algorithm>
+#include <cstdlib>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -22,9 +24,24 @@ namespace {
 
 constexpr int done = 0, failed = 1, misused = 2;
 
-int fail(const std::string& what) {
+/// One line on stderr, whatever the text.
+void tell(std::string what) {
+  std::replace(what.begin(), what.end(), '\n', ' ');
   std::cerr << "fenestra: " << what << '\n';
+}
+
+int fail(const std::string& what) {
+  tell(what);
   return failed;
+}
+
+/// Qt aborts where it finds no display: said in one line instead. Its remarks about the session are not for the user.
+void handleQtMessage(QtMsgType type, const QMessageLogContext&, const QString& message) {
+  if (type == QtFatalMsg) {
+    tell("no display to open a window on; start it on a desktop, or use fenestra-cli");
+    std::_Exit(failed);
+  }
+  if (type == QtCriticalMsg) tell(message.toStdString());
 }
 
 Study readScene(const app::SceneOptions& options, const io::Progress& progress) {
@@ -59,8 +76,8 @@ void saveScreenshot(MainWindow& window, const std::filesystem::path& path) {
 }
 
 int main(int argc, char** argv) {
-  CLI::App program{
-      "Fenestra: looks into medical volumes with an adaptive cutaway.\nNot for diagnostic use.", "fenestra"};
+  CLI::App program{"Fenestra: looks into medical volumes with an adaptive cutaway.\nNot for diagnostic use.",
+                   "fenestra"};
   program.set_version_flag("--version", FENESTRA_VERSION);
   app::SceneOptions options;
   app::addSceneOptions(program, options);
@@ -68,18 +85,10 @@ int main(int argc, char** argv) {
   program.add_option("MORE", morePaths, "further slices of PATH's folder, or a label map")->type_name("PATH ...");
   std::filesystem::path screenshot;
   program
-      .add_option_function<std::string>("--screenshot", [&](const std::string& path) { screenshot = path; },
-                                        "save the whole window once everything is drawn, and exit")
+      .add_option_function<std::string>(
+          "--screenshot", [&](const std::string& path) { screenshot = path; },
+          "save the whole window once everything is drawn, and exit")
       ->type_name("OUT.png");
-
-  requestOpenGl();
-  QApplication application(argc, argv);  // takes Qt's own options out of argv
-  QLocale::setDefault(QLocale::c());
-  application.setApplicationName(QStringLiteral("Fenestra"));
-  application.setOrganizationName(QStringLiteral("Fenestra"));
-  application.setApplicationVersion(QStringLiteral(FENESTRA_VERSION));
-  application.setDesktopFileName(QStringLiteral("fenestra"));
-  applyStyle(application);
 
   try {
     program.parse(argc, argv);
@@ -93,25 +102,35 @@ int main(int argc, char** argv) {
   } catch (const CLI::Success& success) {
     return program.exit(success);
   } catch (const CLI::ParseError& error) {
-    std::cerr << "fenestra: " << error.what() << "; see --help\n";
+    tell(std::string(error.what()) + "; see --help");
     return misused;
   } catch (const io::Error& error) {
-    std::cerr << "fenestra: " << error.what() << '\n';
+    tell(error.what());
     return misused;
   }
   if (options.empty()) options.phantom = "torso";
 
-  MainWindow window({.gl = probeOpenGl(), .restQuality = options.quality, .remember = screenshot.empty()});
+  qInstallMessageHandler(handleQtMessage);
+  requestOpenGl();
+  QApplication application(argc, argv);
+  QLocale::setDefault(QLocale::c());
+  application.setApplicationName(QStringLiteral("Fenestra"));
+  application.setOrganizationName(QStringLiteral("Fenestra"));
+  application.setApplicationVersion(QStringLiteral(FENESTRA_VERSION));
+  application.setDesktopFileName(QStringLiteral("fenestra"));
+  applyStyle(application);
+
+  const GlSupport gl = probeOpenGl();
+  if (!gl.available && !screenshot.empty()) tell(gl.problem.toStdString());
+  MainWindow window({.gl = gl, .restQuality = options.quality, .remember = screenshot.empty()});
   for (const std::string& name : io::phantomNames())
     window.addSample(QString::fromStdString(io::loadPhantom(name).name), phantomReader(name));
   if (options.size) window.resize(options.size->x, options.size->y);
   window.show();
   window.open([options](const io::Progress& progress) { return readScene(options, progress); });
   if (!screenshot.empty()) {
-    QObject::connect(&window, &MainWindow::failed, &application, [&](const QString& message) {
-      fail(message.toStdString());
-      QCoreApplication::exit(failed);
-    });
+    QObject::connect(&window, &MainWindow::failed, &application,
+                     [&](const QString& message) { QCoreApplication::exit(fail(message.toStdString())); });
     QObject::connect(&window, &MainWindow::opened, &application, [&] {
       window.whenDrawn([&] {
         try {

@@ -20,8 +20,7 @@ constexpr int patience = 5000;  ///< ms; reached only when something hangs
 
 /// Reports progress until it is told to stop.
 LoadJob::Show readForever(const io::Progress& progress) {
-  while (progress(0.5, "reading"))
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  while (progress(0.5, "reading")) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   throw io::Cancelled();
 }
 
@@ -85,18 +84,18 @@ TEST(LoadJob, ANewStartReplacesWhatWasRunning) {
 }
 
 TEST(LoadJob, StopsItsReaderWhenItGoes) {
-  std::atomic<bool> stopped = false;
+  std::atomic<bool> reading = false, stopped = false;
   {
     LoadJob job;
-    QSignalSpy progressed(&job, &LoadJob::progressed);
     job.start([&](const io::Progress& progress) -> LoadJob::Show {
       struct AtEnd {
         std::atomic<bool>& flag;
         ~AtEnd() { flag = true; }
       } atEnd{stopped};
+      reading = true;
       return readForever(progress);
     });
-    ASSERT_TRUE(progressed.wait(patience));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return reading.load(); }, patience));
   }
   EXPECT_TRUE(stopped);
 }

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <memory>
 
+#include <gtest/gtest.h>
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
-#include <gtest/gtest.h>
 
 #include <QSettings>
 #include <QSignalSpy>
@@ -116,8 +116,8 @@ TEST(ViewLink, StandardViewsFaceTheirSideAndKeepDistanceAndRelation) {
     const Camera wanted = Camera::standard(side, cube());
     expectNear(link.camera(0).axes().forward, wanted.axes().forward);
     expectNear(link.camera(0).axes().up, wanted.axes().up);
-    EXPECT_NEAR(glm::distance(link.camera(0).eye, link.camera(0).target), glm::distance(before[0].eye, before[0].target),
-                tolerance);
+    EXPECT_NEAR(glm::distance(link.camera(0).eye, link.camera(0).target),
+                glm::distance(before[0].eye, before[0].target), tolerance);
     expectSameTurn(before, link);
   }
 }
@@ -130,7 +130,8 @@ TEST(ViewLink, ProjectionsShowTheTargetAtTheSameSize) {
   link.setProjection(Projection::Orthographic);
   const Camera parallel = link.camera(0);
   EXPECT_NEAR(parallel.orthographicHeight,
-              2.0 * glm::distance(before.eye, before.target) * std::tan(glm::radians(before.verticalFov / 2.0)), tolerance);
+              2.0 * glm::distance(before.eye, before.target) * std::tan(glm::radians(before.verticalFov / 2.0)),
+              tolerance);
   // Parallel rays start at the eye's plane: it must lie before the whole volume however far in the view was zoomed.
   EXPECT_GT(glm::distance(parallel.eye, parallel.target), cube().boundingRadius());
   link.setProjection(Projection::Perspective);

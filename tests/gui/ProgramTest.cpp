@@ -18,23 +18,22 @@ struct Ended {
   QString errors;
 };
 
-Ended run(const QStringList& arguments) {
+Ended run(const QStringList& arguments,
+          const QProcessEnvironment& environment = QProcessEnvironment::systemEnvironment()) {
   QProcess program;
+  program.setProcessEnvironment(environment);
   program.start(QStringLiteral(FENESTRA_PROGRAM), arguments);
   constexpr int patience = 60000;  // ms; reached only when something hangs
   if (!program.waitForFinished(patience) || program.exitStatus() != QProcess::NormalExit) return {};
-  QStringList lines;
-  // Qt's own remarks about the session are not the program's.
-  for (const QString& line : QString::fromUtf8(program.readAllStandardError()).split(QLatin1Char('\n'), Qt::SkipEmptyParts))
-    if (line.startsWith(QStringLiteral("fenestra"))) lines << line;
-  return {program.exitCode(), lines.join(QLatin1Char('\n'))};
+  return {program.exitCode(), QString::fromUtf8(program.readAllStandardError()).trimmed()};
 }
 
 QString qt(const std::filesystem::path& path) { return QString::fromStdString(path.string()); }
 
 TEST(Program, SavesTheWholeWindowAndExits) {
   const std::filesystem::path picture = tests::scratchFolder() / "window.png";
-  const Ended ended = run({"--phantom", "torso", "--phantom-voxels", "64", "--size", "1200x760", "--screenshot", qt(picture)});
+  const Ended ended =
+      run({"--phantom", "torso", "--phantom-voxels", "64", "--size", "1200x760", "--screenshot", qt(picture)});
   EXPECT_EQ(ended.code, 0) << ended.errors.toStdString();
   const QImage image(qt(picture));
   const int scale = std::max(1, qEnvironmentVariableIntValue("QT_SCALE_FACTOR"));
@@ -57,9 +56,20 @@ TEST(Program, RefusesWrongUsage) {
 }
 
 TEST(Program, EndsWithOneLineWhenThePictureCannotBeWritten) {
-  const Ended ended = run({"--phantom", "torso", "--phantom-voxels", "32", "--screenshot", "/no/such/folder/window.png"});
+  const Ended ended =
+      run({"--phantom", "torso", "--phantom-voxels", "32", "--screenshot", "/no/such/folder/window.png"});
   EXPECT_EQ(ended.code, 1);
   EXPECT_EQ(ended.errors.count(QLatin1Char('\n')), 0);
+}
+
+TEST(Program, SaysThatThereIsNoDisplay) {
+  QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+  environment.remove(QStringLiteral("DISPLAY"));
+  const Ended ended = run({}, environment);
+  EXPECT_EQ(ended.code, 1);
+  EXPECT_EQ(ended.errors.count(QLatin1Char('\n')), 0) << ended.errors.toStdString();
+  EXPECT_TRUE(ended.errors.contains(QStringLiteral("no display"))) << ended.errors.toStdString();
+  EXPECT_EQ(run({QStringLiteral("--help")}, environment).code, 0);
 }
 
 }  // namespace

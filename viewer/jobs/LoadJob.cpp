@@ -55,8 +55,10 @@ void LoadJob::finish() {
   const QFuture<Outcome> future = watcher_.future();
   if (!future.isCanceled() && future.resultCount() > 0) {
     const Outcome outcome = future.result();
-    if (outcome.show) outcome.show();
-    else Q_EMIT failed(QString::fromStdString(outcome.error));
+    if (outcome.show)
+      outcome.show();
+    else
+      Q_EMIT failed(QString::fromStdString(outcome.error));
   }
   Q_EMIT ended();
 }

@@ -15,7 +15,8 @@ namespace {
 bool isVolumeFile(const std::filesystem::path& path) {
   std::string name = path.filename().string();
   std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
-  constexpr std::array<std::string_view, 8> endings{".nii", ".nii.gz", ".hdr", ".img", ".nrrd", ".nhdr", ".mha", ".mhd"};
+  constexpr std::array<std::string_view, 8> endings{".nii",  ".nii.gz", ".hdr", ".img",
+                                                    ".nrrd", ".nhdr",   ".mha", ".mhd"};
   return std::any_of(endings.begin(), endings.end(), [&](std::string_view ending) { return name.ends_with(ending); });
 }
 

@@ -64,12 +64,21 @@ void Document::setLabels(std::shared_ptr<const LabelMap> labels) {
   Q_EMIT sceneChanged();
 }
 
+bool Document::looksLikeCt() const {
+  return hasVolume() &&
+         (scene().volume->modality == Modality::CT || io::defaultPreset(*scene().volume).starts_with("ct-"));
+}
+
 QString Document::description() const {
   if (!hasVolume()) return {};
   const Grid& grid = study_.scene.volume->grid;
   QString text = QStringLiteral("%1×%2×%3 · %4×%5×%6 mm")
-                     .arg(grid.dims.x).arg(grid.dims.y).arg(grid.dims.z)
-                     .arg(grid.spacing.x, 0, 'f', 2).arg(grid.spacing.y, 0, 'f', 2).arg(grid.spacing.z, 0, 'f', 2);
+                     .arg(grid.dims.x)
+                     .arg(grid.dims.y)
+                     .arg(grid.dims.z)
+                     .arg(grid.spacing.x, 0, 'f', 2)
+                     .arg(grid.spacing.y, 0, 'f', 2)
+                     .arg(grid.spacing.z, 0, 'f', 2);
   const std::string& modality = study_.series.modality;
   if (!modality.empty()) return QString::fromStdString(modality) + QStringLiteral(" · ") + text;
   return text;
@@ -100,10 +109,14 @@ void Document::setFocused(std::uint16_t label, bool focused) {
   const auto at = std::lower_bound(labels.begin(), labels.end(), label);
   const bool present = at != labels.end() && *at == label;
   if (present == focused) return;
-  if (focused) labels.insert(at, label);
-  else labels.erase(at);
-  if (labels.empty()) setFocus(std::monostate{});
-  else setFocus(LabelFocus{std::move(labels)});
+  if (focused)
+    labels.insert(at, label);
+  else
+    labels.erase(at);
+  if (labels.empty())
+    setFocus(std::monostate{});
+  else
+    setFocus(LabelFocus{std::move(labels)});
 }
 
 bool Document::isFocused(std::uint16_t label) const {

@@ -19,9 +19,9 @@ namespace fenestra::viewer {
 /// A data set as read, ready to be shown.
 struct Study {
   Scene scene;
-  std::string transferFunction;          ///< preset or file that made scene.context
-  std::optional<Camera> camera;          ///< where to look from first; unset: from anterior
-  std::filesystem::path path;            ///< what the user opened; empty for a phantom
+  std::string transferFunction;  ///< preset or file that made scene.context
+  std::optional<Camera> camera;  ///< where to look from first; unset: from anterior
+  std::filesystem::path path;    ///< what the user opened; empty for a phantom
   io::SeriesInfo series;
   std::vector<io::SeriesInfo> otherSeries;
   std::vector<io::Warning> warnings;
@@ -39,6 +39,8 @@ class Document : public QObject {
   bool hasVolume() const { return study_.scene.volume != nullptr; }
   const Scene& scene() const { return study_.scene; }
   const Study& study() const { return study_; }
+  /// Whether the values are to be taken for Hounsfield units: said so, or a range that only CT has.
+  bool looksLikeCt() const;
   /// "CT · 512×512×245 · 1.00×1.00×1.00 mm": nothing that could name a patient.
   QString description() const;
 

@@ -38,7 +38,8 @@ void FramePacer::end(double now) {
   const double perView = (now - frame.began) / frame.views;
   if (frame.effort == rest_) blend(restCost_, perView);
   // A frame's time grows with its pixels.
-  else blend(draftCost_, perView / (frame.effort.scale * frame.effort.scale));
+  else
+    blend(draftCost_, perView / (frame.effort.scale * frame.effort.scale));
 }
 
 }  // namespace fenestra::viewer

@@ -1,6 +1,6 @@
 #pragma once
-// How large and how fine the 3-D views are drawn while something moves, from measured frame times: smaller pictures on a
-// slow machine, full ones where they are fast enough anyway.
+// How large and how fine the 3-D views are drawn while something moves, from measured frame times: smaller pictures on
+// a slow machine, full ones where they are fast enough anyway.
 
 #include <optional>
 
@@ -19,8 +19,8 @@ class FramePacer {
  public:
   /// Milliseconds that a frame of all moving views may take: 12 frames a second.
   static constexpr double budget = 1000.0 / 12.0;
-  /// Below a fifth of the resolution anatomy can no longer be recognised.
-  static constexpr double leastScale = 0.2;
+  /// Below a quarter of the resolution anatomy is hard to recognise.
+  static constexpr double leastScale = 0.25;
 
   explicit FramePacer(Quality restQuality = Quality::Normal) : rest_{1.0, restQuality} {}
 

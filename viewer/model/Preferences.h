@@ -1,6 +1,6 @@
 #pragma once
-// What is remembered between two runs. Nothing that the data says about a patient is stored: the recent list holds paths
-// as the user chose them.
+// What is remembered between two runs. Nothing that the data says about a patient is stored: the recent list holds
+// paths as the user chose them.
 
 #include <filesystem>
 #include <vector>

@@ -8,7 +8,7 @@
 namespace fenestra::viewer {
 
 struct WindowPreset {
-  int key;             ///< number key
+  int key;  ///< number key
   const char* name;
   WindowLevel window;  ///< HU
 };

@@ -41,7 +41,8 @@ CutawayPanel::CutawayPanel(Document& document, QWidget* parent)
     change(cutaway);
     document_.setCutaway(cutaway);
   };
-  connect(enabled_, &QCheckBox::clicked, this, [edit](bool on) { edit([on](Cutaway& cutaway) { cutaway.enabled = on; }); });
+  connect(enabled_, &QCheckBox::clicked, this,
+          [edit](bool on) { edit([on](Cutaway& cutaway) { cutaway.enabled = on; }); });
   connect(openWidth_, &SliderSpin::edited, this,
           [edit](double value) { edit([value](Cutaway& cutaway) { cutaway.openWidth = value; }); });
   connect(borderWidth_, &SliderSpin::edited, this,
@@ -74,9 +75,9 @@ void CutawayPanel::show() {
   swatch.fill(toColour(cutaway.borderColour));
   colour_->setIcon(swatch);
   contextLayer_->setValue(document_.scene().contextLayer.strength);
-  for (QWidget* widget : {static_cast<QWidget*>(openWidth_), static_cast<QWidget*>(borderWidth_),
-                          static_cast<QWidget*>(unit_), static_cast<QWidget*>(colour_),
-                          static_cast<QWidget*>(contextLayer_)})
+  for (QWidget* widget :
+       {static_cast<QWidget*>(openWidth_), static_cast<QWidget*>(borderWidth_), static_cast<QWidget*>(unit_),
+        static_cast<QWidget*>(colour_), static_cast<QWidget*>(contextLayer_)})
     widget->setEnabled(cutaway.enabled);
 }
 

@@ -35,7 +35,7 @@ FocusPanel::FocusPanel(Document& document, QWidget* parent)
   list_->setModel(filtered_);
   list_->setUniformItemSizes(true);
   list_->setIconSize({12, 12});
-  list_->setToolTip(tr("Tick what to see; double-click to see that alone"));
+  list_->setToolTip(tr("Tick what to see; double-click to see that alone and go there"));
   list_->setMinimumHeight(80);
 
   byValue_->setToolTip(tr("The focus is everything whose value lies in this range"));
@@ -56,17 +56,20 @@ FocusPanel::FocusPanel(Document& document, QWidget* parent)
   column->addWidget(filter_);
   column->addWidget(list_, 1);
   column->addWidget(noLabels_);
-  column->addStretch(0);
   column->addWidget(byValue_);
   column->addLayout(range);
+  column->addStretch(0);
 
   connect(filter_, &QLineEdit::textChanged, filtered_, &QSortFilterProxyModel::setFilterFixedString);
   connect(list_, &QListView::doubleClicked, this, [this](const QModelIndex& index) {
     document_.focusOn(labels_->label(filtered_->mapToSource(index)));
+    Q_EMIT structureChosen();
   });
   connect(byValue_, &QCheckBox::clicked, this, [this](bool on) {
-    if (on) applyRange();
-    else document_.setFocus(std::monostate{});
+    if (on)
+      applyRange();
+    else
+      document_.setFocus(std::monostate{});
   });
   connect(&document, &Document::volumeChanged, this, &FocusPanel::showStudy);
   connect(&document, &Document::labelsChanged, this, &FocusPanel::showStudy);
@@ -96,8 +99,10 @@ void FocusPanel::showStudy() {
     box->setSuffix(suffix);
   }
   const QSignalBlocker quietLow(low_), quietHigh(high_);
-  // Bone in CT; elsewhere the upper quarter: something to start from.
-  low_->setValue(volume.modality == Modality::CT ? 300.0 : volume.range.high - 0.25 * span);
+  // Bone, where there is some; elsewhere the upper quarter: something to start from.
+  constexpr double bone = 300.0;  // HU
+  const bool holdsBone = document_.looksLikeCt() && volume.range.high > 2.0 * bone;
+  low_->setValue(holdsBone ? bone : volume.range.high - 0.25 * span);
   high_->setValue(volume.range.high);
   showFocus();
 }
@@ -107,6 +112,12 @@ void FocusPanel::showFocus() {
   byValue_->setChecked(values != nullptr);
   low_->setEnabled(values != nullptr);
   high_->setEnabled(values != nullptr);
+  if (const auto* labels = std::get_if<LabelFocus>(&document_.focus())) {
+    for (int row = 0; row < filtered_->rowCount(); ++row) {
+      const QModelIndex index = filtered_->index(row, 0);
+      if (labels_->label(filtered_->mapToSource(index)) == labels->labels.front()) list_->scrollTo(index);
+    }
+  }
   if (!values) return;
   const QSignalBlocker quietLow(low_), quietHigh(high_);
   low_->setValue(values->values.low);

@@ -25,6 +25,10 @@ class FocusPanel : public QWidget {
   QDoubleSpinBox* low() const { return low_; }
   QDoubleSpinBox* high() const { return high_; }
 
+ Q_SIGNALS:
+  /// The user picked one structure to look at; it is the focus now.
+  void structureChosen();
+
  private:
   void showStudy();
   void showFocus();

@@ -33,10 +33,14 @@ QVariant LabelModel::data(const QModelIndex& index, int role) const {
   switch (role) {
     case Qt::DisplayRole:
       return label.name.empty() ? tr("Label %1").arg(label.value) : QString::fromStdString(label.name);
-    case Qt::ToolTipRole: return tr("Label %1").arg(label.value);
-    case Qt::DecorationRole: return toColour(label.colour);
-    case Qt::CheckStateRole: return document_.isFocused(label.value) ? Qt::Checked : Qt::Unchecked;
-    default: return {};
+    case Qt::ToolTipRole:
+      return tr("Label %1").arg(label.value);
+    case Qt::DecorationRole:
+      return toColour(label.colour);
+    case Qt::CheckStateRole:
+      return document_.isFocused(label.value) ? Qt::Checked : Qt::Unchecked;
+    default:
+      return {};
   }
 }
 

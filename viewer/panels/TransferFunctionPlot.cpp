@@ -37,9 +37,8 @@ void TransferFunctionPlot::countValues() {
   });
   const double greatest = std::max(1.0, *std::max_element(counts.begin(), counts.end()));
   histogram_.resize(bins);
-  std::transform(counts.begin(), counts.end(), histogram_.begin(), [&](double count) {
-    return static_cast<float>(std::log1p(count) / std::log1p(greatest));
-  });
+  std::transform(counts.begin(), counts.end(), histogram_.begin(),
+                 [&](double count) { return static_cast<float>(std::log1p(count) / std::log1p(greatest)); });
   update();
 }
 

@@ -1,6 +1,6 @@
 #include "viewer/views/GlSupport.h"
 
-#include <QCoreApplication>
+#include <QGuiApplication>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
 #include <QSurfaceFormat>
@@ -32,10 +32,14 @@ void requestOpenGl() {
 }
 
 GlSupport probeOpenGl() {
+  // Qt's offscreen platform makes contexts where there is an X server, but crashes when it shows their widgets.
+  if (QGuiApplication::platformName() == QLatin1String("offscreen"))
+    return unavailable(tr("Qt's offscreen platform has no OpenGL; unset QT_QPA_PLATFORM."));
   QOpenGLContext context;
   if (!context.create())
-    return unavailable(tr("No OpenGL context can be made on this display. Install the graphics driver, or Mesa's "
-                          "software renderer (Debian: libgl1-mesa-dri); on a remote desktop, start Fenestra there."));
+    return unavailable(
+        tr("No OpenGL context can be made on this display. Install the graphics driver, or Mesa's "
+           "software renderer (Debian: libgl1-mesa-dri); on a remote desktop, start Fenestra there."));
   QOffscreenSurface surface;
   surface.create();
   if (!context.makeCurrent(&surface))

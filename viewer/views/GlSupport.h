@@ -9,8 +9,8 @@ namespace fenestra::viewer {
 struct GlSupport {
   bool available = false;
   bool software = false;  ///< drawn by the processor
-  QString renderer{};      ///< the driver's own name for itself
-  QString problem{};       ///< what is wrong and what would help; empty when available
+  QString renderer{};     ///< the driver's own name for itself
+  QString problem{};      ///< what is wrong and what would help; empty when available
 };
 
 /// Asks Qt for OpenGL 4.5 core contexts that share objects. Call before the QApplication is made.

@@ -33,18 +33,24 @@ glm::dvec3 fromColour(const QColor& colour) { return {colour.redF(), colour.gree
 
 QColor planeColour(SlicePlane plane) {
   switch (plane) {
-    case SlicePlane::Axial: return {240, 110, 100};
-    case SlicePlane::Sagittal: return {235, 200, 90};
-    case SlicePlane::Coronal: break;
+    case SlicePlane::Axial:
+      return {240, 110, 100};
+    case SlicePlane::Sagittal:
+      return {235, 200, 90};
+    case SlicePlane::Coronal:
+      break;
   }
   return {120, 205, 125};
 }
 
 QString planeName(SlicePlane plane) {
   switch (plane) {
-    case SlicePlane::Axial: return QCoreApplication::translate("Overlay", "Axial");
-    case SlicePlane::Sagittal: return QCoreApplication::translate("Overlay", "Sagittal");
-    case SlicePlane::Coronal: break;
+    case SlicePlane::Axial:
+      return QCoreApplication::translate("Overlay", "Axial");
+    case SlicePlane::Sagittal:
+      return QCoreApplication::translate("Overlay", "Sagittal");
+    case SlicePlane::Coronal:
+      break;
   }
   return QCoreApplication::translate("Overlay", "Coronal");
 }
@@ -92,7 +98,8 @@ void drawScaleBar(QPainter& painter, const QRectF& view, double mmPerPixel) {
   const double limit = view.width() * 0.25 * mmPerPixel;
   if (!(limit > 0.0) || !std::isfinite(limit)) return;
   const double length = roundLength(limit);
-  const QString text = length >= 10.0 ? QStringLiteral("%1 cm").arg(length / 10.0) : QStringLiteral("%1 mm").arg(length);
+  const QString text =
+      length >= 10.0 ? QStringLiteral("%1 cm").arg(length / 10.0) : QStringLiteral("%1 mm").arg(length);
   const double pixels = length / mmPerPixel, tick = 4.0;
   const QPointF end(view.right() - overlayMargin, view.bottom() - overlayMargin - tick);
   const QPointF start = end - QPointF(pixels, 0);

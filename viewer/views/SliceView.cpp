@@ -53,7 +53,8 @@ void SliceView::readGeometry() {
   if (!document_.hasVolume()) return;
   geometry_ = fenestra::sliceGeometry(document_.scene().volume->grid, geometry_.plane);
   zoom_ = 1.0;
-  centre_ = {0.5 * geometry_.width * glm::length(geometry_.right), 0.5 * geometry_.height * glm::length(geometry_.down)};
+  centre_ = {0.5 * geometry_.width * glm::length(geometry_.right),
+             0.5 * geometry_.height * glm::length(geometry_.down)};
   slice_ = cursor_.slice(geometry_);
   values_.clear();
   labels_.clear();
@@ -109,8 +110,8 @@ void SliceView::makeImage() {
   for (int row = 0; row < geometry_.height; ++row) {
     auto* line = reinterpret_cast<QRgb*>(image_.scanLine(row));
     for (int column = 0; column < geometry_.width; ++column) {
-      const std::size_t at = static_cast<std::size_t>(row) * static_cast<std::size_t>(geometry_.width) +
-                             static_cast<std::size_t>(column);
+      const std::size_t at =
+          static_cast<std::size_t>(row) * static_cast<std::size_t>(geometry_.width) + static_cast<std::size_t>(column);
       Tint tint;
       if (valueFocus && values_[at] >= valueFocus->values.low && values_[at] <= valueFocus->values.high)
         tint = {scene.focusAppearance.colour, focusTintPercent, true};
@@ -244,8 +245,10 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
   if (buttons == Qt::NoButton) {
     const glm::dvec3 world = worldFromWidget(position);
     if (event->modifiers() & Qt::ShiftModifier && inPicture(world)) cursor_.moveTo(world);
-    if (inPicture(world)) Q_EMIT pointed(world);
-    else Q_EMIT left();
+    if (inPicture(world))
+      Q_EMIT pointed(world);
+    else
+      Q_EMIT left();
     return;
   }
   if (!dragging_ && std::hypot(total.x(), total.y()) <= clickSlack) return;
@@ -255,8 +258,8 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
     const ValueRange range = document_.scene().volume->range;
     const double perPixel = std::max(windowAtPress_.width, 0.02 * (range.high - range.low)) / 250.0;
     const double least = std::max(1e-4 * (range.high - range.low), 1e-9);
-    document_.setWindow({std::max(windowAtPress_.width + total.x() * perPixel, least),
-                         windowAtPress_.level + total.y() * perPixel});
+    document_.setWindow(
+        {std::max(windowAtPress_.width + total.x() * perPixel, least), windowAtPress_.level + total.y() * perPixel});
   } else if (buttons & Qt::MiddleButton) {
     centre_ -= move / pixelsPerMm();
     update();
@@ -268,7 +271,8 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
 void SliceView::mouseReleaseEvent(QMouseEvent* event) {
   if (dragging_ || !document_.hasVolume()) return;
   const glm::dvec3 world = worldFromWidget(event->position());
-  if (event->button() == Qt::LeftButton) click(event->position(), event->modifiers());
+  if (event->button() == Qt::LeftButton)
+    click(event->position(), event->modifiers());
   else if (event->button() == Qt::RightButton && inPicture(world))
     Q_EMIT menuRequested(world, event->globalPosition().toPoint());
 }
@@ -280,8 +284,10 @@ void SliceView::click(QPointF position, Qt::KeyboardModifiers modifiers) {
   cursor_.moveTo(world);
   const Label* label = document_.labelAt(world);
   if (!label) return;
-  if (modifiers & Qt::ControlModifier) document_.setFocused(label->value, !document_.isFocused(label->value));
-  else document_.focusOn(label->value);
+  if (modifiers & Qt::ControlModifier)
+    document_.setFocused(label->value, !document_.isFocused(label->value));
+  else
+    document_.focusOn(label->value);
 }
 
 void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
@@ -291,8 +297,10 @@ void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
     document_.setFocus(beforeClick_->focus);
     cursor_.moveTo(beforeClick_->cursor);
   }
-  if (event->modifiers() & Qt::ControlModifier) document_.resetWindow();
-  else Q_EMIT maximiseRequested();
+  if (event->modifiers() & Qt::ControlModifier)
+    document_.resetWindow();
+  else
+    Q_EMIT maximiseRequested();
 }
 
 void SliceView::zoomAt(QPointF position, double factor) {
@@ -320,11 +328,23 @@ void SliceView::wheelEvent(QWheelEvent* event) {
 void SliceView::keyPressEvent(QKeyEvent* event) {
   int steps = 0;
   switch (event->key()) {
-    case Qt::Key_Up: case Qt::Key_Right: steps = 1; break;
-    case Qt::Key_Down: case Qt::Key_Left: steps = -1; break;
-    case Qt::Key_PageUp: steps = 10; break;
-    case Qt::Key_PageDown: steps = -10; break;
-    default: QWidget::keyPressEvent(event); return;
+    case Qt::Key_Up:
+    case Qt::Key_Right:
+      steps = 1;
+      break;
+    case Qt::Key_Down:
+    case Qt::Key_Left:
+      steps = -1;
+      break;
+    case Qt::Key_PageUp:
+      steps = 10;
+      break;
+    case Qt::Key_PageDown:
+      steps = -10;
+      break;
+    default:
+      QWidget::keyPressEvent(event);
+      return;
   }
   if (document_.hasVolume()) cursor_.step(geometry_, steps);
 }

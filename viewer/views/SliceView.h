@@ -78,10 +78,10 @@ class SliceView : public QWidget {
   QImage image_;                       ///< null: to be made
   QVector<QLineF> outline_;            ///< of the focus, in slice pixels
 
-  double zoom_ = 1.0;                  ///< 1: the whole slice fits
-  QPointF centre_;                     ///< what is in the middle of the widget, in mm from the slice's first pixel's corner
+  double zoom_ = 1.0;  ///< 1: the whole slice fits
+  QPointF centre_;     ///< what is in the middle of the widget, in mm from the slice's first pixel's corner
 
-  QPointF pressed_, last_;             ///< mouse positions of the press and of the last move
+  QPointF pressed_, last_;  ///< mouse positions of the press and of the last move
   WindowLevel windowAtPress_;
   bool dragging_ = false;
   /// What the last click replaced: a double click undoes its first half.
@@ -90,7 +90,7 @@ class SliceView : public QWidget {
     glm::dvec3 cursor;
   };
   std::optional<BeforeClick> beforeClick_;
-  double wheel_ = 0.0;                 ///< wheel angle left over, in eighths of a degree
+  double wheel_ = 0.0;  ///< wheel angle left over, in eighths of a degree
 };
 
 }  // namespace fenestra::viewer

@@ -43,7 +43,8 @@ ViewArea::ViewArea(Document& document, SliceCursor& cursor, ViewLink& cameras, V
       volumes_.push_back(view);
     }
   } else {
-    auto* reason = new QLabel(tr("3-D views are not available here.\n\n%1\n\nThe slices below work without it.").arg(gl.problem));
+    auto* reason =
+        new QLabel(tr("3-D views are not available here.\n\n%1\n\nThe slices below work without it.").arg(gl.problem));
     reason->setObjectName(QStringLiteral("noOpenGl"));
     reason->setAlignment(Qt::AlignCenter);
     reason->setWordWrap(true);

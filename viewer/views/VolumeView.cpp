@@ -46,9 +46,9 @@ VolumeView::VolumeView(int index, Document& document, SliceCursor& cursor, ViewL
   rest_.setSingleShot(true);
   connect(&rest_, &QTimer::timeout, this, &VolumeView::settle);
   connect(&document, &Document::volumeChanged, this, [this] { cold_ = true; });
-  connect(&document, &Document::sceneChanged, this, &VolumeView::disturb);
+  connect(&document, &Document::sceneChanged, this, [this] { disturb(ViewLink::count); });
   connect(&cameras, &ViewLink::changed, this, [this](int view) {
-    if (view == index_) disturb();
+    if (view == index_) disturb(cameras_.isLinked() ? ViewLink::count : 1);
   });
   const auto repaint = [this] { update(); };
   connect(&cursor, &SliceCursor::moved, this, repaint);
@@ -66,11 +66,9 @@ VolumeView::~VolumeView() {
 
 bool VolumeView::isSettled() const { return settled_ || !problem_.isEmpty() || !document_.hasVolume(); }
 
-int VolumeView::movingViews() const { return cameras_.isLinked() ? ViewLink::count : 1; }
-
-void VolumeView::disturb() {
+void VolumeView::disturb(int views) {
   settled_ = false;
-  effort_ = shared_.pacer->moving(movingViews());
+  effort_ = shared_.pacer->moving(views);
   // Views settle one after the other, so that the window answers in between.
   rest_.start(restMilliseconds * (1 + index_));
   update();
@@ -83,7 +81,7 @@ void VolumeView::settle() {
 
 void VolumeView::resizeEvent(QResizeEvent* event) {
   QOpenGLWidget::resizeEvent(event);
-  disturb();
+  disturb(ViewLink::count);
 }
 
 void VolumeView::initializeGL() {
@@ -168,8 +166,7 @@ void VolumeView::drawOverlay() {
 std::optional<QPointF> VolumeView::widgetFromWorld(glm::dvec3 world) const {
   if (!document_.hasVolume()) return std::nullopt;
   const double aspect = static_cast<double>(width()) / std::max(1, height());
-  const glm::dvec4 clip =
-      shownCamera().clipFromWorld(aspect, document_.scene().volume->grid) * glm::dvec4(world, 1.0);
+  const glm::dvec4 clip = shownCamera().clipFromWorld(aspect, document_.scene().volume->grid) * glm::dvec4(world, 1.0);
   if (!(clip.w > 0.0)) return std::nullopt;
   return QPointF(0.5 * (clip.x / clip.w + 1.0) * width(), 0.5 * (1.0 - clip.y / clip.w) * height());
 }
@@ -183,18 +180,18 @@ std::optional<glm::dvec3> VolumeView::pick(QPointF position) {
   if (!hit) return std::nullopt;
   // The hit lies on a surface, half the time on its outer side: half a voxel on lies what is seen.
   const Camera& camera = shown_.camera;
-  const glm::dvec3 ray = camera.projection == Projection::Perspective ? glm::normalize(*hit - camera.eye)
-                                                                      : camera.axes().forward;
+  const glm::dvec3 ray =
+      camera.projection == Projection::Perspective ? glm::normalize(*hit - camera.eye) : camera.axes().forward;
   const glm::dvec3 spacing = document_.scene().volume->grid.spacing;
   return *hit + 0.5 * std::min({spacing.x, spacing.y, spacing.z}) * ray;
 }
 
 double VolumeView::mmPerPixel() const {
   const Camera camera = shownCamera();
-  const double seen = camera.projection == Projection::Orthographic
-                          ? camera.orthographicHeight
-                          : 2.0 * glm::distance(camera.eye, camera.target) *
-                                std::tan(glm::radians(camera.verticalFov) * 0.5);
+  const double seen =
+      camera.projection == Projection::Orthographic
+          ? camera.orthographicHeight
+          : 2.0 * glm::distance(camera.eye, camera.target) * std::tan(glm::radians(camera.verticalFov) * 0.5);
   return seen / std::max(1, height());
 }
 
@@ -272,11 +269,21 @@ void VolumeView::wheelEvent(QWheelEvent* event) {
 void VolumeView::keyPressEvent(QKeyEvent* event) {
   double yaw = 0.0, pitch = 0.0;
   switch (event->key()) {
-    case Qt::Key_Left: yaw = arrowTurn; break;
-    case Qt::Key_Right: yaw = -arrowTurn; break;
-    case Qt::Key_Up: pitch = arrowTurn; break;
-    case Qt::Key_Down: pitch = -arrowTurn; break;
-    default: QOpenGLWidget::keyPressEvent(event); return;
+    case Qt::Key_Left:
+      yaw = arrowTurn;
+      break;
+    case Qt::Key_Right:
+      yaw = -arrowTurn;
+      break;
+    case Qt::Key_Up:
+      pitch = arrowTurn;
+      break;
+    case Qt::Key_Down:
+      pitch = -arrowTurn;
+      break;
+    default:
+      QOpenGLWidget::keyPressEvent(event);
+      return;
   }
   if (document_.hasVolume()) cameras_.orbit(index_, yaw, pitch);
 }

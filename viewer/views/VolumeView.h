@@ -42,7 +42,8 @@ class VolumeView : public QOpenGLWidget {
   bool isSettled() const;
   /// Why nothing is drawn; empty when all is well.
   const QString& problem() const { return problem_; }
-  /// The camera as drawn: in a view that is higher than wide, the field of view is widened so that the volume still fits.
+  /// The camera as drawn: in a view that is higher than wide, the field of view is widened so that the volume still
+  /// fits.
   Camera shownCamera() const;
   std::optional<QPointF> widgetFromWorld(glm::dvec3 world) const;
 
@@ -70,7 +71,8 @@ class VolumeView : public QOpenGLWidget {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  void disturb();
+  /// Something changed that redraws `views` 3-D views at a time.
+  void disturb(int views);
   void settle();
   void renderScene();
   void drawOverlay();
@@ -78,7 +80,6 @@ class VolumeView : public QOpenGLWidget {
   /// World position of what the widget shows there; empty on the background.
   std::optional<glm::dvec3> pick(QPointF position);
   double mmPerPixel() const;
-  int movingViews() const;
 
   const int index_;
   Document& document_;
@@ -89,11 +90,11 @@ class VolumeView : public QOpenGLWidget {
 
   std::optional<Renderer> renderer_;
   QString problem_;
-  View shown_;                    ///< of the last picture; size 0 before the first
-  Effort effort_;                 ///< to draw the next picture with
-  bool settled_ = false;          ///< the last picture is of the present scene, at full quality
-  bool cold_ = true;              ///< the next picture also uploads voxels: its time says nothing
-  QTimer rest_;                   ///< runs out when nothing has changed for a moment
+  View shown_;            ///< of the last picture; size 0 before the first
+  Effort effort_;         ///< to draw the next picture with
+  bool settled_ = false;  ///< the last picture is of the present scene, at full quality
+  bool cold_ = true;      ///< the next picture also uploads voxels: its time says nothing
+  QTimer rest_;           ///< runs out when nothing has changed for a moment
 
   QPointF pressed_, last_;
   bool dragging_ = false;

@@ -1,0 +1,114 @@
+#include "viewer/Dialogs.h"
+
+#include <QApplication>
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QMessageBox>
+#include <QTextBrowser>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+namespace fenestra::viewer {
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("Dialogs", text); }
+
+}  // namespace
+
+std::optional<std::string> askForSeries(const Study& study, QWidget* parent) {
+  QDialog dialog(parent);
+  dialog.setWindowTitle(tr("Choose a series"));
+  auto* list = new QTreeWidget;
+  list->setRootIsDecorated(false);
+  list->setHeaderLabels({tr("Type"), tr("Description"), tr("Size"), tr("Images")});
+  const auto add = [&](const io::SeriesInfo& series) {
+    auto* row = new QTreeWidgetItem(list);
+    row->setText(0, QString::fromStdString(series.modality));
+    row->setText(1, QString::fromStdString(series.description));
+    row->setText(2, QStringLiteral("%1×%2×%3").arg(series.dims.x).arg(series.dims.y).arg(series.dims.z));
+    row->setText(3, QString::number(series.files.size()));
+    row->setData(0, Qt::UserRole, QString::fromStdString(series.id));
+    return row;
+  };
+  list->setCurrentItem(add(study.series));
+  for (const io::SeriesInfo& series : study.otherSeries) add(series);
+  for (int column = 0; column < list->columnCount(); ++column) list->resizeColumnToContents(column);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Open | QDialogButtonBox::Cancel);
+  QObject::connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
+  QObject::connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
+  QObject::connect(list, &QTreeWidget::itemDoubleClicked, &dialog, &QDialog::accept);
+  auto* column = new QVBoxLayout(&dialog);
+  column->addWidget(list);
+  column->addWidget(buttons);
+  dialog.resize(640, 320);
+  if (dialog.exec() != QDialog::Accepted || !list->currentItem()) return std::nullopt;
+  const std::string chosen = list->currentItem()->data(0, Qt::UserRole).toString().toStdString();
+  return chosen == study.series.id ? std::nullopt : std::optional(chosen);
+}
+
+void showKeys(QWidget* parent) {
+  struct Line {
+    const char *keys, *meaning;
+  };
+  static constexpr Line lines[] = {
+      {nullptr, QT_TRANSLATE_NOOP("Dialogs", "Slices")},
+      {QT_TRANSLATE_NOOP("Dialogs", "Click"),
+       QT_TRANSLATE_NOOP("Dialogs", "crosshair; the label there becomes the focus")},
+      {QT_TRANSLATE_NOOP("Dialogs", "Ctrl+click"), QT_TRANSLATE_NOOP("Dialogs", "the label joins or leaves the focus")},
+      {QT_TRANSLATE_NOOP("Dialogs", "Drag"),
+       QT_TRANSLATE_NOOP("Dialogs", "window width (across) and level (up and down)")},
+      {QT_TRANSLATE_NOOP("Dialogs", "Ctrl+double-click"), QT_TRANSLATE_NOOP("Dialogs", "window and level of the data")},
+      {QT_TRANSLATE_NOOP("Dialogs", "Wheel, arrows, Page up/down"),
+       QT_TRANSLATE_NOOP("Dialogs", "next and previous slices")},
+      {nullptr, QT_TRANSLATE_NOOP("Dialogs", "3-D views")},
+      {QT_TRANSLATE_NOOP("Dialogs", "Drag, arrows"), QT_TRANSLATE_NOOP("Dialogs", "rotate; the linked view follows")},
+      {QT_TRANSLATE_NOOP("Dialogs", "Click"), QT_TRANSLATE_NOOP("Dialogs", "crosshair to the surface")},
+      {QT_TRANSLATE_NOOP("Dialogs", "Ctrl+click"), QT_TRANSLATE_NOOP("Dialogs", "its label joins or leaves the focus")},
+      {QT_TRANSLATE_NOOP("Dialogs", "Wheel"), QT_TRANSLATE_NOOP("Dialogs", "zoom")},
+      {QT_TRANSLATE_NOOP("Dialogs", "Shift+A P L R S I"),
+       QT_TRANSLATE_NOOP("Dialogs", "look from anterior, posterior, left, right, superior, inferior")},
+      {nullptr, QT_TRANSLATE_NOOP("Dialogs", "All views")},
+      {QT_TRANSLATE_NOOP("Dialogs", "Middle drag"), QT_TRANSLATE_NOOP("Dialogs", "move the picture")},
+      {QT_TRANSLATE_NOOP("Dialogs", "Right drag, Ctrl+wheel"), QT_TRANSLATE_NOOP("Dialogs", "zoom")},
+      {QT_TRANSLATE_NOOP("Dialogs", "Right click"), QT_TRANSLATE_NOOP("Dialogs", "what can be done there")},
+      {QT_TRANSLATE_NOOP("Dialogs", "Shift+move"), QT_TRANSLATE_NOOP("Dialogs", "crosshair follows the mouse")},
+      {QT_TRANSLATE_NOOP("Dialogs", "Double-click"), QT_TRANSLATE_NOOP("Dialogs", "this view alone, and back (Esc)")},
+      {QT_TRANSLATE_NOOP("Dialogs", "R"), QT_TRANSLATE_NOOP("Dialogs", "reset the view; Ctrl+R all views")},
+      {QT_TRANSLATE_NOOP("Dialogs", "L"), QT_TRANSLATE_NOOP("Dialogs", "link the 3-D views")},
+      {QT_TRANSLATE_NOOP("Dialogs", "C  O  T"), QT_TRANSLATE_NOOP("Dialogs", "crosshair, label overlay, corner text")},
+      {QT_TRANSLATE_NOOP("Dialogs", "1"), QT_TRANSLATE_NOOP("Dialogs", "window and level of the data")},
+      {QT_TRANSLATE_NOOP("Dialogs", "3 4 5 6 7"),
+       QT_TRANSLATE_NOOP("Dialogs", "CT window: brain, abdomen, mediastinum, bone, lung")},
+  };
+  QString html = QStringLiteral("<table cellspacing='0' cellpadding='3'>");
+  for (const Line& line : lines)
+    html +=
+        line.keys
+            ? QStringLiteral("<tr><td><b>%1</b>&nbsp;&nbsp;</td><td>%2</td></tr>").arg(tr(line.keys), tr(line.meaning))
+            : QStringLiteral("<tr><td colspan='2'><br><b>%1</b></td></tr>").arg(tr(line.meaning));
+  html += QStringLiteral("</table>");
+  QDialog dialog(parent);
+  dialog.setWindowTitle(tr("Keys and mouse"));
+  auto* text = new QTextBrowser;
+  text->setHtml(html);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
+  QObject::connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
+  auto* column = new QVBoxLayout(&dialog);
+  column->addWidget(text);
+  column->addWidget(buttons);
+  dialog.resize(620, 680);
+  dialog.exec();
+}
+
+void showAbout(const GlSupport& gl, QWidget* parent) {
+  QMessageBox::about(
+      parent, tr("About Fenestra"),
+      tr("<h3>Fenestra %1</h3>"
+         "<p>A medical volume viewer that opens an adaptive cutaway around the structure you want to see.</p>"
+         "<p><b>Not for diagnostic use.</b></p>"
+         "<p>Free software under the GNU General Public License, version 3 or later. It comes with no warranty.</p>"
+         "<p>3-D views: %2</p>")
+          .arg(QApplication::applicationVersion(), gl.available ? gl.renderer.toHtmlEscaped() : tr("not available")));
+}
+
+}  // namespace fenestra::viewer
