@@ -221,7 +221,7 @@ void addSceneOptions(CLI::App& command, SceneOptions& options) {
             options.cutaway.borderWidth);
   addChoice<WidthUnit>(command, "--width-unit", "of the two widths, default px; mm are those at the focus's depth",
                        {{"px", WidthUnit::Pixel}, {"mm", WidthUnit::Millimetre}}, options.cutaway.unit);
-  addNumber(command, "--context-layer", 0.0, 1.0, "0..1", "strength of the context's edges over the focus, default 0.6",
+  addNumber(command, "--context-layer", 0.0, 1.0, "0..1", "strength of the context's edges over the focus, default 0.7",
             options.contextLayer.strength);
   addSwitch(command, "--shading", "light by the gradient, default on", options.shading.enabled);
   addChoice<Quality>(command, "--quality", "default normal",
@@ -304,7 +304,7 @@ LoadedScene loadScene(const SceneOptions& options, const io::Progress& progress)
     loaded.view.camera.projection = options.projection.value_or(saved.camera.projection);
     loaded.view.size = saved.size;
   } else {
-    loaded.view.camera = makeCamera(options, camera, scene.volume->grid);
+    loaded.view.camera = makeCamera(options, camera, visibleGrid(*scene.volume, scene.context));
   }
   loaded.view.size = options.size.value_or(loaded.view.size);
   return loaded;

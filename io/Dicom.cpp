@@ -187,15 +187,15 @@ void addScanWarnings(const Scan& scan, std::vector<Warning>& warnings) {
   };
   if (!scan.unreadable.empty())
     warnings.push_back({Warning::Kind::UnreadableFiles,
-                        count(scan.unreadable) + " could not be read and were left out (the first: " + scan.unreadableCauses.front() + ")",
+                        count(scan.unreadable) + " left out, unreadable (the first: " + scan.unreadableCauses.front() + ")",
                         scan.unreadable});
   if (!scan.notImages.empty())
-    warnings.push_back({Warning::Kind::UnreadableFiles, count(scan.notImages) + " of the folder are not DICOM and were left out",
+    warnings.push_back({Warning::Kind::UnreadableFiles, count(scan.notImages) + " of the folder left out: not DICOM",
                         scan.notImages});
   for (const auto& [reason, paths] : scan.refused)
     warnings.push_back({Warning::Kind::Other, count(paths) + " left out: " + reason, paths});
   if (!scan.repeated.empty())
-    warnings.push_back({Warning::Kind::DuplicateSlices, count(scan.repeated) + " repeat images that other files hold, and were left out",
+    warnings.push_back({Warning::Kind::DuplicateSlices, count(scan.repeated) + " left out: the same images (SOP instances) as in other files",
                         scan.repeated});
 }
 

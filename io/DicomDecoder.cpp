@@ -195,7 +195,7 @@ DicomDecoder::DicomDecoder(const DicomFile& file) : file_(file), state_(std::mak
     state_->frames = std::max(state_->frames, static_cast<std::size_t>(frame.number) + 1);
 
   const std::size_t frameBytes = file.format.frameBytes();
-  if (frameBytes > std::numeric_limits<Uint32>::max()) damaged("its frames are larger than 4 GB");
+  if (frameBytes >= std::numeric_limits<Uint32>::max()) damaged("its frames are larger than 4 GB");
   const DcmRepresentationParameter* parameter = nullptr;
   E_TransferSyntax& syntax = state_->syntax;
   state_->pixels->getOriginalRepresentationKey(syntax, parameter);
@@ -221,7 +221,9 @@ std::span<const std::byte> DicomDecoder::decode(int number) {
   const auto frame = static_cast<std::size_t>(number);
   // Not before the file has been checked, and not cleared: a damaged header may describe gigabytes.
   const std::size_t frameBytes = file_.format.frameBytes();
-  if (!words_) words_ = std::make_unique_for_overwrite<std::byte[]>(frameBytes);
+  // One more byte than an odd frame has: DCMTK wants room for whole 16-bit words.
+  const std::size_t room = frameBytes + frameBytes % 2;
+  if (!words_) words_ = std::make_unique_for_overwrite<std::byte[]>(room);
   const std::span<std::byte> words(words_.get(), frameBytes);
   if (isJpeg2000(state_->syntax)) {
     Codestream codestream;
@@ -238,7 +240,7 @@ std::span<const std::byte> DicomDecoder::decode(int number) {
   OFString colourModel;
   const OFCondition decoded =
       state_->pixels->getUncompressedFrame(state_->file.getDataset(), static_cast<Uint32>(number), fragment, words.data(),
-                                           static_cast<Uint32>(words.size()), colourModel, &state_->cache);
+                                           static_cast<Uint32>(room), colourModel, &state_->cache);
   if (decoded.bad()) throwDamaged(file_, number, decoded.text());
   return words;
 }

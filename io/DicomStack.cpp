@@ -14,6 +14,10 @@ namespace {
 constexpr double positionTolerance = 0.01;
 constexpr double outlierGaps = 10.0;
 
+std::string counted(std::size_t count, const char* noun) {
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
 std::string millimetres(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.4g mm", value);
@@ -122,8 +126,7 @@ class Stacker {
     splitAtFarGaps(std::move(volume), normal);
     if (!dropped.empty())
       stacks_.back().warnings.push_back({Warning::Kind::DuplicateSlices,
-                                         std::to_string(dropped.size()) +
-                                             " slices lie where another slice lies already and were left out",
+                                         counted(dropped.size(), "slice") + " left out, at positions that other slices have already",
                                          pathsOf(dropped)});
   }
 
@@ -146,9 +149,10 @@ class Stacker {
     }
     if (!others.empty())
       stacks_.back().warnings.push_back({Warning::Kind::MissingSlices,
-                                         std::to_string(others.size()) +
-                                             " slices lie further from the others than ten times the usual distance of " +
-                                             millimetres(usual) + " and form volumes of their own",
+                                         counted(others.size(), "slice") +
+                                             " put into volumes of their own, further from the others than ten times the "
+                                             "usual distance of " +
+                                             millimetres(usual),
                                          pathsOf(others)});
   }
 
@@ -200,7 +204,7 @@ class Stacker {
     for (std::size_t i = 1; i < frames.size(); ++i)
       gaps.push_back(alongNormal(frames[i], normal) - alongNormal(frames[i - 1], normal));
     const auto [least, greatest] = std::minmax_element(gaps.begin(), gaps.end());
-    const std::string placed = "they are shown " + millimetres(glm::length(step)) + " apart, up to " + millimetres(farthest) +
+    const std::string placed = "all are shown " + millimetres(glm::dot(step, normal)) + " apart, up to " + millimetres(farthest) +
                                " from where they are";
     // Gaps of two or more usual distances, all else even, are slices that are not there.
     const double usual = median(gaps);
@@ -217,7 +221,7 @@ class Stacker {
     }
     if (multiples && missing > 0) {
       stack.warnings.push_back({Warning::Kind::MissingSlices,
-                                std::to_string(missing) + " slices are missing: slices lie " + millimetres(usual) +
+                                counted(static_cast<std::size_t>(missing), "slice") + " missing: neighbours lie " + millimetres(usual) +
                                     " apart, but up to " + millimetres(*greatest) + " between the files named; " + placed,
                                 pathsOf(beside)});
       return;
@@ -258,12 +262,12 @@ class Stacker {
     }
     const auto warn = [&](Warning::Kind kind, const std::vector<DicomFrame>& frames, const char* how) {
       if (!frames.empty())
-        main.warnings.push_back({kind, std::to_string(frames.size()) + " slices of the series " + how + " and form volumes of their own",
+        main.warnings.push_back({kind, counted(frames.size(), "slice") + " of the series put into volumes of their own: " + how,
                                  pathsOf(frames)});
     };
-    warn(Warning::Kind::MixedSizes, sizes, "differ in size or pixel spacing");
-    warn(Warning::Kind::MixedOrientations, orientations, "are oriented differently");
-    warn(Warning::Kind::Other, others, "are of another kind (frame of reference, frame type or stack)");
+    warn(Warning::Kind::MixedSizes, sizes, "another size or pixel spacing");
+    warn(Warning::Kind::MixedOrientations, orientations, "another orientation");
+    warn(Warning::Kind::Other, others, "another frame of reference, frame type or stack");
   }
 
   const std::vector<DicomFile>& files_;

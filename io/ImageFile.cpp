@@ -170,9 +170,10 @@ bool setGeometry(Grid& grid, const glm::dmat3& columns, const glm::dvec3& origin
   }
   // Below this the axes lie in a plane as far as the single-precision numbers in headers can tell.
   if (!(std::abs(glm::determinant(direction)) > 1e-4)) return false;
+  // Adding zero turns a -0 that a change of signs left into 0.
   grid.spacing = spacing;
-  grid.direction = direction;
-  grid.origin = origin;
+  grid.direction = direction + glm::dmat3(0.0);
+  grid.origin = origin + 0.0;
   return true;
 }
 

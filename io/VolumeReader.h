@@ -22,6 +22,7 @@ using Progress = std::function<bool(double fraction, std::string_view doing)>;
 struct Warning {
   enum class Kind { GantryTilt, UnevenSpacing, MissingSlices, DuplicateSlices, MixedSizes, MixedOrientations,
                     UnreadableFiles, NoGeometry, PrecisionLoss, TimePoints, Other };
+  /// TimePoints: the file or series holds further volumes of the same place (time, repeats, layers); one is shown.
   Kind kind = Kind::Other;
   std::string text;                             ///< one sentence, with figures
   std::vector<std::filesystem::path> files;     ///< which files it is about; may be empty
@@ -39,12 +40,13 @@ struct RawDescription {
 RawDescription parseRawDescription(std::string_view text);
 
 struct OpenOptions {
-  std::string series;                          ///< a series' id as listSeries gives it; empty: the largest
-  std::optional<RawDescription> raw;           ///< read PATH as raw bytes
-  Progress progress;                           ///< may be empty
+  std::string series = {};                     ///< a series' id as listSeries gives it; empty: the largest
+  std::optional<RawDescription> raw = {};      ///< read PATH as raw bytes
+  Progress progress = {};                      ///< may be empty
 };
 
-/// A stack of images that forms one volume. `id` tells stacks of one SeriesInstanceUID apart ("UID", "UID#2", …).
+/// A stack of images that forms one volume. `id` tells stacks of one SeriesInstanceUID apart ("UID", "UID#2", …; an empty
+/// UID reads "no-uid"); outside DICOM it is the file's name.
 struct SeriesInfo {
   std::string id;
   std::string modality;      ///< "CT", "MR", …; empty outside DICOM
@@ -70,8 +72,9 @@ struct OpenedLabels {
   std::shared_ptr<const LabelMap> labels;
   std::vector<Warning> warnings;      ///< e.g. that it was resampled, or lies outside the volume
 };
-/// Opens a label map (NIfTI, NRRD incl. Slicer's segment fields, MetaImage, DICOM-free) and resamples it to `target` by
-/// nearest label when its grid differs. Names come from the file, or from a .tsv/.txt table beside it. Throws Error.
+/// Opens a label map (NIfTI, NRRD incl. Slicer's segment fields, MetaImage) and resamples it to `target` by nearest label
+/// when its grid differs. Names come from the file, or from a table of "value name" lines beside it: the file's own name
+/// with .txt or .tsv, or labels.tsv. Throws Error, Cancelled.
 OpenedLabels openLabels(const std::filesystem::path& path, const Grid& target, const Progress& progress = {});
 
 }  // namespace fenestra::io

@@ -8,6 +8,10 @@
 
 namespace fenestra {
 
+void grow(std::optional<IndexBox>& box, glm::ivec3 low, glm::ivec3 high) {
+  box = box ? IndexBox{glm::min(box->low, low), glm::max(box->high, high)} : IndexBox{low, high};
+}
+
 glm::ivec3 brickCount(glm::ivec3 dims) { return (dims + 1 + brickSide - 1) / brickSide; }
 
 std::size_t brickOffset(glm::ivec3 bricks, glm::ivec3 brick) {

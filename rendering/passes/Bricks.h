@@ -5,6 +5,7 @@
 // voxels has n + 1 cells. Brick b holds cells 8b … 8b+7.
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -14,6 +15,13 @@
 namespace fenestra {
 
 inline constexpr int brickSide = 8;
+
+/// A box of voxels, both ends included.
+struct IndexBox {
+  glm::ivec3 low{0}, high{0};
+};
+/// Makes `box` hold [low, high] too.
+void grow(std::optional<IndexBox>& box, glm::ivec3 low, glm::ivec3 high);
 
 /// Bricks along each axis of a volume of `dims` voxels.
 glm::ivec3 brickCount(glm::ivec3 dims);

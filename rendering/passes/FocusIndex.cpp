@@ -18,19 +18,15 @@ std::size_t cellInBrick(glm::ivec3 cell) {
   return static_cast<std::size_t>((cell.x & 7) + 8 * ((cell.y & 7) + 8 * (cell.z & 7)));
 }
 
-void grow(std::optional<FocusIndex::Box>& box, glm::ivec3 low, glm::ivec3 high) {
-  box = box ? FocusIndex::Box{glm::min(box->low, low), glm::max(box->high, high)} : FocusIndex::Box{low, high};
-}
-
 // --- labels ---------------------------------------------------------------------------------------------------------
 
 template <class T>
-std::optional<FocusIndex::Box> labelledBox(std::span<const T> labels, const Grid& grid,
+std::optional<IndexBox> labelledBox(std::span<const T> labels, const Grid& grid,
                                            const std::vector<std::uint8_t>& wanted) {
   std::mutex mutex;
-  std::optional<FocusIndex::Box> box;
+  std::optional<IndexBox> box;
   parallelFor(static_cast<std::size_t>(grid.dims.z), 4, [&](std::size_t begin, std::size_t end) {
-    std::optional<FocusIndex::Box> local;
+    std::optional<IndexBox> local;
     for (int z = static_cast<int>(begin); z < static_cast<int>(end); ++z)
       for (int y = 0; y < grid.dims.y; ++y) {
         const T* row = labels.data() + grid.offset({0, y, z});

@@ -22,10 +22,7 @@ struct FocusIndex {
   /// Values: 512 bits a slot, one a cell, set when the cell's component is kept.
   std::vector<std::uint32_t> cells;
   /// Box of the focus in index coordinates: labelled voxels, or the corners of kept cells. Empty when nothing is in focus.
-  struct Box {
-    glm::ivec3 low{0}, high{0};  ///< inclusive
-  };
-  std::optional<Box> box;
+  std::optional<IndexBox> box;
 
   std::size_t bytes() const { return (slots.size() + cells.size()) * sizeof(std::uint32_t); }
 };

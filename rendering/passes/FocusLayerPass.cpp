@@ -7,9 +7,6 @@
 
 namespace fenestra {
 namespace {
-/// Gradient magnitudes, as fractions of the value range per finest spacing, between which lighting fades in. Below, a
-/// gradient is noise: on CT (range about 4000 HU, 1 mm) these are 8 and 40 HU/mm.
-constexpr double gateLow = 0.002, gateHigh = 0.01;
 /// gradientUnit() is a quarter of the range over the finest spacing, and the texture holds the root.
 double gate(double fraction) { return std::sqrt(4.0 * fraction); }
 /// A cut face's own light fades over this many of the finest voxels.
@@ -47,7 +44,8 @@ void FocusLayerPass::run(const GpuScene& gpu, const Scene& scene, const RayFrame
   setLight(program, rays.axes(), scene.shading);
   if (shading) {
     bindTexture(program, "gradientTexture", unit++, gpu.gradient());
-    program.set("gradientGate", glm::vec2(gate(gateLow), gate(gateHigh)));
+    program.set("gradientOrigin", glm::vec3(gpu.gradientOrigin()) + 0.5f);
+    program.set("gradientGate", glm::vec2(gate(gradientGateLow), gate(gradientGateHigh)));
     if (gpu.focusSmooth()) {
       bindTexture(program, "focusSmooth", unit++, gpu.focusSmooth());
       // A texel spans half a voxel around its centre, and the cell frame is index + 1.

@@ -51,10 +51,7 @@ void GpuScene::update(const Scene& scene) {
 
   const bool wantsGradient = scene.shading.enabled;
   if (!wantsGradient) gradient_ = {};
-  if (wantsGradient && !gradient_) {
-    gradient_ = makeGradientTexture(*volume_);
-    ++versions_.gradient;
-  }
+  if (wantsGradient && (!gradient_ || transferChanged || focusChanged)) updateGradient();
   const bool wantsSmooth = wantsGradient && focus_.kind == FocusIndex::Kind::Labels && focus_.box;
   if (!wantsSmooth) focusSmooth_ = {};
   if (wantsSmooth && !focusSmooth_) updateFocusSmooth(scene);
@@ -76,6 +73,40 @@ void GpuScene::updateVolume(const Scene& scene) {
   volumeTexture_ = makeVolumeTexture(*volume_);
   bricks_ = brickRanges(*volume_);
   ++versions_.volume;
+}
+
+void GpuScene::updateGradient() {
+  // Lighting asks for gradients where something shows and values vary by more than noise. The least change of value in a
+  // brick that can lift a central difference over the gate: it may span two bricks, and has three components.
+  const double leastChange = gradientGateLow * (volume_->range.high - volume_->range.low) / (2.0 * std::sqrt(3.0));
+  std::optional<IndexBox> varied, shown;
+  for (int z = 0; z < bricks_.dims.z; ++z)
+    for (int y = 0; y < bricks_.dims.y; ++y)
+      for (int x = 0; x < bricks_.dims.x; ++x) {
+        const std::size_t brick = brickOffset(bricks_.dims, {x, y, z});
+        const ValueRange& range = bricks_.ranges[brick];
+        if (!(range.high - range.low >= leastChange)) continue;
+        const glm::ivec3 low = glm::ivec3(x, y, z) * brickSide - 1, high = low + brickSide;
+        grow(varied, low, high);
+        if (contextOccupied_[brick] || (!focus_.slots.empty() && focus_.slots[brick] != 0)) grow(shown, low, high);
+      }
+  const glm::ivec3 last = volume_->grid.dims - 1;
+  const auto clipped = [&](const std::optional<IndexBox>& box) {
+    return box ? IndexBox{glm::clamp(box->low, glm::ivec3(0), last), glm::clamp(box->high, glm::ivec3(0), last)}
+               : IndexBox{};
+  };
+  IndexBox wanted = clipped(shown);
+  if (gradient_) {
+    if (glm::all(glm::lessThanEqual(gradientBox_.low, wanted.low)) &&
+        glm::all(glm::greaterThanEqual(gradientBox_.high, wanted.high)))
+      return;
+    // More shows than at first: all that can ever be asked for, so that dragging a transfer function rebuilds but once.
+    wanted = clipped(varied);
+  }
+  gradient_ = {};
+  gradientBox_ = wanted;
+  gradient_ = makeGradientTexture(*volume_, wanted.low, wanted.high);
+  ++versions_.gradient;
 }
 
 void GpuScene::updateFocus(const Scene& scene) {

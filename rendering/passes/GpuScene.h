@@ -37,6 +37,7 @@ class GpuScene {
   const Grid& grid() const { return volume_->grid; }
   const VolumeTexture& volume() const { return volumeTexture_; }
   const gl::Texture& gradient() const { return gradient_; }
+  glm::ivec3 gradientOrigin() const { return gradientBox_.low; }  ///< index of its first texel
   const DerivativeVolume& derivative() const { return derivative_; }
 
   /// Transparent gaps of the context in coded values, clipped to float's range: gapCount() vec2.
@@ -74,6 +75,7 @@ class GpuScene {
   void updateFocusColours(const Scene& scene);
   void updateFocusSmooth(const Scene& scene);
   void updateTransfer(const Scene& scene);
+  void updateGradient();
 
   std::shared_ptr<const Volume> volume_;
   std::shared_ptr<const LabelMap> labels_;
@@ -85,6 +87,7 @@ class GpuScene {
   VolumeTexture volumeTexture_;
   BrickRanges bricks_;
   gl::Texture gradient_;
+  IndexBox gradientBox_;         ///< voxels that gradient_ covers
   DerivativeVolume derivative_;
 
   std::vector<glm::vec2> gaps_;

@@ -119,19 +119,20 @@ double gradientUnit(const Volume& volume) {
   return std::max(volume.range.high - volume.range.low, 1e-30) / (4.0 * std::min({s.x, s.y, s.z}));
 }
 
-gl::Texture makeGradientTexture(const Volume& volume) {
-  const glm::ivec3 dims = volume.grid.dims;
-  gl::Texture texture = gl::Texture::make3D(gl::Format::RGBA8, dims, gl::Filter::Linear);
+gl::Texture makeGradientTexture(const Volume& volume, glm::ivec3 low, glm::ivec3 high) {
+  const glm::ivec3 dims = volume.grid.dims, size = high - low + 1;
+  gl::Texture texture = gl::Texture::make3D(gl::Format::RGBA8, size, gl::Filter::Linear);
   // World gradient = (index from world)ᵀ · index gradient.
   const glm::mat3 worldFromIndexGradient(glm::transpose(glm::dmat3(volume.grid.indexFromWorld())) * volume.slope /
                                          gradientUnit(volume));
   volume.voxels.visit([&](auto scalars) {
     using T = typename decltype(scalars)::value_type;
     const Sanitizer<T> sanitize(volume);
-    uploadBySlabs<glm::u8vec4>(texture, planeSize(dims), [&](int z, glm::u8vec4* plane) {
+    uploadBySlabs<glm::u8vec4>(texture, planeSize(size), [&](int depth, glm::u8vec4* plane) {
+      const int z = low.z + depth;
       const int zLow = std::max(z - 1, 0), zHigh = std::min(z + 1, dims.z - 1);
       const float zScale = zHigh > zLow ? 1.0f / static_cast<float>(zHigh - zLow) : 0.0f;
-      for (int y = 0; y < dims.y; ++y) {
+      for (int y = low.y; y <= high.y; ++y) {
         const int yLow = std::max(y - 1, 0), yHigh = std::min(y + 1, dims.y - 1);
         const float yScale = yHigh > yLow ? 1.0f / static_cast<float>(yHigh - yLow) : 0.0f;
         const T* row = scalars.data() + volume.grid.offset({0, y, z});
@@ -139,12 +140,12 @@ gl::Texture makeGradientTexture(const Volume& volume) {
         const T* below = scalars.data() + volume.grid.offset({0, y, zLow});
         const T* front = scalars.data() + volume.grid.offset({0, yLow, z});
         const T* back = scalars.data() + volume.grid.offset({0, yHigh, z});
-        glm::u8vec4* out = plane + static_cast<std::size_t>(y) * static_cast<std::size_t>(dims.x);
-        for (int x = 0; x < dims.x; ++x) {
+        glm::u8vec4* out = plane + static_cast<std::size_t>(y - low.y) * static_cast<std::size_t>(size.x) - low.x;
+        for (int x = low.x; x <= high.x; ++x) {
           const int xLow = std::max(x - 1, 0), xHigh = std::min(x + 1, dims.x - 1);
           const float xScale = xHigh > xLow ? 1.0f / static_cast<float>(xHigh - xLow) : 0.0f;
-          const auto difference = [&](T high, T low, float scale) {
-            return (static_cast<float>(sanitize(high)) - static_cast<float>(sanitize(low))) * scale;
+          const auto difference = [&](T after, T before, float scale) {
+            return (static_cast<float>(sanitize(after)) - static_cast<float>(sanitize(before))) * scale;
           };
           const glm::vec3 index(difference(row[xHigh], row[xLow], xScale), difference(back[x], front[x], yScale),
                                 difference(above[x], below[x], zScale));

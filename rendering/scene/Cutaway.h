@@ -22,10 +22,10 @@ struct Cutaway {
 
 /// How the context's edges are drawn over the focus. strength 0 switches the layer off: no pass, no memory.
 struct ContextLayer {
-  double strength = 0.6;          ///< 0..1, scales the layer's opacity
+  double strength = 0.7;          ///< 0..1, scales the layer's opacity
   double curvatureWeight = 1.0;   ///< opacity per unit of curvature × derivative scale
   double silhouetteWeight = 1.0;  ///< opacity of the term (1 - |n·v|)
-  glm::dvec3 colour{1.0, 0.93, 0.82};  ///< display RGB, modulated by the illumination
+  glm::dvec3 colour{0.42, 0.70, 0.90};  ///< display RGB, modulated by the illumination
   bool operator==(const ContextLayer&) const = default;
 };
 

@@ -224,12 +224,11 @@ class RowAverage {
     }
   }
 
-  void write(std::span<std::int16_t> row) const {
+  void write(std::span<float> row) const {
     double level = 0.0;
     for (std::size_t i = 0; i < row.size(); ++i) {
       level += step_[i];
-      const double mean = background_ + level / subRows_;
-      row[i] = static_cast<std::int16_t>(std::lround(std::clamp(mean, -32768.0, 32767.0)));
+      row[i] = static_cast<float>(background_ + level / subRows_);
     }
   }
 
@@ -249,6 +248,36 @@ class RowAverage {
   std::vector<double> step_;
   int subRows_ = 0;
 };
+
+/// Spreads each value over its neighbours by 1 2 1 along every axis (borders repeat), as a scanner does whose
+/// resolution is its voxel's: without it, layers of a voxel's thickness would beat with the lattice.
+void spread(std::span<const float> means, const Grid& grid, std::span<std::int16_t> values) {
+  const glm::ivec3 dims = grid.dims;
+  const auto rowLength = static_cast<std::size_t>(dims.x);
+  const auto rowAt = [&](int y, int z) {
+    const glm::ivec3 start(0, std::clamp(y, 0, dims.y - 1), std::clamp(z, 0, dims.z - 1));
+    return means.subspan(grid.offset(start), rowLength);
+  };
+  parallelFor(static_cast<std::size_t>(dims.z), 1, [&](std::size_t begin, std::size_t end) {
+    std::vector<float> sum(rowLength);
+    for (int z = static_cast<int>(begin); z < static_cast<int>(end); ++z)
+      for (int y = 0; y < dims.y; ++y) {
+        std::fill(sum.begin(), sum.end(), 0.0f);
+        for (int dz = -1; dz <= 1; ++dz)
+          for (int dy = -1; dy <= 1; ++dy) {
+            const std::span<const float> row = rowAt(y + dy, z + dz);
+            const auto weight = static_cast<float>((2 - std::abs(dy)) * (2 - std::abs(dz)));
+            for (std::size_t x = 0; x < rowLength; ++x) sum[x] += weight * row[x];
+          }
+        const std::span<std::int16_t> out = values.subspan(grid.offset({0, y, z}), rowLength);
+        for (std::size_t x = 0; x < rowLength; ++x) {
+          const float before = sum[x > 0 ? x - 1 : x], after = sum[std::min(x + 1, rowLength - 1)];
+          const float mean = (before + 2.0f * sum[x] + after) / 64.0f;
+          out[x] = static_cast<std::int16_t>(std::lround(std::clamp(mean, -32768.0f, 32767.0f)));
+        }
+      }
+  });
+}
 
 std::vector<Label> labelTable(const std::vector<PhantomBody>& bodies) {
   std::vector<Label> labels;
@@ -318,11 +347,13 @@ std::optional<double> Phantom::firstHit(glm::dvec3 origin, glm::dvec3 unitDirect
 
 Phantom::Rasterised Phantom::rasterise(int voxels) const {
   assert(voxels >= 1);
-  constexpr int across = 4;  // sub-rows per voxel in y and in z
   const Grid grid = latticeFor(extent, voxels);
   const glm::ivec3 dims = grid.dims;
   const double size = grid.spacing.x;
-  const auto subOffset = [size](int k) { return size * ((k + 0.5) / across - 0.5); };
+  // Sub-rows of a voxel on a rank-1 lattice: as many different heights in y as in z, so that a surface along either
+  // axis moves the mean in steps of a sixteenth.
+  constexpr int subRows = 16, generator = 5;
+  const auto subOffset = [size](int k) { return size * ((k % subRows + 0.5) / subRows - 0.5); };
 
   auto volume = std::make_shared<Volume>();
   volume->grid = grid;
@@ -335,7 +366,8 @@ Phantom::Rasterised Phantom::rasterise(int voxels) const {
   map->labels = labelTable(bodies);
   map->voxels = Voxels(ScalarType::UInt16, grid.voxelCount());
 
-  const std::span<std::int16_t> values = volume->voxels.as<std::int16_t>();
+  Voxels meanVoxels(ScalarType::Float32, grid.voxelCount());
+  const std::span<float> means = meanVoxels.as<float>();
   const std::span<std::uint16_t> labels = map->voxels.as<std::uint16_t>();
   const auto rowLength = static_cast<std::size_t>(dims.x);
 
@@ -354,23 +386,25 @@ Phantom::Rasterised Phantom::rasterise(int voxels) const {
 
   parallelFor(static_cast<std::size_t>(dims.z), 1, [&](std::size_t begin, std::size_t end) {
     RowCaster centres(*this);
-    std::vector<RowCaster> subPlanes(across, RowCaster(*this));
+    std::vector<RowCaster> subPlanes(subRows, RowCaster(*this));
     RowAverage average(grid, background);
     for (std::size_t k = begin; k < end; ++k) {
       const double z = grid.origin.z + size * static_cast<double>(k);
       centres.setPlane(z);
-      for (int sub = 0; sub < across; ++sub) subPlanes[static_cast<std::size_t>(sub)].setPlane(z + subOffset(sub));
+      for (int sub = 0; sub < subRows; ++sub)
+        subPlanes[static_cast<std::size_t>(sub)].setPlane(z + subOffset(sub * generator));
       for (int j = 0; j < dims.y; ++j) {
         const double y = grid.origin.y + size * j;
         const std::size_t offset = (k * static_cast<std::size_t>(dims.y) + static_cast<std::size_t>(j)) * rowLength;
         paintLabels(centres.intervals(y), labels.subspan(offset, rowLength));
         average.clear();
-        for (RowCaster& plane : subPlanes)
-          for (int sub = 0; sub < across; ++sub) average.add(plane.segments(y + subOffset(sub)), bodies);
-        average.write(values.subspan(offset, rowLength));
+        for (int sub = 0; sub < subRows; ++sub)
+          average.add(subPlanes[static_cast<std::size_t>(sub)].segments(y + subOffset(sub)), bodies);
+        average.write(means.subspan(offset, rowLength));
       }
     }
   });
+  spread(means, grid, volume->voxels.as<std::int16_t>());
   volume->computeRange();
   return {volume, map};
 }

@@ -84,8 +84,8 @@ struct Phantom {
     std::shared_ptr<const LabelMap> labels;
   };
   /// Voxelises on all cores at `voxels` (≥ 1) along the longest side, cubic voxels: labels by the voxel centre, values
-  /// by how much of the voxel each body fills (exact along x, 4×4 samples across), so that surfaces have the soft edge
-  /// of a scan.
+  /// by how much of the voxel each body fills (exact along x, sampled across), spread over the neighbours by 1 2 1
+  /// along each axis, so that surfaces have the soft edge of a scan.
   Rasterised rasterise(int voxels) const;
 };
 

@@ -45,4 +45,8 @@ struct Scene {
 /// A scene has an opening when it has a focus and its cutaway is on.
 bool hasCutaway(const Scene& scene);
 
+/// The part of the volume's grid in which `context` shows anything, for a camera to frame: scans hold much air. Slabs of
+/// voxels with next to nothing in them (a table's edge, noise) do not count. The whole grid when nothing shows.
+Grid visibleGrid(const Volume& volume, const TransferFunction& context);
+
 }  // namespace fenestra

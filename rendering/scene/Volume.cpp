@@ -61,6 +61,7 @@ void Volume::computeRange() {
 
 WindowLevel Volume::defaultWindow() const {
   if (!windows.empty()) return windows.front();
+  if (modality == Modality::CT) return {400.0, 40.0};  // soft tissue, what CT is read with first
   if (!(range.high > range.low)) return {1.0, range.low};
   // A histogram of up to about a million voxels is plenty for two percentiles.
   constexpr std::size_t bins = 1024;

@@ -42,7 +42,8 @@ struct Volume {
   double sample(glm::dvec3 index) const;
   /// Fills `range` from the voxels (all cores). Readers call it once.
   void computeRange();
-  /// A sensible first display window: the file's own, or one that spans the data's 1st to 99th percentile.
+  /// A sensible first display window: the file's own, soft tissue for CT, or one that spans the
+  /// data's 1st to 99th percentile.
   WindowLevel defaultWindow() const;
 };
 

@@ -28,7 +28,7 @@ void main() {
     float bend = sqrt(0.5 * dot(context.xy, context.xy)) * curvatureScale;
     float rim = texelFetch(silhouette, pixel, 0).r;
     // Edges come out as lines: both terms rise steeply.
-    float opacity = contextWeights.y * smoothstep(0.12, 0.6, bend) + contextWeights.z * smoothstep(0.35, 0.95, rim);
+    float opacity = contextWeights.y * smoothstep(0.10, 0.40, bend) + contextWeights.z * smoothstep(0.30, 0.85, rim);
     opacity = contextWeights.x * clamp(opacity, 0.0, 1.0);
     result = vec4(contextColour * context.z, 1.0) * opacity + result * (1.0 - opacity);
   }

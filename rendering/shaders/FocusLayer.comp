@@ -20,6 +20,7 @@ uniform sampler2D hitPoints;
 
 #if SHADING
 uniform sampler3D gradientTexture; // world normal · ½ + ½, and the root of the magnitude over gradientUnit
+uniform vec3 gradientOrigin;       // cell frame position of its first texel's outer corner; beyond it all is flat
 uniform vec2 gradientGate;         // magnitudes (in w) between which lighting fades in: flat regions have no normal
 #if HAS_RAY_START
 uniform float wallDepth;           // mm behind a cut face over which its own normal gives way to the gradient's
@@ -86,12 +87,20 @@ vec3 wallNormal(ivec2 pixel, float start) {
 }
 #endif
 
+// 1 - exp(-x), by its series where the difference would cancel.
+float opacityOf(float depth) {
+  return depth < 1e-2 ? depth * (1.0 - depth * (0.5 - depth / 6.0)) : 1.0 - exp(-depth);
+}
+
 vec4 integrate(Ray ray, float start, vec3 wall) {
   vec3 colour = vec3(0.0);
-  float transmittance = 1.0;
+  float transmittance = 1.0, opticalDepth = 0.0;
   bool cut = dot(wall, wall) > 0.0;
   float end = ray.sOut;
   vec3 perCell = 1.0 / vec3(volumeDims);
+#if SHADING
+  vec3 perGradientTexel = 1.0 / vec3(textureSize(gradientTexture, 0));
+#endif
   int count = int(ceil((end - start) / stepLength - 0.5));
   for (int k = 0; k < count;) {
     vec3 position = cellPosition(ray, start + (float(k) + 0.5) * stepLength);
@@ -129,12 +138,11 @@ vec4 integrate(Ray ray, float start, vec3 wall) {
         material = texelFetch(transferTable, ivec2(int(entry + 0.5), 0), 0);
       }
       if (material.a <= 0.0) continue;
-      // 1 - exp(-x) by its series where x is small: the difference would cancel.
       float depth = material.a * stepLength;
-      float alpha = depth < 1e-3 ? depth * (1.0 - 0.5 * depth) : 1.0 - exp(-depth);
+      float alpha = opacityOf(depth);
       vec3 shade = material.rgb;
 #if SHADING
-      vec4 gradient = texture(gradientTexture, uvw);
+      vec4 gradient = texture(gradientTexture, (at - gradientOrigin) * perGradientTexel);
       vec3 normal = gradient.xyz * 2.0 - 1.0;
       float gate = smoothstep(gradientGate.x, gradientGate.y, gradient.w);
 #if FOCUS_KIND == 1
@@ -157,10 +165,11 @@ vec4 integrate(Ray ray, float start, vec3 wall) {
 #endif
       colour += transmittance * alpha * shade;
       transmittance *= 1.0 - alpha;
+      opticalDepth += depth;
       if (transmittance < 1.0 - OPAQUE) return vec4(colour, 1.0 - transmittance);
     }
   }
-  return vec4(colour, 1.0 - transmittance);
+  return vec4(colour, opacityOf(opticalDepth));
 }
 
 void main() {

@@ -20,7 +20,7 @@ std::filesystem::path scratchFolder();
 
 }  // namespace fenestra::tests
 
-/// Binds `path` to the real file or skips the test with a message that names it.
-#define FENESTRA_TEST_DATA_OR_SKIP(path, relative)                            \
-  const std::filesystem::path path = ::fenestra::tests::findTestData(relative); \
-  if (path.empty()) GTEST_SKIP() << "needs the test-data file " << (relative)
+/// Binds `variable` to the real file or skips the test with a message that names it.
+#define FENESTRA_TEST_DATA_OR_SKIP(variable, relative)                              \
+  const std::filesystem::path variable = ::fenestra::tests::findTestData(relative); \
+  if (variable.empty()) GTEST_SKIP() << "needs the test-data file " << (relative)

@@ -1,0 +1,138 @@
+// fenestra: the window. Exit codes as for fenestra-cli: 0 done, 1 the input or the machine is at fault, 2 wrong usage.
+
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include <QApplication>
+#include <QIcon>
+#include <QLocale>
+
+#include "app/SceneOptions.h"
+#include "io/ImageWriter.h"
+#include "io/PhantomFile.h"
+#include "viewer/MainWindow.h"
+#include "viewer/Style.h"
+#include "viewer/model/Paths.h"
+
+namespace fenestra::viewer {
+namespace {
+
+constexpr int done = 0, failed = 1, misused = 2;
+
+int fail(const std::string& what) {
+  std::cerr << "fenestra: " << what << '\n';
+  return failed;
+}
+
+Study readScene(const app::SceneOptions& options, const io::Progress& progress) {
+  app::LoadedScene loaded = app::loadScene(options, progress);
+  Study study;
+  study.scene = std::move(loaded.scene);
+  study.transferFunction = std::move(loaded.transferFunction);
+  study.camera = loaded.view.camera;
+  study.path = options.path;
+  study.series = std::move(loaded.volume.series);
+  study.otherSeries = std::move(loaded.volume.otherSeries);
+  study.warnings = std::move(loaded.warnings);
+  return study;
+}
+
+MainWindow::Reader phantomReader(const std::string& name) {
+  app::SceneOptions options;
+  options.phantom = name;
+  return [options](const io::Progress& progress) { return readScene(options, progress); };
+}
+
+/// The whole window as a PNG, in device pixels.
+void saveScreenshot(MainWindow& window, const std::filesystem::path& path) {
+  const QImage picture = window.picture().convertToFormat(QImage::Format_RGB888);
+  std::vector<std::uint8_t> pixels;
+  pixels.reserve(static_cast<std::size_t>(picture.width()) * static_cast<std::size_t>(picture.height()) * 3);
+  for (int row = 0; row < picture.height(); ++row) {
+    const std::uint8_t* line = picture.constScanLine(row);
+    pixels.insert(pixels.end(), line, line + picture.width() * 3);
+  }
+  io::writePng(path, {picture.width(), picture.height()}, 3, pixels);
+}
+
+int main(int argc, char** argv) {
+  CLI::App program{
+      "Fenestra: looks into medical volumes with an adaptive cutaway.\nNot for diagnostic use.", "fenestra"};
+  program.set_version_flag("--version", FENESTRA_VERSION);
+  app::SceneOptions options;
+  app::addSceneOptions(program, options);
+  std::vector<std::string> morePaths;
+  program.add_option("MORE", morePaths, "further slices of PATH's folder, or a label map")->type_name("PATH ...");
+  std::filesystem::path screenshot;
+  program
+      .add_option_function<std::string>("--screenshot", [&](const std::string& path) { screenshot = path; },
+                                        "save the whole window once everything is drawn, and exit")
+      ->type_name("OUT.png");
+
+  requestOpenGl();
+  QApplication application(argc, argv);  // takes Qt's own options out of argv
+  QLocale::setDefault(QLocale::c());
+  application.setApplicationName(QStringLiteral("Fenestra"));
+  application.setOrganizationName(QStringLiteral("Fenestra"));
+  application.setApplicationVersion(QStringLiteral(FENESTRA_VERSION));
+  application.setDesktopFileName(QStringLiteral("fenestra"));
+  applyStyle(application);
+
+  try {
+    program.parse(argc, argv);
+    if (!morePaths.empty()) {
+      std::vector<std::filesystem::path> paths{options.path};
+      paths.insert(paths.end(), morePaths.begin(), morePaths.end());
+      const PathsToOpen chosen = interpret(paths);
+      options.path = chosen.volume;
+      if (!chosen.labels.empty()) options.labels = chosen.labels;
+    }
+  } catch (const CLI::Success& success) {
+    return program.exit(success);
+  } catch (const CLI::ParseError& error) {
+    std::cerr << "fenestra: " << error.what() << "; see --help\n";
+    return misused;
+  } catch (const io::Error& error) {
+    std::cerr << "fenestra: " << error.what() << '\n';
+    return misused;
+  }
+  if (options.empty()) options.phantom = "torso";
+
+  MainWindow window({.gl = probeOpenGl(), .restQuality = options.quality, .remember = screenshot.empty()});
+  for (const std::string& name : io::phantomNames())
+    window.addSample(QString::fromStdString(io::loadPhantom(name).name), phantomReader(name));
+  if (options.size) window.resize(options.size->x, options.size->y);
+  window.show();
+  window.open([options](const io::Progress& progress) { return readScene(options, progress); });
+  if (!screenshot.empty()) {
+    QObject::connect(&window, &MainWindow::failed, &application, [&](const QString& message) {
+      fail(message.toStdString());
+      QCoreApplication::exit(failed);
+    });
+    QObject::connect(&window, &MainWindow::opened, &application, [&] {
+      window.whenDrawn([&] {
+        try {
+          saveScreenshot(window, screenshot);
+          QCoreApplication::exit(done);
+        } catch (const std::exception& error) {
+          QCoreApplication::exit(fail(error.what()));
+        }
+      });
+    });
+  }
+  return QApplication::exec();
+}
+
+}  // namespace
+}  // namespace fenestra::viewer
+
+int main(int argc, char** argv) {
+  try {
+    return fenestra::viewer::main(argc, argv);
+  } catch (const std::exception& error) {
+    return fenestra::viewer::fail(std::string("cannot start: ") + error.what());
+  }
+}

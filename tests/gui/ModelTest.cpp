@@ -1,0 +1,309 @@
+// The models behind the window, without widgets and without OpenGL.
+
+#include <cmath>
+#include <memory>
+
+#include <glm/gtc/constants.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <gtest/gtest.h>
+
+#include <QSettings>
+#include <QSignalSpy>
+
+#include "tests/support/TestData.h"
+#include "viewer/jobs/ReadStudy.h"
+#include "viewer/model/Document.h"
+#include "viewer/model/FramePacer.h"
+#include "viewer/model/Preferences.h"
+#include "viewer/model/SliceCursor.h"
+#include "viewer/model/ViewLink.h"
+
+namespace fenestra::viewer {
+namespace {
+
+/// For lengths and directions of order 1 to 1000 mm after a few rotations in double precision.
+constexpr double tolerance = 1e-9;
+
+void expectNear(glm::dvec3 a, glm::dvec3 b, double within = tolerance) {
+  EXPECT_LE(glm::distance(a, b), within) << "(" << a.x << " " << a.y << " " << a.z << ") and (" << b.x << " " << b.y
+                                         << " " << b.z << ")";
+}
+
+Grid cube() { return {.dims = glm::ivec3(10), .spacing = glm::dvec3(2.0), .origin = glm::dvec3(-9.0)}; }
+
+glm::dmat3 worldFromView(const Camera& camera) {
+  const Camera::Axes axes = camera.axes();
+  return {axes.right, axes.up, -axes.forward};
+}
+
+void expectSameTurn(const std::array<Camera, 2>& before, const ViewLink& link) {
+  const glm::dmat3 first = worldFromView(link.camera(0)) * glm::transpose(worldFromView(before[0]));
+  const glm::dmat3 second = worldFromView(link.camera(1)) * glm::transpose(worldFromView(before[1]));
+  for (int column = 0; column < 3; ++column) expectNear(first[column], second[column]);
+}
+
+/// Values 0..999 along x, labels 1 for x < 3 and 7 for x > 6.
+Study study() {
+  auto volume = std::make_shared<Volume>();
+  auto labels = std::make_shared<LabelMap>();
+  volume->grid = labels->grid = cube();
+  volume->voxels = Voxels(ScalarType::Int16, volume->grid.voxelCount());
+  labels->voxels = Voxels(ScalarType::UInt8, volume->grid.voxelCount());
+  auto values = volume->voxels.as<std::int16_t>();
+  auto marks = labels->voxels.as<std::uint8_t>();
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const auto x = static_cast<int>(i % 10);
+    values[i] = static_cast<std::int16_t>(111 * x);
+    marks[i] = x < 3 ? 1 : x > 6 ? 7 : 0;
+  }
+  volume->computeRange();
+  labels->labels = {{1, "first", {1, 0, 0}}, {7, "second", {0, 1, 0}}};
+  Study made;
+  made.scene.volume = volume;
+  made.scene.labels = labels;
+  made.scene.context.nodes = {{100.0, {{1, 1, 1}, 0.0}}, {200.0, {{1, 1, 1}, 1.0}}};
+  return made;
+}
+
+TEST(ViewLink, SecondCameraStandsAQuarterTurnToThePatientsLeft) {
+  ViewLink link;
+  const Grid grid = cube();
+  link.place(Camera::standard(StandardView::Anterior, grid));
+  expectNear(link.camera(1).axes().forward, {-1, 0, 0});
+  expectNear(link.camera(1).axes().up, {0, 0, 1});
+  expectNear(link.camera(1).target, grid.centre());
+}
+
+TEST(ViewLink, SecondCameraIsUprightAndOrthogonalForAnObliqueFirst) {
+  ViewLink link;
+  link.place(Camera::fromAngles(50.0, 20.0, cube()));
+  EXPECT_NEAR(glm::dot(link.camera(0).axes().forward, link.camera(1).axes().forward), 0.0, tolerance);
+  EXPECT_NEAR(link.camera(1).axes().right.z, 0.0, tolerance);
+}
+
+TEST(ViewLink, RotatingOneTurnsTheOtherByTheSameWorldRotation) {
+  ViewLink link;
+  link.place(Camera::standard(StandardView::Anterior, cube()));
+  for (const int view : {0, 1}) {
+    const std::array before{link.camera(0), link.camera(1)};
+    link.orbit(view, 0.4, -0.7);
+    expectSameTurn(before, link);
+    const Camera orbited = before[static_cast<std::size_t>(view)].orbited(0.4, -0.7);
+    expectNear(link.camera(view).eye, orbited.eye);
+    expectNear(link.camera(view).axes().up, orbited.axes().up);
+  }
+}
+
+TEST(ViewLink, UnlinkedViewStaysAndIsNotAnnounced) {
+  ViewLink link;
+  link.place(Camera::standard(StandardView::Anterior, cube()));
+  link.setLinked(false);
+  const Camera second = link.camera(1);
+  QSignalSpy changed(&link, &ViewLink::changed);
+  link.orbit(0, 0.4, 0.1);
+  EXPECT_EQ(link.camera(1), second);
+  ASSERT_EQ(changed.count(), 1);
+  EXPECT_EQ(changed.front().front().toInt(), 0);
+}
+
+TEST(ViewLink, StandardViewsFaceTheirSideAndKeepDistanceAndRelation) {
+  ViewLink link;
+  link.place(Camera::standard(StandardView::Anterior, cube()));
+  link.orbit(0, 0.3, 0.2);
+  for (const StandardView side : {StandardView::Posterior, StandardView::Superior, StandardView::Left}) {
+    const std::array before{link.camera(0), link.camera(1)};
+    link.face(0, side);
+    const Camera wanted = Camera::standard(side, cube());
+    expectNear(link.camera(0).axes().forward, wanted.axes().forward);
+    expectNear(link.camera(0).axes().up, wanted.axes().up);
+    EXPECT_NEAR(glm::distance(link.camera(0).eye, link.camera(0).target), glm::distance(before[0].eye, before[0].target),
+                tolerance);
+    expectSameTurn(before, link);
+  }
+}
+
+TEST(ViewLink, ProjectionsShowTheTargetAtTheSameSize) {
+  ViewLink link;
+  link.place(Camera::standard(StandardView::Anterior, cube()));
+  link.zoom(0, 2.5);
+  const Camera before = link.camera(0);
+  link.setProjection(Projection::Orthographic);
+  const Camera parallel = link.camera(0);
+  EXPECT_NEAR(parallel.orthographicHeight,
+              2.0 * glm::distance(before.eye, before.target) * std::tan(glm::radians(before.verticalFov / 2.0)), tolerance);
+  // Parallel rays start at the eye's plane: it must lie before the whole volume however far in the view was zoomed.
+  EXPECT_GT(glm::distance(parallel.eye, parallel.target), cube().boundingRadius());
+  link.setProjection(Projection::Perspective);
+  expectNear(link.camera(0).eye, before.eye);
+}
+
+TEST(ViewLink, ResetGoesBackToWhatWasPlaced) {
+  ViewLink link;
+  link.place(Camera::standard(StandardView::Right, cube()));
+  const std::array placed{link.camera(0), link.camera(1)};
+  link.orbit(0, 1.0, 0.5);
+  link.pan(1, 3.0, 4.0);
+  link.reset();
+  EXPECT_EQ(link.camera(0), placed[0]);
+  EXPECT_EQ(link.camera(1), placed[1]);
+}
+
+TEST(SliceCursor, StepsByWholeSlicesAndStopsAtTheEnds) {
+  SliceCursor cursor;
+  cursor.setGrid(cube());
+  const SliceGeometry axial = sliceGeometry(cube(), SlicePlane::Axial);
+  cursor.moveTo({0.3, -0.4, 1.0});
+  const int slice = cursor.slice(axial);
+  cursor.step(axial, 1);
+  EXPECT_EQ(cursor.slice(axial), slice + 1);
+  EXPECT_NEAR(cursor.position().x, 0.3, tolerance);
+  EXPECT_NEAR(cursor.position().y, -0.4, tolerance);
+  cursor.step(axial, 100);
+  EXPECT_EQ(cursor.slice(axial), axial.count - 1);
+  cursor.step(axial, -100);
+  EXPECT_EQ(cursor.slice(axial), 0);
+}
+
+TEST(SliceCursor, StaysInsideTheVolume) {
+  SliceCursor cursor;
+  cursor.setGrid(cube());
+  cursor.moveTo({1e6, 0.0, -1e6});
+  expectNear(cursor.position(), {9.0, 0.0, -9.0});
+}
+
+TEST(Document, TicksAndClicksMakeTheFocus) {
+  Document document;
+  document.open(study());
+  QSignalSpy changed(&document, &Document::focusChanged);
+  document.focusOn(7);
+  document.setFocused(1, true);
+  EXPECT_EQ(std::get<LabelFocus>(document.focus()).labels, (std::vector<std::uint16_t>{1, 7}));
+  document.setFocused(1, true);
+  EXPECT_EQ(changed.count(), 2) << "what changes nothing is not announced";
+  document.setFocused(7, false);
+  EXPECT_FALSE(document.isFocused(7));
+  document.setFocused(1, false);
+  EXPECT_TRUE(std::holds_alternative<std::monostate>(document.focus()));
+}
+
+TEST(Document, FindsTheMiddleOfTheFocus) {
+  Document document;
+  document.open(study());
+  EXPECT_FALSE(document.focusCentre());
+  document.focusOn(7);  // x = 7, 8, 9 of a grid from -9 in steps of 2
+  ASSERT_TRUE(document.focusCentre());
+  expectNear(*document.focusCentre(), {7.0, 0.0, 0.0});
+  document.setFocus(ValueFocus{.values = {0.0, 111.0}});  // x = 0, 1
+  ASSERT_TRUE(document.focusCentre());
+  expectNear(*document.focusCentre(), {-8.0, 0.0, 0.0});
+}
+
+TEST(Document, NewLabelsTakeTheOldLabelsFocusAlong) {
+  Document document;
+  document.open(study());
+  document.focusOn(7);
+  document.setLabels(nullptr);
+  EXPECT_TRUE(std::holds_alternative<std::monostate>(document.focus()));
+  document.setFocus(ValueFocus{.values = {0.0, 1.0}});
+  document.setLabels(study().scene.labels);
+  EXPECT_TRUE(std::holds_alternative<ValueFocus>(document.focus()));
+}
+
+TEST(Document, ShiftMovesTheTransferFunctionWithoutAdding) {
+  Document document;
+  document.open(study());
+  document.setShift(50.0);
+  document.setShift(-20.0);
+  EXPECT_DOUBLE_EQ(document.scene().context.nodes[0].value, 80.0);
+  EXPECT_DOUBLE_EQ(document.scene().context.nodes[1].value, 180.0);
+}
+
+TEST(Document, KeepsTheTransferFunctionWhenAnotherCannotBeRead) {
+  Document document;
+  document.open(study());
+  const TransferFunction before = document.scene().context;
+  EXPECT_THROW(document.setPreset("no-such-preset.json"), io::Error);
+  EXPECT_EQ(document.scene().context, before);
+}
+
+TEST(Document, LooksUpVoxelsAndLabelsByPlace) {
+  Document document;
+  document.open(study());
+  EXPECT_EQ(document.voxelAt({-9.9, 0.0, 0.0})->x, 0);
+  EXPECT_FALSE(document.voxelAt({-10.1, 0.0, 0.0}));
+  EXPECT_FALSE(document.voxelAt({1e300, 0.0, 0.0}));
+  ASSERT_NE(document.labelAt({9.0, 0.0, 0.0}), nullptr);
+  EXPECT_EQ(document.labelAt({9.0, 0.0, 0.0})->name, "second");
+  EXPECT_EQ(document.labelAt({0.0, 0.0, 0.0}), nullptr);
+}
+
+TEST(FramePacer, DrawsAtRestQualityWhereThatIsFastEnough) {
+  FramePacer pacer;
+  pacer.begin(pacer.atRest(), 0.0);
+  pacer.end(FramePacer::budget / 4.0);
+  EXPECT_EQ(pacer.moving(2), pacer.atRest());
+}
+
+TEST(FramePacer, ShrinksUntilTheFrameFitsItsBudget) {
+  FramePacer pacer;
+  // A machine that needs 800 ms for a full view and 20 ms for everything else in a frame.
+  const auto cost = [](Effort effort) { return 10.0 + 800.0 * effort.scale * effort.scale; };
+  pacer.begin(pacer.atRest(), 0.0);
+  pacer.end(cost(pacer.atRest()));
+  double now = 1000.0;
+  Effort effort;
+  for (int frame = 0; frame < 12; ++frame) {
+    effort = pacer.moving(2);
+    pacer.begin(effort, now);
+    pacer.begin(effort, now);
+    now += 2.0 * cost(effort);
+    pacer.end(now);
+  }
+  EXPECT_EQ(effort.quality, Quality::Draft);
+  EXPECT_LE(2.0 * cost(effort), FramePacer::budget * 1.1) << "within a step of the scale";
+  EXPECT_GE(effort.scale, FramePacer::leastScale);
+}
+
+TEST(FramePacer, IgnoresFramesOfMixedEffort) {
+  FramePacer pacer;
+  const Effort before = pacer.moving(1);
+  pacer.begin(pacer.atRest(), 0.0);
+  pacer.begin({0.5, Quality::Draft}, 1.0);
+  pacer.end(5.0);
+  EXPECT_EQ(pacer.moving(1), before);
+}
+
+TEST(Interpret, OnePathIsTheVolume) { EXPECT_EQ(interpret({"/a/b"}).volume, "/a/b"); }
+
+TEST(Interpret, FilesOfOneFolderAreSlices) {
+  const PathsToOpen opened = interpret({"/a/1.dcm", "/a/2.dcm", "/a/IM0003"});
+  EXPECT_EQ(opened.volume, "/a");
+  EXPECT_TRUE(opened.labels.empty());
+}
+
+TEST(Interpret, TwoVolumeFilesAreAVolumeAndItsLabels) {
+  const PathsToOpen opened = interpret({"/a/ct.nii.gz", "/a/labels.NRRD"});
+  EXPECT_EQ(opened.volume, "/a/ct.nii.gz");
+  EXPECT_EQ(opened.labels, "/a/labels.NRRD");
+  EXPECT_THROW(interpret({"/a/ct.nii", "/a/b.nii", "/a/c.nii"}), io::Error);
+}
+
+TEST(Preferences, RecentPathsAreLatestFirstOnceEachAndFew) {
+  QSettings::setDefaultFormat(QSettings::IniFormat);
+  QSettings::setPath(QSettings::IniFormat, QSettings::UserScope,
+                     QString::fromStdString(tests::scratchFolder().string()));
+  QCoreApplication::setOrganizationName(QStringLiteral("Fenestra tests"));
+  Preferences preferences;
+  preferences.clearRecent();
+  for (int i = 0; i < Preferences::recentCount + 3; ++i) preferences.addRecent("/data/" + std::to_string(i));
+  preferences.addRecent("/data/Größe 頭部");
+  preferences.addRecent("/data/9");
+  const auto recent = preferences.recent();
+  ASSERT_EQ(recent.size(), static_cast<std::size_t>(Preferences::recentCount));
+  EXPECT_EQ(recent[0], "/data/9");
+  EXPECT_EQ(recent[1], "/data/Größe 頭部");
+  EXPECT_EQ(recent[2], "/data/10");
+}
+
+}  // namespace
+}  // namespace fenestra::viewer

@@ -1,0 +1,157 @@
+#include "tests/io/DicomWriter.h"
+
+#include <cstdio>
+#include <mutex>
+#include <numeric>
+
+#include <gtest/gtest.h>
+
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dcrleerg.h>
+#include <dcmtk/dcmdata/dcrlerp.h>
+#include <dcmtk/dcmdata/dctk.h>
+#include <dcmtk/dcmjpeg/djencode.h>
+#include <dcmtk/dcmjpeg/djrplol.h>
+#include <dcmtk/dcmjpls/djencode.h>
+#include <dcmtk/dcmjpls/djrparam.h>
+
+namespace fenestra::tests {
+namespace {
+
+std::string numberText(double value) {
+  // 16 characters is what a decimal string holds.
+  char text[32];
+  for (int digits = 15; digits > 5; --digits) {
+    std::snprintf(text, sizeof text, "%.*g", digits, value);
+    if (std::string(text).size() <= 16) break;
+  }
+  return text;
+}
+
+std::string vectorText(const glm::dvec3& v) { return numberText(v.x) + "\\" + numberText(v.y) + "\\" + numberText(v.z); }
+
+void put(DcmItem& item, const DcmTagKey& tag, const std::string& value) {
+  ASSERT_TRUE(item.putAndInsertString(tag, value.c_str()).good()) << value;
+}
+void put(DcmItem& item, const DcmTagKey& tag, int value) {
+  ASSERT_TRUE(item.putAndInsertUint16(tag, static_cast<Uint16>(value)).good());
+}
+DcmItem& itemOf(DcmItem& parent, const DcmTagKey& sequence, long index = 0) {
+  DcmItem* item = nullptr;
+  parent.findOrCreateSequenceItem(sequence, item, index);
+  return *item;
+}
+
+void putFunctionalGroups(DcmItem& dataset, const DicomSpec& spec) {
+  DcmItem& shared = itemOf(dataset, DCM_SharedFunctionalGroupsSequence);
+  put(itemOf(shared, DCM_PixelMeasuresSequence), DCM_PixelSpacing, spec.pixelSpacing);
+  put(itemOf(shared, DCM_PlaneOrientationSequence), DCM_ImageOrientationPatient, vectorText(spec.row) + "\\" + vectorText(spec.column));
+  for (std::size_t i = 0; i < spec.frames.size(); ++i) {
+    DcmItem& frame = itemOf(dataset, DCM_PerFrameFunctionalGroupsSequence, static_cast<long>(i));
+    put(itemOf(frame, DCM_PlanePositionSequence), DCM_ImagePositionPatient, vectorText(spec.frames[i].position));
+    put(itemOf(frame, DCM_CTImageFrameTypeSequence), DCM_FrameType, spec.frames[i].type);
+    DcmItem& transform = itemOf(frame, DCM_PixelValueTransformationSequence);
+    put(transform, DCM_RescaleSlope, numberText(spec.frames[i].slope));
+    put(transform, DCM_RescaleIntercept, numberText(spec.frames[i].intercept));
+  }
+}
+
+void putPixels(DcmItem& dataset, const DicomSpec& spec, std::size_t frames) {
+  const std::size_t count = static_cast<std::size_t>(spec.rows * spec.columns * spec.samplesPerPixel) * frames;
+  std::vector<std::uint32_t> words = spec.words;
+  if (words.empty()) {
+    words.resize(count);
+    std::iota(words.begin(), words.end(), 0u);
+  }
+  ASSERT_EQ(words.size(), count);
+  if (spec.bitsAllocated == 8) {
+    const std::vector<Uint8> bytes(words.begin(), words.end());
+    ASSERT_TRUE(dataset.putAndInsertUint8Array(DCM_PixelData, bytes.data(), bytes.size()).good());
+  } else {
+    std::vector<Uint16> halves;
+    for (const std::uint32_t word : words) {
+      halves.push_back(static_cast<Uint16>(word & 0xffff));
+      if (spec.bitsAllocated == 32) halves.push_back(static_cast<Uint16>(word >> 16));
+    }
+    ASSERT_TRUE(dataset.putAndInsertUint16Array(DCM_PixelData, halves.data(), halves.size()).good());
+  }
+}
+
+E_TransferSyntax transferSyntax(Syntax syntax) {
+  switch (syntax) {
+    case Syntax::ImplicitLittle: return EXS_LittleEndianImplicit;
+    case Syntax::ExplicitLittle: return EXS_LittleEndianExplicit;
+    case Syntax::ExplicitBig: return EXS_BigEndianExplicit;
+    case Syntax::Deflated: return EXS_DeflatedLittleEndianExplicit;
+    case Syntax::Rle: return EXS_RLELossless;
+    case Syntax::JpegLossless: return EXS_JPEGProcess14SV1;
+    case Syntax::JpegLs: break;
+  }
+  return EXS_JPEGLSLossless;
+}
+
+}  // namespace
+
+void writeDicom(const std::filesystem::path& path, const DicomSpec& spec) {
+  static std::once_flag once;
+  std::call_once(once, [] {
+    DcmRLEEncoderRegistration::registerCodecs();
+    DJEncoderRegistration::registerCodecs();
+    DJLSEncoderRegistration::registerCodecs();
+  });
+  DcmFileFormat file;
+  DcmDataset& dataset = *file.getDataset();
+  put(dataset, DCM_SpecificCharacterSet, std::string("ISO_IR 192"));
+  put(dataset, DCM_SOPClassUID, spec.sopClass);
+  put(dataset, DCM_SOPInstanceUID, spec.instance);
+  put(dataset, DCM_SeriesInstanceUID, spec.series);
+  put(dataset, DCM_StudyInstanceUID, std::string("1.2"));
+  put(dataset, DCM_Modality, spec.modality);
+  if (!spec.description.empty()) put(dataset, DCM_SeriesDescription, spec.description);
+  put(dataset, DCM_FrameOfReferenceUID, spec.frameOfReference);
+  put(dataset, DCM_InstanceNumber, std::to_string(spec.instanceNumber));
+  put(dataset, DCM_AcquisitionNumber, std::to_string(spec.acquisitionNumber));
+  put(dataset, DCM_SamplesPerPixel, spec.samplesPerPixel);
+  if (spec.samplesPerPixel > 1) put(dataset, DCM_PlanarConfiguration, 0);
+  put(dataset, DCM_PhotometricInterpretation, spec.photometric);
+  put(dataset, DCM_Rows, spec.rows);
+  put(dataset, DCM_Columns, spec.columns);
+  put(dataset, DCM_BitsAllocated, spec.bitsAllocated);
+  put(dataset, DCM_BitsStored, spec.bitsStored);
+  put(dataset, DCM_HighBit, spec.highBit);
+  put(dataset, DCM_PixelRepresentation, spec.isSigned ? 1 : 0);
+  if (spec.slope) put(dataset, DCM_RescaleSlope, *spec.slope);
+  if (spec.intercept) put(dataset, DCM_RescaleIntercept, *spec.intercept);
+  if (!spec.window.empty()) {
+    const std::size_t blank = spec.window.find(' ');
+    put(dataset, DCM_WindowCenter, spec.window.substr(0, blank));
+    put(dataset, DCM_WindowWidth, spec.window.substr(blank + 1));
+  }
+  std::size_t frames = static_cast<std::size_t>(spec.numberOfFrames);
+  if (!spec.frames.empty()) {
+    frames = spec.frames.size();
+    putFunctionalGroups(dataset, spec);
+  } else if (spec.position) {
+    put(dataset, DCM_ImagePositionPatient, vectorText(*spec.position));
+    put(dataset, DCM_ImageOrientationPatient, vectorText(spec.row) + "\\" + vectorText(spec.column));
+    put(dataset, DCM_PixelSpacing, spec.pixelSpacing);
+  }
+  if (frames > 1 || !spec.frames.empty()) put(dataset, DCM_NumberOfFrames, std::to_string(frames));
+  if (!spec.doseScaling.empty()) put(dataset, DCM_DoseGridScaling, spec.doseScaling);
+  if (!spec.frameOffsets.empty()) put(dataset, DCM_GridFrameOffsetVector, spec.frameOffsets);
+  putPixels(dataset, spec, frames);
+
+  const E_TransferSyntax syntax = transferSyntax(spec.syntax);
+  const DJ_RPLossless jpegLossless;
+  const DJLSRepresentationParameter jpegLs(0, OFTrue);
+  const DcmRLERepresentationParameter rle;
+  const DcmRepresentationParameter* parameter = nullptr;
+  if (spec.syntax == Syntax::JpegLossless) parameter = &jpegLossless;
+  if (spec.syntax == Syntax::JpegLs) parameter = &jpegLs;
+  if (spec.syntax == Syntax::Rle) parameter = &rle;
+  ASSERT_TRUE(dataset.chooseRepresentation(syntax, parameter).good());
+  const OFCondition saved = file.saveFile(OFFilename(path.c_str()), syntax);
+  ASSERT_TRUE(saved.good()) << saved.text();
+}
+
+}  // namespace fenestra::tests

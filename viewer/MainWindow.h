@@ -1,0 +1,125 @@
+#pragma once
+// The window: five views, panels, and the ways to open data.
+
+#include <functional>
+
+#include <QMainWindow>
+
+#include "viewer/jobs/LoadJob.h"
+#include "viewer/jobs/ReadStudy.h"
+#include "viewer/model/Document.h"
+#include "viewer/model/Preferences.h"
+#include "viewer/model/SliceCursor.h"
+#include "viewer/model/ViewLink.h"
+#include "viewer/model/ViewOptions.h"
+#include "viewer/views/GlSupport.h"
+#include "viewer/views/ViewArea.h"
+
+class QLabel;
+class QProgressBar;
+class QStackedWidget;
+
+namespace fenestra::viewer {
+
+class AppearancePanel;
+class CutawayPanel;
+class FocusPanel;
+class NoticeBar;
+
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+ public:
+  /// Reads a study on another thread.
+  using Reader = std::function<Study(const io::Progress&)>;
+  struct Setup {
+    GlSupport gl;
+    Quality restQuality = Quality::Normal;  ///< of the 3-D views when nothing moves
+    bool remember = true;                   ///< restore and save layout and recent files
+  };
+
+  explicit MainWindow(const Setup& setup, QWidget* parent = nullptr);
+
+  /// Reads and shows; what is open stays until the new study is there.
+  void open(Reader read);
+  /// As dropped: a volume, a volume and its label map, or slices of one folder.
+  void open(const std::vector<std::filesystem::path>& paths);
+  void openLabels(const std::filesystem::path& path);
+  /// An entry in the File menu for data that comes with the program.
+  void addSample(const QString& name, Reader read);
+
+  /// Calls `done` once, when nothing is being read and all views show the scene at full quality.
+  void whenDrawn(std::function<void()> done);
+
+  /// The whole window in device pixels, 3-D views with what is drawn over them included.
+  QImage picture();
+
+  Document& document() { return document_; }
+  SliceCursor& cursor() { return cursor_; }
+  ViewLink& cameras() { return cameras_; }
+  ViewArea& views() { return *views_; }
+  NoticeBar& notices() { return *notices_; }
+  FocusPanel& focusPanel() { return *focusPanel_; }
+  AppearancePanel& appearancePanel() { return *appearancePanel_; }
+  CutawayPanel& cutawayPanel() { return *cutawayPanel_; }
+
+ Q_SIGNALS:
+  /// A study is on show.
+  void opened();
+  /// Reading came to nothing; the message is one line.
+  void failed(const QString& message);
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
+ private:
+  void makeActions();
+  void makeDocks();
+  void makeStatusBar();
+  QWidget* makeWelcome();
+  QWidget* makeLoadingBar();
+  void showStudy(Study study);
+  void showWarnings(const std::vector<io::Warning>& warnings);
+  void showError(const QString& message);
+  void openSeries(const std::string& series);
+  void chooseSeries();
+  void chooseFile();
+  void chooseFolder();
+  void chooseLabels();
+  void fillRecentMenu();
+  void pointAt(glm::dvec3 world);
+  void showMenu(glm::dvec3 world, QPoint globalPosition);
+  void resetActiveView();
+  void resetAllViews();
+  void face(StandardView side);
+  /// The 3-D view that keys and standard views act on: the one used last.
+  int activeCamera() const;
+  void showKeys();
+  void showAbout();
+
+  Setup setup_;
+  Document document_;
+  SliceCursor cursor_;
+  ViewLink cameras_;
+  ViewOptions options_;
+  Preferences preferences_;
+  LoadJob job_;
+
+  QStackedWidget* pages_ = nullptr;
+  ViewArea* views_ = nullptr;
+  NoticeBar* notices_ = nullptr;
+  QWidget* loadingBar_ = nullptr;
+  QLabel* loadingText_ = nullptr;
+  QProgressBar* loadingProgress_ = nullptr;
+  FocusPanel* focusPanel_ = nullptr;
+  AppearancePanel* appearancePanel_ = nullptr;
+  CutawayPanel* cutawayPanel_ = nullptr;
+  QLabel* pointer_ = nullptr;
+  QMenu *recentMenu_ = nullptr, *sampleMenu_ = nullptr;
+  QList<QAction*> needVolume_;  ///< enabled while something is open
+  QAction* chooseSeries_ = nullptr;
+  int lastCamera_ = 0;
+};
+
+}  // namespace fenestra::viewer

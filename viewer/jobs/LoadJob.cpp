@@ -1,0 +1,64 @@
+#include "viewer/jobs/LoadJob.h"
+
+#include <new>
+
+#include <QPromise>
+#include <QtConcurrentRun>
+
+namespace fenestra::viewer {
+namespace {
+
+constexpr int progressSteps = 1000;
+
+}  // namespace
+
+LoadJob::LoadJob(QObject* parent) : QObject(parent) {
+  connect(&watcher_, &QFutureWatcherBase::finished, this, &LoadJob::finish);
+  connect(&watcher_, &QFutureWatcherBase::progressValueChanged, this, [this](int value) {
+    Q_EMIT progressed(static_cast<double>(value) / progressSteps, watcher_.progressText());
+  });
+}
+
+LoadJob::~LoadJob() {
+  watcher_.disconnect(this);
+  watcher_.cancel();
+  watcher_.waitForFinished();
+}
+
+void LoadJob::start(Read read) {
+  watcher_.cancel();
+  Q_EMIT started();
+  watcher_.setFuture(QtConcurrent::run([read = std::move(read)](QPromise<Outcome>& promise) {
+    promise.setProgressRange(0, progressSteps);
+    const io::Progress progress = [&promise](double fraction, std::string_view doing) {
+      promise.setProgressValueAndText(static_cast<int>(fraction * progressSteps),
+                                      QString::fromUtf8(doing.data(), static_cast<qsizetype>(doing.size())));
+      return !promise.isCanceled();
+    };
+    Outcome outcome;
+    try {
+      outcome.show = read(progress);
+    } catch (const io::Cancelled&) {
+      return;
+    } catch (const std::bad_alloc&) {
+      outcome.error = "There is not enough memory for this data set; close other programs or open a smaller series";
+    } catch (const std::exception& error) {
+      outcome.error = error.what();
+    }
+    promise.addResult(std::move(outcome));
+  }));
+}
+
+void LoadJob::cancel() { watcher_.cancel(); }
+
+void LoadJob::finish() {
+  const QFuture<Outcome> future = watcher_.future();
+  if (!future.isCanceled() && future.resultCount() > 0) {
+    const Outcome outcome = future.result();
+    if (outcome.show) outcome.show();
+    else Q_EMIT failed(QString::fromStdString(outcome.error));
+  }
+  Q_EMIT ended();
+}
+
+}  // namespace fenestra::viewer

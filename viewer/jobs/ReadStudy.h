@@ -1,0 +1,24 @@
+#pragma once
+// From a path that the user chose to a study that a document can show.
+
+#include "viewer/model/Document.h"
+
+namespace fenestra::viewer {
+
+/// What to read.
+struct PathsToOpen {
+  std::filesystem::path volume;
+  std::string series;            ///< as in io::OpenOptions
+  std::filesystem::path labels;  ///< a label map for it; may be empty
+};
+
+/// What a set of files that was dropped or named together means: files of one folder that no single-file format claims
+/// are slices, so their folder is opened; otherwise the first is the volume and the second its label map. `paths` must
+/// not be empty. Throws io::Error when there are more files than that.
+PathsToOpen interpret(const std::vector<std::filesystem::path>& paths);
+
+/// Opens a volume with the transfer function that suits it; `looks` gives everything of the scene that does not belong
+/// to the data (cutaway, context layer, shading). Throws io::Error, io::Cancelled.
+Study readStudy(const PathsToOpen& paths, const Scene& looks, const io::Progress& progress);
+
+}  // namespace fenestra::viewer

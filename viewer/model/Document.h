@@ -1,0 +1,94 @@
+#pragma once
+// What is open and how it is shown: the scene, its display window and where the data came from. Every panel and view
+// reads it and listens to it; none holds state of its own.
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <QObject>
+#include <QString>
+
+#include "io/VolumeReader.h"
+#include "rendering/scene/Scene.h"
+
+namespace fenestra::viewer {
+
+/// A data set as read, ready to be shown.
+struct Study {
+  Scene scene;
+  std::string transferFunction;          ///< preset or file that made scene.context
+  std::optional<Camera> camera;          ///< where to look from first; unset: from anterior
+  std::filesystem::path path;            ///< what the user opened; empty for a phantom
+  io::SeriesInfo series;
+  std::vector<io::SeriesInfo> otherSeries;
+  std::vector<io::Warning> warnings;
+};
+
+class Document : public QObject {
+  Q_OBJECT
+ public:
+  using QObject::QObject;
+
+  void open(Study study);
+  /// A label map on the volume's grid, or null. A focus made of the old map's labels goes with it.
+  void setLabels(std::shared_ptr<const LabelMap> labels);
+
+  bool hasVolume() const { return study_.scene.volume != nullptr; }
+  const Scene& scene() const { return study_.scene; }
+  const Study& study() const { return study_; }
+  /// "CT · 512×512×245 · 1.00×1.00×1.00 mm": nothing that could name a patient.
+  QString description() const;
+
+  WindowLevel window() const { return window_; }
+  void setWindow(WindowLevel window);
+  void resetWindow();
+
+  const Focus& focus() const { return study_.scene.focus; }
+  void setFocus(Focus focus);
+  /// The focus becomes that label alone.
+  void focusOn(std::uint16_t label);
+  /// Adds a label to a label focus or takes it out; the last one out leaves no focus.
+  void setFocused(std::uint16_t label, bool focused);
+  bool isFocused(std::uint16_t label) const;
+
+  /// The middle of the focus's voxels, in world mm; empty without a focus or when no voxel belongs to it.
+  std::optional<glm::dvec3> focusCentre() const;
+
+  /// A built-in preset's id or a file. Throws io::Error; nothing changes then.
+  void setPreset(const std::string& presetOrPath);
+  const std::string& preset() const { return study_.transferFunction; }
+  /// Moves the whole transfer function along the value axis, in the volume's unit.
+  void setShift(double shift);
+  double shift() const { return shift_; }
+
+  void setCutaway(const Cutaway& cutaway);
+  void setContextLayer(const ContextLayer& layer);
+
+  /// The label of the nearest voxel; null for background, outside and without labels.
+  const Label* labelAt(glm::dvec3 world) const;
+  /// The nearest voxel's index, or empty outside the volume.
+  std::optional<glm::ivec3> voxelAt(glm::dvec3 world) const;
+
+ Q_SIGNALS:
+  void volumeChanged();
+  void labelsChanged();
+  void focusChanged();
+  void windowChanged();
+  void transferFunctionChanged();
+  void cutawayChanged();
+  /// After any of the above that changes a 3-D picture.
+  void sceneChanged();
+
+ private:
+  void applyTransferFunction();
+
+  Study study_;
+  WindowLevel window_;
+  TransferFunction unshifted_;  ///< the context's, before the shift
+  double shift_ = 0.0;
+};
+
+}  // namespace fenestra::viewer

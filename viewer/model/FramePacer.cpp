@@ -1,0 +1,44 @@
+#include "viewer/model/FramePacer.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fenestra::viewer {
+namespace {
+
+/// Weight of a new measurement: three frames follow a change of speed, one outlier does not make the picture jump.
+constexpr double weight = 0.4;
+
+void blend(std::optional<double>& average, double sample) {
+  average = average ? *average + weight * (sample - *average) : sample;
+}
+
+}  // namespace
+
+Effort FramePacer::moving(int views) const {
+  if (restCost_ && *restCost_ * views <= budget) return rest_;
+  if (!draftCost_) return {0.5, Quality::Draft};
+  const double scale = std::sqrt(budget / (std::max(*draftCost_, 1e-3) * views));
+  // In steps of a sixteenth, so that the picture's size (and with it the renderer's images) changes seldom.
+  const double stepped = std::floor(std::min(scale, 1.0) * 16.0) / 16.0;
+  return {std::max(stepped, leastScale), Quality::Draft};
+}
+
+void FramePacer::begin(Effort effort, double now) {
+  if (!frame_) frame_ = {.began = now, .effort = effort};
+  frame_->mixed |= effort != frame_->effort;
+  ++frame_->views;
+}
+
+void FramePacer::end(double now) {
+  if (!frame_) return;
+  const Frame frame = *frame_;
+  frame_.reset();
+  if (frame.mixed) return;
+  const double perView = (now - frame.began) / frame.views;
+  if (frame.effort == rest_) blend(restCost_, perView);
+  // A frame's time grows with its pixels.
+  else blend(draftCost_, perView / (frame.effort.scale * frame.effort.scale));
+}
+
+}  // namespace fenestra::viewer

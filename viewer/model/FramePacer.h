@@ -1,0 +1,50 @@
+#pragma once
+// How large and how fine the 3-D views are drawn while something moves, from measured frame times: smaller pictures on a
+// slow machine, full ones where they are fast enough anyway.
+
+#include <optional>
+
+#include "rendering/passes/Renderer.h"
+
+namespace fenestra::viewer {
+
+/// How a picture is to be made: rendered pixels per device pixel along one side, and the sampling.
+struct Effort {
+  double scale = 1.0;
+  Quality quality = Quality::Normal;
+  bool operator==(const Effort&) const = default;
+};
+
+class FramePacer {
+ public:
+  /// Milliseconds that a frame of all moving views may take: 12 frames a second.
+  static constexpr double budget = 1000.0 / 12.0;
+  /// Below a fifth of the resolution anatomy can no longer be recognised.
+  static constexpr double leastScale = 0.2;
+
+  explicit FramePacer(Quality restQuality = Quality::Normal) : rest_{1.0, restQuality} {}
+
+  Effort atRest() const { return rest_; }
+  /// For the next frame of a drag that redraws `views` views.
+  Effort moving(int views) const;
+
+  /// A view begins to draw its part of a frame; times are in ms on one steady clock.
+  void begin(Effort effort, double now);
+  /// The frame that holds all parts begun is on screen.
+  void end(double now);
+
+ private:
+  struct Frame {
+    double began = 0.0;
+    Effort effort;
+    int views = 0;
+    bool mixed = false;  ///< its views were drawn with different efforts: its time says nothing
+  };
+
+  Effort rest_;
+  std::optional<Frame> frame_;
+  std::optional<double> restCost_;   ///< ms a view at rest
+  std::optional<double> draftCost_;  ///< ms a view for a draft of scale 1
+};
+
+}  // namespace fenestra::viewer

@@ -1,0 +1,31 @@
+#pragma once
+// What is remembered between two runs. Nothing that the data says about a patient is stored: the recent list holds paths
+// as the user chose them.
+
+#include <filesystem>
+#include <vector>
+
+#include <QByteArray>
+#include <QSettings>
+
+namespace fenestra::viewer {
+
+class Preferences {
+ public:
+  static constexpr int recentCount = 8;
+
+  /// Latest first; paths that are gone are kept, they may lie on a disk that is away.
+  std::vector<std::filesystem::path> recent() const;
+  void addRecent(const std::filesystem::path& path);
+  void clearRecent();
+
+  QByteArray windowGeometry() const;
+  QByteArray windowState() const;
+  QByteArray viewLayout() const;
+  void setLayout(const QByteArray& geometry, const QByteArray& state, const QByteArray& views);
+
+ private:
+  QSettings settings_;
+};
+
+}  // namespace fenestra::viewer

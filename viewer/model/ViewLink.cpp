@@ -1,0 +1,84 @@
+#include "viewer/model/ViewLink.h"
+
+#include <cmath>
+
+#include <glm/gtc/constants.hpp>
+
+namespace fenestra::viewer {
+namespace {
+
+/// Columns right, up, backward of a camera, in world space.
+glm::dmat3 worldFromView(const Camera& camera) {
+  const Camera::Axes axes = camera.axes();
+  return {axes.right, axes.up, -axes.forward};
+}
+
+/// `camera` with another projection and the same size on screen of what lies at its target. A parallel camera stands as
+/// far off as `placed`: its rays start at the plane through the eye, which must stay before the volume.
+Camera projected(Camera camera, Projection projection, const Camera& placed) {
+  if (camera.projection == projection) return camera;
+  const double slope = std::tan(glm::radians(camera.verticalFov) * 0.5);
+  const glm::dvec3 forward = camera.axes().forward;
+  double distance = camera.orthographicHeight * 0.5 / slope;
+  if (projection == Projection::Orthographic) {
+    camera.orthographicHeight = 2.0 * slope * glm::distance(camera.eye, camera.target);
+    distance = glm::distance(placed.eye, placed.target);
+  }
+  camera.eye = camera.target - forward * distance;
+  camera.projection = projection;
+  return camera;
+}
+
+}  // namespace
+
+void ViewLink::setLinked(bool linked) {
+  if (linked == linked_) return;
+  linked_ = linked;
+  Q_EMIT linkedChanged(linked);
+}
+
+void ViewLink::place(const Camera& first) {
+  Camera second = first.orbited(glm::half_pi<double>(), 0.0);
+  second.up = {0.0, 0.0, 1.0};
+  placed_ = {first, second};
+  reset();
+}
+
+void ViewLink::reset() {
+  for (int view = 0; view < count; ++view) set(view, placed_[static_cast<std::size_t>(view)]);
+}
+
+void ViewLink::rotate(int view, const glm::dmat3& worldRotation) {
+  for (int other = 0; other < count; ++other)
+    if (other == view || linked_) set(other, camera(other).rotated(worldRotation));
+}
+
+void ViewLink::orbit(int view, double yaw, double pitch) {
+  const Camera& from = camera(view);
+  rotate(view, worldFromView(from.orbited(yaw, pitch)) * glm::transpose(worldFromView(from)));
+}
+
+void ViewLink::face(int view, StandardView side) {
+  // Only the direction of the standard camera matters here, so any grid will do.
+  const Camera wanted = Camera::standard(side, Grid{.dims = glm::ivec3(1)});
+  rotate(view, worldFromView(wanted) * glm::transpose(worldFromView(camera(view))));
+}
+
+void ViewLink::zoom(int view, double factor) { set(view, camera(view).zoomed(factor)); }
+
+void ViewLink::pan(int view, double rightMm, double upMm) { set(view, camera(view).panned(rightMm, upMm)); }
+
+void ViewLink::setProjection(Projection projection) {
+  for (Camera& camera : placed_) camera = projected(camera, projection, camera);
+  for (int view = 0; view < count; ++view)
+    set(view, projected(camera(view), projection, placed_[static_cast<std::size_t>(view)]));
+}
+
+void ViewLink::set(int view, const Camera& camera) {
+  Camera& current = cameras_[static_cast<std::size_t>(view)];
+  if (camera == current) return;
+  current = camera;
+  Q_EMIT changed(view);
+}
+
+}  // namespace fenestra::viewer

@@ -1,0 +1,53 @@
+#pragma once
+// The two cameras, C1 and C2, and what ties them: while linked, a rotation of one turns the other by the same world
+// rotation, so that the pair keeps its relation. Zoom and pan belong to one view.
+
+#include <array>
+
+#include <QObject>
+
+#include "rendering/scene/Camera.h"
+
+namespace fenestra::viewer {
+
+class ViewLink : public QObject {
+  Q_OBJECT
+ public:
+  static constexpr int count = 2;
+
+  using QObject::QObject;
+
+  const Camera& camera(int view) const { return cameras_[static_cast<std::size_t>(view)]; }
+  bool isLinked() const { return linked_; }
+  void setLinked(bool linked);
+
+  /// Places C1, and C2 a quarter turn to C1's right with the patient upright: for an anterior C1 it looks from the
+  /// patient's left.
+  void place(const Camera& first);
+  /// Back to what was last placed.
+  void reset();
+
+  /// Turns a view by a world rotation about its target.
+  void rotate(int view, const glm::dmat3& worldRotation);
+  /// Turns a view by angles in radians about its own up and right axes (Camera::orbited).
+  void orbit(int view, double yaw, double pitch);
+  /// Turns a view to look from a side of the patient.
+  void face(int view, StandardView side);
+  void zoom(int view, double factor);
+  void pan(int view, double rightMm, double upMm);
+  /// Changes both views' projection; what lies at the target keeps its size on screen.
+  void setProjection(Projection projection);
+  Projection projection() const { return cameras_[0].projection; }
+
+ Q_SIGNALS:
+  void changed(int view);
+  void linkedChanged(bool linked);
+
+ private:
+  void set(int view, const Camera& camera);
+
+  std::array<Camera, count> cameras_, placed_;
+  bool linked_ = true;
+};
+
+}  // namespace fenestra::viewer

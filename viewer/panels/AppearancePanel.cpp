@@ -1,0 +1,74 @@
+#include "viewer/panels/AppearancePanel.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QVBoxLayout>
+
+#include "io/TransferFunctionFile.h"
+#include "viewer/model/Document.h"
+#include "viewer/model/Paths.h"
+#include "viewer/panels/SliderSpin.h"
+#include "viewer/panels/TransferFunctionPlot.h"
+
+namespace fenestra::viewer {
+
+AppearancePanel::AppearancePanel(Document& document, QWidget* parent)
+    : QWidget(parent), document_(document), presets_(new QComboBox), shift_(new SliderSpin(-500.0, 500.0, 1.0)) {
+  for (const io::TransferFunctionPreset& preset : io::transferFunctionPresets())
+    presets_->addItem(QString::fromStdString(preset.name), QString::fromStdString(preset.id));
+  presets_->addItem(tr("From a file…"));
+  shift_->setToolTip(tr("Moves the whole transfer function along the values"));
+
+  auto* form = new QFormLayout;
+  form->addRow(tr("Preset"), presets_);
+  form->addRow(tr("Shift"), shift_);
+  auto* column = new QVBoxLayout(this);
+  column->addLayout(form);
+  column->addWidget(new TransferFunctionPlot(document));
+
+  connect(presets_, &QComboBox::activated, this, &AppearancePanel::choose);
+  connect(shift_, &SliderSpin::edited, &document, &Document::setShift);
+  connect(&document, &Document::transferFunctionChanged, this, &AppearancePanel::show);
+  connect(&document, &Document::volumeChanged, this, [this] {
+    const Volume& volume = *document_.scene().volume;
+    // A quarter of the values either way; for CT the ±500 HU that separate lung, soft tissue and bone.
+    const double span = volume.modality == Modality::CT ? 500.0 : 0.25 * (volume.range.high - volume.range.low);
+    const double step = std::pow(10.0, std::floor(std::log10(std::max(span, 1e-9) / 200.0)));
+    shift_->setRange(-std::ceil(span / step) * step, std::ceil(span / step) * step, step);
+    shift_->setSuffix(volume.unit.empty() ? QString() : QStringLiteral(" ") + QString::fromStdString(volume.unit));
+  });
+  show();
+}
+
+void AppearancePanel::show() {
+  setEnabled(document_.hasVolume());
+  if (!document_.hasVolume()) return;
+  const QString id = QString::fromStdString(document_.preset());
+  int row = presets_->findData(id);
+  if (row < 0) {  // a file: listed by its name from now on
+    row = presets_->count() - 1;
+    presets_->insertItem(row, QFileInfo(id).completeBaseName(), id);
+  }
+  presets_->setCurrentIndex(row);
+  shift_->setValue(document_.shift());
+}
+
+void AppearancePanel::choose(int row) {
+  QString id = presets_->itemData(row).toString();
+  if (id.isEmpty())
+    id = QFileDialog::getOpenFileName(this, tr("Open a transfer function"), {}, tr("Transfer functions (*.json)"));
+  if (!id.isEmpty()) {
+    try {
+      document_.setPreset(toPath(id).string());
+    } catch (const std::exception& error) {
+      Q_EMIT failed(QString::fromUtf8(error.what()));
+    }
+  }
+  show();
+}
+
+}  // namespace fenestra::viewer

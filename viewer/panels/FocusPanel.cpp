@@ -1,0 +1,121 @@
+#include "viewer/panels/FocusPanel.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QHBoxLayout>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include "viewer/model/Document.h"
+#include "viewer/panels/LabelModel.h"
+
+namespace fenestra::viewer {
+
+FocusPanel::FocusPanel(Document& document, QWidget* parent)
+    : QWidget(parent),
+      document_(document),
+      labels_(new LabelModel(document, this)),
+      filtered_(new QSortFilterProxyModel(this)),
+      study_(new QLabel),
+      filter_(new QLineEdit),
+      list_(new QListView),
+      noLabels_(new QLabel(tr("No labels. Open a label map (Ctrl+L), or choose a range of values below."))),
+      byValue_(new QCheckBox(tr("Focus on values"))),
+      low_(new QDoubleSpinBox),
+      high_(new QDoubleSpinBox) {
+  study_->setWordWrap(true);
+  study_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  noLabels_->setWordWrap(true);
+  noLabels_->setEnabled(false);
+  filter_->setPlaceholderText(tr("Find a structure"));
+  filter_->setClearButtonEnabled(true);
+  filtered_->setSourceModel(labels_);
+  filtered_->setFilterCaseSensitivity(Qt::CaseInsensitive);
+  list_->setModel(filtered_);
+  list_->setUniformItemSizes(true);
+  list_->setIconSize({12, 12});
+  list_->setToolTip(tr("Tick what to see; double-click to see that alone"));
+  list_->setMinimumHeight(80);
+
+  byValue_->setToolTip(tr("The focus is everything whose value lies in this range"));
+  auto* range = new QHBoxLayout;
+  range->addWidget(low_, 1);
+  range->addWidget(new QLabel(tr("to")));
+  range->addWidget(high_, 1);
+  for (QDoubleSpinBox* box : {low_, high_}) {
+    box->setKeyboardTracking(false);
+    box->setAlignment(Qt::AlignRight);
+    connect(box, &QDoubleSpinBox::valueChanged, this, [this] {
+      if (byValue_->isChecked()) applyRange();
+    });
+  }
+
+  auto* column = new QVBoxLayout(this);
+  column->addWidget(study_);
+  column->addWidget(filter_);
+  column->addWidget(list_, 1);
+  column->addWidget(noLabels_);
+  column->addStretch(0);
+  column->addWidget(byValue_);
+  column->addLayout(range);
+
+  connect(filter_, &QLineEdit::textChanged, filtered_, &QSortFilterProxyModel::setFilterFixedString);
+  connect(list_, &QListView::doubleClicked, this, [this](const QModelIndex& index) {
+    document_.focusOn(labels_->label(filtered_->mapToSource(index)));
+  });
+  connect(byValue_, &QCheckBox::clicked, this, [this](bool on) {
+    if (on) applyRange();
+    else document_.setFocus(std::monostate{});
+  });
+  connect(&document, &Document::volumeChanged, this, &FocusPanel::showStudy);
+  connect(&document, &Document::labelsChanged, this, &FocusPanel::showStudy);
+  connect(&document, &Document::focusChanged, this, &FocusPanel::showFocus);
+  showStudy();
+}
+
+void FocusPanel::showStudy() {
+  setEnabled(document_.hasVolume());
+  study_->setText(document_.hasVolume() ? document_.description() : tr("Nothing open"));
+  const bool labelled = labels_->rowCount() > 0;
+  list_->setVisible(labelled);
+  filter_->setVisible(labelled);
+  noLabels_->setVisible(!labelled && document_.hasVolume());
+  if (!document_.hasVolume()) return;
+
+  const Volume& volume = *document_.scene().volume;
+  const double span = std::max(volume.range.high - volume.range.low, 1e-12);
+  // Whole numbers for CT and other wide ranges, three significant steps of a narrow one.
+  const int decimals = std::clamp(static_cast<int>(std::ceil(3.0 - std::log10(span))), 0, 9);
+  const QString suffix = volume.unit.empty() ? QString() : QStringLiteral(" ") + QString::fromStdString(volume.unit);
+  for (QDoubleSpinBox* box : {low_, high_}) {
+    const QSignalBlocker quiet(box);
+    box->setDecimals(decimals);
+    box->setSingleStep(std::pow(10.0, std::floor(std::log10(span)) - 2.0));
+    box->setRange(volume.range.low, volume.range.high);
+    box->setSuffix(suffix);
+  }
+  const QSignalBlocker quietLow(low_), quietHigh(high_);
+  // Bone in CT; elsewhere the upper quarter: something to start from.
+  low_->setValue(volume.modality == Modality::CT ? 300.0 : volume.range.high - 0.25 * span);
+  high_->setValue(volume.range.high);
+  showFocus();
+}
+
+void FocusPanel::showFocus() {
+  const auto* values = std::get_if<ValueFocus>(&document_.focus());
+  byValue_->setChecked(values != nullptr);
+  low_->setEnabled(values != nullptr);
+  high_->setEnabled(values != nullptr);
+  if (!values) return;
+  const QSignalBlocker quietLow(low_), quietHigh(high_);
+  low_->setValue(values->values.low);
+  high_->setValue(values->values.high);
+}
+
+void FocusPanel::applyRange() {
+  const double a = low_->value(), b = high_->value();
+  document_.setFocus(ValueFocus{.values = {std::min(a, b), std::max(a, b)}});
+}
+
+}  // namespace fenestra::viewer

@@ -1,0 +1,44 @@
+#pragma once
+// What is open, and what of it is the focus: a list of labels to tick, or a range of values.
+
+#include <QCheckBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListView>
+#include <QSortFilterProxyModel>
+#include <QWidget>
+
+namespace fenestra::viewer {
+
+class Document;
+class LabelModel;
+
+class FocusPanel : public QWidget {
+  Q_OBJECT
+ public:
+  explicit FocusPanel(Document& document, QWidget* parent = nullptr);
+
+  QListView* list() const { return list_; }
+  QLineEdit* filter() const { return filter_; }
+  QCheckBox* byValue() const { return byValue_; }
+  QDoubleSpinBox* low() const { return low_; }
+  QDoubleSpinBox* high() const { return high_; }
+
+ private:
+  void showStudy();
+  void showFocus();
+  void applyRange();
+
+  Document& document_;
+  LabelModel* labels_;
+  QSortFilterProxyModel* filtered_;
+  QLabel* study_;
+  QLineEdit* filter_;
+  QListView* list_;
+  QLabel* noLabels_;
+  QCheckBox* byValue_;
+  QDoubleSpinBox *low_, *high_;
+};
+
+}  // namespace fenestra::viewer

@@ -1,0 +1,34 @@
+#pragma once
+// One number: a slider to drag and a box to type into.
+
+#include <QDoubleSpinBox>
+#include <QSlider>
+#include <QWidget>
+
+namespace fenestra::viewer {
+
+class SliderSpin : public QWidget {
+  Q_OBJECT
+ public:
+  /// The slider spans low..high in `step`s.
+  SliderSpin(double low, double high, double step, QWidget* parent = nullptr);
+
+  void setRange(double low, double high, double step);
+  /// Shows a value without telling anyone; one beyond the range widens it.
+  void setValue(double value);
+  double value() const { return box_->value(); }
+  void setSuffix(const QString& suffix) { box_->setSuffix(suffix); }
+  QSlider* slider() const { return slider_; }
+  QDoubleSpinBox* box() const { return box_; }
+
+ Q_SIGNALS:
+  /// The user moved it.
+  void edited(double value);
+
+ private:
+  QSlider* slider_;
+  QDoubleSpinBox* box_;
+  double low_ = 0.0, step_ = 1.0;
+};
+
+}  // namespace fenestra::viewer

@@ -1,0 +1,55 @@
+#include "viewer/views/GlSupport.h"
+
+#include <QCoreApplication>
+#include <QOffscreenSurface>
+#include <QOpenGLContext>
+#include <QSurfaceFormat>
+
+#include "rendering/gl/Context.h"
+
+namespace fenestra::viewer {
+namespace {
+
+constexpr int major = 4, minor = 5;
+
+QString tr(const char* text) { return QCoreApplication::translate("GlSupport", text); }
+
+GlSupport unavailable(const QString& problem, const QString& renderer = {}) {
+  return {.renderer = renderer, .problem = problem};
+}
+
+}  // namespace
+
+void requestOpenGl() {
+  QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
+  QSurfaceFormat format;
+  format.setRenderableType(QSurfaceFormat::OpenGL);
+  format.setProfile(QSurfaceFormat::CoreProfile);
+  format.setVersion(major, minor);
+  format.setDepthBufferSize(0);
+  format.setStencilBufferSize(8);  // QPainter clips with it
+  QSurfaceFormat::setDefaultFormat(format);
+}
+
+GlSupport probeOpenGl() {
+  QOpenGLContext context;
+  if (!context.create())
+    return unavailable(tr("No OpenGL context can be made on this display. Install the graphics driver, or Mesa's "
+                          "software renderer (Debian: libgl1-mesa-dri); on a remote desktop, start Fenestra there."));
+  QOffscreenSurface surface;
+  surface.create();
+  if (!context.makeCurrent(&surface))
+    return unavailable(tr("OpenGL cannot draw on this display. On a remote desktop, use one with GLX."));
+
+  const QString renderer = QString::fromStdString(gl::description());
+  const QString reason = QString::fromStdString(gl::unsupportedReason());
+  context.doneCurrent();
+  if (!reason.isEmpty())
+    return unavailable(tr("%1 (LIBGL_ALWAYS_SOFTWARE=1 in the environment selects it).").arg(reason), renderer);
+  GlSupport support{.available = true, .renderer = renderer};
+  for (const char* name : {"llvmpipe", "softpipe", "swrast", "SWR"})
+    if (renderer.contains(QLatin1String(name), Qt::CaseInsensitive)) support.software = true;
+  return support;
+}
+
+}  // namespace fenestra::viewer

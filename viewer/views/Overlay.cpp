@@ -1,0 +1,172 @@
+#include "viewer/views/Overlay.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <QCoreApplication>
+#include <QPolygonF>
+#include <QTransform>
+
+namespace fenestra::viewer {
+namespace {
+
+const QColor rim(0, 0, 0, 190);
+const QColor grey(190, 194, 200);
+
+/// The largest of 1, 2, 5 × 10ⁿ that does not exceed `limit`.
+double roundLength(double limit) {
+  const double decade = std::pow(10.0, std::floor(std::log10(limit)));
+  for (double step : {5.0, 2.0})
+    if (step * decade <= limit) return step * decade;
+  return decade;
+}
+
+}  // namespace
+
+QColor toColour(glm::dvec3 rgb) {
+  rgb = glm::clamp(rgb, 0.0, 1.0);
+  return QColor::fromRgbF(static_cast<float>(rgb.r), static_cast<float>(rgb.g), static_cast<float>(rgb.b));
+}
+
+glm::dvec3 fromColour(const QColor& colour) { return {colour.redF(), colour.greenF(), colour.blueF()}; }
+
+QColor planeColour(SlicePlane plane) {
+  switch (plane) {
+    case SlicePlane::Axial: return {240, 110, 100};
+    case SlicePlane::Sagittal: return {235, 200, 90};
+    case SlicePlane::Coronal: break;
+  }
+  return {120, 205, 125};
+}
+
+QString planeName(SlicePlane plane) {
+  switch (plane) {
+    case SlicePlane::Axial: return QCoreApplication::translate("Overlay", "Axial");
+    case SlicePlane::Sagittal: return QCoreApplication::translate("Overlay", "Sagittal");
+    case SlicePlane::Coronal: break;
+  }
+  return QCoreApplication::translate("Overlay", "Coronal");
+}
+
+void drawText(QPainter& painter, const QRectF& box, int alignment, const QString& text, const QColor& colour) {
+  painter.setPen(rim);
+  for (const QPointF& offset : {QPointF(1, 1), QPointF(-1, 1), QPointF(1, -1), QPointF(-1, -1)})
+    painter.drawText(box.translated(offset), alignment, text);
+  painter.setPen(colour);
+  painter.drawText(box, alignment, text);
+}
+
+void drawCorner(QPainter& painter, const QRectF& view, Qt::Alignment corner, const QStringList& lines,
+                const QColor& colour) {
+  const double height = painter.fontMetrics().lineSpacing();
+  QRectF line = view.adjusted(overlayMargin, overlayMargin, -overlayMargin, -overlayMargin);
+  if (corner & Qt::AlignBottom) line.setTop(line.bottom() - height * static_cast<double>(lines.size()));
+  line.setHeight(height);
+  const int alignment = static_cast<int>((corner & Qt::AlignHorizontal_Mask) | Qt::AlignVCenter) | Qt::TextSingleLine;
+  bool first = true;
+  for (const QString& text : lines) {
+    drawText(painter, line, alignment, text, first ? colour : grey);
+    line.translate(0, height);
+    first = false;
+  }
+}
+
+void drawEdgeLetters(QPainter& painter, const QRectF& view, glm::dvec3 right, glm::dvec3 down) {
+  const auto letters = [](glm::dvec3 direction) { return QString::fromStdString(orientationLetters(direction)); };
+  painter.save();
+  QFont font = painter.font();
+  font.setBold(true);
+  font.setPointSizeF(font.pointSizeF() * 1.15);
+  painter.setFont(font);
+  const QRectF inside = view.adjusted(overlayMargin, overlayMargin, -overlayMargin, -overlayMargin);
+  const QColor colour(255, 225, 150);
+  drawText(painter, inside, Qt::AlignLeft | Qt::AlignVCenter, letters(-right), colour);
+  drawText(painter, inside, Qt::AlignRight | Qt::AlignVCenter, letters(right), colour);
+  drawText(painter, inside, Qt::AlignTop | Qt::AlignHCenter, letters(-down), colour);
+  drawText(painter, inside, Qt::AlignBottom | Qt::AlignHCenter, letters(down), colour);
+  painter.restore();
+}
+
+void drawScaleBar(QPainter& painter, const QRectF& view, double mmPerPixel) {
+  const double limit = view.width() * 0.25 * mmPerPixel;
+  if (!(limit > 0.0) || !std::isfinite(limit)) return;
+  const double length = roundLength(limit);
+  const QString text = length >= 10.0 ? QStringLiteral("%1 cm").arg(length / 10.0) : QStringLiteral("%1 mm").arg(length);
+  const double pixels = length / mmPerPixel, tick = 4.0;
+  const QPointF end(view.right() - overlayMargin, view.bottom() - overlayMargin - tick);
+  const QPointF start = end - QPointF(pixels, 0);
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing, false);
+  for (const QPen& pen : {QPen(rim, 3), QPen(grey, 1)}) {
+    painter.setPen(pen);
+    painter.drawLine(start, end);
+    for (const QPointF& at : {start, end}) painter.drawLine(at - QPointF(0, tick), at + QPointF(0, tick));
+  }
+  painter.restore();
+  const double height = painter.fontMetrics().height();
+  drawText(painter, QRectF(start.x() - 40, end.y() - tick - height, pixels + 40, height),
+           Qt::AlignRight | Qt::AlignBottom | Qt::TextSingleLine, text, grey);
+}
+
+void drawOrientationCube(QPainter& painter, const QRectF& box, const Camera::Axes& axes) {
+  struct Face {
+    const char* letter;
+    glm::dvec3 normal, right, up;  // world; how the letter stands on the face, seen from outside
+  };
+  static const std::array<Face, 6> faces{{
+      {"A", {0, -1, 0}, {1, 0, 0}, {0, 0, 1}},
+      {"P", {0, 1, 0}, {-1, 0, 0}, {0, 0, 1}},
+      {"L", {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+      {"R", {-1, 0, 0}, {0, -1, 0}, {0, 0, 1}},
+      {"S", {0, 0, 1}, {1, 0, 0}, {0, 1, 0}},
+      {"I", {0, 0, -1}, {1, 0, 0}, {0, -1, 0}},
+  }};
+  // Half an edge: the cube's space diagonal fits the box.
+  const double half = 0.5 * std::min(box.width(), box.height()) / std::sqrt(3.0);
+  const auto toScreen = [&](glm::dvec3 world) {
+    return box.center() + half * QPointF(glm::dot(world, axes.right), -glm::dot(world, axes.up));
+  };
+  painter.save();
+  painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
+  QFont font = painter.font();
+  font.setBold(true);
+  for (const Face& face : faces) {
+    const double facing = -glm::dot(face.normal, axes.forward);
+    if (facing <= 0.02) continue;  // turned away, or seen edge-on
+    const QPolygonF corners{toScreen(face.normal - face.right + face.up), toScreen(face.normal + face.right + face.up),
+                            toScreen(face.normal + face.right - face.up), toScreen(face.normal - face.right - face.up)};
+    const int shade = static_cast<int>(50 + 45 * facing);
+    painter.setPen(QPen(QColor(15, 17, 20), 1));
+    painter.setBrush(QColor(shade, shade + 6, shade + 14, 235));
+    painter.drawPolygon(corners);
+    QTransform onFace;
+    constexpr double side = 20.0;
+    const QPolygonF square{QPointF(0, 0), QPointF(side, 0), QPointF(side, side), QPointF(0, side)};
+    if (facing > 0.3 && QTransform::quadToQuad(square, corners, onFace)) {
+      painter.save();
+      painter.setTransform(onFace, true);
+      font.setPixelSize(14);
+      painter.setFont(font);
+      painter.setPen(QColor(255, 225, 150, static_cast<int>(255 * std::min(1.0, facing * 1.4))));
+      painter.drawText(QRectF(0, 0, side, side), Qt::AlignCenter, QLatin1String(face.letter));
+      painter.restore();
+    }
+  }
+  painter.restore();
+}
+
+void drawMark(QPainter& painter, QPointF at) {
+  constexpr double inner = 4.0, outer = 10.0;
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setBrush(Qt::NoBrush);
+  for (const QPen& pen : {QPen(rim, 3.5), QPen(QColor(110, 215, 255), 1.5)}) {
+    painter.setPen(pen);
+    for (const QPointF& arm : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)})
+      painter.drawLine(at + arm * inner, at + arm * outer);
+  }
+  painter.restore();
+}
+
+}  // namespace fenestra::viewer

@@ -1,0 +1,38 @@
+#pragma once
+// What is written and drawn over a picture: corner text, edge letters, scale bar, orientation cube.
+
+#include <QColor>
+#include <QPainter>
+#include <QRectF>
+#include <QString>
+#include <QStringList>
+
+#include "rendering/scene/Camera.h"
+#include "rendering/scene/Slice.h"
+
+namespace fenestra::viewer {
+
+/// Distance of all overlays from the edge of the view, in device-independent pixels.
+inline constexpr double overlayMargin = 8.0;
+
+QColor toColour(glm::dvec3 displayRgb);
+glm::dvec3 fromColour(const QColor& colour);
+/// The colour that stands for a plane: in its view's title, and for its line in the other views' crosshairs.
+QColor planeColour(SlicePlane plane);
+QString planeName(SlicePlane plane);
+
+/// Light text with a dark rim, readable on black and on bone.
+void drawText(QPainter& painter, const QRectF& box, int alignment, const QString& text, const QColor& colour);
+/// Lines of text in a corner; the first line in `colour`, the rest in grey.
+void drawCorner(QPainter& painter, const QRectF& view, Qt::Alignment corner, const QStringList& lines,
+                const QColor& colour = Qt::white);
+/// Patient letters at the middle of the four edges; `right` and `down` are world directions.
+void drawEdgeLetters(QPainter& painter, const QRectF& view, glm::dvec3 right, glm::dvec3 down);
+/// A bar of a round number of mm, at most a quarter of the view wide, at the bottom right.
+void drawScaleBar(QPainter& painter, const QRectF& view, double mmPerPixel);
+/// A cube lettered A P L R S I as the camera sees the patient, in the square `box`.
+void drawOrientationCube(QPainter& painter, const QRectF& box, const Camera::Axes& axes);
+/// A small cross-hair mark.
+void drawMark(QPainter& painter, QPointF at);
+
+}  // namespace fenestra::viewer

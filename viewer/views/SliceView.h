@@ -1,0 +1,96 @@
+#pragma once
+// One anatomical plane through the volume: grey values under the window, label colours, focus outline, crosshair.
+// Plain QWidget and QImage, so it works where 3-D cannot start.
+//
+// Left click: crosshair, and the label there becomes the focus (Ctrl: joins or leaves it); left drag: window/level;
+// middle: pan; right drag or Ctrl+wheel: zoom; wheel and arrows: slices; Shift+move: crosshair.
+
+#include <optional>
+
+#include <QImage>
+#include <QLineF>
+#include <QWidget>
+
+#include "rendering/scene/Focus.h"
+#include "rendering/scene/Slice.h"
+
+namespace fenestra::viewer {
+
+class Document;
+class SliceCursor;
+class ViewOptions;
+
+class SliceView : public QWidget {
+  Q_OBJECT
+ public:
+  SliceView(SlicePlane plane, Document& document, SliceCursor& cursor, ViewOptions& options, QWidget* parent = nullptr);
+
+  SlicePlane plane() const { return geometry_.plane; }
+  const SliceGeometry& sliceGeometry() const { return geometry_; }
+  int slice() const { return slice_; }
+  /// Whole slice in view, window as the data asks for.
+  void resetView();
+
+  /// Where a world point lies in the widget, projected onto the slice; and back, onto the shown slice.
+  QPointF widgetFromWorld(glm::dvec3 world) const;
+  glm::dvec3 worldFromWidget(QPointF position) const;
+
+  QSize sizeHint() const override { return {320, 300}; }
+  QSize minimumSizeHint() const override { return {120, 120}; }
+
+ Q_SIGNALS:
+  /// The mouse points at that place.
+  void pointed(glm::dvec3 world);
+  void left();
+  void menuRequested(glm::dvec3 world, QPoint globalPosition);
+  void maximiseRequested();
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+
+ private:
+  void readGeometry();
+  void followCursor();
+  void invalidate();
+  void makeImage();
+  void collectOutline(const std::vector<char>& focused);
+  void zoomAt(QPointF position, double factor);
+  void click(QPointF position, Qt::KeyboardModifiers modifiers);
+  double pixelsPerMm() const;
+  bool inPicture(glm::dvec3 world) const;
+  void drawCrosshair(QPainter& painter) const;
+
+  Document& document_;
+  SliceCursor& cursor_;
+  ViewOptions& options_;
+
+  SliceGeometry geometry_;
+  int slice_ = 0;
+  std::vector<float> values_;          ///< of the slice, real
+  std::vector<std::uint16_t> labels_;  ///< of the slice; empty without labels
+  QImage image_;                       ///< null: to be made
+  QVector<QLineF> outline_;            ///< of the focus, in slice pixels
+
+  double zoom_ = 1.0;                  ///< 1: the whole slice fits
+  QPointF centre_;                     ///< what is in the middle of the widget, in mm from the slice's first pixel's corner
+
+  QPointF pressed_, last_;             ///< mouse positions of the press and of the last move
+  WindowLevel windowAtPress_;
+  bool dragging_ = false;
+  /// What the last click replaced: a double click undoes its first half.
+  struct BeforeClick {
+    Focus focus;
+    glm::dvec3 cursor;
+  };
+  std::optional<BeforeClick> beforeClick_;
+  double wheel_ = 0.0;                 ///< wheel angle left over, in eighths of a degree
+};
+
+}  // namespace fenestra::viewer

@@ -1,0 +1,105 @@
+#include "viewer/views/ViewArea.h"
+
+#include <algorithm>
+
+#include <QDataStream>
+#include <QLabel>
+#include <QVBoxLayout>
+
+#include "viewer/model/ViewLink.h"
+
+namespace fenestra::viewer {
+
+ViewArea::ViewArea(Document& document, SliceCursor& cursor, ViewLink& cameras, ViewOptions& options,
+                   const GlSupport& gl, Quality restQuality, QWidget* parent)
+    : QWidget(parent),
+      rows_(new QSplitter(Qt::Vertical)),
+      upper_(new QSplitter(Qt::Horizontal)),
+      lower_(new QSplitter(Qt::Horizontal)) {
+  auto* whole = new QVBoxLayout(this);
+  whole->setContentsMargins(0, 0, 0, 0);
+  whole->addWidget(rows_);
+  rows_->addWidget(upper_);
+  rows_->addWidget(lower_);
+  for (QSplitter* splitter : {rows_, upper_, lower_}) {
+    splitter->setChildrenCollapsible(false);
+    splitter->setHandleWidth(3);
+  }
+
+  const auto connectView = [this](auto* view) {
+    using View = std::remove_pointer_t<decltype(view)>;
+    connect(view, &View::pointed, this, &ViewArea::pointed);
+    connect(view, &View::left, this, &ViewArea::left);
+    connect(view, &View::menuRequested, this, &ViewArea::menuRequested);
+    connect(view, &View::maximiseRequested, this, [this, view] { toggleMaximised(view); });
+  };
+  if (gl.available) {
+    const VolumeView::Shared shared{std::make_shared<GpuScene>(), std::make_shared<FramePacer>(restQuality)};
+    for (int index = 0; index < ViewLink::count; ++index) {
+      auto* view = new VolumeView(index, document, cursor, cameras, options, shared);
+      connectView(view);
+      connect(view, &VolumeView::failed, this, &ViewArea::failed);
+      upper_->addWidget(view);
+      volumes_.push_back(view);
+    }
+  } else {
+    auto* reason = new QLabel(tr("3-D views are not available here.\n\n%1\n\nThe slices below work without it.").arg(gl.problem));
+    reason->setObjectName(QStringLiteral("noOpenGl"));
+    reason->setAlignment(Qt::AlignCenter);
+    reason->setWordWrap(true);
+    reason->setMargin(24);
+    reason->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    upper_->addWidget(reason);
+  }
+  for (const SlicePlane plane : {SlicePlane::Axial, SlicePlane::Sagittal, SlicePlane::Coronal}) {
+    auto* view = new SliceView(plane, document, cursor, options);
+    connectView(view);
+    lower_->addWidget(view);
+    slices_.push_back(view);
+  }
+  rows_->setSizes({560, 440});
+}
+
+bool ViewArea::isSettled() const {
+  return std::all_of(volumes_.begin(), volumes_.end(),
+                     [](const VolumeView* view) { return !view->isVisible() || view->isSettled(); });
+}
+
+void ViewArea::toggleMaximised(QWidget* view) {
+  if (maximised_) {
+    showAll();
+    return;
+  }
+  maximised_ = view;
+  for (QSplitter* row : {upper_, lower_}) {
+    for (int i = 0; i < row->count(); ++i) row->widget(i)->setVisible(row->widget(i) == view);
+    row->setVisible(row->indexOf(view) >= 0);
+  }
+  view->setFocus();
+}
+
+void ViewArea::showAll() {
+  maximised_ = nullptr;
+  for (QSplitter* row : {upper_, lower_}) {
+    for (int i = 0; i < row->count(); ++i) row->widget(i)->show();
+    row->show();
+  }
+}
+
+QByteArray ViewArea::saveLayout() const {
+  QByteArray layout;
+  QDataStream stream(&layout, QIODevice::WriteOnly);
+  for (const QSplitter* splitter : {rows_, upper_, lower_}) stream << splitter->saveState();
+  return layout;
+}
+
+void ViewArea::restoreLayout(const QByteArray& layout) {
+  QDataStream stream(layout);
+  for (QSplitter* splitter : {rows_, upper_, lower_}) {
+    QByteArray state;
+    stream >> state;
+    splitter->restoreState(state);
+  }
+}
+
+}  // namespace fenestra::viewer

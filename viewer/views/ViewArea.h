@@ -1,0 +1,48 @@
+#pragma once
+// The five views: C1 and C2 side by side over axial, sagittal and coronal. One of them can take the whole area.
+
+#include <vector>
+
+#include <QSplitter>
+#include <QWidget>
+
+#include "viewer/views/GlSupport.h"
+#include "viewer/views/SliceView.h"
+#include "viewer/views/VolumeView.h"
+
+namespace fenestra::viewer {
+
+class ViewArea : public QWidget {
+  Q_OBJECT
+ public:
+  /// Without OpenGL the place of the 3-D views says why, and the slices are there all the same.
+  ViewArea(Document& document, SliceCursor& cursor, ViewLink& cameras, ViewOptions& options, const GlSupport& gl,
+           Quality restQuality, QWidget* parent = nullptr);
+
+  const std::vector<VolumeView*>& volumeViews() const { return volumes_; }  ///< empty without OpenGL
+  const std::vector<SliceView*>& sliceViews() const { return slices_; }     ///< axial, sagittal, coronal
+  /// Every visible view shows the scene at full quality.
+  bool isSettled() const;
+
+  /// Gives the whole area to a view, or back to all when it has it.
+  void toggleMaximised(QWidget* view);
+  bool isMaximised() const { return maximised_ != nullptr; }
+  void showAll();
+
+  QByteArray saveLayout() const;
+  void restoreLayout(const QByteArray& layout);
+
+ Q_SIGNALS:
+  void pointed(glm::dvec3 world);
+  void left();
+  void menuRequested(glm::dvec3 world, QPoint globalPosition);
+  void failed(const QString& problem);
+
+ private:
+  QSplitter *rows_, *upper_, *lower_;
+  std::vector<VolumeView*> volumes_;
+  std::vector<SliceView*> slices_;
+  QWidget* maximised_ = nullptr;
+};
+
+}  // namespace fenestra::viewer

@@ -1,0 +1,286 @@
+#include "viewer/views/VolumeView.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include <glm/gtc/constants.hpp>
+
+#include <QMouseEvent>
+#include <QOpenGLContext>
+#include <QPainter>
+#include <QWheelEvent>
+
+#include "viewer/model/Document.h"
+#include "viewer/model/SliceCursor.h"
+#include "viewer/model/ViewLink.h"
+#include "viewer/model/ViewOptions.h"
+#include "viewer/views/Overlay.h"
+
+namespace fenestra::viewer {
+namespace {
+
+constexpr double clickSlack = 4.0;  ///< device-independent pixels between press and release of a click
+constexpr int restMilliseconds = 150;
+constexpr double arrowTurn = glm::pi<double>() / 36.0;  ///< 5 degrees
+
+/// Milliseconds on a steady clock.
+double now() {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+}  // namespace
+
+VolumeView::VolumeView(int index, Document& document, SliceCursor& cursor, ViewLink& cameras, ViewOptions& options,
+                       Shared shared, QWidget* parent)
+    : QOpenGLWidget(parent),
+      index_(index),
+      document_(document),
+      cursor_(cursor),
+      cameras_(cameras),
+      options_(options),
+      shared_(std::move(shared)) {
+  setMouseTracking(true);
+  setFocusPolicy(Qt::StrongFocus);
+  setObjectName(QStringLiteral("volume%1").arg(index));
+  rest_.setSingleShot(true);
+  connect(&rest_, &QTimer::timeout, this, &VolumeView::settle);
+  connect(&document, &Document::volumeChanged, this, [this] { cold_ = true; });
+  connect(&document, &Document::sceneChanged, this, &VolumeView::disturb);
+  connect(&cameras, &ViewLink::changed, this, [this](int view) {
+    if (view == index_) disturb();
+  });
+  const auto repaint = [this] { update(); };
+  connect(&cursor, &SliceCursor::moved, this, repaint);
+  connect(&options, &ViewOptions::changed, this, repaint);
+  connect(this, &QOpenGLWidget::frameSwapped, this, [this] { shared_.pacer->end(now()); });
+}
+
+VolumeView::~VolumeView() {
+  // GPU objects go while their context is current; the last view takes the shared voxels along.
+  makeCurrent();
+  renderer_.reset();
+  shared_.gpuScene.reset();
+  doneCurrent();
+}
+
+bool VolumeView::isSettled() const { return settled_ || !problem_.isEmpty() || !document_.hasVolume(); }
+
+int VolumeView::movingViews() const { return cameras_.isLinked() ? ViewLink::count : 1; }
+
+void VolumeView::disturb() {
+  settled_ = false;
+  effort_ = shared_.pacer->moving(movingViews());
+  // Views settle one after the other, so that the window answers in between.
+  rest_.start(restMilliseconds * (1 + index_));
+  update();
+}
+
+void VolumeView::settle() {
+  effort_ = shared_.pacer->atRest();
+  update();
+}
+
+void VolumeView::resizeEvent(QResizeEvent* event) {
+  QOpenGLWidget::resizeEvent(event);
+  disturb();
+}
+
+void VolumeView::initializeGL() {
+  try {
+    renderer_.emplace(shared_.gpuScene);
+  } catch (const std::exception& error) {
+    problem_ = QString::fromUtf8(error.what());
+    Q_EMIT failed(problem_);
+  }
+}
+
+Camera VolumeView::shownCamera() const {
+  Camera camera = cameras_.camera(index_);
+  const double aspect = static_cast<double>(width()) / std::max(1, height());
+  if (aspect < 1.0) {
+    camera.verticalFov = glm::degrees(2.0 * std::atan(std::tan(glm::radians(camera.verticalFov) * 0.5) / aspect));
+    camera.orthographicHeight /= aspect;
+  }
+  return camera;
+}
+
+void VolumeView::paintGL() {
+  const bool drawn = renderer_ && problem_.isEmpty() && document_.hasVolume();
+  if (drawn) {
+    try {
+      renderScene();
+    } catch (const std::exception& error) {
+      problem_ = tr("This view cannot be drawn: %1").arg(QString::fromUtf8(error.what()));
+      Q_EMIT failed(problem_);
+    }
+  }
+  drawOverlay();
+  if (isSettled()) Q_EMIT settled();
+}
+
+void VolumeView::renderScene() {
+  const double ratio = devicePixelRatioF();
+  const QSize device(static_cast<int>(std::lround(width() * ratio)), static_cast<int>(std::lround(height() * ratio)));
+  const double scale = ratio * effort_.scale;
+  const View view{
+      .camera = shownCamera(),
+      .size = glm::max(glm::ivec2(glm::round(glm::dvec2(width(), height()) * scale)), glm::ivec2(1)),
+      .pixelScale = scale,
+      .quality = effort_.quality,
+  };
+  if (!cold_ && !settled_) shared_.pacer->begin(effort_, now());
+  renderer_->render(document_.scene(), view);
+  renderer_->present(defaultFramebufferObject(), {0, 0, device.width(), device.height()});
+  shown_ = view;
+  cold_ = false;
+  settled_ = effort_ == shared_.pacer->atRest();
+}
+
+void VolumeView::drawOverlay() {
+  QPainter painter(this);
+  const QRectF view = rect();
+  if (!problem_.isEmpty() || !document_.hasVolume()) painter.fillRect(rect(), toColour(document_.scene().background));
+  if (!problem_.isEmpty()) {
+    painter.setPen(QColor(220, 222, 226));
+    painter.drawText(view.adjusted(24, 24, -24, -24), Qt::AlignCenter | Qt::TextWordWrap, problem_);
+    return;
+  }
+  if (!document_.hasVolume()) return;
+  const Camera camera = shownCamera();
+  if (options_.crosshair())
+    if (const std::optional<QPointF> at = widgetFromWorld(cursor_.position())) drawMark(painter, *at);
+  if (options_.text()) {
+    QStringList lines{tr("C%1").arg(index_ + 1)};
+    lines << (camera.projection == Projection::Perspective ? tr("perspective") : tr("parallel"));
+    drawCorner(painter, view, Qt::AlignTop | Qt::AlignLeft, lines, QColor(120, 190, 240));
+  }
+  constexpr double cube = 58.0;
+  drawOrientationCube(painter, {view.left() + overlayMargin, view.bottom() - overlayMargin - cube, cube, cube},
+                      camera.axes());
+  if (camera.projection == Projection::Orthographic) drawScaleBar(painter, view, mmPerPixel());
+  if (hasFocus()) {
+    painter.setPen(QColor(86, 140, 190));
+    painter.drawRect(rect().adjusted(0, 0, -1, -1));
+  }
+}
+
+std::optional<QPointF> VolumeView::widgetFromWorld(glm::dvec3 world) const {
+  if (!document_.hasVolume()) return std::nullopt;
+  const double aspect = static_cast<double>(width()) / std::max(1, height());
+  const glm::dvec4 clip =
+      shownCamera().clipFromWorld(aspect, document_.scene().volume->grid) * glm::dvec4(world, 1.0);
+  if (!(clip.w > 0.0)) return std::nullopt;
+  return QPointF(0.5 * (clip.x / clip.w + 1.0) * width(), 0.5 * (1.0 - clip.y / clip.w) * height());
+}
+
+std::optional<glm::dvec3> VolumeView::pick(QPointF position) {
+  if (!renderer_ || !problem_.isEmpty() || shown_.size.x == 0 || !document_.hasVolume()) return std::nullopt;
+  const glm::dvec2 pixel(position.x() / width() * shown_.size.x, position.y() / height() * shown_.size.y);
+  makeCurrent();
+  const std::optional<glm::dvec3> hit = renderer_->pick(pixel);
+  doneCurrent();
+  if (!hit) return std::nullopt;
+  // The hit lies on a surface, half the time on its outer side: half a voxel on lies what is seen.
+  const Camera& camera = shown_.camera;
+  const glm::dvec3 ray = camera.projection == Projection::Perspective ? glm::normalize(*hit - camera.eye)
+                                                                      : camera.axes().forward;
+  const glm::dvec3 spacing = document_.scene().volume->grid.spacing;
+  return *hit + 0.5 * std::min({spacing.x, spacing.y, spacing.z}) * ray;
+}
+
+double VolumeView::mmPerPixel() const {
+  const Camera camera = shownCamera();
+  const double seen = camera.projection == Projection::Orthographic
+                          ? camera.orthographicHeight
+                          : 2.0 * glm::distance(camera.eye, camera.target) *
+                                std::tan(glm::radians(camera.verticalFov) * 0.5);
+  return seen / std::max(1, height());
+}
+
+void VolumeView::mousePressEvent(QMouseEvent* event) {
+  pressed_ = last_ = event->position();
+  beforeClick_.reset();
+  dragging_ = false;
+}
+
+void VolumeView::mouseMoveEvent(QMouseEvent* event) {
+  if (!document_.hasVolume()) return;
+  const QPointF position = event->position(), move = position - last_, total = position - pressed_;
+  last_ = position;
+  const Qt::MouseButtons buttons = event->buttons();
+  if (buttons == Qt::NoButton) {
+    if (event->modifiers() & Qt::ShiftModifier)
+      if (const std::optional<glm::dvec3> hit = pick(position)) {
+        cursor_.moveTo(*hit);
+        Q_EMIT pointed(*hit);
+      }
+    return;
+  }
+  if (!dragging_ && std::hypot(total.x(), total.y()) <= clickSlack) return;
+  // The first move carries the slack along, so that the picture does not lag behind the mouse.
+  const QPointF step = dragging_ ? move : total;
+  dragging_ = true;
+  if (buttons & Qt::LeftButton) {
+    const double perPixel = glm::pi<double>() / std::max(1, std::min(width(), height()));
+    cameras_.orbit(index_, -step.x() * perPixel, -step.y() * perPixel);
+  } else if (buttons & Qt::MiddleButton) {
+    cameras_.pan(index_, -step.x() * mmPerPixel(), step.y() * mmPerPixel());
+  } else if (buttons & Qt::RightButton) {
+    zoom(std::exp(-0.01 * step.y()));
+  }
+}
+
+void VolumeView::mouseReleaseEvent(QMouseEvent* event) {
+  if (dragging_ || !document_.hasVolume()) return;
+  const std::optional<glm::dvec3> hit = pick(event->position());
+  if (!hit) return;
+  if (event->button() == Qt::RightButton) {
+    Q_EMIT menuRequested(*hit, event->globalPosition().toPoint());
+  } else if (event->button() == Qt::LeftButton) {
+    beforeClick_ = BeforeClick{document_.focus(), cursor_.position()};
+    cursor_.moveTo(*hit);
+    Q_EMIT pointed(*hit);
+    const Label* label = event->modifiers() & Qt::ControlModifier ? document_.labelAt(*hit) : nullptr;
+    if (label) document_.setFocused(label->value, !document_.isFocused(label->value));
+  }
+}
+
+void VolumeView::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton) return;
+  dragging_ = true;  // so that the release that follows is no click
+  if (beforeClick_) {
+    document_.setFocus(beforeClick_->focus);
+    cursor_.moveTo(beforeClick_->cursor);
+  }
+  Q_EMIT maximiseRequested();
+}
+
+void VolumeView::zoom(double factor) {
+  const Camera& camera = cameras_.camera(index_);
+  // From a hundredth to ten times the volume's radius: never through the target, never out of sight.
+  const double radius = document_.scene().volume->grid.boundingRadius();
+  const double distance = camera.projection == Projection::Perspective ? glm::distance(camera.eye, camera.target)
+                                                                       : camera.orthographicHeight;
+  cameras_.zoom(index_, distance / std::clamp(distance / factor, 0.01 * radius, 10.0 * radius));
+}
+
+void VolumeView::wheelEvent(QWheelEvent* event) {
+  if (document_.hasVolume()) zoom(std::exp(event->angleDelta().y() * 0.0015));
+}
+
+void VolumeView::keyPressEvent(QKeyEvent* event) {
+  double yaw = 0.0, pitch = 0.0;
+  switch (event->key()) {
+    case Qt::Key_Left: yaw = arrowTurn; break;
+    case Qt::Key_Right: yaw = -arrowTurn; break;
+    case Qt::Key_Up: pitch = arrowTurn; break;
+    case Qt::Key_Down: pitch = -arrowTurn; break;
+    default: QOpenGLWidget::keyPressEvent(event); return;
+  }
+  if (document_.hasVolume()) cameras_.orbit(index_, yaw, pitch);
+}
+
+void VolumeView::leaveEvent(QEvent*) { Q_EMIT left(); }
+
+}  // namespace fenestra::viewer

@@ -1,0 +1,108 @@
+#pragma once
+// One 3-D view: what a camera of the pair sees, drawn by a Renderer into Qt's framebuffer, with crosshair mark,
+// orientation cube and (parallel projection only) scale bar over it.
+//
+// While something changes it draws as the pacer says; after a moment of rest, at full quality. Left drag: rotate;
+// left click: crosshair to the surface hit (Ctrl: its label joins or leaves the focus); middle: pan; right drag or
+// wheel: zoom; arrows: turn by steps.
+
+#include <memory>
+#include <optional>
+
+#include <QOpenGLWidget>
+#include <QTimer>
+
+#include "rendering/passes/GpuScene.h"
+#include "rendering/passes/Renderer.h"
+#include "viewer/model/FramePacer.h"
+
+namespace fenestra::viewer {
+
+class Document;
+class SliceCursor;
+class ViewLink;
+class ViewOptions;
+
+class VolumeView : public QOpenGLWidget {
+  Q_OBJECT
+ public:
+  /// What all 3-D views of a window share: voxels on the GPU, and the measured speed of the machine.
+  struct Shared {
+    std::shared_ptr<GpuScene> gpuScene;
+    std::shared_ptr<FramePacer> pacer;
+  };
+
+  /// `index` is the camera's place in `cameras`.
+  VolumeView(int index, Document& document, SliceCursor& cursor, ViewLink& cameras, ViewOptions& options, Shared shared,
+             QWidget* parent = nullptr);
+  ~VolumeView() override;
+
+  int index() const { return index_; }
+  /// What is on screen is the scene at full quality, or why it cannot be is said there.
+  bool isSettled() const;
+  /// Why nothing is drawn; empty when all is well.
+  const QString& problem() const { return problem_; }
+  /// The camera as drawn: in a view that is higher than wide, the field of view is widened so that the volume still fits.
+  Camera shownCamera() const;
+  std::optional<QPointF> widgetFromWorld(glm::dvec3 world) const;
+
+  QSize sizeHint() const override { return {480, 380}; }
+  QSize minimumSizeHint() const override { return {160, 140}; }
+
+ Q_SIGNALS:
+  void settled();
+  void failed(const QString& problem);
+  void pointed(glm::dvec3 world);
+  void left();
+  void menuRequested(glm::dvec3 world, QPoint globalPosition);
+  void maximiseRequested();
+
+ protected:
+  void initializeGL() override;
+  void paintGL() override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  void disturb();
+  void settle();
+  void renderScene();
+  void drawOverlay();
+  void zoom(double factor);
+  /// World position of what the widget shows there; empty on the background.
+  std::optional<glm::dvec3> pick(QPointF position);
+  double mmPerPixel() const;
+  int movingViews() const;
+
+  const int index_;
+  Document& document_;
+  SliceCursor& cursor_;
+  ViewLink& cameras_;
+  ViewOptions& options_;
+  Shared shared_;
+
+  std::optional<Renderer> renderer_;
+  QString problem_;
+  View shown_;                    ///< of the last picture; size 0 before the first
+  Effort effort_;                 ///< to draw the next picture with
+  bool settled_ = false;          ///< the last picture is of the present scene, at full quality
+  bool cold_ = true;              ///< the next picture also uploads voxels: its time says nothing
+  QTimer rest_;                   ///< runs out when nothing has changed for a moment
+
+  QPointF pressed_, last_;
+  bool dragging_ = false;
+  /// What the last click replaced: a double click undoes its first half.
+  struct BeforeClick {
+    Focus focus;
+    glm::dvec3 cursor;
+  };
+  std::optional<BeforeClick> beforeClick_;
+};
+
+}  // namespace fenestra::viewer
