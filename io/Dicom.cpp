@@ -358,7 +358,9 @@ OpenedVolume openDicom(const fs::path& path, const OpenOptions& options) {
     Voxels voxels = decode(stack, scan.files, mapping, options.progress, failed);
     if (!failed.empty()) {
       // The rest is stacked anew without them: their places are missing slices now.
-      if (failed.size() == scan.files.size())
+      const bool nothingLeft = failed.size() == scan.files.size();
+      const bool wantedIsLost = !options.series.empty() && failed.size() == candidates[choice].info.files.size();
+      if (nothingLeft || wantedIsLost)
         throw Error(scan.files.size() == 1 ? scan.files.front().path : path, failed.begin()->second, "get the files again from their source");
       for (auto file = failed.rbegin(); file != failed.rend(); ++file) {
         scan.unreadable.push_back(scan.files[file->first].path);

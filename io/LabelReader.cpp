@@ -56,18 +56,21 @@ std::vector<Segment> slicerSegments(const ImageFile& image) {
   }
 }
 
-/// Lines of "value name", divided by tabs or blanks; other lines are headings or comments.
+/// Lines of "value name", divided by tabs or blanks, or with the name in quotes at the end (ITK-SNAP); other lines are
+/// headings or comments.
 std::map<std::uint16_t, std::string> readNameTable(const fs::path& path) {
   std::map<std::uint16_t, std::string> names;
   std::ifstream file(path);
-  for (std::string line; std::getline(file, line);) {
-    const bool tabbed = line.find('\t') != std::string::npos;
-    const std::size_t end = line.find_first_of(tabbed ? "\t" : " ");
-    if (end == std::string::npos) continue;
-    const auto value = numberIn<std::uint16_t>(trimmed(line.substr(0, end)));
-    const std::string rest = line.substr(end + 1);
-    const std::string name = trimmed(tabbed ? rest.substr(0, rest.find('\t')) : rest.substr(0, rest.find_first_of(" \r")));
-    if (value && *value > 0 && !name.empty()) names[*value] = name;
+  for (std::string text; std::getline(file, text);) {
+    const std::string line = trimmed(text);
+    const std::size_t end = line.find_first_of(" \t");
+    const auto value = numberIn<std::uint16_t>(line.substr(0, end));
+    if (!value || *value == 0 || end == std::string::npos) continue;
+    const std::string rest = trimmed(line.substr(end));
+    const std::size_t quote = rest.find('"');
+    std::string name = rest.substr(0, rest.find_first_of(line[end] == '\t' ? "\t" : " \t"));
+    if (quote != std::string::npos) name = rest.substr(quote + 1, rest.find('"', quote + 1) - quote - 1);
+    if (!name.empty()) names[*value] = trimmed(name);
   }
   return names;
 }

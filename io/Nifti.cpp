@@ -123,9 +123,14 @@ class Interpreter {
       spacing[axis] = std::isfinite(given) && given > 0.0 ? given : 1.0;
     }
     if (field(header_.sform_code) > 0) {
-      const auto row = [&](const auto& v) { return glm::dvec4(real(v[0]), real(v[1]), real(v[2]), real(v[3])); };
-      const glm::dmat4 rows(row(header_.srow_x), row(header_.srow_y), row(header_.srow_z), glm::dvec4(0, 0, 0, 1));
-      if (setRasGeometry(image_.grid, glm::transpose(rows), unit)) return;
+      glm::dmat4 rasFromIndex(1.0);
+      for (int column = 0; column < 4; ++column) {
+        // Element by element: the version 2 header is packed, so that a pointer to its rows would be misaligned.
+        rasFromIndex[column].x = real(header_.srow_x[column]);
+        rasFromIndex[column].y = real(header_.srow_y[column]);
+        rasFromIndex[column].z = real(header_.srow_z[column]);
+      }
+      if (setRasGeometry(image_.grid, rasFromIndex, unit)) return;
     }
     const glm::dmat3 scale(spacing.x, 0, 0, 0, spacing.y, 0, 0, 0, spacing.z);
     if (field(header_.qform_code) > 0) {

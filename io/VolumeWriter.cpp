@@ -187,8 +187,8 @@ void fillNifti(Header& header, const Grid& grid, ScalarType type) {
   using Length = std::remove_reference_t<decltype(header.dim[0])>;
   using Real = std::remove_reference_t<decltype(header.pixdim[0])>;
   header.sizeof_hdr = sizeof(Header);
-  const Length dims[] = {3, static_cast<Length>(grid.dims.x), static_cast<Length>(grid.dims.y), static_cast<Length>(grid.dims.z), 1, 1, 1, 1};
-  std::copy(std::begin(dims), std::end(dims), header.dim);
+  header.dim[0] = 3;
+  for (int axis = 0; axis < 7; ++axis) header.dim[axis + 1] = axis < 3 ? static_cast<Length>(grid.dims[axis]) : Length{1};
   header.datatype = static_cast<short>(niftiType(type));
   header.bitpix = static_cast<short>(8 * sizeOf(type));
   header.scl_slope = 1;

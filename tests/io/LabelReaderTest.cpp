@@ -49,6 +49,15 @@ TEST(Labels, TabbedTablesKeepBlanksInNames) {
   EXPECT_EQ(io::openLabels(folder / "map.mha", gridOf({1, 1, 1})).labels->find(1)->name, "left kidney");
 }
 
+TEST(Labels, ItkSnapTablesHaveTheNameInQuotes) {
+  const fs::path folder = scratchFolder();
+  writeFile(folder / "map.mha", metaImage("", "1 1 1", "MET_UCHAR", "\x01"));
+  writeFile(folder / "map.txt", "# ITK-SnAP Label Description File\n    0     0    0    0        0  0  0    \"Clear Label\"\n    1   255    0    0        1  1  1    \"Left kidney\"\n");
+  const auto labels = io::openLabels(folder / "map.mha", gridOf({1, 1, 1})).labels;
+  ASSERT_EQ(labels->labels.size(), 1u);
+  EXPECT_EQ(labels->find(1)->name, "Left kidney");
+}
+
 TEST(Labels, AboveAByteTheyAreSixteenBits) {
   const fs::path path = scratchFolder() / "map.mha";
   writeFile(path, metaImage("", "2 1 1", "MET_INT", bytesOf(std::vector<std::int32_t>{256, 65535})));
