@@ -124,7 +124,7 @@ void addVolumeOptions(CLI::App& command, VolumeOptions& options) {
         options.phantom = text;
         return std::find(known.begin(), known.end(), text) != known.end();
       });
-  path->excludes(phantom);
+  path->type_name("")->excludes(phantom);
   addParsed(command, "--phantom-voxels", "1..1024", "voxels along the phantom's longest side, default 256",
             [&options](const std::string& text) {
               options.phantomVoxels = parseNumber<int>(text).value_or(0);

@@ -45,6 +45,10 @@ class FileStream : public ByteStream {
   std::unique_ptr<std::FILE, Close> file_;
 };
 
+[[noreturn]] void throwTruncated(const fs::path& path) {
+  throw Error(path, "ends too early", "the file is truncated; get it again from its source");
+}
+
 [[noreturn]] void throwDamaged(const fs::path& path) {
   throw Error(path, "its compressed data are damaged", "get the file again from its source");
 }
@@ -65,7 +69,10 @@ class DeflateStream : public ByteStream {
       if (state_.avail_in == 0) {
         state_.avail_in = static_cast<uInt>(source_.read(packed_.data(), packed_.size()));
         state_.next_in = reinterpret_cast<Bytef*>(packed_.data());
-        if (state_.avail_in == 0) return got;
+        if (state_.avail_in == 0) {
+          if (!ended_) throwTruncated(source_.path());
+          return got;
+        }
       }
       if (ended_) {
         // gzip files may be several streams one after the other; anything else behind the end is padding.
@@ -107,7 +114,7 @@ class Bzip2Stream : public ByteStream {
       if (state_.avail_in == 0) {
         state_.avail_in = static_cast<unsigned>(source_.read(packed_.data(), packed_.size()));
         state_.next_in = reinterpret_cast<char*>(packed_.data());
-        if (state_.avail_in == 0) return got;
+        if (state_.avail_in == 0) throwTruncated(source_.path());
       }
       const std::size_t room = std::min<std::size_t>(size - got, std::numeric_limits<unsigned>::max());
       state_.next_out = reinterpret_cast<char*>(into + got);
@@ -132,8 +139,7 @@ class Bzip2Stream : public ByteStream {
 }  // namespace
 
 void ByteStream::readAll(std::byte* into, std::size_t size, const fs::path& file) {
-  const std::size_t got = read(into, size);
-  if (got < size) throw Error(file, "ends too early", "the file is truncated; get it again from its source");
+  if (read(into, size) < size) throwTruncated(file);
 }
 
 void ByteStream::skip(std::uint64_t count) {

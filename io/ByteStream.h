@@ -15,7 +15,8 @@ enum class Packing : std::uint8_t { None, Deflate, Bzip2 };  ///< Deflate: a zli
 class ByteStream {
  public:
   virtual ~ByteStream() = default;
-  /// Up to `size` bytes; fewer only at the end. Throws Error when the file cannot be read or unpacked.
+  /// Up to `size` bytes; fewer only at the end. Throws Error when the file cannot be read or unpacked; a packed stream
+  /// that stops before its end mark, or whose checksum is wrong, is an error, told by the read that meets it.
   virtual std::size_t read(std::byte* into, std::size_t size) = 0;
 
   /// All of `size` bytes; throws Error naming `file` as truncated otherwise.

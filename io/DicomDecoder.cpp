@@ -1,6 +1,7 @@
 #include "io/DicomDecoder.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 #include <limits>
 #include <mutex>
@@ -11,7 +12,6 @@
 #include <dcmtk/dcmdata/dcfcache.h>
 #include <dcmtk/dcmdata/dcpixseq.h>
 #include <dcmtk/dcmdata/dcpxitem.h>
-#include <dcmtk/dcmdata/dcrledrg.h>
 #include <dcmtk/dcmjpeg/djdecode.h>
 #include <dcmtk/dcmjpls/djdecode.h>
 #include <dcmtk/oflog/oflog.h>
@@ -26,7 +26,6 @@ void prepareDcmtk() {
   static std::once_flag once;
   std::call_once(once, [] {
     OFLog::configure(OFLogger::OFF_LOG_LEVEL);
-    DcmRLEDecoderRegistration::registerCodecs();
     DJDecoderRegistration::registerCodecs();
     DJLSDecoderRegistration::registerCodecs();
   });
@@ -123,6 +122,37 @@ void decodeJpeg2000(Codestream codestream, const DicomFile& file, int number, st
   }
 }
 
+std::uint64_t littleEndian32(std::span<const std::uint8_t> bytes, std::size_t at) {
+  return std::uint64_t{bytes[at]} | std::uint64_t{bytes[at + 1]} << 8 | std::uint64_t{bytes[at + 2]} << 16 |
+         std::uint64_t{bytes[at + 3]} << 24;
+}
+
+/// RLE Lossless (PS3.5 Annex G): one PackBits segment for each byte of a word, the most significant first. Not left to
+/// DCMTK, whose decoder reads outside damaged segments.
+void decodeRle(std::span<const std::uint8_t> bytes, const DicomFile& file, int number, std::span<std::byte> words) {
+  constexpr std::size_t headerBytes = 64;
+  const std::size_t wordBytes = static_cast<std::size_t>(file.format.bitsAllocated / 8), count = words.size() / wordBytes;
+  if (bytes.size() < headerBytes || littleEndian32(bytes, 0) != wordBytes) throwDamaged(file, number, "RLE header");
+  for (std::size_t segment = 0; segment < wordBytes; ++segment) {
+    std::size_t at = littleEndian32(bytes, 4 + 4 * segment);
+    const std::size_t end = segment + 1 < wordBytes ? littleEndian32(bytes, 8 + 4 * segment) : bytes.size();
+    if (at < headerBytes || at > end || end > bytes.size()) throwDamaged(file, number, "RLE header");
+    const std::size_t place = std::endian::native == std::endian::little ? wordBytes - 1 - segment : segment;
+    std::size_t filled = 0;
+    while (filled < count && at < end) {
+      const std::size_t control = bytes[at++];
+      if (control == 128) continue;  // no operation
+      const bool literal = control < 128;
+      const std::size_t length = std::min(literal ? control + 1 : 257 - control, count - filled);
+      if (at + (literal ? length : 1) > end) break;
+      for (std::size_t i = 0; i < length; ++i) words[(filled + i) * wordBytes + place] = static_cast<std::byte>(bytes[literal ? at + i : at]);
+      filled += length;
+      at += literal ? length : 1;
+    }
+    if (filled < count) throwDamaged(file, number, "RLE segment");
+  }
+}
+
 /// The bytes of one fragment; loaded on demand.
 std::span<const std::uint8_t> fragmentBytes(DcmPixelSequence& sequence, unsigned long index) {
   DcmPixelItem* item = nullptr;
@@ -147,8 +177,7 @@ std::optional<std::vector<Uint32>> firstFragments(DcmPixelSequence& sequence, st
   if (table.size() == frames * 4) {
     std::vector<std::uint64_t> offsets;
     for (std::size_t i = 0; i < table.size(); i += 4)
-      offsets.push_back(std::uint64_t{table[i]} | std::uint64_t{table[i + 1]} << 8 | std::uint64_t{table[i + 2]} << 16 |
-                        std::uint64_t{table[i + 3]} << 24);
+      offsets.push_back(littleEndian32(table, i));
     std::uint64_t offset = 0;
     for (std::size_t fragment = 1; fragment < fragments && first.size() < frames; ++fragment) {
       if (offset == offsets[first.size()]) first.push_back(static_cast<Uint32>(fragment));
@@ -210,7 +239,7 @@ DicomDecoder::DicomDecoder(const DicomFile& file) : file_(file), state_(std::mak
   const auto first = firstFragments(*state_->fragments, state_->frames);
   if (!first) damaged("its fragments do not divide into frames");
   state_->first = *first;
-  if (!isJpeg2000(syntax) && !DcmCodecList::canChangeCoding(syntax, EXS_LittleEndianExplicit))
+  if (!isJpeg2000(syntax) && syntax != EXS_RLELossless && !DcmCodecList::canChangeCoding(syntax, EXS_LittleEndianExplicit))
     throw Error(file.path, std::string("its transfer syntax is not supported (") + DcmXfer(syntax).getXferName() + ")",
                 "convert it to an uncompressed or lossless JPEG, JPEG-LS, JPEG 2000 or RLE file");
 }
@@ -225,15 +254,18 @@ std::span<const std::byte> DicomDecoder::decode(int number) {
   const std::size_t room = frameBytes + frameBytes % 2;
   if (!words_) words_ = std::make_unique_for_overwrite<std::byte[]>(room);
   const std::span<std::byte> words(words_.get(), frameBytes);
-  if (isJpeg2000(state_->syntax)) {
-    Codestream codestream;
+  if (isJpeg2000(state_->syntax) || state_->syntax == EXS_RLELossless) {
+    std::vector<std::uint8_t> bytes;
     const Uint32 end = frame + 1 < state_->first.size() ? state_->first[frame + 1]
                                                         : static_cast<Uint32>(state_->fragments->card());
-    for (Uint32 fragment = state_->first[frame]; fragment < end; ++fragment) {
-      const auto bytes = fragmentBytes(*state_->fragments, fragment);
-      codestream.bytes.insert(codestream.bytes.end(), bytes.begin(), bytes.end());
+    for (Uint32 index = state_->first[frame]; index < end; ++index) {
+      const auto piece = fragmentBytes(*state_->fragments, index);
+      bytes.insert(bytes.end(), piece.begin(), piece.end());
     }
-    decodeJpeg2000(std::move(codestream), file_, number, words);
+    if (isJpeg2000(state_->syntax))
+      decodeJpeg2000({std::move(bytes)}, file_, number, words);
+    else
+      decodeRle(bytes, file_, number, words);
     return words;
   }
   Uint32 fragment = state_->fragments ? state_->first[frame] : 0;

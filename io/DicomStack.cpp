@@ -206,23 +206,23 @@ class Stacker {
     const auto [least, greatest] = std::minmax_element(gaps.begin(), gaps.end());
     const std::string placed = "all are shown " + millimetres(glm::dot(step, normal)) + " apart, up to " + millimetres(farthest) +
                                " from where they are";
-    // Gaps of two or more usual distances, all else even, are slices that are not there.
-    const double usual = median(gaps);
-    int missing = 0;
-    bool multiples = true;
-    std::vector<DicomFrame> beside;
-    for (std::size_t i = 0; i < gaps.size(); ++i) {
-      const double times = std::round(gaps[i] / usual);
-      multiples = multiples && times >= 1.0 && std::abs(gaps[i] - times * usual) < 0.05 * usual;
-      if (times <= 1.0) continue;
-      missing += static_cast<int>(times) - 1;
-      beside.push_back(frames[i]);
-      beside.push_back(frames[i + 1]);
-    }
-    if (multiples && missing > 0) {
+    // Gaps of whole numbers of the usual distance, or of the least where many slices are gone, are slices not there.
+    for (const double unit : {median(gaps), *least}) {
+      std::size_t missing = 0;
+      bool multiples = true;
+      std::vector<DicomFrame> beside;
+      for (std::size_t i = 0; i < gaps.size(); ++i) {
+        const double times = std::round(gaps[i] / unit);
+        multiples = multiples && times >= 1.0 && std::abs(gaps[i] - times * unit) < 0.05 * unit;
+        if (times <= 1.0) continue;
+        missing += static_cast<std::size_t>(times) - 1;
+        beside.push_back(frames[i]);
+        beside.push_back(frames[i + 1]);
+      }
+      if (!multiples || missing == 0 || 2 * missing > frames.size()) continue;
       stack.warnings.push_back({Warning::Kind::MissingSlices,
-                                counted(static_cast<std::size_t>(missing), "slice") + " missing: neighbours lie " + millimetres(usual) +
-                                    " apart, but up to " + millimetres(*greatest) + " between the files named; " + placed,
+                                counted(missing, "slice") + " missing: neighbours lie " + millimetres(unit) + " apart, but up to " +
+                                    millimetres(*greatest) + " between the files named; " + placed,
                                 pathsOf(beside)});
       return;
     }

@@ -142,13 +142,6 @@ void checkSizes(const ImageFile& image, std::uint64_t voxels, std::uint64_t byte
   }
 }
 
-template <class T>
-T byteSwapped(T value) {
-  auto bytes = std::bit_cast<std::array<std::byte, sizeof(T)>>(value);
-  std::reverse(bytes.begin(), bytes.end());
-  return std::bit_cast<T>(bytes);
-}
-
 }  // namespace
 
 void setDims(ImageFile& image, std::int64_t x, std::int64_t y, std::int64_t z) {
@@ -249,6 +242,9 @@ std::vector<Voxels> readVoxels(const ImageFile& image, std::int64_t layers, cons
         stream->readAll(block.data() + filled, piece, image.source.files[file]);
         filled += piece;
         leftInFile -= piece;
+        // One read beyond the voxels meets the packed stream's end and its checksum.
+        std::byte beyond{};
+        if (leftInFile == 0 && image.source.packing != Packing::None) stream->read(&beyond, 1);
       }
       visitElement(image.type, [&](auto scalar) {
         using T = decltype(scalar);

@@ -1,6 +1,10 @@
 #pragma once
 // What a volume file's header says, the same for NIfTI, NRRD, MetaImage and raw, and how its voxels are read.
 
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -66,6 +70,14 @@ ImageFile describeRaw(const std::filesystem::path& path, const RawDescription& d
 /// anything is allocated. Adds to `warnings`. Throws Error, Cancelled.
 std::vector<Voxels> readVoxels(const ImageFile& image, std::int64_t layers, const Progress& progress,
                                std::vector<Warning>& warnings);
+
+/// `value` with its bytes in the other order.
+template <class T>
+T byteSwapped(T value) {
+  auto bytes = std::bit_cast<std::array<std::byte, sizeof(T)>>(value);
+  std::reverse(bytes.begin(), bytes.end());
+  return std::bit_cast<T>(bytes);
+}
 
 /// Throws Error when `bytes` is more than this machine's memory.
 void checkMemory(const std::filesystem::path& path, std::uint64_t bytes);

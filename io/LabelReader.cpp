@@ -81,8 +81,9 @@ std::map<std::uint16_t, std::string> namesBeside(const fs::path& path) {
     candidates.push_back(fs::path(stem) += ".tsv");
   }
   candidates.push_back(path.parent_path() / "labels.tsv");
+  std::error_code unknown;
   for (const fs::path& candidate : candidates)
-    if (fs::is_regular_file(candidate)) return readNameTable(candidate);
+    if (fs::is_regular_file(candidate, unknown)) return readNameTable(candidate);
   return {};
 }
 
@@ -191,10 +192,7 @@ bool isSameGrid(const Grid& a, const Grid& b) {
   return true;
 }
 
-}  // namespace
-
-OpenedLabels openLabels(const fs::path& path, const Grid& target, const Progress& progress) {
-  checkExists(path);
+OpenedLabels readLabels(const fs::path& path, const Grid& target, const Progress& progress) {
   const Format format = formatOf(path);
   if (format == Format::Dicom)
     throw Error(path, "is DICOM, not a label map", "label maps are read from NIfTI, NRRD and MetaImage");
@@ -236,6 +234,13 @@ OpenedLabels openLabels(const fs::path& path, const Grid& target, const Progress
     std::copy(values.begin(), values.end(), map->voxels.as<std::uint16_t>().begin());
   opened.labels = std::move(map);
   return opened;
+}
+
+}  // namespace
+
+OpenedLabels openLabels(const fs::path& path, const Grid& target, const Progress& progress) {
+  checkExists(path);
+  return withinMemory(path, [&] { return readLabels(path, target, progress); });
 }
 
 }  // namespace fenestra::io

@@ -119,18 +119,22 @@ Format formatOf(const fs::path& path) {
 
 std::vector<SeriesInfo> listSeries(const fs::path& path, const OpenOptions& options) {
   checkExists(path);
-  if (options.raw) return {describe(describeRaw(path, *options.raw))};
-  const Format format = formatOf(path);
-  if (format == Format::Dicom) return listDicomSeries(path, options);
-  return {describe(readImageHeader(path, format))};
+  return withinMemory(path, [&]() -> std::vector<SeriesInfo> {
+    if (options.raw) return {describe(describeRaw(path, *options.raw))};
+    const Format format = formatOf(path);
+    if (format == Format::Dicom) return listDicomSeries(path, options);
+    return {describe(readImageHeader(path, format))};
+  });
 }
 
 OpenedVolume openVolume(const fs::path& path, const OpenOptions& options) {
   checkExists(path);
-  if (options.raw) return openImage(describeRaw(path, *options.raw), options);
-  const Format format = formatOf(path);
-  if (format == Format::Dicom) return openDicom(path, options);
-  return openImage(readImageHeader(path, format), options);
+  return withinMemory(path, [&] {
+    if (options.raw) return openImage(describeRaw(path, *options.raw), options);
+    const Format format = formatOf(path);
+    if (format == Format::Dicom) return openDicom(path, options);
+    return openImage(readImageHeader(path, format), options);
+  });
 }
 
 }  // namespace fenestra::io

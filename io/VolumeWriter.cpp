@@ -13,7 +13,9 @@
 #include <sstream>
 #include <vector>
 
-#include <nifti2_io.h>
+#include <glm/gtc/quaternion.hpp>
+#include <nifti1.h>
+#include <nifti2.h>
 #include <zlib.h>
 
 #include "io/ByteStream.h"
@@ -192,30 +194,32 @@ void fillNifti(Header& header, const Grid& grid, ScalarType type) {
   header.scl_slope = 1;
   header.xyzt_units = NIFTI_UNITS_MM;
   // NIfTI's world is RAS, ours is LPS.
-  nifti_dmat44 ras{};
-  const glm::dmat4 worldFromIndex = grid.worldFromIndex();
-  for (int column = 0; column < 4; ++column)
-    for (int row = 0; row < 4; ++row) ras.m[row][column] = worldFromIndex[column][row] * (row < 2 ? -1.0 : 1.0);
+  glm::dmat4 ras = grid.worldFromIndex();
   for (int column = 0; column < 4; ++column) {
-    header.srow_x[column] = static_cast<Real>(ras.m[0][column]);
-    header.srow_y[column] = static_cast<Real>(ras.m[1][column]);
-    header.srow_z[column] = static_cast<Real>(ras.m[2][column]);
+    ras[column].x = -ras[column].x;
+    ras[column].y = -ras[column].y;
+    header.srow_x[column] = static_cast<Real>(ras[column].x);
+    header.srow_y[column] = static_cast<Real>(ras[column].y);
+    header.srow_z[column] = static_cast<Real>(ras[column].z);
   }
   header.sform_code = NIFTI_XFORM_SCANNER_ANAT;
-  header.pixdim[0] = 1;
   for (int axis = 0; axis < 3; ++axis) header.pixdim[axis + 1] = static_cast<Real>(grid.spacing[axis]);
   // A quaternion holds no shear: sheared volumes have the sform alone.
   if (!isOrthonormal(grid.direction)) return;
-  double b, c, d, x, y, z, dx, dy, dz, qfac;
-  nifti_dmat44_to_quatern(ras, &b, &c, &d, &x, &y, &z, &dx, &dy, &dz, &qfac);
+  glm::dmat3 rotation(ras[0] / grid.spacing.x, ras[1] / grid.spacing.y, ras[2] / grid.spacing.z);
+  const bool mirrored = glm::determinant(rotation) < 0.0;
+  if (mirrored) rotation[2] = -rotation[2];
+  glm::dquat quaternion = glm::quat_cast(rotation);
+  // The first part is not stored but implied to be positive.
+  if (quaternion.w < 0.0) quaternion = -quaternion;
   header.qform_code = NIFTI_XFORM_SCANNER_ANAT;
-  header.quatern_b = static_cast<Real>(b);
-  header.quatern_c = static_cast<Real>(c);
-  header.quatern_d = static_cast<Real>(d);
-  header.qoffset_x = static_cast<Real>(x);
-  header.qoffset_y = static_cast<Real>(y);
-  header.qoffset_z = static_cast<Real>(z);
-  header.pixdim[0] = static_cast<Real>(qfac);
+  header.quatern_b = static_cast<Real>(quaternion.x);
+  header.quatern_c = static_cast<Real>(quaternion.y);
+  header.quatern_d = static_cast<Real>(quaternion.z);
+  header.qoffset_x = static_cast<Real>(ras[3].x);
+  header.qoffset_y = static_cast<Real>(ras[3].y);
+  header.qoffset_z = static_cast<Real>(ras[3].z);
+  header.pixdim[0] = static_cast<Real>(mirrored ? -1.0 : 1.0);
 }
 
 /// NIfTI-1, or NIfTI-2 where an axis is longer than NIfTI-1's 16-bit sizes.

@@ -10,6 +10,6 @@ set(CPACK_RESOURCE_FILE_LICENSE "${PROJECT_SOURCE_DIR}/LICENSE")
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-# Loaded at run time, so the linker does not see it: the driver that OpenGL falls back to.
-set(CPACK_DEBIAN_PACKAGE_DEPENDS "libgl1-mesa-dri")
+# Loaded at run time, so the linker does not see them: the driver that OpenGL falls back to, and the reader of icons.
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "libgl1-mesa-dri, libqt6svg6")
 include(CPack)

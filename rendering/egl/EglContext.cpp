@@ -92,7 +92,7 @@ EglContext::EglContext() : state_(std::make_unique<State>()) {
 EglContext::~EglContext() {
   eglMakeCurrent(state_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
   eglDestroyContext(state_->display, state_->context);
-  eglTerminate(state_->display);
+  // The display stays initialised: it is the process's, another context may be using it.
 }
 
 void EglContext::makeCurrent() {

@@ -1,8 +1,13 @@
 #include "rendering/gl/Context.h"
 
+#include <utility>
+
 #include <epoxy/gl.h>
 
 namespace fenestra::gl {
+namespace {
+thread_local std::string firstError;  // the first since takeError()
+}
 
 DrawTarget::DrawTarget(std::uint32_t framebuffer, glm::ivec4 rectangle)
     : blend_(glIsEnabled(GL_BLEND)),
@@ -45,20 +50,23 @@ double TimerQuery::elapsedMilliseconds() {
 
 void finish() { glFinish(); }
 
-std::string takeError() {
-  std::string first;
+void noteErrors() {
   for (GLenum error = glGetError(); error != GL_NO_ERROR; error = glGetError()) {
-    if (!first.empty()) continue;
+    if (!firstError.empty()) continue;
     switch (error) {
-      case GL_INVALID_ENUM: first = "GL_INVALID_ENUM"; break;
-      case GL_INVALID_VALUE: first = "GL_INVALID_VALUE"; break;
-      case GL_INVALID_OPERATION: first = "GL_INVALID_OPERATION"; break;
-      case GL_INVALID_FRAMEBUFFER_OPERATION: first = "GL_INVALID_FRAMEBUFFER_OPERATION"; break;
-      case GL_OUT_OF_MEMORY: first = "GL_OUT_OF_MEMORY"; break;
-      default: first = "GL error " + std::to_string(error);
+      case GL_INVALID_ENUM: firstError = "GL_INVALID_ENUM"; break;
+      case GL_INVALID_VALUE: firstError = "GL_INVALID_VALUE"; break;
+      case GL_INVALID_OPERATION: firstError = "GL_INVALID_OPERATION"; break;
+      case GL_INVALID_FRAMEBUFFER_OPERATION: firstError = "GL_INVALID_FRAMEBUFFER_OPERATION"; break;
+      case GL_OUT_OF_MEMORY: firstError = "GL_OUT_OF_MEMORY"; break;
+      default: firstError = "GL error " + std::to_string(error);
     }
   }
-  return first;
+}
+
+std::string takeError() {
+  noteErrors();
+  return std::exchange(firstError, {});
 }
 
 std::string description() {

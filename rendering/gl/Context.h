@@ -40,8 +40,10 @@ class TimerQuery {
 
 /// Waits until everything asked of the GPU is done.
 void finish();
-/// Name of the first pending OpenGL error, and clears them all; empty when there is none. Tests end with it.
+/// Name of the first OpenGL error since the last call, and clears them all; empty when there is none. Tests end with it.
 std::string takeError();
+/// Keeps pending errors for takeError(), so that what follows can be told apart.
+void noteErrors();
 /// "RENDERER, VERSION" of the current context.
 std::string description();
 /// Why the current context cannot run the renderer (too old, no compute shaders); empty when it can.

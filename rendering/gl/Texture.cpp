@@ -1,9 +1,12 @@
 #include "rendering/gl/Texture.h"
 
 #include <cassert>
+#include <string>
 #include <utility>
 
 #include <epoxy/gl.h>
+
+#include "rendering/gl/Context.h"
 
 namespace fenestra::gl {
 namespace {
@@ -36,6 +39,17 @@ void setSampling(GLuint name, Filter filter) {
     glTextureParameteri(name, axis, GL_CLAMP_TO_EDGE);
 }
 
+/// Makes the storage of a texture by `store`, telling its failure from errors that earlier calls left behind.
+template <class Store>
+void allocate(glm::ivec3 size, std::size_t texelBytes, const Store& store) {
+  noteErrors();
+  store();
+  if (glGetError() == GL_NO_ERROR) return;
+  throw AllocationError("no graphics memory for an image of " + std::to_string(size.x) + "×" + std::to_string(size.y) +
+                        "×" + std::to_string(size.z) + " texels of " + std::to_string(texelBytes) +
+                        " bytes; make the picture or the volume smaller");
+}
+
 /// Tight rows for as long as it lives, then the defaults that every caller may count on.
 struct TightRows {
   TightRows() {
@@ -57,7 +71,8 @@ Texture Texture::make2D(Format format, glm::ivec2 size, Filter filter) {
   texture.format_ = format;
   texture.size_ = glm::ivec3(size, 1);
   glCreateTextures(GL_TEXTURE_2D, 1, &texture.name_);
-  glTextureStorage2D(texture.name_, 1, traits(format).internal, size.x, size.y);
+  allocate(texture.size_, traits(format).bytes,
+           [&] { glTextureStorage2D(texture.name_, 1, traits(format).internal, size.x, size.y); });
   setSampling(texture.name_, filter);
   return texture;
 }
@@ -67,7 +82,8 @@ Texture Texture::make3D(Format format, glm::ivec3 size, Filter filter) {
   texture.format_ = format;
   texture.size_ = size;
   glCreateTextures(GL_TEXTURE_3D, 1, &texture.name_);
-  glTextureStorage3D(texture.name_, 1, traits(format).internal, size.x, size.y, size.z);
+  allocate(texture.size_, traits(format).bytes,
+           [&] { glTextureStorage3D(texture.name_, 1, traits(format).internal, size.x, size.y, size.z); });
   setSampling(texture.name_, filter);
   return texture;
 }

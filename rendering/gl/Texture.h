@@ -4,10 +4,16 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <stdexcept>
 
 #include <glm/glm.hpp>
 
 namespace fenestra::gl {
+
+/// The graphics memory, or a limit of the driver, does not allow a texture of this size; what() names the size.
+class AllocationError : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
 
 enum class Format : std::uint8_t { R8, R16, R32F, RG32F, RGBA8, RGBA32F, R8UI, R16UI, R32UI };
 /// Bytes of one texel, and what upload() and read() exchange per texel: the format's own components, tightly packed.
@@ -21,6 +27,7 @@ enum class Access : std::uint8_t { Read, Write, ReadWrite };
 class Texture {
  public:
   Texture() = default;  ///< owns nothing; binds as texture 0
+  /// Throw AllocationError.
   static Texture make2D(Format format, glm::ivec2 size, Filter filter = Filter::Nearest);
   static Texture make3D(Format format, glm::ivec3 size, Filter filter = Filter::Nearest);
   ~Texture();

@@ -7,24 +7,25 @@
 namespace fenestra {
 
 /// Separable and limited to a range: rows by bit scans over a packed mask, columns by an outward search that stops once it
-/// cannot improve. Squared distances are integers, so the result is exact to one rounding of the square root.
+/// cannot improve, neither where no focus is near. Squared distances are integers, so the result is exact to one rounding of the square root.
 class DistanceMapPass {
  public:
   static constexpr float beyond = 1e30f;  ///< value of pixels farther than the range
 
   /// Reads the y component of `hitPoints` (RG32F), writes `distances` (R32F). `range` in pixels, ≥ 0.
   void run(const gl::Texture& hitPoints, int range, gl::Texture& distances);
-  std::size_t bytes() const { return mask_.bytes() + rows_.bytes(); }
+  std::size_t bytes() const { return mask_.bytes() + tiles_.bytes() + rows_.bytes(); }
   /// Drops the intermediate images.
   void release() {
     mask_ = {};
+    tiles_ = {};
     rows_ = {};
   }
 
  private:
-  gl::ShaderVariants maskProgram_{"FocusMask.comp"}, rowProgram_{"DistanceRows.comp"},
+  gl::ShaderVariants maskProgram_{"FocusMask.comp"}, tileProgram_{"FocusTiles.comp"}, rowProgram_{"DistanceRows.comp"},
       columnProgram_{"DistanceColumns.comp"};
-  gl::Texture mask_, rows_;
+  gl::Texture mask_, tiles_, rows_;
 };
 
 }  // namespace fenestra

@@ -143,6 +143,22 @@ void resolve(std::vector<BodyInterval>& intervals, std::vector<double>& ends, st
   }
 }
 
+/// The bodies that a line meets, of those that `takesPart` picks.
+template <class TakesPart>
+std::vector<Phantom::Segment> segmentsAlong(const std::vector<PhantomBody>& bodies, glm::dvec3 origin,
+                                            glm::dvec3 unitDirection, const TakesPart& takesPart) {
+  std::vector<BodyInterval> intervals;
+  for (std::size_t body = 0; body < bodies.size(); ++body) {
+    if (!takesPart(bodies[body])) continue;
+    for (const Shape& shape : bodies[body].shapes)
+      if (const auto interval = intersect(shape, origin, unitDirection)) intervals.push_back({*interval, body});
+  }
+  std::vector<double> ends;
+  std::vector<Phantom::Segment> segments;
+  resolve(intervals, ends, segments);
+  return segments;
+}
+
 /// Meets the bodies of a phantom with many parallel lines along x, skipping shapes by their bounds.
 class RowCaster {
  public:
@@ -318,28 +334,13 @@ std::uint16_t Phantom::label(glm::dvec3 point) const {
 }
 
 std::vector<Phantom::Segment> Phantom::segments(glm::dvec3 origin, glm::dvec3 unitDirection) const {
-  std::vector<BodyInterval> intervals;
-  for (std::size_t body = 0; body < bodies.size(); ++body)
-    for (const Shape& shape : bodies[body].shapes)
-      if (const auto interval = intersect(shape, origin, unitDirection)) intervals.push_back({*interval, body});
-  std::vector<double> ends;
-  std::vector<Segment> result;
-  resolve(intervals, ends, result);
-  return result;
+  return segmentsAlong(bodies, origin, unitDirection, [](const PhantomBody&) { return true; });
 }
 
 std::optional<double> Phantom::firstHit(glm::dvec3 origin, glm::dvec3 unitDirection,
                                         const std::vector<std::uint16_t>& labels) const {
-  std::vector<BodyInterval> intervals;
-  for (std::size_t body = 0; body < bodies.size(); ++body) {
-    if (bodies[body].label == 0) continue;
-    for (const Shape& shape : bodies[body].shapes)
-      if (const auto interval = intersect(shape, origin, unitDirection)) intervals.push_back({*interval, body});
-  }
-  std::vector<double> ends;
-  std::vector<Segment> met;
-  resolve(intervals, ends, met);
-  for (const Segment& segment : met)
+  const auto labelled = [](const PhantomBody& body) { return body.label != 0; };
+  for (const Segment& segment : segmentsAlong(bodies, origin, unitDirection, labelled))
     if (segment.tOut >= 0.0 && std::find(labels.begin(), labels.end(), bodies[segment.body].label) != labels.end())
       return std::max(segment.tIn, 0.0);
   return {};

@@ -2,6 +2,7 @@
 // Rows are visited outwards and the search ends once the offset alone is no nearer. FAR beyond `range`.
 layout(local_size_x = 8, local_size_y = 8) in;
 uniform usampler2D rowDistance;
+uniform usampler2D focusTiles;
 uniform int range;
 layout(r32f, binding = 0) uniform writeonly image2D distances;
 
@@ -9,6 +10,10 @@ void main() {
   ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
   ivec2 size = imageSize(distances);
   if (any(greaterThanEqual(pixel, size))) return;
+  if (texelFetch(focusTiles, pixel >> 5, 0).r == 0u) {
+    imageStore(distances, pixel, vec4(1e30));
+    return;
+  }
   const uint unreachable = 0x7fffffffu;
   uint limit = uint(range) * uint(range);
   uint best = unreachable;

@@ -1,6 +1,7 @@
-// Stage 3, second step: distance in pixels to the nearest focus pixel of the same row, FAR_ROW beyond `range`.
+// Stage 3, third step: distance in pixels to the nearest focus pixel of the same row, FAR_ROW beyond `range`.
 layout(local_size_x = 8, local_size_y = 8) in;
 uniform usampler2D focusMask;
+uniform usampler2D focusTiles;
 uniform int range;
 layout(r16ui, binding = 0) uniform writeonly uimage2D rowDistance;
 
@@ -9,6 +10,10 @@ const int FAR_ROW = 65535;
 void main() {
   ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
   if (any(greaterThanEqual(pixel, imageSize(rowDistance)))) return;
+  if (texelFetch(focusTiles, pixel >> 5, 0).r == 0u) {
+    imageStore(rowDistance, pixel, uvec4(FAR_ROW));
+    return;
+  }
   int words = textureSize(focusMask, 0).x;
   int best = FAR_ROW;
   int first = max((pixel.x - range) >> 5, 0), last = min((pixel.x + range) >> 5, words - 1);

@@ -9,7 +9,7 @@
 #include "io/PhantomFile.h"
 #include "tests/checker/LayerFiles.h"
 #include "tests/support/TestData.h"
-#include "tests/unit/Scenes.h"
+#include "tests/support/Scenes.h"
 
 namespace fenestra {
 namespace {

@@ -376,12 +376,13 @@ struct Layers {
 };
 
 struct Findings {
-  Errors hit, distance, start;
+  Errors hit, hitAlongRay, distance, start;
   Violations violations;
   std::size_t focusPixels = 0, missedGrazes = 0;
 
   void append(const Findings& other) {
     hit.append(other.hit);
+    hitAlongRay.append(other.hitAlongRay);
     distance.append(other.distance);
     start.append(other.start);
     violations.append(other.violations);
@@ -464,6 +465,7 @@ class Checker {
     const double along = truth.entry ? std::abs(tFocus - *truth.entry) * ray.voxelsPerMm : infinity;
     const double error = std::min(along, std::abs(field.at(tFocus).depth()));
     findings.hit.add(error);
+    if (truth.entry) findings.hitAlongRay.add(along);
     if (!(error <= hitTolerance)) report("hit off the 0.5 level");
     if (truth.deep && tFocus > *truth.deep + slack) report("focus before the hit");
   }
@@ -599,6 +601,7 @@ bool check(const Arguments& arguments) {
       {"size", {camera.width, camera.height}},
       {"focus_pixels", findings.focusPixels},
       {"hit_error_voxels", findings.hit.summary()},
+      {"hit_error_along_ray_voxels", findings.hitAlongRay.summary()},
       {"missed_grazes", findings.missedGrazes},
       {"distance_error_px", findings.distance.summary()},
       {"start_error_voxels", findings.start.summary()},

@@ -14,6 +14,7 @@
 #include <dcmtk/dcmjpeg/djrplol.h>
 #include <dcmtk/dcmjpls/djencode.h>
 #include <dcmtk/dcmjpls/djrparam.h>
+#include <dcmtk/oflog/oflog.h>
 
 namespace fenestra::tests {
 namespace {
@@ -95,6 +96,7 @@ E_TransferSyntax transferSyntax(Syntax syntax) {
 void writeDicom(const std::filesystem::path& path, const DicomSpec& spec) {
   static std::once_flag once;
   std::call_once(once, [] {
+    OFLog::configure(OFLogger::OFF_LOG_LEVEL);
     DcmRLEEncoderRegistration::registerCodecs();
     DJEncoderRegistration::registerCodecs();
     DJLSEncoderRegistration::registerCodecs();

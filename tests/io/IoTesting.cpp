@@ -27,6 +27,8 @@ std::string deflated(const std::string& bytes, int windowBits) {
 }  // namespace
 
 void writeFile(const fs::path& path, const std::string& bytes) {
+  // Writing over a file makes some file systems wait for the disk; thousands of small files are written here.
+  fs::remove(path);
   std::ofstream file(path, std::ios::binary);
   file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   ASSERT_TRUE(file.good()) << path;

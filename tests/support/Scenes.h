@@ -43,9 +43,8 @@ std::shared_ptr<Volume> volumeOf(const Grid& grid, F&& valueAt) {
   auto volume = std::make_shared<Volume>();
   volume->grid = grid;
   volume->voxels = Voxels(scalarTypeOf<T>(), grid.voxelCount());
-  forEachVoxel(grid.dims, [&](glm::ivec3 index) {
-    volume->voxels.as<T>()[grid.offset(index)] = static_cast<T>(valueAt(index));
-  });
+  forEachVoxel(grid.dims,
+               [&](glm::ivec3 index) { volume->voxels.as<T>()[grid.offset(index)] = static_cast<T>(valueAt(index)); });
   volume->computeRange();
   return volume;
 }

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/unit/Scenes.h"
+#include "tests/support/Scenes.h"
 
 namespace fenestra {
 namespace {

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "rendering/reference/Reference.h"
-#include "tests/unit/Scenes.h"
+#include "tests/support/Scenes.h"
 
 namespace fenestra::reference {
 namespace {

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "rendering/reference/Reference.h"
-#include "tests/unit/Scenes.h"
+#include "tests/support/Scenes.h"
 
 namespace fenestra::reference {
 namespace {
@@ -249,6 +249,26 @@ TEST(ReferenceHardCases, sheetsThinnerThanAnyStepAreHit) {
   };
   expectPlane(sheet, 19.5);
   expectPlane(thin, 20.0);
+}
+
+TEST(ReferenceHardCases, opacitySpikesNarrowerThanAVoxelsValues) {
+  // Two thousand units from one voxel to the next, and a spike of one unit in which alone there is context.
+  Scene scene;
+  scene.volume = volumeOf(gridOf({6, 3, 3}), [](glm::ivec3 i) { return 2000.0 * i.x; });
+  const OpticalProperties clear{glm::dvec3(1.0), 0.0}, opaque{glm::dvec3(1.0), 1e6};
+  scene.context.nodes = {{5000.0, clear}, {5000.5, opaque}, {5001.0, clear}};
+  const Camera camera = lookAt({-10.0, 1.0, 1.0}, {0.0, 1.0, 1.0}, Projection::Orthographic, 1.0);
+  EXPECT_NEAR(hitPoints(scene, camera, {1, 1}).tContext[0], 12.5, 1e-9);
+}
+
+TEST(ReferenceHardCases, valuesAtTheBorderReachTheFacesOfTheBox) {
+  // The outer half voxel belongs to the nearest cell, and is kept or dropped with it.
+  const Camera camera = lookAt({-10.0, 1.0, 1.0}, {0.0, 1.0, 1.0}, Projection::Orthographic, 1.0);
+  Scene scene = valueScene(
+      gridOf({6, 3, 3}), [](glm::ivec3 i) { return i.x == 0 ? 1.0 : 0.0; }, 0.5);
+  EXPECT_DOUBLE_EQ(hitPoints(scene, camera, {1, 1}).tFocus[0], 9.5);
+  std::get<ValueFocus>(scene.focus).minimumComponent = 1e6;
+  EXPECT_TRUE(std::isnan(hitPoints(scene, camera, {1, 1}).tFocus[0]));
 }
 
 TEST(ReferenceHardCases, everyViewportSize) {

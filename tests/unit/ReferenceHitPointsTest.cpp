@@ -5,7 +5,7 @@
 #include "rendering/reference/FocusCells.h"
 #include "rendering/reference/Reference.h"
 #include "rendering/scene/Phantom.h"
-#include "tests/unit/Scenes.h"
+#include "tests/support/Scenes.h"
 
 namespace fenestra::reference {
 namespace {
