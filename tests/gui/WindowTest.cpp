@@ -9,16 +9,23 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QDockWidget>
+#include <QDragEnterEvent>
 #include <QLabel>
+#include <QMimeData>
 #include <QPushButton>
+#include <QSettings>
 #include <QSignalSpy>
 #include <QStatusBar>
 #include <QTest>
+#include <QUrl>
 #include <QWheelEvent>
 
+#include "io/VolumeWriter.h"
 #include "tests/support/TestData.h"
 #include "viewer/MainWindow.h"
 #include "viewer/NoticeBar.h"
+#include "viewer/model/Paths.h"
 #include "viewer/panels/AppearancePanel.h"
 #include "viewer/panels/CutawayPanel.h"
 #include "viewer/panels/FocusPanel.h"
@@ -337,6 +344,82 @@ TEST_F(Window, ABrokenFileIsToldAndTheOldStudyStays) {
   EXPECT_EQ(window_->document().scene().volume, volumeBefore);
   EXPECT_TRUE(window_->document().isFocused(marker));
   waitUntilDrawn();
+}
+
+TEST_F(Window, DroppedFilesAreOpened) {
+  auto half = std::make_shared<Volume>();
+  half->grid = {.dims = {12, 10, 8}, .spacing = glm::dvec3(3.0)};
+  half->voxels = Voxels(ScalarType::UInt8, half->grid.voxelCount());
+  for (std::size_t i = 0; i < half->voxels.count(); ++i) half->voxels.as<std::uint8_t>()[i] = i % 12 < 6 ? 0 : 5;
+  half->computeRange();
+  const std::filesystem::path file = tests::scratchFolder() / "Größe 頭部.mha";
+  io::writeVolume(*half, file);
+
+  QMimeData files;
+  files.setUrls({QUrl::fromLocalFile(toQString(file)), QUrl::fromLocalFile(toQString(file))});
+  QDragEnterEvent enter(QPoint(400, 300), Qt::CopyAction, &files, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(window_.get(), &enter);
+  ASSERT_TRUE(enter.isAccepted());
+  QDropEvent drop(QPointF(400, 300), Qt::CopyAction, &files, Qt::LeftButton, Qt::NoModifier);
+  QSignalSpy opened(window_.get(), &MainWindow::opened);
+  QApplication::sendEvent(window_.get(), &drop);
+  ASSERT_TRUE(opened.wait(patience));
+  const Scene& scene = window_->document().scene();
+  EXPECT_EQ(scene.volume->grid.dims, half->grid.dims);
+  ASSERT_NE(scene.labels, nullptr) << "the second file is the first one's label map";
+  ASSERT_EQ(scene.labels->labels.size(), 1u);
+  EXPECT_EQ(scene.labels->labels[0].value, 5);
+  waitUntilDrawn();
+}
+
+TEST_F(Window, LabelsAreOpenedOverTheStudy) {
+  auto marks = std::make_shared<Volume>();
+  marks->grid = window_->document().scene().volume->grid;
+  marks->voxels = Voxels(ScalarType::UInt8, marks->grid.voxelCount());
+  for (std::size_t i = 0; i < marks->voxels.count(); ++i) marks->voxels.as<std::uint8_t>()[i] = i % 48 < 24 ? 3 : 0;
+  marks->computeRange();
+  const std::filesystem::path file = tests::scratchFolder() / "labels.nrrd";
+  io::writeVolume(*marks, file);
+  window_->document().focusOn(marker);
+  QSignalSpy changed(&window_->document(), &Document::labelsChanged);
+  window_->openLabels(file);
+  ASSERT_TRUE(changed.wait(patience));
+  EXPECT_EQ(window_->focusPanel().list()->model()->rowCount(), 1);
+  EXPECT_EQ(window_->document().focus(), Focus()) << "the old labels are gone";
+  waitUntilDrawn();
+}
+
+TEST_F(Window, RemembersLayoutAndRecentFilesOnlyWhenAsked) {
+  QSettings::setDefaultFormat(QSettings::IniFormat);
+  QSettings::setPath(QSettings::IniFormat, QSettings::UserScope,
+                     QString::fromStdString(tests::scratchFolder().string()));
+  QCoreApplication::setOrganizationName(QStringLiteral("Fenestra tests"));
+  const auto cutawayDock = [](MainWindow& window) {
+    return window.findChild<QDockWidget*>(QStringLiteral("cutawayDock"));
+  };
+  MainWindow::Setup setup{.gl = {.problem = QStringLiteral("slices are enough here")}};
+  const auto closeWithoutDock = [&] {
+    MainWindow window(setup);
+    window.show();
+    cutawayDock(window)->hide();
+    QSignalSpy opened(&window, &MainWindow::opened);
+    window.open([](const io::Progress&) {
+      Study study = markedBall();
+      study.path = "/data/scan.nii";
+      return study;
+    });
+    EXPECT_TRUE(opened.wait(patience));
+    window.close();
+  };
+  setup.remember = false;
+  closeWithoutDock();
+  EXPECT_TRUE(Preferences().recent().empty());
+  setup.remember = true;
+  closeWithoutDock();
+  EXPECT_EQ(Preferences().recent(), std::vector<std::filesystem::path>{"/data/scan.nii"});
+  MainWindow again(setup);
+  again.show();
+  EXPECT_FALSE(cutawayDock(again)->isVisible());
 }
 
 TEST_F(Window, WarningsAreShownOnceEach) {
