@@ -55,9 +55,9 @@ class FileStream : public ByteStream {
 
 class DeflateStream : public ByteStream {
  public:
-  explicit DeflateStream(FileStream source) : source_(std::move(source)), packed_(chunkBytes) {
-    // 32: tell zlib from gzip by the header.
-    if (inflateInit2(&state_, 15 + 32) != Z_OK) throw std::bad_alloc();
+  DeflateStream(FileStream source, bool raw) : source_(std::move(source)), packed_(chunkBytes) {
+    // 15 is the largest window; + 32 tells zlib from gzip by the header, negative stands for no header.
+    if (inflateInit2(&state_, raw ? -15 : 15 + 32) != Z_OK) throw std::bad_alloc();
   }
   ~DeflateStream() override { inflateEnd(&state_); }
   DeflateStream(const DeflateStream&) = delete;
@@ -145,7 +145,8 @@ void ByteStream::readAll(std::byte* into, std::size_t size, const fs::path& file
 void ByteStream::skip(std::uint64_t count) {
   std::vector<std::byte> dropped(static_cast<std::size_t>(std::min<std::uint64_t>(count, chunkBytes)));
   while (count > 0) {
-    const std::size_t got = read(dropped.data(), static_cast<std::size_t>(std::min<std::uint64_t>(count, dropped.size())));
+    const std::size_t got =
+        read(dropped.data(), static_cast<std::size_t>(std::min<std::uint64_t>(count, dropped.size())));
     if (got == 0) return;
     count -= got;
   }
@@ -154,9 +155,13 @@ void ByteStream::skip(std::uint64_t count) {
 std::unique_ptr<ByteStream> openStream(const fs::path& file, std::uint64_t offset, Packing packing) {
   FileStream source(file, offset);
   switch (packing) {
-    case Packing::None: break;
-    case Packing::Deflate: return std::make_unique<DeflateStream>(std::move(source));
-    case Packing::Bzip2: return std::make_unique<Bzip2Stream>(std::move(source));
+    case Packing::None:
+      break;
+    case Packing::Deflate:
+    case Packing::RawDeflate:
+      return std::make_unique<DeflateStream>(std::move(source), packing == Packing::RawDeflate);
+    case Packing::Bzip2:
+      return std::make_unique<Bzip2Stream>(std::move(source));
   }
   return std::make_unique<FileStream>(std::move(source));
 }

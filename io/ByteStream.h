@@ -10,7 +10,12 @@
 
 namespace fenestra::io {
 
-enum class Packing : std::uint8_t { None, Deflate, Bzip2 };  ///< Deflate: a zlib or a gzip stream
+enum class Packing : std::uint8_t {
+  None,
+  Deflate,     ///< a zlib or a gzip stream
+  RawDeflate,  ///< without either's header
+  Bzip2
+};
 
 class ByteStream {
  public:

@@ -49,12 +49,12 @@ class SharedProgress {
 constexpr double headersShare = 0.2;
 
 struct Scan {
-  std::vector<DicomFile> files;         ///< images
+  std::vector<DicomFile> files;  ///< images
   std::vector<fs::path> unreadable;
   std::vector<std::string> unreadableCauses;
-  std::vector<fs::path> notImages;      ///< other files of the folder
-  std::map<std::string, std::vector<fs::path>> refused;   ///< DICOM objects that are no scalar images, by reason
-  std::vector<fs::path> repeated;       ///< the same image (SOP instance) again
+  std::vector<fs::path> notImages;                       ///< other files of the folder
+  std::map<std::string, std::vector<fs::path>> refused;  ///< DICOM objects that are no scalar images, by reason
+  std::vector<fs::path> repeated;                        ///< the same image (SOP instance) again
 };
 
 std::vector<fs::path> filesBelow(const fs::path& folder) {
@@ -109,7 +109,8 @@ Scan scanHeaders(const fs::path& path, const OpenOptions& options) {
       scan.unreadableCauses.push_back(outcome.failure);
     } else if (!outcome.file->refusal.empty()) {
       scan.refused[outcome.file->refusal].push_back(paths[i]);
-    } else if (!outcome.file->instance.empty() && !instances.insert(outcome.file->series + "/" + outcome.file->instance).second) {
+    } else if (!outcome.file->instance.empty() &&
+               !instances.insert(outcome.file->series + "/" + outcome.file->instance).second) {
       scan.repeated.push_back(paths[i]);
     } else {
       scan.files.push_back(std::move(*outcome.file));
@@ -118,12 +119,14 @@ Scan scanHeaders(const fs::path& path, const OpenOptions& options) {
   if (scan.files.empty()) {
     if (!scan.refused.empty()) {
       const auto& [reason, refused] = *scan.refused.begin();
-      throw Error(refused.size() == 1 ? refused.front() : path, reason, "only DICOM images of one value a pixel can be opened as a volume");
+      throw Error(refused.size() == 1 ? refused.front() : path, reason,
+                  "only DICOM images of one value a pixel can be opened as a volume");
     }
     if (!scan.unreadable.empty()) {
       if (!folder) throw Error(path, scan.unreadableCauses.front(), "get the file again from its source");
-      throw Error(path, "none of its " + std::to_string(scan.unreadable.size()) + " DICOM files can be read (the first: " +
-                            scan.unreadableCauses.front() + ")",
+      throw Error(path,
+                  "none of its " + std::to_string(scan.unreadable.size()) +
+                      " DICOM files can be read (the first: " + scan.unreadableCauses.front() + ")",
                   "get the files again from their source");
     }
     throw Error(path, "holds no DICOM images", "name a folder with DICOM files, or a volume file itself");
@@ -171,9 +174,9 @@ std::vector<Candidate> candidatesOf(const Scan& scan) {
 
 std::size_t chosen(const std::vector<Candidate>& candidates, const fs::path& path, const std::string& id) {
   if (id.empty()) {
-    const auto largest = std::max_element(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
-      return a.stack.grid.voxelCount() < b.stack.grid.voxelCount();
-    });
+    const auto largest = std::max_element(
+        candidates.begin(), candidates.end(),
+        [](const Candidate& a, const Candidate& b) { return a.stack.grid.voxelCount() < b.stack.grid.voxelCount(); });
     return static_cast<std::size_t>(largest - candidates.begin());
   }
   for (std::size_t i = 0; i < candidates.size(); ++i)
@@ -186,32 +189,34 @@ void addScanWarnings(const Scan& scan, std::vector<Warning>& warnings) {
     return std::to_string(paths.size()) + (paths.size() == 1 ? " file" : " files");
   };
   if (!scan.unreadable.empty())
-    warnings.push_back({Warning::Kind::UnreadableFiles,
-                        count(scan.unreadable) + " left out, unreadable (the first: " + scan.unreadableCauses.front() + ")",
-                        scan.unreadable});
+    warnings.push_back(
+        {Warning::Kind::UnreadableFiles,
+         count(scan.unreadable) + " left out, unreadable (the first: " + scan.unreadableCauses.front() + ")",
+         scan.unreadable});
   if (!scan.notImages.empty())
-    warnings.push_back({Warning::Kind::UnreadableFiles, count(scan.notImages) + " of the folder left out: not DICOM",
-                        scan.notImages});
+    warnings.push_back(
+        {Warning::Kind::UnreadableFiles, count(scan.notImages) + " of the folder left out: not DICOM", scan.notImages});
   for (const auto& [reason, paths] : scan.refused)
     warnings.push_back({Warning::Kind::Other, count(paths) + " left out: " + reason, paths});
   if (!scan.repeated.empty())
-    warnings.push_back({Warning::Kind::DuplicateSlices, count(scan.repeated) + " left out: the same images (SOP instances) as in other files",
+    warnings.push_back({Warning::Kind::DuplicateSlices,
+                        count(scan.repeated) + " left out: the same images (SOP instances) as in other files",
                         scan.repeated});
 }
 
 /// How stored samples become voxels: one map for the whole volume, or each slice's own applied on the way.
 struct Mapping {
   ScalarType type = ScalarType::UInt8;
-  double slope = 1.0, intercept = 0.0;   ///< of the volume
-  bool applied = false;                  ///< voxels are real values already
+  double slope = 1.0, intercept = 0.0;  ///< of the volume
+  bool applied = false;                 ///< voxels are real values already
 };
 
 Mapping mappingOf(const DicomStack& stack, const std::vector<DicomFile>& files) {
   const DicomFrame& first = stack.frames.front();
   const DicomFile& firstFile = files[first.file];
   bool uniform = true, whole = true;
-  double low = 0.0, high = 0.0;              // of the real values that the formats allow
-  std::int64_t least = 0, greatest = 0;      // of the stored values
+  double low = 0.0, high = 0.0;          // of the real values that the formats allow
+  std::int64_t least = 0, greatest = 0;  // of the stored values
   for (const DicomFrame& frame : stack.frames) {
     const DicomFile& file = files[frame.file];
     uniform = uniform && frame.slope == first.slope && frame.intercept == first.intercept && !file.lut;
@@ -244,7 +249,8 @@ Mapping mappingOf(const DicomStack& stack, const std::vector<DicomFile>& files) 
 
 /// Copies one slice out of a stored frame: the stored bits of each word, sign extended, mapped.
 template <class Word, class Voxel>
-void storeSlice(std::span<const std::byte> words, const DicomFrame& frame, const DicomFile& file, bool apply, Voxel* to) {
+void storeSlice(std::span<const std::byte> words, const DicomFrame& frame, const DicomFile& file, bool apply,
+                Voxel* to) {
   const PixelFormat& format = file.format;
   const int shift = format.highBit + 1 - format.bitsStored;
   const Word mask = static_cast<Word>(~std::uint64_t{0} >> (64 - format.bitsStored));
@@ -264,7 +270,8 @@ void storeSlice(std::span<const std::byte> words, const DicomFrame& frame, const
     } else if (file.lut) {
       const auto last = static_cast<std::int64_t>(file.lut->values.size()) - 1;
       for (std::size_t x = 0; x < width; ++x)
-        to[x] = static_cast<Voxel>(file.lut->values[static_cast<std::size_t>(std::clamp<std::int64_t>(stored(x) - file.lut->first, 0, last))]);
+        to[x] = static_cast<Voxel>(
+            file.lut->values[static_cast<std::size_t>(std::clamp<std::int64_t>(stored(x) - file.lut->first, 0, last))]);
     } else {
       for (std::size_t x = 0; x < width; ++x)
         to[x] = static_cast<Voxel>(frame.slope * static_cast<double>(stored(x)) + frame.intercept);
@@ -272,23 +279,27 @@ void storeSlice(std::span<const std::byte> words, const DicomFrame& frame, const
   }
 }
 
-void storeSlice(std::span<const std::byte> words, const DicomFrame& frame, const DicomFile& file, bool apply, Voxels& voxels,
-                std::size_t offset) {
+void storeSlice(std::span<const std::byte> words, const DicomFrame& frame, const DicomFile& file, bool apply,
+                Voxels& voxels, std::size_t offset) {
   std::as_const(voxels).visit([&](auto scalars) {
     using Voxel = std::remove_const_t<typename decltype(scalars)::element_type>;
     Voxel* to = voxels.as<Voxel>().data() + offset;
     switch (file.format.bitsAllocated) {
-      case 8: return storeSlice<std::uint8_t>(words, frame, file, apply, to);
-      case 16: return storeSlice<std::uint16_t>(words, frame, file, apply, to);
-      default: return storeSlice<std::uint32_t>(words, frame, file, apply, to);
+      case 8:
+        return storeSlice<std::uint8_t>(words, frame, file, apply, to);
+      case 16:
+        return storeSlice<std::uint16_t>(words, frame, file, apply, to);
+      default:
+        return storeSlice<std::uint32_t>(words, frame, file, apply, to);
     }
   });
 }
 
 /// The pixels of a stack. Files that fail are added to `failed`, and the result is of no use then.
-Voxels decode(const DicomStack& stack, const std::vector<DicomFile>& files, const Mapping& mapping, const Progress& callback,
-              std::map<std::size_t, std::string>& failed) {
-  const std::size_t sliceVoxels = static_cast<std::size_t>(stack.grid.dims.x) * static_cast<std::size_t>(stack.grid.dims.y);
+Voxels decode(const DicomStack& stack, const std::vector<DicomFile>& files, const Mapping& mapping,
+              const Progress& callback, std::map<std::size_t, std::string>& failed) {
+  const std::size_t sliceVoxels =
+      static_cast<std::size_t>(stack.grid.dims.x) * static_cast<std::size_t>(stack.grid.dims.y);
   checkMemory(files[stack.frames.front().file].path, saturatingProduct(stack.grid.voxelCount(), sizeOf(mapping.type)));
   Voxels voxels(mapping.type, stack.grid.voxelCount());
 
@@ -296,7 +307,8 @@ Voxels decode(const DicomStack& stack, const std::vector<DicomFile>& files, cons
   std::vector<std::size_t> order(stack.frames.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return std::pair(stack.frames[a].file, stack.frames[a].number) < std::pair(stack.frames[b].file, stack.frames[b].number);
+    return std::pair(stack.frames[a].file, stack.frames[a].number) <
+           std::pair(stack.frames[b].file, stack.frames[b].number);
   });
   SharedProgress progress(callback, headersShare, 1.0, order.size(), "reading slices");
   std::mutex mutex;
@@ -333,9 +345,11 @@ void addContentWarnings(const DicomStack& stack, const std::vector<DicomFile>& f
   const DicomFile& file = files[stack.frames.front().file];
   if (file.monochrome1)
     warnings.push_back({Warning::Kind::Other,
-                        "low values are meant to be shown bright (MONOCHROME1); the values are kept as stored", {file.path}});
+                        "low values are meant to be shown bright (MONOCHROME1); the values are kept as stored",
+                        {file.path}});
   if (file.mosaicUnsplit)
-    warnings.push_back({Warning::Kind::Other, "the slices of a volume lie side by side in one picture (mosaic); it is shown as one slice",
+    warnings.push_back({Warning::Kind::Other,
+                        "the slices of a volume lie side by side in one picture (mosaic); it is shown as one slice",
                         {file.path}});
 }
 
@@ -361,7 +375,8 @@ OpenedVolume openDicom(const fs::path& path, const OpenOptions& options) {
       const bool nothingLeft = failed.size() == scan.files.size();
       const bool wantedIsLost = !options.series.empty() && failed.size() == candidates[choice].info.files.size();
       if (nothingLeft || wantedIsLost)
-        throw Error(scan.files.size() == 1 ? scan.files.front().path : path, failed.begin()->second, "get the files again from their source");
+        throw Error(scan.files.size() == 1 ? scan.files.front().path : path, failed.begin()->second,
+                    "get the files again from their source");
       for (auto file = failed.rbegin(); file != failed.rend(); ++file) {
         scan.unreadable.push_back(scan.files[file->first].path);
         scan.unreadableCauses.push_back(file->second);

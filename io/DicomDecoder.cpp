@@ -114,11 +114,15 @@ void decodeJpeg2000(Codestream codestream, const DicomFile& file, int number, st
   if (image->numcomps != 1 || image->comps[0].w != static_cast<OPJ_UINT32>(format.columns) ||
       image->comps[0].h != static_cast<OPJ_UINT32>(format.rows) || image->comps[0].prec > 32)
     throwDamaged(file, number, "its JPEG 2000 size is not the header's");
-  if (!opj_decode(codec.get(), stream.get(), image.get()) || !image->comps[0].data) throwDamaged(file, number, "JPEG 2000");
+  if (!opj_decode(codec.get(), stream.get(), image.get()) || !image->comps[0].data)
+    throwDamaged(file, number, "JPEG 2000");
   switch (format.bitsAllocated) {
-    case 8: return storeComponent<std::uint8_t>(image->comps[0], words);
-    case 16: return storeComponent<std::uint16_t>(image->comps[0], words);
-    default: return storeComponent<std::uint32_t>(image->comps[0], words);
+    case 8:
+      return storeComponent<std::uint8_t>(image->comps[0], words);
+    case 16:
+      return storeComponent<std::uint16_t>(image->comps[0], words);
+    default:
+      return storeComponent<std::uint32_t>(image->comps[0], words);
   }
 }
 
@@ -131,7 +135,8 @@ std::uint64_t littleEndian32(std::span<const std::uint8_t> bytes, std::size_t at
 /// DCMTK, whose decoder reads outside damaged segments.
 void decodeRle(std::span<const std::uint8_t> bytes, const DicomFile& file, int number, std::span<std::byte> words) {
   constexpr std::size_t headerBytes = 64;
-  const std::size_t wordBytes = static_cast<std::size_t>(file.format.bitsAllocated / 8), count = words.size() / wordBytes;
+  const std::size_t wordBytes = static_cast<std::size_t>(file.format.bitsAllocated / 8),
+                    count = words.size() / wordBytes;
   if (bytes.size() < headerBytes || littleEndian32(bytes, 0) != wordBytes) throwDamaged(file, number, "RLE header");
   for (std::size_t segment = 0; segment < wordBytes; ++segment) {
     std::size_t at = littleEndian32(bytes, 4 + 4 * segment);
@@ -145,7 +150,8 @@ void decodeRle(std::span<const std::uint8_t> bytes, const DicomFile& file, int n
       const bool literal = control < 128;
       const std::size_t length = std::min(literal ? control + 1 : 257 - control, count - filled);
       if (at + (literal ? length : 1) > end) break;
-      for (std::size_t i = 0; i < length; ++i) words[(filled + i) * wordBytes + place] = static_cast<std::byte>(bytes[literal ? at + i : at]);
+      for (std::size_t i = 0; i < length; ++i)
+        words[(filled + i) * wordBytes + place] = static_cast<std::byte>(bytes[literal ? at + i : at]);
       filled += length;
       at += literal ? length : 1;
     }
@@ -176,8 +182,7 @@ std::optional<std::vector<Uint32>> firstFragments(DcmPixelSequence& sequence, st
   const auto table = fragmentBytes(sequence, 0);
   if (table.size() == frames * 4) {
     std::vector<std::uint64_t> offsets;
-    for (std::size_t i = 0; i < table.size(); i += 4)
-      offsets.push_back(littleEndian32(table, i));
+    for (std::size_t i = 0; i < table.size(); i += 4) offsets.push_back(littleEndian32(table, i));
     std::uint64_t offset = 0;
     for (std::size_t fragment = 1; fragment < fragments && first.size() < frames; ++fragment) {
       if (offset == offsets[first.size()]) first.push_back(static_cast<Uint32>(fragment));
@@ -203,8 +208,8 @@ struct DicomDecoder::State {
   DcmFileCache cache;
   DcmPixelData* pixels = nullptr;
   E_TransferSyntax syntax = EXS_Unknown;
-  DcmPixelSequence* fragments = nullptr;   ///< null for native pixels
-  std::vector<Uint32> first;               ///< fragment of each frame
+  DcmPixelSequence* fragments = nullptr;  ///< null for native pixels
+  std::vector<Uint32> first;              ///< fragment of each frame
   std::size_t frames = 0;
 };
 
@@ -239,7 +244,8 @@ DicomDecoder::DicomDecoder(const DicomFile& file) : file_(file), state_(std::mak
   const auto first = firstFragments(*state_->fragments, state_->frames);
   if (!first) damaged("its fragments do not divide into frames");
   state_->first = *first;
-  if (!isJpeg2000(syntax) && syntax != EXS_RLELossless && !DcmCodecList::canChangeCoding(syntax, EXS_LittleEndianExplicit))
+  if (!isJpeg2000(syntax) && syntax != EXS_RLELossless &&
+      !DcmCodecList::canChangeCoding(syntax, EXS_LittleEndianExplicit))
     throw Error(file.path, std::string("its transfer syntax is not supported (") + DcmXfer(syntax).getXferName() + ")",
                 "convert it to an uncompressed or lossless JPEG, JPEG-LS, JPEG 2000 or RLE file");
 }
@@ -256,8 +262,8 @@ std::span<const std::byte> DicomDecoder::decode(int number) {
   const std::span<std::byte> words(words_.get(), frameBytes);
   if (isJpeg2000(state_->syntax) || state_->syntax == EXS_RLELossless) {
     std::vector<std::uint8_t> bytes;
-    const Uint32 end = frame + 1 < state_->first.size() ? state_->first[frame + 1]
-                                                        : static_cast<Uint32>(state_->fragments->card());
+    const Uint32 end =
+        frame + 1 < state_->first.size() ? state_->first[frame + 1] : static_cast<Uint32>(state_->fragments->card());
     for (Uint32 index = state_->first[frame]; index < end; ++index) {
       const auto piece = fragmentBytes(*state_->fragments, index);
       bytes.insert(bytes.end(), piece.begin(), piece.end());
@@ -271,8 +277,8 @@ std::span<const std::byte> DicomDecoder::decode(int number) {
   Uint32 fragment = state_->fragments ? state_->first[frame] : 0;
   OFString colourModel;
   const OFCondition decoded =
-      state_->pixels->getUncompressedFrame(state_->file.getDataset(), static_cast<Uint32>(number), fragment, words.data(),
-                                           static_cast<Uint32>(room), colourModel, &state_->cache);
+      state_->pixels->getUncompressedFrame(state_->file.getDataset(), static_cast<Uint32>(number), fragment,
+                                           words.data(), static_cast<Uint32>(room), colourModel, &state_->cache);
   if (decoded.bad()) throwDamaged(file_, number, decoded.text());
   return words;
 }

@@ -1,5 +1,6 @@
 #pragma once
-// Stored frames of one DICOM file as words: native, deflated, JPEG and JPEG-LS by DCMTK, JPEG 2000 by OpenJPEG, RLE here.
+// Stored frames of one DICOM file as words: native, deflated, JPEG and JPEG-LS by DCMTK, JPEG 2000 by OpenJPEG, RLE
+// here.
 
 #include <cstddef>
 #include <filesystem>

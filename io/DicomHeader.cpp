@@ -56,7 +56,8 @@ std::string typedText(DcmItem& item, const DcmTagKey& tag) {
   if (item.findAndGetOFStringArray(tag, value).bad()) return {};
   DcmSpecificCharacterSet converter;
   const bool converted = converter.selectCharacterSet(item).good() && converter.convertString(value, utf8).good();
-  std::string result = trimmed(converted ? std::string_view(utf8.data(), utf8.size()) : std::string_view(value.data(), value.size()));
+  std::string result =
+      trimmed(converted ? std::string_view(utf8.data(), utf8.size()) : std::string_view(value.data(), value.size()));
   if (!converted) std::erase_if(result, [](char c) { return static_cast<unsigned char>(c) >= 0x80; });
   return result;
 }
@@ -120,7 +121,8 @@ void readGeometry(const Scopes& scopes, DicomFrame& frame) {
 }
 
 std::string frameTypeOf(const Scopes& scopes) {
-  for (const DcmTagKey& sequence : {DCM_MRImageFrameTypeSequence, DCM_CTImageFrameTypeSequence, DCM_PETFrameTypeSequence})
+  for (const DcmTagKey& sequence :
+       {DCM_MRImageFrameTypeSequence, DCM_CTImageFrameTypeSequence, DCM_PETFrameTypeSequence})
     for (DcmItem* groups : {scopes.perFrame, scopes.shared})
       if (DcmItem* item = firstItem(groups, sequence)) return text(*item, DCM_FrameType);
   return {};
@@ -203,8 +205,8 @@ std::vector<double> csaNumbers(const Uint8* data, unsigned long size, const std:
   return values;
 }
 
-/// Siemens mosaic: the slices of a volume as tiles of one square picture, row by row. The stored position is that of the
-/// whole picture laid around the slices' centre.
+/// Siemens mosaic: the slices of a volume as tiles of one square picture, row by row. The stored position is that of
+/// the whole picture laid around the slices' centre.
 void splitMosaic(DcmItem& dataset, DicomFile& file) {
   file.mosaicUnsplit = true;
   const Uint8* csa = nullptr;
@@ -227,7 +229,8 @@ void splitMosaic(DcmItem& dataset, DicomFile& file) {
     DicomFrame frame = whole;
     frame.tile = glm::ivec2(slice % tiles, slice / tiles) * tile;
     frame.size = tile;
-    frame.position = whole.position + whole.axes * margin + glm::dvec3(normal[0], normal[1], normal[2]) * (step * slice);
+    frame.position =
+        whole.position + whole.axes * margin + glm::dvec3(normal[0], normal[1], normal[2]) * (step * slice);
     file.frames.push_back(frame);
   }
 }
@@ -256,12 +259,71 @@ std::shared_ptr<const ModalityLut> modalityLut(DcmItem& dataset, const PixelForm
   return lut;
 }
 
+/// The bytes of a dataset, with what comes before it where that is not packed.
+std::unique_ptr<ByteStream> openDataset(const fs::path& path) {
+  // Preamble, "DICM" and the group length element, whose value counts what of the meta header follows it (PS3.10 7.1).
+  constexpr std::size_t metaStart = 144;
+  std::array<char, 1024> head{};
+  const auto stream = openStream(path, 0, Packing::None);
+  const std::size_t got = stream->read(reinterpret_cast<std::byte*>(head.data()), head.size());
+  const std::string_view text(head.data(), got);
+  const bool deflated = text.find(UID_DeflatedExplicitVRLittleEndianTransferSyntax) != std::string_view::npos;
+  if (!deflated || got < metaStart) return openStream(path, 0, Packing::None);
+  std::uint32_t length = 0;
+  for (std::size_t i = 0; i < 4; ++i)
+    length |= std::uint32_t{static_cast<unsigned char>(head[metaStart - 4 + i])} << (8 * i);
+  return openStream(path, metaStart + length, Packing::RawDeflate);
+}
+
+/// DCMTK's parser calls itself once a level, so that a header of nothing but nested sequences would exhaust the stack.
+/// Follows the item tags up to the pixel data and throws Error when they nest deeper than any real header.
+void refuseDeepNesting(const fs::path& path) {
+  constexpr std::size_t deepest = 256;
+  constexpr std::size_t tagAndLength = 8;
+  constexpr std::uint64_t open = ~std::uint64_t{0};  // ends at a delimiter
+  const auto stream = openDataset(path);
+  std::vector<unsigned char> bytes(64 * 1024);
+  std::vector<std::uint64_t> ends;
+  std::uint64_t start = 0;  // of `bytes` in the stream
+  std::size_t kept = 0;
+  while (const std::size_t got = stream->read(reinterpret_cast<std::byte*>(bytes.data() + kept), bytes.size() - kept)) {
+    const std::size_t filled = kept + got;
+    std::size_t at = 0;
+    for (; at + tagAndLength <= filled; ++at) {
+      const unsigned char* b = bytes.data() + at;
+      const bool little = b[0] == 0xfe && b[1] == 0xff && b[3] == 0xe0,
+                 big = b[0] == 0xff && b[1] == 0xfe && b[2] == 0xe0;
+      if (little || big) {
+        const unsigned char element = little ? b[2] : b[3];
+        std::uint64_t length = 0;
+        for (int i = 0; i < 4; ++i) length |= std::uint64_t{b[4 + i]} << 8 * (little ? i : 3 - i);
+        while (!ends.empty() && ends.back() <= start + at) ends.pop_back();
+        if (element == 0x0d && !ends.empty()) ends.pop_back();
+        if (element == 0x00) ends.push_back(length == 0xffffffff ? open : start + at + tagAndLength + length);
+        if (ends.size() > deepest)
+          throw Error(path, "its DICOM header nests deeper than " + std::to_string(deepest) + " levels",
+                      "the file is damaged");
+      }
+      const bool pixels = (b[0] == 0xe0 && b[1] == 0x7f && b[2] == 0x10 && b[3] == 0x00) ||
+                          (b[0] == 0x7f && b[1] == 0xe0 && b[2] == 0x00 && b[3] == 0x10);
+      if (!pixels) continue;
+      while (!ends.empty() && ends.back() <= start + at) ends.pop_back();
+      if (ends.empty()) return;
+    }
+    std::copy(bytes.begin() + static_cast<std::ptrdiff_t>(at), bytes.begin() + static_cast<std::ptrdiff_t>(filled),
+              bytes.begin());
+    start += at;
+    kept = filled - at;
+  }
+}
+
 /// Why a dataset is no stack of scalar images; empty when it is one.
 std::string refusalOf(DcmItem& dataset, const PixelFormat& format, const std::string& sopClass) {
   if (sopClass == UID_SegmentationStorage) return "is a DICOM segmentation, not an image";
   if (format.rows < 1 || format.columns < 1) return "holds no image";
   const std::string photometric = text(dataset, DCM_PhotometricInterpretation);
-  if (integer(dataset, DCM_SamplesPerPixel).value_or(1) != 1 || (!photometric.empty() && !photometric.starts_with("MONOCHROME")))
+  if (integer(dataset, DCM_SamplesPerPixel).value_or(1) != 1 ||
+      (!photometric.empty() && !photometric.starts_with("MONOCHROME")))
     return "holds colours (" + (photometric.empty() ? "several samples a pixel" : photometric) + "), not values";
   const bool whole = format.bitsAllocated == 8 || format.bitsAllocated == 16 || format.bitsAllocated == 32;
   if (!whole || format.bitsStored < 1 || format.bitsStored > format.bitsAllocated ||
@@ -275,6 +337,7 @@ std::string refusalOf(DcmItem& dataset, const PixelFormat& format, const std::st
 
 DicomFile readDicomHeader(const fs::path& path) {
   prepareDcmtk();
+  refuseDeepNesting(path);
   DcmFileFormat fileFormat;
   const OFCondition loaded = fileFormat.loadFileUntilTag(OFFilename(path.c_str()), EXS_Unknown, EGL_noChange,
                                                          DCM_MaxReadLength, ERM_autoDetect, DCM_PixelData);
@@ -314,7 +377,9 @@ DicomFile readDicomHeader(const fs::path& path) {
   std::error_code failure;
   const std::uint64_t fileBytes = fs::file_size(path, failure);
   const bool deflated = dataset.getOriginalXfer() == EXS_DeflatedLittleEndianExplicit;
-  const std::uint64_t leastBytes = syntax.isEncapsulated() ? 8 : deflated ? format.frameBytes() / 1032 : format.frameBytes();
+  const std::uint64_t leastBytes = syntax.isEncapsulated() ? 8
+                                   : deflated              ? format.frameBytes() / 1032
+                                                           : format.frameBytes();
   if (frames < 1 || saturatingProduct(static_cast<std::uint64_t>(frames), leastBytes) > fileBytes)
     throw Error(path,
                 "holds " + std::to_string(fileBytes) + " bytes where its header describes " + std::to_string(frames) +
@@ -343,7 +408,8 @@ DicomFile readDicomHeader(const fs::path& path) {
 bool looksLikeDicom(const fs::path& file) {
   constexpr std::size_t preamble = 128;
   std::array<char, preamble + 4> bytes{};
-  const std::size_t got = openStream(file, 0, Packing::None)->read(reinterpret_cast<std::byte*>(bytes.data()), bytes.size());
+  const std::size_t got =
+      openStream(file, 0, Packing::None)->read(reinterpret_cast<std::byte*>(bytes.data()), bytes.size());
   if (got == bytes.size() && std::memcmp(bytes.data() + preamble, "DICM", 4) == 0) return true;
   // Without the preamble a dataset starts with an even, small group: 0002 or 0008, either byte order.
   const bool little = (bytes[0] == 2 || bytes[0] == 8) && bytes[1] == 0 && bytes[3] == 0;

@@ -14,13 +14,14 @@ namespace fenestra::io {
 
 /// How samples lie in their words.
 struct PixelFormat {
-  int rows = 0, columns = 0;      ///< of the stored frame
+  int rows = 0, columns = 0;  ///< of the stored frame
   int bitsAllocated = 0, bitsStored = 0, highBit = 0;
   bool isSigned = false;
   std::int64_t least() const { return isSigned ? -(std::int64_t{1} << (bitsStored - 1)) : 0; }
   std::int64_t greatest() const { return (std::int64_t{1} << (isSigned ? bitsStored - 1 : bitsStored)) - 1; }
   std::size_t frameBytes() const {
-    return static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns) * static_cast<std::size_t>(bitsAllocated / 8);
+    return static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns) *
+           static_cast<std::size_t>(bitsAllocated / 8);
   }
 };
 
@@ -33,31 +34,31 @@ struct ModalityLut {
 
 /// One slice. Usually a whole stored frame; of a mosaic a tile of it.
 struct DicomFrame {
-  std::size_t file = 0;            ///< index into the scanned files
-  int number = 0;                  ///< of the stored frame in its file, from 0
-  glm::ivec2 tile{0};              ///< column and row of the slice's first pixel in the stored frame
-  glm::ivec2 size{0};              ///< columns and rows of the slice
+  std::size_t file = 0;  ///< index into the scanned files
+  int number = 0;        ///< of the stored frame in its file, from 0
+  glm::ivec2 tile{0};    ///< column and row of the slice's first pixel in the stored frame
+  glm::ivec2 size{0};    ///< columns and rows of the slice
 
   bool hasGeometry = false;
-  glm::dvec3 position{0.0};        ///< centre of the first pixel, LPS mm
-  glm::dmat2x3 axes{1.0};          ///< unit vectors along a row and down a column
-  glm::dvec2 spacing{1.0};         ///< mm between columns and between rows
-  double thickness = 0.0;          ///< mm, of the slice; 0 when not said
+  glm::dvec3 position{0.0};  ///< centre of the first pixel, LPS mm
+  glm::dmat2x3 axes{1.0};    ///< unit vectors along a row and down a column
+  glm::dvec2 spacing{1.0};   ///< mm between columns and between rows
+  double thickness = 0.0;    ///< mm, of the slice; 0 when not said
 
   double slope = 1.0, intercept = 0.0;
   std::vector<WindowLevel> windows;
 
-  std::string frameOfReference, frameType, stack;   ///< frames that differ here form different volumes
-  std::int64_t temporal = 0, acquisition = 0, instance = 0;   ///< order among frames at one position
+  std::string frameOfReference, frameType, stack;            ///< frames that differ here form different volumes
+  std::int64_t temporal = 0, acquisition = 0, instance = 0;  ///< order among frames at one position
 };
 
 struct DicomFile {
   std::filesystem::path path;
   std::string instance, series, modality, description, unit;
-  std::string refusal;             ///< why this is no scalar image; empty when it is one
+  std::string refusal;  ///< why this is no scalar image; empty when it is one
   PixelFormat format;
   bool monochrome1 = false;
-  bool mosaicUnsplit = false;      ///< a mosaic whose layout is unknown; it stays one slice
+  bool mosaicUnsplit = false;  ///< a mosaic whose layout is unknown; it stays one slice
   std::shared_ptr<const ModalityLut> lut;
   std::vector<DicomFrame> frames;
 };

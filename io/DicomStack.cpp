@@ -93,15 +93,15 @@ class Stacker {
     });
     std::vector<std::vector<DicomFrame>> places;
     for (const DicomFrame& frame : group) {
-      if (places.empty() ||
-          alongNormal(frame, normal) - alongNormal(places.back().front(), normal) > positionTolerance)
+      if (places.empty() || alongNormal(frame, normal) - alongNormal(places.back().front(), normal) > positionTolerance)
         places.emplace_back();
       places.back().push_back(frame);
     }
     for (auto& place : places) std::sort(place.begin(), place.end(), earlier);
 
     const std::size_t times = places.front().size();
-    const bool everywhere = std::all_of(places.begin(), places.end(), [&](const auto& place) { return place.size() == times; });
+    const bool everywhere =
+        std::all_of(places.begin(), places.end(), [&](const auto& place) { return place.size() == times; });
     if (times > 1 && everywhere) {
       for (std::size_t time = 0; time < times; ++time) {
         std::vector<DicomFrame> volume;
@@ -125,9 +125,10 @@ class Stacker {
     }
     splitAtFarGaps(std::move(volume), normal);
     if (!dropped.empty())
-      stacks_.back().warnings.push_back({Warning::Kind::DuplicateSlices,
-                                         counted(dropped.size(), "slice") + " left out, at positions that other slices have already",
-                                         pathsOf(dropped)});
+      stacks_.back().warnings.push_back(
+          {Warning::Kind::DuplicateSlices,
+           counted(dropped.size(), "slice") + " left out, at positions that other slices have already",
+           pathsOf(dropped)});
   }
 
   /// The longest piece is added last, so that what is said of the group is said of it.
@@ -148,12 +149,13 @@ class Stacker {
       addStack(pieces[i], normal);
     }
     if (!others.empty())
-      stacks_.back().warnings.push_back({Warning::Kind::MissingSlices,
-                                         counted(others.size(), "slice") +
-                                             " put into volumes of their own, further from the others than ten times the "
-                                             "usual distance of " +
-                                             millimetres(usual),
-                                         pathsOf(others)});
+      stacks_.back().warnings.push_back(
+          {Warning::Kind::MissingSlices,
+           counted(others.size(), "slice") +
+               " put into volumes of their own, further from the others than ten times the "
+               "usual distance of " +
+               millimetres(usual),
+           pathsOf(others)});
   }
 
   static double median(std::vector<double> values) {
@@ -187,8 +189,9 @@ class Stacker {
     char angle[32];
     std::snprintf(angle, sizeof angle, "%.4g", std::atan2(across, along) * 180.0 / std::numbers::pi);
     stack.warnings.push_back({Warning::Kind::GantryTilt,
-                              std::string("the slices are tilted by ") + angle + " degrees against the direction they are stacked in (" +
-                                  millimetres(across) + " sideways from slice to slice); the volume is sheared accordingly",
+                              std::string("the slices are tilted by ") + angle +
+                                  " degrees against the direction they are stacked in (" + millimetres(across) +
+                                  " sideways from slice to slice); the volume is sheared accordingly",
                               {}});
   }
 
@@ -204,8 +207,8 @@ class Stacker {
     for (std::size_t i = 1; i < frames.size(); ++i)
       gaps.push_back(alongNormal(frames[i], normal) - alongNormal(frames[i - 1], normal));
     const auto [least, greatest] = std::minmax_element(gaps.begin(), gaps.end());
-    const std::string placed = "all are shown " + millimetres(glm::dot(step, normal)) + " apart, up to " + millimetres(farthest) +
-                               " from where they are";
+    const std::string placed = "all are shown " + millimetres(glm::dot(step, normal)) + " apart, up to " +
+                               millimetres(farthest) + " from where they are";
     // Gaps of whole numbers of the usual distance, or of the least where many slices are gone, are slices not there.
     for (const double unit : {median(gaps), *least}) {
       std::size_t missing = 0;
@@ -221,14 +224,16 @@ class Stacker {
       }
       if (!multiples || missing == 0 || 2 * missing > frames.size()) continue;
       stack.warnings.push_back({Warning::Kind::MissingSlices,
-                                counted(missing, "slice") + " missing: neighbours lie " + millimetres(unit) + " apart, but up to " +
-                                    millimetres(*greatest) + " between the files named; " + placed,
+                                counted(missing, "slice") + " missing: neighbours lie " + millimetres(unit) +
+                                    " apart, but up to " + millimetres(*greatest) + " between the files named; " +
+                                    placed,
                                 pathsOf(beside)});
       return;
     }
-    stack.warnings.push_back({Warning::Kind::UnevenSpacing,
-                              "the slices lie between " + millimetres(*least) + " and " + millimetres(*greatest) + " apart; " + placed,
-                              {}});
+    stack.warnings.push_back(
+        {Warning::Kind::UnevenSpacing,
+         "the slices lie between " + millimetres(*least) + " and " + millimetres(*greatest) + " apart; " + placed,
+         {}});
   }
 
   void stackWithoutGeometry(std::vector<DicomFrame> frames) {
@@ -240,9 +245,10 @@ class Stacker {
     stack.grid.dims = {first.size.x, first.size.y, static_cast<int>(frames.size())};
     stack.grid.spacing = {first.spacing.x, first.spacing.y, first.thickness > 0.0 ? first.thickness : 1.0};
     stack.warnings.push_back({Warning::Kind::NoGeometry,
-                              frames.size() > 1 ? "the file does not say where its slices lie in the patient; they are shown in "
-                                                  "their stored order, at a distance that is a guess"
-                                                : "the file does not say where the slice lies in the patient",
+                              frames.size() > 1
+                                  ? "the file does not say where its slices lie in the patient; they are shown in "
+                                    "their stored order, at a distance that is a guess"
+                                  : "the file does not say where the slice lies in the patient",
                               pathsOf(frames)});
     stack.frames = std::move(frames);
     stacks_.push_back(std::move(stack));
@@ -262,8 +268,9 @@ class Stacker {
     }
     const auto warn = [&](Warning::Kind kind, const std::vector<DicomFrame>& frames, const char* how) {
       if (!frames.empty())
-        main.warnings.push_back({kind, counted(frames.size(), "slice") + " of the series put into volumes of their own: " + how,
-                                 pathsOf(frames)});
+        main.warnings.push_back(
+            {kind, counted(frames.size(), "slice") + " of the series put into volumes of their own: " + how,
+             pathsOf(frames)});
     };
     warn(Warning::Kind::MixedSizes, sizes, "another size or pixel spacing");
     warn(Warning::Kind::MixedOrientations, orientations, "another orientation");

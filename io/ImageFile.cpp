@@ -1,12 +1,12 @@
 #include "io/ImageFile.h"
 
+#include <unistd.h>
 #include <algorithm>
 #include <bit>
 #include <charconv>
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <unistd.h>
 
 namespace fenestra::io {
 namespace fs = std::filesystem;
@@ -135,10 +135,10 @@ void checkSizes(const ImageFile& image, std::uint64_t voxels, std::uint64_t byte
     if (source.packing == Packing::Bzip2) most = std::numeric_limits<std::uint64_t>::max();
     const std::uint64_t needed = source.text ? share / sizeOf(image.type) * 2 - 1 : share;
     if (most < needed)
-      throw Error(file,
-                  "holds " + std::to_string(held) + " bytes of voxels where its header describes " +
-                      std::to_string(share),
-                  "the file is truncated or its header is wrong");
+      throw Error(
+          file,
+          "holds " + std::to_string(held) + " bytes of voxels where its header describes " + std::to_string(share),
+          "the file is truncated or its header is wrong");
   }
 }
 
@@ -147,9 +147,10 @@ void checkSizes(const ImageFile& image, std::uint64_t voxels, std::uint64_t byte
 void setDims(ImageFile& image, std::int64_t x, std::int64_t y, std::int64_t z) {
   for (const std::int64_t dim : {x, y, z})
     if (dim < 1 || dim > std::numeric_limits<int>::max())
-      throw Error(image.path,
-                  "its header says " + std::to_string(x) + " x " + std::to_string(y) + " x " + std::to_string(z) + " voxels",
-                  "the header is damaged");
+      throw Error(
+          image.path,
+          "its header says " + std::to_string(x) + " x " + std::to_string(y) + " x " + std::to_string(z) + " voxels",
+          "the header is damaged");
   image.grid.dims = {static_cast<int>(x), static_cast<int>(y), static_cast<int>(z)};
 }
 
@@ -192,8 +193,8 @@ std::string numberedName(const std::string& pattern, long number, const fs::path
 fs::path besideHeader(const fs::path& header, const std::string& name) { return header.parent_path() / fs::path(name); }
 
 void checkMemory(const fs::path& path, std::uint64_t bytes) {
-  const std::uint64_t memory =
-      saturatingProduct(static_cast<std::uint64_t>(::sysconf(_SC_PHYS_PAGES)), static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE)));
+  const std::uint64_t memory = saturatingProduct(static_cast<std::uint64_t>(::sysconf(_SC_PHYS_PAGES)),
+                                                 static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE)));
   if (bytes > memory)
     throw Error(path, "describes a volume larger than this machine's memory of " + megabytes(memory),
                 "the header is damaged, or the volume must be made smaller first");
@@ -206,7 +207,8 @@ std::uint64_t saturatingProduct(std::uint64_t a, std::uint64_t b) {
 
 std::vector<Voxels> readVoxels(const ImageFile& image, std::int64_t layers, const Progress& progress,
                                std::vector<Warning>& warnings) {
-  const std::uint64_t dims[] = {static_cast<std::uint64_t>(image.grid.dims.x), static_cast<std::uint64_t>(image.grid.dims.y),
+  const std::uint64_t dims[] = {static_cast<std::uint64_t>(image.grid.dims.x),
+                                static_cast<std::uint64_t>(image.grid.dims.y),
                                 static_cast<std::uint64_t>(image.grid.dims.z)};
   const std::uint64_t voxels = saturatingProduct(saturatingProduct(dims[0], dims[1]), dims[2]);
   const std::uint64_t scalars = saturatingProduct(voxels, static_cast<std::uint64_t>(image.layers()));
@@ -231,14 +233,17 @@ std::vector<Voxels> readVoxels(const ImageFile& image, std::int64_t layers, cons
   std::uint64_t done = 0;
   for (std::size_t volume = 0; volume < volumesToRead; ++volume) {
     for (std::uint64_t voxel = 0; voxel < voxels;) {
-      if (progress && !progress(static_cast<double>(done) / static_cast<double>(wanted), "reading voxels")) throw Cancelled();
-      const std::size_t count = static_cast<std::size_t>(std::min<std::uint64_t>(block.size() / voxelBytes, voxels - voxel));
+      if (progress && !progress(static_cast<double>(done) / static_cast<double>(wanted), "reading voxels"))
+        throw Cancelled();
+      const std::size_t count =
+          static_cast<std::size_t>(std::min<std::uint64_t>(block.size() / voxelBytes, voxels - voxel));
       for (std::size_t filled = 0; filled < count * voxelBytes;) {
         if (leftInFile == 0) {
           stream = openShare(image, image.source.files[++file], share);
           leftInFile = share;
         }
-        const std::size_t piece = static_cast<std::size_t>(std::min<std::uint64_t>(count * voxelBytes - filled, leftInFile));
+        const std::size_t piece =
+            static_cast<std::size_t>(std::min<std::uint64_t>(count * voxelBytes - filled, leftInFile));
         stream->readAll(block.data() + filled, piece, image.source.files[file]);
         filled += piece;
         leftInFile -= piece;
@@ -274,7 +279,8 @@ std::vector<Voxels> readVoxels(const ImageFile& image, std::int64_t layers, cons
   }
   if (lossy)
     warnings.push_back({Warning::Kind::PrecisionLoss,
-                        "some 64-bit integers are beyond 2^53 and were rounded to the nearest double", {image.path}});
+                        "some 64-bit integers are beyond 2^53 and were rounded to the nearest double",
+                        {image.path}});
   return result;
 }
 
@@ -285,14 +291,30 @@ ImageFile describeRaw(const fs::path& path, const RawDescription& description) {
   setDims(image, description.dims.x, description.dims.y, description.dims.z);
   image.grid.spacing = description.spacing;
   switch (description.type) {
-    case ScalarType::UInt8: image.type = ElementType::UInt8; break;
-    case ScalarType::Int8: image.type = ElementType::Int8; break;
-    case ScalarType::UInt16: image.type = ElementType::UInt16; break;
-    case ScalarType::Int16: image.type = ElementType::Int16; break;
-    case ScalarType::UInt32: image.type = ElementType::UInt32; break;
-    case ScalarType::Int32: image.type = ElementType::Int32; break;
-    case ScalarType::Float32: image.type = ElementType::Float32; break;
-    case ScalarType::Float64: image.type = ElementType::Float64; break;
+    case ScalarType::UInt8:
+      image.type = ElementType::UInt8;
+      break;
+    case ScalarType::Int8:
+      image.type = ElementType::Int8;
+      break;
+    case ScalarType::UInt16:
+      image.type = ElementType::UInt16;
+      break;
+    case ScalarType::Int16:
+      image.type = ElementType::Int16;
+      break;
+    case ScalarType::UInt32:
+      image.type = ElementType::UInt32;
+      break;
+    case ScalarType::Int32:
+      image.type = ElementType::Int32;
+      break;
+    case ScalarType::Float32:
+      image.type = ElementType::Float32;
+      break;
+    case ScalarType::Float64:
+      image.type = ElementType::Float64;
+      break;
   }
   image.bigEndian = description.bigEndian;
   image.source.files = {path};
@@ -306,8 +328,8 @@ ImageFile describeRaw(const fs::path& path, const RawDescription& description) {
   const std::uint64_t voxelBytes = held - std::min<std::uint64_t>(held, description.skip);
   if (voxelBytes > described)
     image.warnings.push_back({Warning::Kind::Other,
-                              "the file holds " + std::to_string(voxelBytes) + " bytes of voxels, the description uses the first " +
-                                  std::to_string(described),
+                              "the file holds " + std::to_string(voxelBytes) +
+                                  " bytes of voxels, the description uses the first " + std::to_string(described),
                               {path}});
   return image;
 }

@@ -22,22 +22,22 @@ struct VoxelSource {
   static constexpr std::int64_t atEnd = -1;
 
   std::vector<std::filesystem::path> files;
-  std::uint64_t offset = 0;   ///< bytes in each file before anything else (an attached header)
-  std::uint64_t lines = 0;    ///< lines after them to skip
-  std::int64_t skip = 0;      ///< then bytes to skip, of the unpacked data; atEnd: the voxels are the last bytes
+  std::uint64_t offset = 0;  ///< bytes in each file before anything else (an attached header)
+  std::uint64_t lines = 0;   ///< lines after them to skip
+  std::int64_t skip = 0;     ///< then bytes to skip, of the unpacked data; atEnd: the voxels are the last bytes
   Packing packing = Packing::None;
-  bool text = false;          ///< decimal numbers instead of bytes
+  bool text = false;  ///< decimal numbers instead of bytes
 };
 
 struct ImageFile {
   std::filesystem::path path;
-  std::string format;                         ///< as OpenedVolume::format
+  std::string format;  ///< as OpenedVolume::format
   Grid grid;
   ElementType type = ElementType::UInt8;
   bool bigEndian = false;
-  double slope = 1.0, intercept = 0.0;        ///< real value = slope · stored + intercept
-  std::int64_t interleaved = 1;               ///< scalars at each voxel, one of each layer
-  std::int64_t volumes = 1;                   ///< volumes one after the other
+  double slope = 1.0, intercept = 0.0;  ///< real value = slope · stored + intercept
+  std::int64_t interleaved = 1;         ///< scalars at each voxel, one of each layer
+  std::int64_t volumes = 1;             ///< volumes one after the other
   Modality modality = Modality::Unknown;
   std::vector<Warning> warnings;
   std::map<std::string, std::string> fields;  ///< the file's own key/value pairs (NRRD)
@@ -48,10 +48,11 @@ struct ImageFile {
 
 /// Sets the grid's dims, checked: all in 1..2^31-1. Throws Error.
 void setDims(ImageFile& image, std::int64_t x, std::int64_t y, std::int64_t z);
-/// Sets spacing, direction and origin from the columns of an affine (world LPS mm from index). Returns false, and leaves
-/// the grid, when the columns are not three finite independent vectors.
+/// Sets spacing, direction and origin from the columns of an affine (world LPS mm from index). Returns false, and
+/// leaves the grid, when the columns are not three finite independent vectors.
 bool setGeometry(Grid& grid, const glm::dmat3& columns, const glm::dvec3& origin);
-/// "name%03d.raw" with a number in place of the one integer conversion. Throws Error (naming `header`) for other patterns.
+/// "name%03d.raw" with a number in place of the one integer conversion. Throws Error (naming `header`) for other
+/// patterns.
 std::string numberedName(const std::string& pattern, long number, const std::filesystem::path& header);
 /// `name` as a header at `header` means it: relative to the header's folder.
 std::filesystem::path besideHeader(const std::filesystem::path& header, const std::string& name);

@@ -1,15 +1,15 @@
 #include "io/ImageWriter.h"
 
+#include <fcntl.h>
+#include <unistd.h>
 #include <algorithm>
 #include <atomic>
 #include <bit>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <fcntl.h>
 #include <memory>
 #include <sstream>
-#include <unistd.h>
 
 #include <png.h>
 
@@ -45,7 +45,9 @@ void writeBytes(const fs::path& path, std::initializer_list<std::pair<const void
 Picture readPng(const fs::path& path) {
   png_image image{};
   image.version = PNG_IMAGE_VERSION;
-  const auto refuse = [&] { throw Error(path, std::string("is no readable PNG (") + image.message + ")", "the file is damaged"); };
+  const auto refuse = [&] {
+    throw Error(path, std::string("is no readable PNG (") + image.message + ")", "the file is damaged");
+  };
   if (!png_image_begin_read_from_file(&image, path.c_str())) refuse();
   const bool colour = image.format & PNG_FORMAT_FLAG_COLOR, alpha = image.format & PNG_FORMAT_FLAG_ALPHA;
   image.format = alpha ? PNG_FORMAT_RGBA : colour ? PNG_FORMAT_RGB : PNG_FORMAT_GRAY;
@@ -60,13 +62,16 @@ Picture readPng(const fs::path& path) {
   std::vector<std::uint8_t> bytes(PNG_IMAGE_SIZE(image));
   if (!png_image_finish_read(&image, nullptr, bytes.data(), 0, nullptr)) refuse();
   picture.values.resize(bytes.size());
-  std::transform(bytes.begin(), bytes.end(), picture.values.begin(), [](std::uint8_t byte) { return static_cast<float>(byte) / 255.0f; });
+  std::transform(bytes.begin(), bytes.end(), picture.values.begin(),
+                 [](std::uint8_t byte) { return static_cast<float>(byte) / 255.0f; });
   return picture;
 }
 
 /// The layers that writeLayer writes: 2-D, float32, uncompressed, local.
 Picture readLayer(const fs::path& path) {
-  const auto refuse = [&](const std::string& cause) { throw Error(path, cause, "only layers as 2-D float MetaImage, and PNG, can be read"); };
+  const auto refuse = [&](const std::string& cause) {
+    throw Error(path, cause, "only layers as 2-D float MetaImage, and PNG, can be read");
+  };
   const auto stream = openStream(path, 0, Packing::None);
   Picture picture;
   picture.channels = 1;
@@ -153,13 +158,14 @@ void writePng(const fs::path& path, glm::ivec2 size, int channels, std::span<con
 }
 
 void writeLayer(const fs::path& path, glm::ivec2 size, int channels, std::span<const float> values) {
-  if (values.size() != static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * static_cast<std::size_t>(channels))
+  if (values.size() !=
+      static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * static_cast<std::size_t>(channels))
     throw std::invalid_argument("writeLayer: values do not fill the layer");
-  const std::string header =
-      "ObjectType = Image\nNDims = 2\nBinaryData = True\nBinaryDataByteOrderMSB = " +
-      std::string(std::endian::native == std::endian::big ? "True" : "False") +
-      "\nCompressedData = False\nElementSpacing = 1 1\nDimSize = " + std::to_string(size.x) + " " + std::to_string(size.y) +
-      "\nElementNumberOfChannels = " + std::to_string(channels) + "\nElementType = MET_FLOAT\nElementDataFile = LOCAL\n";
+  const std::string header = "ObjectType = Image\nNDims = 2\nBinaryData = True\nBinaryDataByteOrderMSB = " +
+                             std::string(std::endian::native == std::endian::big ? "True" : "False") +
+                             "\nCompressedData = False\nElementSpacing = 1 1\nDimSize = " + std::to_string(size.x) +
+                             " " + std::to_string(size.y) + "\nElementNumberOfChannels = " + std::to_string(channels) +
+                             "\nElementType = MET_FLOAT\nElementDataFile = LOCAL\n";
   writeAtomically(path, [&](const fs::path& temporary) {
     writeBytes(temporary, {{header.data(), header.size()}, {values.data(), values.size_bytes()}});
   });
@@ -169,7 +175,8 @@ Picture readPicture(const fs::path& path) {
   std::error_code failure;
   if (!fs::is_regular_file(path, failure)) throw Error(path, "does not exist", "name a PNG picture or a layer (.mha)");
   std::array<std::uint8_t, 8> magic{};
-  const std::size_t got = openStream(path, 0, Packing::None)->read(reinterpret_cast<std::byte*>(magic.data()), magic.size());
+  const std::size_t got =
+      openStream(path, 0, Packing::None)->read(reinterpret_cast<std::byte*>(magic.data()), magic.size());
   return got == magic.size() && png_sig_cmp(magic.data(), 0, magic.size()) == 0 ? readPng(path) : readLayer(path);
 }
 

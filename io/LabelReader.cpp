@@ -38,13 +38,15 @@ std::vector<Segment> slicerSegments(const ImageFile& image) {
     // Files from before layers existed have neither field: one label a segment, counted from 1.
     const auto value = field("LabelValue").empty() ? std::optional<std::uint16_t>(static_cast<std::uint16_t>(n + 1))
                                                    : numberIn<std::uint16_t>(field("LabelValue"));
-    if (!value || *value == 0) throw Error(image.path, "its " + prefix + "LabelValue is no label", "the file is damaged");
+    if (!value || *value == 0)
+      throw Error(image.path, "its " + prefix + "LabelValue is no label", "the file is damaged");
     segment.storedValue = *value;
     segment.layer = numberIn<std::int64_t>(field("Layer")).value_or(0);
     // Layers number their labels from 1 each: a value that another layer has gets the next free one.
     std::uint16_t unique = *value;
     while (taken.contains(unique)) {
-      if (unique == greatestLabel) throw Error(image.path, "has more labels than fit 16 bits", "split the segmentation");
+      if (unique == greatestLabel)
+        throw Error(image.path, "has more labels than fit 16 bits", "split the segmentation");
       ++unique;
     }
     taken.insert(unique);
@@ -132,14 +134,15 @@ std::vector<std::uint16_t> mergedLayers(const std::vector<Voxels>& layers, const
     }
   }
   if (hidden > 0)
-    warnings.push_back({Warning::Kind::Other,
-                        "labels overlap at " + std::to_string(hidden) + " voxels; the later layer's label is kept there",
-                        {image.path}});
+    warnings.push_back(
+        {Warning::Kind::Other,
+         "labels overlap at " + std::to_string(hidden) + " voxels; the later layer's label is kept there",
+         {image.path}});
   return merged;
 }
 
-/// Whether `from`'s voxel centres are `to`'s, up to the axes' order and direction, within a twentieth of a voxel: headers
-/// store single precision, whose rounding adds up to hundredths over a long axis.
+/// Whether `from`'s voxel centres are `to`'s, up to the axes' order and direction, within a twentieth of a voxel:
+/// headers store single precision, whose rounding adds up to hundredths over a long axis.
 bool isSameLattice(const glm::dmat4& toFromFrom, const Grid& from) {
   for (int corner = 0; corner < 8; ++corner) {
     const glm::dvec3 index((corner & 1) ? from.dims.x - 1 : 0, (corner & 2) ? from.dims.y - 1 : 0,
@@ -165,7 +168,8 @@ std::vector<std::uint16_t> resampled(const std::vector<std::uint16_t>& labels, c
       for (int x = 0; x < to.dims.x; ++x) {
         const glm::dvec3 at = glm::floor(glm::dvec3(fromIndexFromTo * glm::dvec4(x, y, z, 1.0)) + 0.5);
         // Compared before the conversion: a far-off position overflows int.
-        if (glm::any(glm::lessThan(at, glm::dvec3(0.0))) || glm::any(glm::greaterThanEqual(at, glm::dvec3(from.dims)))) continue;
+        if (glm::any(glm::lessThan(at, glm::dvec3(0.0))) || glm::any(glm::greaterThanEqual(at, glm::dvec3(from.dims))))
+          continue;
         result[to.offset({x, y, z})] = labels[from.offset(glm::ivec3(at))];
       }
     }
@@ -175,13 +179,16 @@ std::vector<std::uint16_t> resampled(const std::vector<std::uint16_t>& labels, c
   };
   const std::size_t before = count(labels), after = count(result);
   if (before > 0 && after == 0) {
-    warnings.push_back({Warning::Kind::Other, "every label lies outside the volume; is this the volume's label map?", {path}});
+    warnings.push_back(
+        {Warning::Kind::Other, "every label lies outside the volume; is this the volume's label map?", {path}});
   } else if (!sameLattice) {
-    warnings.push_back({Warning::Kind::Other, "the label map was resampled to the volume's grid by nearest label", {path}});
+    warnings.push_back(
+        {Warning::Kind::Other, "the label map was resampled to the volume's grid by nearest label", {path}});
   } else if (after < before) {
-    warnings.push_back({Warning::Kind::Other,
-                        std::to_string(before - after) + " of " + std::to_string(before) + " labelled voxels lie outside the volume",
-                        {path}});
+    warnings.push_back(
+        {Warning::Kind::Other,
+         std::to_string(before - after) + " of " + std::to_string(before) + " labelled voxels lie outside the volume",
+         {path}});
   }
   return result;
 }
@@ -203,7 +210,8 @@ OpenedLabels readLabels(const fs::path& path, const Grid& target, const Progress
   const std::vector<Segment> segments = slicerSegments(image);
   const bool layered = image.layers() > 1;
   if (layered && segments.empty())
-    throw Error(path, "holds " + std::to_string(image.layers()) + " volumes, not one label map", "extract one of them first");
+    throw Error(path, "holds " + std::to_string(image.layers()) + " volumes, not one label map",
+                "extract one of them first");
 
   OpenedLabels opened;
   opened.warnings = std::move(image.warnings);
@@ -222,7 +230,8 @@ OpenedLabels readLabels(const fs::path& path, const Grid& target, const Progress
   for (std::uint32_t value = 1; value <= greatestLabel; ++value) {
     const auto label = static_cast<std::uint16_t>(value);
     if (present[label] && (!labels.contains(label) || labels[label].name.empty()))
-      labels[label] = {label, "label " + std::to_string(label), labels.contains(label) ? labels[label].colour : defaultLabelColour(label)};
+      labels[label] = {label, "label " + std::to_string(label),
+                       labels.contains(label) ? labels[label].colour : defaultLabelColour(label)};
   }
 
   auto map = std::make_shared<LabelMap>();

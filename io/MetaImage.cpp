@@ -14,15 +14,15 @@ namespace {
 constexpr std::size_t longestHeader = 1u << 20;
 
 const std::map<std::string, ElementType> elementTypes = {
-    {"MET_CHAR", ElementType::Int8},       {"MET_UCHAR", ElementType::UInt8},        {"MET_SHORT", ElementType::Int16},
-    {"MET_USHORT", ElementType::UInt16},   {"MET_INT", ElementType::Int32},          {"MET_UINT", ElementType::UInt32},
-    {"MET_LONG", ElementType::Int32},      {"MET_ULONG", ElementType::UInt32},       {"MET_LONG_LONG", ElementType::Int64},
-    {"MET_ULONG_LONG", ElementType::UInt64}, {"MET_FLOAT", ElementType::Float32},    {"MET_DOUBLE", ElementType::Float64}};
+    {"MET_CHAR", ElementType::Int8},         {"MET_UCHAR", ElementType::UInt8},   {"MET_SHORT", ElementType::Int16},
+    {"MET_USHORT", ElementType::UInt16},     {"MET_INT", ElementType::Int32},     {"MET_UINT", ElementType::UInt32},
+    {"MET_LONG", ElementType::Int32},        {"MET_ULONG", ElementType::UInt32},  {"MET_LONG_LONG", ElementType::Int64},
+    {"MET_ULONG_LONG", ElementType::UInt64}, {"MET_FLOAT", ElementType::Float32}, {"MET_DOUBLE", ElementType::Float64}};
 
 struct Header {
   std::map<std::string, std::string> fields;
-  std::vector<std::string> listed;   ///< data files after "ElementDataFile = LIST"
-  std::uint64_t bytes = 0;           ///< up to and with the ElementDataFile line
+  std::vector<std::string> listed;  ///< data files after "ElementDataFile = LIST"
+  std::uint64_t bytes = 0;          ///< up to and with the ElementDataFile line
 };
 
 /// Reads up to and with the ElementDataFile line, the header's last; empty when the text is no MetaImage header.
@@ -178,7 +178,8 @@ class Reader {
       };
       const auto first = bound(1, 1), last = bound(2, image_.grid.dims.z), step = bound(3, 1);
       constexpr long most = 1'000'000;
-      if (!first || !last || !step || *step < 1 || std::abs(*first) > most || std::abs(*last) > most) refuse("ElementDataFile");
+      if (!first || !last || !step || *step < 1 || std::abs(*first) > most || std::abs(*last) > most)
+        refuse("ElementDataFile");
       for (long n = *first; n <= *last; n += *step) add(numberedName(parts[0], n, image_.path));
     } else {
       add(dataFile);

@@ -1,14 +1,14 @@
-// NIfTI-1 and NIfTI-2, single files and pairs, either byte order. Definitions: nifti1.h and nifti2.h of nifti_clib, whose
-// structs are used and whose functions are not: they print to the error stream, and share their names with ITK's.
+// NIfTI-1 and NIfTI-2, single files and pairs, either byte order. Definitions: nifti1.h and nifti2.h of nifti_clib,
+// whose structs are used and whose functions are not: they print to the error stream, and share their names with ITK's.
 
 #include <array>
 #include <cmath>
 #include <cstring>
 #include <optional>
 
-#include <glm/gtc/quaternion.hpp>
 #include <nifti1.h>
 #include <nifti2.h>
+#include <glm/gtc/quaternion.hpp>
 
 #include "io/ImageFile.h"
 
@@ -18,25 +18,39 @@ namespace {
 
 std::optional<ElementType> elementType(int datatype) {
   switch (datatype) {
-    case DT_UINT8: return ElementType::UInt8;
-    case DT_INT8: return ElementType::Int8;
-    case DT_UINT16: return ElementType::UInt16;
-    case DT_INT16: return ElementType::Int16;
-    case DT_UINT32: return ElementType::UInt32;
-    case DT_INT32: return ElementType::Int32;
-    case DT_UINT64: return ElementType::UInt64;
-    case DT_INT64: return ElementType::Int64;
-    case DT_FLOAT32: return ElementType::Float32;
-    case DT_FLOAT64: return ElementType::Float64;
-    default: return std::nullopt;
+    case DT_UINT8:
+      return ElementType::UInt8;
+    case DT_INT8:
+      return ElementType::Int8;
+    case DT_UINT16:
+      return ElementType::UInt16;
+    case DT_INT16:
+      return ElementType::Int16;
+    case DT_UINT32:
+      return ElementType::UInt32;
+    case DT_INT32:
+      return ElementType::Int32;
+    case DT_UINT64:
+      return ElementType::UInt64;
+    case DT_INT64:
+      return ElementType::Int64;
+    case DT_FLOAT32:
+      return ElementType::Float32;
+    case DT_FLOAT64:
+      return ElementType::Float64;
+    default:
+      return std::nullopt;
   }
 }
 
 double millimetres(int units) {
   switch (XYZT_TO_SPACE(units)) {
-    case NIFTI_UNITS_METER: return 1000.0;
-    case NIFTI_UNITS_MICRON: return 0.001;
-    default: return 1.0;  // NIFTI_UNITS_MM, and files that name no unit
+    case NIFTI_UNITS_METER:
+      return 1000.0;
+    case NIFTI_UNITS_MICRON:
+      return 0.001;
+    default:
+      return 1.0;  // NIFTI_UNITS_MM, and files that name no unit
   }
 }
 
@@ -56,7 +70,8 @@ bool isOneOf(const char* magic, const char* pair, const char* single) {
 template <class Header>
 class Interpreter {
  public:
-  Interpreter(const Header& header, bool swapped, ImageFile& image) : header_(header), swapped_(swapped), image_(image) {}
+  Interpreter(const Header& header, bool swapped, ImageFile& image)
+      : header_(header), swapped_(swapped), image_(image) {}
 
   void interpret() {
     readType();
@@ -70,7 +85,8 @@ class Interpreter {
     }
     // 2^53: beyond it a double, and any file, holds no offset.
     const double offset = real(header_.vox_offset);
-    if (!std::isfinite(offset) || offset > 9e15) throw Error(image_.path, "its header gives no voxel offset", "the header is damaged");
+    if (!std::isfinite(offset) || offset > 9e15)
+      throw Error(image_.path, "its header gives no voxel offset", "the header is damaged");
     // Single files keep 4 bytes for the extension flag behind the header; a smaller offset points into the header.
     image_.source.skip = static_cast<std::int64_t>(std::max(offset, isPair() ? 0.0 : sizeof(Header) + 4.0));
   }
@@ -91,8 +107,9 @@ class Interpreter {
     const auto type = elementType(datatype);
     if (!type)
       throw Error(image_.path,
-                  datatype == DT_RGB24 || datatype == DT_RGBA32 ? "holds colours"
-                                                                : "has voxels of NIfTI data type " + std::to_string(datatype),
+                  datatype == DT_RGB24 || datatype == DT_RGBA32
+                      ? "holds colours"
+                      : "has voxels of NIfTI data type " + std::to_string(datatype),
                   "only scalar volumes can be opened; extract one component first");
     image_.type = *type;
   }
@@ -101,7 +118,9 @@ class Interpreter {
     const auto rank = static_cast<std::int64_t>(field(header_.dim[0]));
     if (rank < 1 || rank > 7)
       throw Error(image_.path, "its header gives " + std::to_string(rank) + " dimensions", "the header is damaged");
-    const auto dim = [&](int axis) { return axis <= rank ? static_cast<std::int64_t>(field(header_.dim[axis])) : std::int64_t{1}; };
+    const auto dim = [&](int axis) {
+      return axis <= rank ? static_cast<std::int64_t>(field(header_.dim[axis])) : std::int64_t{1};
+    };
     setDims(image_, dim(1), dim(2), dim(3));
     for (int axis = 4; axis <= 7; ++axis)
       if (dim(axis) < 1) throw Error(image_.path, "its header gives a dimension of no length", "the header is damaged");
@@ -111,7 +130,8 @@ class Interpreter {
     const std::uint64_t volumes =
         saturatingProduct(saturatingProduct(static_cast<std::uint64_t>(dim(4)), static_cast<std::uint64_t>(dim(6))),
                           static_cast<std::uint64_t>(dim(7)));
-    if (volumes > 1'000'000) throw Error(image_.path, "its header gives over a million time points", "the header is damaged");
+    if (volumes > 1'000'000)
+      throw Error(image_.path, "its header gives over a million time points", "the header is damaged");
     image_.volumes = static_cast<std::int64_t>(volumes);
   }
 

@@ -16,25 +16,46 @@ namespace {
 /// Headers are a few kilobytes; Slicer's segmentations write one line of terminology a segment.
 constexpr std::size_t longestHeader = 16u << 20;
 
-const std::map<std::string, ElementType> elementTypes = {
-    {"signed char", ElementType::Int8}, {"int8", ElementType::Int8}, {"int8_t", ElementType::Int8},
-    {"uchar", ElementType::UInt8}, {"unsigned char", ElementType::UInt8}, {"uint8", ElementType::UInt8},
-    {"uint8_t", ElementType::UInt8},
-    {"short", ElementType::Int16}, {"short int", ElementType::Int16}, {"signed short", ElementType::Int16},
-    {"signed short int", ElementType::Int16}, {"int16", ElementType::Int16}, {"int16_t", ElementType::Int16},
-    {"ushort", ElementType::UInt16}, {"unsigned short", ElementType::UInt16},
-    {"unsigned short int", ElementType::UInt16}, {"uint16", ElementType::UInt16}, {"uint16_t", ElementType::UInt16},
-    {"int", ElementType::Int32}, {"signed int", ElementType::Int32}, {"int32", ElementType::Int32},
-    {"int32_t", ElementType::Int32},
-    {"uint", ElementType::UInt32}, {"unsigned int", ElementType::UInt32}, {"uint32", ElementType::UInt32},
-    {"uint32_t", ElementType::UInt32},
-    {"longlong", ElementType::Int64}, {"long long", ElementType::Int64}, {"long long int", ElementType::Int64},
-    {"signed long long", ElementType::Int64}, {"signed long long int", ElementType::Int64},
-    {"int64", ElementType::Int64}, {"int64_t", ElementType::Int64},
-    {"ulonglong", ElementType::UInt64}, {"unsigned long long", ElementType::UInt64},
-    {"unsigned long long int", ElementType::UInt64}, {"uint64", ElementType::UInt64},
-    {"uint64_t", ElementType::UInt64},
-    {"float", ElementType::Float32}, {"double", ElementType::Float64}};
+const std::map<std::string, ElementType> elementTypes = {{"signed char", ElementType::Int8},
+                                                         {"int8", ElementType::Int8},
+                                                         {"int8_t", ElementType::Int8},
+                                                         {"uchar", ElementType::UInt8},
+                                                         {"unsigned char", ElementType::UInt8},
+                                                         {"uint8", ElementType::UInt8},
+                                                         {"uint8_t", ElementType::UInt8},
+                                                         {"short", ElementType::Int16},
+                                                         {"short int", ElementType::Int16},
+                                                         {"signed short", ElementType::Int16},
+                                                         {"signed short int", ElementType::Int16},
+                                                         {"int16", ElementType::Int16},
+                                                         {"int16_t", ElementType::Int16},
+                                                         {"ushort", ElementType::UInt16},
+                                                         {"unsigned short", ElementType::UInt16},
+                                                         {"unsigned short int", ElementType::UInt16},
+                                                         {"uint16", ElementType::UInt16},
+                                                         {"uint16_t", ElementType::UInt16},
+                                                         {"int", ElementType::Int32},
+                                                         {"signed int", ElementType::Int32},
+                                                         {"int32", ElementType::Int32},
+                                                         {"int32_t", ElementType::Int32},
+                                                         {"uint", ElementType::UInt32},
+                                                         {"unsigned int", ElementType::UInt32},
+                                                         {"uint32", ElementType::UInt32},
+                                                         {"uint32_t", ElementType::UInt32},
+                                                         {"longlong", ElementType::Int64},
+                                                         {"long long", ElementType::Int64},
+                                                         {"long long int", ElementType::Int64},
+                                                         {"signed long long", ElementType::Int64},
+                                                         {"signed long long int", ElementType::Int64},
+                                                         {"int64", ElementType::Int64},
+                                                         {"int64_t", ElementType::Int64},
+                                                         {"ulonglong", ElementType::UInt64},
+                                                         {"unsigned long long", ElementType::UInt64},
+                                                         {"unsigned long long int", ElementType::UInt64},
+                                                         {"uint64", ElementType::UInt64},
+                                                         {"uint64_t", ElementType::UInt64},
+                                                         {"float", ElementType::Float32},
+                                                         {"double", ElementType::Float64}};
 
 /// Field names come with and without blanks ("data file", "datafile").
 std::string withoutBlanks(const std::string& text) {
@@ -45,10 +66,10 @@ std::string withoutBlanks(const std::string& text) {
 }
 
 struct Header {
-  std::map<std::string, std::string> fields;   ///< by name without blanks
-  std::map<std::string, std::string> pairs;    ///< "key:=value"
-  std::vector<std::string> listed;             ///< data files after "data file: LIST"
-  std::uint64_t bytes = 0;                     ///< length with the blank line
+  std::map<std::string, std::string> fields;  ///< by name without blanks
+  std::map<std::string, std::string> pairs;   ///< "key:=value"
+  std::vector<std::string> listed;            ///< data files after "data file: LIST"
+  std::uint64_t bytes = 0;                    ///< length with the blank line
 };
 
 Header readLines(const fs::path& path) {
@@ -124,7 +145,7 @@ std::optional<std::vector<std::optional<glm::dvec3>>> vectorsIn(const std::strin
 }
 
 struct Space {
-  glm::dvec3 lpsFrom;   ///< sign of each world axis
+  glm::dvec3 lpsFrom;  ///< sign of each world axis
   bool anatomical;
 };
 
@@ -135,11 +156,14 @@ Space spaceNamed(const std::string& name, const fs::path& path) {
   if (name.empty() || name == "scanner-xyz" || name == "3d-right-handed") return {{1, 1, 1}, false};
   // One axis must turn round, or the patient would be mirrored; which one, the space does not say.
   if (name == "3d-left-handed") return {{1, 1, -1}, false};
-  throw Error(path, "its space '" + name + "' is not supported", "only three-dimensional spaces without time can be opened");
+  throw Error(path, "its space '" + name + "' is not supported",
+              "only three-dimensional spaces without time can be opened");
 }
 
 double millimetres(const std::string& units) {
-  const auto quoted = [&](const char* unit) { return units.find(std::string("\"") + unit + "\"") != std::string::npos; };
+  const auto quoted = [&](const char* unit) {
+    return units.find(std::string("\"") + unit + "\"") != std::string::npos;
+  };
   if (quoted("um") || quoted("µm")) return 0.001;
   if (quoted("cm")) return 10.0;
   if (quoted("m")) return 1000.0;
@@ -185,7 +209,8 @@ class Reader {
     const auto sizes = numbersIn<std::int64_t>(required("sizes"));
     const auto dimension = numberIn<std::size_t>(required("dimension"));
     // 16: NRRD_DIM_MAX, the most axes the format's own library takes.
-    if (!sizes || !dimension || sizes->size() != *dimension || sizes->empty() || sizes->size() > 16) refuseField("sizes");
+    if (!sizes || !dimension || sizes->size() != *dimension || sizes->empty() || sizes->size() > 16)
+      refuseField("sizes");
     const auto directions = vectorsIn(field("spacedirections"));
     if (!directions || (!directions->empty() && directions->size() != sizes->size())) refuseField("space directions");
     const std::vector<std::string> kinds = words(field("kinds"));
@@ -205,7 +230,8 @@ class Reader {
       }
       if (size < 1 || size > 1'000'000) refuseField("sizes");
       const std::string kind = kinds.size() == sizes->size() ? lowered(kinds[axis]) : "list";
-      const bool separate = size == 1 || kind == "list" || kind == "time" || kind == "???" || kind == "none" || kind == "stub";
+      const bool separate =
+          size == 1 || kind == "list" || kind == "time" || kind == "???" || kind == "none" || kind == "stub";
       if (!separate)
         throw Error(image_.path, "holds " + std::to_string(size) + " values at each voxel (" + kind + ")",
                     "only scalar volumes can be opened; extract one component first");
@@ -235,7 +261,8 @@ class Reader {
       }
     }
     glm::dvec3 origin(0.0);
-    if (const auto given = vectorsIn(field("spaceorigin")); given && given->size() == 1 && given->front()) origin = *given->front();
+    if (const auto given = vectorsIn(field("spaceorigin")); given && given->size() == 1 && given->front())
+      origin = *given->front();
     for (int column = 0; column < 3; ++column) columns[column] *= space.lpsFrom * unit;
     if (!setGeometry(image_.grid, columns, origin * space.lpsFrom * unit)) refuseField("space directions");
     if (directions.empty() || !space.anatomical)
@@ -256,7 +283,8 @@ class Reader {
     } else if (encoding == "ascii" || encoding == "text" || encoding == "txt") {
       source.text = true;
     } else if (encoding != "raw") {
-      throw Error(image_.path, "its encoding '" + encoding + "' is not supported", "save it as raw, gzip, bzip2 or ascii");
+      throw Error(image_.path, "its encoding '" + encoding + "' is not supported",
+                  "save it as raw, gzip, bzip2 or ascii");
     }
     const std::string endian = lowered(field("endian"));
     if (sizeOf(image_.type) > 1 && !source.text && endian != "little" && endian != "big") refuseField("endian");
@@ -288,7 +316,8 @@ class Reader {
     } else if (parts.size() >= 4 && parts[0].find('%') != std::string::npos) {
       const auto first = numberIn<long>(parts[1]), last = numberIn<long>(parts[2]), step = numberIn<long>(parts[3]);
       constexpr long most = 1'000'000;
-      if (!first || !last || !step || *step == 0 || std::abs(*first) > most || std::abs(*last) > most || std::abs(*step) > most)
+      if (!first || !last || !step || *step == 0 || std::abs(*first) > most || std::abs(*last) > most ||
+          std::abs(*step) > most)
         refuseField("data file");
       for (long number = *first; *step > 0 ? number <= *last : number >= *last; number += *step)
         add(numberedName(parts[0], number, image_.path));
@@ -307,7 +336,8 @@ class Reader {
 
 bool looksLikeNrrd(const fs::path& path) {
   std::array<char, 7> magic{};
-  const std::size_t got = openStream(path, 0, Packing::None)->read(reinterpret_cast<std::byte*>(magic.data()), magic.size());
+  const std::size_t got =
+      openStream(path, 0, Packing::None)->read(reinterpret_cast<std::byte*>(magic.data()), magic.size());
   return got == magic.size() && std::string_view(magic.data(), magic.size()) == "NRRD000";
 }
 

@@ -18,10 +18,10 @@ OpenedVolume openImage(ImageFile image, const OpenOptions& options) {
   opened.format = image.format;
   opened.series = describe(image);
   if (image.layers() > 1)
-    image.warnings.push_back({Warning::Kind::TimePoints,
-                              "the file holds " + std::to_string(image.layers()) +
-                                  " volumes (time points or layers); the first is shown",
-                              {image.path}});
+    image.warnings.push_back(
+        {Warning::Kind::TimePoints,
+         "the file holds " + std::to_string(image.layers()) + " volumes (time points or layers); the first is shown",
+         {image.path}});
   opened.warnings = std::move(image.warnings);
   auto volume = std::make_shared<Volume>();
   volume->grid = image.grid;
@@ -39,7 +39,8 @@ OpenedVolume openImage(ImageFile image, const OpenOptions& options) {
 
 RawDescription parseRawDescription(std::string_view text) {
   const auto refuse = [&](const std::string& cause) -> RawDescription {
-    throw Error(std::string(text), cause, "describe raw voxels as WxHxD:TYPE[:le|be][:skip=BYTES], e.g. 256x256x128:uint16:be");
+    throw Error(std::string(text), cause,
+                "describe raw voxels as WxHxD:TYPE[:le|be][:skip=BYTES], e.g. 256x256x128:uint16:be");
   };
   std::vector<std::string> parts(1);
   for (const char c : text)
@@ -58,10 +59,11 @@ RawDescription parseRawDescription(std::string_view text) {
     return refuse("gives no three sizes");
   description.dims = {(*sizes)[0], (*sizes)[1], (*sizes)[2]};
 
-  constexpr std::array types = {ScalarType::UInt8, ScalarType::Int8, ScalarType::UInt16, ScalarType::Int16,
+  constexpr std::array types = {ScalarType::UInt8,  ScalarType::Int8,  ScalarType::UInt16,  ScalarType::Int16,
                                 ScalarType::UInt32, ScalarType::Int32, ScalarType::Float32, ScalarType::Float64};
   const auto type = std::find_if(types.begin(), types.end(), [&](ScalarType t) { return parts[1] == nameOf(t); });
-  if (type == types.end()) return refuse("names no scalar type (uint8, int8, uint16, int16, uint32, int32, float32, float64)");
+  if (type == types.end())
+    return refuse("names no scalar type (uint8, int8, uint16, int16, uint32, int32, float32, float64)");
   description.type = *type;
 
   for (std::size_t i = 2; i < parts.size(); ++i) {
@@ -88,9 +90,12 @@ SeriesInfo describe(const ImageFile& image) {
 
 ImageFile readImageHeader(const fs::path& path, Format format) {
   switch (format) {
-    case Format::Nifti: return readNiftiHeader(path);
-    case Format::Nrrd: return readNrrdHeader(path);
-    default: return readMetaImageHeader(path);
+    case Format::Nifti:
+      return readNiftiHeader(path);
+    case Format::Nrrd:
+      return readNrrdHeader(path);
+    default:
+      return readMetaImageHeader(path);
   }
 }
 
@@ -98,7 +103,8 @@ void checkExists(const fs::path& path) {
   std::error_code failure;
   if (!fs::exists(path, failure)) throw Error(path, "does not exist", "check the path");
   if (fs::is_directory(path, failure)) return;
-  if (!fs::is_regular_file(path, failure)) throw Error(path, "is neither a file nor a folder", "name a volume file or a DICOM folder");
+  if (!fs::is_regular_file(path, failure))
+    throw Error(path, "is neither a file nor a folder", "name a volume file or a DICOM folder");
   if (fs::file_size(path, failure) == 0) throw Error(path, "is empty", "get the file again from its source");
 }
 

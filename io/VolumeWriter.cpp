@@ -13,10 +13,10 @@
 #include <sstream>
 #include <vector>
 
-#include <glm/gtc/quaternion.hpp>
 #include <nifti1.h>
 #include <nifti2.h>
 #include <zlib.h>
+#include <glm/gtc/quaternion.hpp>
 
 #include "io/ByteStream.h"
 #include "io/HeaderText.h"
@@ -65,7 +65,8 @@ ScalarType narrowestType(const Volume& volume) {
 }
 
 /// Calls write(bytes, size) with the real values as `type` in this machine's byte order, block by block.
-void forEachBlock(const Volume& volume, ScalarType type, const std::function<void(const std::byte*, std::size_t)>& write) {
+void forEachBlock(const Volume& volume, ScalarType type,
+                  const std::function<void(const std::byte*, std::size_t)>& write) {
   const std::size_t count = volume.voxels.count();
   for (std::size_t begin = 0; begin < count; begin += blockVoxels) {
     const std::size_t size = std::min(blockVoxels, count - begin);
@@ -106,7 +107,9 @@ class Output {
   }
 
  private:
-  [[noreturn]] void fail() { throw Error(path_, "cannot be written: " + systemCause(), "check the free space on the disk"); }
+  [[noreturn]] void fail() {
+    throw Error(path_, "cannot be written: " + systemCause(), "check the free space on the disk");
+  }
   fs::path path_;
   gzFile file_ = nullptr;
 };
@@ -124,26 +127,34 @@ std::ostringstream exactText() {
 std::string metaImageHeader(const Grid& grid, ScalarType type) {
   const auto name = [&] {
     switch (type) {
-      case ScalarType::UInt8: return "MET_UCHAR";
-      case ScalarType::Int8: return "MET_CHAR";
-      case ScalarType::UInt16: return "MET_USHORT";
-      case ScalarType::Int16: return "MET_SHORT";
-      case ScalarType::UInt32: return "MET_UINT";
-      case ScalarType::Int32: return "MET_INT";
-      case ScalarType::Float32: return "MET_FLOAT";
-      case ScalarType::Float64: break;
+      case ScalarType::UInt8:
+        return "MET_UCHAR";
+      case ScalarType::Int8:
+        return "MET_CHAR";
+      case ScalarType::UInt16:
+        return "MET_USHORT";
+      case ScalarType::Int16:
+        return "MET_SHORT";
+      case ScalarType::UInt32:
+        return "MET_UINT";
+      case ScalarType::Int32:
+        return "MET_INT";
+      case ScalarType::Float32:
+        return "MET_FLOAT";
+      case ScalarType::Float64:
+        break;
     }
     return "MET_DOUBLE";
   };
   auto text = exactText();
-  text << "ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = " << (bigEndian ? "True" : "False")
-       << "\nCompressedData = False\nTransformMatrix =";
+  text << "ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = "
+       << (bigEndian ? "True" : "False") << "\nCompressedData = False\nTransformMatrix =";
   for (int axis = 0; axis < 3; ++axis)
     for (int row = 0; row < 3; ++row) text << ' ' << grid.direction[axis][row];
   text << "\nOffset = " << grid.origin.x << ' ' << grid.origin.y << ' ' << grid.origin.z
-       << "\nCenterOfRotation = 0 0 0\nElementSpacing = " << grid.spacing.x << ' ' << grid.spacing.y << ' ' << grid.spacing.z
-       << "\nDimSize = " << grid.dims.x << ' ' << grid.dims.y << ' ' << grid.dims.z << "\nElementType = " << name()
-       << "\nElementDataFile = LOCAL\n";
+       << "\nCenterOfRotation = 0 0 0\nElementSpacing = " << grid.spacing.x << ' ' << grid.spacing.y << ' '
+       << grid.spacing.z << "\nDimSize = " << grid.dims.x << ' ' << grid.dims.y << ' ' << grid.dims.z
+       << "\nElementType = " << name() << "\nElementDataFile = LOCAL\n";
   return text.str();
 }
 
@@ -154,7 +165,8 @@ std::string nrrdHeader(const Grid& grid, ScalarType type) {
   text << "NRRD0004\ntype: " << name << "\ndimension: 3\nspace: left-posterior-superior\nsizes: " << grid.dims.x << ' '
        << grid.dims.y << ' ' << grid.dims.z << "\nspace directions:";
   for (int axis = 0; axis < 3; ++axis) vector(grid.direction[axis] * grid.spacing[axis]);
-  text << "\nkinds: domain domain domain\nendian: " << (bigEndian ? "big" : "little") << "\nencoding: raw\nspace origin:";
+  text << "\nkinds: domain domain domain\nendian: " << (bigEndian ? "big" : "little")
+       << "\nencoding: raw\nspace origin:";
   vector(grid.origin);
   text << "\n\n";
   return text.str();
@@ -162,14 +174,22 @@ std::string nrrdHeader(const Grid& grid, ScalarType type) {
 
 int niftiType(ScalarType type) {
   switch (type) {
-    case ScalarType::UInt8: return DT_UINT8;
-    case ScalarType::Int8: return DT_INT8;
-    case ScalarType::UInt16: return DT_UINT16;
-    case ScalarType::Int16: return DT_INT16;
-    case ScalarType::UInt32: return DT_UINT32;
-    case ScalarType::Int32: return DT_INT32;
-    case ScalarType::Float32: return DT_FLOAT32;
-    case ScalarType::Float64: break;
+    case ScalarType::UInt8:
+      return DT_UINT8;
+    case ScalarType::Int8:
+      return DT_INT8;
+    case ScalarType::UInt16:
+      return DT_UINT16;
+    case ScalarType::Int16:
+      return DT_INT16;
+    case ScalarType::UInt32:
+      return DT_UINT32;
+    case ScalarType::Int32:
+      return DT_INT32;
+    case ScalarType::Float32:
+      return DT_FLOAT32;
+    case ScalarType::Float64:
+      break;
   }
   return DT_FLOAT64;
 }
@@ -188,7 +208,8 @@ void fillNifti(Header& header, const Grid& grid, ScalarType type) {
   using Real = std::remove_reference_t<decltype(header.pixdim[0])>;
   header.sizeof_hdr = sizeof(Header);
   header.dim[0] = 3;
-  for (int axis = 0; axis < 7; ++axis) header.dim[axis + 1] = axis < 3 ? static_cast<Length>(grid.dims[axis]) : Length{1};
+  for (int axis = 0; axis < 7; ++axis)
+    header.dim[axis + 1] = axis < 3 ? static_cast<Length>(grid.dims[axis]) : Length{1};
   header.datatype = static_cast<short>(niftiType(type));
   header.bitpix = static_cast<short>(8 * sizeOf(type));
   header.scl_slope = 1;
@@ -253,7 +274,8 @@ void writeVolume(const Volume& volume, const fs::path& path) {
   if (name.ends_with(".mha")) makeHeader = metaImageHeader;
   if (name.ends_with(".nii") || name.ends_with(".nii.gz")) makeHeader = niftiHeader;
   if (name.ends_with(".nrrd")) makeHeader = nrrdHeader;
-  if (!makeHeader) throw Error(path, "has an ending that names no volume format", "end it in .mha, .nii.gz, .nii or .nrrd");
+  if (!makeHeader)
+    throw Error(path, "has an ending that names no volume format", "end it in .mha, .nii.gz, .nii or .nrrd");
   const ScalarType type = narrowestType(volume);
   writeAtomically(path, [&](const fs::path& temporary) {
     Output output(temporary, name.ends_with(".gz"));

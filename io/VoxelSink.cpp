@@ -28,7 +28,8 @@ Extent<T> extentOf(std::span<const T> block) {
 /// Whether a float holds the double; NaN counts as held.
 bool exactAsFloat(double value) {
   if (!std::isfinite(value)) return true;
-  return std::abs(value) <= std::numeric_limits<float>::max() && static_cast<double>(static_cast<float>(value)) == value;
+  return std::abs(value) <= std::numeric_limits<float>::max() &&
+         static_cast<double>(static_cast<float>(value)) == value;
 }
 
 template <class From, class To>
@@ -74,8 +75,8 @@ Voxels narrowed(Voxels voxels) {
     } else {
       if (scalars.empty()) return std::move(voxels);
       const auto [low, high] = extentOf(scalars);
-      const ScalarType type = narrowestInteger(std::min<std::int64_t>(low, 0),
-                                               static_cast<std::uint64_t>(std::max<std::int64_t>(high, 0)));
+      const ScalarType type =
+          narrowestInteger(std::min<std::int64_t>(low, 0), static_cast<std::uint64_t>(std::max<std::int64_t>(high, 0)));
       if (sizeOf(type) >= sizeOf(voxels.type())) return std::move(voxels);
       Voxels narrow(type, voxels.count());
       parallelFor(scalars.size(), 1 << 20, [&](std::size_t begin, std::size_t end) {
@@ -89,8 +90,7 @@ Voxels narrowed(Voxels voxels) {
 void VoxelSink::widen(ScalarType type) {
   if (voxels_.count() != 0 && voxels_.type() == type) return;
   Voxels wide(type, count_);
-  if (filled_ > 0)
-    std::as_const(voxels_).visit([&](auto scalars) { store(scalars.first(filled_), wide, 0); });
+  if (filled_ > 0) std::as_const(voxels_).visit([&](auto scalars) { store(scalars.first(filled_), wide, 0); });
   voxels_ = std::move(wide);
 }
 
@@ -99,7 +99,8 @@ void VoxelSink::append(std::span<const T> block) {
   if (block.empty()) return;
   if constexpr (std::is_same_v<T, double>) {
     const bool isDouble = filled_ > 0 && voxels_.type() == ScalarType::Float64;
-    widen(isDouble || !std::all_of(block.begin(), block.end(), exactAsFloat) ? ScalarType::Float64 : ScalarType::Float32);
+    widen(isDouble || !std::all_of(block.begin(), block.end(), exactAsFloat) ? ScalarType::Float64
+                                                                             : ScalarType::Float32);
   } else if constexpr (std::is_same_v<T, float>) {
     widen(ScalarType::Float32);
   } else {

@@ -17,16 +17,26 @@ std::size_t sizeOf(ElementType type);
 template <class F>
 decltype(auto) visitElement(ElementType type, F&& f) {
   switch (type) {
-    case ElementType::UInt8: return f(std::uint8_t{});
-    case ElementType::Int8: return f(std::int8_t{});
-    case ElementType::UInt16: return f(std::uint16_t{});
-    case ElementType::Int16: return f(std::int16_t{});
-    case ElementType::UInt32: return f(std::uint32_t{});
-    case ElementType::Int32: return f(std::int32_t{});
-    case ElementType::UInt64: return f(std::uint64_t{});
-    case ElementType::Int64: return f(std::int64_t{});
-    case ElementType::Float32: return f(float{});
-    case ElementType::Float64: break;
+    case ElementType::UInt8:
+      return f(std::uint8_t{});
+    case ElementType::Int8:
+      return f(std::int8_t{});
+    case ElementType::UInt16:
+      return f(std::uint16_t{});
+    case ElementType::Int16:
+      return f(std::int16_t{});
+    case ElementType::UInt32:
+      return f(std::uint32_t{});
+    case ElementType::Int32:
+      return f(std::int32_t{});
+    case ElementType::UInt64:
+      return f(std::uint64_t{});
+    case ElementType::Int64:
+      return f(std::int64_t{});
+    case ElementType::Float32:
+      return f(float{});
+    case ElementType::Float64:
+      break;
   }
   return f(double{});
 }
@@ -49,7 +59,7 @@ class VoxelSink {
   void widen(ScalarType type);
 
   std::size_t count_, filled_ = 0;
-  std::int64_t low_ = 0;   ///< least and greatest integer so far; every type holds 0
+  std::int64_t low_ = 0;  ///< least and greatest integer so far; every type holds 0
   std::uint64_t high_ = 0;
   bool lossy_ = false;
   Voxels voxels_;

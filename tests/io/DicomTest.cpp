@@ -172,7 +172,8 @@ TEST(Dicom, RepeatsAtEveryPositionAreTimePoints) {
   EXPECT_EQ(sliceValues(*opened.volume), (std::vector<double>{100, 101, 102, 103}));
   EXPECT_EQ(opened.otherSeries.size(), 2u);
   warningOf(opened.warnings, Warning::Kind::TimePoints);
-  EXPECT_EQ(sliceValues(*io::openVolume(folder, {.series = "1.2.3.4#3"}).volume), (std::vector<double>{300, 301, 302, 303}));
+  EXPECT_EQ(sliceValues(*io::openVolume(folder, {.series = "1.2.3.4#3"}).volume),
+            (std::vector<double>{300, 301, 302, 303}));
 }
 
 TEST(Dicom, MixedSizesAndOrientationsFormVolumesOfTheirOwn) {
@@ -194,7 +195,8 @@ TEST(Dicom, MixedSizesAndOrientationsFormVolumesOfTheirOwn) {
   EXPECT_EQ(opened.volume->grid.dims, glm::ivec3(4, 3, 5));
   EXPECT_EQ(opened.otherSeries.size(), 2u);
   EXPECT_EQ(warningOf(opened.warnings, Warning::Kind::MixedSizes).files, std::vector<fs::path>{folder / "wide"});
-  EXPECT_EQ(warningOf(opened.warnings, Warning::Kind::MixedOrientations).files, std::vector<fs::path>{folder / "turned"});
+  EXPECT_EQ(warningOf(opened.warnings, Warning::Kind::MixedOrientations).files,
+            std::vector<fs::path>{folder / "turned"});
 }
 
 TEST(Dicom, SeriesAreToldApartAndEmptyIdentifiersGroup) {
@@ -252,11 +254,11 @@ TEST_P(DicomBits, AreTakenOutOfTheWordWhateverSurroundsThem) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, DicomBits,
-                         ::testing::Values(Bits{8, 8, 7, false}, Bits{8, 8, 7, true}, Bits{8, 5, 6, false}, Bits{16, 8, 7, true},
-                                           Bits{16, 10, 9, false}, Bits{16, 12, 11, false}, Bits{16, 12, 11, true},
-                                           Bits{16, 12, 15, true}, Bits{16, 12, 13, false}, Bits{16, 16, 15, false},
-                                           Bits{16, 16, 15, true}, Bits{32, 32, 31, false}, Bits{32, 32, 31, true},
-                                           Bits{32, 24, 27, true}));
+                         ::testing::Values(Bits{8, 8, 7, false}, Bits{8, 8, 7, true}, Bits{8, 5, 6, false},
+                                           Bits{16, 8, 7, true}, Bits{16, 10, 9, false}, Bits{16, 12, 11, false},
+                                           Bits{16, 12, 11, true}, Bits{16, 12, 15, true}, Bits{16, 12, 13, false},
+                                           Bits{16, 16, 15, false}, Bits{16, 16, 15, true}, Bits{32, 32, 31, false},
+                                           Bits{32, 32, 31, true}, Bits{32, 24, 27, true}));
 
 class DicomSyntax : public ::testing::TestWithParam<Syntax> {};
 
@@ -279,8 +281,8 @@ TEST_P(DicomSyntax, DecodesToTheSameValues) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, DicomSyntax,
-                         ::testing::Values(Syntax::ImplicitLittle, Syntax::ExplicitLittle, Syntax::ExplicitBig, Syntax::Deflated,
-                                           Syntax::Rle, Syntax::JpegLossless, Syntax::JpegLs));
+                         ::testing::Values(Syntax::ImplicitLittle, Syntax::ExplicitLittle, Syntax::ExplicitBig,
+                                           Syntax::Deflated, Syntax::Rle, Syntax::JpegLossless, Syntax::JpegLs));
 
 TEST(Dicom, OddEightBitFramesDecodeInEitherByteOrder) {
   for (const Syntax syntax : {Syntax::ExplicitLittle, Syntax::ExplicitBig}) {
@@ -347,7 +349,8 @@ TEST(Dicom, EnhancedFramesAreOrderedByPositionAndSplitByType) {
   const fs::path folder = scratchFolder();
   DicomSpec spec;
   spec.pixelSpacing = "2\\3";
-  spec.frames = {{{0, 0, 4}}, {{0, 0, 0}}, {{0, 0, 2}}, {{0, 0, 0}, 2.0, 5.0, "DERIVED"}, {{0, 0, 2}, 2.0, 5.0, "DERIVED"}};
+  spec.frames = {
+      {{0, 0, 4}}, {{0, 0, 0}}, {{0, 0, 2}}, {{0, 0, 0}, 2.0, 5.0, "DERIVED"}, {{0, 0, 2}, 2.0, 5.0, "DERIVED"}};
   writeDicom(folder / "image", spec);
   const io::OpenedVolume opened = io::openVolume(folder / "image");
   EXPECT_EQ(opened.volume->grid.dims, glm::ivec3(4, 3, 3));
@@ -429,7 +432,8 @@ TEST(Dicom, UnreadableFilesAreNamedAndTheRestLoads) {
   EXPECT_EQ(sliceValues(*opened.volume), (std::vector<double>{0, 20, 40, 50}));
   std::vector<fs::path> named;
   for (const Warning& warning : opened.warnings)
-    if (warning.kind == Warning::Kind::UnreadableFiles) named.insert(named.end(), warning.files.begin(), warning.files.end());
+    if (warning.kind == Warning::Kind::UnreadableFiles)
+      named.insert(named.end(), warning.files.begin(), warning.files.end());
   std::sort(named.begin(), named.end());
   std::vector<fs::path> expected{cut, headless, folder / "notes.txt"};
   std::sort(expected.begin(), expected.end());

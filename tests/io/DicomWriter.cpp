@@ -29,7 +29,9 @@ std::string numberText(double value) {
   return text;
 }
 
-std::string vectorText(const glm::dvec3& v) { return numberText(v.x) + "\\" + numberText(v.y) + "\\" + numberText(v.z); }
+std::string vectorText(const glm::dvec3& v) {
+  return numberText(v.x) + "\\" + numberText(v.y) + "\\" + numberText(v.z);
+}
 
 void put(DcmItem& item, const DcmTagKey& tag, const std::string& value) {
   ASSERT_TRUE(item.putAndInsertString(tag, value.c_str()).good()) << value;
@@ -46,7 +48,8 @@ DcmItem& itemOf(DcmItem& parent, const DcmTagKey& sequence, long index = 0) {
 void putFunctionalGroups(DcmItem& dataset, const DicomSpec& spec) {
   DcmItem& shared = itemOf(dataset, DCM_SharedFunctionalGroupsSequence);
   put(itemOf(shared, DCM_PixelMeasuresSequence), DCM_PixelSpacing, spec.pixelSpacing);
-  put(itemOf(shared, DCM_PlaneOrientationSequence), DCM_ImageOrientationPatient, vectorText(spec.row) + "\\" + vectorText(spec.column));
+  put(itemOf(shared, DCM_PlaneOrientationSequence), DCM_ImageOrientationPatient,
+      vectorText(spec.row) + "\\" + vectorText(spec.column));
   for (std::size_t i = 0; i < spec.frames.size(); ++i) {
     DcmItem& frame = itemOf(dataset, DCM_PerFrameFunctionalGroupsSequence, static_cast<long>(i));
     put(itemOf(frame, DCM_PlanePositionSequence), DCM_ImagePositionPatient, vectorText(spec.frames[i].position));
@@ -80,13 +83,20 @@ void putPixels(DcmItem& dataset, const DicomSpec& spec, std::size_t frames) {
 
 E_TransferSyntax transferSyntax(Syntax syntax) {
   switch (syntax) {
-    case Syntax::ImplicitLittle: return EXS_LittleEndianImplicit;
-    case Syntax::ExplicitLittle: return EXS_LittleEndianExplicit;
-    case Syntax::ExplicitBig: return EXS_BigEndianExplicit;
-    case Syntax::Deflated: return EXS_DeflatedLittleEndianExplicit;
-    case Syntax::Rle: return EXS_RLELossless;
-    case Syntax::JpegLossless: return EXS_JPEGProcess14SV1;
-    case Syntax::JpegLs: break;
+    case Syntax::ImplicitLittle:
+      return EXS_LittleEndianImplicit;
+    case Syntax::ExplicitLittle:
+      return EXS_LittleEndianExplicit;
+    case Syntax::ExplicitBig:
+      return EXS_BigEndianExplicit;
+    case Syntax::Deflated:
+      return EXS_DeflatedLittleEndianExplicit;
+    case Syntax::Rle:
+      return EXS_RLELossless;
+    case Syntax::JpegLossless:
+      return EXS_JPEGProcess14SV1;
+    case Syntax::JpegLs:
+      break;
   }
   return EXS_JPEGLSLossless;
 }

@@ -32,18 +32,18 @@ struct DicomSpec {
   bool isSigned = true;
   std::string photometric = "MONOCHROME2";
   int samplesPerPixel = 1;
-  std::vector<std::uint32_t> words;                ///< as allocated, rows · columns · frames; empty: 0, 1, 2, …
+  std::vector<std::uint32_t> words;  ///< as allocated, rows · columns · frames; empty: 0, 1, 2, …
   std::optional<glm::dvec3> position = glm::dvec3(0.0);
   glm::dvec3 row{1, 0, 0}, column{0, 1, 0};
-  std::string pixelSpacing = "1\\1";               ///< rows \ columns
+  std::string pixelSpacing = "1\\1";  ///< rows \ columns
   std::string frameOfReference = "1.2.3";
   std::optional<std::string> slope, intercept;
-  std::string window;                              ///< "centre width"
+  std::string window;  ///< "centre width"
   int instanceNumber = 1;
   int acquisitionNumber = 1;
-  std::vector<FrameSpec> frames;                   ///< enhanced multi-frame when not empty
-  std::string doseScaling, frameOffsets;           ///< RT dose
-  int numberOfFrames = 1;                          ///< without functional groups
+  std::vector<FrameSpec> frames;          ///< enhanced multi-frame when not empty
+  std::string doseScaling, frameOffsets;  ///< RT dose
+  int numberOfFrames = 1;                 ///< without functional groups
 };
 
 void writeDicom(const std::filesystem::path& path, const DicomSpec& spec);

@@ -15,7 +15,8 @@ struct Close {
   void operator()(std::FILE* pipe) const { EXPECT_EQ(::pclose(pipe), 0) << "the GDCM program failed"; }
 };
 
-std::vector<double> realValues(const GdcmRecord& header, const std::vector<char>& bytes, const std::vector<std::uint16_t>& table) {
+std::vector<double> realValues(const GdcmRecord& header, const std::vector<char>& bytes,
+                               const std::vector<std::uint16_t>& table) {
   const auto word = static_cast<std::size_t>(header.bitsAllocated / 8);
   const std::uint64_t sign = header.isSigned ? std::uint64_t{1} << (8 * word - 1) : 0;
   std::vector<double> values(bytes.size() / word);
@@ -26,7 +27,8 @@ std::vector<double> realValues(const GdcmRecord& header, const std::vector<char>
     if (table.empty())
       values[i] = header.slope * static_cast<double>(stored) + header.intercept;
     else
-      values[i] = table[static_cast<std::size_t>(std::clamp<std::int64_t>(stored - header.lutFirst, 0, static_cast<std::int64_t>(table.size()) - 1))];
+      values[i] = table[static_cast<std::size_t>(
+          std::clamp<std::int64_t>(stored - header.lutFirst, 0, static_cast<std::int64_t>(table.size()) - 1))];
   }
   return values;
 }

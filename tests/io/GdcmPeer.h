@@ -1,5 +1,6 @@
 #pragma once
-// DICOM files as GDCM reads them. GDCM runs in a program of its own: it and DCMTK each bring a CharLS of the same symbols.
+// DICOM files as GDCM reads them. GDCM runs in a program of its own: it and DCMTK each bring a CharLS of the same
+// symbols.
 
 #include <cstdint>
 #include <filesystem>
@@ -22,7 +23,7 @@ struct GdcmRecord {
 
 struct GdcmImage {
   GdcmRecord header;
-  std::vector<double> values;   ///< real, x fastest, frames in stored order
+  std::vector<double> values;  ///< real, x fastest, frames in stored order
 };
 
 /// The files that are images, in the order given. `dose`: let the dose scaling count instead of a rescale.

@@ -1,4 +1,5 @@
-// Writes to standard output what GDCM reads from the files named: a GdcmRecord each, the stored words, the modality table.
+// Writes to standard output what GDCM reads from the files named: a GdcmRecord each, the stored words, the modality
+// table.
 
 #include <cstdio>
 #include <cstring>
@@ -52,7 +53,8 @@ void writeFile(const std::string& path) {
   if (const gdcm::Tag sequence(0x0028, 0x3000); dataset.FindDataElement(sequence)) {
     const gdcm::DataSet& item = dataset.GetDataElement(sequence).GetValueAsSQ()->GetItem(1).GetNestedDataSet();
     const std::vector<std::uint16_t> descriptor = words(item, 0x3002);
-    if (descriptor.size() == 3) record.lutFirst = record.isSigned ? static_cast<std::int16_t>(descriptor[1]) : descriptor[1];
+    if (descriptor.size() == 3)
+      record.lutFirst = record.isSigned ? static_cast<std::int16_t>(descriptor[1]) : descriptor[1];
     table = words(item, 0x3006);
   }
   record.lutEntries = table.size();

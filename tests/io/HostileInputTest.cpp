@@ -1,5 +1,5 @@
-// Damaged, mislabelled and hostile files: every one becomes an io::Error, or a volume where the damage leaves one; nothing
-// crashes, hangs, allocates by a lie or writes to the error stream.
+// Damaged, mislabelled and hostile files: every one becomes an io::Error, or a volume where the damage leaves one;
+// nothing crashes, hangs, allocates by a lie or writes to the error stream.
 
 #include <chrono>
 #include <random>
@@ -42,19 +42,28 @@ std::vector<Sample> samples() {
   Volume volume;
   volume.grid.dims = {9, 8, 7};
   volume.voxels = Voxels(ScalarType::Int16, 504);
-  for (std::size_t i = 0; i < 504; ++i) volume.voxels.as<std::int16_t>()[i] = static_cast<std::int16_t>(i * 37 % 4000 - 1000);
+  for (std::size_t i = 0; i < 504; ++i)
+    volume.voxels.as<std::int16_t>()[i] = static_cast<std::int16_t>(i * 37 % 4000 - 1000);
   for (const char* name : {"a.nii", "a.nii.gz", "a.nrrd", "a.mha"}) io::writeVolume(volume, folder / name);
   const std::string raw = bytesOf(std::vector<std::int16_t>(504, 77));
-  const std::string nrrd = "NRRD0004\ntype: short\ndimension: 3\nspace: RAS\nsizes: 9 8 7\nspace directions: (1,0,0) (0,1,0) (0,0,1)\nendian: little\n";
+  const std::string nrrd =
+      "NRRD0004\ntype: short\ndimension: 3\nspace: RAS\nsizes: 9 8 7\nspace directions: (1,0,0) (0,1,0) "
+      "(0,0,1)\nendian: little\n";
   writeFile(folder / "gz.nrrd", nrrd + "encoding: gzip\n\n" + gzipped(raw));
   writeFile(folder / "bz2.nrrd", nrrd + "encoding: bzip2\n\n" + bzipped(raw));
-  writeFile(folder / "z.mha", "NDims = 3\nDimSize = 9 8 7\nElementType = MET_SHORT\nCompressedData = True\nElementDataFile = LOCAL\n" + zlibbed(raw));
+  writeFile(folder / "z.mha",
+            "NDims = 3\nDimSize = 9 8 7\nElementType = MET_SHORT\nCompressedData = True\nElementDataFile = LOCAL\n" +
+                zlibbed(raw));
   DicomSpec spec;
   spec.columns = 19;
   spec.rows = 17;
-  const std::pair<const char*, Syntax> syntaxes[] = {{"explicit", Syntax::ExplicitLittle}, {"implicit", Syntax::ImplicitLittle},
-                                                     {"big", Syntax::ExplicitBig}, {"deflated", Syntax::Deflated},
-                                                     {"rle", Syntax::Rle}, {"jpeg", Syntax::JpegLossless}, {"jpegls", Syntax::JpegLs}};
+  const std::pair<const char*, Syntax> syntaxes[] = {{"explicit", Syntax::ExplicitLittle},
+                                                     {"implicit", Syntax::ImplicitLittle},
+                                                     {"big", Syntax::ExplicitBig},
+                                                     {"deflated", Syntax::Deflated},
+                                                     {"rle", Syntax::Rle},
+                                                     {"jpeg", Syntax::JpegLossless},
+                                                     {"jpegls", Syntax::JpegLs}};
   for (const auto& [name, syntax] : syntaxes) {
     spec.syntax = syntax;
     writeDicom(folder / name, spec);
@@ -62,9 +71,11 @@ std::vector<Sample> samples() {
   spec.syntax = Syntax::Rle;
   spec.frames = {FrameSpec{{0, 0, 0}}, FrameSpec{{0, 0, 1}}, FrameSpec{{0, 0, 2}}};
   writeDicom(folder / "enhanced", spec);
-  if (const fs::path j2k = findTestData("dicom/pixel-formats/MR_small_jp2klossless.dcm"); !j2k.empty()) fs::copy_file(j2k, folder / "j2k");
+  if (const fs::path j2k = findTestData("dicom/pixel-formats/MR_small_jp2klossless.dcm"); !j2k.empty())
+    fs::copy_file(j2k, folder / "j2k");
   std::vector<Sample> result;
-  for (const auto& entry : fs::directory_iterator(folder)) result.push_back({entry.path().filename().string(), readFile(entry.path())});
+  for (const auto& entry : fs::directory_iterator(folder))
+    result.push_back({entry.path().filename().string(), readFile(entry.path())});
   std::sort(result.begin(), result.end(), [](const Sample& a, const Sample& b) { return a.name < b.name; });
   return result;
 }
@@ -81,7 +92,8 @@ TEST(HostileInput, TruncatedFilesAreErrors) {
     for (std::size_t size = 0; size < sample.bytes.size(); size += size < 16 ? 1 : step) {
       writeFile(folder / sample.name, sample.bytes.substr(0, size));
       openSomehow(folder / sample.name);
-      EXPECT_THROW(io::openVolume(folder / sample.name), io::Error) << "cut to " << size << " of " << sample.bytes.size();
+      EXPECT_THROW(io::openVolume(folder / sample.name), io::Error)
+          << "cut to " << size << " of " << sample.bytes.size();
     }
     fs::remove(folder / sample.name);
   }
@@ -136,23 +148,38 @@ TEST(HostileInput, SizesThatLieAreRefusedAtOnce) {
     writeFile(folder / name, bytes);
     EXPECT_FALSE(errorOf([&] { io::openVolume(folder / name); }).empty()) << bytes.substr(0, 200);
   };
-  for (const char* sizes : {"1000000000 1000000000 1000000000", "2147483647 2147483647 2147483647", "-1 4 4", "0 4 4", "4294967296 4294967296 1",
-                            "99999999999999999999 1 1", "100000 100000 100000", "4 4", "4 4 4 4", "4 4 x", ""}) {
+  for (const char* sizes :
+       {"1000000000 1000000000 1000000000", "2147483647 2147483647 2147483647", "-1 4 4", "0 4 4",
+        "4294967296 4294967296 1", "99999999999999999999 1 1", "100000 100000 100000", "4 4", "4 4 4 4", "4 4 x", ""}) {
     for (const char* encoding : {"raw", "gzip", "bzip2", "ascii"})
-      expectRefused("a.nrrd", std::string("NRRD0004\ntype: short\ndimension: 3\nsizes: ") + sizes + "\nendian: little\nencoding: " + encoding + "\n\nabc");
+      expectRefused("a.nrrd", std::string("NRRD0004\ntype: short\ndimension: 3\nsizes: ") + sizes +
+                                  "\nendian: little\nencoding: " + encoding + "\n\nabc");
     for (const char* packed : {"True", "False"})
-      expectRefused("a.mha", std::string("NDims = 3\nDimSize = ") + sizes + "\nElementType = MET_SHORT\nCompressedData = " + packed +
+      expectRefused("a.mha", std::string("NDims = 3\nDimSize = ") + sizes +
+                                 "\nElementType = MET_SHORT\nCompressedData = " + packed +
                                  "\nElementDataFile = LOCAL\nabc");
   }
-  expectRefused("a.nrrd", "NRRD0004\ntype: short\ndimension: 4\nsizes: 1000000000 2 2 2\nkinds: list domain domain domain\nendian: little\nencoding: raw\n\nabc");
-  expectRefused("a.nrrd", "NRRD0004\ntype: short\ndimension: 3\nsizes: 2 2 2\nendian: little\nencoding: raw\nline skip: 99999999999\n\nabc");
-  expectRefused("a.nrrd", "NRRD0004\ntype: short\ndimension: 3\nsizes: 2 2 2\nendian: little\nencoding: raw\nbyte skip: 9223372036854775807\n\nabc");
-  expectRefused("a.nhdr", "NRRD0004\ntype: short\ndimension: 3\nsizes: 2 2 2\nendian: little\nencoding: raw\ndata file: s%d 1 999999999 1\n");
-  expectRefused("a.nhdr", "NRRD0004\ntype: short\ndimension: 3\nsizes: 2 2 2\nendian: little\nencoding: raw\ndata file: a.nhdr.none\n");
+  expectRefused("a.nrrd",
+                "NRRD0004\ntype: short\ndimension: 4\nsizes: 1000000000 2 2 2\nkinds: list domain domain "
+                "domain\nendian: little\nencoding: raw\n\nabc");
+  expectRefused("a.nrrd",
+                "NRRD0004\ntype: short\ndimension: 3\nsizes: 2 2 2\nendian: little\nencoding: raw\nline skip: "
+                "99999999999\n\nabc");
+  expectRefused("a.nrrd",
+                "NRRD0004\ntype: short\ndimension: 3\nsizes: 2 2 2\nendian: little\nencoding: raw\nbyte skip: "
+                "9223372036854775807\n\nabc");
+  expectRefused("a.nhdr",
+                "NRRD0004\ntype: short\ndimension: 3\nsizes: 2 2 2\nendian: little\nencoding: raw\ndata file: s%d 1 "
+                "999999999 1\n");
+  expectRefused(
+      "a.nhdr",
+      "NRRD0004\ntype: short\ndimension: 3\nsizes: 2 2 2\nendian: little\nencoding: raw\ndata file: a.nhdr.none\n");
   expectRefused("a.mha", "NDims = 100\nDimSize = 4 4 4\nElementType = MET_SHORT\nElementDataFile = LOCAL\nabc");
 
   DicomSpec spec;
-  spec.instance = "1.2";
+  // DCMTK's JPEG-LS encoder overruns its buffer with images of a few pixels.
+  spec.columns = 40;
+  spec.rows = 30;
   for (const Syntax syntax : {Syntax::ExplicitLittle, Syntax::Rle, Syntax::JpegLossless, Syntax::JpegLs}) {
     spec.syntax = syntax;
     writeDicom(folder / "a.dcm", spec);
@@ -168,6 +195,28 @@ TEST(HostileInput, SizesThatLieAreRefusedAtOnce) {
   }
   // Each is refused by its header; together they take well under a second, even with sanitizers.
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
+}
+
+TEST(HostileInput, EndlesslyNestedHeadersAreRefused) {
+  const fs::path folder = scratchFolder();
+  const std::string sequence("\x08\x00\x40\x11SQ\x00\x00\xff\xff\xff\xff\xfe\xff\x00\xe0\xff\xff\xff\xff", 20);
+  std::string nested;
+  for (int level = 0; level < 100000; ++level) nested += sequence;
+  for (const Syntax syntax : {Syntax::ExplicitLittle, Syntax::Deflated}) {
+    DicomSpec spec;
+    spec.syntax = syntax;
+    writeDicom(folder / "a.dcm", spec);
+    std::string bytes = readFile(folder / "a.dcm");
+    const auto metaLength = static_cast<std::size_t>(static_cast<unsigned char>(bytes[140]));
+    std::string packed;
+    if (syntax == Syntax::Deflated) {
+      // A zlib stream without its two bytes of header and four of checksum.
+      packed = zlibbed(nested);
+      packed = packed.substr(2, packed.size() - 6);
+    }
+    writeFile(folder / "a.dcm", bytes.substr(0, 144 + metaLength) + (packed.empty() ? nested : packed));
+    EXPECT_NE(errorOf([&] { io::openVolume(folder / "a.dcm"); }).find("nests deeper"), std::string::npos);
+  }
 }
 
 }  // namespace fenestra::tests

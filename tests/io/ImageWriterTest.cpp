@@ -24,7 +24,8 @@ TEST(ImageWriter, ReplacesAWholeFileOrNothing) {
                std::runtime_error);
   EXPECT_EQ(readFile(folder / "a.txt"), "second, longer");
   EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 1);
-  EXPECT_NE(errorOf([&] { io::writeText(folder / "none" / "a.txt", ""); }).find("none/a.txt: cannot be written"), std::string::npos);
+  EXPECT_NE(errorOf([&] { io::writeText(folder / "none" / "a.txt", ""); }).find("none/a.txt: cannot be written"),
+            std::string::npos);
 }
 
 TEST(ImageWriter, PngsComeBackByteForByte) {

@@ -47,7 +47,8 @@ std::string bzipped(const std::string& bytes) {
   // The bound that bzip2's manual gives: one hundredth and 600 bytes more than the input.
   unsigned size = static_cast<unsigned>(bytes.size() + bytes.size() / 100 + 600);
   std::string packed(size, '\0');
-  EXPECT_EQ(BZ2_bzBuffToBuffCompress(packed.data(), &size, const_cast<char*>(bytes.data()), static_cast<unsigned>(bytes.size()), 1, 0, 0),
+  EXPECT_EQ(BZ2_bzBuffToBuffCompress(packed.data(), &size, const_cast<char*>(bytes.data()),
+                                     static_cast<unsigned>(bytes.size()), 1, 0, 0),
             BZ_OK);
   packed.resize(size);
   return packed;
@@ -56,7 +57,8 @@ std::string bzipped(const std::string& bytes) {
 std::vector<double> realValues(const Volume& volume) {
   return volume.voxels.visit([&](auto scalars) {
     std::vector<double> values(scalars.size());
-    for (std::size_t i = 0; i < values.size(); ++i) values[i] = volume.slope * static_cast<double>(scalars[i]) + volume.intercept;
+    for (std::size_t i = 0; i < values.size(); ++i)
+      values[i] = volume.slope * static_cast<double>(scalars[i]) + volume.intercept;
     return values;
   });
 }
@@ -95,8 +97,8 @@ void expectSameGrid(const Grid& actual, const Grid& expected, double millimetres
   const auto corners = actual.corners(), wanted = expected.corners();
   for (std::size_t i = 0; i < corners.size(); ++i)
     EXPECT_LE(glm::distance(corners[i], wanted[i]), millimetres)
-        << "corner " << i << " at (" << corners[i].x << ", " << corners[i].y << ", " << corners[i].z << "), not (" << wanted[i].x
-        << ", " << wanted[i].y << ", " << wanted[i].z << ")";
+        << "corner " << i << " at (" << corners[i].x << ", " << corners[i].y << ", " << corners[i].z << "), not ("
+        << wanted[i].x << ", " << wanted[i].y << ", " << wanted[i].z << ")";
 }
 
 }  // namespace fenestra::tests

@@ -10,8 +10,10 @@ using io::Warning;
 
 namespace {
 
-std::string metaImage(const std::string& geometry, const std::string& dims, const std::string& type, const std::string& data) {
-  return "NDims = 3\nDimSize = " + dims + "\n" + geometry + "ElementType = " + type + "\nElementDataFile = LOCAL\n" + data;
+std::string metaImage(const std::string& geometry, const std::string& dims, const std::string& type,
+                      const std::string& data) {
+  return "NDims = 3\nDimSize = " + dims + "\n" + geometry + "ElementType = " + type + "\nElementDataFile = LOCAL\n" +
+         data;
 }
 
 Grid gridOf(glm::ivec3 dims) {
@@ -52,7 +54,9 @@ TEST(Labels, TabbedTablesKeepBlanksInNames) {
 TEST(Labels, ItkSnapTablesHaveTheNameInQuotes) {
   const fs::path folder = scratchFolder();
   writeFile(folder / "map.mha", metaImage("", "1 1 1", "MET_UCHAR", "\x01"));
-  writeFile(folder / "map.txt", "# ITK-SnAP Label Description File\n    0     0    0    0        0  0  0    \"Clear Label\"\n    1   255    0    0        1  1  1    \"Left kidney\"\n");
+  writeFile(folder / "map.txt",
+            "# ITK-SnAP Label Description File\n    0     0    0    0        0  0  0    \"Clear Label\"\n    1   255   "
+            " 0    0        1  1  1    \"Left kidney\"\n");
   const auto labels = io::openLabels(folder / "map.mha", gridOf({1, 1, 1})).labels;
   ASSERT_EQ(labels->labels.size(), 1u);
   EXPECT_EQ(labels->find(1)->name, "Left kidney");
@@ -79,8 +83,10 @@ TEST(Labels, WholeFloatsAreLabelsOthersAreNot) {
 TEST(Labels, FlippedAndPermutedLatticesMatchExactly) {
   const fs::path path = scratchFolder() / "map.mha";
   // Index axes of the map: world -y, world z, world -x.
-  writeFile(path, metaImage("TransformMatrix = 0 -1 0 0 0 1 -1 0 0\nElementSpacing = 2 3 1\nOffset = 2 4 0\n", "3 2 3", "MET_UCHAR",
-                            bytesOf(std::vector<std::uint8_t>{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18})));
+  writeFile(
+      path,
+      metaImage("TransformMatrix = 0 -1 0 0 0 1 -1 0 0\nElementSpacing = 2 3 1\nOffset = 2 4 0\n", "3 2 3", "MET_UCHAR",
+                bytesOf(std::vector<std::uint8_t>{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18})));
   Grid target = gridOf({3, 3, 2});
   target.spacing = {1, 2, 3};
   const io::OpenedLabels opened = io::openLabels(path, target);
@@ -110,12 +116,14 @@ TEST(Labels, OutsideTheVolumeIsSaid) {
 
 TEST(Labels, SlicerSegmentsHaveNamesColoursAndLayers) {
   const fs::path path = scratchFolder() / "map.seg.nrrd";
-  writeFile(path,
-            "NRRD0004\ntype: unsigned char\ndimension: 4\nspace: left-posterior-superior\nsizes: 2 4 1 1\n"
-            "space directions: none (1,0,0) (0,1,0) (0,0,1)\nkinds: list domain domain domain\nencoding: raw\nspace origin: (0,0,0)\n"
-            "Segment0_ID:=a\nSegment0_Name:=lung\nSegment0_LabelValue:=1\nSegment0_Layer:=0\nSegment0_Color:=1 0.5 0\n"
-            "Segment1_ID:=b\nSegment1_Name:=rib cage\nSegment1_LabelValue:=1\nSegment1_Layer:=1\nSegment1_Color:=0 0 1\n\n" +
-                std::string("\x01\x00\x01\x01\x00\x01\x00\x00", 8));
+  writeFile(
+      path,
+      "NRRD0004\ntype: unsigned char\ndimension: 4\nspace: left-posterior-superior\nsizes: 2 4 1 1\n"
+      "space directions: none (1,0,0) (0,1,0) (0,0,1)\nkinds: list domain domain domain\nencoding: raw\nspace origin: "
+      "(0,0,0)\n"
+      "Segment0_ID:=a\nSegment0_Name:=lung\nSegment0_LabelValue:=1\nSegment0_Layer:=0\nSegment0_Color:=1 0.5 0\n"
+      "Segment1_ID:=b\nSegment1_Name:=rib cage\nSegment1_LabelValue:=1\nSegment1_Layer:=1\nSegment1_Color:=0 0 1\n\n" +
+          std::string("\x01\x00\x01\x01\x00\x01\x00\x00", 8));
   const io::OpenedLabels opened = io::openLabels(path, gridOf({4, 1, 1}));
   // The second layer's 1 is another segment, so it gets the next free value; where both are, it stays.
   EXPECT_EQ(valuesOf(*opened.labels), (std::vector<int>{1, 2, 2, 0}));

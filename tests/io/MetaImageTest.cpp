@@ -9,7 +9,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::string basics = "ObjectType = Image\nNDims = 3\nDimSize = 2 3 4\nElementSpacing = 2 3 4\nOffset = 10 20 30\n";
+const std::string basics =
+    "ObjectType = Image\nNDims = 3\nDimSize = 2 3 4\nElementSpacing = 2 3 4\nOffset = 10 20 30\n";
 
 std::vector<std::uint16_t> counting() {
   std::vector<std::uint16_t> values;
@@ -37,7 +38,9 @@ TEST(MetaImage, ReadsLocalAndSeparateDataPackedAndPlain) {
     EXPECT_TRUE(opened.warnings.empty()) << kindsOf(opened.warnings);
   };
   expectRead("ElementDataFile = LOCAL\n", raw);
-  expectRead("CompressedData = True\nCompressedDataSize = " + std::to_string(packed.size()) + "\nElementDataFile = LOCAL\n", packed);
+  expectRead(
+      "CompressedData = True\nCompressedDataSize = " + std::to_string(packed.size()) + "\nElementDataFile = LOCAL\n",
+      packed);
   expectRead("BinaryDataByteOrderMSB = True\nElementDataFile = Local\n", bytesOf(counting(), true));
   std::string text;
   for (const auto value : counting()) text += std::to_string(value) + " ";
@@ -45,14 +48,17 @@ TEST(MetaImage, ReadsLocalAndSeparateDataPackedAndPlain) {
   writeFile(folder / "a.raw", "head" + raw);
   expectRead("HeaderSize = 4\nElementDataFile = a.raw\n", "");
   expectRead("HeaderSize = -1\nElementDataFile = a.raw\n", "");
-  for (int i = 0; i < 4; ++i) writeFile(folder / std::to_string(i + 1).append(".raw"), raw.substr(static_cast<std::size_t>(12 * i), 12));
+  for (int i = 0; i < 4; ++i)
+    writeFile(folder / std::to_string(i + 1).append(".raw"), raw.substr(static_cast<std::size_t>(12 * i), 12));
   expectRead("ElementDataFile = %d.raw 1 4 1\n", "");
   expectRead("ElementDataFile = LIST\n1.raw\n2.raw\n3.raw\n4.raw\n", "");
 }
 
 TEST(MetaImage, TransformMatrixListsTheAxes) {
   const fs::path path = scratchFolder() / "image.mha";
-  writeFile(path, basics + "TransformMatrix = 0 1 0 0 0 -1 -1 0 0\nElementType = MET_USHORT\nElementDataFile = LOCAL\n" + bytesOf(counting()));
+  writeFile(path, basics +
+                      "TransformMatrix = 0 1 0 0 0 -1 -1 0 0\nElementType = MET_USHORT\nElementDataFile = LOCAL\n" +
+                      bytesOf(counting()));
   const glm::dmat4 world = io::openVolume(path).volume->grid.worldFromIndex();
   EXPECT_EQ(world * glm::dvec4(1, 0, 0, 1), glm::dvec4(10, 22, 30, 1));
   EXPECT_EQ(world * glm::dvec4(0, 1, 0, 1), glm::dvec4(10, 20, 27, 1));
@@ -61,13 +67,15 @@ TEST(MetaImage, TransformMatrixListsTheAxes) {
 
 TEST(MetaImage, ChannelsAreRefused) {
   const fs::path path = scratchFolder() / "image.mha";
-  writeFile(path, basics + "ElementNumberOfChannels = 3\nElementType = MET_UCHAR\nElementDataFile = LOCAL\n" + std::string(72, 'x'));
+  writeFile(path, basics + "ElementNumberOfChannels = 3\nElementType = MET_UCHAR\nElementDataFile = LOCAL\n" +
+                      std::string(72, 'x'));
   EXPECT_NE(errorOf([&] { io::openVolume(path); }).find("3 values"), std::string::npos);
 }
 
 TEST(MetaImage, ModalityNamesTheUnit) {
   const fs::path path = scratchFolder() / "image.mha";
-  writeFile(path, basics + "Modality = MET_MOD_CT\nElementType = MET_USHORT\nElementDataFile = LOCAL\n" + bytesOf(counting()));
+  writeFile(path, basics + "Modality = MET_MOD_CT\nElementType = MET_USHORT\nElementDataFile = LOCAL\n" +
+                      bytesOf(counting()));
   EXPECT_EQ(io::openVolume(path).volume->modality, Modality::CT);
   EXPECT_EQ(io::openVolume(path).volume->unit, "HU");
 }

@@ -154,7 +154,8 @@ TEST(Nifti, NotANumberComesThrough) {
 
 TEST(Nifti, ScalingIsKeptBesideTheStoredValues) {
   const fs::path path = scratchFolder() / "image.nii.gz";
-  writeFile(path, gzipped(headerOf({.datatype = 2, .slope = 0.5f, .intercept = -3.0f}) + bytesOf(counting<std::uint8_t>(24))));
+  writeFile(path, gzipped(headerOf({.datatype = 2, .slope = 0.5f, .intercept = -3.0f}) +
+                          bytesOf(counting<std::uint8_t>(24))));
   const auto volume = io::openVolume(path).volume;
   EXPECT_EQ(volume->voxels.type(), ScalarType::UInt8);
   EXPECT_EQ(volume->value({1, 0, 0}), -2.5);
@@ -177,7 +178,8 @@ TEST(Nifti, SformMakesLpsGeometryAndKeepsShear) {
 TEST(Nifti, QformIsUsedWithoutSformAndNothingIsSaidToBeUnknown) {
   const fs::path path = scratchFolder() / "image.nii";
   // b = 1: half a turn about x; qfac -1 turns the third axis round again.
-  writeFile(path, headerOf({.pixdim = {-1, 2, 3, 4}, .qform = 1, .quatern = {1, 0, 0, 5, 6, 7}}) + bytesOf(counting<std::int16_t>(24)));
+  writeFile(path, headerOf({.pixdim = {-1, 2, 3, 4}, .qform = 1, .quatern = {1, 0, 0, 5, 6, 7}}) +
+                      bytesOf(counting<std::int16_t>(24)));
   const io::OpenedVolume opened = io::openVolume(path);
   const glm::dmat4 world = opened.volume->grid.worldFromIndex();
   EXPECT_NEAR(glm::distance(world * glm::dvec4(1, 1, 1, 1), glm::dvec4(-5 - 2, -6 + 3, 7 + 4, 1)), 0.0, 1e-6);
@@ -187,7 +189,8 @@ TEST(Nifti, QformIsUsedWithoutSformAndNothingIsSaidToBeUnknown) {
 TEST(Nifti, MetresAndMicronsBecomeMillimetres) {
   const fs::path path = scratchFolder() / "image.nii";
   const auto spacingIn = [&](int units) {
-    writeFile(path, headerOf({.sform = 1, .units = units, .srow = {2, 0, 0, 10, 0, 2, 0, 0, 0, 0, 2, 0}}) + bytesOf(counting<std::int16_t>(24)));
+    writeFile(path, headerOf({.sform = 1, .units = units, .srow = {2, 0, 0, 10, 0, 2, 0, 0, 0, 0, 2, 0}}) +
+                        bytesOf(counting<std::int16_t>(24)));
     return io::openVolume(path).volume->grid.spacing.x;
   };
   EXPECT_DOUBLE_EQ(spacingIn(1), 2000.0);

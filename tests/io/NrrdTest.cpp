@@ -33,7 +33,8 @@ TEST(Nrrd, ReadsEveryEncodingAttached) {
   std::string text;
   for (const auto value : counting(24)) text += std::to_string(value) + (value % 2 ? "\n" : " ");
   const std::pair<const char*, std::string> encodings[] = {
-      {"raw", raw}, {"gzip", gzipped(raw)}, {"gz", gzipped(raw)}, {"bzip2", bzipped(raw)}, {"bz2", bzipped(raw)}, {"ascii", text}, {"text", text}};
+      {"raw", raw},          {"gzip", gzipped(raw)}, {"gz", gzipped(raw)}, {"bzip2", bzipped(raw)},
+      {"bz2", bzipped(raw)}, {"ascii", text},        {"text", text}};
   for (const auto& [encoding, data] : encodings) {
     SCOPED_TRACE(encoding);
     writeFile(path, basics + "encoding: " + encoding + "\n\n" + data);
@@ -68,10 +69,12 @@ TEST(Nrrd, SkipsLinesAndBytesOfDetachedData) {
 TEST(Nrrd, JoinsListedAndNumberedFiles) {
   const fs::path folder = scratchFolder();
   const std::string raw = bytesOf(counting(24));
-  for (int i = 0; i < 4; ++i) writeFile(folder / ("s00" + std::to_string(7 - 2 * i) + ".raw"), raw.substr(static_cast<std::size_t>(12 * i), 12));
+  for (int i = 0; i < 4; ++i)
+    writeFile(folder / ("s00" + std::to_string(7 - 2 * i) + ".raw"), raw.substr(static_cast<std::size_t>(12 * i), 12));
   writeFile(folder / "pattern.nhdr", basics + "encoding: raw\ndata file: s%03d.raw 7 1 -2\n");
   EXPECT_EQ(realValues(*io::openVolume(folder / "pattern.nhdr").volume), expectedValues());
-  writeFile(folder / "list.nhdr", basics + "encoding: raw\ndata file: LIST 2\ns007.raw\ns005.raw\ns003.raw\ns001.raw\n");
+  writeFile(folder / "list.nhdr",
+            basics + "encoding: raw\ndata file: LIST 2\ns007.raw\ns005.raw\ns003.raw\ns001.raw\n");
   EXPECT_EQ(realValues(*io::openVolume(folder / "list.nhdr").volume), expectedValues());
   writeFile(folder / "short.nhdr", basics + "encoding: raw\ndata file: LIST\ns007.raw\ns005.raw\ns003.raw\n");
   EXPECT_FALSE(errorOf([&] { io::openVolume(folder / "short.nhdr"); }).empty());
@@ -85,11 +88,14 @@ TEST(Nrrd, TurnsSpacesToLps) {
   const fs::path path = scratchFolder() / "image.nrrd";
   const auto cornerIn = [&](const std::string& space) {
     writeFile(path, "NRRD0005\ntype: uint8\ndimension: 3\nspace: " + space +
-                        "\nsizes: 2 2 2\nspace directions: (1,0,0) (0,2,0) (0,1,3)\nspace origin: (10,20,30)\nencoding: raw\n\n12345678");
+                        "\nsizes: 2 2 2\nspace directions: (1,0,0) (0,2,0) (0,1,3)\nspace origin: "
+                        "(10,20,30)\nencoding: raw\n\n12345678");
     const io::OpenedVolume opened = io::openVolume(path);
     return opened.volume->grid.worldFromIndex() * glm::dvec4(1, 1, 1, 1);
   };
-  const auto expectNear = [](const glm::dvec4& actual, const glm::dvec4& wanted) { EXPECT_NEAR(glm::distance(actual, wanted), 0.0, 1e-12); };
+  const auto expectNear = [](const glm::dvec4& actual, const glm::dvec4& wanted) {
+    EXPECT_NEAR(glm::distance(actual, wanted), 0.0, 1e-12);
+  };
   expectNear(cornerIn("left-posterior-superior"), {11, 23, 33, 1});
   expectNear(cornerIn("LPS"), {11, 23, 33, 1});
   expectNear(cornerIn("right-anterior-superior"), {-11, -23, 33, 1});
@@ -100,7 +106,9 @@ TEST(Nrrd, TurnsSpacesToLps) {
 
 TEST(Nrrd, AShearedLatticeStaysSheared) {
   const fs::path path = scratchFolder() / "image.nrrd";
-  writeFile(path, "NRRD0005\ntype: uint8\ndimension: 3\nspace: LPS\nsizes: 1 1 2\nspace directions: (1,0,0) (0,1,0) (0,3,4)\nencoding: raw\n\n12");
+  writeFile(path,
+            "NRRD0005\ntype: uint8\ndimension: 3\nspace: LPS\nsizes: 1 1 2\nspace directions: (1,0,0) (0,1,0) "
+            "(0,3,4)\nencoding: raw\n\n12");
   const Grid grid = io::openVolume(path).volume->grid;
   EXPECT_DOUBLE_EQ(grid.spacing.z, 5.0);
   EXPECT_NEAR(grid.direction[2].y, 0.6, 1e-15);
@@ -108,7 +116,8 @@ TEST(Nrrd, AShearedLatticeStaysSheared) {
 
 TEST(Nrrd, BigEndianAndSpacingsWithoutOrientation) {
   const fs::path path = scratchFolder() / "image.nrrd";
-  writeFile(path, "NRRD0001\ntype: short\ndimension: 3\nsizes: 2 3 4\nspacings: 1 2 3\nendian: big\nencoding: raw\n\n" + bytesOf(counting(24), true));
+  writeFile(path, "NRRD0001\ntype: short\ndimension: 3\nsizes: 2 3 4\nspacings: 1 2 3\nendian: big\nencoding: raw\n\n" +
+                      bytesOf(counting(24), true));
   const io::OpenedVolume opened = io::openVolume(path);
   EXPECT_EQ(realValues(*opened.volume), expectedValues());
   EXPECT_EQ(opened.volume->grid.spacing, glm::dvec3(1, 2, 3));
@@ -118,14 +127,22 @@ TEST(Nrrd, BigEndianAndSpacingsWithoutOrientation) {
 TEST(Nrrd, ShowsTheFirstOfAListAndRefusesVectors) {
   const fs::path path = scratchFolder() / "image.nrrd";
   const std::string head = "NRRD0004\ntype: uchar\ndimension: 4\nspace: LPS\nencoding: raw\n";
-  writeFile(path, head + "sizes: 2 2 1 1\nkinds: list domain domain domain\nspace directions: none (1,0,0) (0,1,0) (0,0,1)\n\nabcd");
+  writeFile(
+      path,
+      head +
+          "sizes: 2 2 1 1\nkinds: list domain domain domain\nspace directions: none (1,0,0) (0,1,0) (0,0,1)\n\nabcd");
   io::OpenedVolume opened = io::openVolume(path);
   EXPECT_EQ(realValues(*opened.volume), (std::vector<double>{'a', 'c'}));
   warningOf(opened.warnings, Warning::Kind::TimePoints);
-  writeFile(path, head + "sizes: 2 1 1 2\nkinds: domain domain domain list\nspace directions: (1,0,0) (0,1,0) (0,0,1) none\n\nabcd");
+  writeFile(
+      path,
+      head +
+          "sizes: 2 1 1 2\nkinds: domain domain domain list\nspace directions: (1,0,0) (0,1,0) (0,0,1) none\n\nabcd");
   opened = io::openVolume(path);
   EXPECT_EQ(realValues(*opened.volume), (std::vector<double>{'a', 'b'}));
-  writeFile(path, head + "sizes: 3 2 1 1\nkinds: RGB-color domain domain domain\nspace directions: none (1,0,0) (0,1,0) (0,0,1)\n\nabcdef");
+  writeFile(path, head +
+                      "sizes: 3 2 1 1\nkinds: RGB-color domain domain domain\nspace directions: none (1,0,0) (0,1,0) "
+                      "(0,0,1)\n\nabcdef");
   EXPECT_NE(errorOf([&] { io::openVolume(path); }).find("rgb-color"), std::string::npos);
 }
 

@@ -56,8 +56,8 @@ void expectPlane(const Grid& grid, const GdcmRecord& peer) {
 
 glm::dvec3 slicePosition(const Grid& grid, int z) { return glm::dvec3(grid.worldFromIndex() * glm::dvec4(0, 0, z, 1)); }
 
-/// A folder of single-slice files: GDCM's, sorted by their positions, are our slices. `ends`: only the first and the last
-/// lie where the grid says.
+/// A folder of single-slice files: GDCM's, sorted by their positions, are our slices. `ends`: only the first and the
+/// last lie where the grid says.
 void expectSeries(const fs::path& folder, std::size_t slices, bool ends = false) {
   SCOPED_TRACE(folder.filename().string());
   const io::OpenedVolume opened = io::openVolume(folder);
@@ -84,7 +84,8 @@ void expectSeries(const fs::path& folder, std::size_t slices, bool ends = false)
 }
 
 /// One file whose frames `first`, `first + 1`, … are our slices, or the other way round.
-void expectFrames(const fs::path& file, int first = 0, bool reversed = false, const std::string& series = "", bool placed = true) {
+void expectFrames(const fs::path& file, int first = 0, bool reversed = false, const std::string& series = "",
+                  bool placed = true) {
   SCOPED_TRACE(file.filename().string());
   const io::OpenedVolume opened = io::openVolume(file, {.series = series});
   const Grid& grid = opened.volume->grid;
@@ -146,7 +147,8 @@ TEST(RealDicom, TiltedPhilipsSeries) {
   const fs::path folder = unpackTestData("dicom/ct-tilt-philips-S21610_S2010.tar.xz", "S21610_S2010");
   if (folder.empty()) GTEST_SKIP() << "needs the test-data file dicom/ct-tilt-philips-S21610_S2010.tar.xz";
   expectSeries(folder, 54);
-  EXPECT_NE(warningOf(io::openVolume(folder).warnings, Warning::Kind::GantryTilt).text.find("18.5 degrees"), std::string::npos);
+  EXPECT_NE(warningOf(io::openVolume(folder).warnings, Warning::Kind::GantryTilt).text.find("18.5 degrees"),
+            std::string::npos);
 }
 
 TEST(RealDicom, SingleSliceSeries) {
@@ -173,7 +175,8 @@ TEST(RealDicom, OddGeometryIsSaid) {
     return warningOf(io::openVolume(dicom / folder).warnings, kind).text;
   };
   EXPECT_NE(warned("ct-tilt-irregular-ge", Warning::Kind::GantryTilt).find("18.5 degrees"), std::string::npos);
-  EXPECT_NE(warned("ct-tilt-irregular-ge", Warning::Kind::UnevenSpacing).find("between 1.081 mm and 6.999 mm"), std::string::npos);
+  EXPECT_NE(warned("ct-tilt-irregular-ge", Warning::Kind::UnevenSpacing).find("between 1.081 mm and 6.999 mm"),
+            std::string::npos);
   EXPECT_NE(warned("ct-tilt-siemens-notag", Warning::Kind::GantryTilt).find("14 degrees"), std::string::npos);
   EXPECT_NE(warned("ct-missing-slice", Warning::Kind::MissingSlices).find("1 slice missing"), std::string::npos);
   EXPECT_NE(warned("ct-missing-slice-tilted", Warning::Kind::MissingSlices).find("1 slice missing"), std::string::npos);
@@ -193,11 +196,13 @@ TEST(RealDicom, TransferSyntaxes) {
 
 TEST(RealDicom, PixelFormats) {
   FENESTRA_TEST_DATA_OR_SKIP(folder, "dicom/pixel-formats");
-  for (const char* name : {"CT_small.dcm", "MR_small.dcm", "MR_small_bigendian.dcm", "MR_small_implicit.dcm", "MR_small_expb.dcm",
-                           "MR_small_RLE.dcm", "MR_small_jp2klossless.dcm", "MR_small_jpeg_ls_lossless.dcm", "rtdose.dcm"})
+  for (const char* name :
+       {"CT_small.dcm", "MR_small.dcm", "MR_small_bigendian.dcm", "MR_small_implicit.dcm", "MR_small_expb.dcm",
+        "MR_small_RLE.dcm", "MR_small_jp2klossless.dcm", "MR_small_jpeg_ls_lossless.dcm", "rtdose.dcm"})
     expectFrames(folder / name);
   // Projections have no place in the patient.
-  for (const char* name : {"monochrome1/dx_image.dcm", "monochrome1/RG3_J2KI.dcm", "monochrome1/RG3_J2KR.dcm", "mlut_18.dcm"})
+  for (const char* name :
+       {"monochrome1/dx_image.dcm", "monochrome1/RG3_J2KI.dcm", "monochrome1/RG3_J2KR.dcm", "mlut_18.dcm"})
     expectFrames(folder / name, 0, false, "", false);
   EXPECT_NE(errorOf([&] { io::openVolume(folder / "rgb-series"); }).find("RGB"), std::string::npos);
 }
@@ -217,7 +222,8 @@ TEST(RealDicom, Mosaics) {
     for (int z = 0; z < 35; ++z)
       for (int y = 0; y < 64; ++y)
         for (int x = 0; x < 64; ++x)
-          different += volume->value({x, y, z}) != picture.values[static_cast<std::size_t>((z / 6 * 64 + y) * 384 + z % 6 * 64 + x)];
+          different += volume->value({x, y, z}) !=
+                       picture.values[static_cast<std::size_t>((z / 6 * 64 + y) * 384 + z % 6 * 64 + x)];
     EXPECT_EQ(different, 0u);
     expectSameInWorld(*volume, *io::openVolume(folder / reference).volume, 0.0);
   }
@@ -226,13 +232,13 @@ TEST(RealDicom, Mosaics) {
 TEST(RealDicom, EnhancedMultiFrame) {
   FENESTRA_TEST_DATA_OR_SKIP(folder, "dicom/enhanced");
   // Two frames, the second below the first.
-  for (const char* name : {"explicit_little_endian", "fragmented_no_bot_jpeg_lossless.57", "fragmented_no_bot_jpeg_lossless.70",
-                           "not_fragmented_bot_jpeg_ls.80", "not_fragmented_bot_rle", "not_fragmented_no_bot_jpeg_ls.80",
-                           "not_fragmented_no_bot_rle"})
+  for (const char* name : {"explicit_little_endian", "fragmented_no_bot_jpeg_lossless.57",
+                           "fragmented_no_bot_jpeg_lossless.70", "not_fragmented_bot_jpeg_ls.80",
+                           "not_fragmented_bot_rle", "not_fragmented_no_bot_jpeg_ls.80", "not_fragmented_no_bot_rle"})
     expectFrames(folder / std::string("CT0012.").append(name).append(".dcm"), 0, true);
   expectFrames(folder / "6_1.dcm");
-  for (const char* name : {"emri_small.dcm", "emri_small_RLE.dcm", "emri_small_big_endian.dcm", "emri_small_jpeg_2k_lossless.dcm",
-                           "emri_small_jpeg_ls_lossless.dcm"}) {
+  for (const char* name : {"emri_small.dcm", "emri_small_RLE.dcm", "emri_small_big_endian.dcm",
+                           "emri_small_jpeg_2k_lossless.dcm", "emri_small_jpeg_ls_lossless.dcm"}) {
     expectFrames(folder / name, 0, false, "", false);
     warningOf(io::openVolume(folder / name).warnings, Warning::Kind::NoGeometry);
   }
@@ -249,9 +255,11 @@ TEST(RealDicom, FragmentedFramesThatGdcmDoesNotDecode) {
   };
   // JPEG-LS near lossless was made with an error bound of 2. The 12-bit JPEG was made of values 1024 higher, and its
   // quality leaves errors of some dozens.
-  for (const auto& [name, offset, tolerance] : {Variant{"jpeg_ls.80", 0.0, 0.0}, Variant{"jpeg_ls.81", 0.0, 2.0}, Variant{"jpeg_baseline.51", 1024.0, 60.0}}) {
+  for (const auto& [name, offset, tolerance] :
+       {Variant{"jpeg_ls.80", 0.0, 0.0}, Variant{"jpeg_ls.81", 0.0, 2.0}, Variant{"jpeg_baseline.51", 1024.0, 60.0}}) {
     SCOPED_TRACE(name);
-    const auto volume = io::openVolume(folder / std::string("CT0012.fragmented_no_bot_").append(name).append(".dcm")).volume;
+    const auto volume =
+        io::openVolume(folder / std::string("CT0012.fragmented_no_bot_").append(name).append(".dcm")).volume;
     std::vector<double> expected = plain.values;
     for (double& value : expected) value += offset;
     const std::size_t count = expected.size() / 2;
@@ -264,7 +272,8 @@ TEST(RealDicom, FramesAtOnePositionAreTimePoints) {
   FENESTRA_TEST_DATA_OR_SKIP(file, "dicom/enhanced/MOVEKNEE.dcm");
   const std::vector<io::SeriesInfo> series = io::listSeries(file);
   ASSERT_EQ(series.size(), 19u);
-  for (int frame = 0; frame < 19; ++frame) expectFrames(file, frame, false, series[static_cast<std::size_t>(frame)].id, false);
+  for (int frame = 0; frame < 19; ++frame)
+    expectFrames(file, frame, false, series[static_cast<std::size_t>(frame)].id, false);
   // GDCM finds no spacing in the frames' own groups; the header gives it as 0.625 in each.
   EXPECT_EQ(io::openVolume(file).volume->grid.spacing.x, 0.625);
   warningOf(io::openVolume(file).warnings, Warning::Kind::TimePoints);
@@ -290,11 +299,14 @@ TEST(RealDicom, TwoVolumesInOneFile) {
 TEST(RealDicom, ReferencesOfOtherConverters) {
   FENESTRA_TEST_DATA_OR_SKIP(dicom, "dicom");
   const fs::path series = dicom / "transfer-syntax" / "mr-series";
-  expectSameInWorld(*io::openVolume(series / "uncompressed").volume, *io::openVolume(series / "uncompressed_001_ground_truth.nii.gz").volume, 0.0);
+  expectSameInWorld(*io::openVolume(series / "uncompressed").volume,
+                    *io::openVolume(series / "uncompressed_001_ground_truth.nii.gz").volume, 0.0);
   for (const char* name : {"compressed_j2k", "compressed_jpeg", "compressed_jpegls", "compressed_rle"})
-    expectSameInWorld(*io::openVolume(series / name).volume, *io::openVolume(series / "compressed_001_ground_truth.nii.gz").volume, 0.0);
+    expectSameInWorld(*io::openVolume(series / name).volume,
+                      *io::openVolume(series / "compressed_001_ground_truth.nii.gz").volume, 0.0);
   const fs::path rescaled = dicom / "pixel-formats" / "per-slice-rescale-nonsquare";
-  expectSameInWorld(*io::openVolume(rescaled).volume, *io::openVolume(rescaled / "002_non_isotropic_ground_truth.nii.gz").volume, 1e-5);
+  expectSameInWorld(*io::openVolume(rescaled).volume,
+                    *io::openVolume(rescaled / "002_non_isotropic_ground_truth.nii.gz").volume, 1e-5);
 }
 
 TEST(RealDicom, FarSliceIsAVolumeOfItsOwn) {
@@ -316,10 +328,11 @@ TEST(RealDicom, FarSliceIsAVolumeOfItsOwn) {
 
 TEST(RealDicom, ObjectsThatAreNoImagesAreRefused) {
   FENESTRA_TEST_DATA_OR_SKIP(dicom, "dicom");
-  for (const char* name : {"seg/dcmqi/liver.dcm", "seg/dcmqi/partial_overlaps.dcm", "seg/dcmqi-24x38x3/seg/label.seg",
-                           "seg/highdicom/seg_image_ct_binary.dcm", "seg/highdicom/seg_image_ct_binary_fractional.dcm",
-                           "seg/highdicom/seg_image_ct_binary_overlap.dcm", "seg/highdicom/seg_image_ct_binary_single_frame.dcm",
-                           "seg/highdicom/seg_image_ct_true_fractional.dcm"})
+  for (const char* name :
+       {"seg/dcmqi/liver.dcm", "seg/dcmqi/partial_overlaps.dcm", "seg/dcmqi-24x38x3/seg/label.seg",
+        "seg/highdicom/seg_image_ct_binary.dcm", "seg/highdicom/seg_image_ct_binary_fractional.dcm",
+        "seg/highdicom/seg_image_ct_binary_overlap.dcm", "seg/highdicom/seg_image_ct_binary_single_frame.dcm",
+        "seg/highdicom/seg_image_ct_true_fractional.dcm"})
     EXPECT_NE(errorOf([&] { io::openVolume(dicom / name); }).find("DICOM segmentation"), std::string::npos) << name;
   for (const char* name : {"rtstruct/rt-utils/rt.dcm", "rtstruct/dicompyler/rtss.dcm"})
     EXPECT_NE(errorOf([&] { io::openVolume(dicom / name); }).find("holds no image"), std::string::npos) << name;

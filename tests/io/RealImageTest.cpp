@@ -25,7 +25,7 @@ namespace {
 
 struct Peer {
   Grid grid;
-  std::vector<double> values;   ///< of the first volume, x fastest
+  std::vector<double> values;  ///< of the first volume, x fastest
 };
 
 template <class T>
@@ -64,26 +64,48 @@ Peer readWithItk(const fs::path& path, itk::ImageIOBase& io) {
   const std::size_t count = peer.grid.voxelCount(), stride = io.GetNumberOfComponents();
   using Type = itk::IOComponentEnum;
   switch (io.GetComponentType()) {
-    case Type::UCHAR: peer.values = asDoubles<std::uint8_t>(bytes, count, stride); break;
-    case Type::CHAR: peer.values = asDoubles<std::int8_t>(bytes, count, stride); break;
-    case Type::USHORT: peer.values = asDoubles<std::uint16_t>(bytes, count, stride); break;
-    case Type::SHORT: peer.values = asDoubles<std::int16_t>(bytes, count, stride); break;
-    case Type::UINT: peer.values = asDoubles<std::uint32_t>(bytes, count, stride); break;
-    case Type::INT: peer.values = asDoubles<std::int32_t>(bytes, count, stride); break;
+    case Type::UCHAR:
+      peer.values = asDoubles<std::uint8_t>(bytes, count, stride);
+      break;
+    case Type::CHAR:
+      peer.values = asDoubles<std::int8_t>(bytes, count, stride);
+      break;
+    case Type::USHORT:
+      peer.values = asDoubles<std::uint16_t>(bytes, count, stride);
+      break;
+    case Type::SHORT:
+      peer.values = asDoubles<std::int16_t>(bytes, count, stride);
+      break;
+    case Type::UINT:
+      peer.values = asDoubles<std::uint32_t>(bytes, count, stride);
+      break;
+    case Type::INT:
+      peer.values = asDoubles<std::int32_t>(bytes, count, stride);
+      break;
     case Type::ULONG:
-    case Type::ULONGLONG: peer.values = asDoubles<std::uint64_t>(bytes, count, stride); break;
+    case Type::ULONGLONG:
+      peer.values = asDoubles<std::uint64_t>(bytes, count, stride);
+      break;
     case Type::LONG:
-    case Type::LONGLONG: peer.values = asDoubles<std::int64_t>(bytes, count, stride); break;
-    case Type::FLOAT: peer.values = asDoubles<float>(bytes, count, stride); break;
-    case Type::DOUBLE: peer.values = asDoubles<double>(bytes, count, stride); break;
-    default: ADD_FAILURE() << "ITK reads another component type from " << path;
+    case Type::LONGLONG:
+      peer.values = asDoubles<std::int64_t>(bytes, count, stride);
+      break;
+    case Type::FLOAT:
+      peer.values = asDoubles<float>(bytes, count, stride);
+      break;
+    case Type::DOUBLE:
+      peer.values = asDoubles<double>(bytes, count, stride);
+      break;
+    default:
+      ADD_FAILURE() << "ITK reads another component type from " << path;
   }
   return peer;
 }
 
 Peer readWithItk(const fs::path& path) {
   const std::string name = path.filename().string();
-  if (name.find(".nrrd") != std::string::npos || name.ends_with(".nhdr")) return readWithItk(path, *itk::NrrdImageIO::New());
+  if (name.find(".nrrd") != std::string::npos || name.ends_with(".nhdr"))
+    return readWithItk(path, *itk::NrrdImageIO::New());
   if (name.ends_with(".mha") || name.ends_with(".mhd")) return readWithItk(path, *itk::MetaImageIO::New());
   return readWithItk(path, *itk::NiftiImageIO::New());
 }
@@ -94,7 +116,8 @@ void expectValues(const Volume& volume, const std::vector<double>& expected) {
   ASSERT_EQ(actual.size(), expected.size());
   const double relative = volume.slope == 1.0 && volume.intercept == 0.0 ? 0.0 : 1e-6;
   std::size_t different = 0;
-  for (std::size_t i = 0; i < actual.size(); ++i) different += !(std::abs(actual[i] - expected[i]) <= relative * std::abs(expected[i]));
+  for (std::size_t i = 0; i < actual.size(); ++i)
+    different += !(std::abs(actual[i] - expected[i]) <= relative * std::abs(expected[i]));
   EXPECT_EQ(different, 0u) << "voxels differ";
 }
 
@@ -114,16 +137,17 @@ void expectAsItk(const fs::path& path) {
 TEST(RealImage, Nifti) {
   FENESTRA_TEST_DATA_OR_SKIP(root, "formats/nifti");
   const fs::path data = root / ".." / "..";
-  for (const char* name : {"ct-head/ct.nii.gz", "labelled/totalsegmentator-torso/example_ct.nii.gz",
-                           "labelled/totalsegmentator-torso/example_seg_fast_force_split.nii.gz",
-                           "labelled/totalsegmentator-dicom/example_seg_dicom.nii.gz", "labelled/brain-colin27/ch2.nii.gz",
-                           "labelled/brain-colin27/aal.nii.gz", "formats/nrrd/BallBinary30x30x30.nii.gz",
-                           "dicom/enhanced/Philips_WIP_B0_NS_801_e1.nii", "dicom/enhanced/Philips_WIP_B0_NS_801_e2_fieldmaphz.nii",
-                           "dicom/pixel-formats/12bit/2.nii", "dicom/pixel-formats/12bit/3.nii", "dicom/pixel-formats/12bit/4.nii",
-                           "dicom/transfer-syntax/mr-series/uncompressed_001_ground_truth.nii.gz",
-                           "dicom/transfer-syntax/mr-series/compressed_001_ground_truth.nii.gz",
-                           "dicom/pixel-formats/per-slice-rescale-nonsquare/002_non_isotropic_ground_truth.nii.gz",
-                           "dicom/ct-missing-slice-tilted/002_ground_truth.nii.gz"})
+  for (const char* name :
+       {"ct-head/ct.nii.gz", "labelled/totalsegmentator-torso/example_ct.nii.gz",
+        "labelled/totalsegmentator-torso/example_seg_fast_force_split.nii.gz",
+        "labelled/totalsegmentator-dicom/example_seg_dicom.nii.gz", "labelled/brain-colin27/ch2.nii.gz",
+        "labelled/brain-colin27/aal.nii.gz", "formats/nrrd/BallBinary30x30x30.nii.gz",
+        "dicom/enhanced/Philips_WIP_B0_NS_801_e1.nii", "dicom/enhanced/Philips_WIP_B0_NS_801_e2_fieldmaphz.nii",
+        "dicom/pixel-formats/12bit/2.nii", "dicom/pixel-formats/12bit/3.nii", "dicom/pixel-formats/12bit/4.nii",
+        "dicom/transfer-syntax/mr-series/uncompressed_001_ground_truth.nii.gz",
+        "dicom/transfer-syntax/mr-series/compressed_001_ground_truth.nii.gz",
+        "dicom/pixel-formats/per-slice-rescale-nonsquare/002_non_isotropic_ground_truth.nii.gz",
+        "dicom/ct-missing-slice-tilted/002_ground_truth.nii.gz"})
     expectAsItk(data / name);
   std::size_t files = 0;
   for (const auto& entry : fs::recursive_directory_iterator(root)) {
@@ -186,22 +210,23 @@ TEST(RealImage, NiftiOrientationsAreOneVolumeInTheWorld) {
 TEST(RealImage, MetaImage) {
   FENESTRA_TEST_DATA_OR_SKIP(root, "formats/metaimage");
   const fs::path data = root / ".." / "..";
-  for (const char* name : {"visible-human/vm_head_ct.mha", "visible-human/vm_head_mri.mha", "labelled/elastix-lung/3DCT_lung.mha",
-                           "labelled/elastix-lung/3DCT_lung_baseline_mask.mha", "formats/metaimage/HeadMRVolume.mhd",
-                           "formats/metaimage/3DCT_lung_baseline_small.mha"})
+  for (const char* name : {"visible-human/vm_head_ct.mha", "visible-human/vm_head_mri.mha",
+                           "labelled/elastix-lung/3DCT_lung.mha", "labelled/elastix-lung/3DCT_lung_baseline_mask.mha",
+                           "formats/metaimage/HeadMRVolume.mhd", "formats/metaimage/3DCT_lung_baseline_small.mha"})
     expectAsItk(data / name);
 }
 
 TEST(RealImage, Nrrd) {
   FENESTRA_TEST_DATA_OR_SKIP(root, "formats/nrrd");
   const fs::path data = root / ".." / "..";
-  for (const char* name : {"labelled/slicer-ctchest/CTChest4.nrrd", "labelled/slicer-ctchest/Segmentation.seg.nrrd",
-                           "labelled/slicer-ctchest/SegmentationOverlapping.seg.nrrd", "formats/nrrd/statue-leg.nrrd",
-                           "formats/nrrd/BallBinary30x30x30.nrrd", "formats/nrrd/BallBinary30x30x30.nhdr",
-                           "formats/nrrd/BallBinary30x30x30_gz.nrrd", "formats/nrrd/BallBinary30x30x30_gz_lineskip.nrrd",
-                           "formats/nrrd/BallBinary30x30x30_byteskip_minus_one.nhdr",
-                           "formats/nrrd/BallBinary30x30x30_gz_byteskip_minus_one.nrrd", "dicom/seg/dcmqi/liver_seg.nrrd",
-                           "dicom/seg/dcmqi/heart_seg.nrrd", "dicom/seg/dcmqi/spine_seg.nrrd", "dicom/seg/dcmqi-24x38x3/nrrd/label.nrrd"})
+  for (const char* name :
+       {"labelled/slicer-ctchest/CTChest4.nrrd", "labelled/slicer-ctchest/Segmentation.seg.nrrd",
+        "labelled/slicer-ctchest/SegmentationOverlapping.seg.nrrd", "formats/nrrd/statue-leg.nrrd",
+        "formats/nrrd/BallBinary30x30x30.nrrd", "formats/nrrd/BallBinary30x30x30.nhdr",
+        "formats/nrrd/BallBinary30x30x30_gz.nrrd", "formats/nrrd/BallBinary30x30x30_gz_lineskip.nrrd",
+        "formats/nrrd/BallBinary30x30x30_byteskip_minus_one.nhdr",
+        "formats/nrrd/BallBinary30x30x30_gz_byteskip_minus_one.nrrd", "dicom/seg/dcmqi/liver_seg.nrrd",
+        "dicom/seg/dcmqi/heart_seg.nrrd", "dicom/seg/dcmqi/spine_seg.nrrd", "dicom/seg/dcmqi-24x38x3/nrrd/label.nrrd"})
     expectAsItk(data / name);
 }
 
@@ -221,8 +246,8 @@ TEST(RealImage, LeftHandedNrrdIsNotMirrored) {
   FENESTRA_TEST_DATA_OR_SKIP(path, "formats/nrrd-raw-slices-headsq/quarter.nhdr");
   const io::OpenedVolume opened = io::openVolume(path);
   warningOf(opened.warnings, io::Warning::Kind::NoGeometry);
-  // ITK refuses spacings together with a space. The same scan as DICOM, which GDCM reads as we do, tells both the voxels and
-  // which way is right: slice order reversed, z upwards.
+  // ITK refuses spacings together with a space. The same scan as DICOM, which GDCM reads as we do, tells both the
+  // voxels and which way is right: slice order reversed, z upwards.
   FENESTRA_TEST_DATA_OR_SKIP(twin, "dicom/ct-tiny-uniform");
   const auto dicom = io::openVolume(twin).volume;
   const Grid& grid = opened.volume->grid;
@@ -246,7 +271,8 @@ TEST(RealImage, LabelMapsFitTheirImages) {
     const char* name;
   };
   const Pair pairs[] = {
-      {"totalsegmentator-torso/example_ct.nii.gz", "totalsegmentator-torso/example_seg_fast_force_split.nii.gz", 61, 52, "aorta"},
+      {"totalsegmentator-torso/example_ct.nii.gz", "totalsegmentator-torso/example_seg_fast_force_split.nii.gz", 61, 52,
+       "aorta"},
       {"totalsegmentator-dicom/example_ct_dicom", "totalsegmentator-dicom/example_seg_dicom.nii.gz", 31, 5, "liver"},
       {"brain-colin27/ch2.nii.gz", "brain-colin27/aal.nii.gz", 116, 37, "Hippocampus_L"},
       {"slicer-ctchest/CTChest4.nrrd", "slicer-ctchest/Segmentation.seg.nrrd", 7, 1, "ribs"},

@@ -95,8 +95,11 @@ TEST(VolumeWriter, LongAxesBecomeNifti2) {
 TEST(VolumeWriter, FailuresLeaveNoFile) {
   const Volume volume = volumeOf<std::uint8_t>({1}, {1, 1, 1});
   const fs::path folder = scratchFolder();
-  EXPECT_NE(errorOf([&] { io::writeVolume(volume, folder / "out.png"); }).find("names no volume format"), std::string::npos);
-  EXPECT_NE(errorOf([&] { io::writeVolume(volume, folder / "missing" / "out.mha"); }).find("out.mha: cannot be written"), std::string::npos);
+  EXPECT_NE(errorOf([&] { io::writeVolume(volume, folder / "out.png"); }).find("names no volume format"),
+            std::string::npos);
+  EXPECT_NE(
+      errorOf([&] { io::writeVolume(volume, folder / "missing" / "out.mha"); }).find("out.mha: cannot be written"),
+      std::string::npos);
   EXPECT_TRUE(fs::is_empty(folder));
 }
 
