@@ -247,8 +247,8 @@ TEST(FramePacer, DrawsAtRestQualityWhereThatIsFastEnough) {
 
 TEST(FramePacer, ShrinksUntilTheFrameFitsItsBudget) {
   FramePacer pacer;
-  // A machine that needs 800 ms for a full view and 20 ms for everything else in a frame.
-  const auto cost = [](Effort effort) { return 10.0 + 800.0 * effort.scale * effort.scale; };
+  // A machine that needs 400 ms for a full view and 20 ms for everything else in a frame.
+  const auto cost = [](Effort effort) { return 10.0 + 400.0 * effort.scale * effort.scale; };
   pacer.begin(pacer.atRest(), 0.0);
   pacer.end(cost(pacer.atRest()));
   double now = 1000.0;
