@@ -15,9 +15,9 @@ namespace fenestra {
 class GpuScene;
 
 enum class Quality : std::uint8_t {
-  Draft,   ///< one sample a voxel, no gradient lighting on the way to it: while dragging
-  Normal,  ///< two samples a voxel
-  High,    ///< four samples a voxel
+  Draft,   ///< one sample per finest voxel: while dragging
+  Normal,  ///< two
+  High,    ///< four
 };
 
 /// One picture to make.

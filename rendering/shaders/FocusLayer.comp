@@ -45,15 +45,16 @@ uniform mat3 worldFromIndexGradient;
 const float OPAQUE = 1.0 - 1.0 / 512.0;
 // How much of a cut face's light is the face's own at its surface; the rest keeps the strata's edges.
 const float WALL_SHARE = 0.75;
+// |n·l| of a surface of average orientation: what stands in for it where there is no normal.
+const float MEAN_INCIDENCE = 0.7;
 
 #if FOCUS_KIND == 1
-bool inFocus(uint slot, vec3 position, float stored) {
-  ivec3 cell = ivec3(position);
+bool inFocus(uint slot, ivec3 cell, vec3 position, float stored) {
   return focusIndicator(focusCorners(slot, cell), position - vec3(cell)) >= 0.5;
 }
 #elif FOCUS_KIND == 2
-bool inFocus(uint slot, vec3 position, float stored) {
-  return stored >= focusLow && stored <= focusHigh && focusCellKept(slot, ivec3(position));
+bool inFocus(uint slot, ivec3 cell, vec3 position, float stored) {
+  return stored >= focusLow && stored <= focusHigh && focusCellKept(slot, cell);
 }
 #endif
 
@@ -124,7 +125,9 @@ vec4 integrate(Ray ray, float start, vec3 wall) {
       float stored = texture(volumeTexture, uvw).r * texelScale;
       vec4 material;
 #if FOCUS_KIND != 0
-      bool focus = slot != 0u && inFocus(slot, at, stored);
+      // A sample on the brick's face is kept from reading the neighbour's cells under this brick's slot.
+      ivec3 cell = clamp(ivec3(at), brick * 8, brick * 8 + 7);
+      bool focus = slot != 0u && inFocus(slot, cell, at, stored);
       if (focus) {
         material = focusProperties;
 #if FOCUS_KIND == 1 && FOCUS_PALETTE
@@ -142,6 +145,7 @@ vec4 integrate(Ray ray, float start, vec3 wall) {
       float alpha = opacityOf(depth);
       vec3 shade = material.rgb;
 #if SHADING
+      vec3 homogeneous = material.rgb * (lighting.x + MEAN_INCIDENCE * lighting.y);
       vec4 gradient = texture(gradientTexture, (at - gradientOrigin) * perGradientTexel);
       vec3 normal = gradient.xyz * 2.0 - 1.0;
       float gate = smoothstep(gradientGate.x, gradientGate.y, gradient.w);
@@ -155,12 +159,13 @@ vec4 integrate(Ray ray, float start, vec3 wall) {
       }
 #endif
       float size = dot(normal, normal);
-      vec3 unlit = shade * (lighting.x + 0.7 * lighting.y);
-      vec3 own = shade;
-      shade = size > 1e-4 ? mix(unlit, lit(own, normal * inversesqrt(size), ray.world), gate) : unlit;
+      shade = size > 1e-4 ? mix(homogeneous, lit(material.rgb, normal * inversesqrt(size), ray.world), gate) : homogeneous;
 #if HAS_RAY_START
       // A cut face is lit as the face it is; what lies under it, by its own gradient.
-      if (cut) shade = mix(shade, lit(own, wall, ray.world), WALL_SHARE * exp(-(float(k) + 0.5) * stepLength / wallDepth));
+      if (cut) {
+        float share = WALL_SHARE * exp(-(float(k) + 0.5) * stepLength / wallDepth);
+        shade = mix(shade, lit(material.rgb, wall, ray.world), share);
+      }
 #endif
 #endif
       colour += transmittance * alpha * shade;
