@@ -10,6 +10,8 @@ set(CPACK_RESOURCE_FILE_LICENSE "${PROJECT_SOURCE_DIR}/LICENSE")
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-# Loaded at run time, so the linker does not see them: the driver that OpenGL falls back to, and the reader of icons.
-set(CPACK_DEBIAN_PACKAGE_DEPENDS "libgl1-mesa-dri, libqt6svg6")
+# Loaded at run time, so the linker does not see them: EGL, the driver that OpenGL
+# falls back to, and the reader of icons.
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "libegl1, libgl1-mesa-dri, libqt6svg6")
+install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/fenestra" RENAME copyright)
 include(CPack)

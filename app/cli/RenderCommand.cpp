@@ -100,9 +100,14 @@ Json statistics(const std::string& description, const View& view, const Renderer
   resources.push_back({{"name", "images"}, {"bytes", renderer.imageBytes()}});
   const std::vector<double> warm = warmFrames(frames);
   return {
-      {"gl", description},           {"size", {view.size.x, view.size.y}},
-      {"passes", std::move(passes)}, {"resources", std::move(resources)},
-      {"total_ms", frames.back()},   {"frames_ms", frames},
+      {"gl", description},
+      {"size", {view.size.x, view.size.y}},
+      {"passes", std::move(passes)},
+      {"resources", std::move(resources)},
+      {"total_ms", frames.back()},
+      {"frames_ms", frames},
+      {"median_ms", warm[warm.size() / 2]},
+      {"min_ms", warm.front()},
   };
 }
 

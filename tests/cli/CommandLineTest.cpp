@@ -396,6 +396,7 @@ TEST_F(CommandLine, RenderWritesPictureLayersCameraAndStatistics) {
   for (const Json& pass : stats["passes"]) EXPECT_EQ(pass["runs"], 3) << pass["name"];
   EXPECT_EQ(stats["frames_ms"].size(), 3u);
   EXPECT_GT(stats["total_ms"].get<double>(), 0.0);
+  EXPECT_GE(stats["median_ms"].get<double>(), stats["min_ms"].get<double>());
   EXPECT_FALSE(stats["gl"].get<std::string>().empty());
 }
 
