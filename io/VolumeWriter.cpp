@@ -217,8 +217,8 @@ void fillNifti(Header& header, const Grid& grid, ScalarType type) {
   // NIfTI's world is RAS, ours is LPS.
   glm::dmat4 ras = grid.worldFromIndex();
   for (int column = 0; column < 4; ++column) {
-    ras[column].x = -ras[column].x;
-    ras[column].y = -ras[column].y;
+    ras[column].x = 0.0 - ras[column].x;  // not -x: zeros stay without a sign
+    ras[column].y = 0.0 - ras[column].y;
     header.srow_x[column] = static_cast<Real>(ras[column].x);
     header.srow_y[column] = static_cast<Real>(ras[column].y);
     header.srow_z[column] = static_cast<Real>(ras[column].z);
