@@ -17,8 +17,10 @@ void blend(std::optional<double>& average, double sample) {
 
 Effort FramePacer::moving(int views) const {
   if (restCost_ && *restCost_ * views <= budget) return rest_;
-  if (!draftCost_) return {0.5, Quality::Draft};
-  const double scale = std::sqrt(budget / (std::max(*draftCost_, 1e-3) * views));
+  if (!draftCost_ && !restCost_) return {0.5, Quality::Draft};
+  // Before the first draft: one takes half the samples of a picture at rest.
+  const double cost = draftCost_ ? *draftCost_ : 0.5 * *restCost_;
+  const double scale = std::sqrt(budget / (std::max(cost, 1e-3) * views));
   // In steps of a sixteenth, so that the picture's size (and with it the renderer's images) changes seldom.
   const double stepped = std::floor(std::min(scale, 1.0) * 16.0) / 16.0;
   return {std::max(stepped, leastScale), Quality::Draft};

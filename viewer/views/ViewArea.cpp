@@ -1,6 +1,7 @@
 #include "viewer/views/ViewArea.h"
 
 #include <algorithm>
+#include <type_traits>
 
 #include <QDataStream>
 #include <QLabel>
