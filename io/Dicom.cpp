@@ -343,10 +343,6 @@ Modality modalityNamed(const std::string& name) {
 
 void addContentWarnings(const DicomStack& stack, const std::vector<DicomFile>& files, std::vector<Warning>& warnings) {
   const DicomFile& file = files[stack.frames.front().file];
-  if (file.monochrome1)
-    warnings.push_back({Warning::Kind::Other,
-                        "low values are meant to be shown bright (MONOCHROME1); the values are kept as stored",
-                        {file.path}});
   if (file.mosaicUnsplit)
     warnings.push_back({Warning::Kind::Other,
                         "the slices of a volume lie side by side in one picture (mosaic); it is shown as one slice",
@@ -395,6 +391,7 @@ OpenedVolume openDicom(const fs::path& path, const OpenOptions& options) {
     volume->windows = stack.frames[stack.frames.size() / 2].windows;
     volume->voxels = narrowed(std::move(voxels));
     volume->computeRange();
+    volume->lowIsWhite = scan.files[stack.frames.front().file].monochrome1;
 
     OpenedVolume opened;
     opened.volume = std::move(volume);

@@ -147,7 +147,7 @@ void slice(const SliceOptions& options) {
   window.width = options.width.value_or(window.width);
   window.level = options.level.value_or(window.level);
 
-  const std::vector<std::uint8_t> grey = windowed(sliceValues(volume, geometry, index), window);
+  const std::vector<std::uint8_t> grey = windowed(sliceValues(volume, geometry, index), window, volume.lowIsWhite);
   io::writePng(options.output, {geometry.width, geometry.height}, 1, grey);
   printJson(Json{
       {"plane", nameOf(options.plane)},

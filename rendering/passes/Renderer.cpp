@@ -81,8 +81,9 @@ struct CompositeKey {
 };
 
 /// A picture-sized image that lasts until the size changes or it is no longer used.
-gl::Texture& sized(gl::Texture& texture, gl::Format format, glm::ivec2 size) {
-  if (!texture || glm::ivec2(texture.size()) != size) texture = gl::Texture::make2D(format, size);
+gl::Texture& sized(gl::Texture& texture, gl::Format format, glm::ivec2 size,
+                   gl::Filter filter = gl::Filter::Nearest) {
+  if (!texture || glm::ivec2(texture.size()) != size) texture = gl::Texture::make2D(format, size, filter);
   return texture;
 }
 
@@ -266,7 +267,8 @@ void Renderer::render(const Scene& scene, const View& view) {
       inputs.silhouette = &s.silhouette;
       inputs.curvatureScale = gpu.derivative().spacing;
     }
-    s.compositePass.run(inputs, scene, sized(s.picture, gl::Format::RGBA32F, view.size));
+    // Filtered when presented: a draft is smaller than the rectangle it fills.
+    s.compositePass.run(inputs, scene, sized(s.picture, gl::Format::RGBA32F, view.size, gl::Filter::Linear));
   });
 }
 

@@ -193,14 +193,14 @@ std::vector<std::uint16_t> sliceLabels(const LabelMap& labels, const SliceGeomet
   return values;
 }
 
-std::vector<std::uint8_t> windowed(const std::vector<float>& values, WindowLevel window) {
+std::vector<std::uint8_t> windowed(const std::vector<float>& values, WindowLevel window, bool lowIsWhite) {
   const double low = window.level - 0.5 * window.width;
   const double scale = window.width > 0.0 ? 255.0 / window.width : std::numeric_limits<double>::max();
   std::vector<std::uint8_t> grey(values.size());
-  std::transform(values.begin(), values.end(), grey.begin(), [&](float value) {
-    const double level = (static_cast<double>(value) - low) * scale;
-    if (!(level > 0.0)) return std::uint8_t{0};
-    return level < 255.0 ? static_cast<std::uint8_t>(std::lround(level)) : std::uint8_t{255};
+  std::transform(values.begin(), values.end(), grey.begin(), [&](float value) -> std::uint8_t {
+    if (std::isnan(value)) return 0;
+    const double level = std::clamp((static_cast<double>(value) - low) * scale, 0.0, 255.0);
+    return static_cast<std::uint8_t>(std::lround(lowIsWhite ? 255.0 - level : level));
   });
   return grey;
 }

@@ -42,8 +42,8 @@ SliceGeometry sliceGeometry(const Grid& grid, SlicePlane plane);
 std::vector<float> sliceValues(const Volume& volume, const SliceGeometry& geometry, int slice);
 /// Labels of a slice by nearest voxel, 0 outside.
 std::vector<std::uint16_t> sliceLabels(const LabelMap& labels, const SliceGeometry& geometry, int slice);
-/// 8-bit grey of real values under a window (NaN is black).
-std::vector<std::uint8_t> windowed(const std::vector<float>& values, WindowLevel window);
+/// 8-bit grey of real values under a window; `lowIsWhite` turns it round. NaN is black in either case.
+std::vector<std::uint8_t> windowed(const std::vector<float>& values, WindowLevel window, bool lowIsWhite = false);
 
 /// Patient letters of a world direction (LPS), e.g. "L", or "PR" for an oblique one: the axes whose component exceeds a
 /// quarter of the largest, largest first (the lettering of DICOM PS3.3 C.7.6.1.1.1).

@@ -34,6 +34,7 @@ struct Volume {
   ValueRange range;        ///< least and greatest finite real value; {0,0} when there is none
   Modality modality = Modality::Unknown;
   std::string unit;        ///< "HU", or empty
+  bool lowIsWhite = false;           ///< meant to be displayed with low values bright (DICOM MONOCHROME1)
   std::vector<WindowLevel> windows;  ///< the file's own display windows (DICOM VOI), first is the default
 
   /// Real value of one voxel; NaN and Inf come out as stored.

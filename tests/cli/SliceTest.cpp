@@ -208,6 +208,7 @@ TEST(Slice, WindowMapsItsEndsToBlackAndWhite) {
   const float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
   const std::vector<float> values{-1000, -100, 50, 200, 3000, nan, inf, -inf};
   EXPECT_EQ(windowed(values, {300.0, 50.0}), (std::vector<std::uint8_t>{0, 0, 128, 255, 255, 0, 255, 0}));
+  EXPECT_EQ(windowed(values, {300.0, 50.0}, true), (std::vector<std::uint8_t>{255, 255, 128, 0, 0, 0, 0, 255}));
   EXPECT_EQ(windowed({49.0f, 51.0f}, {0.0, 50.0}), (std::vector<std::uint8_t>{0, 255}));
 }
 

@@ -393,14 +393,15 @@ TEST(Dicom, DoseFramesLieAtTheirOffsets) {
   EXPECT_TRUE(opened.warnings.empty()) << kindsOf(opened.warnings);
 }
 
-TEST(Dicom, Monochrome1KeepsItsValuesAndIsSaid) {
+TEST(Dicom, Monochrome1KeepsItsValuesAndIsShownInverted) {
   const fs::path folder = scratchFolder();
   DicomSpec spec;
   spec.photometric = "MONOCHROME1";
   writeDicom(folder / "image", spec);
   const io::OpenedVolume opened = io::openVolume(folder / "image");
   EXPECT_EQ(opened.volume->value({3, 0, 0}), 3.0);
-  EXPECT_NE(warningOf(opened.warnings, Warning::Kind::Other).text.find("MONOCHROME1"), std::string::npos);
+  EXPECT_TRUE(opened.volume->lowIsWhite);
+  EXPECT_TRUE(opened.warnings.empty()) << kindsOf(opened.warnings);
 }
 
 TEST(Dicom, ColoursAreRefused) {

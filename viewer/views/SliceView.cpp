@@ -86,7 +86,7 @@ void SliceView::makeImage() {
   const Scene& scene = document_.scene();
   if (values_.empty()) values_ = sliceValues(*scene.volume, geometry_, slice_);
   if (labels_.empty() && scene.labels) labels_ = sliceLabels(*scene.labels, geometry_, slice_);
-  const std::vector<std::uint8_t> grey = windowed(values_, document_.window());
+  const std::vector<std::uint8_t> grey = windowed(values_, document_.window(), scene.volume->lowIsWhite);
 
   // What each label looks like, looked up once rather than once a pixel.
   struct Tint {
