@@ -1,5 +1,4 @@
-// Every NIfTI, NRRD and MetaImage file of the collection against ITK: all voxels, and the geometry. NIfTI-2, which ITK
-// does not read, against VTK.
+// Every NIfTI-1, NRRD and MetaImage file of the collection against ITK: all voxels, and the geometry.
 
 #include <algorithm>
 #include <cmath>
@@ -9,10 +8,6 @@
 #include <itkMetaImageIO.h>
 #include <itkNiftiImageIO.h>
 #include <itkNrrdImageIO.h>
-#include <vtkImageData.h>
-#include <vtkMatrix4x4.h>
-#include <vtkNIFTIImageReader.h>
-#include <vtkNew.h>
 
 #include "io/VolumeReader.h"
 #include "tests/io/IoTesting.h"
@@ -156,37 +151,6 @@ TEST(RealImage, Nifti) {
     ++files;
   }
   EXPECT_EQ(files, 27u);
-}
-
-TEST(RealImage, Nifti2) {
-  FENESTRA_TEST_DATA_OR_SKIP(path, "formats/nifti/example_nifti2.nii.gz");
-  const vtkNew<vtkNIFTIImageReader> reader;
-  reader->SetFileName(path.c_str());
-  reader->TimeAsVectorOn();
-  reader->Update();
-  vtkImageData* image = reader->GetOutput();
-  ASSERT_EQ(image->GetNumberOfScalarComponents(), 2);  // time points
-  const io::OpenedVolume opened = io::openVolume(path);
-  const Grid& grid = opened.volume->grid;
-  ASSERT_EQ(grid.dims, glm::ivec3(image->GetDimensions()[0], image->GetDimensions()[1], image->GetDimensions()[2]));
-  // VTK may store the slices the other way round; its matrix is for its own order.
-  vtkMatrix4x4* sform = reader->GetSFormMatrix();
-  ASSERT_NE(sform, nullptr);
-  double* spacing = image->GetSpacing();
-  std::size_t different = 0;
-  const glm::dmat4 indexFromWorld = grid.indexFromWorld();
-  for (int z = 0; z < grid.dims.z; ++z)
-    for (int y = 0; y < grid.dims.y; ++y)
-      for (int x = 0; x < grid.dims.x; ++x) {
-        const double at[4] = {x * spacing[0], y * spacing[1], z * spacing[2], 1.0};
-        double ras[4];
-        sform->MultiplyPoint(at, ras);
-        const glm::dvec3 index(indexFromWorld * glm::dvec4(-ras[0], -ras[1], ras[2], 1.0));
-        const glm::ivec3 nearest(glm::round(index));
-        different += glm::distance(index, glm::dvec3(nearest)) > 1e-3 || !grid.contains(nearest) ||
-                     opened.volume->value(nearest) != image->GetScalarComponentAsDouble(x, y, z, 0);
-      }
-  EXPECT_EQ(different, 0u);
 }
 
 TEST(RealImage, NiftiOrientationsAreOneVolumeInTheWorld) {
