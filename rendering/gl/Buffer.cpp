@@ -1,6 +1,7 @@
 #include "rendering/gl/Buffer.h"
 
 #include <utility>
+#include <vector>
 
 #include <epoxy/gl.h>
 
@@ -13,6 +14,16 @@ Buffer::Buffer(std::span<const std::byte> bytes) : bytes_(bytes.size()) {
     glNamedBufferStorage(name_, static_cast<GLsizeiptr>(bytes.size()), bytes.data(), 0);
   else
     glNamedBufferStorage(name_, sizeof word, &word, 0);
+}
+
+Buffer Buffer::zeroed(std::size_t bytes) {
+  const std::vector<std::byte> zeros(bytes);
+  return Buffer(zeros);
+}
+
+void Buffer::read(std::span<std::byte> bytes) const {
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  glGetNamedBufferSubData(name_, 0, static_cast<GLsizeiptr>(bytes.size()), bytes.data());
 }
 
 Buffer::~Buffer() {

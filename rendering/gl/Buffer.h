@@ -1,5 +1,5 @@
 #pragma once
-// Shader storage buffers: move-only, written once.
+// Shader storage buffers: move-only, made from data or cleared for shaders to fill.
 
 #include <cstddef>
 #include <cstdint>
@@ -18,6 +18,10 @@ class Buffer {
 
   explicit operator bool() const { return name_ != 0; }
   std::size_t bytes() const { return bytes_; }
+  /// A cleared buffer for shaders to write.
+  static Buffer zeroed(std::size_t bytes);
+  /// Copies the first bytes back; waits for what is written.
+  void read(std::span<std::byte> bytes) const;
   /// As the shader storage block at `binding`.
   void bind(unsigned binding) const;
 

@@ -130,7 +130,8 @@ void ShaderProgram::dispatch(glm::ivec2 size, glm::ivec2 groupSize) const {
   const glm::ivec2 groups = (size + groupSize - 1) / groupSize;
   glUseProgram(name_);
   glDispatchCompute(static_cast<GLuint>(groups.x), static_cast<GLuint>(groups.y), 1);
-  glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
+  glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT |
+                  GL_SHADER_STORAGE_BARRIER_BIT);
   glUseProgram(0);
 }
 

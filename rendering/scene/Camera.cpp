@@ -122,6 +122,10 @@ Camera Camera::standard(StandardView view, const Grid& grid, Projection projecti
   return framed(-superior, anterior, grid, projection);
 }
 
+Camera Camera::fromDirection(glm::dvec3 towardsEye, const Grid& grid, Projection projection) {
+  return framed(towardsEye, {0.0, 0.0, 1.0}, grid, projection);
+}
+
 Camera Camera::fromAngles(double azimuth, double elevation, const Grid& grid, Projection projection) {
   const double az = glm::radians(azimuth), el = glm::radians(elevation);
   const glm::dvec3 towardsEye(std::sin(az) * std::cos(el), -std::cos(az) * std::cos(el), std::sin(el));

@@ -44,6 +44,8 @@ struct Camera {
   Camera panned(double right, double up) const;
 
   static Camera standard(StandardView view, const Grid& grid, Projection projection = Projection::Perspective);
+  /// From a unit direction (towards the eye), framing `grid`, the patient's superior up where that is defined.
+  static Camera fromDirection(glm::dvec3 towardsEye, const Grid& grid, Projection projection = Projection::Perspective);
   /// Azimuth and elevation in degrees: azimuth 0 looks from anterior, 90 from the patient's left; elevation 90 from above.
   static Camera fromAngles(double azimuth, double elevation, const Grid& grid,
                            Projection projection = Projection::Perspective);

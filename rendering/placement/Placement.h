@@ -1,0 +1,101 @@
+#pragma once
+// The best view of the focus, and a quasi-orthogonal second one that complements it: descriptors to quality to cameras.
+// No GL: CandidateImages supplies what is measured.
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "rendering/scene/Camera.h"
+
+namespace fenestra::placement {
+
+/// What a candidate's image of first focus hits holds. The camera looks at the model's centre in parallel projection; the
+/// image spans the model's bounding sphere, so every candidate sees all of the model at one scale.
+struct ImageSums {
+  double count = 0.0;            ///< focus pixels
+  double depth = 0.0;            ///< sum of depths, 0 at the near side of the sphere, 1 at the far side
+  glm::dvec2 position{0.0};      ///< sum of positions, each -1…1 from left to right and from bottom to top
+  glm::ivec4 box{0, 0, -1, -1};  ///< first and last column and row (x0, y0, x1, y1), rows from the top; empty when x1 < x0
+};
+
+/// All in [0, 1]; the first three are the paper's.
+struct Descriptors {
+  double visibility = 0.0;         ///< vd1: mean depth over the sphere's diameter; larger is farther, as in the paper
+  double coverage = 0.0;           ///< vd2: the focus pixels' share of the image
+  double location = 0.0;           ///< vd3: 1 with the centroid in the middle of the image, 0 in a corner
+  double entropy = 0.0;            ///< of the seen surface's distribution (Bordoloi, Shen 2005), over its logarithm's maximum
+  double mutualInformation = 0.0;  ///< Σ p(o|v) log(p(o|v) / p(o)) (Viola et al. 2006), 1 where it is least: a typical view
+  double stability = 0.0;          ///< 1 - Jensen–Shannon divergence to the nearest candidates (Bordoloi, Shen 2005)
+  double orientation = 0.0;        ///< cosine to the nearest of the six anatomical directions
+};
+
+/// Quality = Σ weight · descriptor. The paper's depth term prefers views through more context when its weight is positive:
+/// it is negative by default.
+struct Weights {
+  double visibility = -0.5, coverage = 8.0, location = 0.25;
+  double entropy = 0.0, mutualInformation = 0.0, stability = 0.0, orientation = 0.0;
+  bool operator==(const Weights&) const = default;
+};
+
+enum class Region : std::uint8_t {
+  Stream,      ///< the band |c·c1| ≤ sin δ
+  SemiSphere,  ///< the half sphere c·a ≥ 0 around C1's right axis a, without the caps within 45° of ±c1
+};
+
+struct Options {
+  Weights weights;
+  Region region = Region::SemiSphere;
+  double streamHalfWidth = 15.0;  ///< δ, degrees
+  double shareWeight = 1.0;       ///< joint search: 1 for the share of the surface alone, 0 for the mean quality alone
+  bool operator==(const Options&) const = default;
+};
+
+/// One viewpoint: where it is, what it measures, which surface points it sees.
+struct Candidate {
+  glm::dvec3 direction{0.0};         ///< unit, world, from the model's centre towards the camera
+  ImageSums sums;
+  Descriptors descriptors;
+  std::vector<std::uint64_t> seen;   ///< a bit for each point of the focus's surface; empty when not asked for
+};
+
+/// vd1, vd2, vd3 and the orientation prior of an image of side² pixels.
+Descriptors describe(const ImageSums& sums, int side, glm::dvec3 direction);
+/// Fills in entropy, mutual information and stability, which depend on all candidates and on their seen points.
+void describeTogether(std::vector<Candidate>& candidates, std::size_t points);
+
+double quality(const Descriptors& descriptors, const Weights& weights);
+
+/// Camera axes at a candidate: looking at the centre, the patient's superior up where that is defined.
+Camera::Axes axesAt(glm::dvec3 direction);
+bool inRegion(glm::dvec3 c1, glm::dvec3 c2, const Options& options);
+
+/// Index of the best candidate; ties go to the lowest. Empty when no candidate sees the focus.
+std::optional<std::size_t> bestView(const std::vector<Candidate>& candidates, const Options& options);
+/// The best candidate in c1's region.
+std::optional<std::size_t> dualView(const std::vector<Candidate>& candidates, glm::dvec3 c1, const Options& options);
+
+/// Share of the surface points that at least one of two candidates sees.
+double seenShare(const Candidate& a, const Candidate& b, std::size_t points);
+
+struct Pair {
+  std::size_t c1 = 0, c2 = 0;
+  double share = 0.0;
+};
+/// Both cameras at once: the pair, c2 in c1's region, that maximises shareWeight · share + (1 - shareWeight) · mean quality;
+/// of equals the one of higher quality, then of lowest indices. c1 is the one of higher quality.
+std::optional<Pair> jointSearch(const std::vector<Candidate>& candidates, std::size_t points, const Options& options);
+/// The best orthogonal pair of the six standard views by share, among candidates that hold them.
+std::optional<Pair> bestStandardPair(const std::vector<Candidate>& candidates, std::size_t points);
+
+/// Measures directions in the order given.
+using Evaluate = std::function<std::vector<Candidate>(const std::vector<glm::dvec3>&)>;
+/// From N = 12·start² (start = 2^k) down to the resolution of 12·finest² by the children of the best pixels, for C1 and for
+/// C2 in C1's region at once. Returns all candidates evaluated.
+std::vector<Candidate> refine(const Evaluate& evaluate, const Options& options, int start = 2, int finest = 32);
+
+}  // namespace fenestra::placement
