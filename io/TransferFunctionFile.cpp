@@ -200,12 +200,8 @@ TransferFunction loadTransferFunction(const std::string& presetOrPath, const Vol
 }
 
 std::string defaultPreset(const Volume& volume) {
-  if (volume.modality == Modality::MR) return "mr";
-  // Air is -1000 HU, fat -100: a CT in HU goes below zero. One whose values are something else (rescaled to 0..1,
-  // offset by 1024) is told by its range, and shown by its own distribution as an MR is.
-  const bool negative = volume.range.low < 0.0;
-  const bool spansAirAndBone = volume.range.low <= -300.0 && volume.range.low >= -10000.0 && volume.range.high >= 150.0;
-  return (volume.unit == "HU" && negative) || spansAirAndBone ? "ct-soft-tissue" : "mr";
+  // What is not in HU is shown by its own distribution, as an MR is.
+  return volume.isInHounsfieldUnits() ? "ct-soft-tissue" : "mr";
 }
 
 }  // namespace fenestra::io

@@ -59,9 +59,15 @@ void Volume::computeRange() {
   range = {std::min(a, b), std::max(a, b)};
 }
 
+bool Volume::isInHounsfieldUnits() const {
+  if (modality == Modality::MR) return false;
+  const bool spansAirAndBone = range.low <= -300.0 && range.low >= -10000.0 && range.high >= 150.0;
+  return (unit == "HU" && range.low < 0.0) || spansAirAndBone;
+}
+
 WindowLevel Volume::defaultWindow() const {
   if (!windows.empty()) return windows.front();
-  if (modality == Modality::CT) return {400.0, 40.0};  // soft tissue, what CT is read with first
+  if (isInHounsfieldUnits()) return {400.0, 40.0};  // soft tissue, what CT is read with first
   if (!(range.high > range.low)) return {1.0, range.low};
   // A histogram of up to about a million voxels is plenty for two percentiles.
   constexpr std::size_t bins = 1024;

@@ -64,11 +64,6 @@ void Document::setLabels(std::shared_ptr<const LabelMap> labels) {
   Q_EMIT sceneChanged();
 }
 
-bool Document::looksLikeCt() const {
-  return hasVolume() &&
-         (scene().volume->modality == Modality::CT || io::defaultPreset(*scene().volume).starts_with("ct-"));
-}
-
 QString Document::description() const {
   if (!hasVolume()) return {};
   const Grid& grid = study_.scene.volume->grid;

@@ -39,8 +39,6 @@ class Document : public QObject {
   bool hasVolume() const { return study_.scene.volume != nullptr; }
   const Scene& scene() const { return study_.scene; }
   const Study& study() const { return study_; }
-  /// Whether the values are to be taken for Hounsfield units: said so, or a range that only CT has.
-  bool looksLikeCt() const;
   /// "CT · 512×512×245 · 1.00×1.00×1.00 mm": nothing that could name a patient.
   QString description() const;
 

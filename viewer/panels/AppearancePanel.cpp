@@ -36,7 +36,7 @@ AppearancePanel::AppearancePanel(Document& document, QWidget* parent)
   connect(&document, &Document::volumeChanged, this, [this] {
     const Volume& volume = *document_.scene().volume;
     // A quarter of the values either way; for CT the ±500 HU that separate lung, soft tissue and bone.
-    const double span = document_.looksLikeCt() ? 500.0 : 0.25 * (volume.range.high - volume.range.low);
+    const double span = volume.isInHounsfieldUnits() ? 500.0 : 0.25 * (volume.range.high - volume.range.low);
     const double step = std::pow(10.0, std::floor(std::log10(std::max(span, 1e-9) / 200.0)));
     shift_->setRange(-std::ceil(span / step) * step, std::ceil(span / step) * step, step);
     shift_->setSuffix(volume.unit.empty() ? QString() : QStringLiteral(" ") + QString::fromStdString(volume.unit));

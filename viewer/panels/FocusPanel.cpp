@@ -101,7 +101,7 @@ void FocusPanel::showStudy() {
   const QSignalBlocker quietLow(low_), quietHigh(high_);
   // Bone, where there is some; elsewhere the upper quarter: something to start from.
   constexpr double bone = 300.0;  // HU
-  const bool holdsBone = document_.looksLikeCt() && volume.range.high > 2.0 * bone;
+  const bool holdsBone = volume.isInHounsfieldUnits() && volume.range.high > 2.0 * bone;
   low_->setValue(holdsBone ? bone : volume.range.high - 0.25 * span);
   high_->setValue(volume.range.high);
   showFocus();
