@@ -6,6 +6,7 @@
 // left click: crosshair to the surface hit (Ctrl: its label joins or leaves the focus); middle: pan; right drag or
 // wheel: zoom; arrows: turn by steps.
 
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -46,6 +47,8 @@ class VolumeView : public QOpenGLWidget {
   /// fits.
   Camera shownCamera() const;
   std::optional<QPointF> widgetFromWorld(glm::dvec3 world) const;
+  /// Runs `work` with this view's OpenGL context current. False, and nothing run, before the view was first shown.
+  bool inContext(const std::function<void(const std::shared_ptr<GpuScene>&)>& work);
 
   QSize sizeHint() const override { return {480, 380}; }
   QSize minimumSizeHint() const override { return {160, 140}; }
