@@ -79,7 +79,8 @@ std::vector<std::filesystem::path> localPaths(const QMimeData& data) {
 
 }  // namespace
 
-MainWindow::MainWindow(const Setup& setup, QWidget* parent) : QMainWindow(parent), setup_(setup), placement_(document_, cameras_) {
+MainWindow::MainWindow(const Setup& setup, QWidget* parent)
+    : QMainWindow(parent), setup_(setup), placement_(document_, cameras_) {
   setWindowTitle(QStringLiteral("Fenestra"));
   setAcceptDrops(true);
   setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
@@ -94,8 +95,7 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent) : QMainWindow(parent
   });
 
   views_ = new ViewArea(document_, cursor_, cameras_, options_, setup.gl, setup.restQuality);
-  if (setup.gl.available)
-    placement_.setBackend(std::make_unique<PlacementRenderer>(*views_->volumeViews().front()));
+  if (setup.gl.available) placement_.setBackend(std::make_unique<PlacementRenderer>(*views_->volumeViews().front()));
   notices_ = new NoticeBar;
   pages_ = new QStackedWidget;
   pages_->addWidget(makeWelcome());
@@ -113,6 +113,10 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent) : QMainWindow(parent
   makeActions();
   makeStatusBar();
 
+  // Pictures at full quality would be of cameras that are about to leave.
+  connect(&placement_, &PlacementController::changed, this, [this] {
+    for (VolumeView* view : views_->volumeViews()) view->hold(placement_.isBusy());
+  });
   connect(views_, &ViewArea::pointed, this, &MainWindow::pointAt);
   connect(views_, &ViewArea::left, pointer_, &QLabel::clear);
   connect(views_, &ViewArea::menuRequested, this, &MainWindow::showMenu);
@@ -190,6 +194,7 @@ QWidget* MainWindow::makeLoadingBar() {
 }
 
 void MainWindow::makeDocks() {
+  setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
   focusPanel_ = new FocusPanel(document_);
   appearancePanel_ = new AppearancePanel(document_);
   cutawayPanel_ = new CutawayPanel(document_);
@@ -316,6 +321,7 @@ void MainWindow::makeActions() {
   }
   sides->addActions(sideActions);
   QAction* place = action(tr("P&lace cameras"), QKeySequence(tr("F5")), [this] { placement_.place(); });
+  place->setIcon(icon("place"));
   const auto enablePlace = [this, place] { place->setEnabled(placement_.canPlace()); };
   connect(&placement_, &PlacementController::changed, place, enablePlace);
   enablePlace();
@@ -361,7 +367,7 @@ void MainWindow::makeActions() {
   bar->addActions({openFolder, openFile, labels});
   bar->addSeparator();
   bar->addActions(sideActions);
-  bar->addAction(reset);
+  bar->addActions({reset, place});
   bar->addSeparator();
   bar->addActions({link, parallel});
   bar->addSeparator();

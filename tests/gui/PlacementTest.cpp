@@ -200,6 +200,16 @@ TEST_F(Placement, GoingSomewhereKeepsTheZoomAndTurnsALinkedC2Along) {
   EXPECT_NEAR(glm::distance(cameras_.camera(0).eye, cameras_.camera(0).target), distance, 1e-6);
 }
 
+TEST_F(Placement, GoingSomewhereLeavesAnUnlinkedC2Alone) {
+  cameras_.setLinked(false);
+  cameras_.orbit(1, 0.4, 0.8);
+  const Camera second = cameras_.camera(1);
+  placement_.goTo(bestDirection);
+  ASSERT_TRUE(arrive());
+  EXPECT_LE(glm::distance(direction(0), bestDirection), tolerance);
+  EXPECT_EQ(cameras_.camera(1), second);
+}
+
 TEST_F(Placement, TheBestFewAreDistinctAndInOrder) {
   document_.focusOn(1);
   ASSERT_TRUE(arrive());

@@ -130,8 +130,8 @@ void PlacementController::choose(bool framed) {
   note_ = QString::fromStdString(answer.note);
   if (!note_.isEmpty()) note_[0] = note_[0].toUpper();
   if (!answer.c1) return;
-  const glm::dvec3 c1 = measured_.candidates[*answer.c1].direction;
-  fly(c1, answer.c2 ? measured_.candidates[*answer.c2].direction : directionOf(cameras_.camera(1)), framed);
+  const auto directionAt = [this](std::size_t candidate) { return measured_.candidates[candidate].direction; };
+  fly(directionAt(*answer.c1), answer.c2 ? std::optional(directionAt(*answer.c2)) : std::nullopt, framed);
 }
 
 void PlacementController::follow() {
@@ -142,7 +142,7 @@ void PlacementController::follow() {
 
 void PlacementController::goTo(glm::dvec3 direction) {
   if (!document_.hasVolume()) return;
-  glm::dvec3 c2 = directionOf(cameras_.camera(1));
+  std::optional<glm::dvec3> c2;
   const auto dual = settings_.follow && measured() ? placement::chooseDual(measured_, direction, settings_.options)
                                                    : placement::Placement{};
   if (dual.c2) {
@@ -150,14 +150,15 @@ void PlacementController::goTo(glm::dvec3 direction) {
   } else if (cameras_.isLinked()) {
     const Camera::Axes before = cameras_.camera(0).axes(), after = facing(cameras_.camera(0), direction).axes();
     const glm::dmat3 from(before.right, before.up, -before.forward), to(after.right, after.up, -after.forward);
-    c2 = to * glm::transpose(from) * c2;
+    c2 = to * glm::transpose(from) * directionOf(cameras_.camera(1));
   }
   fly(direction, c2, false);
 }
 
-void PlacementController::fly(glm::dvec3 c1, glm::dvec3 c2, bool framed) {
-  const ViewLink::Pair home{framing(c1), framing(c2)};
-  cameras_.flyTo(framed ? home : ViewLink::Pair{facing(cameras_.camera(0), c1), facing(cameras_.camera(1), c2)}, home);
+void PlacementController::fly(glm::dvec3 c1, std::optional<glm::dvec3> c2, bool framed) {
+  const Camera &first = cameras_.camera(0), &second = cameras_.camera(1);
+  const ViewLink::Pair home{framing(c1), framing(c2.value_or(directionOf(second)))};
+  cameras_.flyTo({framed ? home[0] : facing(first, c1), !c2 ? second : framed ? home[1] : facing(second, *c2)}, home);
 }
 
 Camera PlacementController::framing(glm::dvec3 direction) {

@@ -55,6 +55,7 @@ class PlacementController : public QObject {
   /// measured first.
   void setSettings(const PlacementSettings& settings);
 
+  bool hasBackend() const { return backend_ != nullptr; }
   /// There is OpenGL, a volume and a focus.
   bool canPlace() const;
   /// Measures the focus, unless that is done, and flies both cameras to the answer.
@@ -99,7 +100,8 @@ class PlacementController : public QObject {
   void slice();
   void choose(bool framed);
   void follow();
-  void fly(glm::dvec3 c1, glm::dvec3 c2, bool framed);
+  /// C2 stays when it is told no direction.
+  void fly(glm::dvec3 c1, std::optional<glm::dvec3> c2, bool framed);
   /// From there, with all that the context shows in the picture.
   Camera framing(glm::dvec3 direction);
   void fail(const std::exception& error);

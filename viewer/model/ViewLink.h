@@ -30,7 +30,8 @@ class ViewLink : public QObject {
   /// Back to what was last placed.
   void reset();
 
-  /// Flies both cameras there, over some frames; reset() then goes to `home`. Whatever else moves a camera ends the flight.
+  /// Flies both cameras there, over some frames; reset() then goes to `home`. Whatever else moves a camera ends the
+  /// flight.
   void flyTo(const Pair& cameras, const Pair& home);
   bool isFlying() const { return flight_.state() == QAbstractAnimation::Running; }
   /// One camera, at once, whatever the link.

@@ -14,7 +14,8 @@ namespace fenestra::viewer {
 namespace {
 
 constexpr QSize thumbnailSize(62, 54);  ///< device-independent pixels
-constexpr int drawMilliseconds = 60;    ///< between thumbnails: the views come first
+constexpr int firstMilliseconds = 300;  ///< before the first thumbnail: the views come first
+constexpr int nextMilliseconds = 30;
 
 struct WeightRow {
   const char *name, *meaning;
@@ -24,8 +25,8 @@ struct WeightRow {
 constexpr std::size_t mainWeights = 3;
 const std::array<WeightRow, CamerasPanel::weightCount> weightRows{{
     {QT_TRANSLATE_NOOP("CamerasPanel", "Depth"),
-     QT_TRANSLATE_NOOP("CamerasPanel", "How deep the focus lies; below 0 prefers views with little before it"), -2.0, 2.0,
-     0.05, &placement::Weights::visibility},
+     QT_TRANSLATE_NOOP("CamerasPanel", "How deep the focus lies; below 0 prefers views with little before it"), -2.0,
+     2.0, 0.05, &placement::Weights::visibility},
     {QT_TRANSLATE_NOOP("CamerasPanel", "Size"), QT_TRANSLATE_NOOP("CamerasPanel", "How much of the picture it covers"),
      0.0, 16.0, 0.1, &placement::Weights::coverage},
     {QT_TRANSLATE_NOOP("CamerasPanel", "Centring"), QT_TRANSLATE_NOOP("CamerasPanel", "How near to the middle it is"),
@@ -48,7 +49,6 @@ const std::array<WeightRow, CamerasPanel::weightCount> weightRows{{
 
 CamerasPanel::CamerasPanel(Document& document, ViewLink& cameras, PlacementController& placement, QWidget* parent)
     : QScrollArea(parent),
-      document_(document),
       cameras_(cameras),
       placement_(placement),
       place_(new QPushButton(tr("Place cameras"))),
@@ -187,6 +187,8 @@ CamerasPanel::CamerasPanel(Document& document, ViewLink& cameras, PlacementContr
   connect(&placement, &PlacementController::changed, this, &CamerasPanel::show);
   connect(&cameras, &ViewLink::changed, this, &CamerasPanel::showShare);
   connect(&document, &Document::volumeChanged, this, &CamerasPanel::show);
+  connect(&document, &Document::transferFunctionChanged, this, &CamerasPanel::drawBest);
+  connect(&document, &Document::cutawayChanged, this, &CamerasPanel::drawBest);
   connect(&drawing_, &QTimer::timeout, this, &CamerasPanel::drawNext);
   show();
 }
@@ -219,6 +221,8 @@ void CamerasPanel::show() {
 void CamerasPanel::showShare() {
   if (const std::optional<double> share = placement_.share())
     share_->setText(tr("The two views see <b>%1 %</b> of the focus's surface").arg(100.0 * *share, 0, 'f', 0));
+  else if (!placement_.hasBackend())
+    share_->setText(tr("Needs the 3-D views"));
   else if (placement_.isBusy())
     share_->setText(tr("Looking at the focus from all sides…"));
   else
@@ -229,19 +233,24 @@ void CamerasPanel::listBest() {
   const std::vector<std::size_t> best = placement_.best(thumbnailCount);
   if (best == best_ && !best.empty()) return;
   best_ = best;
-  drawn_ = 0;
   for (std::size_t rank = 0; rank < thumbnailCount; ++rank) {
     thumbnails_[rank]->setIcon({});
     thumbnails_[rank]->setEnabled(rank < best_.size());
   }
+  drawBest();
+}
+
+void CamerasPanel::drawBest() {
+  drawn_ = 0;
   if (isVisible() && !best_.empty())
-    drawing_.start(drawMilliseconds);
+    drawing_.start(firstMilliseconds);
   else
     drawing_.stop();
 }
 
 void CamerasPanel::drawNext() {
   if (cameras_.isFlying() || placement_.isBusy()) return;
+  drawing_.setInterval(nextMilliseconds);
   if (!placement_.measured() || drawn_ >= best_.size()) {
     drawing_.stop();
     return;
@@ -261,7 +270,7 @@ void CamerasPanel::drawNext() {
 
 void CamerasPanel::showEvent(QShowEvent* event) {
   QScrollArea::showEvent(event);
-  if (drawn_ < best_.size()) drawing_.start(drawMilliseconds);
+  if (drawn_ < best_.size()) drawBest();
 }
 
 }  // namespace fenestra::viewer

@@ -1,5 +1,6 @@
 #pragma once
-// Placing the cameras: how candidates are measured and judged, the best viewpoints, and where the cameras are among them.
+// Placing the cameras: how candidates are measured and judged, the best viewpoints, and where the cameras are among
+// them.
 
 #include <array>
 #include <vector>
@@ -53,10 +54,11 @@ class CamerasPanel : public QScrollArea {
   void showShare();
   /// The best viewpoints have changed, or may have.
   void listBest();
+  /// Draws the thumbnails anew, after a moment.
+  void drawBest();
   /// One thumbnail, so that the window answers in between.
   void drawNext();
 
-  Document& document_;
   ViewLink& cameras_;
   PlacementController& placement_;
   QPushButton *place_, *cancel_;

@@ -41,7 +41,9 @@ QImage PlacementRenderer::picture(const Scene& scene, const Camera& camera, QSiz
     if (!renderer_) renderer_.emplace(gpu);
     // Widths in pixels are meant for a view some five times as large.
     constexpr double pixelScale = 0.2;
-    renderer_->render(scene, {.camera = camera,
+    // Margins are room that a small picture does not have.
+    constexpr double zoom = 1.3;
+    renderer_->render(scene, {.camera = camera.zoomed(zoom),
                               .size = {size.width(), size.height()},
                               .pixelScale = pixelScale,
                               .quality = Quality::Normal});

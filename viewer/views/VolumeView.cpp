@@ -84,6 +84,10 @@ void VolumeView::disturb(int views) {
 }
 
 void VolumeView::settle() {
+  if (held_) {
+    rest_.start(restMilliseconds * (1 + index_));
+    return;
+  }
   effort_ = shared_.pacer->atRest();
   update();
 }
