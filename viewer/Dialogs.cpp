@@ -67,6 +67,7 @@ void showKeys(QWidget* parent) {
       {QT_TRANSLATE_NOOP("Dialogs", "Wheel"), QT_TRANSLATE_NOOP("Dialogs", "zoom")},
       {QT_TRANSLATE_NOOP("Dialogs", "Shift+A P L R S I"),
        QT_TRANSLATE_NOOP("Dialogs", "look from anterior, posterior, left, right, superior, inferior")},
+      {QT_TRANSLATE_NOOP("Dialogs", "F5"), QT_TRANSLATE_NOOP("Dialogs", "place both cameras for the focus")},
       {nullptr, QT_TRANSLATE_NOOP("Dialogs", "All views")},
       {QT_TRANSLATE_NOOP("Dialogs", "Middle drag"), QT_TRANSLATE_NOOP("Dialogs", "move the picture")},
       {QT_TRANSLATE_NOOP("Dialogs", "Right drag, Ctrl+wheel"), QT_TRANSLATE_NOOP("Dialogs", "zoom")},

@@ -29,13 +29,15 @@
 #include "viewer/model/Paths.h"
 #include "viewer/model/WindowPresets.h"
 #include "viewer/panels/AppearancePanel.h"
+#include "viewer/panels/CamerasPanel.h"
 #include "viewer/panels/CutawayPanel.h"
 #include "viewer/panels/FocusPanel.h"
+#include "viewer/views/PlacementRenderer.h"
 
 namespace fenestra::viewer {
 namespace {
 
-constexpr int layoutVersion = 1;  ///< of the docks and toolbars; a saved layout of another version is not restored
+constexpr int layoutVersion = 2;  ///< of the docks and toolbars; a saved layout of another version is not restored
 
 QIcon icon(const char* name) { return QIcon(QStringLiteral(":/icons/%1.svg").arg(QLatin1String(name))); }
 
@@ -77,7 +79,8 @@ std::vector<std::filesystem::path> localPaths(const QMimeData& data) {
 
 }  // namespace
 
-MainWindow::MainWindow(const Setup& setup, QWidget* parent) : QMainWindow(parent), setup_(setup) {
+MainWindow::MainWindow(const Setup& setup, QWidget* parent)
+    : QMainWindow(parent), setup_(setup), placement_(document_, cameras_) {
   setWindowTitle(QStringLiteral("Fenestra"));
   setAcceptDrops(true);
   setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
@@ -92,6 +95,7 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent) : QMainWindow(parent
   });
 
   views_ = new ViewArea(document_, cursor_, cameras_, options_, setup.gl, setup.restQuality);
+  if (setup.gl.available) placement_.setBackend(std::make_unique<PlacementRenderer>(*views_->volumeViews().front()));
   notices_ = new NoticeBar;
   pages_ = new QStackedWidget;
   pages_->addWidget(makeWelcome());
@@ -109,6 +113,10 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent) : QMainWindow(parent
   makeActions();
   makeStatusBar();
 
+  // Pictures at full quality would be of cameras that are about to leave.
+  connect(&placement_, &PlacementController::changed, this, [this] {
+    for (VolumeView* view : views_->volumeViews()) view->hold(placement_.isBusy());
+  });
   connect(views_, &ViewArea::pointed, this, &MainWindow::pointAt);
   connect(views_, &ViewArea::left, pointer_, &QLabel::clear);
   connect(views_, &ViewArea::menuRequested, this, &MainWindow::showMenu);
@@ -186,9 +194,11 @@ QWidget* MainWindow::makeLoadingBar() {
 }
 
 void MainWindow::makeDocks() {
+  setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
   focusPanel_ = new FocusPanel(document_);
   appearancePanel_ = new AppearancePanel(document_);
   cutawayPanel_ = new CutawayPanel(document_);
+  camerasPanel_ = new CamerasPanel(document_, cameras_, placement_);
   const auto add = [this](const QString& title, const char* name, QWidget* panel) {
     auto* dock = new QDockWidget(title);
     dock->setObjectName(QLatin1String(name));
@@ -198,6 +208,8 @@ void MainWindow::makeDocks() {
     return dock;
   };
   QDockWidget* focus = add(tr("Focus"), "focusDock", focusPanel_);
+  tabifyDockWidget(focus, add(tr("Cameras"), "camerasDock", camerasPanel_));
+  focus->raise();
   add(tr("Context"), "contextDock", appearancePanel_);
   add(tr("Cutaway"), "cutawayDock", cutawayPanel_);
   // The list of structures takes the height that is left.
@@ -308,6 +320,12 @@ void MainWindow::makeActions() {
     sideActions << made;
   }
   sides->addActions(sideActions);
+  QAction* place = action(tr("P&lace cameras"), QKeySequence(tr("F5")), [this] { placement_.place(); });
+  place->setIcon(icon("place"));
+  const auto enablePlace = [this, place] { place->setEnabled(placement_.canPlace()); };
+  connect(&placement_, &PlacementController::changed, place, enablePlace);
+  enablePlace();
+  view->addAction(place);
   view->addActions({reset, resetAll});
   view->addSeparator();
   view->addActions({link, parallel});
@@ -317,6 +335,8 @@ void MainWindow::makeActions() {
   view->addAction(action(tr("All &views"), QKeySequence(tr("Esc")), [this] {
     if (job_.isRunning())
       job_.cancel();
+    else if (placement_.isBusy())
+      placement_.cancel();
     else
       views_->showAll();
   }));
@@ -347,7 +367,7 @@ void MainWindow::makeActions() {
   bar->addActions({openFolder, openFile, labels});
   bar->addSeparator();
   bar->addActions(sideActions);
-  bar->addAction(reset);
+  bar->addActions({reset, place});
   bar->addSeparator();
   bar->addActions({link, parallel});
   bar->addSeparator();
@@ -534,7 +554,9 @@ void MainWindow::resetAllViews() {
 void MainWindow::whenDrawn(std::function<void()> done) {
   auto* poll = new QTimer(this);
   connect(poll, &QTimer::timeout, this, [this, poll, done = std::move(done)] {
-    if (job_.isRunning() || loadingBar_->isVisible() || !views_->isSettled()) return;
+    if (job_.isRunning() || loadingBar_->isVisible() || placement_.isBusy() || cameras_.isFlying() ||
+        camerasPanel_->isDrawing() || !views_->isSettled())
+      return;
     poll->stop();
     poll->deleteLater();
     done();

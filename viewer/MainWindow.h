@@ -8,6 +8,7 @@
 #include "viewer/jobs/LoadJob.h"
 #include "viewer/jobs/ReadStudy.h"
 #include "viewer/model/Document.h"
+#include "viewer/model/PlacementController.h"
 #include "viewer/model/Preferences.h"
 #include "viewer/model/SliceCursor.h"
 #include "viewer/model/ViewLink.h"
@@ -22,6 +23,7 @@ class QStackedWidget;
 namespace fenestra::viewer {
 
 class AppearancePanel;
+class CamerasPanel;
 class CutawayPanel;
 class FocusPanel;
 class NoticeBar;
@@ -56,11 +58,13 @@ class MainWindow : public QMainWindow {
   Document& document() { return document_; }
   SliceCursor& cursor() { return cursor_; }
   ViewLink& cameras() { return cameras_; }
+  PlacementController& placement() { return placement_; }
   ViewArea& views() { return *views_; }
   NoticeBar& notices() { return *notices_; }
   FocusPanel& focusPanel() { return *focusPanel_; }
   AppearancePanel& appearancePanel() { return *appearancePanel_; }
   CutawayPanel& cutawayPanel() { return *cutawayPanel_; }
+  CamerasPanel& camerasPanel() { return *camerasPanel_; }
 
  Q_SIGNALS:
   /// A study is on show.
@@ -100,6 +104,7 @@ class MainWindow : public QMainWindow {
   Document document_;
   SliceCursor cursor_;
   ViewLink cameras_;
+  PlacementController placement_;
   ViewOptions options_;
   Preferences preferences_;
   LoadJob job_;
@@ -113,6 +118,7 @@ class MainWindow : public QMainWindow {
   FocusPanel* focusPanel_ = nullptr;
   AppearancePanel* appearancePanel_ = nullptr;
   CutawayPanel* cutawayPanel_ = nullptr;
+  CamerasPanel* camerasPanel_ = nullptr;
   QLabel* pointer_ = nullptr;
   QMenu *recentMenu_ = nullptr, *sampleMenu_ = nullptr;
   QList<QAction*> needVolume_;  ///< enabled while something is open

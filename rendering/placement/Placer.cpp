@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <stdexcept>
 
 #include "rendering/placement/Sphere.h"
@@ -65,32 +66,66 @@ Placement choose(const Measured& measured, const Options& options, bool joint) {
 }
 
 const Measured& Placer::measure(GpuScene& gpu, const Scene& scene, const Sampling& sampling, const Options& options) {
+  begin(gpu, scene, sampling, options);
+  while (!advance(gpu, std::numeric_limits<std::size_t>::max())) {
+  }
+  return measured_;
+}
+
+void Placer::begin(GpuScene& gpu, const Scene& scene, const Sampling& sampling, const Options& options) {
+  task_.reset();
   gpu.update(scene);
   const Key key{gpu.versions().volume, gpu.versions().focus, sampling,
                 sampling.refined ? std::optional(options) : std::nullopt};
-  if (key_ == key) return measured_;
-
-  const FocusSurface surface = sampleSurface(scene, gpu.focus(), sampling.surfacePoints);
-  Measured measured;
-  measured.surfacePoints = surface.points.size();
-  measured.surfaceArea = surface.area;
-  if (sampling.refined) {
-    measured.candidates = refine(
-        [&](const std::vector<glm::dvec3>& directions) { return images_.measure(gpu, directions, surface, sampling.side); },
-        options);
-  } else {
+  if (key_ == key) return;
+  Task task{.key = key,
+            .options = options,
+            .surface = sampleSurface(scene, gpu.focus(), sampling.surfacePoints),
+            .directions = {},
+            .measured = {}};
+  task.measured.surfacePoints = task.surface.points.size();
+  task.measured.surfaceArea = task.surface.area;
+  if (!sampling.refined) {
     const std::optional<int> nside = sideOf(sampling.count);
     if (!nside) throw std::invalid_argument(std::to_string(sampling.count) + " is not 12·nside²");
-    measured.candidates = images_.measure(gpu, ringDirections(*nside), surface, sampling.side);
+    task.directions = ringDirections(*nside);
   }
-  measured.spread = measured.candidates.size();
-  const std::vector<glm::dvec3> standard(standardDirections.begin(), standardDirections.end());
-  for (Candidate& candidate : images_.measure(gpu, standard, surface, sampling.side))
-    measured.candidates.push_back(std::move(candidate));
-  describeTogether(measured.candidates, measured.surfacePoints);
-  measured_ = std::move(measured);
-  key_ = key;
-  return measured_;
+  task.directions.insert(task.directions.end(), standardDirections.begin(), standardDirections.end());
+  task_ = std::move(task);
+}
+
+bool Placer::advance(const GpuScene& gpu, std::size_t count) {
+  if (!task_) return true;
+  std::vector<Candidate>& candidates = task_->measured.candidates;
+  const int side = task_->key.sampling.side;
+  const auto measureAll = [&](const std::vector<glm::dvec3>& directions) {
+    return images_.measure(gpu, directions, task_->surface, side);
+  };
+  if (task_->key.sampling.refined && candidates.empty()) {
+    candidates = refine(measureAll, task_->options);
+    task_->measured.spread = candidates.size();
+    // The standard views are still to come.
+    return false;
+  }
+  const std::size_t refined = task_->key.sampling.refined ? task_->measured.spread : 0;
+  const auto first = task_->directions.begin() + static_cast<std::ptrdiff_t>(candidates.size() - refined);
+  const auto left = static_cast<std::size_t>(task_->directions.end() - first);
+  for (Candidate& candidate : measureAll({first, first + static_cast<std::ptrdiff_t>(std::min(count, left))}))
+    candidates.push_back(std::move(candidate));
+  if (left > count) return false;
+
+  task_->measured.spread = candidates.size() - standardDirections.size();
+  describeTogether(candidates, task_->measured.surfacePoints);
+  key_ = task_->key;
+  measured_ = std::move(task_->measured);
+  task_.reset();
+  return true;
+}
+
+double Placer::progress() const {
+  if (!task_) return 1.0;
+  if (task_->key.sampling.refined) return 0.0;
+  return static_cast<double>(task_->measured.candidates.size()) / static_cast<double>(task_->directions.size());
 }
 
 }  // namespace fenestra::placement

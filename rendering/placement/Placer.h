@@ -47,6 +47,15 @@ class Placer {
   /// The next measure() measures anew.
   void forget() { key_.reset(); }
 
+  /// The same in slices, for a window that must answer in between: begin(), then advance() until it is true, then measured().
+  /// Another begin() drops what was under way; `gpu`'s volume and focus stay as they are meanwhile.
+  void begin(GpuScene& gpu, const Scene& scene, const Sampling& sampling, const Options& options);
+  /// Measures up to `count` candidates more (a refinement in one go). True when all are measured.
+  bool advance(const GpuScene& gpu, std::size_t count);
+  /// Share of the candidates begun that are measured.
+  double progress() const;
+  const Measured& measured() const { return measured_; }
+
  private:
   struct Key {
     std::uint64_t volume = 0, focus = 0;
@@ -54,8 +63,18 @@ class Placer {
     std::optional<Options> options;  ///< a refinement follows them
     bool operator==(const Key&) const = default;
   };
+  /// What begin() began.
+  struct Task {
+    Key key;
+    Options options;
+    FocusSurface surface;
+    std::vector<glm::dvec3> directions;  ///< the spread ones, unless refined, then the standard views
+    Measured measured;
+  };
+
   std::optional<Key> key_;
   Measured measured_;
+  std::optional<Task> task_;
   CandidateImages images_;
 };
 

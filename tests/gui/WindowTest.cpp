@@ -27,9 +27,11 @@
 #include "viewer/NoticeBar.h"
 #include "viewer/model/Paths.h"
 #include "viewer/panels/AppearancePanel.h"
+#include "viewer/panels/CamerasPanel.h"
 #include "viewer/panels/CutawayPanel.h"
 #include "viewer/panels/FocusPanel.h"
 #include "viewer/panels/SliderSpin.h"
+#include "viewer/panels/SphereMap.h"
 
 namespace fenestra::viewer {
 namespace {
@@ -83,6 +85,7 @@ class Window : public testing::Test {
     window_->show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get()));
     QApplication::setActiveWindow(window_.get());  // Xvfb has no window manager to do it; keys need it
+    setAutomatic(false);
     open(markedBall());
   }
 
@@ -97,6 +100,13 @@ class Window : public testing::Test {
     bool drawn = false;
     window_->whenDrawn([&] { drawn = true; });
     ASSERT_TRUE(QTest::qWaitFor([&] { return drawn; }, patience));
+  }
+
+  /// Whether a chosen focus moves the cameras: only where that is what is tested.
+  void setAutomatic(bool on) {
+    PlacementSettings settings = window_->placement().settings();
+    settings.automatic = on;
+    window_->placement().setSettings(settings);
   }
 
   VolumeView* volume(std::size_t index) { return window_->views().volumeViews().at(index); }
@@ -462,6 +472,100 @@ TEST_F(Window, TitleAndPanelsNameNoFile) {
     EXPECT_FALSE(label->text().contains(QStringLiteral("Doe"))) << label->text().toStdString();
 }
 
+/// The marked ball with the marker in focus and both cameras placed for it.
+class PlacedWindow : public Window {
+ protected:
+  void SetUp() override {
+    Window::SetUp();
+    setAutomatic(true);
+    auto* dock = window_->findChild<QDockWidget*>(QStringLiteral("camerasDock"));
+    dock->raise();
+    window_->cursor().moveTo(markerCentre);
+    SliceView* axial = slice(SlicePlane::Axial);
+    QTest::mouseClick(axial, Qt::LeftButton, {}, axial->widgetFromWorld(markerCentre).toPoint());
+    ASSERT_TRUE(window_->placement().isBusy());
+    waitUntilDrawn();
+    ASSERT_NE(window_->placement().measured(), nullptr);
+  }
+
+  PlacementController& placement() { return window_->placement(); }
+  glm::dvec3 direction(int view) { return directionOf(window_->cameras().camera(view)); }
+  glm::dvec3 candidate(std::size_t index) { return placement().measured()->candidates.at(index).direction; }
+
+  static constexpr double same = 1e-9;  ///< of unit vectors after a few operations in double precision
+};
+
+TEST_F(PlacedWindow, ChoosingALabelMovesBothViewsToTheAnswer) {
+  const auto answer =
+      placement::choose(*placement().measured(), placement().settings().options, placement().settings().joint);
+  ASSERT_TRUE(answer.c1 && answer.c2);
+  EXPECT_LT(glm::distance(direction(0), candidate(*answer.c1)), same);
+  EXPECT_LT(glm::distance(direction(1), candidate(*answer.c2)), same);
+  EXPECT_GT(glm::dot(direction(0), glm::normalize(markerCentre)), 0.0) << "from the side where the marker lies";
+  for (const std::size_t view : {0u, 1u}) EXPECT_TRUE(green(volume(view))) << "view " << view;
+  // A convex focus shows less than half of itself to one camera and no more than three quarters to two at right angles.
+  ASSERT_TRUE(placement().share());
+  EXPECT_NEAR(*placement().share(), answer.share, same);
+  EXPECT_GT(answer.share, 0.5);
+  const QString percent = QString::number(100.0 * answer.share, 'f', 0);
+  EXPECT_TRUE(window_->camerasPanel().share()->text().contains(percent));
+}
+
+TEST_F(PlacedWindow, DraggingC1MovesC2WithinItsRegion) {
+  const glm::dvec3 before = direction(0);
+  QSignalSpy measured(&placement(), &PlacementController::measuredFocus);
+  drag(volume(0), {150, 150}, {330, 190});
+  EXPECT_LT(glm::dot(before, direction(0)), 0.9);
+  const auto& options = placement().settings().options;
+  EXPECT_TRUE(placement::inRegion(direction(0), direction(1), options));
+  const auto dual = placement::chooseDual(*placement().measured(), direction(0), options);
+  ASSERT_TRUE(dual.c2);
+  EXPECT_LT(glm::distance(direction(1), candidate(*dual.c2)), same);
+
+  QTest::mouseClick(window_->camerasPanel().follow(), Qt::LeftButton, {},
+                    QPoint(6, window_->camerasPanel().follow()->height() / 2));
+  ASSERT_FALSE(placement().settings().follow);
+  const double angle = glm::dot(direction(0), direction(1));
+  drag(volume(0), {150, 150}, {250, 120});
+  EXPECT_NEAR(glm::dot(direction(0), direction(1)), angle, same) << "the linked pair keeps its relation";
+  EXPECT_TRUE(measured.isEmpty());
+  waitUntilDrawn();
+}
+
+TEST_F(PlacedWindow, WeightsAndRegionMoveTheCamerasWithoutMeasuring) {
+  QSignalSpy measured(&placement(), &PlacementController::measuredFocus);
+  const glm::dvec3 before = direction(0);
+  // As the paper has it: larger for larger depth, and so from the far side.
+  window_->camerasPanel().weight(0)->box()->setValue(2.0);
+  window_->camerasPanel().weight(1)->box()->setValue(0.0);
+  waitUntilDrawn();
+  EXPECT_LT(glm::dot(direction(0), before), 0.0);
+  EXPECT_LT(glm::dot(direction(0), glm::normalize(markerCentre)), -0.9);
+  QTest::keyClick(window_->camerasPanel().region(), Qt::Key_Down);
+  EXPECT_EQ(placement().settings().options.region, placement::Region::Stream);
+  waitUntilDrawn();
+  EXPECT_TRUE(placement::inRegion(direction(0), direction(1), placement().settings().options));
+  EXPECT_TRUE(measured.isEmpty());
+  EXPECT_FALSE(placement().isMeasuring());
+}
+
+TEST_F(PlacedWindow, ThumbnailsAndMapTakeC1There) {
+  CamerasPanel& panel = window_->camerasPanel();
+  const std::vector<std::size_t> best = placement().best(CamerasPanel::thumbnailCount);
+  ASSERT_EQ(best.size(), CamerasPanel::thumbnailCount);
+  for (std::size_t rank = 0; rank < best.size(); ++rank) EXPECT_FALSE(panel.thumbnail(rank)->icon().isNull());
+  QTest::mouseClick(panel.thumbnail(2), Qt::LeftButton);
+  waitUntilDrawn();
+  EXPECT_LT(glm::distance(direction(0), candidate(best[2])), same);
+
+  const glm::dvec3 wanted = glm::normalize(glm::dvec3(-0.3, -1.0, 0.4));
+  QTest::mouseClick(panel.map(), Qt::LeftButton, {}, panel.map()->widgetFromDirection(wanted).toPoint());
+  waitUntilDrawn();
+  // The map is some 120 device-independent pixels high: a pixel is about 1.5 degrees.
+  EXPECT_GT(glm::dot(direction(0), wanted), std::cos(glm::radians(3.0)));
+  EXPECT_TRUE(placement::inRegion(direction(0), direction(1), placement().settings().options));
+}
+
 TEST(WindowWithoutOpenGl, ExplainsItselfAndKeepsTheSlices) {
   MainWindow window({.gl = {.problem = QStringLiteral("No driver here.")}, .remember = false});
   window.resize(1280, 800);
@@ -474,6 +578,7 @@ TEST(WindowWithoutOpenGl, ExplainsItselfAndKeepsTheSlices) {
   ASSERT_NE(reason, nullptr);
   EXPECT_TRUE(reason->isVisible());
   EXPECT_TRUE(reason->text().contains(QStringLiteral("No driver here.")));
+  EXPECT_FALSE(window.camerasPanel().placeButton()->isEnabled());
   SliceView* axial = window.views().sliceViews().front();
   window.cursor().moveTo(markerCentre);
   QTest::mouseClick(axial, Qt::LeftButton, {}, axial->widgetFromWorld(markerCentre).toPoint());

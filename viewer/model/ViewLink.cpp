@@ -3,9 +3,12 @@
 #include <cmath>
 
 #include <glm/gtc/constants.hpp>
+#include <glm/gtc/quaternion.hpp>
 
 namespace fenestra::viewer {
 namespace {
+
+constexpr int flightMilliseconds = 400;
 
 /// Columns right, up, backward of a camera, in world space.
 glm::dmat3 worldFromView(const Camera& camera) {
@@ -31,6 +34,56 @@ Camera projected(Camera camera, Projection projection, const Camera& placed) {
 
 }  // namespace
 
+Camera between(const Camera& from, const Camera& to, double part) {
+  if (part >= 1.0) return to;
+  const glm::dmat3 turned =
+      glm::mat3_cast(glm::slerp(glm::quat_cast(worldFromView(from)), glm::quat_cast(worldFromView(to)), part));
+  Camera camera = to;
+  camera.target = glm::mix(from.target, to.target, part);
+  camera.eye = camera.target +
+               turned[2] * glm::mix(glm::distance(from.eye, from.target), glm::distance(to.eye, to.target), part);
+  camera.up = turned[1];
+  camera.orthographicHeight = glm::mix(from.orthographicHeight, to.orthographicHeight, part);
+  return camera;
+}
+
+Camera facing(Camera camera, glm::dvec3 towardsEye) {
+  camera.eye = camera.target + towardsEye * glm::distance(camera.eye, camera.target);
+  camera.up = {0.0, 0.0, 1.0};
+  return camera;
+}
+
+glm::dvec3 directionOf(const Camera& camera) { return -camera.axes().forward; }
+
+ViewLink::ViewLink(QObject* parent) : QObject(parent) {
+  flight_.setDuration(flightMilliseconds);
+  flight_.setEasingCurve(QEasingCurve::InOutQuad);
+  flight_.setStartValue(0.0);
+  flight_.setEndValue(1.0);
+  connect(&flight_, &QVariantAnimation::valueChanged, this, [this](const QVariant& part) {
+    for (int view = 0; view < count; ++view) {
+      const auto at = static_cast<std::size_t>(view);
+      set(view, between(from_[at], to_[at], part.toDouble()));
+    }
+  });
+  connect(&flight_, &QVariantAnimation::finished, this, &ViewLink::landed);
+}
+
+void ViewLink::flyTo(const Pair& cameras, const Pair& home) {
+  placed_ = home;
+  if (isFlying() && cameras == to_) return;
+  flight_.stop();
+  from_ = cameras_;
+  to_ = cameras;
+  if (from_ == to_) return;
+  flight_.start();
+}
+
+void ViewLink::show(int view, const Camera& camera) {
+  flight_.stop();
+  set(view, camera);
+}
+
 void ViewLink::setLinked(bool linked) {
   if (linked == linked_) return;
   linked_ = linked;
@@ -45,12 +98,15 @@ void ViewLink::place(const Camera& first) {
 }
 
 void ViewLink::reset() {
+  flight_.stop();
   for (int view = 0; view < count; ++view) set(view, placed_[static_cast<std::size_t>(view)]);
 }
 
 void ViewLink::rotate(int view, const glm::dmat3& worldRotation) {
+  flight_.stop();
   for (int other = 0; other < count; ++other)
     if (other == view || linked_) set(other, camera(other).rotated(worldRotation));
+  Q_EMIT turned(view);
 }
 
 void ViewLink::orbit(int view, double yaw, double pitch) {
@@ -64,11 +120,15 @@ void ViewLink::face(int view, StandardView side) {
   rotate(view, worldFromView(wanted) * glm::transpose(worldFromView(camera(view))));
 }
 
-void ViewLink::zoom(int view, double factor) { set(view, camera(view).zoomed(factor)); }
+void ViewLink::zoom(int view, double factor) { show(view, camera(view).zoomed(factor)); }
 
-void ViewLink::pan(int view, double rightMm, double upMm) { set(view, camera(view).panned(rightMm, upMm)); }
+void ViewLink::pan(int view, double rightMm, double upMm) { show(view, camera(view).panned(rightMm, upMm)); }
 
 void ViewLink::setProjection(Projection projection) {
+  if (isFlying()) {
+    flight_.stop();
+    cameras_ = to_;
+  }
   for (Camera& camera : placed_) camera = projected(camera, projection, camera);
   for (int view = 0; view < count; ++view)
     set(view, projected(camera(view), projection, placed_[static_cast<std::size_t>(view)]));

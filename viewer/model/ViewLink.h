@@ -5,6 +5,7 @@
 #include <array>
 
 #include <QObject>
+#include <QVariantAnimation>
 
 #include "rendering/scene/Camera.h"
 
@@ -15,7 +16,9 @@ class ViewLink : public QObject {
  public:
   static constexpr int count = 2;
 
-  using QObject::QObject;
+  using Pair = std::array<Camera, count>;
+
+  explicit ViewLink(QObject* parent = nullptr);
 
   const Camera& camera(int view) const { return cameras_[static_cast<std::size_t>(view)]; }
   bool isLinked() const { return linked_; }
@@ -26,6 +29,13 @@ class ViewLink : public QObject {
   void place(const Camera& first);
   /// Back to what was last placed.
   void reset();
+
+  /// Flies both cameras there, over some frames; reset() then goes to `home`. Whatever else moves a camera ends the
+  /// flight.
+  void flyTo(const Pair& cameras, const Pair& home);
+  bool isFlying() const { return flight_.state() == QAbstractAnimation::Running; }
+  /// One camera, at once, whatever the link.
+  void show(int view, const Camera& camera);
 
   /// Turns a view by a world rotation about its target.
   void rotate(int view, const glm::dmat3& worldRotation);
@@ -41,13 +51,24 @@ class ViewLink : public QObject {
 
  Q_SIGNALS:
   void changed(int view);
+  /// A view was turned by hand; its linked partner has turned too.
+  void turned(int view);
+  void landed();
   void linkedChanged(bool linked);
 
  private:
   void set(int view, const Camera& camera);
 
-  std::array<Camera, count> cameras_, placed_;
+  Pair cameras_, placed_, from_, to_;  ///< from_ and to_: of the flight
+  QVariantAnimation flight_;
   bool linked_ = true;
 };
+
+/// A camera on the way from one to another, part 0…1 of it done: it turns evenly, on the shortest way over the sphere.
+Camera between(const Camera& from, const Camera& to, double part);
+/// `camera` looking at its target from another direction (unit, towards the eye) and as far, the patient upright.
+Camera facing(Camera camera, glm::dvec3 towardsEye);
+/// Where a camera looks from: the unit vector from its target towards the eye.
+glm::dvec3 directionOf(const Camera& camera);
 
 }  // namespace fenestra::viewer

@@ -48,7 +48,7 @@ VolumeView::VolumeView(int index, Document& document, SliceCursor& cursor, ViewL
   connect(&document, &Document::volumeChanged, this, [this] { cold_ = true; });
   connect(&document, &Document::sceneChanged, this, [this] { disturb(ViewLink::count); });
   connect(&cameras, &ViewLink::changed, this, [this](int view) {
-    if (view == index_) disturb(cameras_.isLinked() ? ViewLink::count : 1);
+    if (view == index_) disturb(cameras_.isLinked() || cameras_.isFlying() ? ViewLink::count : 1);
   });
   const auto repaint = [this] { update(); };
   connect(&cursor, &SliceCursor::moved, this, repaint);
@@ -64,6 +64,15 @@ VolumeView::~VolumeView() {
   doneCurrent();
 }
 
+bool VolumeView::inContext(const std::function<void(const std::shared_ptr<GpuScene>&)>& work) {
+  if (!isValid()) return false;
+  makeCurrent();
+  // Whatever `work` throws, the context is no longer current for others.
+  const std::unique_ptr<VolumeView, void (*)(VolumeView*)> done(this, [](VolumeView* view) { view->doneCurrent(); });
+  work(shared_.gpuScene);
+  return true;
+}
+
 bool VolumeView::isSettled() const { return settled_ || !problem_.isEmpty() || !document_.hasVolume(); }
 
 void VolumeView::disturb(int views) {
@@ -75,6 +84,10 @@ void VolumeView::disturb(int views) {
 }
 
 void VolumeView::settle() {
+  if (held_) {
+    rest_.start(restMilliseconds * (1 + index_));
+    return;
+  }
   effort_ = shared_.pacer->atRest();
   update();
 }

@@ -6,6 +6,7 @@
 // left click: crosshair to the surface hit (Ctrl: its label joins or leaves the focus); middle: pan; right drag or
 // wheel: zoom; arrows: turn by steps.
 
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -38,6 +39,8 @@ class VolumeView : public QOpenGLWidget {
   ~VolumeView() override;
 
   int index() const { return index_; }
+  /// While held, the view stays at what it draws while something moves: the machine has other work first.
+  void hold(bool on) { held_ = on; }
   /// What is on screen is the scene at full quality, or why it cannot be is said there.
   bool isSettled() const;
   /// Why nothing is drawn; empty when all is well.
@@ -46,6 +49,8 @@ class VolumeView : public QOpenGLWidget {
   /// fits.
   Camera shownCamera() const;
   std::optional<QPointF> widgetFromWorld(glm::dvec3 world) const;
+  /// Runs `work` with this view's OpenGL context current. False, and nothing run, before the view was first shown.
+  bool inContext(const std::function<void(const std::shared_ptr<GpuScene>&)>& work);
 
   QSize sizeHint() const override { return {480, 380}; }
   QSize minimumSizeHint() const override { return {160, 140}; }
@@ -90,8 +95,9 @@ class VolumeView : public QOpenGLWidget {
 
   std::optional<Renderer> renderer_;
   QString problem_;
-  View shown_;            ///< of the last picture; size 0 before the first
-  Effort effort_;         ///< to draw the next picture with
+  View shown_;     ///< of the last picture; size 0 before the first
+  Effort effort_;  ///< to draw the next picture with
+  bool held_ = false;
   bool settled_ = false;  ///< the last picture is of the present scene, at full quality
   bool cold_ = true;      ///< the next picture also uploads voxels: its time says nothing
   QTimer rest_;           ///< runs out when nothing has changed for a moment

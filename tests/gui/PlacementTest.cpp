@@ -1,0 +1,285 @@
+// Placing the cameras, behind the window: without widgets and without OpenGL.
+
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include <QSignalSpy>
+#include <QTest>
+
+#include "rendering/placement/Sphere.h"
+#include "viewer/model/Document.h"
+#include "viewer/model/PlacementController.h"
+#include "viewer/panels/SphereMap.h"
+
+namespace fenestra::viewer {
+namespace {
+
+constexpr double tolerance = 1e-9;  ///< of unit vectors after a few operations in double precision
+constexpr int patience = 5000;      ///< ms; reached only when something hangs
+
+/// Where all descriptors are best.
+const glm::dvec3 bestDirection = glm::normalize(glm::dvec3(1.0, -2.0, 0.5));
+
+/// Measures nothing: the nearer a candidate is to bestDirection, the more it covers. Two surface points, one seen from
+/// each half of the sphere.
+class FakeBackend : public PlacementBackend {
+ public:
+  struct Log {
+    int begun = 0, slices = 0;
+    bool broken = false;
+  };
+  explicit FakeBackend(std::shared_ptr<Log> log) : log_(std::move(log)) {}
+
+  void begin(const Scene&, const placement::Sampling& sampling, const placement::Options&) override {
+    if (log_->broken) throw std::runtime_error("no memory");
+    ++log_->begun;
+    slicesLeft_ = 3;
+    measured_ = {};
+    for (const glm::dvec3 direction : placement::ringDirections(*placement::sideOf(sampling.count))) {
+      placement::Candidate candidate;
+      candidate.direction = direction;
+      const double near = 0.5 + 0.5 * glm::dot(direction, bestDirection);
+      candidate.sums.count = 1.0;
+      candidate.descriptors.coverage = candidate.descriptors.location = near;
+      candidate.seen = {glm::dot(direction, bestDirection) > 0.0 ? 1u : 2u};
+      measured_.candidates.push_back(candidate);
+    }
+    measured_.spread = measured_.candidates.size();
+    measured_.surfacePoints = 2;
+  }
+  bool advance() override {
+    ++log_->slices;
+    return --slicesLeft_ == 0;
+  }
+  double progress() const override { return 1.0 - slicesLeft_ / 3.0; }
+  const placement::Measured& measured() const override { return measured_; }
+  QImage picture(const Scene&, const Camera&, QSize size) override { return QImage(size, QImage::Format_RGB32); }
+
+ private:
+  std::shared_ptr<Log> log_;
+  int slicesLeft_ = 0;
+  placement::Measured measured_;
+};
+
+Study study() {
+  auto volume = std::make_shared<Volume>();
+  auto labels = std::make_shared<LabelMap>();
+  volume->grid = labels->grid = {.dims = glm::ivec3(8), .spacing = glm::dvec3(2.0)};
+  volume->voxels = Voxels(ScalarType::UInt8, volume->grid.voxelCount());
+  labels->voxels = Voxels(ScalarType::UInt8, volume->grid.voxelCount());
+  labels->voxels.as<std::uint8_t>()[0] = 1;
+  labels->voxels.as<std::uint8_t>()[1] = 2;
+  volume->computeRange();
+  labels->labels = {{1, "first", {1, 0, 0}}, {2, "second", {0, 1, 0}}};
+  Study made;
+  made.scene.volume = volume;
+  made.scene.labels = labels;
+  made.scene.context.nodes = {{100.0, {{1, 1, 1}, 1.0}}};
+  return made;
+}
+
+class Placement : public testing::Test {
+ protected:
+  void SetUp() override {
+    placement_.setBackend(std::make_unique<FakeBackend>(log_));
+    document_.open(study());
+    cameras_.place(Camera::standard(StandardView::Anterior, document_.scene().volume->grid));
+  }
+
+  bool arrive() {
+    return QTest::qWaitFor([&] { return !placement_.isBusy() && !cameras_.isFlying(); }, patience);
+  }
+  glm::dvec3 direction(int view) { return directionOf(cameras_.camera(view)); }
+  void change(void (*edit)(PlacementSettings&)) {
+    PlacementSettings settings = placement_.settings();
+    edit(settings);
+    placement_.setSettings(settings);
+  }
+
+  std::shared_ptr<FakeBackend::Log> log_ = std::make_shared<FakeBackend::Log>();
+  Document document_;
+  ViewLink cameras_;
+  PlacementController placement_{document_, cameras_};
+};
+
+TEST_F(Placement, AChosenFocusIsMeasuredAndBothCamerasFlyToTheAnswer) {
+  document_.focusOn(1);
+  EXPECT_TRUE(placement_.isBusy());
+  EXPECT_EQ(placement_.measured(), nullptr);
+  EXPECT_FALSE(placement_.share());
+  ASSERT_TRUE(arrive());
+  ASSERT_NE(placement_.measured(), nullptr);
+  const auto answer = placement::choose(*placement_.measured(), placement_.settings().options, false);
+  EXPECT_LE(glm::distance(direction(0), placement_.measured()->candidates[*answer.c1].direction), tolerance);
+  EXPECT_LE(glm::distance(direction(1), placement_.measured()->candidates[*answer.c2].direction), tolerance);
+  // 192 directions lie 15 degrees apart.
+  EXPECT_GT(glm::dot(direction(0), bestDirection), std::cos(glm::radians(15.0)));
+  EXPECT_NEAR(*placement_.share(), answer.share, tolerance);
+  const Camera placed = cameras_.camera(0);
+  cameras_.orbit(0, 1.0, 0.3);
+  cameras_.reset();
+  EXPECT_EQ(cameras_.camera(0), placed) << "reset goes back to the answer";
+}
+
+TEST_F(Placement, OpeningAStudyLeavesItsCameras) {
+  Study focused = study();
+  focused.scene.focus = LabelFocus{{1}};
+  document_.open(focused);
+  EXPECT_FALSE(placement_.isBusy());
+  EXPECT_TRUE(placement_.canPlace());
+  placement_.place();
+  ASSERT_TRUE(arrive());
+  EXPECT_EQ(log_->begun, 1);
+}
+
+TEST_F(Placement, AFocusTakenBackAtOnceIsNotPlaced) {
+  document_.focusOn(1);
+  ASSERT_TRUE(arrive());
+  cameras_.orbit(0, 0.5, 0.2);
+  const Camera mine = cameras_.camera(0);
+  document_.focusOn(2);
+  document_.focusOn(1);
+  EXPECT_FALSE(placement_.isBusy());
+  EXPECT_NE(placement_.measured(), nullptr);
+  EXPECT_EQ(cameras_.camera(0), mine);
+  document_.setFocus(std::monostate{});
+  EXPECT_FALSE(placement_.isBusy());
+  EXPECT_EQ(placement_.measured(), nullptr);
+  EXPECT_EQ(log_->begun, 1);
+}
+
+TEST_F(Placement, WeightsRegionAndSearchMeasureNothing) {
+  document_.focusOn(1);
+  ASSERT_TRUE(arrive());
+  change([](PlacementSettings& settings) { settings.options.weights = {.coverage = -1.0, .location = 0.0}; });
+  EXPECT_TRUE(cameras_.isFlying());
+  ASSERT_TRUE(arrive());
+  EXPECT_LT(glm::dot(direction(0), bestDirection), -std::cos(glm::radians(15.0)));
+  change([](PlacementSettings& settings) {
+    settings.options.region = placement::Region::Stream;
+    settings.joint = true;
+  });
+  ASSERT_TRUE(arrive());
+  EXPECT_TRUE(placement::inRegion(direction(0), direction(1), placement_.settings().options));
+  EXPECT_EQ(log_->begun, 1);
+  change([](PlacementSettings& settings) { settings.sampling.count = 48; });
+  ASSERT_TRUE(arrive());
+  EXPECT_EQ(log_->begun, 2);
+  EXPECT_EQ(placement_.measured()->spread, 48u);
+}
+
+TEST_F(Placement, C2FollowsATurnedC1ButNotTheOtherWayRound) {
+  document_.focusOn(1);
+  ASSERT_TRUE(arrive());
+  cameras_.zoom(1, 2.0);
+  const double distance = glm::distance(cameras_.camera(1).eye, cameras_.camera(1).target);
+  cameras_.orbit(0, 0.9, 0.4);
+  const auto dual = placement::chooseDual(*placement_.measured(), direction(0), placement_.settings().options);
+  EXPECT_LE(glm::distance(direction(1), placement_.measured()->candidates[*dual.c2].direction), tolerance);
+  EXPECT_NEAR(glm::distance(cameras_.camera(1).eye, cameras_.camera(1).target), distance, 1e-6) << "its zoom stays";
+
+  const double relation = glm::dot(direction(0), direction(1));
+  cameras_.orbit(1, 0.3, 0.1);
+  EXPECT_NEAR(glm::dot(direction(0), direction(1)), relation, tolerance);
+  change([](PlacementSettings& settings) { settings.follow = false; });
+  cameras_.orbit(0, 0.3, 0.1);
+  EXPECT_NEAR(glm::dot(direction(0), direction(1)), relation, tolerance);
+}
+
+TEST_F(Placement, GoingSomewhereKeepsTheZoomAndTurnsALinkedC2Along) {
+  const double relation = glm::dot(direction(0), direction(1));
+  cameras_.zoom(0, 3.0);
+  const double distance = glm::distance(cameras_.camera(0).eye, cameras_.camera(0).target);
+  placement_.goTo(bestDirection);
+  ASSERT_TRUE(arrive());
+  EXPECT_LE(glm::distance(direction(0), bestDirection), tolerance);
+  EXPECT_NEAR(glm::dot(direction(0), direction(1)), relation, tolerance);
+  EXPECT_NEAR(glm::distance(cameras_.camera(0).eye, cameras_.camera(0).target), distance, 1e-6);
+}
+
+TEST_F(Placement, GoingSomewhereLeavesAnUnlinkedC2Alone) {
+  cameras_.setLinked(false);
+  cameras_.orbit(1, 0.4, 0.8);
+  const Camera second = cameras_.camera(1);
+  placement_.goTo(bestDirection);
+  ASSERT_TRUE(arrive());
+  EXPECT_LE(glm::distance(direction(0), bestDirection), tolerance);
+  EXPECT_EQ(cameras_.camera(1), second);
+}
+
+TEST_F(Placement, TheBestFewAreDistinctAndInOrder) {
+  document_.focusOn(1);
+  ASSERT_TRUE(arrive());
+  const std::vector<std::size_t> best = placement_.best(5);
+  ASSERT_EQ(best.size(), 5u);
+  const auto& candidates = placement_.measured()->candidates;
+  const auto quality = [&](std::size_t i) {
+    return placement::quality(candidates[i].descriptors, placement_.settings().options.weights);
+  };
+  for (std::size_t a = 0; a < best.size(); ++a)
+    for (std::size_t b = a + 1; b < best.size(); ++b) {
+      EXPECT_LE(glm::dot(candidates[best[a]].direction, candidates[best[b]].direction),
+                std::cos(glm::radians(30.0)) + tolerance);
+      EXPECT_GE(quality(best[a]), quality(best[b]));
+    }
+}
+
+TEST_F(Placement, CanBeCancelledAndTellsWhatWentWrong) {
+  document_.focusOn(1);
+  placement_.place();
+  EXPECT_TRUE(placement_.isMeasuring());
+  placement_.cancel();
+  EXPECT_FALSE(placement_.isBusy());
+  EXPECT_EQ(placement_.measured(), nullptr);
+  log_->broken = true;
+  placement_.place();
+  EXPECT_FALSE(placement_.isBusy());
+  EXPECT_TRUE(placement_.note().contains(QStringLiteral("no memory")));
+}
+
+TEST(Flight, TurnsEvenlyEndsExactlyAndStopsAtATouch) {
+  const Grid grid{.dims = glm::ivec3(10), .spacing = glm::dvec3(2.0)};
+  const Camera from = Camera::standard(StandardView::Anterior, grid), to = Camera::standard(StandardView::Left, grid);
+  const Camera half = between(from, to, 0.5);
+  EXPECT_NEAR(glm::dot(directionOf(half), directionOf(from)), std::sqrt(0.5), tolerance);
+  EXPECT_NEAR(glm::dot(directionOf(half), directionOf(to)), std::sqrt(0.5), tolerance);
+  EXPECT_NEAR(glm::dot(half.axes().up, glm::dvec3(0, 0, 1)), 1.0, tolerance);
+  EXPECT_EQ(between(from, to, 1.0), to);
+
+  ViewLink link;
+  link.place(from);
+  const ViewLink::Pair goal{to, Camera::standard(StandardView::Superior, grid)};
+  link.flyTo(goal, goal);
+  QSignalSpy landed(&link, &ViewLink::landed);
+  ASSERT_TRUE(landed.wait(patience));
+  EXPECT_EQ(link.camera(0), goal[0]);
+  EXPECT_EQ(link.camera(1), goal[1]);
+  link.flyTo({from, from}, goal);
+  EXPECT_TRUE(link.isFlying());
+  link.orbit(0, 0.1, 0.0);
+  EXPECT_FALSE(link.isFlying());
+  EXPECT_NE(link.camera(0), from);
+}
+
+TEST(SphereMap, ShowsDirectionsWhereTheyAreReadBack) {
+  for (const glm::dvec3 direction : placement::ringDirections(5)) {
+    const std::optional<glm::dvec3> back = directionFromMap(mapFromDirection(direction));
+    ASSERT_TRUE(back);
+    // At the poles the map's height changes with the direction's 1.5th power: half of the digits are left.
+    EXPECT_LE(glm::distance(*back, direction), 1e-7);
+  }
+  // The map is flat at the poles: there a position has a third of the digits.
+  const auto expectAt = [](glm::dvec3 direction, glm::dvec2 position) {
+    EXPECT_LE(glm::distance(mapFromDirection(direction), position), 1e-4);
+  };
+  expectAt({0, -1, 0}, {0, 0});  // anterior in the middle
+  expectAt({1, 0, 0}, {1, 0});   // left on the right
+  expectAt({0, 0, 1}, {0, 1});   // superior on top
+  EXPECT_FALSE(directionFromMap({1.5, 0.9}));
+}
+
+}  // namespace
+}  // namespace fenestra::viewer

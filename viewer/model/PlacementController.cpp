@@ -1,0 +1,203 @@
+#include "viewer/model/PlacementController.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "viewer/model/Document.h"
+
+namespace fenestra::viewer {
+namespace {
+
+/// A focus may be the first half of a double click, which takes it back, or one of many while a range is dragged.
+constexpr int settleMilliseconds = 200;
+/// Between two viewpoints offered as different.
+constexpr double apart = 30.0;  // degrees
+
+std::size_t nearest(const std::vector<placement::Candidate>& candidates, glm::dvec3 direction) {
+  const auto farther = [&](const placement::Candidate& a, const placement::Candidate& b) {
+    return glm::dot(a.direction, direction) < glm::dot(b.direction, direction);
+  };
+  return static_cast<std::size_t>(std::max_element(candidates.begin(), candidates.end(), farther) - candidates.begin());
+}
+
+}  // namespace
+
+PlacementController::PlacementController(Document& document, ViewLink& cameras, QObject* parent)
+    : QObject(parent), document_(document), cameras_(cameras) {
+  chosen_.setSingleShot(true);
+  chosen_.setInterval(settleMilliseconds);
+  connect(&chosen_, &QTimer::timeout, this, &PlacementController::place);
+  connect(&slice_, &QTimer::timeout, this, &PlacementController::slice);
+  connect(&document, &Document::focusChanged, this, &PlacementController::focusChanged);
+  connect(&document, &Document::volumeChanged, this, [this] { visible_.reset(); });
+  connect(&document, &Document::transferFunctionChanged, this, [this] { visible_.reset(); });
+  connect(&cameras, &ViewLink::turned, this, [this](int view) {
+    if (view == 0) follow();
+  });
+}
+
+PlacementController::~PlacementController() = default;
+
+void PlacementController::setBackend(std::unique_ptr<PlacementBackend> backend) {
+  backend_ = std::move(backend);
+  Q_EMIT changed();
+}
+
+bool PlacementController::canPlace() const {
+  return backend_ && document_.hasVolume() && !std::holds_alternative<std::monostate>(document_.focus());
+}
+
+PlacementController::Subject PlacementController::subject() const {
+  const Scene& scene = document_.scene();
+  return {scene.volume, scene.labels, scene.focus};
+}
+
+const placement::Measured* PlacementController::measured() const {
+  return measuredSubject_ == subject() ? &measured_ : nullptr;
+}
+
+void PlacementController::setSettings(const PlacementSettings& settings) {
+  if (settings == settings_) return;
+  const PlacementSettings before = std::exchange(settings_, settings);
+  if (settings.sampling != before.sampling && (measured() || isMeasuring()))
+    place();
+  else if (measured() && (settings.options != before.options || settings.joint != before.joint))
+    choose(false);
+  else if (measured() && settings.follow && !before.follow)
+    follow();
+  Q_EMIT changed();
+}
+
+void PlacementController::focusChanged() {
+  slice_.stop();
+  chosen_.stop();
+  note_.clear();
+  // A focus that comes with a study comes with its cameras too.
+  const bool arrived = volume_ != document_.scene().volume;
+  volume_ = document_.scene().volume;
+  if (!arrived && settings_.automatic && canPlace() && !measured()) chosen_.start();
+  Q_EMIT changed();
+}
+
+void PlacementController::place() {
+  cancel();
+  if (!canPlace()) return;
+  note_.clear();
+  try {
+    backend_->begin(document_.scene(), settings_.sampling, settings_.options);
+    slice_.start(0);
+  } catch (const std::exception& error) {
+    fail(error);
+  }
+  Q_EMIT changed();
+}
+
+void PlacementController::cancel() {
+  chosen_.stop();
+  if (!slice_.isActive()) return;
+  slice_.stop();
+  Q_EMIT changed();
+}
+
+double PlacementController::progress() const { return backend_ ? backend_->progress() : 0.0; }
+
+void PlacementController::slice() {
+  try {
+    if (!backend_->advance()) {
+      Q_EMIT progressed(backend_->progress());
+      return;
+    }
+  } catch (const std::exception& error) {
+    slice_.stop();
+    fail(error);
+    Q_EMIT changed();
+    return;
+  }
+  slice_.stop();
+  measured_ = backend_->measured();
+  measuredSubject_ = subject();
+  Q_EMIT measuredFocus();
+  choose(true);
+  Q_EMIT changed();
+}
+
+void PlacementController::fail(const std::exception& error) {
+  note_ = tr("The focus cannot be measured: %1").arg(QString::fromUtf8(error.what()));
+}
+
+void PlacementController::choose(bool framed) {
+  const placement::Placement answer = placement::choose(measured_, settings_.options, settings_.joint);
+  note_ = QString::fromStdString(answer.note);
+  if (!note_.isEmpty()) note_[0] = note_[0].toUpper();
+  if (!answer.c1) return;
+  const auto directionAt = [this](std::size_t candidate) { return measured_.candidates[candidate].direction; };
+  fly(directionAt(*answer.c1), answer.c2 ? std::optional(directionAt(*answer.c2)) : std::nullopt, framed);
+}
+
+void PlacementController::follow() {
+  if (!settings_.follow || !measured()) return;
+  const auto dual = placement::chooseDual(measured_, directionOf(cameras_.camera(0)), settings_.options);
+  if (dual.c2) cameras_.show(1, facing(cameras_.camera(1), measured_.candidates[*dual.c2].direction));
+}
+
+void PlacementController::goTo(glm::dvec3 direction) {
+  if (!document_.hasVolume()) return;
+  std::optional<glm::dvec3> c2;
+  const auto dual = settings_.follow && measured() ? placement::chooseDual(measured_, direction, settings_.options)
+                                                   : placement::Placement{};
+  if (dual.c2) {
+    c2 = measured_.candidates[*dual.c2].direction;
+  } else if (cameras_.isLinked()) {
+    const Camera::Axes before = cameras_.camera(0).axes(), after = facing(cameras_.camera(0), direction).axes();
+    const glm::dmat3 from(before.right, before.up, -before.forward), to(after.right, after.up, -after.forward);
+    c2 = to * glm::transpose(from) * directionOf(cameras_.camera(1));
+  }
+  fly(direction, c2, false);
+}
+
+void PlacementController::fly(glm::dvec3 c1, std::optional<glm::dvec3> c2, bool framed) {
+  const Camera &first = cameras_.camera(0), &second = cameras_.camera(1);
+  const ViewLink::Pair home{framing(c1), framing(c2.value_or(directionOf(second)))};
+  cameras_.flyTo({framed ? home[0] : facing(first, c1), !c2 ? second : framed ? home[1] : facing(second, *c2)}, home);
+}
+
+Camera PlacementController::framing(glm::dvec3 direction) {
+  if (!visible_) visible_ = visibleGrid(*document_.scene().volume, document_.scene().context);
+  return Camera::fromDirection(direction, *visible_, cameras_.projection());
+}
+
+std::optional<double> PlacementController::share() const {
+  if (!measured() || measured_.surfacePoints == 0) return std::nullopt;
+  const auto seen = [this](int view) -> const placement::Candidate& {
+    return measured_.candidates[nearest(measured_.candidates, directionOf(cameras_.camera(view)))];
+  };
+  return placement::seenShare(seen(0), seen(1), measured_.surfacePoints);
+}
+
+std::vector<std::size_t> PlacementController::best(std::size_t count) const {
+  std::vector<std::size_t> kept;
+  if (!measured()) return kept;
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < measured_.spread; ++i)
+    if (measured_.candidates[i].sums.count > 0.0) order.push_back(i);
+  std::stable_sort(order.begin(), order.end(), [this](std::size_t a, std::size_t b) {
+    return placement::quality(measured_.candidates[a].descriptors, settings_.options.weights) >
+           placement::quality(measured_.candidates[b].descriptors, settings_.options.weights);
+  });
+  const double nearestCosine = std::cos(glm::radians(apart));
+  for (const std::size_t candidate : order) {
+    if (kept.size() == count) break;
+    const bool distinct = std::all_of(kept.begin(), kept.end(), [&](std::size_t other) {
+      return glm::dot(measured_.candidates[other].direction, measured_.candidates[candidate].direction) <=
+             nearestCosine;
+    });
+    if (distinct) kept.push_back(candidate);
+  }
+  return kept;
+}
+
+QImage PlacementController::picture(std::size_t candidate, QSize size) {
+  return backend_->picture(document_.scene(), framing(measured_.candidates.at(candidate).direction), size);
+}
+
+}  // namespace fenestra::viewer

@@ -1,0 +1,54 @@
+#pragma once
+// The sphere of viewpoints as a Mollweide map (equal areas), coloured by quality, with both cameras on it. Anterior is
+// in the middle, the patient's left on the right as seen from there, superior on top; a click asks to look from there.
+
+#include <optional>
+#include <vector>
+
+#include <QImage>
+#include <QWidget>
+
+#include <glm/glm.hpp>
+
+namespace fenestra::viewer {
+
+class PlacementController;
+class ViewLink;
+
+/// Mollweide projection of unit directions (LPS): x in -2…2 and y in -1…1, from the patient's right to left and
+/// upwards.
+glm::dvec2 mapFromDirection(glm::dvec3 direction);
+/// Empty outside the ellipse.
+std::optional<glm::dvec3> directionFromMap(glm::dvec2 position);
+
+class SphereMap : public QWidget {
+  Q_OBJECT
+ public:
+  SphereMap(ViewLink& cameras, PlacementController& placement, QWidget* parent = nullptr);
+
+  QPointF widgetFromDirection(glm::dvec3 direction) const;
+  std::optional<glm::dvec3> directionFromWidget(QPointF position) const;
+
+  QSize sizeHint() const override { return {260, 138}; }
+  QSize minimumSizeHint() const override { return {160, 90}; }
+
+ Q_SIGNALS:
+  void clicked(glm::dvec3 direction);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+
+ private:
+  /// The ellipse, in the widget.
+  QRectF frame() const;
+  void findNearest();
+  void colour();
+
+  ViewLink& cameras_;
+  PlacementController& placement_;
+  QImage picture_;            ///< of the ellipse's box
+  std::vector<int> nearest_;  ///< per pixel of it the candidate; -1 outside the ellipse
+};
+
+}  // namespace fenestra::viewer

@@ -1,0 +1,59 @@
+#include "viewer/views/PlacementRenderer.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "viewer/views/VolumeView.h"
+
+namespace fenestra::viewer {
+namespace {
+
+/// Candidates in a slice: without a GPU some 50 ms of work for an organ.
+constexpr std::size_t sliceCandidates = 12;
+
+}  // namespace
+
+PlacementRenderer::~PlacementRenderer() {
+  view_.inContext([this](const std::shared_ptr<GpuScene>&) {
+    placer_.reset();
+    renderer_.reset();
+  });
+}
+
+void PlacementRenderer::begin(const Scene& scene, const placement::Sampling& sampling,
+                              const placement::Options& options) {
+  const bool ran = view_.inContext([&](const std::shared_ptr<GpuScene>& gpu) {
+    if (!placer_) placer_.emplace();
+    placer_->begin(*gpu, scene, sampling, options);
+  });
+  if (!ran) throw std::logic_error("the 3-D views have not been shown yet");
+}
+
+bool PlacementRenderer::advance() {
+  bool done = false;
+  view_.inContext([&](const std::shared_ptr<GpuScene>& gpu) { done = placer_->advance(*gpu, sliceCandidates); });
+  return done;
+}
+
+QImage PlacementRenderer::picture(const Scene& scene, const Camera& camera, QSize size) {
+  QImage picture(size, QImage::Format_RGBA8888_Premultiplied);
+  view_.inContext([&](const std::shared_ptr<GpuScene>& gpu) {
+    if (!renderer_) renderer_.emplace(gpu);
+    // Widths in pixels are meant for a view some five times as large.
+    constexpr double pixelScale = 0.2;
+    // Margins are room that a small picture does not have.
+    constexpr double zoom = 1.3;
+    renderer_->render(scene, {.camera = camera.zoomed(zoom),
+                              .size = {size.width(), size.height()},
+                              .pixelScale = pixelScale,
+                              .quality = Quality::Normal});
+    const std::vector<std::uint8_t> pixels = renderer_->readPicture();
+    const auto stride = static_cast<std::size_t>(4 * size.width());
+    for (int row = 0; row < size.height(); ++row)
+      std::copy_n(pixels.begin() + static_cast<std::ptrdiff_t>(stride * static_cast<std::size_t>(row)), stride,
+                  picture.scanLine(row));
+  });
+  return picture;
+}
+
+}  // namespace fenestra::viewer

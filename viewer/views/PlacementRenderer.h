@@ -1,0 +1,31 @@
+#pragma once
+// What placing the cameras renders: candidates and small pictures, in a 3-D view's OpenGL context with its voxels.
+
+#include <optional>
+
+#include "rendering/passes/Renderer.h"
+#include "viewer/model/PlacementController.h"
+
+namespace fenestra::viewer {
+
+class VolumeView;
+
+class PlacementRenderer : public PlacementBackend {
+ public:
+  /// The view outlives this.
+  explicit PlacementRenderer(VolumeView& view) : view_(view) {}
+  ~PlacementRenderer() override;
+
+  void begin(const Scene& scene, const placement::Sampling& sampling, const placement::Options& options) override;
+  bool advance() override;
+  double progress() const override { return placer_ ? placer_->progress() : 0.0; }
+  const placement::Measured& measured() const override { return placer_->measured(); }
+  QImage picture(const Scene& scene, const Camera& camera, QSize size) override;
+
+ private:
+  VolumeView& view_;
+  std::optional<placement::Placer> placer_;
+  std::optional<Renderer> renderer_;
+};
+
+}  // namespace fenestra::viewer
