@@ -1,5 +1,8 @@
 #include "viewer/panels/CamerasPanel.h"
 
+#include <QAbstractSlider>
+#include <QAbstractSpinBox>
+#include <QEvent>
 #include <QFormLayout>
 #include <QFrame>
 #include <QHBoxLayout>
@@ -136,6 +139,13 @@ CamerasPanel::CamerasPanel(Document& document, ViewLink& cameras, PlacementContr
   setFrameShape(QFrame::NoFrame);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
 
+  for (auto* widget : body->findChildren<QWidget*>())
+    if (qobject_cast<QComboBox*>(widget) || qobject_cast<QAbstractSlider*>(widget) ||
+        qobject_cast<QAbstractSpinBox*>(widget)) {
+      widget->setFocusPolicy(Qt::StrongFocus);
+      widget->installEventFilter(this);
+    }
+
   const auto edit = [this](auto change) {
     PlacementSettings settings = placement_.settings();
     change(settings);
@@ -271,6 +281,13 @@ void CamerasPanel::drawNext() {
 void CamerasPanel::showEvent(QShowEvent* event) {
   QScrollArea::showEvent(event);
   if (drawn_ < best_.size()) drawBest();
+}
+
+bool CamerasPanel::eventFilter(QObject* watched, QEvent* event) {
+  const auto* widget = qobject_cast<QWidget*>(watched);
+  if (event->type() != QEvent::Wheel || !widget || widget->hasFocus()) return QScrollArea::eventFilter(watched, event);
+  event->ignore();  // and so it goes on to the scroll area
+  return true;
 }
 
 }  // namespace fenestra::viewer
