@@ -26,6 +26,8 @@ std::optional<CameraChoice> parseCamera(const std::string& text) {
       {"R", StandardView::Right},    {"S", StandardView::Superior},  {"I", StandardView::Inferior}};
   for (const auto& [letter, view] : views)
     if (text == letter) return view;
+  if (text == "best") return PlacedView::Best;
+  if (text == "dual") return PlacedView::Dual;
   if (const auto angles = parseNumbers<double, 2>(text, ',')) return ViewAngles{(*angles)[0], (*angles)[1]};
   if (fs::path(text).extension() == ".json") return fs::path(text);
   return std::nullopt;
@@ -196,8 +198,9 @@ void addSceneOptions(CLI::App& command, SceneOptions& options) {
   command.add_option("--transfer-function", options.transferFunction, "optical properties of everything but the focus")
       ->type_name(presets + "|FILE.json");
   addParsed(
-      command, "--camera", "A|P|L|R|S|I|AZIMUTH,ELEVATION|FILE.json",
-      "side to look from, angles in degrees (0,0 faces the patient, 90,0 is the patient's left), or a camera file",
+      command, "--camera", "A|P|L|R|S|I|AZIMUTH,ELEVATION|FILE.json|best|dual",
+      "side to look from, angles in degrees (0,0 faces the patient, 90,0 is the patient's left), a camera file, or the "
+      "best view of the focus or its complement, as place finds them",
       [&options](const std::string& text) {
         options.camera = parseCamera(text);
         return options.camera.has_value();
@@ -304,6 +307,10 @@ LoadedScene loadScene(const SceneOptions& options, const io::Progress& progress)
     loaded.view.camera.projection = options.projection.value_or(saved.camera.projection);
     loaded.view.size = saved.size;
   } else {
+    if (const auto* placed = std::get_if<PlacedView>(&camera)) {
+      loaded.placed = *placed;
+      camera = StandardView::Anterior;
+    }
     loaded.view.camera = makeCamera(options, camera, visibleGrid(*scene.volume, scene.context));
   }
   loaded.view.size = options.size.value_or(loaded.view.size);

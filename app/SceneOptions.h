@@ -37,8 +37,10 @@ struct VolumeOptions {
 struct ViewAngles {
   double azimuth = 0.0, elevation = 0.0;
 };
-/// A standard view, angles, or a camera file.
-using CameraChoice = std::variant<StandardView, ViewAngles, std::filesystem::path>;
+/// A camera that is placed for the focus (rendering/placement): the best view, or the one that complements it.
+enum class PlacedView : std::uint8_t { Best, Dual };
+/// A standard view, angles, a camera file, or a placed camera.
+using CameraChoice = std::variant<StandardView, ViewAngles, std::filesystem::path, PlacedView>;
 
 /// Everything that --help lists under SCENE; unset members mean "what suits the data".
 struct SceneOptions : VolumeOptions {
@@ -74,6 +76,7 @@ struct LoadedScene {
   io::OpenedVolume volume;  ///< its warnings moved to `warnings`
   Scene scene;
   View view;
+  std::optional<PlacedView> placed;   ///< view.camera is still to be placed, which takes an OpenGL context
   std::string transferFunction;       ///< preset or file in use
   std::vector<io::Warning> warnings;  ///< of volume, labels and focus
 };

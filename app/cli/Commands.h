@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "app/SceneOptions.h"
+#include "rendering/placement/Placer.h"
 #include "rendering/scene/Slice.h"
 
 namespace fenestra::cli {
@@ -39,6 +40,17 @@ struct RenderOptions {
   bool reference = false;                       ///< the geometric stages on the CPU instead of the picture
 };
 void render(const RenderOptions& options);
+
+struct PlaceOptions {
+  app::SceneOptions scene;
+  placement::Sampling sampling;
+  placement::Options placement;
+  bool joint = false;           ///< both cameras at once
+  bool everyCandidate = false;  ///< also the descriptors of all candidates
+  int repeat = 1;               ///< measurements, for their times
+  std::filesystem::path map;    ///< PNG of the quality over the sphere; empty: not written
+};
+void place(const PlaceOptions& options);
 
 struct CompareOptions {
   std::filesystem::path a, b;

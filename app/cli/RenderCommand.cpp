@@ -14,6 +14,7 @@
 #include "io/ImageWriter.h"
 #include "rendering/egl/EglContext.h"
 #include "rendering/passes/GpuScene.h"
+#include "rendering/placement/Placer.h"
 #include "rendering/reference/Reference.h"
 
 namespace fenestra::cli {
@@ -111,6 +112,17 @@ Json statistics(const std::string& description, const View& view, const Renderer
   };
 }
 
+/// The best view or its complement among the default candidates, in the projection that the view has.
+Camera placedCamera(const fs::path& source, const app::LoadedScene& loaded, GpuScene& gpuScene) {
+  placement::Placer placer;
+  const placement::Measured& measured = placer.measure(gpuScene, loaded.scene, {}, {});
+  const placement::Placement placement = placement::choose(measured, {}, false);
+  const std::optional<std::size_t> chosen = *loaded.placed == app::PlacedView::Best ? placement.c1 : placement.c2;
+  if (!chosen) throw io::Error(source, placement.note, placementHint);
+  const Grid framed = visibleGrid(*loaded.scene.volume, loaded.scene.context);
+  return Camera::fromDirection(measured.candidates[*chosen].direction, framed, loaded.view.camera.projection);
+}
+
 }  // namespace
 
 void render(const RenderOptions& options) {
@@ -118,13 +130,15 @@ void render(const RenderOptions& options) {
   printWarnings(loaded.warnings);
   const Scene& scene = loaded.scene;
   View view = loaded.view;
+  std::optional<egl::EglContext> context;
+  if (loaded.placed || !options.reference) context.emplace();
+  const auto gpuScene = context ? std::make_shared<GpuScene>() : nullptr;
+  if (loaded.placed) view.camera = placedCamera(options.scene.source(), loaded, *gpuScene);
   if (options.reference) {
     writeLayers(options.layers, referenceLayers(scene, view), view, scene.volume->grid);
     return;
   }
 
-  egl::EglContext context;
-  const auto gpuScene = std::make_shared<GpuScene>();
   Renderer renderer(gpuScene);
   renderer.setTiming(!options.stats.empty());
   std::vector<std::uint8_t> picture;
@@ -140,7 +154,7 @@ void render(const RenderOptions& options) {
   io::writePng(options.output, view.size, 3, overBackground(picture, scene.background));
   if (!options.layers.empty()) writeLayers(options.layers, renderer.readLayers(), view, scene.volume->grid);
   if (!options.stats.empty())
-    io::writeText(options.stats, statistics(context.description(), view, renderer, *gpuScene, frames).dump(2) + "\n");
+    io::writeText(options.stats, statistics(context->description(), view, renderer, *gpuScene, frames).dump(2) + "\n");
 }
 
 }  // namespace fenestra::cli

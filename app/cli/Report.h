@@ -16,6 +16,8 @@ io::Progress progressOnTerminal();
 void printWarnings(const std::vector<io::Warning>& warnings);
 /// To standard output, indented; bytes that are not UTF-8 (file names) are replaced.
 void printJson(const nlohmann::ordered_json& json);
+/// What to do when no camera can be placed.
+inline constexpr const char* placementHint = "choose a focus with --focus-labels or --focus-range";
 /// `text` without line breaks and other control characters.
 std::string oneLine(std::string text);
 

@@ -5,6 +5,7 @@
 #include <functional>
 #include <iostream>
 #include <new>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,6 +18,7 @@
 #include "app/cli/Report.h"
 #include "rendering/egl/EglContext.h"
 #include "rendering/passes/RenderError.h"
+#include "rendering/placement/Sphere.h"
 
 namespace fenestra::cli {
 namespace {
@@ -35,6 +37,72 @@ void requireSource(CLI::App& command) {
     if (!command.get_option("PATH")->count() && !command.get_option("--phantom")->count())
       throw CLI::RequiredError("PATH or --phantom");
   });
+}
+
+/// The nearest numbers of directions that HEALPix has, for who asked for another.
+std::string nearestCounts(int count) {
+  int nside = 1;
+  while (12 * (nside + 1) * (nside + 1) <= count) ++nside;
+  return std::to_string(12 * nside * nside) + " and " + std::to_string(12 * (nside + 1) * (nside + 1));
+}
+
+void addPlacementOptions(CLI::App& command, PlaceOptions& options) {
+  command.option_defaults()->group("Placement");
+  command
+      .add_option_function<std::string>(
+          "--samples",
+          [&options](const std::string& text) {
+            constexpr int most = 12288;
+            const std::optional<int> count = app::parseNumber<int>(text);
+            if (!count || *count < 12 || *count > most)
+              throw CLI::ValidationError("--samples", "\"" + text + "\" is not a number from 12 to 12288");
+            if (!placement::sideOf(*count))
+              throw CLI::ValidationError(
+                  "--samples", "there are 12·n² directions, not " + text + "; the nearest are " + nearestCounts(*count));
+            options.sampling.count = *count;
+          },
+          "directions to try, 12·n² of them: 12, 48, 108, 192 (default), 300, 432, ...")
+      ->type_name("N");
+  command.add_flag("--refine", options.sampling.refined,
+                   "instead: 48 directions, then finer where the views are best, as fine as 12288");
+  app::addChoice<placement::Region>(
+      command, "--region", "where the second camera may be, seen from the first, default semi-sphere",
+      {{"stream", placement::Region::Stream}, {"semi-sphere", placement::Region::SemiSphere}}, options.placement.region);
+  app::addNumber(command, "--delta", 0.0, 90.0, "DEGREES", "half width of the stream, default 15",
+                 options.placement.streamHalfWidth);
+  const placement::Weights usual;
+  std::ostringstream defaults;
+  defaults << usual.visibility << "," << usual.coverage << "," << usual.location;
+  app::addParsed(command, "--weights", "V,C,L",
+                 "of visibility (depth; negative prefers near), coverage and location, default " + defaults.str(),
+                 [&options](const std::string& text) {
+                   const auto weights = app::parseNumbers<double, 3>(text, ',');
+                   if (!weights) return false;
+                   options.placement.weights.visibility = (*weights)[0];
+                   options.placement.weights.coverage = (*weights)[1];
+                   options.placement.weights.location = (*weights)[2];
+                   return true;
+                 });
+  const auto addWeight = [&](const char* name, const char* of, double& weight) {
+    app::addNumber(command, name, -1e6, 1e6, "WEIGHT", std::string("of ") + of + ", default 0", weight);
+  };
+  addWeight("--entropy", "the seen surface's entropy", options.placement.weights.entropy);
+  addWeight("--mutual-information", "how typical a view is of the surface", options.placement.weights.mutualInformation);
+  addWeight("--stability", "the likeness to neighbouring views", options.placement.weights.stability);
+  addWeight("--orientation", "the nearness to a standard view", options.placement.weights.orientation);
+  CLI::Option* joint = command.add_flag("--joint", options.joint, "search both cameras at once");
+  app::addNumber(command, "--share-weight", 0.0, 1.0, "0..1",
+                 "of the surface seen by either camera in the joint search, the rest is quality's; default 1",
+                 options.placement.shareWeight)
+      ->needs(joint);
+  command.add_option("--side", options.sampling.side, "pixels along a candidate's image, default 128")
+      ->check(CLI::Range(8, 2048))
+      ->type_name("PIXELS");
+  app::addChoice<bool>(command, "--json", "the two cameras, or also every candidate; default cameras",
+                       {{"cameras", false}, {"all", true}}, options.everyCandidate);
+  command.add_option("--map", options.map, "PNG of the quality over the sphere, the cameras marked")->type_name("FILE");
+  command.add_option("--repeat", options.repeat, "measurements to make and time")->check(CLI::Range(1, 1000));
+  command.option_defaults()->group("Options");
 }
 
 int fail(const std::string& what) {
@@ -124,6 +192,13 @@ int main(int argc, char** argv) {
   });
   commands.push_back({command, &renderOptions.scene, [&] { return render(renderOptions), true; }});
 
+  PlaceOptions placeOptions;
+  command = program.add_subcommand("place", "the best view of the focus and one that complements it, as JSON");
+  app::addSceneOptions(*command, placeOptions.scene);
+  addPlacementOptions(*command, placeOptions);
+  requireSource(*command);
+  commands.push_back({command, &placeOptions.scene, [&] { return place(placeOptions), true; }});
+
   CompareOptions compareOptions;
   command = program.add_subcommand("compare", "errors between two pictures or layers, as JSON");
   command->add_option("A", compareOptions.a, "PNG or .mha")->required()->type_name("");
@@ -136,7 +211,7 @@ int main(int argc, char** argv) {
     return program.exit(success);
   } catch (const CLI::ParseError& error) {
     const bool named = !program.get_subcommands().empty();
-    const std::string what = named ? error.what() : "expected info, convert, slice, render or compare";
+    const std::string what = named ? error.what() : "expected info, convert, slice, render, place or compare";
     std::cerr << oneLine("fenestra-cli: " + what + "; see --help") << '\n';
     return misused;
   }

@@ -51,8 +51,9 @@ EGLContext createContext(EGLDisplay display, std::string& reason) {
   EGLint count = 0;
   if (!eglChooseConfig(display, configAttributes, &config, 1, &count) || count == 0)
     config = nullptr;  // EGL_KHR_no_config_context
-  const EGLint contextAttributes[] = {EGL_CONTEXT_MAJOR_VERSION, 4, EGL_CONTEXT_MINOR_VERSION, 5,
-                                      EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+  const EGLint contextAttributes[] = {
+      EGL_CONTEXT_MAJOR_VERSION,           4,       EGL_CONTEXT_MINOR_VERSION, 5, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+      EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
   const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, contextAttributes);
   if (context == EGL_NO_CONTEXT) reason = "the driver offers no OpenGL 4.5 core context";
   return context;
@@ -95,9 +96,7 @@ EglContext::~EglContext() {
   // The display stays initialised: it is the process's, another context may be using it.
 }
 
-void EglContext::makeCurrent() {
-  eglMakeCurrent(state_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, state_->context);
-}
+void EglContext::makeCurrent() { eglMakeCurrent(state_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, state_->context); }
 
 std::string EglContext::description() const { return gl::description(); }
 

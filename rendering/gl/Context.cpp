@@ -54,12 +54,23 @@ void noteErrors() {
   for (GLenum error = glGetError(); error != GL_NO_ERROR; error = glGetError()) {
     if (!firstError.empty()) continue;
     switch (error) {
-      case GL_INVALID_ENUM: firstError = "GL_INVALID_ENUM"; break;
-      case GL_INVALID_VALUE: firstError = "GL_INVALID_VALUE"; break;
-      case GL_INVALID_OPERATION: firstError = "GL_INVALID_OPERATION"; break;
-      case GL_INVALID_FRAMEBUFFER_OPERATION: firstError = "GL_INVALID_FRAMEBUFFER_OPERATION"; break;
-      case GL_OUT_OF_MEMORY: firstError = "GL_OUT_OF_MEMORY"; break;
-      default: firstError = "GL error " + std::to_string(error);
+      case GL_INVALID_ENUM:
+        firstError = "GL_INVALID_ENUM";
+        break;
+      case GL_INVALID_VALUE:
+        firstError = "GL_INVALID_VALUE";
+        break;
+      case GL_INVALID_OPERATION:
+        firstError = "GL_INVALID_OPERATION";
+        break;
+      case GL_INVALID_FRAMEBUFFER_OPERATION:
+        firstError = "GL_INVALID_FRAMEBUFFER_OPERATION";
+        break;
+      case GL_OUT_OF_MEMORY:
+        firstError = "GL_OUT_OF_MEMORY";
+        break;
+      default:
+        firstError = "GL error " + std::to_string(error);
     }
   }
 }

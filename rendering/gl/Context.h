@@ -40,7 +40,8 @@ class TimerQuery {
 
 /// Waits until everything asked of the GPU is done.
 void finish();
-/// Name of the first OpenGL error since the last call, and clears them all; empty when there is none. Tests end with it.
+/// Name of the first OpenGL error since the last call, and clears them all; empty when there is none. Tests end with
+/// it.
 std::string takeError();
 /// Keeps pending errors for takeError(), so that what follows can be told apart.
 void noteErrors();

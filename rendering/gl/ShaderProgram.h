@@ -27,8 +27,8 @@ struct Define {
 class ShaderProgram {
  public:
   ShaderProgram() = default;
-  /// `path` below rendering/shaders, e.g. "HitPoints.comp". `#include "lib/Ray.glsl"` is resolved against the same root,
-  /// each file once. Throws ShaderError.
+  /// `path` below rendering/shaders, e.g. "HitPoints.comp". `#include "lib/Ray.glsl"` is resolved against the same
+  /// root, each file once. Throws ShaderError.
   static ShaderProgram compute(std::string_view path, const std::vector<Define>& defines = {});
   static ShaderProgram graphics(std::string_view vertexPath, std::string_view fragmentPath);
   ~ShaderProgram();

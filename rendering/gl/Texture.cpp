@@ -18,15 +18,24 @@ struct Traits {
 
 Traits traits(Format format) {
   switch (format) {
-    case Format::R8: return {GL_R8, GL_RED, GL_UNSIGNED_BYTE, 1};
-    case Format::R16: return {GL_R16, GL_RED, GL_UNSIGNED_SHORT, 2};
-    case Format::R32F: return {GL_R32F, GL_RED, GL_FLOAT, 4};
-    case Format::RG32F: return {GL_RG32F, GL_RG, GL_FLOAT, 8};
-    case Format::RGBA8: return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4};
-    case Format::RGBA32F: return {GL_RGBA32F, GL_RGBA, GL_FLOAT, 16};
-    case Format::R8UI: return {GL_R8UI, GL_RED_INTEGER, GL_UNSIGNED_BYTE, 1};
-    case Format::R16UI: return {GL_R16UI, GL_RED_INTEGER, GL_UNSIGNED_SHORT, 2};
-    case Format::R32UI: break;
+    case Format::R8:
+      return {GL_R8, GL_RED, GL_UNSIGNED_BYTE, 1};
+    case Format::R16:
+      return {GL_R16, GL_RED, GL_UNSIGNED_SHORT, 2};
+    case Format::R32F:
+      return {GL_R32F, GL_RED, GL_FLOAT, 4};
+    case Format::RG32F:
+      return {GL_RG32F, GL_RG, GL_FLOAT, 8};
+    case Format::RGBA8:
+      return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4};
+    case Format::RGBA32F:
+      return {GL_RGBA32F, GL_RGBA, GL_FLOAT, 16};
+    case Format::R8UI:
+      return {GL_R8UI, GL_RED_INTEGER, GL_UNSIGNED_BYTE, 1};
+    case Format::R16UI:
+      return {GL_R16UI, GL_RED_INTEGER, GL_UNSIGNED_SHORT, 2};
+    case Format::R32UI:
+      break;
   }
   return {GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, 4};
 }

@@ -16,8 +16,8 @@ glm::ivec3 brickCount(glm::ivec3 dims) { return (dims + 1 + brickSide - 1) / bri
 
 std::size_t brickOffset(glm::ivec3 bricks, glm::ivec3 brick) {
   return static_cast<std::size_t>(brick.x) +
-         static_cast<std::size_t>(bricks.x) *
-             (static_cast<std::size_t>(brick.y) + static_cast<std::size_t>(bricks.y) * static_cast<std::size_t>(brick.z));
+         static_cast<std::size_t>(bricks.x) * (static_cast<std::size_t>(brick.y) +
+                                               static_cast<std::size_t>(bricks.y) * static_cast<std::size_t>(brick.z));
 }
 
 BrickRanges brickRanges(const Volume& volume) {

@@ -12,12 +12,12 @@ class CompositePass {
   /// What the scene uses; null leaves a stage out.
   struct Inputs {
     const gl::Texture* focusLayer = nullptr;
-    const gl::Texture* hitPoints = nullptr;     ///< with distances: a cutaway with its border
+    const gl::Texture* hitPoints = nullptr;  ///< with distances: a cutaway with its border
     const gl::Texture* distances = nullptr;
     const gl::Texture* contextLayer = nullptr;  ///< with silhouette
     const gl::Texture* silhouette = nullptr;
-    glm::dvec2 widths{0.0};                     ///< w_open, w_border in rendered pixels
-    double curvatureScale = 1.0;                ///< mm, the scale of the derivatives
+    glm::dvec2 widths{0.0};       ///< w_open, w_border in rendered pixels
+    double curvatureScale = 1.0;  ///< mm, the scale of the derivatives
   };
   /// Writes premultiplied RGBA32F without background.
   void run(const Inputs& inputs, const Scene& scene, gl::Texture& picture);

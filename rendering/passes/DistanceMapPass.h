@@ -6,8 +6,9 @@
 
 namespace fenestra {
 
-/// Separable and limited to a range: rows by bit scans over a packed mask, columns by an outward search that stops once it
-/// cannot improve, neither where no focus is near. Squared distances are integers, so the result is exact to one rounding of the square root.
+/// Separable and limited to a range: rows by bit scans over a packed mask, columns by an outward search that stops once
+/// it cannot improve, neither where no focus is near. Squared distances are integers, so the result is exact to one
+/// rounding of the square root.
 class DistanceMapPass {
  public:
   static constexpr float beyond = 1e30f;  ///< value of pixels farther than the range

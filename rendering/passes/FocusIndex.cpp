@@ -22,7 +22,7 @@ std::size_t cellInBrick(glm::ivec3 cell) {
 
 template <class T>
 std::optional<IndexBox> labelledBox(std::span<const T> labels, const Grid& grid,
-                                           const std::vector<std::uint8_t>& wanted) {
+                                    const std::vector<std::uint8_t>& wanted) {
   std::mutex mutex;
   std::optional<IndexBox> box;
   parallelFor(static_cast<std::size_t>(grid.dims.z), 4, [&](std::size_t begin, std::size_t end) {
@@ -137,7 +137,9 @@ void indexValues(FocusIndex& index, std::span<const T> scalars, const Volume& vo
                  const BrickRanges& ranges) {
   const glm::ivec3 dims = volume.grid.dims;
   const glm::ivec3 cells = glm::max(dims - 1, 1);
-  const auto rowAt = [&](int y, int z) { return static_cast<std::size_t>(z) * static_cast<std::size_t>(cells.y) + static_cast<std::size_t>(y); };
+  const auto rowAt = [&](int y, int z) {
+    return static_cast<std::size_t>(z) * static_cast<std::size_t>(cells.y) + static_cast<std::size_t>(y);
+  };
 
   // Rows of bricks that no value of the range reaches need no look at their voxels.
   const auto rowCanMeet = [&](int y, int z) {
@@ -202,18 +204,19 @@ void indexValues(FocusIndex& index, std::span<const T> scalars, const Volume& vo
 
   // Per brick: how many active cells, how many of them kept; bits only where some are dropped.
   std::vector<std::uint32_t> active(index.slots.size(), 0), kept(index.slots.size(), 0);
-  const auto eachRun = [&](auto&& visit) {  // visits (first cell-frame x, last + 1, y, z, kept), border half cells included
-    for (int z = 0; z <= dims.z; ++z)
-      for (int y = 0; y <= dims.y; ++y) {
-        const std::size_t row = rowAt(std::clamp(y - 1, 0, cells.y - 1), std::clamp(z - 1, 0, cells.z - 1));
-        for (std::size_t i = 0; i < runs[row].size(); ++i) {
-          const Run& run = runs[row][i];
-          const std::uint64_t count = size[components.find(firstRun[row] + static_cast<std::uint32_t>(i))];
-          visit(run.begin == 0 ? 0 : run.begin + 1, run.end == cells.x ? dims.x + 1 : run.end + 1, y, z,
-                static_cast<double>(count) * voxel >= focus.minimumComponent);
-        }
-      }
-  };
+  const auto eachRun =
+      [&](auto&& visit) {  // visits (first cell-frame x, last + 1, y, z, kept), border half cells included
+        for (int z = 0; z <= dims.z; ++z)
+          for (int y = 0; y <= dims.y; ++y) {
+            const std::size_t row = rowAt(std::clamp(y - 1, 0, cells.y - 1), std::clamp(z - 1, 0, cells.z - 1));
+            for (std::size_t i = 0; i < runs[row].size(); ++i) {
+              const Run& run = runs[row][i];
+              const std::uint64_t count = size[components.find(firstRun[row] + static_cast<std::uint32_t>(i))];
+              visit(run.begin == 0 ? 0 : run.begin + 1, run.end == cells.x ? dims.x + 1 : run.end + 1, y, z,
+                    static_cast<double>(count) * voxel >= focus.minimumComponent);
+            }
+          }
+      };
   eachRun([&](int begin, int end, int y, int z, bool keep) {
     for (int x = begin; x < end;) {
       const int next = std::min(end, (x / brickSide + 1) * brickSide);

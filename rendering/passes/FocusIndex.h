@@ -21,7 +21,8 @@ struct FocusIndex {
   /// Labels: 512 bytes a slot, one a cell, bit i set when corner i (x fastest) has a label of the focus.
   /// Values: 512 bits a slot, one a cell, set when the cell's component is kept.
   std::vector<std::uint32_t> cells;
-  /// Box of the focus in index coordinates: labelled voxels, or the corners of kept cells. Empty when nothing is in focus.
+  /// Box of the focus in index coordinates: labelled voxels, or the corners of kept cells. Empty when nothing is in
+  /// focus.
   std::optional<IndexBox> box;
 
   std::size_t bytes() const { return (slots.size() + cells.size()) * sizeof(std::uint32_t); }

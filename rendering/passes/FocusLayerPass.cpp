@@ -13,11 +13,13 @@ double gate(double fraction) { return std::sqrt(4.0 * fraction); }
 constexpr double wallDepthVoxels = 2.0;
 }  // namespace
 
-void FocusLayerPass::run(const GpuScene& gpu, const Scene& scene, const RayFrame& rays, const std::optional<Opening>& opening,
-                         double step, gl::Texture& focusLayer) {
+void FocusLayerPass::run(const GpuScene& gpu, const Scene& scene, const RayFrame& rays,
+                         const std::optional<Opening>& opening, double step, gl::Texture& focusLayer) {
   const bool shading = scene.shading.enabled;
   const bool palette = static_cast<bool>(gpu.focusPaletteIndex());
-  gl::ShaderProgram& program = programs_.get({focusDefine(gpu), {"SHADING", shading}, {"FOCUS_PALETTE", palette},
+  gl::ShaderProgram& program = programs_.get({focusDefine(gpu),
+                                              {"SHADING", shading},
+                                              {"FOCUS_PALETTE", palette},
                                               {"HAS_RAY_START", opening.has_value()},
                                               {"TABLE_SIZE", GpuScene::tableSize}});
   rays.setUniforms(program);

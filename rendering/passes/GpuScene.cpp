@@ -76,8 +76,8 @@ void GpuScene::updateVolume(const Scene& scene) {
 }
 
 void GpuScene::updateGradient() {
-  // Lighting asks for gradients where something shows and values vary by more than noise. The least change of value in a
-  // brick that can lift a central difference over the gate: it may span two bricks, and has three components.
+  // Lighting asks for gradients where something shows and values vary by more than noise. The least change of value in
+  // a brick that can lift a central difference over the gate: it may span two bricks, and has three components.
   const double leastChange = gradientGateLow * (volume_->range.high - volume_->range.low) / (2.0 * std::sqrt(3.0));
   std::optional<IndexBox> varied, shown;
   for (int z = 0; z < bricks_.dims.z; ++z)
@@ -171,7 +171,8 @@ void GpuScene::updateFocusColours(const Scene& scene) {
                 entry = entryAt(voxel + glm::ivec3(n % 3, n / 3 % 3, n / 9) - 1);
               entries[static_cast<std::size_t>(x) +
                       static_cast<std::size_t>(size.x) *
-                          (static_cast<std::size_t>(y) + static_cast<std::size_t>(size.y) * static_cast<std::size_t>(z))] = entry;
+                          (static_cast<std::size_t>(y) +
+                           static_cast<std::size_t>(size.y) * static_cast<std::size_t>(z))] = entry;
             }
       });
     }
@@ -251,8 +252,8 @@ void GpuScene::updateTransfer(const Scene& scene) {
   }
 
   // The table spans the nodes: outside them the transfer function is constant.
-  ValueRange span = context_.nodes.empty() ? volume_->range
-                                           : ValueRange{context_.nodes.front().value, context_.nodes.back().value};
+  ValueRange span =
+      context_.nodes.empty() ? volume_->range : ValueRange{context_.nodes.front().value, context_.nodes.back().value};
   if (!(span.high > span.low)) span = {span.low - 0.5, span.low + 0.5};
   std::vector<glm::vec4> table(tableSize);
   for (int i = 0; i < tableSize; ++i) {

@@ -30,7 +30,8 @@ class GpuScene {
 
   // What the passes bind. A version grows whenever what it names was remade.
   struct Versions {
-    std::uint64_t volume = 0, gradient = 0, focus = 0, gaps = 0, transfer = 0, occupancy = 0, derivative = 0, palette = 0;
+    std::uint64_t volume = 0, gradient = 0, focus = 0, gaps = 0, transfer = 0, occupancy = 0, derivative = 0,
+                  palette = 0;
   };
   const Versions& versions() const { return versions_; }
 
@@ -87,7 +88,7 @@ class GpuScene {
   VolumeTexture volumeTexture_;
   BrickRanges bricks_;
   gl::Texture gradient_;
-  IndexBox gradientBox_;         ///< voxels that gradient_ covers
+  IndexBox gradientBox_;  ///< voxels that gradient_ covers
   DerivativeVolume derivative_;
 
   std::vector<glm::vec2> gaps_;

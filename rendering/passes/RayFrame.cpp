@@ -39,8 +39,7 @@ glm::dvec3 RayFrame::worldPosition(glm::dvec2 pixel, double s) const {
   const glm::dvec2 offset = ndc * halfSize_;
   if (camera_.projection == Projection::Orthographic)
     return camera_.eye + axes_.right * offset.x + axes_.up * offset.y + axes_.forward * (distance_ + s);
-  const glm::dvec3 direction =
-      glm::normalize(axes_.right * offset.x + axes_.up * offset.y + axes_.forward * distance_);
+  const glm::dvec3 direction = glm::normalize(axes_.right * offset.x + axes_.up * offset.y + axes_.forward * distance_);
   return camera_.eye + direction * (distance_ + s);
 }
 

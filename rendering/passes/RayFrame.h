@@ -28,8 +28,8 @@ class RayFrame {
   Camera camera_;
   Grid grid_;
   Camera::Axes axes_;
-  double distance_ = 0.0;       // eye to anchor plane
-  glm::dvec2 halfSize_{0.0};    // mm at the anchor plane
+  double distance_ = 0.0;     // eye to anchor plane
+  glm::dvec2 halfSize_{0.0};  // mm at the anchor plane
 };
 
 }  // namespace fenestra

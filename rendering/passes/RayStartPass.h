@@ -7,8 +7,8 @@
 
 namespace fenestra {
 
-/// The focus hit where there is one; within w_open of the focus projection the filled focus hit blended into the context
-/// hit by distance; the context hit elsewhere; `nothing` where the ray meets nothing.
+/// The focus hit where there is one; within w_open of the focus projection the filled focus hit blended into the
+/// context hit by distance; the context hit elsewhere; `nothing` where the ray meets nothing.
 class RayStartPass {
  public:
   /// `openWidth` in rendered pixels. Writes R32F.

@@ -81,17 +81,19 @@ struct CompositeKey {
 };
 
 /// A picture-sized image that lasts until the size changes or it is no longer used.
-gl::Texture& sized(gl::Texture& texture, gl::Format format, glm::ivec2 size,
-                   gl::Filter filter = gl::Filter::Nearest) {
+gl::Texture& sized(gl::Texture& texture, gl::Format format, glm::ivec2 size, gl::Filter filter = gl::Filter::Nearest) {
   if (!texture || glm::ivec2(texture.size()) != size) texture = gl::Texture::make2D(format, size, filter);
   return texture;
 }
 
 double samplesPerVoxel(Quality quality) {
   switch (quality) {
-    case Quality::Draft: return 1.0;
-    case Quality::Normal: return 2.0;
-    case Quality::High: break;
+    case Quality::Draft:
+      return 1.0;
+    case Quality::Normal:
+      return 2.0;
+    case Quality::High:
+      break;
   }
   return 4.0;
 }
@@ -111,7 +113,7 @@ int distanceRange(glm::dvec2 widths, glm::ivec2 size) {
 }  // namespace
 
 std::string_view nameOf(Pass pass) {
-  constexpr std::array<std::string_view, passCount> names{"hit points", "pull-push", "distance map", "ray start",
+  constexpr std::array<std::string_view, passCount> names{"hit points",  "pull-push",     "distance map", "ray start",
                                                           "focus layer", "context layer", "composite"};
   return names[static_cast<std::size_t>(pass)];
 }
@@ -198,9 +200,8 @@ void Renderer::render(const Scene& scene, const View& view) {
     s.runIfStale(Pass::PullPush, s.fill, FillKey{s.hits.version()},
                  [&] { s.pullPushPass.run(s.hitPoints, sized(s.focusFilled, gl::Format::R32F, view.size)); });
     const int range = distanceRange(s.widths, view.size);
-    s.runIfStale(Pass::DistanceMap, s.distance, DistanceKey{s.hits.version(), range}, [&] {
-      s.distanceMapPass.run(s.hitPoints, range, sized(s.distances, gl::Format::R32F, view.size));
-    });
+    s.runIfStale(Pass::DistanceMap, s.distance, DistanceKey{s.hits.version(), range},
+                 [&] { s.distanceMapPass.run(s.hitPoints, range, sized(s.distances, gl::Format::R32F, view.size)); });
     s.runIfStale(Pass::RayStart, s.start,
                  RayStartKey{s.hits.version(), s.fill.version(), s.distance.version(), s.widths.x}, [&] {
                    s.rayStartPass.run(rays, s.hitPoints, s.focusFilled, s.distances, s.widths.x,
@@ -237,11 +238,12 @@ void Renderer::render(const Scene& scene, const View& view) {
   });
 
   if (contextLayer) {
-    s.runIfStale(Pass::ContextLayer, s.context, ContextLayerKey{s.hits.version(), version.derivative, scene.shading}, [&] {
-      s.contextLayerPass.run(gpu, scene.shading, rays, s.hitPoints,
-                             sized(s.contextLayer, gl::Format::RGBA32F, view.size),
-                             sized(s.silhouette, gl::Format::R32F, view.size));
-    });
+    s.runIfStale(Pass::ContextLayer, s.context, ContextLayerKey{s.hits.version(), version.derivative, scene.shading},
+                 [&] {
+                   s.contextLayerPass.run(gpu, scene.shading, rays, s.hitPoints,
+                                          sized(s.contextLayer, gl::Format::RGBA32F, view.size),
+                                          sized(s.silhouette, gl::Format::R32F, view.size));
+                 });
   } else {
     s.contextLayer = {};
     s.silhouette = {};
@@ -285,7 +287,8 @@ void Renderer::present(std::uint32_t framebuffer, glm::ivec4 rectangle) {
 std::vector<std::uint8_t> Renderer::readPicture() {
   State& s = *state_;
   if (!s.picture) return {};
-  std::vector<glm::vec4> values(static_cast<std::size_t>(s.picture.size().x) * static_cast<std::size_t>(s.picture.size().y));
+  std::vector<glm::vec4> values(static_cast<std::size_t>(s.picture.size().x) *
+                                static_cast<std::size_t>(s.picture.size().y));
   s.picture.readInto(std::span(values));
   std::vector<std::uint8_t> bytes;
   bytes.reserve(values.size() * 4);

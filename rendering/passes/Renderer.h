@@ -29,9 +29,7 @@ struct View {
   bool operator==(const View&) const = default;
 };
 
-enum class Pass : std::uint8_t {
-  HitPoints, PullPush, DistanceMap, RayStart, FocusLayer, ContextLayer, Composite
-};
+enum class Pass : std::uint8_t { HitPoints, PullPush, DistanceMap, RayStart, FocusLayer, ContextLayer, Composite };
 inline constexpr std::size_t passCount = 7;
 std::string_view nameOf(Pass pass);
 
@@ -39,15 +37,15 @@ std::string_view nameOf(Pass pass);
 struct Layers {
   glm::ivec2 size{0};
   std::vector<float> tContext, tFocus, tFocusFilled, tStart;
-  std::vector<float> distance;            ///< px, 0 inside the focus projection, +inf beyond w_open + w_border
-  std::vector<glm::vec4> focusLayer;      ///< premultiplied RGBA
-  std::vector<glm::vec4> contextLayer;    ///< κ1, κ2 (1/mm), illumination, value (real units)
-  std::vector<glm::vec4> final;           ///< premultiplied RGBA
+  std::vector<float> distance;          ///< px, 0 inside the focus projection, +inf beyond w_open + w_border
+  std::vector<glm::vec4> focusLayer;    ///< premultiplied RGBA
+  std::vector<glm::vec4> contextLayer;  ///< κ1, κ2 (1/mm), illumination, value (real units)
+  std::vector<glm::vec4> final;         ///< premultiplied RGBA
 };
 
 struct PassStats {
-  std::uint64_t runs = 0;      ///< since the renderer was made
-  double milliseconds = 0.0;   ///< GPU time of the last run; 0 until timing is on
+  std::uint64_t runs = 0;     ///< since the renderer was made
+  double milliseconds = 0.0;  ///< GPU time of the last run; 0 until timing is on
 };
 
 /// Needs a current OpenGL 4.5 context in every call, always the same one or one that shares with it. Move-only.
@@ -71,8 +69,8 @@ class Renderer {
   /// Every stage of the last picture. Stages that the scene does not use come back empty.
   Layers readLayers();
 
-  /// World position of what pixel (i, j from the top, in rendered pixels) of the last picture shows: where its ray starts
-  /// to see. Empty where it shows the background.
+  /// World position of what pixel (i, j from the top, in rendered pixels) of the last picture shows: where its ray
+  /// starts to see. Empty where it shows the background.
   std::optional<glm::dvec3> pick(glm::dvec2 pixel);
 
   /// Measures each pass with timer queries; waits for the GPU, so off by default.

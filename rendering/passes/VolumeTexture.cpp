@@ -86,7 +86,8 @@ VolumeTexture makeVolumeTexture(const Volume& volume) {
       };
       result.integers = span <= 65535.0;
       if (asIs) {
-        result.texture = gl::Texture::make3D(sizeof(T) == 1 ? gl::Format::R8 : gl::Format::R16, dims, gl::Filter::Linear);
+        result.texture =
+            gl::Texture::make3D(sizeof(T) == 1 ? gl::Format::R8 : gl::Format::R16, dims, gl::Filter::Linear);
         result.texture.upload(scalars);
       } else if (span <= 255.0) {
         result.texture = gl::Texture::make3D(gl::Format::R8, dims, gl::Filter::Linear);
@@ -214,9 +215,11 @@ DerivativeVolume makeDerivativeVolume(const Volume& volume, const VolumeTexture&
         for (int x = 0; x < dims.x; ++x) {
           float sum = 0.0f;
           for (const Tap& c : tx)
-            sum += c.weight * column[static_cast<std::size_t>(std::clamp(x * result.factor.x + c.offset, 0, grid.dims.x - 1))];
+            sum += c.weight *
+                   column[static_cast<std::size_t>(std::clamp(x * result.factor.x + c.offset, 0, grid.dims.x - 1))];
           using Texel = std::remove_reference_t<decltype(out[0])>;
-          auto& texel = out[static_cast<std::size_t>(y) * static_cast<std::size_t>(dims.x) + static_cast<std::size_t>(x)];
+          auto& texel =
+              out[static_cast<std::size_t>(y) * static_cast<std::size_t>(dims.x) + static_cast<std::size_t>(x)];
           if constexpr (std::is_same_v<Texel, float>)
             texel = sum;
           else

@@ -6,12 +6,12 @@
 
 namespace fenestra {
 
-/// The shaders compute in coded values: coded = (real - intercept) / slope - base, which are small non-negative integers
-/// wherever the data are integers, and so exact in float32.
+/// The shaders compute in coded values: coded = (real - intercept) / slope - base, which are small non-negative
+/// integers wherever the data are integers, and so exact in float32.
 struct VolumeTexture {
-  gl::Texture texture;       ///< R8, R16 or R32F; linear filter
-  float texelScale = 1.0f;   ///< coded value per texel unit: 255, 65535 or 1
-  bool integers = false;     ///< coded values are integers
+  gl::Texture texture;               ///< R8, R16 or R32F; linear filter
+  float texelScale = 1.0f;           ///< coded value per texel unit: 255, 65535 or 1
+  bool integers = false;             ///< coded values are integers
   double slope = 1.0, offset = 0.0;  ///< real = slope · coded + offset
 
   double codedFromReal(double real) const { return (real - offset) / slope; }
@@ -28,8 +28,8 @@ VolumeTexture makeVolumeTexture(const Volume& volume);
 inline constexpr double gradientGateLow = 0.002, gradientGateHigh = 0.01;
 
 /// World-space gradients for lighting over a box of voxels, RGBA8, linear filter: xyz = ½ + ½ · unit gradient,
-/// w = sqrt(|gradient| / unit) clamped to 1, where unit is gradientUnit(). Central differences, one-sided at the volume's
-/// border. `low` and `high` are the box's first and last voxel.
+/// w = sqrt(|gradient| / unit) clamped to 1, where unit is gradientUnit(). Central differences, one-sided at the
+/// volume's border. `low` and `high` are the box's first and last voxel.
 gl::Texture makeGradientTexture(const Volume& volume, glm::ivec3 low, glm::ivec3 high);
 /// The gradient magnitude (real value per mm) at w = 1: a quarter of the value range over the finest spacing.
 double gradientUnit(const Volume& volume);
@@ -37,10 +37,10 @@ double gradientUnit(const Volume& volume);
 /// The volume smoothed and thinned by two along each axis that is finer than twice the finest spacing, for derivatives:
 /// on noisy scans curvature needs a scale of more than a voxel. Binomial filter (1 3 3 1)/8 on thinned axes.
 struct DerivativeVolume {
-  gl::Texture texture;        ///< R16 or R32F
-  float texelScale = 1.0f;    ///< coded value per texel unit
-  glm::ivec3 factor{1};       ///< voxels per texel along each axis
-  double spacing = 1.0;       ///< mm, the finest texel spacing: the scale of the derivatives
+  gl::Texture texture;      ///< R16 or R32F
+  float texelScale = 1.0f;  ///< coded value per texel unit
+  glm::ivec3 factor{1};     ///< voxels per texel along each axis
+  double spacing = 1.0;     ///< mm, the finest texel spacing: the scale of the derivatives
 };
 DerivativeVolume makeDerivativeVolume(const Volume& volume, const VolumeTexture& coding);
 

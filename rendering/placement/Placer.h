@@ -44,6 +44,8 @@ class Placer {
   /// Measures the candidates of the scene's focus, or returns what it measured before: again only when the volume, the
   /// focus, the sampling, or (refined) the options changed. `gpu` is brought up to date. Needs a current context.
   const Measured& measure(GpuScene& gpu, const Scene& scene, const Sampling& sampling, const Options& options);
+  /// The next measure() measures anew.
+  void forget() { key_.reset(); }
 
   /// The same in slices, for a window that must answer in between: begin(), then advance() until it is true, then measured().
   /// Another begin() drops what was under way; `gpu`'s volume and focus stay as they are meanwhile.

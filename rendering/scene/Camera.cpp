@@ -36,8 +36,8 @@ Camera framed(glm::dvec3 towardsEye, glm::dvec3 up, const Grid& grid, Projection
   camera.orthographicHeight = 2.0 * halfHeight * margin;
   // Parallel rays start on the plane through the eye, which must lie before the whole box.
   const double orthographicDistance = grid.boundingRadius() * 2.0;
-  camera.eye = camera.target +
-               towardsEye * (projection == Projection::Perspective ? distance * margin : orthographicDistance);
+  camera.eye =
+      camera.target + towardsEye * (projection == Projection::Perspective ? distance * margin : orthographicDistance);
   return camera;
 }
 
@@ -112,12 +112,18 @@ Camera Camera::panned(double rightMm, double upMm) const {
 Camera Camera::standard(StandardView view, const Grid& grid, Projection projection) {
   const glm::dvec3 superior(0.0, 0.0, 1.0), anterior(0.0, -1.0, 0.0);
   switch (view) {
-    case StandardView::Anterior: return framed(anterior, superior, grid, projection);
-    case StandardView::Posterior: return framed(-anterior, superior, grid, projection);
-    case StandardView::Left: return framed({1.0, 0.0, 0.0}, superior, grid, projection);
-    case StandardView::Right: return framed({-1.0, 0.0, 0.0}, superior, grid, projection);
-    case StandardView::Superior: return framed(superior, anterior, grid, projection);
-    case StandardView::Inferior: break;
+    case StandardView::Anterior:
+      return framed(anterior, superior, grid, projection);
+    case StandardView::Posterior:
+      return framed(-anterior, superior, grid, projection);
+    case StandardView::Left:
+      return framed({1.0, 0.0, 0.0}, superior, grid, projection);
+    case StandardView::Right:
+      return framed({-1.0, 0.0, 0.0}, superior, grid, projection);
+    case StandardView::Superior:
+      return framed(superior, anterior, grid, projection);
+    case StandardView::Inferior:
+      break;
   }
   return framed(-superior, anterior, grid, projection);
 }

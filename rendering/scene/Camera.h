@@ -18,11 +18,11 @@ enum class StandardView : std::uint8_t { Anterior, Posterior, Left, Right, Super
 /// (orthographic, where the near plane is that plane).
 struct Camera {
   Projection projection = Projection::Perspective;
-  glm::dvec3 eye{0.0, -1.0, 0.0};    ///< world, mm
-  glm::dvec3 target{0.0};            ///< world, mm; the point that orbiting turns around
-  glm::dvec3 up{0.0, 0.0, 1.0};      ///< world; need not be unit nor orthogonal to the view, may even be parallel to it
-  double verticalFov = 30.0;         ///< degrees, perspective
-  double orthographicHeight = 1.0;   ///< mm from the bottom to the top of the picture
+  glm::dvec3 eye{0.0, -1.0, 0.0};   ///< world, mm
+  glm::dvec3 target{0.0};           ///< world, mm; the point that orbiting turns around
+  glm::dvec3 up{0.0, 0.0, 1.0};     ///< world; need not be unit nor orthogonal to the view, may even be parallel to it
+  double verticalFov = 30.0;        ///< degrees, perspective
+  double orthographicHeight = 1.0;  ///< mm from the bottom to the top of the picture
 
   /// Orthonormal view axes in world space; defined even where `up` is parallel to the view or eye equals target.
   struct Axes {
@@ -46,7 +46,8 @@ struct Camera {
   static Camera standard(StandardView view, const Grid& grid, Projection projection = Projection::Perspective);
   /// From a unit direction (towards the eye), framing `grid`, the patient's superior up where that is defined.
   static Camera fromDirection(glm::dvec3 towardsEye, const Grid& grid, Projection projection = Projection::Perspective);
-  /// Azimuth and elevation in degrees: azimuth 0 looks from anterior, 90 from the patient's left; elevation 90 from above.
+  /// Azimuth and elevation in degrees: azimuth 0 looks from anterior, 90 from the patient's left; elevation 90 from
+  /// above.
   static Camera fromAngles(double azimuth, double elevation, const Grid& grid,
                            Projection projection = Projection::Perspective);
 

@@ -22,9 +22,7 @@ glm::dmat4 Grid::indexFromWorld() const {
           glm::dvec4(-(linear * origin), 1.0)};
 }
 
-double Grid::voxelVolume() const {
-  return std::abs(glm::determinant(direction)) * spacing.x * spacing.y * spacing.z;
-}
+double Grid::voxelVolume() const { return std::abs(glm::determinant(direction)) * spacing.x * spacing.y * spacing.z; }
 
 glm::dvec3 Grid::centre() const {
   return glm::dvec3(worldFromIndex() * glm::dvec4((glm::dvec3(dims) - 1.0) * 0.5, 1.0));

@@ -22,7 +22,8 @@ Grid visibleGrid(const Volume& volume, const TransferFunction& context) {
                         [&](const ValueGap& gap) { return !(value <= gap.low || value >= gap.high); });
   };
   std::array<std::vector<std::size_t>, 3> counts;
-  for (int axis = 0; axis < 3; ++axis) counts[static_cast<std::size_t>(axis)].resize(static_cast<std::size_t>(grid.dims[axis]));
+  for (int axis = 0; axis < 3; ++axis)
+    counts[static_cast<std::size_t>(axis)].resize(static_cast<std::size_t>(grid.dims[axis]));
   std::mutex mutex;
   volume.voxels.visit([&](auto scalars) {
     parallelFor(static_cast<std::size_t>(grid.dims.z), 4, [&](std::size_t begin, std::size_t end) {

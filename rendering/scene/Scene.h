@@ -20,7 +20,7 @@ struct FocusAppearance {
 };
 
 struct Shading {
-  bool enabled = true;   ///< off: no gradient texture is made
+  bool enabled = true;  ///< off: no gradient texture is made
   double ambient = 0.3;
   double diffuse = 0.7;
   double specular = 0.2;
@@ -37,7 +37,7 @@ struct Scene {
   Cutaway cutaway;
   ContextLayer contextLayer;
   Shading shading;
-  glm::dvec3 background{0.0};              ///< display RGB 0..1
+  glm::dvec3 background{0.0};  ///< display RGB 0..1
 
   bool operator==(const Scene&) const = default;
 };
@@ -45,8 +45,8 @@ struct Scene {
 /// A scene has an opening when it has a focus and its cutaway is on.
 bool hasCutaway(const Scene& scene);
 
-/// The part of the volume's grid in which `context` shows anything, for a camera to frame: scans hold much air. Slabs of
-/// voxels with next to nothing in them (a table's edge, noise) do not count. The whole grid when nothing shows.
+/// The part of the volume's grid in which `context` shows anything, for a camera to frame: scans hold much air. Slabs
+/// of voxels with next to nothing in them (a table's edge, noise) do not count. The whole grid when nothing shows.
 Grid visibleGrid(const Volume& volume, const TransferFunction& context);
 
 }  // namespace fenestra

@@ -26,7 +26,8 @@ struct SliceGeometry {
   glm::dvec3 origin{0.0};
   glm::dvec3 right{1.0, 0.0, 0.0};
   glm::dvec3 down{0.0, 1.0, 0.0};
-  glm::dvec3 normal{0.0, 0.0, 1.0};  ///< points towards S (axial), L (sagittal) or P (coronal): slice numbers grow that way
+  glm::dvec3 normal{0.0, 0.0,
+                    1.0};  ///< points towards S (axial), L (sagittal) or P (coronal): slice numbers grow that way
 
   glm::dvec3 worldFromPixel(double i, double j, double slice) const;
   /// (i, j, slice), continuous.

@@ -10,8 +10,7 @@
 namespace fenestra {
 
 double Volume::value(glm::ivec3 index) const {
-  const double stored =
-      voxels.visit([&](auto scalars) { return static_cast<double>(scalars[grid.offset(index)]); });
+  const double stored = voxels.visit([&](auto scalars) { return static_cast<double>(scalars[grid.offset(index)]); });
   return slope * stored + intercept;
 }
 

@@ -28,12 +28,12 @@ enum class Modality : std::uint8_t { Unknown, CT, MR };
 /// Immutable once built and shared by std::shared_ptr<const Volume>; its address is its identity.
 struct Volume {
   Grid grid;
-  Voxels voxels;           ///< x fastest, grid.voxelCount() scalars
-  double slope = 1.0;      ///< real value = slope · stored + intercept
+  Voxels voxels;       ///< x fastest, grid.voxelCount() scalars
+  double slope = 1.0;  ///< real value = slope · stored + intercept
   double intercept = 0.0;
-  ValueRange range;        ///< least and greatest finite real value; {0,0} when there is none
+  ValueRange range;  ///< least and greatest finite real value; {0,0} when there is none
   Modality modality = Modality::Unknown;
-  std::string unit;        ///< "HU", or empty
+  std::string unit;                  ///< "HU", or empty
   bool lowIsWhite = false;           ///< meant to be displayed with low values bright (DICOM MONOCHROME1)
   std::vector<WindowLevel> windows;  ///< the file's own display windows (DICOM VOI), first is the default
 
@@ -43,8 +43,8 @@ struct Volume {
   double sample(glm::dvec3 index) const;
   /// Fills `range` from the voxels (all cores). Readers call it once.
   void computeRange();
-  /// Whether values are to be taken for Hounsfield units: said so and below zero somewhere, or of a range that only CT has
-  /// (air is -1000 HU, fat -100, bone above 150). A CT rescaled to 0..1 or offset by 1024 is not.
+  /// Whether values are to be taken for Hounsfield units: said so and below zero somewhere, or of a range that only CT
+  /// has (air is -1000 HU, fat -100, bone above 150). A CT rescaled to 0..1 or offset by 1024 is not.
   bool isInHounsfieldUnits() const;
   /// A sensible first display window: the file's own, soft tissue for CT in HU, or one that spans the
   /// data's 1st to 99th percentile.

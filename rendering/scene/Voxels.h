@@ -18,13 +18,20 @@ const char* nameOf(ScalarType type);
 
 template <class T>
 constexpr ScalarType scalarTypeOf() {
-  if constexpr (std::is_same_v<T, std::uint8_t>) return ScalarType::UInt8;
-  else if constexpr (std::is_same_v<T, std::int8_t>) return ScalarType::Int8;
-  else if constexpr (std::is_same_v<T, std::uint16_t>) return ScalarType::UInt16;
-  else if constexpr (std::is_same_v<T, std::int16_t>) return ScalarType::Int16;
-  else if constexpr (std::is_same_v<T, std::uint32_t>) return ScalarType::UInt32;
-  else if constexpr (std::is_same_v<T, std::int32_t>) return ScalarType::Int32;
-  else if constexpr (std::is_same_v<T, float>) return ScalarType::Float32;
+  if constexpr (std::is_same_v<T, std::uint8_t>)
+    return ScalarType::UInt8;
+  else if constexpr (std::is_same_v<T, std::int8_t>)
+    return ScalarType::Int8;
+  else if constexpr (std::is_same_v<T, std::uint16_t>)
+    return ScalarType::UInt16;
+  else if constexpr (std::is_same_v<T, std::int16_t>)
+    return ScalarType::Int16;
+  else if constexpr (std::is_same_v<T, std::uint32_t>)
+    return ScalarType::UInt32;
+  else if constexpr (std::is_same_v<T, std::int32_t>)
+    return ScalarType::Int32;
+  else if constexpr (std::is_same_v<T, float>)
+    return ScalarType::Float32;
   else {
     static_assert(std::is_same_v<T, double>, "not a voxel type");
     return ScalarType::Float64;
@@ -59,14 +66,22 @@ class Voxels {
   template <class F>
   decltype(auto) visit(F&& f) const {
     switch (type_) {
-      case ScalarType::UInt8: return std::forward<F>(f)(as<std::uint8_t>());
-      case ScalarType::Int8: return std::forward<F>(f)(as<std::int8_t>());
-      case ScalarType::UInt16: return std::forward<F>(f)(as<std::uint16_t>());
-      case ScalarType::Int16: return std::forward<F>(f)(as<std::int16_t>());
-      case ScalarType::UInt32: return std::forward<F>(f)(as<std::uint32_t>());
-      case ScalarType::Int32: return std::forward<F>(f)(as<std::int32_t>());
-      case ScalarType::Float32: return std::forward<F>(f)(as<float>());
-      case ScalarType::Float64: break;
+      case ScalarType::UInt8:
+        return std::forward<F>(f)(as<std::uint8_t>());
+      case ScalarType::Int8:
+        return std::forward<F>(f)(as<std::int8_t>());
+      case ScalarType::UInt16:
+        return std::forward<F>(f)(as<std::uint16_t>());
+      case ScalarType::Int16:
+        return std::forward<F>(f)(as<std::int16_t>());
+      case ScalarType::UInt32:
+        return std::forward<F>(f)(as<std::uint32_t>());
+      case ScalarType::Int32:
+        return std::forward<F>(f)(as<std::int32_t>());
+      case ScalarType::Float32:
+        return std::forward<F>(f)(as<float>());
+      case ScalarType::Float64:
+        break;
     }
     return std::forward<F>(f)(as<double>());
   }

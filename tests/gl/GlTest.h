@@ -1,6 +1,6 @@
 #pragma once
-// What every test of the renderer shares: one windowless context, an error check at the end, and the comparison with the
-// double-precision reference.
+// What every test of the renderer shares: one windowless context, an error check at the end, and the comparison with
+// the double-precision reference.
 
 #include <algorithm>
 #include <cmath>
@@ -41,8 +41,8 @@ struct StageErrors {
   double max() const { return errors.empty() ? 0.0 : errors.back(); }
 };
 
-/// Compares two maps pixel by pixel, errors divided by `unit`. A pixel known in one map only is counted, not compared; an
-/// infinite difference stays infinite.
+/// Compares two maps pixel by pixel, errors divided by `unit`. A pixel known in one map only is counted, not compared;
+/// an infinite difference stays infinite.
 inline StageErrors compareMaps(const std::vector<float>& here, const reference::Image& truth, double unit) {
   StageErrors result;
   if (here.size() != truth.size()) {
@@ -81,8 +81,8 @@ inline Rendered renderOnce(const Scene& scene, const Camera& camera, glm::ivec2 
 
 inline double finestSpacing(const Grid& grid) { return std::min({grid.spacing.x, grid.spacing.y, grid.spacing.z}); }
 
-/// Renders and holds stages 1 to 4 against the reference. Each stage is fed the renderer's own earlier stages, so that an
-/// error shows where it arises.
+/// Renders and holds stages 1 to 4 against the reference. Each stage is fed the renderer's own earlier stages, so that
+/// an error shows where it arises.
 inline void expectStagesMatch(const Scene& scene, const Camera& camera, glm::ivec2 size) {
   const Layers layers = renderOnce(scene, camera, size).layers;
   const reference::HitPoints truth = reference::hitPoints(scene, camera, size);
@@ -95,8 +95,9 @@ inline void expectStagesMatch(const Scene& scene, const Camera& camera, glm::ive
 
   const auto expectHits = [&](const std::vector<float>& here, const reference::Image& expected, const char* name) {
     const StageErrors e = compareMaps(here, expected, voxel);
-    // 1e-3 voxel is what the method asks of refined hits. Where a ray grazes the surface, rounding moves the hit far along
-    // the ray, or decides whether there is one: such pixels lie on the silhouette, and are held to one in a thousand.
+    // 1e-3 voxel is what the method asks of refined hits. Where a ray grazes the surface, rounding moves the hit far
+    // along the ray, or decides whether there is one: such pixels lie on the silhouette, and are held to one in a
+    // thousand.
     EXPECT_LE(e.percentile(0.999), 1e-3) << name;
     const std::size_t grazing = std::max<std::size_t>(1, pixels / 1000);
     EXPECT_LE(e.onlyHere, grazing) << name << ": hits that the reference does not have";
@@ -116,8 +117,7 @@ inline void expectStagesMatch(const Scene& scene, const Camera& camera, glm::ive
     }
 
   const reference::Widths widths = reference::widthsInPixels(scene, camera, size, 1.0);
-  const reference::Image distance =
-      reference::distanceMap(widened(layers.tFocus), size, widths.open + widths.border);
+  const reference::Image distance = reference::distanceMap(widened(layers.tFocus), size, widths.open + widths.border);
   const StageErrors distanceErrors = compareMaps(layers.distance, distance, 1.0);
   // Squared distances are integers: what is left is one rounding of a square root below 2^14.
   EXPECT_LE(distanceErrors.max(), 1e-3) << "distance";

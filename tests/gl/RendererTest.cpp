@@ -80,10 +80,14 @@ TEST_F(Passes, SameAnswerWhetherPassesWereReusedOrNot) {
   const View view = viewOf(scene);
   Renderer reused(std::make_shared<GpuScene>());
   reused.render(scene, view);
-  const std::array<void (*)(Scene&), 6> changes{
-      [](Scene& s) { s.cutaway.openWidth = 4.0; },          [](Scene& s) { s.contextLayer.strength = 0.0; },
-      [](Scene& s) { s.focus = ValueFocus{{800.0, 2000.0}, 0.0}; }, [](Scene& s) { s.cutaway.enabled = false; },
-      [](Scene& s) { s.shading.enabled = false; },          [](Scene& s) { s.cutaway.enabled = s.shading.enabled = true; }};
+  const std::array<void (*)(Scene&), 6> changes{[](Scene& s) { s.cutaway.openWidth = 4.0; },
+                                                [](Scene& s) { s.contextLayer.strength = 0.0; },
+                                                [](Scene& s) {
+                                                  s.focus = ValueFocus{{800.0, 2000.0}, 0.0};
+                                                },
+                                                [](Scene& s) { s.cutaway.enabled = false; },
+                                                [](Scene& s) { s.shading.enabled = false; },
+                                                [](Scene& s) { s.cutaway.enabled = s.shading.enabled = true; }};
   for (const auto change : changes) {
     change(scene);
     reused.render(scene, view);
@@ -184,7 +188,8 @@ Layers homogeneous(double extinction, Quality quality) {
   scene.volume = volumeOf<std::int16_t>(grid, [](glm::ivec3) { return 100; });
   scene.context = {{{0.0, {glm::dvec3(0.25, 0.5, 1.0), extinction}}}};
   scene.shading.enabled = false;
-  return renderOnce(scene, Camera::standard(StandardView::Anterior, grid, Projection::Orthographic), {8, 8}, quality).layers;
+  return renderOnce(scene, Camera::standard(StandardView::Anterior, grid, Projection::Orthographic), {8, 8}, quality)
+      .layers;
 }
 
 TEST_F(Passes, HomogeneousMediumFollowsBeerAndLambertAtAnyStep) {
@@ -240,8 +245,8 @@ std::vector<glm::vec2> curvaturesOf(F&& field, double level, glm::dvec3 labelled
   return found;
 }
 
-// The field is smoothed at a scale of 2 voxels (derivative volume and spline: a standard deviation of about 1.4 mm), which
-// shifts a distance field's curvature 1/r by about σ²/r³; at r ≥ 14 mm that is below 1 %.
+// The field is smoothed at a scale of 2 voxels (derivative volume and spline: a standard deviation of about 1.4 mm),
+// which shifts a distance field's curvature 1/r by about σ²/r³; at r ≥ 14 mm that is below 1 %.
 constexpr double curvatureTolerance = 0.02;
 
 TEST_F(Passes, CurvatureOfASphere) {
@@ -259,8 +264,9 @@ TEST_F(Passes, CurvatureOfACylinderAndOfItsInside) {
   for (const double sign : {1.0, -1.0}) {
     // sign -1: seen from within, the wall bends towards the viewer.
     const auto field = [&](glm::dvec3 p) { return -sign * glm::length(glm::dvec2(p.x, p.y)); };
-    const auto found = sign > 0.0 ? curvaturesOf(field, -radius, glm::dvec3(0.0))
-                                  : curvaturesOf([&](glm::dvec3 p) { return p.y < -8.0 ? 0.0 : field(p); }, radius, {0.0, 20.0, 0.0});
+    const auto found =
+        sign > 0.0 ? curvaturesOf(field, -radius, glm::dvec3(0.0))
+                   : curvaturesOf([&](glm::dvec3 p) { return p.y < -8.0 ? 0.0 : field(p); }, radius, {0.0, 20.0, 0.0});
     ASSERT_GT(found.size(), 20u);
     for (const glm::vec2 k : found) {
       EXPECT_NEAR((sign > 0.0 ? k.x : -k.y) * radius, 1.0, curvatureTolerance);
@@ -272,9 +278,7 @@ TEST_F(Passes, CurvatureOfACylinderAndOfItsInside) {
 TEST_F(Passes, CurvatureOfATorus) {
   // Outer equator of a torus in the x–y plane: 1/r across and 1/(R + r) along.
   const double ring = 14.0, tube = 10.0;
-  const auto distance = [&](glm::dvec3 p) {
-    return std::hypot(glm::length(glm::dvec2(p.x, p.y)) - ring, p.z);
-  };
+  const auto distance = [&](glm::dvec3 p) { return std::hypot(glm::length(glm::dvec2(p.x, p.y)) - ring, p.z); };
   const auto found = curvaturesOf([&](glm::dvec3 p) { return -distance(p); }, -tube, {0.0, -ring, 0.0});
   ASSERT_GT(found.size(), 20u);
   const auto sharpest = *std::max_element(found.begin(), found.end(), [](auto a, auto b) { return a.y < b.y; });

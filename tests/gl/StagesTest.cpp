@@ -38,7 +38,8 @@ using Stages = GlTest;
 
 TEST_F(Stages, LabelFocusFromManySides) {
   const Scene scene = ballInBody(gridOf({40, 36, 44}));
-  for (const glm::dvec2 angles : {glm::dvec2(0, 0), glm::dvec2(37, 21), glm::dvec2(90, 0), glm::dvec2(201, -64), glm::dvec2(0, 90)})
+  for (const glm::dvec2 angles :
+       {glm::dvec2(0, 0), glm::dvec2(37, 21), glm::dvec2(90, 0), glm::dvec2(201, -64), glm::dvec2(0, 90)})
     for (const Projection projection : {Projection::Perspective, Projection::Orthographic})
       expectStagesMatch(scene, from(angles.x, angles.y, scene.volume->grid, projection), small);
 }
@@ -78,7 +79,8 @@ TEST_F(Stages, ValueFocusWithIslandsDropped) {
 TEST_F(Stages, ValueRangeCrossedInsideACell) {
   // Neighbours far below and far above: no voxel lies in the range, the surface between them does.
   const Grid grid = gridOf({12, 12, 12});
-  Scene scene = valueScene(grid, [](glm::ivec3 i) { return i.z < 6 ? -1000.0 : 3000.0; }, 100.0, 200.0);
+  Scene scene = valueScene(
+      grid, [](glm::ivec3 i) { return i.z < 6 ? -1000.0 : 3000.0; }, 100.0, 200.0);
   expectStagesMatch(scene, from(15, 70, grid), small);
   const Layers layers = renderOnce(scene, from(0, 90, grid, Projection::Orthographic), small).layers;
   EXPECT_GT(std::count_if(layers.tFocus.begin(), layers.tFocus.end(), [](float t) { return !std::isnan(t); }), 1000);
@@ -143,7 +145,8 @@ TEST_F(Stages, NotANumberAndInfinity) {
 TEST_F(Stages, HugeValue) {
   const Grid grid = gridOf({20, 20, 20});
   Scene scene = ballInBody(grid, 4.0);
-  scene.volume = volumeOf<float>(grid, [&](glm::ivec3 i) { return i == glm::ivec3(4, 5, 6) ? 1e30 : bumps(i, grid.dims); });
+  scene.volume =
+      volumeOf<float>(grid, [&](glm::ivec3 i) { return i == glm::ivec3(4, 5, 6) ? 1e30 : bumps(i, grid.dims); });
   expectStagesMatch(scene, from(33, 12, grid), small);
 }
 
@@ -225,7 +228,8 @@ TEST_F(Stages, FocusOutOfView) {
 TEST_F(Stages, WidthsFromZeroToWiderThanThePicture) {
   const Grid grid = gridOf({32, 32, 32});
   Scene scene = ballInBody(grid);
-  for (const glm::dvec2 widths : {glm::dvec2(0.0), glm::dvec2(0.0, 3.0), glm::dvec2(0.3, 0.0), glm::dvec2(70.0, 5.0), glm::dvec2(500.0)}) {
+  for (const glm::dvec2 widths :
+       {glm::dvec2(0.0), glm::dvec2(0.0, 3.0), glm::dvec2(0.3, 0.0), glm::dvec2(70.0, 5.0), glm::dvec2(500.0)}) {
     scene.cutaway.openWidth = widths.x;
     scene.cutaway.borderWidth = widths.y;
     expectStagesMatch(scene, from(30, 20, grid), small);
@@ -240,7 +244,8 @@ TEST_F(Stages, WidthsFromZeroToWiderThanThePicture) {
 TEST_F(Stages, OddAndTinyPictures) {
   const Grid grid = gridOf({32, 32, 32});
   const Scene scene = ballInBody(grid);
-  for (const glm::ivec2 size : {glm::ivec2(1), glm::ivec2(1, 37), glm::ivec2(53, 1), glm::ivec2(31, 33), glm::ivec2(701, 649)})
+  for (const glm::ivec2 size :
+       {glm::ivec2(1), glm::ivec2(1, 37), glm::ivec2(53, 1), glm::ivec2(31, 33), glm::ivec2(701, 649)})
     expectStagesMatch(scene, from(30, 20, grid), size);
 }
 

@@ -1,0 +1,105 @@
+#include <chrono>
+#include <optional>
+
+#include <nlohmann/json.hpp>
+
+#include "app/cli/Commands.h"
+#include "app/cli/QualityMap.h"
+#include "app/cli/Report.h"
+#include "rendering/egl/EglContext.h"
+#include "rendering/passes/GpuScene.h"
+
+namespace fenestra::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using namespace placement;
+
+double millisecondsSince(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+Json listOf(glm::dvec3 v) { return {v.x, v.y, v.z}; }
+
+Json candidateJson(const Measured& measured, std::size_t index, const Weights& weights) {
+  const Candidate& candidate = measured.candidates[index];
+  const Descriptors& d = candidate.descriptors;
+  return {{"index", index},
+          {"direction", listOf(candidate.direction)},
+          {"quality", quality(d, weights)},
+          {"descriptors",
+           {{"visibility", d.visibility},
+            {"coverage", d.coverage},
+            {"location", d.location},
+            {"entropy", d.entropy},
+            {"mutual_information", d.mutualInformation},
+            {"stability", d.stability},
+            {"orientation", d.orientation}}},
+          {"pixels", candidate.sums.count},
+          {"box", {candidate.sums.box.x, candidate.sums.box.y, candidate.sums.box.z, candidate.sums.box.w}},
+          {"share", seenShare(candidate, candidate, measured.surfacePoints)}};
+}
+
+Json cameraJson(const Measured& measured, std::optional<std::size_t> index, const Weights& weights, const Grid& framed,
+                Projection projection) {
+  if (!index) return nullptr;
+  Json json = candidateJson(measured, *index, weights);
+  const Camera camera = Camera::fromDirection(measured.candidates[*index].direction, framed, projection);
+  json["camera"] = {{"eye", listOf(camera.eye)}, {"target", listOf(camera.target)}, {"up", listOf(camera.axes().up)}};
+  return json;
+}
+
+}  // namespace
+
+void place(const PlaceOptions& options) {
+  const app::LoadedScene loaded = app::loadScene(options.scene, progressOnTerminal());
+  printWarnings(loaded.warnings);
+  const Scene& scene = loaded.scene;
+  egl::EglContext context;
+  GpuScene gpu;
+  const auto uploading = std::chrono::steady_clock::now();
+  gpu.update(scene);
+  const double uploadTime = millisecondsSince(uploading);
+
+  Placer placer;
+  const Measured* measured = nullptr;
+  std::vector<double> times;
+  for (int i = 0; i < options.repeat; ++i) {
+    placer.forget();
+    const auto start = std::chrono::steady_clock::now();
+    measured = &placer.measure(gpu, scene, options.sampling, options.placement);
+    times.push_back(millisecondsSince(start));
+  }
+  const auto choosing = std::chrono::steady_clock::now();
+  const Placement placement = choose(*measured, options.placement, options.joint);
+  const double chooseTime = millisecondsSince(choosing);
+  if (!placement.c1) throw io::Error(options.scene.source(), placement.note, placementHint);
+
+  if (!options.map.empty()) writeQualityMap(options.map, *measured, options.placement.weights, placement);
+  const Weights& weights = options.placement.weights;
+  const Grid framed = visibleGrid(*scene.volume, scene.context);
+  const Projection projection = loaded.view.camera.projection;
+  const auto standard = bestStandardPair(measured->candidates, measured->surfacePoints);
+  Json json = {
+      {"c1", cameraJson(*measured, placement.c1, weights, framed, projection)},
+      {"c2", cameraJson(*measured, placement.c2, weights, framed, projection)},
+      {"share", placement.share},
+      {"standard_pair_share", standard ? Json(standard->share) : Json(nullptr)},
+      {"note", placement.note},
+      {"candidates", measured->spread},
+      {"refined", options.sampling.refined},
+      {"joint", options.joint},
+      {"region", options.placement.region == Region::Stream ? "stream" : "semi-sphere"},
+      {"surface", {{"mm2", measured->surfaceArea}, {"points", measured->surfacePoints}}},
+      {"milliseconds", {{"upload", uploadTime}, {"measure", times}, {"choose", chooseTime}}},
+      {"gl", context.description()},
+  };
+  if (options.everyCandidate) {
+    json["all"] = Json::array();
+    for (std::size_t i = 0; i < measured->candidates.size(); ++i)
+      json["all"].push_back(candidateJson(*measured, i, weights));
+  }
+  printJson(json);
+}
+
+}  // namespace fenestra::cli

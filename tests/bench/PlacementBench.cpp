@@ -1,0 +1,344 @@
+// placement-bench FOLDER [PART-OF-A-NAME]: measures dual-camera placement on the phantoms and the real-data collection
+// and writes placement.md and placement.svg to FOLDER. With a part of a name, only the structures that hold it.
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <fstream>
+#include <iomanip>
+#include <iostream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "app/SceneOptions.h"
+#include "rendering/egl/EglContext.h"
+#include "rendering/placement/Placer.h"
+#include "rendering/placement/Sphere.h"
+#include "tests/support/TestData.h"
+
+namespace fenestra {
+namespace {
+
+using namespace placement;
+
+constexpr int convergedCount = 12288;
+const std::vector<int> counts{12, 48, 108, 192, 300, 432, 588, 768, 972, 1200};
+
+struct Structure {
+  std::string name;
+  app::SceneOptions scene;
+};
+
+/// Real data that is not there is left out, and said.
+std::vector<Structure> structures() {
+  std::vector<Structure> list;
+  const auto phantom = [&](const std::string& name, const std::string& body, std::vector<std::string> labels) {
+    app::SceneOptions scene;
+    scene.phantom = body;
+    scene.focusLabels = std::move(labels);
+    list.push_back({name, scene});
+  };
+  const auto labelled = [&](const std::string& name, const std::string& image, const std::string& labels,
+                            std::vector<std::string> focus) {
+    app::SceneOptions scene;
+    scene.path = tests::findTestData(image);
+    scene.labels = tests::findTestData(labels);
+    scene.focusLabels = std::move(focus);
+    if (scene.path.empty() || scene.labels.empty()) std::cerr << "left out " << name << ": needs " << image << '\n';
+    else list.push_back({name, scene});
+  };
+  const auto ranged = [&](const std::string& name, const std::filesystem::path& image, ValueRange range) {
+    app::SceneOptions scene;
+    scene.path = image;
+    scene.focusRange = range;
+    if (image.empty()) std::cerr << "left out " << name << '\n';
+    else list.push_back({name, scene});
+  };
+  phantom("phantom torso: organs", "torso", {});
+  phantom("phantom head: tumour, ventricles", "head", {});
+  const std::string torso = "labelled/totalsegmentator-torso/example_ct.nii.gz";
+  const std::string organs = "labelled/totalsegmentator-torso/example_seg_fast_force_split.nii.gz";
+  labelled("torso: kidneys", torso, organs, {"2", "3"});
+  labelled("torso: aorta", torso, organs, {"52"});
+  labelled("torso: liver", torso, organs, {"5"});
+  const std::string brain = "labelled/brain-colin27/ch2.nii.gz", regions = "labelled/brain-colin27/aal.nii.gz";
+  labelled("brain: hippocampus", brain, regions, {"37", "38"});
+  labelled("brain: thalamus", brain, regions, {"77", "78"});
+  labelled("chest: right and left lung", "labelled/slicer-ctchest/CTChest4.nrrd",
+           "labelled/slicer-ctchest/Segmentation.seg.nrrd", {"right lung", "left lung"});
+  ranged("CT head: skull", tests::findTestData("ct-head/ct.nii.gz"), {0.6, 1.0});
+  ranged("Visible Human head: skull",
+         tests::unpackTestData("visible-human/VHMCT1mm_Head.tar.xz", "VHMCT1mm_Head"), {300.0, 3000.0});
+  return list;
+}
+
+double millisecondsSince(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+/// Median of five, after one that compiles shaders.
+template <class F>
+double timed(F&& f) {
+  f();
+  std::vector<double> times;
+  for (int i = 0; i < 5; ++i) {
+    const auto start = std::chrono::steady_clock::now();
+    f();
+    times.push_back(millisecondsSince(start));
+  }
+  return median(times);
+}
+
+double degreesBetween(glm::dvec3 a, glm::dvec3 b) {
+  return glm::degrees(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)));
+}
+
+/// Angles to the converged answer, and how much of its quality is lost.
+struct Deviation {
+  double c1 = 0.0, c2 = 0.0, lost = 0.0;
+};
+
+struct Row {
+  std::string name;
+  std::vector<Deviation> brute;  ///< for each of `counts`
+  Deviation refined;
+  std::size_t refinedImages = 0;
+  double standard = 0.0, stream = 0.0, semiSphere = 0.0, jointStream = 0.0, joint = 0.0;
+  double measure = 0.0, images = 0.0, refine = 0.0, choose = 0.0, chooseJoint = 0.0, dual = 0.0;
+  std::vector<double> weightShares, weightSingles;  ///< for each of trialWeights()
+};
+
+std::vector<Weights> trialWeights() {
+  std::vector<Weights> trials;
+  for (const double visibility : {1.0, 0.0, -0.25, -0.5, -1.0})
+    for (const double coverage : {1.0, 4.0, 8.0, 16.0})
+      for (const double location : {0.0, 0.25, 1.0}) trials.push_back({visibility, coverage, location});
+  return trials;
+}
+
+Row measureStructure(const Structure& structure) {
+  const app::LoadedScene loaded = app::loadScene(structure.scene);
+  GpuScene gpu;
+  gpu.update(loaded.scene);
+  Row row;
+  row.name = structure.name;
+
+  CandidateImages images;
+  const Options options;
+  const std::vector<Candidate> converged =
+      images.measure(gpu, ringDirections(*sideOf(convergedCount)), {}, CandidateImages::defaultSide);
+  const Candidate& best = converged[bestView(converged, options).value()];
+  const Candidate& dual = converged[dualView(converged, best.direction, options).value()];
+  const auto deviation = [&](const std::vector<Candidate>& candidates) {
+    const Candidate& c1 = candidates[bestView(candidates, options).value()];
+    const auto c2 = dualView(candidates, c1.direction, options);
+    return Deviation{degreesBetween(best.direction, c1.direction),
+                     c2 ? degreesBetween(dual.direction, candidates[*c2].direction) : 180.0,
+                     quality(best.descriptors, options.weights) - quality(c1.descriptors, options.weights)};
+  };
+  for (const int count : counts)
+    row.brute.push_back(deviation(images.measure(gpu, ringDirections(*sideOf(count)), {}, CandidateImages::defaultSide)));
+  const std::vector<Candidate> refined = refine(
+      [&](const std::vector<glm::dvec3>& directions) {
+        return images.measure(gpu, directions, {}, CandidateImages::defaultSide);
+      },
+      options);
+  row.refined = deviation(refined);
+  row.refinedImages = refined.size();
+
+  Placer placer;
+  Sampling sampling;
+  const auto measureAnew = [&] {
+    placer.forget();
+    placer.measure(gpu, loaded.scene, sampling, options);
+  };
+  sampling.refined = true;
+  row.refine = timed(measureAnew);
+  sampling.refined = false;
+  row.measure = timed(measureAnew);
+  row.images = timed([&] { images.measure(gpu, ringDirections(4), {}, CandidateImages::defaultSide); });
+  const Measured& measured = placer.measure(gpu, loaded.scene, sampling, options);
+  row.choose = timed([&] { choose(measured, options, false); });
+  row.chooseJoint = timed([&] { choose(measured, options, true); });
+  row.dual = timed([&] { chooseDual(measured, {0.0, -1.0, 0.0}, options); });
+
+  Options stream;
+  stream.region = Region::Stream;
+  row.standard = bestStandardPair(measured.candidates, measured.surfacePoints).value().share;
+  row.semiSphere = choose(measured, options, false).share;
+  row.stream = choose(measured, stream, false).share;
+  row.joint = choose(measured, options, true).share;
+  row.jointStream = choose(measured, stream, true).share;
+  for (const Weights& weights : trialWeights()) {
+    Options trial;
+    trial.weights = weights;
+    const Placement placed = choose(measured, trial, false);
+    row.weightShares.push_back(placed.share);
+    const Candidate& c1 = measured.candidates[*placed.c1];
+    row.weightSingles.push_back(seenShare(c1, c1, measured.surfacePoints));
+  }
+  return row;
+}
+
+std::string number(double value, int digits) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(digits) << value;
+  return text.str();
+}
+
+std::string tableRow(const std::vector<std::string>& cells) {
+  std::string line = "|";
+  for (const std::string& cell : cells) line += " " + cell + " |";
+  return line + "\n";
+}
+
+std::string header(const std::vector<std::string>& cells) {
+  return tableRow(cells) + "|" + [&] {
+    std::string rule;
+    for (std::size_t i = 0; i < cells.size(); ++i) rule += i == 0 ? "---|" : "---:|";
+    return rule;
+  }() + "\n";
+}
+
+std::string angleTable(const std::vector<Row>& rows, double Deviation::*angle) {
+  std::vector<std::string> cells{"N"};
+  for (const int count : counts) cells.push_back(std::to_string(count));
+  cells.push_back("refined");
+  std::string table = header(cells);
+  for (const Row& row : rows) {
+    cells = {row.name};
+    for (const Deviation& d : row.brute) cells.push_back(number(d.*angle, 1));
+    cells.push_back(number(row.refined.*angle, 2) + " (" + std::to_string(row.refinedImages) + ")");
+    table += tableRow(cells);
+  }
+  return table;
+}
+
+std::string page(const std::vector<Row>& rows, const std::string& gl) {
+  std::ostringstream out;
+  out << "# Dual-camera placement, measured\n\nWritten by `placement-bench` (build target of that name) on " << gl
+      << ". Default weights and region (semi-sphere), candidate images of " << CandidateImages::defaultSide
+      << "², surface shares over 4096 points.\n\n## How many directions\n\n"
+         "Degrees from the answer of N = 12288, for growing N and for the hierarchical refinement (its number of images in "
+         "brackets). Seen in parallel projection, opposite sides have the same outline: angles near 180° are the opposite "
+         "of an equally good view.\n\n![Angle to the converged answer against N](placement.svg)\n\nC1:\n\n"
+      << angleTable(rows, &Deviation::c1) << "\nC2:\n\n"
+      << angleTable(rows, &Deviation::c2) << "\nQuality that C1 loses to the converged answer:\n\n";
+  out << header({"structure", "N = 192", "N = 1200", "refined"});
+  for (const Row& row : rows)
+    out << tableRow({row.name, number(row.brute[3].lost, 5), number(row.brute.back().lost, 5), number(row.refined.lost, 5)});
+  out << "\n## Share of the focus's surface that the pair sees\n\nN = 192 and the six standard views.\n\n"
+      << header({"structure", "best standard pair", "stream", "semi-sphere", "joint, stream", "joint, semi-sphere"});
+  for (const Row& row : rows)
+    out << tableRow({row.name, number(row.standard, 3), number(row.stream, 3), number(row.semiSphere, 3),
+                     number(row.jointStream, 3), number(row.joint, 3)});
+  out << "\n## Times\n\nMilliseconds, median of five after one run. *images*: N = 192 candidate images alone; *measure*: with "
+         "what each candidate sees of the surface, and all descriptors; *refined*: the same, refined; *choose*: C1 and C2 "
+         "after a change of weights; *joint*: the joint search; *C2*: C2 for a dragged C1.\n\n"
+      << header({"structure", "images", "measure", "refined", "choose", "joint", "C2"});
+  for (const Row& row : rows)
+    out << tableRow({row.name, number(row.images, 0), number(row.measure, 0), number(row.refine, 0), number(row.choose, 2),
+                     number(row.chooseJoint, 1), number(row.dual, 2)});
+  out << "\n## Weights\n\nShare of the surface that the pair (and C1 alone) sees, averaged over the structures above: the ten "
+         "best for the pair, the default, and the paper's sign of the depth term.\n\n"
+      << header({"visibility, coverage, location", "pair", "C1"});
+  const std::vector<Weights> trials = trialWeights();
+  std::vector<std::size_t> order(trials.size());
+  std::vector<double> pair(trials.size(), 0.0), single(trials.size(), 0.0);
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    order[i] = i;
+    for (const Row& row : rows) {
+      pair[i] += row.weightShares[i] / static_cast<double>(rows.size());
+      single[i] += row.weightSingles[i] / static_cast<double>(rows.size());
+    }
+  }
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return pair[a] > pair[b]; });
+  for (std::size_t rank = 0; rank < order.size(); ++rank) {
+    const Weights& w = trials[order[rank]];
+    if (rank >= 10 && !(w == Weights{}) && !(w.visibility > 0.0 && w.coverage == 1.0)) continue;
+    out << tableRow({number(w.visibility, 2) + ", " + number(w.coverage, 0) + ", " + number(w.location, 2) +
+                         (w == Weights{} ? " (default)" : ""),
+                     number(pair[order[rank]], 4), number(single[order[rank]], 4)});
+  }
+  return out.str();
+}
+
+/// Two panels, C1 and C2: angle (square-root scale, so that a degree shows) over N (logarithmic); refined on the right.
+std::string plot(const std::vector<Row>& rows) {
+  constexpr double left = 50.0, panelWidth = 330.0, gap = 60.0, top = 30.0, height = 280.0;
+  const std::vector<std::string> colours{"#4477aa", "#ee6677", "#228833", "#ccbb44", "#66ccee",
+                                         "#aa3377", "#777777", "#994455", "#004488", "#bb5566"};
+  std::ostringstream svg;
+  const double full = left + 2.0 * panelWidth + gap + 20.0;
+  svg << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << full << " " << top + height + 60.0 + 18.0 * 5
+      << "\" font-family=\"sans-serif\" font-size=\"12\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n";
+  const auto yOf = [&](double degrees) { return top + height * (1.0 - std::sqrt(std::min(degrees, 180.0) / 180.0)); };
+  for (int panel = 0; panel < 2; ++panel) {
+    const double x0 = left + panel * (panelWidth + gap);
+    const auto xOf = [&](double count) { return x0 + panelWidth * std::log(count / 10.0) / std::log(250.0); };
+    const double refinedX = x0 + panelWidth - 12.0;
+    svg << "<text x=\"" << x0 << "\" y=\"18\">C" << panel + 1 << ": degrees to the converged answer</text>\n";
+    for (const double degrees : {0.0, 1.0, 5.0, 15.0, 45.0, 90.0, 180.0})
+      svg << "<line x1=\"" << x0 << "\" x2=\"" << x0 + panelWidth << "\" y1=\"" << yOf(degrees) << "\" y2=\"" << yOf(degrees)
+          << "\" stroke=\"#ddd\"/><text x=\"" << x0 - 6 << "\" y=\"" << yOf(degrees) + 4 << "\" text-anchor=\"end\">" << degrees
+          << "</text>\n";
+    for (const int count : {12, 48, 192, 432, 1200})
+      svg << "<text x=\"" << xOf(count) << "\" y=\"" << top + height + 18 << "\" text-anchor=\"middle\">" << count << "</text>\n";
+    svg << "<text x=\"" << refinedX << "\" y=\"" << top + height + 34 << "\" text-anchor=\"middle\">refined</text>\n";
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+      const std::string& colour = colours[r % colours.size()];
+      const auto angleOf = [&](const Deviation& d) { return panel == 0 ? d.c1 : d.c2; };
+      svg << "<polyline fill=\"none\" stroke=\"" << colour << "\" points=\"";
+      for (std::size_t i = 0; i < counts.size(); ++i) svg << xOf(counts[i]) << "," << yOf(angleOf(rows[r].brute[i])) << " ";
+      svg << "\"/>\n<circle r=\"4\" fill=\"" << colour << "\" cx=\"" << refinedX << "\" cy=\"" << yOf(angleOf(rows[r].refined))
+          << "\"/>\n";
+    }
+  }
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    const double x = left + static_cast<double>(r % 2) * (panelWidth + gap), y = top + height + 60.0 + 18.0 * static_cast<double>(r / 2);
+    svg << "<line x1=\"" << x << "\" x2=\"" << x + 24 << "\" y1=\"" << y - 4 << "\" y2=\"" << y - 4 << "\" stroke=\""
+        << colours[r % colours.size()] << "\" stroke-width=\"3\"/><text x=\"" << x + 30 << "\" y=\"" << y << "\">" << rows[r].name
+        << "</text>\n";
+  }
+  svg << "</svg>\n";
+  return svg.str();
+}
+
+int run(const std::filesystem::path& folder, const std::string& part) {
+  egl::EglContext context;
+  std::vector<Row> rows;
+  for (const Structure& structure : structures()) {
+    if (structure.name.find(part) == std::string::npos) continue;
+    const auto start = std::chrono::steady_clock::now();
+    rows.push_back(measureStructure(structure));
+    const Row& row = rows.back();
+    std::cerr << row.name << ": " << number(millisecondsSince(start) / 1000.0, 1) << " s; refined C1 " << row.refined.c1 << "°, C2 "
+              << row.refined.c2 << "°, lost " << row.refined.lost << ", " << row.refinedImages << " images\n";
+  }
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "placement.md") << page(rows, context.description());
+  std::ofstream(folder / "placement.svg") << plot(rows);
+  return 0;
+}
+
+}  // namespace
+}  // namespace fenestra
+
+int main(int argc, char** argv) {
+  if (argc < 2 || argc > 3) {
+    std::cerr << "usage: placement-bench FOLDER [PART-OF-A-NAME]\n";
+    return 2;
+  }
+  try {
+    return fenestra::run(argv[1], argc > 2 ? argv[2] : "");
+  } catch (const std::exception& error) {
+    std::cerr << "placement-bench: " << error.what() << '\n';
+    return 1;
+  }
+}
