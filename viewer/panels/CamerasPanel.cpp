@@ -97,6 +97,7 @@ CamerasPanel::CamerasPanel(Document& document, ViewLink& cameras, PlacementContr
   best->setSpacing(4);
   for (QToolButton*& button : thumbnails_) {
     button = new QToolButton;
+    button->setObjectName(QStringLiteral("thumbnail"));
     button->setIconSize(thumbnailSize);
     button->setFixedSize(thumbnailSize + QSize(6, 6));
     button->setToolTip(tr("One of the best viewpoints; click to look from there with C1"));
