@@ -58,6 +58,8 @@ void applyStyle(QApplication& application) {
     QCheckBox::indicator:checked, QListView::indicator:checked { background: #427aac; border-color: #6ea3d2;
       image: url(:/icons/check.svg); }
     QCheckBox::indicator:disabled { border-color: #565c64; }
+    QToolButton#thumbnail { background: #101215; border: 1px solid #3c4047; border-radius: 3px; }
+    QToolButton#thumbnail:hover { border-color: #6ea3d2; }
     QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
     QStatusBar::item { border: none; }
     QStatusBar QLabel { padding: 0 6px; }

@@ -511,6 +511,41 @@ TEST_F(PlacedWindow, ChoosingALabelMovesBothViewsToTheAnswer) {
   EXPECT_TRUE(window_->camerasPanel().share()->text().contains(percent));
 }
 
+TEST_F(PlacedWindow, MeasuringInSlicesChangesNothing) {
+  ASSERT_TRUE(volume(0)->inContext([&](const std::shared_ptr<GpuScene>& gpu) {
+    const PlacementSettings& settings = placement().settings();
+    placement::Placer placer;
+    const placement::Measured& whole =
+        placer.measure(*gpu, window_->document().scene(), settings.sampling, settings.options);
+    const placement::Measured& sliced = *placement().measured();
+    ASSERT_EQ(sliced.candidates.size(), whole.candidates.size());
+    EXPECT_EQ(sliced.spread, 192u);
+    EXPECT_EQ(sliced.spread, whole.spread);
+    EXPECT_EQ(sliced.surfacePoints, whole.surfacePoints);
+    for (std::size_t i = 0; i < whole.candidates.size(); ++i) {
+      const placement::Candidate &a = sliced.candidates[i], &b = whole.candidates[i];
+      EXPECT_EQ(a.direction, b.direction);
+      EXPECT_EQ(a.sums.count, b.sums.count);
+      EXPECT_EQ(a.sums.depth, b.sums.depth);
+      EXPECT_EQ(a.seen, b.seen);
+      EXPECT_EQ(a.descriptors.stability, b.descriptors.stability);
+    }
+  }));
+}
+
+TEST_F(PlacedWindow, TheWheelScrollsThePanelAndChangesNoValue) {
+  CamerasPanel& panel = window_->camerasPanel();
+  volume(0)->setFocus();
+  const PlacementSettings before = placement().settings();
+  wheel(panel.sampling(), 1);
+  wheel(panel.weight(0)->slider(), 1);
+  EXPECT_EQ(placement().settings(), before);
+  panel.weight(0)->slider()->setFocus();
+  wheel(panel.weight(0)->slider(), 1);
+  EXPECT_NE(placement().settings(), before);
+  waitUntilDrawn();
+}
+
 TEST_F(PlacedWindow, DraggingC1MovesC2WithinItsRegion) {
   const glm::dvec3 before = direction(0);
   QSignalSpy measured(&placement(), &PlacementController::measuredFocus);

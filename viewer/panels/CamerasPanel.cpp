@@ -1,5 +1,8 @@
 #include "viewer/panels/CamerasPanel.h"
 
+#include <QAbstractSlider>
+#include <QAbstractSpinBox>
+#include <QEvent>
 #include <QFormLayout>
 #include <QFrame>
 #include <QHBoxLayout>
@@ -94,6 +97,7 @@ CamerasPanel::CamerasPanel(Document& document, ViewLink& cameras, PlacementContr
   best->setSpacing(4);
   for (QToolButton*& button : thumbnails_) {
     button = new QToolButton;
+    button->setObjectName(QStringLiteral("thumbnail"));
     button->setIconSize(thumbnailSize);
     button->setFixedSize(thumbnailSize + QSize(6, 6));
     button->setToolTip(tr("One of the best viewpoints; click to look from there with C1"));
@@ -135,6 +139,13 @@ CamerasPanel::CamerasPanel(Document& document, ViewLink& cameras, PlacementContr
   setWidgetResizable(true);
   setFrameShape(QFrame::NoFrame);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+
+  for (auto* widget : body->findChildren<QWidget*>())
+    if (qobject_cast<QComboBox*>(widget) || qobject_cast<QAbstractSlider*>(widget) ||
+        qobject_cast<QAbstractSpinBox*>(widget)) {
+      widget->setFocusPolicy(Qt::StrongFocus);
+      widget->installEventFilter(this);
+    }
 
   const auto edit = [this](auto change) {
     PlacementSettings settings = placement_.settings();
@@ -271,6 +282,13 @@ void CamerasPanel::drawNext() {
 void CamerasPanel::showEvent(QShowEvent* event) {
   QScrollArea::showEvent(event);
   if (drawn_ < best_.size()) drawBest();
+}
+
+bool CamerasPanel::eventFilter(QObject* watched, QEvent* event) {
+  const auto* widget = qobject_cast<QWidget*>(watched);
+  if (event->type() != QEvent::Wheel || !widget || widget->hasFocus()) return QScrollArea::eventFilter(watched, event);
+  event->ignore();  // and so it goes on to the scroll area
+  return true;
 }
 
 }  // namespace fenestra::viewer

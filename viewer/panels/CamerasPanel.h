@@ -48,6 +48,8 @@ class CamerasPanel : public QScrollArea {
 
  protected:
   void showEvent(QShowEvent* event) override;
+  /// The wheel scrolls the panel; it changes a value only where the user has clicked.
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   void show();
