@@ -148,11 +148,14 @@ void CandidateImages::measureVisibility(const GpuScene& gpu, const FocusSurface&
                                         std::vector<Candidate>& candidates) {
   const Grid& grid = gpu.grid();
   const glm::dmat3 cellsFromWorld(grid.indexFromWorld());
-  const double finest = std::min({grid.spacing.x, grid.spacing.y, grid.spacing.z});
+  const glm::dmat3 steps(grid.worldFromIndex());
   std::vector<SurfacePoint> points;
   for (const FocusSurface::Point& point : surface.points) {
-    // Lifted by most of a voxel, so that the facets of a voxelised surface do not hide it from itself.
-    const glm::dvec3 lifted = point.index + cellsFromWorld * point.normal * (0.75 * finest) + 1.0;
+    // Lifted a little, and rays start a voxel towards the camera: the steps of a voxelised surface must not hide it from
+    // itself.
+    double extent = 0.0;
+    for (int axis = 0; axis < 3; ++axis) extent += std::abs(glm::dot(steps[axis], point.normal));
+    const glm::dvec3 lifted = point.index + cellsFromWorld * point.normal * (0.25 * extent) + 1.0;
     // facing · (cells per mm along d) = normal · d: the inverse transpose takes a normal along.
     const glm::dvec3 facing = glm::transpose(glm::inverse(cellsFromWorld)) * point.normal;
     points.push_back({glm::vec4(glm::vec3(lifted), 0.0f), glm::vec4(glm::vec3(facing), 0.0f)});
@@ -168,6 +171,7 @@ void CandidateImages::measureVisibility(const GpuScene& gpu, const FocusSurface&
   gl::Texture seen = gl::Texture::make2D(gl::Format::R8UI, size);
   seen.bindImage(0, gl::Access::Write);
   program.set("pointCount", size.x);
+  program.set("clearance", static_cast<float>(std::max({grid.spacing.x, grid.spacing.y, grid.spacing.z})));
   program.dispatch(size);
   std::vector<std::uint8_t> bytes(points.size() * candidates.size());
   seen.readInto(std::span(bytes));

@@ -61,6 +61,8 @@ Placement choose(const Measured& measured, const Options& options, bool joint) {
   }
   if (greatest - least <= indistinct * std::max(std::abs(greatest), std::abs(least)))
     placement.note = "the focus looks the same from everywhere: the first direction is as good as any";
+  else if (measured.surfacePoints == 0 && placement.c2)
+    placement.note = "the focus fills the volume: it has no surface of which a share could be seen";
   return placement;
 }
 
