@@ -210,7 +210,7 @@ std::optional<Pair> bestStandardPair(const std::vector<Candidate>& candidates, s
   return best;
 }
 
-std::vector<Candidate> refine(const Evaluate& evaluate, const Options& options, int start, int finest) {
+Refined refine(const Evaluate& evaluate, const Options& options, int start, int finest) {
   const auto pixelsOf = [](int nside) {
     std::vector<long> pixels(static_cast<std::size_t>(12) * static_cast<std::size_t>(nside) * static_cast<std::size_t>(nside));
     std::iota(pixels.begin(), pixels.end(), 0L);
@@ -244,7 +244,7 @@ std::vector<Candidate> refine(const Evaluate& evaluate, const Options& options, 
   for (; nside < finest; nside *= 2) {
     // The pixels of this level that C1 or C2 most likely lie in.
     const std::optional<std::size_t> c1 = bestView(all, options);
-    if (!c1) return all;
+    if (!c1) return {all, 0};
     const glm::dvec3 direction = all[*c1].direction;
     std::set<long> kept;
     for (const std::size_t i : bestOf(keptPerLevel, anywhere)) kept.insert(pixels[i]);
@@ -259,6 +259,7 @@ std::vector<Candidate> refine(const Evaluate& evaluate, const Options& options, 
     all.insert(all.end(), level.begin(), level.end());
   }
 
+  const std::size_t coarser = all.size() - level.size();
   // A maximum may lie across the edge of a pixel that was kept: climb from the best two, of the region and of all, until
   // they are better than all around them.
   const std::vector<glm::dvec3> finestDirections = directionsOf(nside, pixelsOf(nside));
@@ -284,7 +285,7 @@ std::vector<Candidate> refine(const Evaluate& evaluate, const Options& options, 
     level.insert(level.end(), measured.begin(), measured.end());
     all.insert(all.end(), measured.begin(), measured.end());
   }
-  return all;
+  return {std::move(all), coarser};
 }
 
 }  // namespace fenestra::placement

@@ -95,8 +95,11 @@ std::optional<Pair> bestStandardPair(const std::vector<Candidate>& candidates, s
 /// Measures directions in the order given.
 using Evaluate = std::function<std::vector<Candidate>(const std::vector<glm::dvec3>&)>;
 /// From N = 12·start² (start = 2^k) down to the resolution of 12·finest² by the children of the best pixels, for C1 and for
-/// C2 in C1's region at once, then over neighbouring pixels while that helps. Below 300 directions for the defaults. Returns
-/// all candidates evaluated.
-std::vector<Candidate> refine(const Evaluate& evaluate, const Options& options, int start = 2, int finest = 32);
+/// C2 in C1's region at once, then over neighbouring pixels while that helps. Below 300 directions for the defaults.
+struct Refined {
+  std::vector<Candidate> candidates;  ///< all that were evaluated, level by level
+  std::size_t coarser = 0;            ///< how many of them, from the first on, are not of the finest resolution
+};
+Refined refine(const Evaluate& evaluate, const Options& options, int start = 2, int finest = 32);
 
 }  // namespace fenestra::placement

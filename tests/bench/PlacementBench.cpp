@@ -144,13 +144,13 @@ Row measureStructure(const Structure& structure) {
   };
   for (const int count : counts)
     row.brute.push_back(deviation(images.measure(gpu, ringDirections(*sideOf(count)), {}, CandidateImages::defaultSide)));
-  const std::vector<Candidate> refined = refine(
+  const Refined refined = refine(
       [&](const std::vector<glm::dvec3>& directions) {
         return images.measure(gpu, directions, {}, CandidateImages::defaultSide);
       },
       options);
-  row.refined = deviation(refined);
-  row.refinedImages = refined.size();
+  row.refined = deviation({refined.candidates.begin() + static_cast<std::ptrdiff_t>(refined.coarser), refined.candidates.end()});
+  row.refinedImages = refined.candidates.size();
 
   Placer placer;
   Sampling sampling;
