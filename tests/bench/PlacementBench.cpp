@@ -312,6 +312,7 @@ std::string plot(const std::vector<Row>& rows) {
 
 int run(const std::filesystem::path& folder, const std::string& part) {
   egl::EglContext context;
+  std::filesystem::create_directories(folder);
   std::vector<Row> rows;
   for (const Structure& structure : structures()) {
     if (structure.name.find(part) == std::string::npos) continue;
@@ -320,10 +321,10 @@ int run(const std::filesystem::path& folder, const std::string& part) {
     const Row& row = rows.back();
     std::cerr << row.name << ": " << number(millisecondsSince(start) / 1000.0, 1) << " s; refined C1 " << row.refined.c1 << "°, C2 "
               << row.refined.c2 << "°, lost " << row.refined.lost << ", " << row.refinedImages << " images\n";
+    // After each, so that a run cut short leaves what it has.
+    std::ofstream(folder / "placement.md") << page(rows, context.description());
+    std::ofstream(folder / "placement.svg") << plot(rows);
   }
-  std::filesystem::create_directories(folder);
-  std::ofstream(folder / "placement.md") << page(rows, context.description());
-  std::ofstream(folder / "placement.svg") << plot(rows);
   return 0;
 }
 
