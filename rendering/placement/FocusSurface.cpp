@@ -60,8 +60,8 @@ Element elementOf(const Grid& grid, const glm::dmat3& worldFromIndexGradient, gl
   return element;
 }
 
-/// The normal over the neighbouring cells, weighted 1 2 1 along each axis. One cell of a 0/1 indicator knows a few normals
-/// only, most of them exactly edge-on to the patient's axes.
+/// The normal over the neighbouring cells, weighted 1 2 1 along each axis. One cell of a 0/1 indicator knows a few
+/// normals only, most of them exactly edge-on to the patient's axes.
 glm::dvec3 smoothNormal(const Scene& scene, const FocusIndex& index, const glm::dmat3& worldFromIndexGradient,
                         const Element& element) {
   const glm::ivec3 last = scene.volume->grid.dims - 2;

@@ -212,7 +212,8 @@ std::optional<Pair> bestStandardPair(const std::vector<Candidate>& candidates, s
 
 Refined refine(const Evaluate& evaluate, const Options& options, int start, int finest) {
   const auto pixelsOf = [](int nside) {
-    std::vector<long> pixels(static_cast<std::size_t>(12) * static_cast<std::size_t>(nside) * static_cast<std::size_t>(nside));
+    std::vector<long> pixels(static_cast<std::size_t>(12) * static_cast<std::size_t>(nside) *
+                             static_cast<std::size_t>(nside));
     std::iota(pixels.begin(), pixels.end(), 0L);
     return pixels;
   };
@@ -260,8 +261,8 @@ Refined refine(const Evaluate& evaluate, const Options& options, int start, int 
   }
 
   const std::size_t coarser = all.size() - level.size();
-  // A maximum may lie across the edge of a pixel that was kept: climb from the best two, of the region and of all, until
-  // they are better than all around them.
+  // A maximum may lie across the edge of a pixel that was kept: climb from the best two, of the region and of all,
+  // until they are better than all around them.
   const std::vector<glm::dvec3> finestDirections = directionsOf(nside, pixelsOf(nside));
   while (all.size() < mostImages) {
     const std::vector<std::size_t> best = bestOf(2, anywhere);

@@ -10,7 +10,7 @@ namespace fenestra::placement {
 namespace {
 
 /// A, P, L, R, S, I, as directions towards the camera (LPS).
-const std::array<glm::dvec3, 6> standardDirections{glm::dvec3(0, -1, 0), glm::dvec3(0, 1, 0),  glm::dvec3(1, 0, 0),
+const std::array<glm::dvec3, 6> standardDirections{glm::dvec3(0, -1, 0), glm::dvec3(0, 1, 0), glm::dvec3(1, 0, 0),
                                                    glm::dvec3(-1, 0, 0), glm::dvec3(0, 0, 1), glm::dvec3(0, 0, -1)};
 
 /// Qualities closer than this, relative to their size, come from the candidates' pixels and say nothing.
@@ -82,7 +82,9 @@ const Measured& Placer::measure(GpuScene& gpu, const Scene& scene, const Samplin
   measured.surfaceArea = surface.area;
   if (sampling.refined) {
     Refined refined = refine(
-        [&](const std::vector<glm::dvec3>& directions) { return images_.measure(gpu, directions, surface, sampling.side); },
+        [&](const std::vector<glm::dvec3>& directions) {
+          return images_.measure(gpu, directions, surface, sampling.side);
+        },
         options);
     measured.candidates = std::move(refined.candidates);
     measured.coarser = refined.coarser;

@@ -487,7 +487,8 @@ TEST_F(CommandLine, PlaceReportsBothCamerasAndDrawsTheMap) {
   const io::Picture map = io::readPicture(at("map.png"));
   EXPECT_EQ(map.size.x, 2 * map.size.y);
 
-  EXPECT_LE(std::abs(cosine(placed({"--region", "stream", "--delta", "10"}))), std::sin(10.0 * 3.14159265 / 180.0) + 1e-6);
+  EXPECT_LE(std::abs(cosine(placed({"--region", "stream", "--delta", "10"}))),
+            std::sin(10.0 * 3.14159265 / 180.0) + 1e-6);
   const Json joint = placed({"--joint"});
   EXPECT_GE(joint["share"].get<double>(), usual["share"].get<double>());
   EXPECT_GE(joint["share"].get<double>(), joint["standard_pair_share"].get<double>());
@@ -510,7 +511,8 @@ TEST_F(CommandLine, RenderLooksFromThePlacedCameras) {
   place.insert(place.end(), scene.begin(), scene.end());
   const Json placed = run(place).json();
   for (const auto& [choice, key] : {std::pair{"best", "c1"}, std::pair{"dual", "c2"}}) {
-    std::vector<std::string> render{"render", "--camera", choice, "--size", "40x30", "-o", at("x.png"), "--layers", at(choice)};
+    std::vector<std::string> render{"render", "--camera",  choice,     "--size",  "40x30",
+                                    "-o",     at("x.png"), "--layers", at(choice)};
     render.insert(render.end(), scene.begin(), scene.end());
     ASSERT_EQ(run(render).exitCode, 0);
     const Json camera = Json::parse(contents(folder() / choice / "camera.json"));

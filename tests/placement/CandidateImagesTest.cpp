@@ -38,7 +38,8 @@ std::vector<glm::dvec3> someDirections() {
   std::vector<glm::dvec3> directions = ringDirections(1);
   std::mt19937 random(11);
   for (int i = 0; i < 6; ++i) directions.push_back(randomUnit(random));
-  for (const glm::dvec3 axis : {glm::dvec3(0, -1, 0), glm::dvec3(1, 0, 0), glm::dvec3(0, 0, 1)}) directions.push_back(axis);
+  for (const glm::dvec3 axis : {glm::dvec3(0, -1, 0), glm::dvec3(1, 0, 0), glm::dvec3(0, 0, 1)})
+    directions.push_back(axis);
   return directions;
 }
 
@@ -46,13 +47,15 @@ std::vector<glm::dvec3> someDirections() {
 ImageSums sumsOnCpu(const Scene& scene, glm::dvec3 direction, int pixels) {
   const Grid& grid = scene.volume->grid;
   const double radius = grid.boundingRadius();
-  const Camera camera = lookAt(grid.centre() + direction * (2.0 * radius), grid.centre(), Projection::Orthographic, 2.0 * radius);
+  const Camera camera =
+      lookAt(grid.centre() + direction * (2.0 * radius), grid.centre(), Projection::Orthographic, 2.0 * radius);
   const reference::Image hits = reference::hitPoints(scene, camera, {pixels, pixels}).tFocus;
   ImageSums sums;
   sums.box = {pixels, pixels, -1, -1};
   for (int y = 0; y < pixels; ++y)
     for (int x = 0; x < pixels; ++x) {
-      const double t = hits[static_cast<std::size_t>(y) * static_cast<std::size_t>(pixels) + static_cast<std::size_t>(x)];
+      const double t =
+          hits[static_cast<std::size_t>(y) * static_cast<std::size_t>(pixels) + static_cast<std::size_t>(x)];
       if (std::isnan(t)) continue;
       sums.count += 1.0;
       sums.depth += (t - radius) / (2.0 * radius);
@@ -85,7 +88,8 @@ void expectSameAsOnCpu(const Scene& scene, const std::vector<Candidate>& candida
 /// Two lobes and a bar in the off-centre part of a grid: concave, and unlike itself from every side.
 int lobes(const Grid& grid, glm::ivec3 index) {
   const glm::dvec3 u = glm::dvec3(index) / glm::dvec3(grid.dims);
-  const bool inside = glm::length(u - glm::dvec3(0.31, 0.42, 0.37)) < 0.2 || glm::length(u - glm::dvec3(0.66, 0.55, 0.61)) < 0.14 ||
+  const bool inside = glm::length(u - glm::dvec3(0.31, 0.42, 0.37)) < 0.2 ||
+                      glm::length(u - glm::dvec3(0.66, 0.55, 0.61)) < 0.14 ||
                       (std::abs(u.x - 0.5) < 0.3 && std::abs(u.y - 0.71) < 0.06 && std::abs(u.z - 0.44) < 0.07);
   return inside ? 1 : 0;
 }
@@ -108,7 +112,8 @@ TEST_F(CandidateTest, ValuesAgreeWithTheCpu) {
   const Grid grid = obliqueGrid({28, 24, 16});
   std::mt19937 random(2);
   std::uniform_real_distribution<double> noise(0.0, 0.2);
-  const Scene scene = valueScene(grid, [&](glm::ivec3 index) { return lobes(grid, index) + noise(random); }, 0.55);
+  const Scene scene = valueScene(
+      grid, [&](glm::ivec3 index) { return lobes(grid, index) + noise(random); }, 0.55);
   expectSameAsOnCpu(scene, measure(scene, someDirections()), 0.0);
 }
 
@@ -125,8 +130,8 @@ TEST_F(CandidateTest, AFocusThatFillsTheVolumeAgreesWithTheCpu) {
 }
 
 TEST_F(CandidateTest, AFocusAtTheBorderAgreesWithTheCpu) {
-  const Scene scene = labelScene(gridOf({24, 20, 18}, {1.0, 1.2, 1.5}),
-                                 [](glm::ivec3 i) { return i.x < 6 && i.y > 11 ? 1 : 0; });
+  const Scene scene =
+      labelScene(gridOf({24, 20, 18}, {1.0, 1.2, 1.5}), [](glm::ivec3 i) { return i.x < 6 && i.y > 11 ? 1 : 0; });
   expectSameAsOnCpu(scene, measure(scene, someDirections()), 0.0);
 }
 
@@ -144,13 +149,16 @@ TEST_F(CandidateTest, AnEmptyFocusSeesNothingAndSaysSo) {
 
 /// Standard deviation allowed to a count of pixels: each pixel of the outline is in or out for half of itself at most,
 /// one independent of the next. Three of them, and what trilinear interpolation takes off a curved surface.
-double pixelError(double outlinePixels, double fieldError) { return 1.5 * std::sqrt(outlinePixels) + fieldError * outlinePixels + 1.0; }
+double pixelError(double outlinePixels, double fieldError) {
+  return 1.5 * std::sqrt(outlinePixels) + fieldError * outlinePixels + 1.0;
+}
 
 TEST_F(CandidateTest, ABallInClosedForm) {
   const Grid grid = gridOf({64, 60, 56});
   const glm::dvec3 centre(28.3, 33.1, 26.4);
   const double r = 13.0, radius = grid.boundingRadius();
-  const Scene scene = valueScene(grid, [&](glm::ivec3 i) { return r - glm::length(glm::dvec3(i) - centre); }, 0.0);
+  const Scene scene = valueScene(
+      grid, [&](glm::ivec3 i) { return r - glm::length(glm::dvec3(i) - centre); }, 0.0);
   const glm::dvec3 offset = centre - grid.centre();
   const double perPixel = 2.0 * radius / 128.0;
   for (const Candidate& candidate : measure(scene, ringDirections(3), 128)) {
@@ -176,7 +184,8 @@ TEST_F(CandidateTest, AnEllipsoidInClosedForm) {
     const glm::dvec3 shadow = candidate.direction * glm::dvec3(axes.y * axes.z, axes.x * axes.z, axes.x * axes.y);
     const double area = pi * glm::length(shadow);
     // The outline is shorter than that of the circle around it; the surface is most curved at the long axis' end.
-    EXPECT_NEAR(candidate.sums.count, area / (perPixel * perPixel), pixelError(2.0 * pi * axes.x / perPixel, 0.05 / perPixel));
+    EXPECT_NEAR(candidate.sums.count, area / (perPixel * perPixel),
+                pixelError(2.0 * pi * axes.x / perPixel, 0.05 / perPixel));
   }
 }
 
@@ -201,8 +210,8 @@ TEST_F(CandidateTest, TwoBallsHideOneAnotherAlongTheirAxis) {
   const double r = 8.0;
   const glm::dvec3 a(18.5, 19.5, 19.5), b(50.5, 19.5, 19.5);
   const Scene scene = valueScene(
-      grid,
-      [&](glm::ivec3 i) { return r - std::min(glm::length(glm::dvec3(i) - a), glm::length(glm::dvec3(i) - b)); }, 0.0);
+      grid, [&](glm::ivec3 i) { return r - std::min(glm::length(glm::dvec3(i) - a), glm::length(glm::dvec3(i) - b)); },
+      0.0);
   const double perPixel = 2.0 * grid.boundingRadius() / 128.0, disc = pi * r * r / (perPixel * perPixel);
   const std::vector<Candidate> candidates = measure(scene, {{1, 0, 0}, {0, -1, 0}, {0, 0, 1}}, 128, 2000);
   const double tolerance = pixelError(4.0 * pi * r / perPixel, 0.25 / r / perPixel);
@@ -220,9 +229,8 @@ TEST_F(CandidateTest, ABallsSurfaceAndWhatIsSeenOfIt) {
     const double r = 14.0;
     const glm::dmat4 world = grid.worldFromIndex();
     const glm::dvec3 centre = grid.centre();
-    const Scene scene = labelScene(grid, [&](glm::ivec3 i) {
-      return glm::length(glm::dvec3(world * glm::dvec4(i, 1.0)) - centre) < r ? 1 : 0;
-    });
+    const Scene scene = labelScene(
+        grid, [&](glm::ivec3 i) { return glm::length(glm::dvec3(world * glm::dvec4(i, 1.0)) - centre) < r ? 1 : 0; });
     std::vector<glm::dvec3> directions;
     for (const glm::dvec3 direction : ringDirections(1)) {
       directions.push_back(direction);
@@ -268,9 +276,17 @@ TEST_F(CandidateTest, TheSameCallTwiceGivesTheSameBits) {
   const auto bitsOf = [](const Measured& measured) {
     std::vector<std::uint64_t> bits;
     for (const Candidate& c : measured.candidates) {
-      const double values[] = {c.sums.count, c.sums.depth, c.sums.position.x, c.sums.position.y, c.descriptors.visibility,
-                               c.descriptors.coverage, c.descriptors.location, c.descriptors.entropy,
-                               c.descriptors.mutualInformation, c.descriptors.stability, c.descriptors.orientation};
+      const double values[] = {c.sums.count,
+                               c.sums.depth,
+                               c.sums.position.x,
+                               c.sums.position.y,
+                               c.descriptors.visibility,
+                               c.descriptors.coverage,
+                               c.descriptors.location,
+                               c.descriptors.entropy,
+                               c.descriptors.mutualInformation,
+                               c.descriptors.stability,
+                               c.descriptors.orientation};
       for (const double value : values) bits.push_back(std::bit_cast<std::uint64_t>(value));
       for (int i = 0; i < 4; ++i) bits.push_back(static_cast<std::uint64_t>(c.sums.box[i]));
       bits.insert(bits.end(), c.seen.begin(), c.seen.end());

@@ -268,7 +268,8 @@ TEST(Placement, RefinementReachesTheFinestMaximumOfASmoothQuality) {
     const Refined all = refine(evaluate, options);
     EXPECT_LT(images, 300u);
     EXPECT_EQ(all.candidates.size(), images);
-    const std::vector<Candidate> refined(all.candidates.begin() + static_cast<std::ptrdiff_t>(all.coarser), all.candidates.end());
+    const std::vector<Candidate> refined(all.candidates.begin() + static_cast<std::ptrdiff_t>(all.coarser),
+                                         all.candidates.end());
     const glm::dvec3 expected = brute[bestView(brute, options).value()].direction;
     const glm::dvec3 found = refined[bestView(refined, options).value()].direction;
     EXPECT_LE(glm::degrees(std::acos(std::min(1.0, glm::dot(expected, found)))), 1.0) << round;
