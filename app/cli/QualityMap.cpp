@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "io/ImageWriter.h"
+#include "rendering/placement/Sphere.h"
 
 namespace fenestra::cli {
 namespace {
@@ -41,14 +42,15 @@ void writeQualityMap(const std::filesystem::path& path, const placement::Measure
     least = std::min(least, qualities.back());
     greatest = std::max(greatest, qualities.back());
   }
+  const auto nside = measured.coarser == 0 ? placement::sideOf(static_cast<int>(measured.spread)) : std::nullopt;
   constexpr double markRadius = 0.05, outline = 0.02;  // radians
   std::vector<std::uint8_t> pixels;
   for (int y = 0; y < mapSize.y; ++y)
     for (int x = 0; x < mapSize.x; ++x) {
       const glm::dvec3 direction = directionAt({x, y});
-      std::size_t nearest = 0;
-      double cosine = -2.0;
-      for (std::size_t i = 0; i < measured.spread; ++i)
+      std::size_t nearest = nside ? static_cast<std::size_t>(placement::ringPixel(*nside, direction)) : 0;
+      double cosine = nside ? 2.0 : -2.0;  // of a refinement, the one whose direction is nearest
+      for (std::size_t i = 0; cosine < 2.0 && i < measured.spread; ++i)
         if (const double c = glm::dot(direction, measured.candidates[i].direction); c > cosine) {
           cosine = c;
           nearest = i;
@@ -58,13 +60,15 @@ void writeQualityMap(const std::filesystem::path& path, const placement::Measure
         colour = ramp(greatest > least ? (qualities[nearest] - least) / (greatest - least) : 1.0);
       const auto mark = [&](std::optional<std::size_t> camera, bool filled) {
         if (!camera) return;
-        const double angle = std::acos(std::clamp(glm::dot(direction, measured.candidates[*camera].direction), -1.0, 1.0));
+        const double angle =
+            std::acos(std::clamp(glm::dot(direction, measured.candidates[*camera].direction), -1.0, 1.0));
         if (angle <= markRadius + outline && angle > markRadius) colour = glm::dvec3(0.0);
         if (angle <= markRadius && (filled || angle > markRadius - outline)) colour = glm::dvec3(255.0);
       };
       mark(placement.c2, false);
       mark(placement.c1, true);
-      for (int channel = 0; channel < 3; ++channel) pixels.push_back(static_cast<std::uint8_t>(std::lround(colour[channel])));
+      for (int channel = 0; channel < 3; ++channel)
+        pixels.push_back(static_cast<std::uint8_t>(std::lround(colour[channel])));
     }
   io::writePng(path, mapSize, 3, pixels);
 }

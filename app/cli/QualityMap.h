@@ -7,8 +7,9 @@
 
 namespace fenestra::cli {
 
-/// PNG, equirectangular: azimuth 0 (anterior) in the middle, the patient's left to the right, superior on top. From dark
-/// (worst) to bright (best); grey where the focus is not seen. C1 is a filled mark, C2 an open one. Throws io::Error.
+/// PNG, equirectangular: azimuth 0 (anterior) in the middle, the patient's left to the right, superior on top. From
+/// dark (worst) to bright (best); grey where the focus is not seen. C1 is a filled mark, C2 an open one. Throws
+/// io::Error.
 void writeQualityMap(const std::filesystem::path& path, const placement::Measured& measured,
                      const placement::Weights& weights, const placement::Placement& placement);
 

@@ -57,8 +57,8 @@ void addPlacementOptions(CLI::App& command, PlaceOptions& options) {
             if (!count || *count < 12 || *count > most)
               throw CLI::ValidationError("--samples", "\"" + text + "\" is not a number from 12 to 12288");
             if (!placement::sideOf(*count))
-              throw CLI::ValidationError(
-                  "--samples", "there are 12·n² directions, not " + text + "; the nearest are " + nearestCounts(*count));
+              throw CLI::ValidationError("--samples", "there are 12·n² directions, not " + text + "; the nearest are " +
+                                                          nearestCounts(*count));
             options.sampling.count = *count;
           },
           "directions to try, 12·n² of them: 12, 48, 108, 192 (default), 300, 432, ...")
@@ -67,7 +67,8 @@ void addPlacementOptions(CLI::App& command, PlaceOptions& options) {
                    "instead: 48 directions, then finer where the views are best, as fine as 12288");
   app::addChoice<placement::Region>(
       command, "--region", "where the second camera may be, seen from the first, default semi-sphere",
-      {{"stream", placement::Region::Stream}, {"semi-sphere", placement::Region::SemiSphere}}, options.placement.region);
+      {{"stream", placement::Region::Stream}, {"semi-sphere", placement::Region::SemiSphere}},
+      options.placement.region);
   app::addNumber(command, "--delta", 0.0, 90.0, "DEGREES", "half width of the stream, default 15",
                  options.placement.streamHalfWidth);
   const placement::Weights usual;
@@ -87,7 +88,8 @@ void addPlacementOptions(CLI::App& command, PlaceOptions& options) {
     app::addNumber(command, name, -1e6, 1e6, "WEIGHT", std::string("of ") + of + ", default 0", weight);
   };
   addWeight("--entropy", "the seen surface's entropy", options.placement.weights.entropy);
-  addWeight("--mutual-information", "how typical a view is of the surface", options.placement.weights.mutualInformation);
+  addWeight("--mutual-information", "how typical a view is of the surface",
+            options.placement.weights.mutualInformation);
   addWeight("--stability", "the likeness to neighbouring views", options.placement.weights.stability);
   addWeight("--orientation", "the nearness to a standard view", options.placement.weights.orientation);
   CLI::Option* joint = command.add_flag("--joint", options.joint, "search both cameras at once");

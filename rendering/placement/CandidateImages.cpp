@@ -61,15 +61,18 @@ TileRange tilesOf(const Grid& grid, const IndexBox& box, const Camera::Axes& axe
   const double radius = grid.boundingRadius();
   glm::dvec2 low(1e300), high(-1e300);
   for (int corner = 0; corner < 8; ++corner) {
-    const glm::dvec3 index((corner & 1) ? box.high.x + 1.0 : box.low.x - 1.0, (corner & 2) ? box.high.y + 1.0 : box.low.y - 1.0,
+    const glm::dvec3 index((corner & 1) ? box.high.x + 1.0 : box.low.x - 1.0,
+                           (corner & 2) ? box.high.y + 1.0 : box.low.y - 1.0,
                            (corner & 4) ? box.high.z + 1.0 : box.low.z - 1.0);
     const glm::dvec3 offset = glm::dvec3(worldFromIndex * glm::dvec4(index, 1.0)) - centre;
-    const glm::dvec2 pixel = (glm::dvec2(glm::dot(offset, axes.right), -glm::dot(offset, axes.up)) / radius + 1.0) * (0.5 * side);
+    const glm::dvec2 pixel =
+        (glm::dvec2(glm::dot(offset, axes.right), -glm::dot(offset, axes.up)) / radius + 1.0) * (0.5 * side);
     low = glm::min(low, pixel);
     high = glm::max(high, pixel);
   }
   const int last = (side + tileSide - 1) / tileSide - 1;
-  return {glm::clamp(glm::ivec2(glm::floor(low)) / tileSide, 0, last), glm::clamp(glm::ivec2(glm::floor(high)) / tileSide, 0, last)};
+  return {glm::clamp(glm::ivec2(glm::floor(low)) / tileSide, 0, last),
+          glm::clamp(glm::ivec2(glm::floor(high)) / tileSide, 0, last)};
 }
 
 }  // namespace
@@ -82,8 +85,7 @@ std::vector<Candidate> CandidateImages::measure(const GpuScene& gpu, const std::
     measureImages(gpu, candidates, side);
     if (!surface.points.empty()) measureVisibility(gpu, surface, candidates);
   }
-  for (Candidate& candidate : candidates)
-    candidate.descriptors = describe(candidate.sums, side, candidate.direction);
+  for (Candidate& candidate : candidates) candidate.descriptors = describe(candidate.sums, side, candidate.direction);
   return candidates;
 }
 
@@ -148,11 +150,14 @@ void CandidateImages::measureVisibility(const GpuScene& gpu, const FocusSurface&
                                         std::vector<Candidate>& candidates) {
   const Grid& grid = gpu.grid();
   const glm::dmat3 cellsFromWorld(grid.indexFromWorld());
-  const double finest = std::min({grid.spacing.x, grid.spacing.y, grid.spacing.z});
+  const glm::dmat3 steps(grid.worldFromIndex());
   std::vector<SurfacePoint> points;
   for (const FocusSurface::Point& point : surface.points) {
-    // Lifted by most of a voxel, so that the facets of a voxelised surface do not hide it from itself.
-    const glm::dvec3 lifted = point.index + cellsFromWorld * point.normal * (0.75 * finest) + 1.0;
+    // Lifted a little, and rays start a voxel towards the camera: the steps of a voxelised surface must not hide it
+    // from itself.
+    double extent = 0.0;
+    for (int axis = 0; axis < 3; ++axis) extent += std::abs(glm::dot(steps[axis], point.normal));
+    const glm::dvec3 lifted = point.index + cellsFromWorld * point.normal * (0.25 * extent) + 1.0;
     // facing · (cells per mm along d) = normal · d: the inverse transpose takes a normal along.
     const glm::dvec3 facing = glm::transpose(glm::inverse(cellsFromWorld)) * point.normal;
     points.push_back({glm::vec4(glm::vec3(lifted), 0.0f), glm::vec4(glm::vec3(facing), 0.0f)});
@@ -168,6 +173,7 @@ void CandidateImages::measureVisibility(const GpuScene& gpu, const FocusSurface&
   gl::Texture seen = gl::Texture::make2D(gl::Format::R8UI, size);
   seen.bindImage(0, gl::Access::Write);
   program.set("pointCount", size.x);
+  program.set("clearance", static_cast<float>(std::max({grid.spacing.x, grid.spacing.y, grid.spacing.z})));
   program.dispatch(size);
   std::vector<std::uint8_t> bytes(points.size() * candidates.size());
   seen.readInto(std::span(bytes));

@@ -1,11 +1,14 @@
 #include "rendering/placement/FocusSurface.h"
 
+#include <bit>
 #include <cmath>
+#include <cstdlib>
 
 namespace fenestra::placement {
 namespace {
 
 struct Element {
+  glm::ivec3 cell;
   FocusSurface::Point point;
   double area;
 };
@@ -35,22 +38,44 @@ unsigned cornersOf(const Scene& scene, const FocusIndex& index, glm::ivec3 cell)
   return corners;
 }
 
+/// Of the trilinear indicator at a cell's centre, per index step.
+glm::dvec3 gradientOf(unsigned corners) {
+  glm::dvec3 gradient(0.0);
+  for (int i = 0; i < 8; ++i)
+    if (corners >> i & 1u)
+      gradient += glm::dvec3((i & 1) ? 0.25 : -0.25, (i & 2) ? 0.25 : -0.25, (i & 4) ? 0.25 : -0.25);
+  return gradient;
+}
+
 Element elementOf(const Grid& grid, const glm::dmat3& worldFromIndexGradient, glm::ivec3 cell, unsigned corners) {
-  glm::dvec3 gradient(0.0);  // of the trilinear indicator at the cell's centre, per index step
-  double mean = 0.0;
-  for (int i = 0; i < 8; ++i) {
-    if (!(corners >> i & 1u)) continue;
-    gradient += glm::dvec3((i & 1) ? 0.25 : -0.25, (i & 2) ? 0.25 : -0.25, (i & 4) ? 0.25 : -0.25);
-    mean += 0.125;
-  }
+  const glm::dvec3 gradient = gradientOf(corners);
   const glm::dvec3 world = worldFromIndexGradient * gradient;
   const double steepness = glm::length(world), square = glm::dot(gradient, gradient);
-  Element element{{glm::dvec3(cell) + 0.5, glm::dvec3(0.0)}, steepness * grid.voxelVolume()};
+  Element element{cell, {glm::dvec3(cell) + 0.5, glm::dvec3(0.0)}, steepness * grid.voxelVolume()};
   if (square > 0.0) {
+    const double mean = 0.125 * std::popcount(corners);
     element.point.index += glm::clamp(gradient * ((0.5 - mean) / square), glm::dvec3(-0.5), glm::dvec3(0.5));
     element.point.normal = -world / steepness;
   }
   return element;
+}
+
+/// The normal over the neighbouring cells, weighted 1 2 1 along each axis. One cell of a 0/1 indicator knows a few
+/// normals only, most of them exactly edge-on to the patient's axes.
+glm::dvec3 smoothNormal(const Scene& scene, const FocusIndex& index, const glm::dmat3& worldFromIndexGradient,
+                        const Element& element) {
+  const glm::ivec3 last = scene.volume->grid.dims - 2;
+  glm::dvec3 gradient(0.0);
+  for (int z = -1; z <= 1; ++z)
+    for (int y = -1; y <= 1; ++y)
+      for (int x = -1; x <= 1; ++x) {
+        const glm::ivec3 neighbour = glm::clamp(element.cell + glm::ivec3(x, y, z), glm::ivec3(0), last);
+        const double weight = (2 - std::abs(x)) * (2 - std::abs(y)) * (2 - std::abs(z));
+        gradient += weight * gradientOf(cornersOf(scene, index, neighbour));
+      }
+  const glm::dvec3 world = worldFromIndexGradient * gradient;
+  const double steepness = glm::length(world);
+  return steepness > 0.0 ? -world / steepness : element.point.normal;
 }
 
 }  // namespace
@@ -79,7 +104,7 @@ FocusSurface sampleSurface(const Scene& scene, const FocusIndex& index, int coun
   for (const Element& element : elements) {
     running += element.area;
     for (; next < running && surface.points.size() < static_cast<std::size_t>(count); next += share)
-      surface.points.push_back(element.point);
+      surface.points.push_back({element.point.index, smoothNormal(scene, index, worldFromIndexGradient, element)});
   }
   return surface;
 }

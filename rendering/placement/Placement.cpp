@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <set>
 
 #include "rendering/placement/Sphere.h"
@@ -40,8 +41,25 @@ double divergence(const Candidate& a, const Candidate& b) {
 /// The candidates nearest to one, for stability: HEALPix pixels have eight neighbours at most.
 constexpr std::size_t neighbourCount = 8;
 
-/// Pixels kept at each level of the refinement for C1 and for C2: with four levels from 48 below 300 images in all.
+/// Pixels kept at each level of the refinement for C1 and for C2: from 48 through four levels, at most 272 images.
 constexpr std::size_t keptPerLevel = 7;
+/// Images of a refinement in all; what its levels leave is for climbing at the end.
+constexpr std::size_t mostImages = 299;
+
+/// The eight pixels around one, and itself, among the directions of a resolution.
+std::vector<long> pixelsAround(const std::vector<glm::dvec3>& directions, glm::dvec3 centre) {
+  std::vector<long> order(directions.size());
+  std::iota(order.begin(), order.end(), 0L);
+  const auto nearer = [&](long a, long b) {
+    const double da = glm::dot(directions[static_cast<std::size_t>(a)], centre);
+    const double db = glm::dot(directions[static_cast<std::size_t>(b)], centre);
+    return da != db ? da > db : a < b;
+  };
+  const std::size_t count = std::min<std::size_t>(neighbourCount + 1, order.size());
+  std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count), order.end(), nearer);
+  order.resize(count);
+  return order;
+}
 
 }  // namespace
 
@@ -192,43 +210,83 @@ std::optional<Pair> bestStandardPair(const std::vector<Candidate>& candidates, s
   return best;
 }
 
-std::vector<Candidate> refine(const Evaluate& evaluate, const Options& options, int start, int finest) {
-  std::vector<long> pixels(static_cast<std::size_t>(12) * static_cast<std::size_t>(start) * static_cast<std::size_t>(start));
-  for (std::size_t i = 0; i < pixels.size(); ++i) pixels[i] = static_cast<long>(i);
+Refined refine(const Evaluate& evaluate, const Options& options, int start, int finest) {
+  const auto pixelsOf = [](int nside) {
+    std::vector<long> pixels(static_cast<std::size_t>(12) * static_cast<std::size_t>(nside) *
+                             static_cast<std::size_t>(nside));
+    std::iota(pixels.begin(), pixels.end(), 0L);
+    return pixels;
+  };
   const auto directionsOf = [](int nside, const std::vector<long>& wanted) {
     std::vector<glm::dvec3> directions;
     for (const long pixel : wanted) directions.push_back(nestedDirection(nside, pixel));
     return directions;
   };
+  std::vector<long> pixels = pixelsOf(start);
   std::vector<Candidate> level = evaluate(directionsOf(start, pixels)), all = level;
-  for (int nside = start; nside < finest; nside *= 2) {
+  // Positions in `level` of the best that are admitted, best first.
+  const auto bestOf = [&](std::size_t most, const std::function<bool(const Candidate&)>& admitted) {
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < level.size(); ++i)
+      if (level[i].sums.count > 0.0 && admitted(level[i])) order.push_back(i);
+    const std::size_t count = std::min(most, order.size());
+    std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count), order.end(),
+                      [&](std::size_t a, std::size_t b) {
+                        const double qa = quality(level[a].descriptors, options.weights);
+                        const double qb = quality(level[b].descriptors, options.weights);
+                        return qa != qb ? qa > qb : pixels[a] < pixels[b];
+                      });
+    order.resize(count);
+    return order;
+  };
+  const auto anywhere = [](const Candidate&) { return true; };
+
+  int nside = start;
+  for (; nside < finest; nside *= 2) {
     // The pixels of this level that C1 or C2 most likely lie in.
     const std::optional<std::size_t> c1 = bestView(all, options);
-    if (!c1) break;
-    std::set<long> kept;
-    const auto keepBest = [&](const std::function<bool(const Candidate&)>& admitted) {
-      std::vector<std::size_t> order;
-      for (std::size_t i = 0; i < level.size(); ++i)
-        if (level[i].sums.count > 0.0 && admitted(level[i])) order.push_back(i);
-      const std::size_t count = std::min(keptPerLevel, order.size());
-      std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count), order.end(),
-                        [&](std::size_t a, std::size_t b) {
-                          const double qa = quality(level[a].descriptors, options.weights);
-                          const double qb = quality(level[b].descriptors, options.weights);
-                          return qa != qb ? qa > qb : pixels[a] < pixels[b];
-                        });
-      for (std::size_t i = 0; i < count; ++i) kept.insert(pixels[order[i]]);
-    };
-    keepBest([](const Candidate&) { return true; });
+    if (!c1) return {all, 0};
     const glm::dvec3 direction = all[*c1].direction;
-    keepBest([&](const Candidate& candidate) { return inRegion(direction, candidate.direction, options); });
+    std::set<long> kept;
+    for (const std::size_t i : bestOf(keptPerLevel, anywhere)) kept.insert(pixels[i]);
+    for (const std::size_t i : bestOf(keptPerLevel, [&](const Candidate& candidate) {
+           return inRegion(direction, candidate.direction, options);
+         }))
+      kept.insert(pixels[i]);
     pixels.clear();
     for (const long pixel : kept)
       for (long child = 4 * pixel; child < 4 * pixel + 4; ++child) pixels.push_back(child);
     level = evaluate(directionsOf(2 * nside, pixels));
     all.insert(all.end(), level.begin(), level.end());
   }
-  return all;
+
+  const std::size_t coarser = all.size() - level.size();
+  // A maximum may lie across the edge of a pixel that was kept: climb from the best two, of the region and of all,
+  // until they are better than all around them.
+  const std::vector<glm::dvec3> finestDirections = directionsOf(nside, pixelsOf(nside));
+  while (all.size() < mostImages) {
+    const std::vector<std::size_t> best = bestOf(2, anywhere);
+    if (best.empty()) break;
+    const glm::dvec3 direction = level[best.front()].direction;
+    std::vector<std::size_t> centres{best.front()};
+    const std::vector<std::size_t> dual =
+        bestOf(2, [&](const Candidate& candidate) { return inRegion(direction, candidate.direction, options); });
+    centres.insert(centres.end(), dual.begin(), dual.end());
+    centres.insert(centres.end(), best.begin(), best.end());
+    std::vector<long> fresh;
+    for (const std::size_t centre : centres) {
+      for (const long pixel : pixelsAround(finestDirections, level[centre].direction))
+        if (std::find(pixels.begin(), pixels.end(), pixel) == pixels.end()) fresh.push_back(pixel);
+      if (!fresh.empty()) break;
+    }
+    if (fresh.empty()) break;
+    fresh.resize(std::min(fresh.size(), mostImages - all.size()));
+    const std::vector<Candidate> measured = evaluate(directionsOf(nside, fresh));
+    pixels.insert(pixels.end(), fresh.begin(), fresh.end());
+    level.insert(level.end(), measured.begin(), measured.end());
+    all.insert(all.end(), measured.begin(), measured.end());
+  }
+  return {std::move(all), coarser};
 }
 
 }  // namespace fenestra::placement

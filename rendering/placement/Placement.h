@@ -87,7 +87,7 @@ struct Pair {
   double share = 0.0;
 };
 /// Both cameras at once: the pair, c2 in c1's region, that maximises shareWeight · share + (1 - shareWeight) · mean quality;
-/// of equals the one of higher quality, then of lowest indices. c1 is the one of higher quality.
+/// of equals the one of higher quality, then of lowest indices. c1 is the one of higher quality where either may be c1.
 std::optional<Pair> jointSearch(const std::vector<Candidate>& candidates, std::size_t points, const Options& options);
 /// The best orthogonal pair of the six standard views by share, among candidates that hold them.
 std::optional<Pair> bestStandardPair(const std::vector<Candidate>& candidates, std::size_t points);
@@ -95,7 +95,11 @@ std::optional<Pair> bestStandardPair(const std::vector<Candidate>& candidates, s
 /// Measures directions in the order given.
 using Evaluate = std::function<std::vector<Candidate>(const std::vector<glm::dvec3>&)>;
 /// From N = 12·start² (start = 2^k) down to the resolution of 12·finest² by the children of the best pixels, for C1 and for
-/// C2 in C1's region at once. Returns all candidates evaluated.
-std::vector<Candidate> refine(const Evaluate& evaluate, const Options& options, int start = 2, int finest = 32);
+/// C2 in C1's region at once, then over neighbouring pixels while that helps. Below 300 directions for the defaults.
+struct Refined {
+  std::vector<Candidate> candidates;  ///< all that were evaluated, level by level
+  std::size_t coarser = 0;            ///< how many of them, from the first on, are not of the finest resolution
+};
+Refined refine(const Evaluate& evaluate, const Options& options, int start = 2, int finest = 32);
 
 }  // namespace fenestra::placement

@@ -11,14 +11,16 @@ namespace fenestra::placement {
 namespace {
 
 /// A, P, L, R, S, I, as directions towards the camera (LPS).
-const std::array<glm::dvec3, 6> standardDirections{glm::dvec3(0, -1, 0), glm::dvec3(0, 1, 0),  glm::dvec3(1, 0, 0),
+const std::array<glm::dvec3, 6> standardDirections{glm::dvec3(0, -1, 0), glm::dvec3(0, 1, 0), glm::dvec3(1, 0, 0),
                                                    glm::dvec3(-1, 0, 0), glm::dvec3(0, 0, 1), glm::dvec3(0, 0, -1)};
 
 /// Qualities closer than this, relative to their size, come from the candidates' pixels and say nothing.
 constexpr double indistinct = 1e-3;
 
-std::vector<Candidate> spreadOf(const Measured& measured) {
-  return {measured.candidates.begin(), measured.candidates.begin() + static_cast<std::ptrdiff_t>(measured.spread)};
+/// The spread candidates from `first` on.
+std::vector<Candidate> spreadOf(const Measured& measured, std::size_t first) {
+  const auto begin = measured.candidates.begin();
+  return {begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(measured.spread)};
 }
 
 double shareOf(const Measured& measured, const Placement& placement) {
@@ -30,38 +32,42 @@ double shareOf(const Measured& measured, const Placement& placement) {
 
 Placement chooseDual(const Measured& measured, glm::dvec3 c1, const Options& options) {
   Placement placement;
-  placement.c2 = dualView(spreadOf(measured), c1, options);
+  placement.c2 = dualView(spreadOf(measured, 0), c1, options);
   if (!placement.c2) placement.note = "no candidate in the region of C1 sees the focus";
   return placement;
 }
 
 Placement choose(const Measured& measured, const Options& options, bool joint) {
   Placement placement;
-  const std::vector<Candidate> spread = spreadOf(measured);
-  placement.c1 = bestView(spread, options);
+  const std::vector<Candidate> finest = spreadOf(measured, measured.coarser);
+  placement.c1 = bestView(finest, options);
   if (!placement.c1) {
     placement.note = "no candidate sees the focus: it is empty";
     return placement;
   }
+  *placement.c1 += measured.coarser;
   if (joint) {
     if (const auto pair = jointSearch(measured.candidates, measured.surfacePoints, options)) {
       placement.c1 = pair->c1;
       placement.c2 = pair->c2;
     }
   } else {
-    placement.c2 = dualView(spread, spread[*placement.c1].direction, options);
+    placement.c2 = dualView(finest, measured.candidates[*placement.c1].direction, options);
+    if (placement.c2) *placement.c2 += measured.coarser;
   }
   if (!placement.c2) placement.note = "no candidate in the region of C1 sees the focus";
   placement.share = shareOf(measured, placement);
 
   double least = 1e300, greatest = -1e300;
-  for (const Candidate& candidate : spread) {
-    const double q = quality(candidate.descriptors, options.weights);
+  for (std::size_t i = 0; i < measured.spread; ++i) {
+    const double q = quality(measured.candidates[i].descriptors, options.weights);
     least = std::min(least, q);
     greatest = std::max(greatest, q);
   }
   if (greatest - least <= indistinct * std::max(std::abs(greatest), std::abs(least)))
     placement.note = "the focus looks the same from everywhere: the first direction is as good as any";
+  else if (measured.surfacePoints == 0 && placement.c2)
+    placement.note = "the focus fills the volume: it has no surface of which a share could be seen";
   return placement;
 }
 
@@ -102,7 +108,9 @@ bool Placer::advance(const GpuScene& gpu, std::size_t count) {
     return images_.measure(gpu, directions, task_->surface, side);
   };
   if (task_->key.sampling.refined && candidates.empty()) {
-    candidates = refine(measureAll, task_->options);
+    Refined refined = refine(measureAll, task_->options);
+    candidates = std::move(refined.candidates);
+    task_->measured.coarser = refined.coarser;
     task_->measured.spread = candidates.size();
     // The standard views are still to come.
     return false;

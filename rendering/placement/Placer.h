@@ -28,6 +28,7 @@ struct Placement {
 /// The measured candidates of one focus: the spread ones, then the six standard views.
 struct Measured {
   std::vector<Candidate> candidates;
+  std::size_t coarser = 0;        ///< refined: the first ones, which only led the way; choose() takes finest ones, as brute force would
   std::size_t spread = 0;         ///< how many of them are spread; the standard views serve comparisons and the joint search
   std::size_t surfacePoints = 0;
   double surfaceArea = 0.0;       ///< mm²

@@ -10,10 +10,11 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 struct SurfacePoint {
   vec4 position;  // cell frame, lifted off the surface
-  vec4 facing;    // world normal in cells: dot(facing, forward) < 0 where the camera looks onto the surface
+  vec4 facing;    // world normal in cells: dot(facing, forward) ≤ 0 where the camera looks onto the surface
 };
 layout(std430, binding = 3) readonly buffer Points { SurfacePoint points[]; };
 uniform int pointCount;
+uniform float clearance;  // mm along the ray that the surface may not hide itself in
 layout(r8ui, binding = 0) uniform writeonly uimage2D seen;  // x: point, y: candidate
 
 void main() {
@@ -21,10 +22,10 @@ void main() {
   if (at.x >= pointCount || at.y >= imageSize(seen).y) return;
   uint visible = 0u;
   vec3 towards = -candidates[at.y].forward.xyz;
-  if (dot(points[at.x].facing.xyz, towards) > 0.0) {
+  if (dot(points[at.x].facing.xyz, towards) >= 0.0) {
     Ray ray;
     ray.direction = towards;
-    ray.base = points[at.x].position.xyz;
+    ray.base = points[at.x].position.xyz + clearance * towards;
     ray.world = ray.worldBase = vec3(0.0);
     clipToBox(ray, 0.0);
     visible = ray.sIn > ray.sOut || isNone(firstFocusHit(ray)) ? 1u : 0u;

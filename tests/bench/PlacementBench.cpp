@@ -45,15 +45,19 @@ std::vector<Structure> structures() {
     scene.path = tests::findTestData(image);
     scene.labels = tests::findTestData(labels);
     scene.focusLabels = std::move(focus);
-    if (scene.path.empty() || scene.labels.empty()) std::cerr << "left out " << name << ": needs " << image << '\n';
-    else list.push_back({name, scene});
+    if (scene.path.empty() || scene.labels.empty())
+      std::cerr << "left out " << name << ": needs " << image << '\n';
+    else
+      list.push_back({name, scene});
   };
   const auto ranged = [&](const std::string& name, const std::filesystem::path& image, ValueRange range) {
     app::SceneOptions scene;
     scene.path = image;
     scene.focusRange = range;
-    if (image.empty()) std::cerr << "left out " << name << '\n';
-    else list.push_back({name, scene});
+    if (image.empty())
+      std::cerr << "left out " << name << '\n';
+    else
+      list.push_back({name, scene});
   };
   phantom("phantom torso: organs", "torso", {});
   phantom("phantom head: tumour, ventricles", "head", {});
@@ -68,8 +72,8 @@ std::vector<Structure> structures() {
   labelled("chest: right and left lung", "labelled/slicer-ctchest/CTChest4.nrrd",
            "labelled/slicer-ctchest/Segmentation.seg.nrrd", {"right lung", "left lung"});
   ranged("CT head: skull", tests::findTestData("ct-head/ct.nii.gz"), {0.6, 1.0});
-  ranged("Visible Human head: skull",
-         tests::unpackTestData("visible-human/VHMCT1mm_Head.tar.xz", "VHMCT1mm_Head"), {300.0, 3000.0});
+  ranged("Visible Human head: skull", tests::unpackTestData("visible-human/VHMCT1mm_Head.tar.xz", "VHMCT1mm_Head"),
+         {300.0, 3000.0});
   return list;
 }
 
@@ -143,14 +147,16 @@ Row measureStructure(const Structure& structure) {
                      quality(best.descriptors, options.weights) - quality(c1.descriptors, options.weights)};
   };
   for (const int count : counts)
-    row.brute.push_back(deviation(images.measure(gpu, ringDirections(*sideOf(count)), {}, CandidateImages::defaultSide)));
-  const std::vector<Candidate> refined = refine(
+    row.brute.push_back(
+        deviation(images.measure(gpu, ringDirections(*sideOf(count)), {}, CandidateImages::defaultSide)));
+  const Refined refined = refine(
       [&](const std::vector<glm::dvec3>& directions) {
         return images.measure(gpu, directions, {}, CandidateImages::defaultSide);
       },
       options);
-  row.refined = deviation(refined);
-  row.refinedImages = refined.size();
+  row.refined =
+      deviation({refined.candidates.begin() + static_cast<std::ptrdiff_t>(refined.coarser), refined.candidates.end()});
+  row.refinedImages = refined.candidates.size();
 
   Placer placer;
   Sampling sampling;
@@ -225,27 +231,33 @@ std::string page(const std::vector<Row>& rows, const std::string& gl) {
   out << "# Dual-camera placement, measured\n\nWritten by `placement-bench` (build target of that name) on " << gl
       << ". Default weights and region (semi-sphere), candidate images of " << CandidateImages::defaultSide
       << "², surface shares over 4096 points.\n\n## How many directions\n\n"
-         "Degrees from the answer of N = 12288, for growing N and for the hierarchical refinement (its number of images in "
-         "brackets). Seen in parallel projection, opposite sides have the same outline: angles near 180° are the opposite "
+         "Degrees from the answer of N = 12288, for growing N and for the hierarchical refinement (its number of "
+         "images in "
+         "brackets). Seen in parallel projection, opposite sides have the same outline: angles near 180° are the "
+         "opposite "
          "of an equally good view.\n\n![Angle to the converged answer against N](placement.svg)\n\nC1:\n\n"
       << angleTable(rows, &Deviation::c1) << "\nC2:\n\n"
       << angleTable(rows, &Deviation::c2) << "\nQuality that C1 loses to the converged answer:\n\n";
   out << header({"structure", "N = 192", "N = 1200", "refined"});
   for (const Row& row : rows)
-    out << tableRow({row.name, number(row.brute[3].lost, 5), number(row.brute.back().lost, 5), number(row.refined.lost, 5)});
+    out << tableRow(
+        {row.name, number(row.brute[3].lost, 5), number(row.brute.back().lost, 5), number(row.refined.lost, 5)});
   out << "\n## Share of the focus's surface that the pair sees\n\nN = 192 and the six standard views.\n\n"
       << header({"structure", "best standard pair", "stream", "semi-sphere", "joint, stream", "joint, semi-sphere"});
   for (const Row& row : rows)
     out << tableRow({row.name, number(row.standard, 3), number(row.stream, 3), number(row.semiSphere, 3),
                      number(row.jointStream, 3), number(row.joint, 3)});
-  out << "\n## Times\n\nMilliseconds, median of five after one run. *images*: N = 192 candidate images alone; *measure*: with "
-         "what each candidate sees of the surface, and all descriptors; *refined*: the same, refined; *choose*: C1 and C2 "
+  out << "\n## Times\n\nMilliseconds, median of five after one run. *images*: N = 192 candidate images alone; "
+         "*measure*: with "
+         "what each candidate sees of the surface, and all descriptors; *refined*: the same, refined; *choose*: C1 and "
+         "C2 "
          "after a change of weights; *joint*: the joint search; *C2*: C2 for a dragged C1.\n\n"
       << header({"structure", "images", "measure", "refined", "choose", "joint", "C2"});
   for (const Row& row : rows)
-    out << tableRow({row.name, number(row.images, 0), number(row.measure, 0), number(row.refine, 0), number(row.choose, 2),
-                     number(row.chooseJoint, 1), number(row.dual, 2)});
-  out << "\n## Weights\n\nShare of the surface that the pair (and C1 alone) sees, averaged over the structures above: the ten "
+    out << tableRow({row.name, number(row.images, 0), number(row.measure, 0), number(row.refine, 0),
+                     number(row.choose, 2), number(row.chooseJoint, 1), number(row.dual, 2)});
+  out << "\n## Weights\n\nShare of the surface that the pair (and C1 alone) sees, averaged over the structures above: "
+         "the ten "
          "best for the pair, the default, and the paper's sign of the depth term.\n\n"
       << header({"visibility, coverage, location", "pair", "C1"});
   const std::vector<Weights> trials = trialWeights();
@@ -285,26 +297,29 @@ std::string plot(const std::vector<Row>& rows) {
     const double refinedX = x0 + panelWidth - 12.0;
     svg << "<text x=\"" << x0 << "\" y=\"18\">C" << panel + 1 << ": degrees to the converged answer</text>\n";
     for (const double degrees : {0.0, 1.0, 5.0, 15.0, 45.0, 90.0, 180.0})
-      svg << "<line x1=\"" << x0 << "\" x2=\"" << x0 + panelWidth << "\" y1=\"" << yOf(degrees) << "\" y2=\"" << yOf(degrees)
-          << "\" stroke=\"#ddd\"/><text x=\"" << x0 - 6 << "\" y=\"" << yOf(degrees) + 4 << "\" text-anchor=\"end\">" << degrees
-          << "</text>\n";
+      svg << "<line x1=\"" << x0 << "\" x2=\"" << x0 + panelWidth << "\" y1=\"" << yOf(degrees) << "\" y2=\""
+          << yOf(degrees) << "\" stroke=\"#ddd\"/><text x=\"" << x0 - 6 << "\" y=\"" << yOf(degrees) + 4
+          << "\" text-anchor=\"end\">" << degrees << "</text>\n";
     for (const int count : {12, 48, 192, 432, 1200})
-      svg << "<text x=\"" << xOf(count) << "\" y=\"" << top + height + 18 << "\" text-anchor=\"middle\">" << count << "</text>\n";
+      svg << "<text x=\"" << xOf(count) << "\" y=\"" << top + height + 18 << "\" text-anchor=\"middle\">" << count
+          << "</text>\n";
     svg << "<text x=\"" << refinedX << "\" y=\"" << top + height + 34 << "\" text-anchor=\"middle\">refined</text>\n";
     for (std::size_t r = 0; r < rows.size(); ++r) {
       const std::string& colour = colours[r % colours.size()];
       const auto angleOf = [&](const Deviation& d) { return panel == 0 ? d.c1 : d.c2; };
       svg << "<polyline fill=\"none\" stroke=\"" << colour << "\" points=\"";
-      for (std::size_t i = 0; i < counts.size(); ++i) svg << xOf(counts[i]) << "," << yOf(angleOf(rows[r].brute[i])) << " ";
-      svg << "\"/>\n<circle r=\"4\" fill=\"" << colour << "\" cx=\"" << refinedX << "\" cy=\"" << yOf(angleOf(rows[r].refined))
-          << "\"/>\n";
+      for (std::size_t i = 0; i < counts.size(); ++i)
+        svg << xOf(counts[i]) << "," << yOf(angleOf(rows[r].brute[i])) << " ";
+      svg << "\"/>\n<circle r=\"4\" fill=\"" << colour << "\" cx=\"" << refinedX << "\" cy=\""
+          << yOf(angleOf(rows[r].refined)) << "\"/>\n";
     }
   }
   for (std::size_t r = 0; r < rows.size(); ++r) {
-    const double x = left + static_cast<double>(r % 2) * (panelWidth + gap), y = top + height + 60.0 + 18.0 * static_cast<double>(r / 2);
+    const double x = left + static_cast<double>(r % 2) * (panelWidth + gap),
+                 y = top + height + 60.0 + 18.0 * static_cast<double>(r / 2);
     svg << "<line x1=\"" << x << "\" x2=\"" << x + 24 << "\" y1=\"" << y - 4 << "\" y2=\"" << y - 4 << "\" stroke=\""
-        << colours[r % colours.size()] << "\" stroke-width=\"3\"/><text x=\"" << x + 30 << "\" y=\"" << y << "\">" << rows[r].name
-        << "</text>\n";
+        << colours[r % colours.size()] << "\" stroke-width=\"3\"/><text x=\"" << x + 30 << "\" y=\"" << y << "\">"
+        << rows[r].name << "</text>\n";
   }
   svg << "</svg>\n";
   return svg.str();
@@ -312,18 +327,20 @@ std::string plot(const std::vector<Row>& rows) {
 
 int run(const std::filesystem::path& folder, const std::string& part) {
   egl::EglContext context;
+  std::filesystem::create_directories(folder);
   std::vector<Row> rows;
   for (const Structure& structure : structures()) {
     if (structure.name.find(part) == std::string::npos) continue;
     const auto start = std::chrono::steady_clock::now();
     rows.push_back(measureStructure(structure));
     const Row& row = rows.back();
-    std::cerr << row.name << ": " << number(millisecondsSince(start) / 1000.0, 1) << " s; refined C1 " << row.refined.c1 << "°, C2 "
-              << row.refined.c2 << "°, lost " << row.refined.lost << ", " << row.refinedImages << " images\n";
+    std::cerr << row.name << ": " << number(millisecondsSince(start) / 1000.0, 1) << " s; refined C1 " << row.refined.c1
+              << "°, C2 " << row.refined.c2 << "°, lost " << row.refined.lost << ", " << row.refinedImages
+              << " images\n";
+    // After each, so that a run cut short leaves what it has.
+    std::ofstream(folder / "placement.md") << page(rows, context.description());
+    std::ofstream(folder / "placement.svg") << plot(rows);
   }
-  std::filesystem::create_directories(folder);
-  std::ofstream(folder / "placement.md") << page(rows, context.description());
-  std::ofstream(folder / "placement.svg") << plot(rows);
   return 0;
 }
 

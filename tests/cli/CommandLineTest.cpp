@@ -118,6 +118,14 @@ TEST_F(CommandLine, WrongUsageExitsWithTwo) {
       {"render", "--phantom", "head", "--background", "1,2,3", "-o", png},
       {"render", "--phantom", "head", "--reference"},
       {"render", "--phantom", "head", "--repeat", "0", "-o", png},
+      {"place"},
+      {"place", "--phantom", "head", "--samples", "100"},
+      {"place", "--phantom", "head", "--samples", "0"},
+      {"place", "--phantom", "head", "--region", "sphere"},
+      {"place", "--phantom", "head", "--weights", "1,2"},
+      {"place", "--phantom", "head", "--delta", "91"},
+      {"place", "--phantom", "head", "--share-weight", "0.5"},
+      {"place", "--phantom", "head", "--side", "0"},
       {"compare", "a"},
   };
   for (const auto& arguments : mistakes) {
@@ -445,6 +453,71 @@ TEST_F(CommandLine, BrokenCameraAndTransferFunctionFilesFail) {
                      at("x.png")}),
                 "ct-bones");
   EXPECT_FALSE(fs::exists(at("x.png")));
+}
+
+TEST_F(CommandLine, PlaceNamesTheNearestNumbersOfSamples) {
+  const Result result = run({"place", "--phantom", "head", "--samples", "184"});
+  EXPECT_EQ(result.exitCode, 2);
+  EXPECT_NE(result.error.find("108 and 192"), std::string::npos) << result.error;
+}
+
+TEST_F(CommandLine, PlaceReportsBothCamerasAndDrawsTheMap) {
+  const std::vector<std::string> scene{"place", "--phantom", "torso", "--phantom-voxels", "64", "--samples", "48"};
+  const auto placed = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = scene;
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Result result = run(arguments);
+    EXPECT_EQ(result.exitCode, 0) << result.error;
+    return result.json();
+  };
+  const auto cosine = [](const Json& placement) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < 3; ++i)
+      sum += placement["c1"]["direction"][i].get<double>() * placement["c2"]["direction"][i].get<double>();
+    return sum;
+  };
+  const Json usual = placed({"--map", at("map.png"), "--json", "all"});
+  EXPECT_EQ(usual["candidates"], 48);
+  EXPECT_EQ(usual["all"].size(), 48u + 6u);  // and the standard views
+  for (std::size_t i = 0; i < 48; ++i)
+    EXPECT_LE(usual["all"][i]["quality"].get<double>(), usual["c1"]["quality"].get<double>());
+  EXPECT_LE(std::abs(cosine(usual)), std::sqrt(0.5) + 1e-9);
+  for (const char* camera : {"c1", "c2"})
+    for (const char* key : {"eye", "target", "up"}) EXPECT_EQ(usual[camera]["camera"][key].size(), 3u);
+  const io::Picture map = io::readPicture(at("map.png"));
+  EXPECT_EQ(map.size.x, 2 * map.size.y);
+
+  EXPECT_LE(std::abs(cosine(placed({"--region", "stream", "--delta", "10"}))),
+            std::sin(10.0 * 3.14159265 / 180.0) + 1e-6);
+  const Json joint = placed({"--joint"});
+  EXPECT_GE(joint["share"].get<double>(), usual["share"].get<double>());
+  EXPECT_GE(joint["share"].get<double>(), joint["standard_pair_share"].get<double>());
+  EXPECT_GE(placed({"--refine"})["c1"]["quality"].get<double>(), 0.99 * usual["c1"]["quality"].get<double>());
+  EXPECT_NE(placed({"--weights", "1,0,0"})["c1"]["index"], usual["c1"]["index"]);
+}
+
+TEST_F(CommandLine, PlaceWithoutAFocusFails) {
+  const std::string empty = at("head.mha");
+  ASSERT_EQ(run({"convert", "--phantom", "head", "--phantom-voxels", "24", "-o", empty}).exitCode, 0);
+  expectFailure(run({"place", empty, "--map", at("map.png")}), empty);
+  expectFailure(run({"place", empty, "--focus-range", "9000:9001"}), empty);
+  expectFailure(run({"render", empty, "--camera", "best", "-o", at("x.png")}), empty);
+  EXPECT_FALSE(fs::exists(at("map.png")) || fs::exists(at("x.png")));
+}
+
+TEST_F(CommandLine, RenderLooksFromThePlacedCameras) {
+  const std::vector<std::string> scene{"--phantom", "head", "--phantom-voxels", "48"};
+  std::vector<std::string> place{"place"};
+  place.insert(place.end(), scene.begin(), scene.end());
+  const Json placed = run(place).json();
+  for (const auto& [choice, key] : {std::pair{"best", "c1"}, std::pair{"dual", "c2"}}) {
+    std::vector<std::string> render{"render", "--camera",  choice,     "--size",  "40x30",
+                                    "-o",     at("x.png"), "--layers", at(choice)};
+    render.insert(render.end(), scene.begin(), scene.end());
+    ASSERT_EQ(run(render).exitCode, 0);
+    const Json camera = Json::parse(contents(folder() / choice / "camera.json"));
+    EXPECT_EQ(camera["eye_world"], placed[key]["camera"]["eye"]);
+  }
 }
 
 }  // namespace

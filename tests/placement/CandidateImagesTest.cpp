@@ -1,0 +1,319 @@
+// What the GPU measures of a candidate, against closed forms and against a double-precision computation on the CPU.
+
+#include <bit>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "rendering/placement/Placer.h"
+#include "rendering/placement/Sphere.h"
+#include "tests/gl/GlTest.h"
+
+namespace fenestra::placement {
+namespace {
+
+using namespace tests;
+
+constexpr int side = 96;
+constexpr double pi = std::numbers::pi;
+
+class CandidateTest : public GlTest {
+ protected:
+  std::vector<Candidate> measure(const Scene& scene, const std::vector<glm::dvec3>& directions, int pixels = side,
+                                 int surfacePoints = 0) {
+    gpu_.update(scene);
+    surface_ = surfacePoints > 0 ? sampleSurface(scene, gpu_.focus(), surfacePoints) : FocusSurface{};
+    return images_.measure(gpu_, directions, surface_, pixels);
+  }
+  const FocusSurface& surface() const { return surface_; }
+  GpuScene& gpu() { return gpu_; }
+
+ private:
+  GpuScene gpu_;
+  CandidateImages images_;
+  FocusSurface surface_;
+};
+
+std::vector<glm::dvec3> someDirections() {
+  std::vector<glm::dvec3> directions = ringDirections(1);
+  std::mt19937 random(11);
+  for (int i = 0; i < 6; ++i) directions.push_back(randomUnit(random));
+  for (const glm::dvec3 axis : {glm::dvec3(0, -1, 0), glm::dvec3(1, 0, 0), glm::dvec3(0, 0, 1)})
+    directions.push_back(axis);
+  return directions;
+}
+
+/// The same image by the reference's rays: a parallel camera that the bounding sphere fills.
+ImageSums sumsOnCpu(const Scene& scene, glm::dvec3 direction, int pixels) {
+  const Grid& grid = scene.volume->grid;
+  const double radius = grid.boundingRadius();
+  const Camera camera =
+      lookAt(grid.centre() + direction * (2.0 * radius), grid.centre(), Projection::Orthographic, 2.0 * radius);
+  const reference::Image hits = reference::hitPoints(scene, camera, {pixels, pixels}).tFocus;
+  ImageSums sums;
+  sums.box = {pixels, pixels, -1, -1};
+  for (int y = 0; y < pixels; ++y)
+    for (int x = 0; x < pixels; ++x) {
+      const double t =
+          hits[static_cast<std::size_t>(y) * static_cast<std::size_t>(pixels) + static_cast<std::size_t>(x)];
+      if (std::isnan(t)) continue;
+      sums.count += 1.0;
+      sums.depth += (t - radius) / (2.0 * radius);
+      sums.position += glm::dvec2(2.0 * (x + 0.5) / pixels - 1.0, 1.0 - 2.0 * (y + 0.5) / pixels);
+      sums.box = {std::min(sums.box.x, x), std::min(sums.box.y, y), std::max(sums.box.z, x), std::max(sums.box.w, y)};
+    }
+  if (sums.count == 0.0) sums.box = ImageSums{}.box;
+  return sums;
+}
+
+/// Rays that graze the surface may hit in one precision and miss in the other: they lie on the outline, and are allowed
+/// `grazing` of all. Everything else is float32 against double: 1e-4.
+void expectSameAsOnCpu(const Scene& scene, const std::vector<Candidate>& candidates, double grazing) {
+  for (const Candidate& candidate : candidates) {
+    const ImageSums truth = sumsOnCpu(scene, candidate.direction, side);
+    const ImageSums& sums = candidate.sums;
+    const double tolerance = 1e-4 + grazing;
+    EXPECT_NEAR(sums.count, truth.count, tolerance * truth.count);
+    EXPECT_NEAR(sums.depth, truth.depth, tolerance * truth.count);
+    EXPECT_NEAR(sums.position.x, truth.position.x, tolerance * truth.count);
+    EXPECT_NEAR(sums.position.y, truth.position.y, tolerance * truth.count);
+    for (int i = 0; i < 4; ++i) EXPECT_NEAR(sums.box[i], truth.box[i], grazing > 0.0 ? 1 : 0);
+    const Descriptors d = candidate.descriptors, expected = describe(truth, side, candidate.direction);
+    EXPECT_NEAR(d.visibility, expected.visibility, tolerance);
+    EXPECT_NEAR(d.coverage, expected.coverage, tolerance * expected.coverage);
+    EXPECT_NEAR(d.location, expected.location, tolerance);
+  }
+}
+
+/// Two lobes and a bar in the off-centre part of a grid: concave, and unlike itself from every side.
+int lobes(const Grid& grid, glm::ivec3 index) {
+  const glm::dvec3 u = glm::dvec3(index) / glm::dvec3(grid.dims);
+  const bool inside = glm::length(u - glm::dvec3(0.31, 0.42, 0.37)) < 0.2 ||
+                      glm::length(u - glm::dvec3(0.66, 0.55, 0.61)) < 0.14 ||
+                      (std::abs(u.x - 0.5) < 0.3 && std::abs(u.y - 0.71) < 0.06 && std::abs(u.z - 0.44) < 0.07);
+  return inside ? 1 : 0;
+}
+
+Grid shearedGrid(glm::ivec3 dims) {
+  Grid grid = obliqueGrid(dims);
+  grid.direction[2] = glm::normalize(grid.direction[2] + 0.35 * grid.direction[1]);
+  return grid;
+}
+
+TEST_F(CandidateTest, LabelsAgreeWithTheCpuOnEveryKindOfGrid) {
+  for (const Grid& grid : {gridOf({37, 31, 29}), gridOf({33, 29, 14}, {0.8, 1.1, 2.9}, {400.0, -3000.0, 7.0}),
+                           obliqueGrid({31, 25, 17}), shearedGrid({31, 25, 17})}) {
+    const Scene scene = labelScene(grid, [&](glm::ivec3 index) { return lobes(grid, index); });
+    expectSameAsOnCpu(scene, measure(scene, someDirections()), 0.0);
+  }
+}
+
+TEST_F(CandidateTest, ValuesAgreeWithTheCpu) {
+  const Grid grid = obliqueGrid({28, 24, 16});
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> noise(0.0, 0.2);
+  const Scene scene = valueScene(
+      grid, [&](glm::ivec3 index) { return lobes(grid, index) + noise(random); }, 0.55);
+  expectSameAsOnCpu(scene, measure(scene, someDirections()), 0.0);
+}
+
+TEST_F(CandidateTest, AFocusThatFillsTheVolumeAgreesWithTheCpu) {
+  const Scene scene = labelScene(obliqueGrid({20, 17, 9}), [](glm::ivec3) { return 1; });
+  const std::vector<Candidate> candidates = measure(scene, someDirections(), side, 500);
+  expectSameAsOnCpu(scene, candidates, 0.0);
+  EXPECT_TRUE(surface().points.empty());
+  Placer placer;
+  const Placement placement = choose(placer.measure(gpu(), scene, {48}, {}), {}, true);
+  EXPECT_TRUE(placement.c1 && placement.c2);
+  EXPECT_EQ(placement.share, 0.0);
+  EXPECT_NE(placement.note, "");
+}
+
+TEST_F(CandidateTest, AFocusAtTheBorderAgreesWithTheCpu) {
+  const Scene scene =
+      labelScene(gridOf({24, 20, 18}, {1.0, 1.2, 1.5}), [](glm::ivec3 i) { return i.x < 6 && i.y > 11 ? 1 : 0; });
+  expectSameAsOnCpu(scene, measure(scene, someDirections()), 0.0);
+}
+
+TEST_F(CandidateTest, AnEmptyFocusSeesNothingAndSaysSo) {
+  const Scene scene = labelScene(gridOf({12, 12, 12}), [](glm::ivec3) { return 2; });
+  for (const Candidate& candidate : measure(scene, someDirections(), side, 100)) {
+    EXPECT_EQ(candidate.sums.count, 0.0);
+    EXPECT_LT(candidate.sums.box.z, candidate.sums.box.x);
+  }
+  Placer placer;
+  const Placement placement = choose(placer.measure(gpu(), scene, {}, {}), {}, false);
+  EXPECT_FALSE(placement.c1 || placement.c2);
+  EXPECT_NE(placement.note, "");
+}
+
+/// Standard deviation allowed to a count of pixels: each pixel of the outline is in or out for half of itself at most,
+/// one independent of the next. Three of them, and what trilinear interpolation takes off a curved surface.
+double pixelError(double outlinePixels, double fieldError) {
+  return 1.5 * std::sqrt(outlinePixels) + fieldError * outlinePixels + 1.0;
+}
+
+TEST_F(CandidateTest, ABallInClosedForm) {
+  const Grid grid = gridOf({64, 60, 56});
+  const glm::dvec3 centre(28.3, 33.1, 26.4);
+  const double r = 13.0, radius = grid.boundingRadius();
+  const Scene scene = valueScene(
+      grid, [&](glm::ivec3 i) { return r - glm::length(glm::dvec3(i) - centre); }, 0.0);
+  const glm::dvec3 offset = centre - grid.centre();
+  const double perPixel = 2.0 * radius / 128.0;
+  for (const Candidate& candidate : measure(scene, ringDirections(3), 128)) {
+    const double expected = pi * r * r / (perPixel * perPixel);
+    // Trilinear interpolation of a distance errs by (1/8)·(2/r) of a squared voxel.
+    EXPECT_NEAR(candidate.sums.count, expected, pixelError(2.0 * pi * r / perPixel, 0.25 / r / perPixel));
+    // The mean height of a half sphere over its disc is 2/3 of its radius. Half a pixel of outline, seen edge on.
+    const double depth = 0.5 + (-glm::dot(offset, candidate.direction) - 2.0 / 3.0 * r) / (2.0 * radius);
+    EXPECT_NEAR(candidate.descriptors.visibility, depth, 0.25 * perPixel / (2.0 * radius));
+    const Camera::Axes axes = axesAt(candidate.direction);
+    const glm::dvec2 position = glm::dvec2(glm::dot(offset, axes.right), glm::dot(offset, axes.up)) / radius;
+    EXPECT_NEAR(candidate.descriptors.location, 1.0 - glm::length(position) / std::sqrt(2.0), 0.1 * perPixel / radius);
+  }
+}
+
+TEST_F(CandidateTest, AnEllipsoidInClosedForm) {
+  const Grid grid = gridOf({60, 60, 60});
+  const glm::dvec3 centre(30.2, 28.7, 31.1), axes(22.0, 14.0, 9.0);
+  const Scene scene = valueScene(
+      grid, [&](glm::ivec3 i) { return 1.0 - glm::length((glm::dvec3(i) - centre) / axes); }, 0.0);
+  const double perPixel = 2.0 * grid.boundingRadius() / 128.0;
+  for (const Candidate& candidate : measure(scene, ringDirections(3), 128)) {
+    const glm::dvec3 shadow = candidate.direction * glm::dvec3(axes.y * axes.z, axes.x * axes.z, axes.x * axes.y);
+    const double area = pi * glm::length(shadow);
+    // The outline is shorter than that of the circle around it; the surface is most curved at the long axis' end.
+    EXPECT_NEAR(candidate.sums.count, area / (perPixel * perPixel),
+                pixelError(2.0 * pi * axes.x / perPixel, 0.05 / perPixel));
+  }
+}
+
+TEST_F(CandidateTest, ASlabInClosedForm) {
+  const Grid grid = gridOf({60, 60, 60});
+  const glm::ivec3 low(10, 22, 31), size(36, 20, 8);
+  const Scene scene = labelScene(grid, [&](glm::ivec3 i) {
+    return glm::all(glm::greaterThanEqual(i, low)) && glm::all(glm::lessThan(i, low + size)) ? 1 : 0;
+  });
+  const double perPixel = 2.0 * grid.boundingRadius() / 128.0;
+  for (const Candidate& candidate : measure(scene, ringDirections(3), 128)) {
+    const glm::dvec3 d = glm::abs(candidate.direction), s(size);
+    const double area = d.x * s.y * s.z + d.y * s.x * s.z + d.z * s.x * s.y;
+    const double outline = 2.0 * (s.x + s.y + s.z);
+    // The 0.5 level lies half way between voxels; it takes √2·(√½ - ½) = 0.29 of a voxel off the edges.
+    EXPECT_NEAR(candidate.sums.count, area / (perPixel * perPixel), pixelError(outline / perPixel, 0.29 / perPixel));
+  }
+}
+
+TEST_F(CandidateTest, TwoBallsHideOneAnotherAlongTheirAxis) {
+  const Grid grid = gridOf({70, 40, 40});
+  const double r = 8.0;
+  const glm::dvec3 a(18.5, 19.5, 19.5), b(50.5, 19.5, 19.5);
+  const Scene scene = valueScene(
+      grid, [&](glm::ivec3 i) { return r - std::min(glm::length(glm::dvec3(i) - a), glm::length(glm::dvec3(i) - b)); },
+      0.0);
+  const double perPixel = 2.0 * grid.boundingRadius() / 128.0, disc = pi * r * r / (perPixel * perPixel);
+  const std::vector<Candidate> candidates = measure(scene, {{1, 0, 0}, {0, -1, 0}, {0, 0, 1}}, 128, 2000);
+  const double tolerance = pixelError(4.0 * pi * r / perPixel, 0.25 / r / perPixel);
+  EXPECT_NEAR(candidates[0].sums.count, disc, tolerance);
+  EXPECT_NEAR(candidates[1].sums.count, 2.0 * disc, tolerance);
+  EXPECT_NEAR(candidates[2].sums.count, 2.0 * disc, tolerance);
+  // A quarter of the surface along the axis, half from beside. Along the axis, points edge-on to
+  // the lattice (about a tenth) count as seen, and of the hidden ball those near the outline, lifted over it.
+  EXPECT_NEAR(seenShare(candidates[0], candidates[0], surface().points.size()), 0.25, 0.12);
+  EXPECT_NEAR(seenShare(candidates[1], candidates[1], surface().points.size()), 0.5, 0.06);
+}
+
+TEST_F(CandidateTest, ABallsSurfaceAndWhatIsSeenOfIt) {
+  for (const Grid& grid : {gridOf({48, 48, 48}), gridOf({60, 50, 24}, {0.7, 0.9, 1.8}), shearedGrid({60, 40, 28})}) {
+    const double r = 14.0;
+    const glm::dmat4 world = grid.worldFromIndex();
+    const glm::dvec3 centre = grid.centre();
+    const Scene scene = labelScene(
+        grid, [&](glm::ivec3 i) { return glm::length(glm::dvec3(world * glm::dvec4(i, 1.0)) - centre) < r ? 1 : 0; });
+    std::vector<glm::dvec3> directions;
+    for (const glm::dvec3 direction : ringDirections(1)) {
+      directions.push_back(direction);
+      directions.push_back(-direction);
+    }
+    const std::vector<Candidate> candidates = measure(scene, directions, side, 4096);
+    // Voxels show a slope as steps, and steps have more area: the more, the less cubic they are.
+    EXPECT_NEAR(surface().area / (4.0 * pi * r * r), 1.0, 0.13);
+    ASSERT_NEAR(static_cast<double>(surface().points.size()), 4096.0, 1.0);
+    for (std::size_t i = 0; i < candidates.size(); i += 2) {
+      const std::size_t points = surface().points.size();
+      // Points edge-on to an axis of the lattice count as seen; steps of voxels hide a few near the outline.
+      EXPECT_NEAR(seenShare(candidates[i], candidates[i], points), 0.5, 0.06);
+      EXPECT_NEAR(seenShare(candidates[i], candidates[i + 1], points), 1.0, 0.05);
+    }
+  }
+}
+
+TEST_F(CandidateTest, ABoxsSurface) {
+  const Grid grid = gridOf({40, 40, 40}, {0.8, 1.0, 1.3});
+  const Scene scene = labelScene(grid, [&](glm::ivec3 i) {
+    return i.x >= 8 && i.x < 32 && i.y >= 10 && i.y < 30 && i.z >= 9 && i.z < 31 ? 1 : 0;
+  });
+  measure(scene, {{1, 0, 0}}, side, 1000);
+  const glm::dvec3 s(24 * 0.8, 20 * 1.0, 22 * 1.3);
+  // Edges are rounded off over a voxel, one in twenty here.
+  EXPECT_NEAR(surface().area / (2.0 * (s.x * s.y + s.y * s.z + s.x * s.z)), 1.0, 0.05);
+  for (const FocusSurface::Point& point : surface().points) EXPECT_NEAR(glm::length(point.normal), 1.0, 1e-12);
+}
+
+TEST_F(CandidateTest, ASymmetricFocusIsSaidToBe) {
+  const Grid grid = gridOf({56, 56, 56});
+  const Scene scene = valueScene(
+      grid, [&](glm::ivec3 i) { return 16.0 - glm::length(glm::dvec3(i) - 27.5); }, 0.0);
+  Placer placer;
+  gpu().update(scene);
+  EXPECT_NE(choose(placer.measure(gpu(), scene, {}, {}), {}, false).note, "");
+}
+
+TEST_F(CandidateTest, TheSameCallTwiceGivesTheSameBits) {
+  const Grid grid = obliqueGrid({40, 36, 30});
+  const Scene scene = labelScene(grid, [&](glm::ivec3 index) { return lobes(grid, index); });
+  const auto bitsOf = [](const Measured& measured) {
+    std::vector<std::uint64_t> bits;
+    for (const Candidate& c : measured.candidates) {
+      const double values[] = {c.sums.count,
+                               c.sums.depth,
+                               c.sums.position.x,
+                               c.sums.position.y,
+                               c.descriptors.visibility,
+                               c.descriptors.coverage,
+                               c.descriptors.location,
+                               c.descriptors.entropy,
+                               c.descriptors.mutualInformation,
+                               c.descriptors.stability,
+                               c.descriptors.orientation};
+      for (const double value : values) bits.push_back(std::bit_cast<std::uint64_t>(value));
+      for (int i = 0; i < 4; ++i) bits.push_back(static_cast<std::uint64_t>(c.sums.box[i]));
+      bits.insert(bits.end(), c.seen.begin(), c.seen.end());
+    }
+    return bits;
+  };
+  for (const bool refined : {false, true}) {
+    Placer first, second;
+    Sampling sampling;
+    sampling.refined = refined;
+    GpuScene another;
+    EXPECT_EQ(bitsOf(first.measure(gpu(), scene, sampling, {})), bitsOf(second.measure(another, scene, sampling, {})));
+  }
+}
+
+TEST_F(CandidateTest, WhatWasMeasuredIsKept) {
+  const Grid grid = gridOf({24, 24, 24});
+  Scene scene = labelScene(grid, [&](glm::ivec3 index) { return lobes(grid, index); });
+  Placer placer;
+  Options options;
+  const Candidate* kept = placer.measure(gpu(), scene, {}, options).candidates.data();
+  options.weights.coverage = 3.0;
+  options.region = Region::Stream;
+  EXPECT_EQ(placer.measure(gpu(), scene, {}, options).candidates.data(), kept);
+  EXPECT_EQ(placer.measure(gpu(), scene, {48}, options).spread, 48u);
+  EXPECT_THROW(placer.measure(gpu(), scene, {100}, options), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace fenestra::placement

@@ -1,0 +1,280 @@
+// Regions, choices and searches on made-up descriptors: no OpenGL.
+
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "rendering/placement/Placer.h"
+#include "rendering/placement/Sphere.h"
+#include "tests/support/Scenes.h"
+
+namespace fenestra::placement {
+namespace {
+
+using tests::randomUnit;
+
+constexpr std::size_t points = 200;
+
+/// Candidates over the sphere that all see the focus; `location` is what their quality is made of.
+template <class F>
+std::vector<Candidate> candidatesOf(int nside, F&& location) {
+  std::vector<Candidate> candidates;
+  for (const glm::dvec3 direction : ringDirections(nside)) {
+    Candidate candidate;
+    candidate.direction = direction;
+    candidate.sums.count = 1.0;
+    candidate.descriptors.location = location(direction);
+    candidate.seen.assign((points + 63) / 64, 0);
+    candidates.push_back(candidate);
+  }
+  return candidates;
+}
+
+Options locationOnly(Region region = Region::SemiSphere) {
+  Options options;
+  options.weights = {0.0, 0.0, 1.0};
+  options.region = region;
+  return options;
+}
+
+void seeRandomly(std::vector<Candidate>& candidates, std::mt19937& random) {
+  std::bernoulli_distribution coin(0.3);
+  for (Candidate& candidate : candidates)
+    for (std::size_t o = 0; o < points; ++o)
+      if (coin(random)) candidate.seen[o / 64] |= std::uint64_t{1} << (o % 64);
+}
+
+TEST(Placement, DescribesAnImage) {
+  // Four pixels of an image of 10², at (0.1, 0.3) on average and at a depth of 0.25.
+  const ImageSums sums{4.0, 1.0, {0.4, 1.2}, {5, 3, 6, 4}};
+  const Descriptors d = describe(sums, 10, {0.6, 0.0, 0.8});
+  EXPECT_DOUBLE_EQ(d.visibility, 0.25);
+  EXPECT_DOUBLE_EQ(d.coverage, 0.04);
+  EXPECT_DOUBLE_EQ(d.location, 1.0 - std::sqrt(0.1) / std::sqrt(2.0));
+  EXPECT_DOUBLE_EQ(d.orientation, 0.8);
+  const Descriptors unseen = describe({}, 10, {1.0, 0.0, 0.0});
+  EXPECT_EQ(unseen.visibility + unseen.coverage + unseen.location, 0.0);
+}
+
+TEST(Placement, StreamIsTheBandAroundTheOrthogonalCircle) {
+  std::mt19937 random(3);
+  for (const double delta : {0.0, 5.0, 15.0, 90.0}) {
+    Options options = locationOnly(Region::Stream);
+    options.streamHalfWidth = delta;
+    for (int i = 0; i < 500; ++i) {
+      const glm::dvec3 a = randomUnit(random), b = randomUnit(random);
+      const double offOrthogonal = std::abs(90.0 - glm::degrees(std::acos(glm::dot(a, b))));
+      EXPECT_EQ(inRegion(a, b, options), offOrthogonal <= delta) << delta;
+      EXPECT_EQ(inRegion(a, b, options), inRegion(b, a, options));
+    }
+  }
+}
+
+TEST(Placement, SemiSphereIsTheRightHalfWithoutTheCaps) {
+  const Options options = locationOnly();
+  const glm::dvec3 anterior(0, -1, 0), left(1, 0, 0), superior(0, 0, 1);
+  EXPECT_TRUE(inRegion(anterior, left, options));
+  EXPECT_FALSE(inRegion(anterior, -left, options));
+  EXPECT_TRUE(inRegion(anterior, superior, options));
+  EXPECT_FALSE(inRegion(anterior, anterior, options));
+  EXPECT_FALSE(inRegion(anterior, -anterior, options));
+  std::mt19937 random(4);
+  for (int i = 0; i < 500; ++i) {
+    const glm::dvec3 a = randomUnit(random), b = randomUnit(random);
+    const double angle = glm::degrees(std::acos(glm::dot(a, b)));
+    const bool outsideCaps = angle >= 45.0 && angle <= 135.0;
+    EXPECT_EQ(inRegion(a, b, options), outsideCaps && glm::dot(b, axesAt(a).right) >= 0.0);
+    // Of two directions one is on the other's right: no pair of the stream is out of the semi-sphere's reach.
+    EXPECT_EQ(inRegion(a, b, options) || inRegion(b, a, options), outsideCaps);
+  }
+}
+
+TEST(Placement, AxesAreDefinedEverywhere) {
+  for (const glm::dvec3 direction : {glm::dvec3(0, 0, 1), glm::dvec3(0, 0, -1), glm::dvec3(1, 0, 0)}) {
+    const Camera::Axes axes = axesAt(direction);
+    EXPECT_LT(glm::length(axes.forward + direction), 1e-12);
+    EXPECT_LT(glm::length(glm::cross(axes.right, axes.up) + axes.forward), 1e-12);
+  }
+}
+
+TEST(Placement, TiesGoToTheLowestIndex) {
+  std::vector<Candidate> candidates = candidatesOf(3, [](glm::dvec3) { return 0.5; });
+  candidates[0].sums.count = 0.0;  // does not see the focus
+  for (const Region region : {Region::Stream, Region::SemiSphere}) {
+    const Options options = locationOnly(region);
+    ASSERT_EQ(bestView(candidates, options), std::size_t{1});
+    const glm::dvec3 c1 = candidates[1].direction;
+    std::size_t first = 1;
+    while (!inRegion(c1, candidates[first].direction, options)) ++first;
+    EXPECT_EQ(dualView(candidates, c1, options), first);
+  }
+}
+
+TEST(Placement, BestAndDualAreTheMaximaOfTheirRegions) {
+  std::mt19937 random(5);
+  for (const Region region : {Region::Stream, Region::SemiSphere}) {
+    const Options options = locationOnly(region);
+    for (int round = 0; round < 20; ++round) {
+      std::uniform_real_distribution<double> uniform(0.0, 1.0);
+      const std::vector<Candidate> candidates = candidatesOf(4, [&](glm::dvec3) { return uniform(random); });
+      const std::size_t c1 = bestView(candidates, options).value();
+      const std::size_t c2 = dualView(candidates, candidates[c1].direction, options).value();
+      EXPECT_TRUE(inRegion(candidates[c1].direction, candidates[c2].direction, options));
+      for (const Candidate& candidate : candidates) {
+        EXPECT_LE(candidate.descriptors.location, candidates[c1].descriptors.location);
+        if (inRegion(candidates[c1].direction, candidate.direction, options)) {
+          EXPECT_LE(candidate.descriptors.location, candidates[c2].descriptors.location);
+        }
+      }
+    }
+  }
+}
+
+TEST(Placement, ShareCountsThePointsOfEither) {
+  std::vector<Candidate> candidates = candidatesOf(1, [](glm::dvec3) { return 0.0; });
+  candidates[0].seen = {0b1011, 0, 0, 0};
+  candidates[1].seen = {0b0110, 0, 0, std::uint64_t{1} << 7};
+  EXPECT_DOUBLE_EQ(seenShare(candidates[0], candidates[1], points), 5.0 / points);
+  EXPECT_DOUBLE_EQ(seenShare(candidates[0], candidates[0], points), 3.0 / points);
+  EXPECT_EQ(seenShare(candidates[0], candidates[1], 0), 0.0);
+}
+
+TEST(Placement, JointSearchFindsWhatTryingEveryPairFinds) {
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  for (const Region region : {Region::Stream, Region::SemiSphere})
+    for (const double shareWeight : {1.0, 0.5, 0.0}) {
+      Options options = locationOnly(region);
+      options.shareWeight = shareWeight;
+      std::vector<Candidate> candidates = candidatesOf(3, [&](glm::dvec3) { return uniform(random); });
+      seeRandomly(candidates, random);
+      candidates[7].sums.count = 0.0;
+      candidates[7].seen.assign(candidates[7].seen.size(), ~std::uint64_t{0});
+      const auto valueOf = [&](const Candidate& a, const Candidate& b) {
+        return shareWeight * seenShare(a, b, points) +
+               (1.0 - shareWeight) * 0.5 * (a.descriptors.location + b.descriptors.location);
+      };
+      const Pair pair = jointSearch(candidates, points, options).value();
+      const Candidate &c1 = candidates[pair.c1], &c2 = candidates[pair.c2];
+      EXPECT_TRUE(inRegion(c1.direction, c2.direction, options));
+      EXPECT_EQ(pair.share, seenShare(c1, c2, points));
+      if (region == Region::Stream) {
+        EXPECT_GE(c1.descriptors.location, c2.descriptors.location);
+      }
+      for (const Candidate& a : candidates)
+        for (const Candidate& b : candidates)
+          if (&a != &b && a.sums.count > 0.0 && b.sums.count > 0.0 && inRegion(a.direction, b.direction, options)) {
+            // One rounding of a sum in another order.
+            EXPECT_LE(valueOf(a, b), valueOf(c1, c2) + 1e-15);
+          }
+    }
+}
+
+TEST(Placement, ShareOfTheJointSearchIsNeverBelowAnotherPairs) {
+  std::mt19937 random(7);
+  Measured measured;
+  measured.candidates = candidatesOf(3, [&](glm::dvec3 d) { return 0.5 + 0.5 * d.x; });
+  measured.spread = measured.candidates.size();
+  measured.surfacePoints = points;
+  for (const glm::dvec3 d : {glm::dvec3(0, -1, 0), glm::dvec3(0, 1, 0), glm::dvec3(1, 0, 0), glm::dvec3(-1, 0, 0),
+                             glm::dvec3(0, 0, 1), glm::dvec3(0, 0, -1)}) {
+    Candidate candidate = measured.candidates.front();
+    candidate.direction = d;
+    candidate.descriptors.orientation = 1.0;
+    measured.candidates.push_back(candidate);
+  }
+  seeRandomly(measured.candidates, random);
+  const Options semiSphere = locationOnly(), stream = locationOnly(Region::Stream);
+  const double joint = choose(measured, semiSphere, true).share, jointStream = choose(measured, stream, true).share;
+  EXPECT_GE(joint, jointStream);
+  EXPECT_GE(joint, choose(measured, semiSphere, false).share);
+  EXPECT_GE(jointStream, choose(measured, stream, false).share);
+  EXPECT_GE(jointStream, bestStandardPair(measured.candidates, points).value().share);
+}
+
+TEST(Placement, NothingToChooseFromIsSaid) {
+  EXPECT_EQ(bestView({}, {}), std::nullopt);
+  EXPECT_EQ(dualView({}, {1.0, 0.0, 0.0}, {}), std::nullopt);
+  EXPECT_EQ(jointSearch({}, 0, {}), std::nullopt);
+  EXPECT_EQ(bestStandardPair({}, 0), std::nullopt);
+  const Placement none = choose({}, {}, true);
+  EXPECT_FALSE(none.c1 || none.c2);
+  EXPECT_FALSE(none.note.empty());
+
+  Measured unseen;
+  unseen.candidates = candidatesOf(2, [](glm::dvec3) { return 0.0; });
+  for (Candidate& candidate : unseen.candidates) candidate.sums.count = 0.0;
+  unseen.spread = unseen.candidates.size();
+  EXPECT_FALSE(choose(unseen, {}, false).c1);
+  EXPECT_FALSE(choose(unseen, {}, false).note.empty());
+}
+
+TEST(Placement, TheSameFromEverywhereIsSaid) {
+  Measured measured;
+  measured.candidates = candidatesOf(2, [](glm::dvec3) { return 0.5; });
+  measured.spread = measured.candidates.size();
+  measured.surfacePoints = points;
+  const Placement same = choose(measured, locationOnly(), false);
+  EXPECT_EQ(same.c1, std::size_t{0});
+  EXPECT_TRUE(same.c2);
+  EXPECT_NE(same.note, "");
+  measured.candidates[5].descriptors.location = 0.9;
+  EXPECT_EQ(choose(measured, locationOnly(), false).note, "");
+}
+
+TEST(Placement, DescriptorsOfTheSeenSurface) {
+  // Two views that see halves, one that sees everything, one that sees nothing.
+  std::vector<Candidate> candidates(4);
+  for (std::size_t i = 0; i < 4; ++i) candidates[i].direction = ringDirections(1)[i];
+  candidates[0].seen = {0x0000ffff};
+  candidates[1].seen = {0xffff0000};
+  candidates[2].seen = {0xffffffff};
+  candidates[3].seen = {0};
+  describeTogether(candidates, 32);
+  EXPECT_DOUBLE_EQ(candidates[0].descriptors.entropy, std::log(16.0) / std::log(32.0));
+  EXPECT_DOUBLE_EQ(candidates[2].descriptors.entropy, 1.0);
+  EXPECT_EQ(candidates[3].descriptors.entropy, 0.0);
+  // p(o) is the same for all points: the whole view tells nothing about the viewpoint, a half view the most.
+  EXPECT_NEAR(candidates[2].descriptors.mutualInformation, 1.0, 1e-12);
+  EXPECT_NEAR(candidates[0].descriptors.mutualInformation, 0.0, 1e-12);
+  // Jensen–Shannon divergences of view 0: 1 to the other half and to nothing, and to the whole, of which it is half,
+  // log₂ 2 - ¾ log₂ 3 + ½ log₂ 2 … = 1.5 - 0.75 log₂ 3.
+  const double toWhole = 1.5 - 0.75 * std::log2(3.0);
+  EXPECT_NEAR(candidates[0].descriptors.stability, 1.0 - (1.0 + toWhole + 1.0) / 3.0, 1e-12);
+}
+
+TEST(Placement, RefinementReachesTheFinestMaximumOfASmoothQuality) {
+  std::mt19937 random(8);
+  for (int round = 0; round < 20; ++round) {
+    const glm::dvec3 peak = randomUnit(random), second = randomUnit(random);
+    std::size_t images = 0;
+    const auto evaluate = [&](const std::vector<glm::dvec3>& directions) {
+      std::vector<Candidate> measured;
+      for (const glm::dvec3 direction : directions) {
+        Candidate candidate;
+        candidate.direction = direction;
+        candidate.sums.count = 1.0;
+        const double a = glm::dot(direction, peak), b = glm::dot(direction, second);
+        candidate.descriptors.location = 0.5 + 0.3 * std::exp(4.0 * (a - 1.0)) + 0.2 * std::exp(4.0 * (b - 1.0));
+        measured.push_back(candidate);
+      }
+      images += directions.size();
+      return measured;
+    };
+    const std::vector<Candidate> brute = evaluate(ringDirections(32));
+    images = 0;
+    const Options options = locationOnly();
+    const Refined all = refine(evaluate, options);
+    EXPECT_LT(images, 300u);
+    EXPECT_EQ(all.candidates.size(), images);
+    const std::vector<Candidate> refined(all.candidates.begin() + static_cast<std::ptrdiff_t>(all.coarser),
+                                         all.candidates.end());
+    const glm::dvec3 expected = brute[bestView(brute, options).value()].direction;
+    const glm::dvec3 found = refined[bestView(refined, options).value()].direction;
+    EXPECT_LE(glm::degrees(std::acos(std::min(1.0, glm::dot(expected, found)))), 1.0) << round;
+  }
+}
+
+}  // namespace
+}  // namespace fenestra::placement
