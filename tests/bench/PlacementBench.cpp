@@ -65,13 +65,13 @@ std::vector<Structure> structures() {
   const std::string organs = "labelled/totalsegmentator-torso/example_seg_fast_force_split.nii.gz";
   labelled("torso: kidneys", torso, organs, {"2", "3"});
   labelled("torso: aorta", torso, organs, {"52"});
+  ranged("CT head: skull", tests::findTestData("ct-head/ct.nii.gz"), {0.6, 1.0});
   labelled("torso: liver", torso, organs, {"5"});
   const std::string brain = "labelled/brain-colin27/ch2.nii.gz", regions = "labelled/brain-colin27/aal.nii.gz";
   labelled("brain: hippocampus", brain, regions, {"37", "38"});
   labelled("brain: thalamus", brain, regions, {"77", "78"});
   labelled("chest: right and left lung", "labelled/slicer-ctchest/CTChest4.nrrd",
            "labelled/slicer-ctchest/Segmentation.seg.nrrd", {"right lung", "left lung"});
-  ranged("CT head: skull", tests::findTestData("ct-head/ct.nii.gz"), {0.6, 1.0});
   ranged("Visible Human head: skull", tests::unpackTestData("visible-human/VHMCT1mm_Head.tar.xz", "VHMCT1mm_Head"),
          {300.0, 3000.0});
   return list;
@@ -120,7 +120,7 @@ struct Row {
 
 std::vector<Weights> trialWeights() {
   std::vector<Weights> trials;
-  for (const double visibility : {1.0, 0.0, -0.25, -0.5, -1.0})
+  for (const double visibility : {1.0, 0.02, 0.0, -0.02, -0.25, -0.5, -1.0})
     for (const double coverage : {1.0, 4.0, 8.0, 16.0})
       for (const double location : {0.0, 0.25, 1.0}) trials.push_back({visibility, coverage, location});
   return trials;
