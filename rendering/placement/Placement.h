@@ -35,9 +35,9 @@ struct Descriptors {
 };
 
 /// Quality = Σ weight · descriptor. The paper's depth term prefers views through more context when its weight is positive.
-/// The defaults are those with which the pair sees most of the focus's surface, averaged over the structures in
-/// tests/bench/results: a depth weight of either sign draws both cameras to one side of the focus. What is left of it
-/// decides between opposite views, whose outlines are the same, for the nearer side.
+/// The defaults are among those with which the pair sees most of the focus's surface (tests/bench/results): a heavy depth
+/// weight of either sign draws both cameras to one side of the focus. What is left of it decides between opposite views,
+/// whose outlines are the same, for the nearer side.
 struct Weights {
   double visibility = -0.02, coverage = 16.0, location = 0.25;
   double entropy = 0.0, mutualInformation = 0.0, stability = 0.0, orientation = 0.0;
