@@ -436,6 +436,7 @@ void MainWindow::showStudy(Study study) {
                       .arg(describe(document_.study().series)),
                   tr("Choose…"), [this] { chooseSeries(); });
   showWarnings(warnings);
+  if (document_.study().placeCameras) placement_.place();
   Q_EMIT opened();
 }
 

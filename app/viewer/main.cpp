@@ -50,6 +50,7 @@ Study readScene(const app::SceneOptions& options, const io::Progress& progress) 
   study.scene = std::move(loaded.scene);
   study.transferFunction = std::move(loaded.transferFunction);
   study.camera = loaded.view.camera;
+  study.placeCameras = loaded.placed.has_value();
   study.path = options.path;
   study.series = std::move(loaded.volume.series);
   study.otherSeries = std::move(loaded.volume.otherSeries);

@@ -21,6 +21,7 @@ struct Study {
   Scene scene;
   std::string transferFunction;  ///< preset or file that made scene.context
   std::optional<Camera> camera;  ///< where to look from first; unset: from anterior
+  bool placeCameras = false;     ///< place both for the focus once the study is open
   std::filesystem::path path;    ///< what the user opened; empty for a phantom
   io::SeriesInfo series;
   std::vector<io::SeriesInfo> otherSeries;
