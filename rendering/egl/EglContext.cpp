@@ -96,8 +96,6 @@ EglContext::~EglContext() {
   // The display stays initialised: it is the process's, another context may be using it.
 }
 
-void EglContext::makeCurrent() { eglMakeCurrent(state_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, state_->context); }
-
 std::string EglContext::description() const { return gl::description(); }
 
 }  // namespace fenestra::egl

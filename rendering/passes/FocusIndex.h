@@ -24,8 +24,6 @@ struct FocusIndex {
   /// Box of the focus in index coordinates: labelled voxels, or the corners of kept cells. Empty when nothing is in
   /// focus.
   std::optional<IndexBox> box;
-
-  std::size_t bytes() const { return (slots.size() + cells.size()) * sizeof(std::uint32_t); }
 };
 
 /// `ranges` are the volume's bricks (used by a value focus). Both cores.

@@ -46,7 +46,6 @@ void GpuScene::update(const Scene& scene) {
     std::vector<std::uint8_t> occupied = focusOccupied(focus_);
     for (std::size_t i = 0; i < occupied.size(); ++i) occupied[i] |= contextOccupied_[i];
     occupiedSkip_ = skipTexture(bricks_.dims, occupied);
-    ++versions_.occupancy;
   }
 
   const bool wantsGradient = scene.shading.enabled;
@@ -275,7 +274,6 @@ void GpuScene::updateTransfer(const Scene& scene) {
   if (occupied != contextOccupied_ || !contextSkip_ || contextSkip_.size() != bricks_.dims) {
     contextOccupied_ = std::move(occupied);
     contextSkip_ = skipTexture(bricks_.dims, contextOccupied_);
-    ++versions_.occupancy;
   }
 }
 

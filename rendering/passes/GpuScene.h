@@ -30,8 +30,7 @@ class GpuScene {
 
   // What the passes bind. A version grows whenever what it names was remade.
   struct Versions {
-    std::uint64_t volume = 0, gradient = 0, focus = 0, gaps = 0, transfer = 0, occupancy = 0, derivative = 0,
-                  palette = 0;
+    std::uint64_t volume = 0, gradient = 0, focus = 0, gaps = 0, transfer = 0, derivative = 0, palette = 0;
   };
   const Versions& versions() const { return versions_; }
 
