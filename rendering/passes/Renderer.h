@@ -26,6 +26,9 @@ struct View {
   glm::ivec2 size{0};       ///< rendered pixels, at least 1×1
   double pixelScale = 1.0;  ///< rendered pixels per device-independent pixel; widths in pixels scale with it
   Quality quality = Quality::Normal;
+  /// Greatest error of a pixel's colour in 1/255 that sampling may leave: the renderer then chooses its steps itself
+  /// and `quality` is only where it starts from.
+  std::optional<double> maxError;
   bool operator==(const View&) const = default;
 };
 

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "rendering/scene/BrushStroke.h"
 #include "rendering/scene/Camera.h"
 #include "rendering/scene/Cutaway.h"
 #include "rendering/scene/Focus.h"
@@ -36,6 +37,7 @@ struct Scene {
   FocusAppearance focusAppearance;
   Cutaway cutaway;
   ContextLayer contextLayer;
+  BrushStrokes strokes;  ///< edits of the opening; without any, nothing is kept or run for them
   Shading shading;
   glm::dvec3 background{0.0};  ///< display RGB 0..1
 
