@@ -28,7 +28,7 @@ struct View {
   Quality quality = Quality::Normal;
   /// Greatest error of a pixel's colour in 1/255 that sampling may leave: the renderer then chooses its steps itself
   /// and `quality` is only where it starts from.
-  std::optional<double> maxError;
+  std::optional<double> maxError = std::nullopt;
   bool operator==(const View&) const = default;
 };
 
