@@ -78,10 +78,11 @@ struct Medium {
   }
 };
 
-/// Optical properties along a part of a ray in which they follow one line of the transfer function, or are those of the
-/// focus: κ = κ0 + x·dκ and c = c0 + x·dc, x(u) a cubic of u from 0 to 1 over the part.
+/// Optical properties along a part of a cell in which they follow one line of the transfer function, or are those of
+/// the focus: κ = κ0 + x·dκ and c = c0 + x·dc, x(u) a cubic of u from 0 to 1 over the part.
 struct Part {
-  double length = 0.0;  ///< mm
+  double begin = 0.0, end = 1.0;  ///< of the cell's piece of the ray, 0..1
+  double length = 0.0;            ///< mm
   OpticalProperties from;
   double extinctionSlope = 0.0;
   glm::dvec3 colourSlope{0.0};
@@ -93,6 +94,16 @@ struct Part {
   double depth(double u) const {
     const double integral = u * (x[0] + u * (x[1] / 2.0 + u * (x[2] / 3.0 + u * x[3] / 4.0)));
     return std::max(0.0, length * (from.extinction * u + extinctionSlope * integral));
+  }
+  /// The first or second half, with an own u from 0 to 1: depths are never differences of large ones.
+  Part half(bool second) const {
+    Part part = *this;
+    (second ? part.begin : part.end) = 0.5 * (begin + end);
+    part.length = 0.5 * length;
+    // x(u/2), or x((u + 1)/2) by the Taylor series at u = 1/2.
+    if (second) part.x = {evaluate(x, 0.5), x[1] + x[2] + 0.75 * x[3], x[2] + 1.5 * x[3], x[3]};
+    for (std::size_t k = 1; k < 4; ++k) part.x[k] *= std::ldexp(1.0, -static_cast<int>(k));
+    return part;
   }
 };
 
@@ -166,7 +177,6 @@ class Integrator {
     const std::optional<Corners> field = medium_.focus.corners(piece.cell, values);
     if (!field && medium_.isClear(*least, *greatest)) return;
     piece_ = &piece;
-    haveNormals_ = false;
 
     const Cubic value = alongPiece(values, piece);
     const Cubic focusValue = field ? alongPiece(*field, piece) : Cubic{};
@@ -180,6 +190,14 @@ class Integrator {
       for (const double level : {focusRange.low, focusRange.high})
         appendCrossings(focusValue, focusStops, level, places_);
       if (medium_.focusColours.differ()) appendMiddles(piece);
+    }
+    if (medium_.scene.shading.enabled) {
+      for (int i = 0; i < 8; ++i) {
+        const glm::ivec3 corner = piece.cell + glm::ivec3(i & 1, (i >> 1) & 1, i >> 2);
+        normals_[static_cast<std::size_t>(i)] =
+            medium_.normals.at(glm::clamp(corner, glm::ivec3(0), grid_.dims - 1), valueAt_);
+      }
+      appendTurns(piece);
     }
     std::sort(places_.begin(), places_.end());
 
@@ -195,10 +213,10 @@ class Integrator {
       } else {
         part = contextPart(medium_.scene.context, value, begin, end);
       }
+      part.begin = begin;
+      part.end = end;
       part.length = (end - begin) * (piece.tEnd - piece.tBegin);
-      begin_ = begin;
-      end_ = end;
-      addPart(part, 0.0, 1.0, maxHalvings);
+      addPart(part, maxHalvings);
     }
   }
 
@@ -210,30 +228,37 @@ class Integrator {
     }
   }
 
-  /// Adds the part from u = a to b, halving it until the error fits.
-  void addPart(const Part& part, double a, double b, int halvings) {
-    const double before = part.depth(a), thickness = part.depth(b) - before;
+  /// Where the normals turn from one side of the light to the other: |n·l| has a kink there.
+  void appendTurns(const Piece& piece) {
+    Corners towards;
+    for (std::size_t i = 0; i < 8; ++i) towards[i] = glm::dot(normals_[i], medium_.light.direction);
+    const Cubic cubic = alongPiece(towards, piece);
+    appendCrossings(cubic, monotoneStops(cubic), 0.0, places_);
+  }
+
+  /// Adds a part, halving it until the error fits.
+  void addPart(const Part& part, int halvings) {
+    const double thickness = part.depth(1.0), light = transmittance();
     if (!(thickness > 0.0)) return;
     glm::dvec4 fine(0.0), coarse(0.0);
-    const double light = transmittance(), half = 0.5 * (b - a), middle = a + half;
     const auto add = [&](const Node& node, double u) {
-      const double emission = part.length * half * part.extinction(u) * light * std::exp(before - part.depth(u));
-      const glm::dvec4 sample = emission * glm::dvec4(shade(part.colour(u), u), 1.0);
+      const double emission = 0.5 * part.length * part.extinction(u) * light * std::exp(-part.depth(u));
+      const glm::dvec4 sample = emission * glm::dvec4(shade(part, u), 1.0);
       fine += node.kronrod * sample;
       coarse += node.gauss * sample;
     };
     for (const Node& node : rule) {
-      add(node, middle - half * node.offset);
-      if (node.offset > 0.0) add(node, middle + half * node.offset);
+      add(node, 0.5 - 0.5 * node.offset);
+      if (node.offset > 0.0) add(node, 0.5 + 0.5 * node.offset);
     }
     // Opacity is known exactly: a rule that misses where the light goes cannot agree with it by chance.
     const double opacity = -light * std::expm1(-thickness);
     const glm::dvec4 difference = glm::abs(fine - coarse);
     const double error = std::max({difference.r, difference.g, difference.b, std::abs(fine.a - opacity)});
-    const double allowed = tolerance_ * (0.5 * opacity + 0.4 * part.length * (b - a) * perMillimetre_);
-    if (!(error <= allowed) && halvings > 0 && a < middle && middle < b) {
-      addPart(part, a, middle, halvings - 1);
-      addPart(part, middle, b, halvings - 1);
+    const double allowed = tolerance_ * (0.5 * opacity + 0.4 * part.length * perMillimetre_);
+    if (error > std::max(allowed, rounding) && halvings > 0) {
+      addPart(part.half(false), halvings - 1);
+      addPart(part.half(true), halvings - 1);
       return;
     }
     colour_ += glm::dvec3(fine);
@@ -241,9 +266,10 @@ class Integrator {
     error_ += error;
   }
 
-  glm::dvec3 shade(glm::dvec3 colour, double u) {
+  glm::dvec3 shade(const Part& part, double u) {
+    const glm::dvec3 colour = part.colour(u);
     if (!medium_.scene.shading.enabled) return colour;
-    const double s = begin_ + (end_ - begin_) * u;
+    const double s = glm::mix(part.begin, part.end, u);
     const glm::dvec3 at = glm::mix(piece_->begin, piece_->end, s), world = ray_.ray.direction;
     glm::dvec3 shaded = medium_.light.shade(colour, normalAt(at), world);
     if (ray_.wall != glm::dvec3(0.0)) {
@@ -260,19 +286,12 @@ class Integrator {
       const double length = glm::length(normal);
       if (length > flatFocus) return normal / length;
     }
-    if (!haveNormals_) {
-      for (int i = 0; i < 8; ++i) {
-        const glm::ivec3 corner = piece_->cell + glm::ivec3(i & 1, (i >> 1) & 1, i >> 2);
-        normals_[static_cast<std::size_t>(i)] =
-            medium_.normals.at(glm::clamp(corner, glm::ivec3(0), grid_.dims - 1), valueAt_);
-      }
-      haveNormals_ = true;
-    }
     return interpolate(normals_, at);
   }
 
-  /// 2^-52 of a part is below the resolution of its ends.
+  /// 2^-52 of a part is below the resolution of its ends, and one rounding of 1 below what can be asked for.
   static constexpr int maxHalvings = 52;
+  static constexpr double rounding = std::numeric_limits<double>::epsilon();
   /// Gradient of the smoothed indicator (1/mm) below which a point lies too deep in the focus to have its normal.
   static constexpr double flatFocus = 1e-3;
 
@@ -286,8 +305,7 @@ class Integrator {
   const Piece* piece_ = nullptr;
   std::vector<double> places_;
   std::array<glm::dvec3, 8> normals_{};
-  bool haveNormals_ = false, inFocus_ = false;
-  double begin_ = 0.0, end_ = 1.0;
+  bool inFocus_ = false;
 
   glm::dvec3 colour_{0.0};
   double depth_ = 0.0, error_ = 0.0;
