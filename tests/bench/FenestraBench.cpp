@@ -1,0 +1,81 @@
+// fenestra-bench FOLDER: measures the renderer's speed and error and writes a report to FOLDER: fenestra.md,
+// fenestra.html, and CSV and SVG files. Needs no display; reference pictures are kept in FOLDER/truth.
+
+#include <algorithm>
+#include <functional>
+#include <iostream>
+
+#include <CLI/CLI.hpp>
+
+#include "app/OptionHelpers.h"
+#include "tests/bench/Sections.h"
+
+namespace fenestra::bench {
+namespace {
+
+struct Arguments {
+  std::filesystem::path folder;
+  std::vector<std::string> sections;
+  Options options;
+};
+
+struct NamedSection {
+  const char* name;
+  std::function<Section(const Options&, const TruthStore&)> make;
+};
+
+const std::vector<NamedSection>& allSections() {
+  static const std::vector<NamedSection> all{{"bounds", boundsSection}};
+  return all;
+}
+
+void run(const Arguments& arguments) {
+  const egl::EglContext context;
+  const TruthStore truths(arguments.folder / "truth");
+  Report report;
+  report.title = "Speed against error";
+  report.text = "Written by `fenestra-bench` on " + context.description() + ".";
+  for (const NamedSection& section : allSections()) {
+    const auto& wanted = arguments.sections;
+    if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), section.name) == wanted.end()) continue;
+    report.sections.push_back(section.make(arguments.options, truths));
+    // After each, so that a run cut short leaves what it has.
+    write(report, arguments.folder, "fenestra");
+  }
+}
+
+}  // namespace
+}  // namespace fenestra::bench
+
+int main(int argc, char** argv) {
+  using namespace fenestra::bench;
+  Arguments arguments;
+  Options& options = arguments.options;
+  CLI::App program{"Measures the renderer's speed and error and writes a report."};
+  program.add_option("FOLDER", arguments.folder, "where the report goes, and the reference pictures are kept")
+      ->required();
+  std::vector<std::string> names;
+  for (const NamedSection& section : allSections()) names.emplace_back(section.name);
+  program.add_option("--sections", arguments.sections, "these alone")->delimiter(',')->check(CLI::IsMember(names));
+  program.add_option("--only", options.only, "subjects whose id starts with this");
+  fenestra::app::addParsed(program, "--size", "WxH", "picture in pixels, default 700x650",
+                           [&](const std::string& text) {
+                             const auto size = fenestra::app::parseNumbers<int, 2>(text, 'x');
+                             if (!size || (*size)[0] < 1 || (*size)[1] < 1) return false;
+                             options.size = {(*size)[0], (*size)[1]};
+                             return true;
+                           });
+  program.add_option("--cameras", options.cameras, "views along the path")->check(CLI::Range(1, 100));
+  program.add_option("--rounds", options.rounds, "times that the path is timed")->check(CLI::Range(1, 100));
+  program.add_option("--block", options.pixelBlock, "compare one pixel of each block of this side")
+      ->check(CLI::Range(1, 64));
+  program.add_option("--voxels", options.phantomVoxels, "along a phantom's longest side")->check(CLI::Range(8, 1024));
+  CLI11_PARSE(program, argc, argv);
+  try {
+    run(arguments);
+    return 0;
+  } catch (const std::exception& error) {
+    std::cerr << "fenestra-bench: " << error.what() << '\n';
+    return 1;
+  }
+}
