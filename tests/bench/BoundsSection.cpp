@@ -14,10 +14,9 @@ Section boundsSection(const Options& options, const TruthStore& truths) {
       "Errors in 1/255 of the worst channel against the reference, over the whole chain of passes; times of a frame.";
   Table table{
       "bounds", {"scene", "bound", "99.9 %", "99.99 %", "maximum", "RMS", "within", "median ms", "90 % ms"}, {}};
-  Subjects subjects = boundSubjects(options.phantomVoxels);
+  const Subjects subjects = boundSubjects(options.views);
   for (const std::string& missing : subjects.missing) section.text += "\n\n" + missing;
   for (const Subject& subject : subjects.here) {
-    if (!subject.id.starts_with(options.only)) continue;
     const app::LoadedScene loaded = app::loadScene(subject.options);
     const Measurable what = prepare(subject.name, loaded.scene, options, truths);
     Renderer renderer(std::make_shared<GpuScene>());

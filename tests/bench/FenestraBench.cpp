@@ -7,7 +7,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/OptionHelpers.h"
 #include "tests/bench/Sections.h"
 
 namespace fenestra::bench {
@@ -57,19 +56,8 @@ int main(int argc, char** argv) {
   std::vector<std::string> names;
   for (const NamedSection& section : allSections()) names.emplace_back(section.name);
   program.add_option("--sections", arguments.sections, "these alone")->delimiter(',')->check(CLI::IsMember(names));
-  program.add_option("--only", options.only, "subjects whose id starts with this");
-  fenestra::app::addParsed(program, "--size", "WxH", "picture in pixels, default 700x650",
-                           [&](const std::string& text) {
-                             const auto size = fenestra::app::parseNumbers<int, 2>(text, 'x');
-                             if (!size || (*size)[0] < 1 || (*size)[1] < 1) return false;
-                             options.size = {(*size)[0], (*size)[1]};
-                             return true;
-                           });
-  program.add_option("--cameras", options.cameras, "views along the path")->check(CLI::Range(1, 100));
+  addViewOptions(program, options.views);
   program.add_option("--rounds", options.rounds, "times that the path is timed")->check(CLI::Range(1, 100));
-  program.add_option("--block", options.pixelBlock, "compare one pixel of each block of this side")
-      ->check(CLI::Range(1, 64));
-  program.add_option("--voxels", options.phantomVoxels, "along a phantom's longest side")->check(CLI::Range(8, 1024));
   CLI11_PARSE(program, argc, argv);
   try {
     run(arguments);

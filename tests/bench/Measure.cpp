@@ -17,20 +17,20 @@ std::vector<Setting> boundSettings(const std::vector<double>& bounds) {
 }
 
 Measurable prepareTimes(const std::string& name, const Scene& scene, const Options& options) {
-  return {name, scene, cameraPath(scene, options.cameras), {}, {}};
+  return {name, scene, cameraPath(scene, options.views.cameras), {}, {}};
 }
 
 Measurable prepare(const std::string& name, const Scene& scene, const Options& options, const TruthStore& truths) {
   Measurable result = prepareTimes(name, scene, options);
-  result.pixels = sampledPixels(options.size, options.pixelBlock);
+  result.pixels = sampledPixels(options.views.size, options.views.pixelBlock);
   for (const Camera& camera : result.cameras)
-    result.truths.push_back(truths.colours(scene, camera, options.size, result.pixels));
+    result.truths.push_back(truths.colours(scene, camera, options.views.size, result.pixels));
   return result;
 }
 
 Measured measure(Renderer& renderer, const Measurable& what, const Setting& setting, const Options& options) {
   View view;
-  view.size = options.size;
+  view.size = options.views.size;
   view.quality = setting.quality;
   view.maxError = setting.maxError;
   view.camera = what.cameras.back();
@@ -47,7 +47,7 @@ Measured measure(Renderer& renderer, const Measurable& what, const Setting& sett
       const Layers layers = renderer.readLayers();
       for (std::size_t k = 0; k < what.pixels.size(); ++k) {
         const glm::ivec2 pixel = what.pixels[k];
-        const std::size_t at = static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(options.size.x) +
+        const std::size_t at = static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(options.views.size.x) +
                                static_cast<std::size_t>(pixel.x);
         result.errors.add(glm::dvec4(layers.final[at]), what.truths[i][k], what.scene.background);
       }

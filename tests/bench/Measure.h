@@ -15,12 +15,8 @@
 namespace fenestra::bench {
 
 struct Options {
-  glm::ivec2 size{700, 650};
-  int cameras = 4;          ///< along the path
-  int rounds = 2;           ///< of the path, for times
-  int pixelBlock = 5;       ///< one pixel of each block of this side is compared with the reference
-  int phantomVoxels = 256;  ///< along a phantom's longest side
-  std::string only;         ///< subjects whose id starts with it
+  Views views;
+  int rounds = 2;  ///< of the camera path, for times
 };
 
 /// How the renderer chooses its steps.

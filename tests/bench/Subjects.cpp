@@ -13,13 +13,13 @@ namespace fs = std::filesystem;
 
 class List {
  public:
-  explicit List(int phantomVoxels) : phantomVoxels_(phantomVoxels) {}
+  explicit List(const Views& views) : views_(views) {}
 
   void phantom(const std::string& id, const std::string& name, const std::string& body) {
     Subject subject{id, name, {}};
     subject.options.phantom = body;
-    subject.options.phantomVoxels = phantomVoxels_;
-    subjects_.here.push_back(std::move(subject));
+    subject.options.phantomVoxels = views_.phantomVoxels;
+    if (id.starts_with(views_.only)) subjects_.here.push_back(std::move(subject));
   }
   void labelled(const std::string& id, const std::string& name, const fs::path& image, const fs::path& labels,
                 std::vector<std::string> focus) {
@@ -36,6 +36,7 @@ class List {
     subject.options.focusRange = focus;
     add(std::move(subject), image);
   }
+  /// The subject `id` if it has just been added.
   app::SceneOptions* last(const std::string& id) {
     const bool here = !subjects_.here.empty() && subjects_.here.back().id == id;
     return here ? &subjects_.here.back().options : nullptr;
@@ -44,13 +45,14 @@ class List {
 
  private:
   void add(Subject subject, const fs::path& image) {
+    if (!subject.id.starts_with(views_.only)) return;
     if (subject.options.path.empty())
       subjects_.missing.push_back(subject.name + ": left out, needs the test-data file " + image.string());
     else
       subjects_.here.push_back(std::move(subject));
   }
 
-  int phantomVoxels_;
+  const Views& views_;
   Subjects subjects_;
 };
 
@@ -63,8 +65,8 @@ const fs::path chestLabels = "labelled/slicer-ctchest/Segmentation.seg.nrrd";
 
 }  // namespace
 
-Subjects reportSubjects(int phantomVoxels) {
-  List list(phantomVoxels);
+Subjects reportSubjects(const Views& views) {
+  List list(views);
   list.phantom("phantom", "phantom torso: organs", "torso");
   list.ranged("head", "Visible Human head, CT: skull", headCt, {300.0, 3000.0});
   list.labelled("torso", "torso, CT: kidneys", torsoCt, torsoLabels, {"2", "3"});
@@ -72,12 +74,12 @@ Subjects reportSubjects(int phantomVoxels) {
   return list.take();
 }
 
-Subjects boundSubjects(int phantomVoxels) {
-  List list(phantomVoxels);
+Subjects boundSubjects(const Views& views) {
+  List list(views);
   list.phantom("phantom", "phantom torso: organs", "torso");
   list.phantom("phantom-plain", "phantom torso: plain, unlit", "torso");
-  app::SceneOptions* plain = list.last("phantom-plain");
-  plain->cutaway.enabled = plain->shading.enabled = false;
+  if (app::SceneOptions* options = list.last("phantom-plain"))
+    options->cutaway.enabled = options->shading.enabled = false;
   list.phantom("phantom-head", "phantom head: tumour, ventricles", "head");
   list.ranged("head", "Visible Human head, CT: skull", headCt, {300.0, 3000.0});
   list.ranged("small-head", "small head, CT: skull", smallHeadCt, {0.6, 1.0});

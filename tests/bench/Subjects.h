@@ -6,7 +6,23 @@
 
 #include "app/SceneOptions.h"
 
+namespace CLI {
+class App;
+}
+
 namespace fenestra::bench {
+
+/// What the renderer and its peers must agree on for their pictures to be compared.
+struct Views {
+  glm::ivec2 size{700, 650};
+  int cameras = 3;          ///< along the path
+  int pixelBlock = 5;       ///< one pixel of each block of this side is compared with the reference
+  int phantomVoxels = 256;  ///< along a phantom's longest side
+  std::string only;         ///< subjects whose id starts with it
+  bool operator==(const Views&) const = default;
+};
+/// --size, --cameras, --block, --voxels and --only.
+void addViewOptions(CLI::App& program, Views& views);
 
 /// One data set with a focus, as the programs' options describe it.
 struct Subject {
@@ -36,7 +52,12 @@ std::vector<Camera> cameraPath(const Scene& scene, int count);
 /// One pixel of every block of side×side, at a place of its own in each, row by row.
 std::vector<glm::ivec2> sampledPixels(glm::ivec2 size, int side);
 
-/// Millimetres between samples that the step ladder's `samplesPerVoxel` stands for, on the finest spacing.
+/// Samples per voxel that the peers are timed at; lighting costs them several times as much, so fewer with it.
+inline const std::vector<double> stepLadder{0.5, 1.0, 2.0, 4.0}, litLadder{1.0, 2.0};
+/// And those at which one view of the first subject shows what a peer's picture converges to.
+inline const std::vector<double> limitLadder{8.0, 16.0, 32.0};
+
+/// Millimetres between samples, of so many per voxel at the finest spacing.
 double stepLength(const Grid& grid, double samplesPerVoxel);
 
 }  // namespace fenestra::bench
