@@ -35,11 +35,10 @@ struct Subjects {
   std::vector<Subject> here;
   std::vector<std::string> missing;  ///< a line for each that is left out because its data are not there
 };
-/// The report's data: a phantom, a CT head, a labelled torso, an MR head. `phantomVoxels` along a phantom's longest
-/// side.
-Subjects reportSubjects(int phantomVoxels);
+/// The report's data: a phantom, a CT head, a labelled torso, an MR head; those that `views` asks for.
+Subjects reportSubjects(const Views& views);
 /// Ten scenes of every kind, for the error bound.
-Subjects boundSubjects(int phantomVoxels);
+Subjects boundSubjects(const Views& views);
 
 /// A subject's scene as a plain volume rendering without lighting: what every volume renderer can draw. The outermost
 /// voxels have the volume's least value, because some programs end the volume at their centres and others half a voxel

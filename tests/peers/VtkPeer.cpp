@@ -206,7 +206,8 @@ void measure(const Options& options, const std::string& name, const MakeMapper& 
   Json runs = Json::array();
   std::string gl;
   bool first = true;
-  for (const bench::Subject& subject : bench::reportSubjects(options.views).here) {
+  const bench::Subjects subjects = bench::reportSubjects(options.views);
+  for (const bench::Subject& subject : subjects.here) {
     const Scene scene = bench::plainScene(app::loadScene(subject.options).scene);
     const std::vector<Camera> cameras = bench::cameraPath(scene, options.views.cameras);
     for (const bool lit : {false, true}) {
