@@ -24,20 +24,24 @@ struct NamedSection {
 };
 
 const std::vector<NamedSection>& allSections() {
-  static const std::vector<NamedSection> all{{"bounds", boundsSection}};
+  static const std::vector<NamedSection> all{{"sweep", sweepSection},    {"bounds", boundsSection},
+                                             {"stages", stageSection},   {"passes", passSection},
+                                             {"updates", updateSection}, {"memory", memorySection}};
   return all;
 }
 
 void run(const Arguments& arguments) {
   const egl::EglContext context;
   const TruthStore truths(arguments.folder / "truth");
+  Options options = arguments.options;
+  options.peers = arguments.folder / "peers";
   Report report;
   report.title = "Speed against error";
   report.text = "Written by `fenestra-bench` on " + context.description() + ".";
   for (const NamedSection& section : allSections()) {
     const auto& wanted = arguments.sections;
     if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), section.name) == wanted.end()) continue;
-    report.sections.push_back(section.make(arguments.options, truths));
+    report.sections.push_back(section.make(options, truths));
     // After each, so that a run cut short leaves what it has.
     write(report, arguments.folder, "fenestra");
   }

@@ -16,7 +16,8 @@ namespace fenestra::bench {
 
 struct Options {
   Views views;
-  int rounds = 2;  ///< of the camera path, for times
+  int rounds = 2;               ///< of the camera path, for times
+  std::filesystem::path peers;  ///< folder of what the peers measured
 };
 
 /// How the renderer chooses its steps.
