@@ -10,16 +10,16 @@
 #include <vtkCamera.h>
 #include <vtkColorTransferFunction.h>
 #include <vtkDataArray.h>
-#include <vtkFramebufferPass.h>
 #include <vtkImageData.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
+#include <vtkOpenGLFramebufferObject.h>
 #include <vtkOpenGLRenderWindow.h>
-#include <vtkOpenGLRenderer.h>
+#include <vtkOpenGLState.h>
 #include <vtkPiecewiseFunction.h>
 #include <vtkPixelBufferObject.h>
 #include <vtkPointData.h>
-#include <vtkRenderStepsPass.h>
+#include <vtkRenderer.h>
 #include <vtkTextureObject.h>
 #include <vtkVersion.h>
 #include <vtkVolume.h>
@@ -133,12 +133,16 @@ class Stage {
     window_->SetMultiSamples(0);
     window_->SetSize(size.x, size.y);
     window_->AddRenderer(renderer_);
-    inFloat_->SetDelegatePass(steps_);
-    inFloat_->SetColorFormat(vtkTextureObject::Float32);
-    inFloat_->SetDepthFormat(vtkTextureObject::Float32);
-    renderer_->SetPass(inFloat_);
+    // The window draws into a framebuffer of its own before it shows anything: that one gets a colour image of floats.
+    window_->Render();
+    picture_->SetContext(window_);
+    picture_->Allocate2D(static_cast<unsigned>(size.x), static_cast<unsigned>(size.y), 4, VTK_FLOAT);
+    window_->GetState()->PushFramebufferBindings();
+    window_->GetRenderFramebuffer()->Bind();
+    window_->GetRenderFramebuffer()->AddColorAttachment(0, picture_);
+    window_->GetState()->PopFramebufferBindings();
   }
-  ~Stage() { inFloat_->ReleaseGraphicsResources(window_); }
+  ~Stage() { picture_->ReleaseGraphicsResources(window_); }
   Stage(const Stage&) = delete;
   Stage& operator=(const Stage&) = delete;
 
@@ -161,18 +165,17 @@ class Stage {
 
   /// RGBA of pixels of the last picture, (i, j) from the top.
   std::vector<float> read(const std::vector<glm::ivec2>& pixels) {
-    vtkTextureObject* texture = inFloat_->GetColorTexture();
-    const auto buffer = vtkSmartPointer<vtkPixelBufferObject>::Take(texture->Download());
-    const auto components = static_cast<std::size_t>(texture->GetComponents());
-    std::vector<float> values(static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y) * components);
+    const auto buffer = vtkSmartPointer<vtkPixelBufferObject>::Take(picture_->Download());
+    std::vector<float> values(static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y) * 4);
     std::array<unsigned, 2> dims{static_cast<unsigned>(size_.x), static_cast<unsigned>(size_.y)};
     std::array<vtkIdType, 2> strides{0, 0};
-    buffer->Download2D(VTK_FLOAT, values.data(), dims.data(), static_cast<int>(components), strides.data());
+    buffer->Download2D(VTK_FLOAT, values.data(), dims.data(), 4, strides.data());
     std::vector<float> colours;
     for (const glm::ivec2 pixel : pixels) {
       const std::size_t at = static_cast<std::size_t>(size_.y - 1 - pixel.y) * static_cast<std::size_t>(size_.x) +
                              static_cast<std::size_t>(pixel.x);
-      for (std::size_t c = 0; c < 4; ++c) colours.push_back(c < components ? values[at * components + c] : 1.0f);
+      colours.insert(colours.end(), values.begin() + static_cast<std::ptrdiff_t>(at * 4),
+                     values.begin() + static_cast<std::ptrdiff_t>(at * 4 + 4));
     }
     return colours;
   }
@@ -192,11 +195,10 @@ class Stage {
   const MakeMapper& makeMapper_;
   vtkSmartPointer<vtkImageData> image_;
   vtkNew<vtkVolume> volume_;
-  vtkNew<vtkOpenGLRenderer> renderer_;
-  vtkNew<vtkRenderStepsPass> steps_;
-  vtkNew<vtkFramebufferPass> inFloat_;
+  vtkNew<vtkRenderer> renderer_;
   vtkSmartPointer<vtkOpenGLRenderWindow> window_{
       vtkOpenGLRenderWindow::SafeDownCast(vtkSmartPointer<vtkRenderWindow>::New())};
+  vtkNew<vtkTextureObject> picture_;
 };
 
 void measure(const Options& options, const std::string& name, const MakeMapper& makeMapper) {
