@@ -45,6 +45,7 @@ struct RawDescription {
   bool bigEndian = false;
   std::size_t skip = 0;  ///< bytes before the first voxel
   glm::dvec3 spacing{1.0};
+  bool operator==(const RawDescription&) const = default;
 };
 /// "WxHxD:TYPE[:le|be][:skip=BYTES]", e.g. "256x256x128:uint16:be:skip=512". Throws Error.
 RawDescription parseRawDescription(std::string_view text);

@@ -4,14 +4,9 @@
 #include <cmath>
 
 #include "rendering/passes/SceneBinding.h"
+#include "rendering/scene/Lighting.h"
 
 namespace fenestra {
-namespace {
-/// gradientUnit() is a quarter of the range over the finest spacing, and the texture holds the root.
-double gate(double fraction) { return std::sqrt(4.0 * fraction); }
-/// A cut face's own light fades over this many of the finest voxels.
-constexpr double wallDepthVoxels = 2.0;
-}  // namespace
 
 void FocusLayerPass::run(const GpuScene& gpu, const Scene& scene, const RayFrame& rays,
                          const std::optional<Opening>& opening, double step, gl::Texture& focusLayer) {
@@ -34,7 +29,9 @@ void FocusLayerPass::run(const GpuScene& gpu, const Scene& scene, const RayFrame
     bindTexture(program, "rayStart", unit++, opening->rayStart);
     bindTexture(program, "hitPoints", unit++, opening->hitPoints);
     const glm::dvec3 spacing = gpu.grid().spacing;
-    program.set("wallDepth", static_cast<float>(wallDepthVoxels * std::min({spacing.x, spacing.y, spacing.z})));
+    program.set("wallDepth",
+                static_cast<float>(lighting::wallDepthVoxels * std::min({spacing.x, spacing.y, spacing.z})));
+    program.set("wallShare", static_cast<float>(lighting::wallShare));
   }
   program.set("focusProperties",
               glm::vec4(glm::vec3(gpu.focusColour()), static_cast<float>(scene.focusAppearance.extinction)));
@@ -47,7 +44,8 @@ void FocusLayerPass::run(const GpuScene& gpu, const Scene& scene, const RayFrame
   if (shading) {
     bindTexture(program, "gradientTexture", unit++, gpu.gradient());
     program.set("gradientOrigin", glm::vec3(gpu.gradientOrigin()) + 0.5f);
-    program.set("gradientGate", glm::vec2(gate(gradientGateLow), gate(gradientGateHigh)));
+    program.set("certainLength", static_cast<float>(lighting::certainLength));
+    program.set("meanIncidence", static_cast<float>(lighting::meanIncidence));
     if (gpu.focusSmooth()) {
       bindTexture(program, "focusSmooth", unit++, gpu.focusSmooth());
       // A texel spans half a voxel around its centre, and the cell frame is index + 1.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "rendering/scene/Lighting.h"
 #include "rendering/scene/Parallel.h"
 
 namespace fenestra {
@@ -77,7 +78,8 @@ void GpuScene::updateVolume(const Scene& scene) {
 void GpuScene::updateGradient() {
   // Lighting asks for gradients where something shows and values vary by more than noise. The least change of value in
   // a brick that can lift a central difference over the gate: it may span two bricks, and has three components.
-  const double leastChange = gradientGateLow * (volume_->range.high - volume_->range.low) / (2.0 * std::sqrt(3.0));
+  const double leastChange =
+      lighting::gradientGateLow * (volume_->range.high - volume_->range.low) / (2.0 * std::sqrt(3.0));
   std::optional<IndexBox> varied, shown;
   for (int z = 0; z < bricks_.dims.z; ++z)
     for (int y = 0; y < bricks_.dims.y; ++y)
@@ -190,9 +192,10 @@ void GpuScene::updateFocusSmooth(const Scene& scene) {
            static_cast<std::size_t>(size.x) *
                (static_cast<std::size_t>(y) + static_cast<std::size_t>(size.y) * static_cast<std::size_t>(z));
   };
-  std::vector<std::uint8_t> wanted(1 << 16, 0);
-  for (const std::uint16_t label : std::get<LabelFocus>(scene.focus).labels) wanted[label] = 255;
-  std::vector<std::uint8_t> field(offset(0, 0, size.z));
+  // Sixteen bits: the steps of eight show as facets in the normals.
+  std::vector<std::uint16_t> wanted(1 << 16, 0);
+  for (const std::uint16_t label : std::get<LabelFocus>(scene.focus).labels) wanted[label] = 65535;
+  std::vector<std::uint16_t> field(offset(0, 0, size.z));
   labels.voxels.visit([&](auto values) {
     if constexpr (std::is_unsigned_v<typename decltype(values)::value_type>)
       for (int z = 0; z < size.z; ++z)
@@ -211,7 +214,7 @@ void GpuScene::updateFocusSmooth(const Scene& scene) {
       std::vector<int> line(static_cast<std::size_t>(length) + 4);
       for (int c = static_cast<int>(begin); c < static_cast<int>(end); ++c)
         for (int b = 0; b < size[lineAxes.y]; ++b) {
-          const auto at = [&](int a) -> std::uint8_t& {
+          const auto at = [&](int a) -> std::uint16_t& {
             glm::ivec3 p;
             p[lineAxes.x] = a;
             p[lineAxes.y] = b;
@@ -222,15 +225,15 @@ void GpuScene::updateFocusSmooth(const Scene& scene) {
             line[static_cast<std::size_t>(a + 2)] = at(std::clamp(a, 0, length - 1));
           for (int a = 0; a < length; ++a) {
             const int* v = line.data() + a;
-            at(a) = static_cast<std::uint8_t>((v[0] + 4 * v[1] + 6 * v[2] + 4 * v[3] + v[4] + 8) / 16);
+            at(a) = static_cast<std::uint16_t>((v[0] + 4 * v[1] + 6 * v[2] + 4 * v[3] + v[4] + 8) / 16);
           }
         }
     });
   };
   for (int pass = 0; pass < 2; ++pass)
     for (int axis = 0; axis < 3; ++axis) filter(axis);
-  focusSmooth_ = gl::Texture::make3D(gl::Format::R8, size, gl::Filter::Linear);
-  focusSmooth_.upload(std::span<const std::uint8_t>(field));
+  focusSmooth_ = gl::Texture::make3D(gl::Format::R16, size, gl::Filter::Linear);
+  focusSmooth_.upload(std::span<const std::uint16_t>(field));
 }
 
 void GpuScene::updateTransfer(const Scene& scene) {

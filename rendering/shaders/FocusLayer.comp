@@ -19,11 +19,13 @@ uniform sampler2D hitPoints;
 #endif
 
 #if SHADING
-uniform sampler3D gradientTexture; // world normal · ½ + ½, and the root of the magnitude over gradientUnit
+uniform sampler3D gradientTexture; // gated normals (rendering/scene/Lighting.h), zero at 511/1023
 uniform vec3 gradientOrigin;       // cell frame position of its first texel's outer corner; beyond it all is flat
-uniform vec2 gradientGate;         // magnitudes (in w) between which lighting fades in: flat regions have no normal
+uniform float certainLength;       // of a gated normal, from which on it is lit in full
+uniform float meanIncidence;       // |n·l| where there is no normal
 #if HAS_RAY_START
 uniform float wallDepth;           // mm behind a cut face over which its own normal gives way to the gradient's
+uniform float wallShare;           // of a cut face's light that is the face's own at its surface
 #endif
 #endif
 
@@ -43,10 +45,6 @@ uniform mat3 worldFromIndexGradient;
 
 // Opacity beyond which nothing behind shows: what is left is below half a step of 8 bits.
 const float OPAQUE = 1.0 - 1.0 / 512.0;
-// How much of a cut face's light is the face's own at its surface; the rest keeps the strata's edges.
-const float WALL_SHARE = 0.75;
-// |n·l| of a surface of average orientation: what stands in for it where there is no normal.
-const float MEAN_INCIDENCE = 0.7;
 
 #if FOCUS_KIND == 1
 bool inFocus(uint slot, ivec3 cell, vec3 position, float stored) {
@@ -145,25 +143,24 @@ vec4 integrate(Ray ray, float start, vec3 wall) {
       float alpha = opacityOf(depth);
       vec3 shade = material.rgb;
 #if SHADING
-      vec3 homogeneous = material.rgb * (lighting.x + MEAN_INCIDENCE * lighting.y);
-      vec4 gradient = texture(gradientTexture, (at - gradientOrigin) * perGradientTexel);
-      vec3 normal = gradient.xyz * 2.0 - 1.0;
-      float gate = smoothstep(gradientGate.x, gradientGate.y, gradient.w);
+      vec3 homogeneous = material.rgb * (lighting.x + meanIncidence * lighting.y);
+      vec3 normal = texture(gradientTexture, (at - gradientOrigin) * perGradientTexel).xyz * (1023.0 / 511.0) - 1.0;
+      float certainty = smoothstep(0.0, certainLength, length(normal));
 #if FOCUS_KIND == 1
       if (focus) {
         vec3 smoothed = focusNormal(at);
         if (dot(smoothed, smoothed) > 1e-6) {
           normal = smoothed;
-          gate = 1.0;
+          certainty = 1.0;
         }
       }
 #endif
       float size = dot(normal, normal);
-      shade = size > 1e-4 ? mix(homogeneous, lit(material.rgb, normal * inversesqrt(size), ray.world), gate) : homogeneous;
+      shade = size > 1e-4 ? mix(homogeneous, lit(material.rgb, normal * inversesqrt(size), ray.world), certainty) : homogeneous;
 #if HAS_RAY_START
       // A cut face is lit as the face it is; what lies under it, by its own gradient.
       if (cut) {
-        float share = WALL_SHARE * exp(-(float(k) + 0.5) * stepLength / wallDepth);
+        float share = wallShare * exp(-(float(k) + 0.5) * stepLength / wallDepth);
         shade = mix(shade, lit(material.rgb, wall, ray.world), share);
       }
 #endif
