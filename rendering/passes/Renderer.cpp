@@ -142,6 +142,7 @@ struct Renderer::State {
   Memo<CompositeKey> composite;
 
   std::optional<RayFrame> rays;  ///< of the last picture
+  double pixelScale = 1.0;
   glm::dvec2 widths{0.0};
   glm::vec3 background{0.0f};
   bool timing = false;
@@ -162,10 +163,27 @@ struct Renderer::State {
     memo.ran(std::move(key));
   }
 
-  glm::dvec2 widthsInPixels(const Scene& scene, double pixelScale) const;
+  glm::dvec2 widthsInPixels(const Scene& scene) const;
+  bool shows(glm::ivec2 pixel) const;
+  /// First hits (context or focus, focus) on the ray of a pixel of the picture.
+  glm::vec2 hitAt(glm::ivec2 pixel);
+  /// Where the ray starts to see; `nothing` where it meets nothing.
+  float startAt(glm::ivec2 pixel) { return rayStart ? rayStart.readTexel(pixel).x : hitAt(pixel).x; }
 };
 
-glm::dvec2 Renderer::State::widthsInPixels(const Scene& scene, double pixelScale) const {
+bool Renderer::State::shows(glm::ivec2 pixel) const {
+  return picture && glm::all(glm::greaterThanEqual(pixel, glm::ivec2(0))) &&
+         glm::all(glm::lessThan(pixel, glm::ivec2(picture.size())));
+}
+
+glm::vec2 Renderer::State::hitAt(glm::ivec2 pixel) {
+  if (hitPoints) return hitPoints.readTexel(pixel);
+  // A plain volume rendering has no hit points: find this pixel's alone.
+  hitPointPass.run(*gpu, *rays, sized(pickedHit, gl::Format::RG32F, glm::ivec2(1)), pixel);
+  return pickedHit.readTexel(glm::ivec2(0));
+}
+
+glm::dvec2 Renderer::State::widthsInPixels(const Scene& scene) const {
   const glm::dvec2 wanted = glm::max(glm::dvec2(scene.cutaway.openWidth, scene.cutaway.borderWidth), glm::dvec2(0.0));
   if (scene.cutaway.unit == WidthUnit::Pixel) return wanted * pixelScale;
   const Grid& grid = scene.volume->grid;
@@ -189,10 +207,11 @@ void Renderer::render(const Scene& scene, const View& view) {
   const Grid& grid = scene.volume->grid;
   s.rays.emplace(view.camera, view.size, grid);
   const RayFrame& rays = *s.rays;
+  s.pixelScale = view.pixelScale;
   s.background = glm::vec3(scene.background);
   const bool cutaway = hasCutaway(scene);
   const bool contextLayer = cutaway && scene.contextLayer.strength > 0.0;
-  s.widths = cutaway ? s.widthsInPixels(scene, view.pixelScale) : glm::dvec2(0.0);
+  s.widths = cutaway ? s.widthsInPixels(scene) : glm::dvec2(0.0);
 
   if (cutaway) {
     s.runIfStale(Pass::HitPoints, s.hits, HitKey{version.volume, version.focus, version.gaps, view.camera, view.size},
@@ -309,7 +328,7 @@ Layers Renderer::readLayers() {
   const std::size_t count = static_cast<std::size_t>(layers.size.x) * static_cast<std::size_t>(layers.size.y);
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();
   const auto time = [&](float position) {
-    return position > nothing * 0.1f ? static_cast<float>(s.rays->distance() + position) : nan;
+    return isSomething(position) ? static_cast<float>(s.rays->distance() + position) : nan;
   };
   const auto times = [&](const gl::Texture& texture, std::vector<float>& into) {
     into.resize(count);
@@ -335,7 +354,7 @@ Layers Renderer::readLayers() {
     s.contextLayer.readInto(std::span(layers.contextLayer));
     const VolumeTexture& coding = s.gpu->volume();
     for (glm::vec4& texel : layers.contextLayer)
-      texel = texel.x > nothing * 0.1f
+      texel = isSomething(texel.x)
                   ? glm::vec4(glm::vec3(texel), static_cast<float>(coding.slope * texel.w + coding.offset))
                   : glm::vec4(nan);
   }
@@ -348,20 +367,31 @@ Layers Renderer::readLayers() {
 
 std::optional<glm::dvec3> Renderer::pick(glm::dvec2 pixel) {
   State& s = *state_;
-  if (!s.picture) return std::nullopt;
   const glm::ivec2 at(glm::floor(pixel));
-  if (glm::any(glm::lessThan(at, glm::ivec2(0))) || glm::any(glm::greaterThanEqual(at, glm::ivec2(s.picture.size()))))
-    return std::nullopt;
-  float position = nothing;
-  if (s.rayStart) {
-    position = s.rayStart.readTexel(at).x;
-  } else {
-    // A plain volume rendering has no hit points: find this pixel's alone.
-    s.hitPointPass.run(*s.gpu, *s.rays, sized(s.pickedHit, gl::Format::RG32F, glm::ivec2(1)), at);
-    position = s.pickedHit.readTexel(glm::ivec2(0)).x;
-  }
-  if (!(position > nothing * 0.1f)) return std::nullopt;
+  if (!s.shows(at)) return std::nullopt;
+  const float position = s.startAt(at);
+  if (!isSomething(position)) return std::nullopt;
   return s.rays->worldPosition(glm::dvec2(at) + 0.5, position);
+}
+
+std::optional<BrushPoint> Renderer::pickBrush(glm::dvec2 pixel, BrushMode mode, std::optional<glm::dvec3> before) {
+  State& s = *state_;
+  const glm::ivec2 at(glm::floor(pixel));
+  if (!s.shows(at)) return std::nullopt;
+  const float position = mode == BrushMode::Open ? s.startAt(at) : s.hitAt(at).x;
+  const RayFrame& rays = *s.rays;
+  BrushPoint point;
+  if (isSomething(position)) {
+    // The surface under the pixel's centre, at the pixel's own place.
+    const double depth = rays.depthOf(rays.worldPosition(glm::dvec2(at) + 0.5, position));
+    point.anchor = rays.worldPositionAtDepth(pixel, depth);
+  } else if (before) {
+    point.anchor = rays.worldPositionAtDepth(pixel, rays.depthOf(*before));
+  } else {
+    return std::nullopt;
+  }
+  point.pixelSize = rays.pixelSize(rays.depthOf(point.anchor)) * s.pixelScale;
+  return point;
 }
 
 void Renderer::setTiming(bool on) { state_->timing = on; }

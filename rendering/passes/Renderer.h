@@ -46,6 +46,13 @@ struct PassStats {
   double milliseconds = 0.0;  ///< GPU time of the last run; 0 until timing is on
 };
 
+/// Where a brush touches what a picture shows.
+struct BrushPoint {
+  glm::dvec3 anchor;  ///< world, mm: what BrushStroke::anchors holds
+  double pixelSize =
+      0.0;  ///< mm per device-independent pixel at its depth: a brush of r such pixels has r·pixelSize mm
+};
+
 /// Needs a current OpenGL 4.5 context in every call, always the same one or one that shares with it. Move-only.
 class Renderer {
  public:
@@ -70,6 +77,13 @@ class Renderer {
   /// World position of what pixel (i, j from the top, in rendered pixels) of the last picture shows: where its ray
   /// starts to see. Empty where it shows the background.
   std::optional<glm::dvec3> pick(glm::dvec2 pixel);
+
+  /// Where a brush at pixel (i, j), in rendered pixels as for pick(), touches. Open cuts into what is seen: its anchor
+  /// is where the ray starts to see. The other modes are about the context that lies, or lay, before it: theirs is the
+  /// context's first surface, even where the cutaway removed it; a point of that surface is the same from every side,
+  /// which one of the cut face is not. Where the ray meets nothing, the point of the ray as deep in the view as
+  /// `before`, a stroke's last anchor, so that a stroke can leave the body and come back; empty without one.
+  std::optional<BrushPoint> pickBrush(glm::dvec2 pixel, BrushMode mode, std::optional<glm::dvec3> before = {});
 
   /// Measures each pass with timer queries; waits for the GPU, so off by default.
   void setTiming(bool on);
