@@ -22,6 +22,7 @@ class QStackedWidget;
 
 namespace fenestra::viewer {
 
+class Actions;
 class AppearancePanel;
 class CamerasPanel;
 class CutawayPanel;
@@ -55,10 +56,24 @@ class MainWindow : public QMainWindow {
   /// The whole window in device pixels, 3-D views with what is drawn over them included.
   QImage picture();
 
+  void chooseFile();
+  void chooseFolder();
+  void chooseLabels();
+  void chooseSeries();
+  /// Of the view that was used last.
+  void resetActiveView();
+  void resetAllViews();
+  void face(StandardView side);
+  /// What is being read or measured is given up; without either, all views are shown.
+  void stop();
+
+  const GlSupport& gl() const { return setup_.gl; }
   Document& document() { return document_; }
   SliceCursor& cursor() { return cursor_; }
   ViewLink& cameras() { return cameras_; }
   PlacementController& placement() { return placement_; }
+  ViewOptions& options() { return options_; }
+  Preferences& preferences() { return preferences_; }
   ViewArea& views() { return *views_; }
   NoticeBar& notices() { return *notices_; }
   FocusPanel& focusPanel() { return *focusPanel_; }
@@ -78,7 +93,6 @@ class MainWindow : public QMainWindow {
   void dropEvent(QDropEvent* event) override;
 
  private:
-  void makeActions();
   void makeDocks();
   void makeStatusBar();
   QWidget* makeWelcome();
@@ -87,18 +101,10 @@ class MainWindow : public QMainWindow {
   void showWarnings(const std::vector<io::Warning>& warnings);
   void showError(const QString& message);
   void openSeries(const std::string& series);
-  void chooseSeries();
-  void chooseFile();
-  void chooseFolder();
-  void chooseLabels();
-  void fillRecentMenu();
   void pointAt(glm::dvec3 world);
   void showMenu(glm::dvec3 world, QPoint globalPosition);
   /// The crosshair goes to the middle of the focus.
   void goToFocus();
-  void resetActiveView();
-  void resetAllViews();
-  void face(StandardView side);
 
   Setup setup_;
   Document document_;
@@ -109,6 +115,7 @@ class MainWindow : public QMainWindow {
   Preferences preferences_;
   LoadJob job_;
 
+  Actions* actions_ = nullptr;
   QStackedWidget* pages_ = nullptr;
   ViewArea* views_ = nullptr;
   NoticeBar* notices_ = nullptr;
@@ -120,9 +127,6 @@ class MainWindow : public QMainWindow {
   CutawayPanel* cutawayPanel_ = nullptr;
   CamerasPanel* camerasPanel_ = nullptr;
   QLabel* pointer_ = nullptr;
-  QMenu *recentMenu_ = nullptr, *sampleMenu_ = nullptr;
-  QList<QAction*> needVolume_;  ///< enabled while something is open
-  QAction* chooseSeries_ = nullptr;
   int lastCamera_ = 0;  ///< of the 3-D view used last, which standard views act on
 };
 
