@@ -186,12 +186,15 @@ void addUnknown(Value& written, const Value& unknown) {
         addUnknown(*at, value);
     }
   } else if (written.is_array() && unknown.is_array()) {
-    // Elements that stayed come in their old order, so each search goes on behind the last find.
+    // Elements that stayed come in their old order, so each search goes on behind the last find; and not far, or a list
+    // of which nothing stayed would take its length squared.
+    constexpr std::size_t reach = 1000;
     std::size_t next = 0;
     for (std::size_t i = 0; i < written.size(); ++i) {
+      const std::size_t end = std::min(unknown.size(), next + reach);
       std::size_t same = next;
-      while (same < unknown.size() && !agrees(unknown[same], written[i])) ++same;
-      if (same < unknown.size())
+      while (same < end && !agrees(unknown[same], written[i])) ++same;
+      if (same < end)
         next = same + 1;
       else if (written.size() == unknown.size())
         same = i;

@@ -108,10 +108,22 @@ class Reader {
   }
 
   bool has(const char* key) const { return object_.contains(key); }
+  /// The member itself; null when it is missing.
+  const Value& operator[](const char* key) const {
+    static const Value none;
+    const auto at = object_.find(key);
+    return at == object_.end() ? none : *at;
+  }
   template <class T>
   void operator()(const char* key, T& value, Range range = {}) const {
     const auto at = object_.find(key);
     if (at != object_.end()) read(Place{place_.file, &place_, key}, *at, value, range);
+  }
+  /// As operator(), for a member that must be there.
+  template <class T>
+  void required(const char* key, T& value, Range range = {}) const {
+    if (!has(key)) place_.fail(std::string("lacks \"").append(key).append("\""));
+    (*this)(key, value, range);
   }
   [[noreturn]] void fail(const std::string& problem) const { place_.fail(problem); }
 
@@ -127,6 +139,10 @@ class Writer {
 
   template <class T>
   void operator()(const char* key, const T& value, Range = {}) {
+    object_[key] = write(value);
+  }
+  template <class T>
+  void required(const char* key, const T& value, Range = {}) {
     object_[key] = write(value);
   }
 
@@ -152,6 +168,9 @@ void read(const Place& place, const Value& json, T& value, Range range) {
     if (!std::isfinite(number) || number < range.low || number > range.high) place.fail("is out of range");
     value = number;
   } else if constexpr (std::same_as<T, std::string>) {
+    if (!json.is_string()) place.fail("is not a text");
+    value = json.get<std::string>();
+  } else if constexpr (std::same_as<T, std::filesystem::path>) {
     if (!json.is_string()) place.fail("is not a text");
     value = json.get<std::string>();
   } else if constexpr (Enumeration<T>) {
@@ -203,6 +222,8 @@ Value write(const T& value) {
     return list;
   } else if constexpr (std::integral<T> || std::same_as<T, double> || std::same_as<T, std::string>) {
     return value;
+  } else if constexpr (std::same_as<T, std::filesystem::path>) {
+    return value.generic_string();
   } else if constexpr (Object<T>) {
     Value object;
     Writer writer(object);

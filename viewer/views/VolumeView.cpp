@@ -124,13 +124,7 @@ void VolumeView::initializeGL() {
 }
 
 Camera VolumeView::shownCamera() const {
-  Camera camera = cameras_.camera(index_);
-  const double aspect = static_cast<double>(width()) / std::max(1, height());
-  if (aspect < 1.0) {
-    camera.verticalFov = glm::degrees(2.0 * std::atan(std::tan(glm::radians(camera.verticalFov) * 0.5) / aspect));
-    camera.orthographicHeight /= aspect;
-  }
-  return camera;
+  return cameras_.camera(index_).fittedTo(static_cast<double>(width()) / std::max(1, height()));
 }
 
 void VolumeView::attempt(const std::function<void()>& work) {
