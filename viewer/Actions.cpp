@@ -16,6 +16,7 @@ namespace fenestra::viewer {
 
 Actions::Actions(MainWindow& window) : QObject(&window), window_(window) {
   makeFileMenu();
+  makeEditMenu();
   makeViewMenu();
   makeWindowLevelMenu();
   makeFocusMenu();
@@ -86,6 +87,33 @@ void Actions::makeFileMenu() {
   menu->addSeparator();
   menu->addAction(action(tr("&Quit"), QKeySequence::Quit, [this] { window_.close(); }));
   tools_ << QList<QAction*>{folder, file, labels};
+}
+
+void Actions::makeEditMenu() {
+  QUndoStack& steps = window_.document().undoStack();
+  QAction* undo = steps.createUndoAction(this, tr("&Undo"));
+  undo->setShortcut(QKeySequence::Undo);
+  undo->setIcon(icon("undo"));
+  QAction* redo = steps.createRedoAction(this, tr("&Redo"));
+  redo->setShortcut(QKeySequence(tr("Ctrl+Shift+Z")));
+  redo->setIcon(icon("redo"));
+
+  Brush& brush = window_.brush();
+  QAction* paint = volumeAction(tr("&Brush"), QKeySequence(tr("P")), [&brush] { brush.toggle(false); });
+  paint->setIcon(icon("brush"));
+  paint->setCheckable(true);
+  connect(&brush, &Brush::changed, paint, [&brush, paint] { paint->setChecked(brush.isActive()); });
+  QAction* otherWay = volumeAction(tr("Brush the &other way"), QKeySequence(tr("E")), [&brush] { brush.toggle(true); });
+  constexpr double step = 1.2;
+  QAction* smaller =
+      volumeAction(tr("&Smaller brush"), QKeySequence(tr("[")), [&brush] { brush.scaleRadius(1.0 / step); });
+  QAction* larger = volumeAction(tr("&Larger brush"), QKeySequence(tr("]")), [&brush] { brush.scaleRadius(step); });
+
+  QMenu* menu = window_.menuBar()->addMenu(tr("&Edit"));
+  menu->addActions({undo, redo});
+  menu->addSeparator();
+  menu->addActions({paint, otherWay, smaller, larger});
+  tools_ << QList<QAction*>{undo, redo, paint};
 }
 
 void Actions::makeViewMenu() {

@@ -30,6 +30,7 @@ class Actions : public QObject {
   QAction* toggle(const QString& text, const QKeySequence& keys, bool on, std::function<void(bool)> does);
 
   void makeFileMenu();
+  void makeEditMenu();
   void makeViewMenu();
   void makeWindowLevelMenu();
   void makeFocusMenu();

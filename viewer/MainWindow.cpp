@@ -25,8 +25,10 @@
 #include "viewer/Dialogs.h"
 #include "viewer/NoticeBar.h"
 #include "viewer/Style.h"
+#include "viewer/model/CamerasChange.h"
 #include "viewer/model/Paths.h"
 #include "viewer/panels/AppearancePanel.h"
+#include "viewer/panels/BrushPanel.h"
 #include "viewer/panels/CamerasPanel.h"
 #include "viewer/panels/CutawayPanel.h"
 #include "viewer/panels/FocusPanel.h"
@@ -35,7 +37,7 @@
 namespace fenestra::viewer {
 namespace {
 
-constexpr int layoutVersion = 2;  ///< of the docks and toolbars; a saved layout of another version is not restored
+constexpr int layoutVersion = 3;  ///< of the docks and toolbars; a saved layout of another version is not restored
 
 /// "L 12.3  P 45.0  S 101.2 mm": the patient's own directions instead of signs.
 QString patientCoordinates(glm::dvec3 world) {
@@ -90,7 +92,7 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
     cameras_.place(study.camera.value_or(Camera::standard(StandardView::Anterior, grid, cameras_.projection())));
   });
 
-  views_ = new ViewArea(document_, cursor_, cameras_, options_, setup.gl, setup.restQuality);
+  views_ = new ViewArea(document_, cursor_, cameras_, options_, brush_, setup.gl, setup.restQuality);
   if (setup.gl.available) placement_.setBackend(std::make_unique<PlacementRenderer>(*views_->volumeViews().front()));
   notices_ = new NoticeBar;
   pages_ = new QStackedWidget;
@@ -113,12 +115,15 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
   connect(&placement_, &PlacementController::changed, this, [this] {
     for (VolumeView* view : views_->volumeViews()) view->hold(placement_.isBusy());
   });
+  connect(&placement_, &PlacementController::leaving, this,
+          [this] { document_.history().push(tr("Place cameras"), std::make_shared<CamerasChange>(cameras_)); });
   connect(views_, &ViewArea::pointed, this, &MainWindow::pointAt);
   connect(views_, &ViewArea::left, pointer_, &QLabel::clear);
   connect(views_, &ViewArea::menuRequested, this, &MainWindow::showMenu);
   connect(views_, &ViewArea::failed, this, &MainWindow::showError, Qt::QueuedConnection);
   connect(focusPanel_, &FocusPanel::structureChosen, this, &MainWindow::goToFocus);
   connect(appearancePanel_, &AppearancePanel::failed, this, &MainWindow::showError);
+  connect(brushPanel_, &BrushPanel::failed, this, &MainWindow::showError);
   connect(&job_, &LoadJob::started, this, [this] {
     loadingText_->setText(tr("Opening…"));
     loadingProgress_->setValue(0);
@@ -195,6 +200,7 @@ void MainWindow::makeDocks() {
   appearancePanel_ = new AppearancePanel(document_);
   cutawayPanel_ = new CutawayPanel(document_);
   camerasPanel_ = new CamerasPanel(document_, cameras_, placement_);
+  brushPanel_ = new BrushPanel(document_, brush_);
   const auto add = [this](const QString& title, const char* name, QWidget* panel) {
     auto* dock = new QDockWidget(title);
     dock->setObjectName(QLatin1String(name));
@@ -205,7 +211,14 @@ void MainWindow::makeDocks() {
   };
   QDockWidget* focus = add(tr("Focus"), "focusDock", focusPanel_);
   tabifyDockWidget(focus, add(tr("Cameras"), "camerasDock", camerasPanel_));
+  QDockWidget* brush = add(tr("Brush"), "brushDock", brushPanel_);
+  tabifyDockWidget(focus, brush);
   focus->raise();
+  connect(&brush_, &Brush::activeChanged, brush, [brush](bool active) {
+    if (!active) return;
+    brush->show();
+    brush->raise();
+  });
   add(tr("Context"), "contextDock", appearancePanel_);
   add(tr("Cutaway"), "cutawayDock", cutawayPanel_);
   // The list of structures takes the height that is left.
@@ -285,7 +298,7 @@ void MainWindow::showStudy(Study study) {
                       .arg(describe(document_.study().series)),
                   tr("Choose…"), [this] { chooseSeries(); });
   showWarnings(warnings);
-  if (document_.study().placeCameras) placement_.place();
+  if (document_.study().placeCameras) placement_.placeAutomatically();
   Q_EMIT opened();
 }
 
@@ -375,11 +388,22 @@ void MainWindow::stop() {
     job_.cancel();
   else if (placement_.isBusy())
     placement_.cancel();
+  else if (brush_.isActive())
+    brush_.setActive(false);
   else
     views_->showAll();
 }
 
-void MainWindow::face(StandardView side) { cameras_.face(lastCamera_, side); }
+void MainWindow::moveCameras(const QString& step, const std::function<void()>& move) {
+  auto change = std::make_shared<CamerasChange>(cameras_);
+  const ViewLink::Pose before = cameras_.pose();
+  move();
+  if (cameras_.pose() != before) document_.history().push(step, std::move(change));
+}
+
+void MainWindow::face(StandardView side) {
+  moveCameras(tr("Standard view"), [&] { cameras_.face(lastCamera_, side); });
+}
 
 void MainWindow::resetActiveView() {
   for (SliceView* view : views_->sliceViews())
@@ -387,12 +411,12 @@ void MainWindow::resetActiveView() {
       view->resetView();
       return;
     }
-  cameras_.reset();
+  moveCameras(tr("Reset view"), [this] { cameras_.reset(); });
 }
 
 void MainWindow::resetAllViews() {
   for (SliceView* view : views_->sliceViews()) view->resetView();
-  cameras_.reset();
+  moveCameras(tr("Reset views"), [this] { cameras_.reset(); });
 }
 
 void MainWindow::whenDrawn(std::function<void()> done) {

@@ -7,6 +7,7 @@
 
 #include "viewer/jobs/LoadJob.h"
 #include "viewer/jobs/ReadStudy.h"
+#include "viewer/model/Brush.h"
 #include "viewer/model/Document.h"
 #include "viewer/model/PlacementController.h"
 #include "viewer/model/Preferences.h"
@@ -24,6 +25,7 @@ namespace fenestra::viewer {
 
 class Actions;
 class AppearancePanel;
+class BrushPanel;
 class CamerasPanel;
 class CutawayPanel;
 class FocusPanel;
@@ -64,7 +66,7 @@ class MainWindow : public QMainWindow {
   void resetActiveView();
   void resetAllViews();
   void face(StandardView side);
-  /// What is being read or measured is given up; without either, all views are shown.
+  /// What is being read or measured is given up, or else the brush laid down, or else all views are shown.
   void stop();
 
   const GlSupport& gl() const { return setup_.gl; }
@@ -73,6 +75,7 @@ class MainWindow : public QMainWindow {
   ViewLink& cameras() { return cameras_; }
   PlacementController& placement() { return placement_; }
   ViewOptions& options() { return options_; }
+  Brush& brush() { return brush_; }
   Preferences& preferences() { return preferences_; }
   ViewArea& views() { return *views_; }
   NoticeBar& notices() { return *notices_; }
@@ -80,6 +83,7 @@ class MainWindow : public QMainWindow {
   AppearancePanel& appearancePanel() { return *appearancePanel_; }
   CutawayPanel& cutawayPanel() { return *cutawayPanel_; }
   CamerasPanel& camerasPanel() { return *camerasPanel_; }
+  BrushPanel& brushPanel() { return *brushPanel_; }
 
  Q_SIGNALS:
   /// A study is on show.
@@ -105,6 +109,8 @@ class MainWindow : public QMainWindow {
   void showMenu(glm::dvec3 world, QPoint globalPosition);
   /// The crosshair goes to the middle of the focus.
   void goToFocus();
+  /// Moves the cameras as a step that can be undone.
+  void moveCameras(const QString& step, const std::function<void()>& move);
 
   Setup setup_;
   Document document_;
@@ -112,6 +118,7 @@ class MainWindow : public QMainWindow {
   ViewLink cameras_;
   PlacementController placement_;
   ViewOptions options_;
+  Brush brush_;
   Preferences preferences_;
   LoadJob job_;
 
@@ -126,6 +133,7 @@ class MainWindow : public QMainWindow {
   AppearancePanel* appearancePanel_ = nullptr;
   CutawayPanel* cutawayPanel_ = nullptr;
   CamerasPanel* camerasPanel_ = nullptr;
+  BrushPanel* brushPanel_ = nullptr;
   QLabel* pointer_ = nullptr;
   int lastCamera_ = 0;  ///< of the 3-D view used last, which standard views act on
 };

@@ -9,7 +9,8 @@
 namespace fenestra {
 
 void FocusLayerPass::run(const GpuScene& gpu, const Scene& scene, const RayFrame& rays,
-                         const std::optional<Opening>& opening, double step, gl::Texture& focusLayer) {
+                         const std::optional<Opening>& opening, double step, std::span<const gl::Region> regions,
+                         gl::Texture& focusLayer) {
   const bool shading = scene.shading.enabled;
   const bool palette = static_cast<bool>(gpu.focusPaletteIndex());
   gl::ShaderProgram& program = programs_.get({focusDefine(gpu),
@@ -54,7 +55,7 @@ void FocusLayerPass::run(const GpuScene& gpu, const Scene& scene, const RayFrame
     }
   }
   focusLayer.bindImage(0, gl::Access::Write);
-  program.dispatch(rays.size());
+  program.dispatch(regions);
 }
 
 }  // namespace fenestra

@@ -2,6 +2,7 @@
 // Stage 5: the volume rendering integral from the ray start on, focus and context each with their own properties.
 
 #include <optional>
+#include <span>
 
 #include "rendering/gl/ShaderProgram.h"
 #include "rendering/gl/Texture.h"
@@ -17,9 +18,11 @@ class FocusLayerPass {
     const gl::Texture& hitPoints;
     const gl::Texture& rayStart;
   };
+  /// A pixel's result depends on the ray starts this many pixels around it: a cut face's normal takes its neighbours'.
+  static constexpr int reach = 1;
   /// Writes premultiplied RGBA32F. Without an opening rays start where they enter the volume. `step` in mm.
   void run(const GpuScene& gpu, const Scene& scene, const RayFrame& rays, const std::optional<Opening>& opening,
-           double step, gl::Texture& focusLayer);
+           double step, std::span<const gl::Region> regions, gl::Texture& focusLayer);
 
  private:
   gl::ShaderVariants programs_{"FocusLayer.comp"};

@@ -27,8 +27,17 @@ struct View {
   bool operator==(const View&) const = default;
 };
 
-enum class Pass : std::uint8_t { HitPoints, PullPush, DistanceMap, RayStart, FocusLayer, ContextLayer, Composite };
-inline constexpr std::size_t passCount = 7;
+enum class Pass : std::uint8_t {
+  HitPoints,
+  PullPush,
+  DistanceMap,
+  EditMap,
+  RayStart,
+  FocusLayer,
+  ContextLayer,
+  Composite
+};
+inline constexpr std::size_t passCount = 8;
 std::string_view nameOf(Pass pass);
 
 /// Row-major from the top of the picture; t in mm along the pixel's ray (see Camera), NaN where there is nothing.
@@ -36,6 +45,7 @@ struct Layers {
   glm::ivec2 size{0};
   std::vector<float> tContext, tFocus, tFocusFilled, tStart;
   std::vector<float> distance;          ///< px, 0 inside the focus projection, +inf beyond w_open + w_border
+  std::vector<glm::vec2> edits;         ///< brush: mm that it moved t_start by, factor of the context layer's opacity
   std::vector<glm::vec4> focusLayer;    ///< premultiplied RGBA
   std::vector<glm::vec4> contextLayer;  ///< κ1, κ2 (1/mm), illumination, value (real units)
   std::vector<glm::vec4> final;         ///< premultiplied RGBA
@@ -43,6 +53,7 @@ struct Layers {
 
 struct PassStats {
   std::uint64_t runs = 0;     ///< since the renderer was made
+  std::uint64_t pixels = 0;   ///< shaded by the last run: under a changed brush stroke only, or the whole picture
   double milliseconds = 0.0;  ///< GPU time of the last run; 0 until timing is on
 };
 
@@ -62,7 +73,8 @@ class Renderer {
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;
 
-  /// Makes the picture. Nothing runs for an unchanged scene and view.
+  /// Makes the picture. Nothing runs for an unchanged scene and view; where only strokes changed, what depends on them
+  /// runs for the pixels under them, with the result of a run for all.
   void render(const Scene& scene, const View& view);
 
   /// Draws the last picture into `framebuffer` (an OpenGL name; QOpenGLWidget's is not 0), stretched over the rectangle

@@ -11,7 +11,8 @@
 // A stroke acts on what it was painted on and on nothing that happens to lie before or behind it: the profile is
 // multiplied by 1 - smoothstep(1, 2, e / radius), e being how far in mm the line's depth on the pixel's ray lies from
 // the context's first surface (Restore, Fade, Strengthen), or outside the stretch from there to where the ray starts
-// (Open). Seen from the far side, or hidden by something nearer, a stroke therefore does nothing there.
+// (Open). Seen from the far side, or hidden by something nearer, a stroke therefore does nothing there. (At the rim of
+// the focus the cuts from both sides meet: what Open takes there it takes from both.)
 //
 // The weight w of a stroke at a pixel is the greatest over its lines: dabs of one stroke do not add up. Strokes follow
 // one another in the order they were painted. Restore takes depth·w from the ray start, Open adds it, each clamped

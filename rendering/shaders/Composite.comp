@@ -1,4 +1,6 @@
 // Stage 7: the paper's equation. Output: premultiplied RGBA without background.
+#include "lib/Region.glsl"
+
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(rgba32f, binding = 0) uniform writeonly image2D picture;
 uniform sampler2D focusLayer;
@@ -14,10 +16,13 @@ uniform sampler2D silhouette;
 uniform vec3 contextColour;
 uniform vec3 contextWeights;  // strength, curvature, silhouette
 uniform float curvatureScale; // mm: length that makes curvature dimensionless, the derivative volume's spacing
+#if EDITED
+uniform sampler2D editMap;
+#endif
 #endif
 
 void main() {
-  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  ivec2 pixel = regionPixel();
   if (any(greaterThanEqual(pixel, imageSize(picture)))) return;
   vec4 result = texelFetch(focusLayer, pixel, 0);
 #if CUTAWAY
@@ -30,6 +35,9 @@ void main() {
     // Edges come out as lines: both terms rise steeply.
     float opacity = contextWeights.y * smoothstep(0.10, 0.40, bend) + contextWeights.z * smoothstep(0.30, 0.85, rim);
     opacity = contextWeights.x * clamp(opacity, 0.0, 1.0);
+#if EDITED
+    opacity = min(opacity * texelFetch(editMap, pixel, 0).g, 1.0);
+#endif
     result = vec4(contextColour * context.z, 1.0) * opacity + result * (1.0 - opacity);
   }
 #endif

@@ -99,6 +99,12 @@ void ViewLink::reset() {
   for (int view = 0; view < count; ++view) set(view, placed_[static_cast<std::size_t>(view)]);
 }
 
+void ViewLink::setPose(const Pose& pose) {
+  placed_ = pose.cameras;
+  reset();
+  placed_ = pose.home;
+}
+
 void ViewLink::rotate(int view, const glm::dmat3& worldRotation) {
   flight_.stop();
   for (int other = 0; other < count; ++other)
