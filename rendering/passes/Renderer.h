@@ -8,17 +8,12 @@
 #include <string_view>
 #include <vector>
 
+#include "rendering/scene/Quality.h"
 #include "rendering/scene/Scene.h"
 
 namespace fenestra {
 
 class GpuScene;
-
-enum class Quality : std::uint8_t {
-  Draft,   ///< one sample per finest voxel: while dragging
-  Normal,  ///< two
-  High,    ///< four
-};
 
 /// One picture to make.
 struct View {
