@@ -3,6 +3,7 @@
 #include "rendering/reference/ContextLayer.h"
 #include "rendering/reference/FocusLayer.h"
 #include "rendering/reference/Light.h"
+#include "rendering/reference/Strokes.h"
 #include "rendering/scene/Lighting.h"
 #include "rendering/scene/Parallel.h"
 
@@ -101,6 +102,13 @@ double contextOpacity(const ContextLayer& look, const ContextPoint& point, doubl
   return look.strength * std::clamp(opacity, 0.0, 1.0);
 }
 
+/// From the layer's colour to the surface's own, and from flat to lit.
+glm::dvec3 contextColour(const Scene& scene, const ContextPoint& point) {
+  const ContextLayer& look = scene.contextLayer;
+  const glm::dvec3 own = scene.context.evaluate(point.value).colour;
+  return glm::mix(look.colour, own, look.valueWeight) * glm::mix(1.0, point.illumination, look.illuminationWeight);
+}
+
 /// Share of a pixel, a box one pixel wide across the rim, that w_open < DM ≤ w_open + w_border covers.
 double borderCoverage(double distance, Widths widths) {
   if (!(distance > 0.0)) return 0.0;
@@ -133,6 +141,8 @@ Picture picture(const Scene& scene, const Camera& camera, glm::ivec2 size, const
       tContext.push_back(stages.hits.tContext[offset(size, pixels[i])]);
       tFocus.push_back(stages.hits.tFocus[offset(size, pixels[i])]);
     }
+    Image factor;
+    if (!scene.strokes.empty()) factor = edits(scene.strokes, camera, size, stages.hits, stages.tStart).contextFactor;
     const double scale = derivativeSpacing(scene.volume->grid);
     for (const auto& point : contextLayer(scene, camera, rays, tContext, tFocus)) {
       const std::size_t i = result.contextLayer.size();
@@ -140,8 +150,9 @@ Picture picture(const Scene& scene, const Camera& camera, glm::ivec2 size, const
                                           : glm::dvec4(nothing));
       result.silhouette.push_back(point ? point->silhouette : nothing);
       if (!point) continue;
-      const glm::dvec4 surface(scene.contextLayer.colour * point->illumination, 1.0);
-      result.final[i] = over(surface * contextOpacity(scene.contextLayer, *point, scale), result.final[i]);
+      double opacity = contextOpacity(scene.contextLayer, *point, scale);
+      if (!factor.empty()) opacity = std::min(opacity * factor[offset(size, pixels[i])], 1.0);
+      result.final[i] = over(glm::dvec4(contextColour(scene, *point), 1.0) * opacity, result.final[i]);
     }
   }
   if (cutaway && scene.cutaway.borderWidth > 0.0) {

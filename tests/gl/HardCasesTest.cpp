@@ -152,22 +152,17 @@ std::vector<HardCase> hardCases() {
       axisParallel("raysOnSlabPlanes", 20.0, 40),
       axisParallel("raysOnVoxelPlanes", 16.0, 32),
       withCamera("eyeInsideTheVolume", lookAt({15.0, 4.0, 16.0}, {15.5, 16.0, 15.5})),
-      // Normals turn within a cell near the centre of a ball; inside the focus a cell is lit in three pieces.
-      missing(4.0, withCamera("eyeInsideTheFocus", lookAt({15.0, 15.0, 16.0}, {15.5, 30.0, 12.0}))),
+      withCamera("eyeInsideTheFocus", lookAt({15.0, 15.0, 16.0}, {15.5, 30.0, 12.0})),
       withCamera("eyeInsideLookingOut", lookAt({15.0, 28.0, 16.0}, {15.5, 60.0, 12.0})),
-      // The same.
-      missing(2.5, withCamera("planeInsideTheFocus",
-                              lookAt({15.0, 15.0, 16.0}, {15.5, 30.0, 12.0}, Projection::Orthographic, 20.0))),
+      withCamera("planeInsideTheFocus", lookAt({15.0, 15.0, 16.0}, {15.5, 30.0, 12.0}, Projection::Orthographic, 20.0)),
       withCamera("aThousandKilometresAway", distant),
       withCamera("upAlongTheView", upright),
       onGrid("voxelsFlatAsPaper", gridOf({40, 40, 12}, {0.05, 0.05, 10.0}), 5.0),
       onGrid("originAKilometreAway", gridOf({32, 32, 32}, glm::dvec3(1.0), {1e6, -1e6, 1e6}), 6.0),
       onGrid("oneVoxel", dims(1, 1, 1), 3.0),
-      // A rim of the focus that is thinner than a piece.
-      missing(2.5, onGrid("oneSliceAcrossX", dims(1, 14, 11), 3.0)),
+      onGrid("oneSliceAcrossX", dims(1, 14, 11), 3.0),
       onGrid("oneSliceAcrossY", dims(14, 1, 11), 3.0),
-      // The same.
-      missing(2.5, onGrid("oneSliceAcrossZ", dims(14, 11, 1), 3.0)),
+      onGrid("oneSliceAcrossZ", dims(14, 11, 1), 3.0),
       withValues<float>(
           "notANumberAndInfinity",
           [](glm::ivec3 i) {
@@ -195,20 +190,19 @@ std::vector<HardCase> hardCases() {
       withLabels("focusEmpty", [](glm::ivec3) { return 0; }),
       withLabels("focusEverything", [](glm::ivec3) { return 1; }),
       withLabels("focusAtTheBorder", [](glm::ivec3 i) { return i.x == 0 || i.z == 19 ? 1 : 0; }),
-      // The same.
+      // On a sheet one voxel thick the normal turns over within a voxel; found 1.0.
       missing(1.5, withLabels("focusThinnerThanAStep", [](glm::ivec3 i) { return i.y == 10 ? 1 : 0; })),
-      // Several surfaces of the focus in one cell.
+      // Bumps of the focus between two points at which it is looked for in a cell; found 22.
       missing(25.0, withLabels("focusLikeAChessboard", [](glm::ivec3 i) { return (i.x + i.y + i.z) % 2; })),
-      // Where the colours meet is known to a piece.
-      missing(4.5, with("focusOfTwoColours",
-                        [](Shot& shot) {
-                          const Grid& grid = shot.scene.volume->grid;
-                          shot.scene.labels = labelsOf(grid, [](glm::ivec3 i) {
-                            const glm::dvec3 p = glm::dvec3(i) - 15.5;
-                            return glm::length(p) >= 6.0 ? 0 : p.x < 0.3 ? 1 : 2;
-                          });
-                          shot.scene.focus = LabelFocus{{1, 2}};
-                        })),
+      with("focusOfTwoColours",
+           [](Shot& shot) {
+             const Grid& grid = shot.scene.volume->grid;
+             shot.scene.labels = labelsOf(grid, [](glm::ivec3 i) {
+               const glm::dvec3 p = glm::dvec3(i) - 15.5;
+               return glm::length(p) >= 6.0 ? 0 : p.x < 0.3 ? 1 : 2;
+             });
+             shot.scene.focus = LabelFocus{{1, 2}};
+           }),
       withLabels("focusSymmetric",
                  [](glm::ivec3 i) {
                    const glm::dvec3 p = glm::abs(glm::dvec3(i) - 9.5) - glm::dvec3(5.0, 0.0, 0.0);
@@ -221,29 +215,32 @@ std::vector<HardCase> hardCases() {
       withWidths("openingNearlyThePicture", 70.0, 5.0),
       withWidths("openingWiderThanThePicture", 500.0, 500.0),
       withWidths("openingInMillimetres", 6.5, 1.0, WidthUnit::Millimetre),
-      // The light of a piece is that of its middle, wherever in it the spike lies.
+      // The spike hides its own back within one piece of a cell, where attenuation is left out; found 11.
       missing(12.0, with("spikeNarrowerThanAVoxelsValues",
                          [=](Shot& shot) {
                            const OpticalProperties spike{{0.2, 0.8, 0.3}, 40.0};
                            shot.scene.context = {{{399.0, clear}, {400.0, spike}, {401.0, clear}}};
                          })),
-      // The same of a surface.
-      missing(5.5, with("opacityOneAtTinySteps",
-                        [](Shot& shot) { shot.scene.context = steepFrom(200.0, extinctionFromOpacity(1.0)); })),
-      // The same.
-      missing(9.0,
+      with("opacityOneAtTinySteps",
+           [](Shot& shot) { shot.scene.context = steepFrom(200.0, extinctionFromOpacity(1.0)); }),
+      // The light of a piece whose surface lies within it; found 1.4.
+      missing(1.5,
               with("opaqueWithinAThousandthOfAVoxel", [](Shot& shot) { shot.scene.context = steepFrom(200.0, 1e4); })),
       with("hazeThatHardlyShows", [](Shot& shot) { shot.scene.context = steepFrom(200.0, 0.005); }),
+      with("contextInItsOwnColour",
+           [](Shot& shot) {
+             shot.scene.contextLayer.valueWeight = 1.0;
+             shot.scene.contextLayer.illuminationWeight = 0.4;
+           }),
       with("unlit", [](Shot& shot) { shot.scene.shading.enabled = false; }),
       with("valueFocus",
            [](Shot& shot) {
              shot.scene.focus = ValueFocus{{600.0, 900.0}, 0.0};
            }),
-      // A layer that lies between two points at which the focus is looked for.
-      missing(7.0, with("valueFocusThinnerThanAStep",
-                        [](Shot& shot) {
-                          shot.scene.focus = ValueFocus{{600.0, 600.5}, 0.0};
-                        })),
+      with("valueFocusThinnerThanAStep",
+           [](Shot& shot) {
+             shot.scene.focus = ValueFocus{{600.0, 600.5}, 0.0};
+           }),
       with("withoutACutaway", [](Shot& shot) { shot.scene.cutaway.enabled = false; }),
       with("withoutAFocus", [](Shot& shot) { shot.scene.focus = {}; }),
       with("onePixel", [](Shot& shot) { shot.size = glm::ivec2(1); }),
@@ -255,8 +252,7 @@ std::vector<HardCase> hardCases() {
            [](Shot& shot) {
              shot.size = {53, 1};
            }),
-      // A ball of two voxels: the focus in three pieces a cell, see above.
-      missing(1.5, large("oddPicture", {701, 649}, 40.0)),
+      large("oddPicture", {701, 649}, 40.0),
       large("ultraHighDefinition", {3840, 2160}, 120.0),
   };
 }
