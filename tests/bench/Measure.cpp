@@ -6,9 +6,7 @@
 
 namespace fenestra::bench {
 
-std::vector<Setting> qualitySettings() {
-  return {{"draft", Quality::Draft}, {"normal", Quality::Normal}, {"high", Quality::High}};
-}
+std::vector<Setting> fixedSettings() { return {{"draft", Quality::Draft}, {"normal", Quality::Normal}}; }
 
 std::vector<Setting> boundSettings(const std::vector<double>& bounds) {
   std::vector<Setting> settings;

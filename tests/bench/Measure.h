@@ -26,7 +26,8 @@ struct Setting {
   Quality quality = Quality::Normal;
   std::optional<double> maxError = std::nullopt;  ///< 1/255
 };
-std::vector<Setting> qualitySettings();
+/// Draft and normal; high is an error bound.
+std::vector<Setting> fixedSettings();
 std::vector<Setting> boundSettings(const std::vector<double>& bounds);
 
 /// A subject loaded, its views and what they should show.

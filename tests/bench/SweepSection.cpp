@@ -22,13 +22,15 @@ const std::string fixedSteps = "Fenestra, fixed steps", bounded = "Fenestra, err
 std::vector<Row> measureAll(const Measurable& what, const Options& options) {
   std::vector<Row> rows;
   Renderer renderer(std::make_shared<GpuScene>());
-  for (const Setting& setting : qualitySettings()) {
+  for (const Setting& setting : fixedSettings()) {
     Measured measured = measure(renderer, what, setting, options);
     rows.push_back({fixedSteps, setting.name, std::move(measured.milliseconds), std::move(measured.errors)});
   }
   for (const Setting& setting : boundSettings({8.0, 4.0, 2.0, 1.0, 0.5, 0.25})) {
     Measured measured = measure(renderer, what, setting, options);
-    rows.push_back({bounded, "≤ " + setting.name, std::move(measured.milliseconds), std::move(measured.errors)});
+    const bool high = *setting.maxError == highQualityError;
+    rows.push_back({bounded, "≤ " + setting.name + (high ? " (high)" : ""), std::move(measured.milliseconds),
+                    std::move(measured.errors)});
   }
   return rows;
 }
@@ -158,7 +160,7 @@ Section sweepSection(const Options& options, const TruthStore& truths) {
     Scene plainLit = plainUnlit;
     plainLit.shading.enabled = true;
     Renderer renderer(std::make_shared<GpuScene>());
-    for (const Setting& setting : {qualitySettings()[0], qualitySettings()[1]}) {
+    for (const Setting& setting : fixedSettings()) {
       const Measured measured = measure(renderer, prepareTimes(subject.name, plainLit, options), setting, options);
       lit.rows.push_back({subject.name, "Fenestra", setting.quality == Quality::Draft ? stepName(1.0) : stepName(2.0),
                           fixed(measured.milliseconds.percentile(10.0), 1), fixed(measured.milliseconds.median(), 1),
