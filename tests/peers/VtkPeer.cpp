@@ -124,7 +124,9 @@ void placeCamera(vtkCamera& target, const Camera& camera) {
 class Stage {
  public:
   Stage(const Scene& scene, glm::ivec2 size, bool lit, const Peer& peer)
-      : scene_(scene), size_(size), peer_(peer), image_(makeImage(*scene.volume)) {
+      : scene_(scene), size_(size), peer_(peer), mapper_(peer.makeMapper()) {
+    mapper_->SetInputData(makeImage(*scene.volume));
+    volume_->SetMapper(mapper_);
     volume_->SetProperty(makeProperty(scene, lit));
     volume_->SetUserMatrix(makePlace(scene.volume->grid));
     renderer_->AddVolume(volume_);
@@ -146,11 +148,9 @@ class Stage {
   Stage(const Stage&) = delete;
   Stage& operator=(const Stage&) = delete;
 
-  /// Of all that follows. The next frame is one to warm up.
+  /// Of all that follows.
   void setStep(double samplesPerVoxel) {
-    const auto mapper = peer_.makeMapper(bench::stepLength(scene_.volume->grid, samplesPerVoxel));
-    mapper->SetInputData(image_);
-    volume_->SetMapper(mapper);
+    peer_.setStep(*mapper_, bench::stepLength(scene_.volume->grid, samplesPerVoxel));
   }
 
   /// Milliseconds until the picture is in the graphics memory.
@@ -188,7 +188,7 @@ class Stage {
  private:
   /// RGBA, row by row from the bottom.
   std::vector<float> readAll() {
-    if (peer_.readPicture) return peer_.readPicture(*vtkVolumeMapper::SafeDownCast(volume_->GetMapper()), size_);
+    if (peer_.readPicture) return peer_.readPicture(*mapper_, size_);
     const auto buffer = vtkSmartPointer<vtkPixelBufferObject>::Take(picture_->Download());
     std::vector<float> values(static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y) * 4);
     std::array<unsigned, 2> dims{static_cast<unsigned>(size_.x), static_cast<unsigned>(size_.y)};
@@ -200,7 +200,7 @@ class Stage {
   const Scene& scene_;
   glm::ivec2 size_;
   const Peer& peer_;
-  vtkSmartPointer<vtkImageData> image_;
+  vtkSmartPointer<vtkVolumeMapper> mapper_;
   vtkNew<vtkVolume> volume_;
   vtkNew<vtkRenderer> renderer_;
   vtkSmartPointer<vtkOpenGLRenderWindow> window_{
@@ -224,14 +224,15 @@ void measure(const Options& options, const Peer& peer) {
       Stage stage(scene, options.views.size, lit, peer);
       std::vector<double> ladder = lit ? bench::litLadder : bench::stepLadder;
       if (!lit && first) ladder.insert(ladder.end(), bench::limitLadder.begin(), bench::limitLadder.end());
+      stage.setStep(ladder.front());
+      stage.draw(cameras.back());  // uploads and compiles
       for (const double samples : ladder) {
         Json run{{"subject", subject.id}, {"lit", lit}, {"samplesPerVoxel", samples}};
         stage.setStep(samples);
-        stage.draw(cameras.back());
         const std::size_t count = samples > bench::stepLadder.back() ? 1 : cameras.size();
         for (std::size_t i = 0; i < count; ++i) {
           run["frames_ms"].push_back(stage.draw(cameras[i]));
-          if (lit) continue;
+          if (lit || i >= static_cast<std::size_t>(options.views.compared)) continue;
           const std::string file = name + "-" + subject.id + "-" + std::to_string(i) + "-" +
                                    std::to_string(static_cast<int>(samples * 10.0)) + ".mha";
           io::writeLayer(folder / file, {static_cast<int>(pixels.size()), 1}, 4, stage.read(pixels));
@@ -249,6 +250,7 @@ void measure(const Options& options, const Peer& peer) {
                                                 {"gl", gl},
                                                 {"size", {views.size.x, views.size.y}},
                                                 {"cameras", views.cameras},
+                                                {"compared", views.compared},
                                                 {"pixelBlock", views.pixelBlock},
                                                 {"phantomVoxels", views.phantomVoxels},
                                                 {"runs", runs}}

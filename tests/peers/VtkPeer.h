@@ -13,8 +13,10 @@ namespace fenestra::peers {
 
 struct Peer {
   std::string name;  ///< of its files
-  /// The mapper that is measured, casting rays with `step` mm between samples at every pixel.
-  std::function<vtkSmartPointer<vtkVolumeMapper>(double step)> makeMapper;
+  /// The mapper that is measured, casting a ray at every pixel.
+  std::function<vtkSmartPointer<vtkVolumeMapper>()> makeMapper;
+  /// mm between a mapper's samples.
+  std::function<void(vtkVolumeMapper& mapper, double step)> setStep;
   /// RGBA of the picture of `size` that a mapper has made, row by row from the bottom, where the mapper keeps it
   /// itself; otherwise empty, and what the window shows counts.
   std::function<std::vector<float>(vtkVolumeMapper& mapper, glm::ivec2 size)> readPicture;

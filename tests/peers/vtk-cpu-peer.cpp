@@ -7,18 +7,24 @@
 
 namespace {
 
-vtkSmartPointer<vtkVolumeMapper> makeMapper(double step) {
-  const auto mapper = vtkSmartPointer<vtkFixedPointVolumeRayCastMapper>::New();
+using Mapper = vtkFixedPointVolumeRayCastMapper;
+
+vtkSmartPointer<vtkVolumeMapper> makeMapper() {
+  const auto mapper = vtkSmartPointer<Mapper>::New();
   mapper->AutoAdjustSampleDistancesOff();
-  mapper->SetSampleDistance(static_cast<float>(step));
-  mapper->SetInteractiveSampleDistance(static_cast<float>(step));
   mapper->SetImageSampleDistance(1.0f);
   return mapper;
 }
 
+void setStep(vtkVolumeMapper& mapper, double step) {
+  Mapper& caster = *Mapper::SafeDownCast(&mapper);
+  caster.SetSampleDistance(static_cast<float>(step));
+  caster.SetInteractiveSampleDistance(static_cast<float>(step));
+}
+
 /// The picture as it was cast: the window shows it stretched by up to half a pixel, which would be counted as error.
 std::vector<float> readPicture(vtkVolumeMapper& mapper, glm::ivec2 size) {
-  vtkFixedPointRayCastImage& image = *vtkFixedPointVolumeRayCastMapper::SafeDownCast(&mapper)->GetRayCastImage();
+  vtkFixedPointRayCastImage& image = *Mapper::SafeDownCast(&mapper)->GetRayCastImage();
   glm::ivec2 origin, used, rows;
   image.GetImageOrigin(&origin.x);
   image.GetImageInUseSize(&used.x);
@@ -40,4 +46,6 @@ std::vector<float> readPicture(vtkVolumeMapper& mapper, glm::ivec2 size) {
 
 }  // namespace
 
-int main(int argc, char** argv) { return fenestra::peers::run(argc, argv, {"vtk-cpu", makeMapper, readPicture}); }
+int main(int argc, char** argv) {
+  return fenestra::peers::run(argc, argv, {"vtk-cpu", makeMapper, setStep, readPicture});
+}

@@ -6,15 +6,20 @@
 
 namespace {
 
-vtkSmartPointer<vtkVolumeMapper> makeMapper(double step) {
-  const auto mapper = vtkSmartPointer<vtkOpenGLGPUVolumeRayCastMapper>::New();
+using Mapper = vtkOpenGLGPUVolumeRayCastMapper;
+
+vtkSmartPointer<vtkVolumeMapper> makeMapper() {
+  const auto mapper = vtkSmartPointer<Mapper>::New();
   mapper->AutoAdjustSampleDistancesOff();
-  mapper->SetSampleDistance(static_cast<float>(step));
   mapper->SetImageSampleDistance(1.0f);
   mapper->UseJitteringOff();
   return mapper;
 }
 
+void setStep(vtkVolumeMapper& mapper, double step) {
+  Mapper::SafeDownCast(&mapper)->SetSampleDistance(static_cast<float>(step));
+}
+
 }  // namespace
 
-int main(int argc, char** argv) { return fenestra::peers::run(argc, argv, {"vtk-gpu", makeMapper, {}}); }
+int main(int argc, char** argv) { return fenestra::peers::run(argc, argv, {"vtk-gpu", makeMapper, setStep, {}}); }
