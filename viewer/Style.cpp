@@ -1,7 +1,6 @@
 #include "viewer/Style.h"
 
 #include <QApplication>
-#include <QIcon>
 #include <QPalette>
 #include <QStyleFactory>
 
@@ -69,5 +68,7 @@ void applyStyle(QApplication& application) {
     QFrame#welcome, QLabel#noOpenGl { background: #101215; }
   )"));
 }
+
+QIcon icon(const char* name) { return QIcon(QStringLiteral(":/icons/%1.svg").arg(QLatin1String(name))); }
 
 }  // namespace fenestra::viewer

@@ -4,9 +4,11 @@
 
 namespace fenestra {
 
-void CompositePass::run(const Inputs& inputs, const Scene& scene, gl::Texture& picture) {
+void CompositePass::run(const Inputs& inputs, const Scene& scene, std::span<const gl::Region> regions,
+                        gl::Texture& picture) {
   const bool cutaway = inputs.distances != nullptr, layer = inputs.contextLayer != nullptr;
-  gl::ShaderProgram& program = programs_.get({{"CUTAWAY", cutaway}, {"CONTEXT_LAYER", layer}});
+  gl::ShaderProgram& program =
+      programs_.get({{"CUTAWAY", cutaway}, {"CONTEXT_LAYER", layer}, {"EDITED", inputs.editMap != nullptr}});
   bindTexture(program, "focusLayer", 0, *inputs.focusLayer);
   if (cutaway) {
     bindTexture(program, "hitPoints", 1, *inputs.hitPoints);
@@ -17,13 +19,18 @@ void CompositePass::run(const Inputs& inputs, const Scene& scene, gl::Texture& p
   if (layer) {
     bindTexture(program, "contextLayer", 3, *inputs.contextLayer);
     bindTexture(program, "silhouette", 4, *inputs.silhouette);
+    if (inputs.editMap) bindTexture(program, "editMap", 5, *inputs.editMap);
     const ContextLayer& look = scene.contextLayer;
     program.set("contextColour", glm::vec3(look.colour));
     program.set("contextWeights", glm::vec3(look.strength, look.curvatureWeight, look.silhouetteWeight));
-    program.set("curvatureScale", static_cast<float>(inputs.curvatureScale));
+    program.set("contextShade", glm::vec2(look.illuminationWeight, look.valueWeight));
+    bindTexture(program, "transferTable", 6, inputs.gpu->transferTable());
+    program.set("transferMap", inputs.gpu->transferMap());
+    // Curvature times the scale of the derivatives has no dimension.
+    program.set("curvatureScale", static_cast<float>(inputs.gpu->derivative().spacing));
   }
   picture.bindImage(0, gl::Access::Write);
-  program.dispatch(glm::ivec2(picture.size()));
+  program.dispatch(regions);
 }
 
 }  // namespace fenestra

@@ -4,6 +4,7 @@
 
 #include "rendering/reference/FocusCells.h"
 #include "rendering/reference/Reference.h"
+#include "rendering/reference/Strokes.h"
 #include "rendering/scene/Parallel.h"
 
 namespace fenestra::reference {
@@ -174,7 +175,8 @@ Stages geometricStages(const Scene& scene, const Camera& camera, glm::ivec2 size
   const Widths widths = widthsInPixels(scene, camera, size, pixelScale);
   stages.tFocusFilled = fill(stages.hits.tFocus, size);
   stages.distance = distanceMap(stages.hits.tFocus, size, widths.open + widths.border);
-  stages.tStart = rayStart(stages.hits, stages.tFocusFilled, stages.distance, widths.open);
+  const Image unedited = rayStart(stages.hits, stages.tFocusFilled, stages.distance, widths.open);
+  stages.tStart = edits(scene.strokes, camera, size, stages.hits, unedited).tStart;
   return stages;
 }
 

@@ -65,7 +65,7 @@ struct Widths {
 };
 Widths widthsInPixels(const Scene& scene, const Camera& camera, glm::ivec2 size, double pixelScale);
 
-/// Stages 1 to 4 in one go. Without a cutaway, tFocusFilled and distance are empty and tStart is tContext.
+/// Stages 1 to 4 in one go, with the scene's brush strokes. Without a cutaway, tFocusFilled and distance are empty and tStart is tContext.
 struct Stages {
   HitPoints hits;
   Image tFocusFilled, distance, tStart;

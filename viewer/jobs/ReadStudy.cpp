@@ -29,6 +29,7 @@ Study readStudy(const PathsToOpen& paths, const Scene& looks, const io::Progress
   study.scene.volume = opened.volume;
   study.scene.labels = nullptr;
   study.scene.focus = std::monostate{};
+  study.scene.strokes.clear();
   study.transferFunction = io::defaultPreset(*opened.volume);
   study.scene.context = io::loadTransferFunction(study.transferFunction, *opened.volume);
   study.path = paths.volume;

@@ -18,6 +18,8 @@ SliderSpin::SliderSpin(double low, double high, double step, QWidget* parent)
   box_->setAlignment(Qt::AlignRight);
   box_->setFixedWidth(84);
   setRange(low, high, step);
+  connect(slider_, &QSlider::sliderPressed, this, &SliderSpin::dragBegun);
+  connect(slider_, &QSlider::sliderReleased, this, &SliderSpin::dragEnded);
   connect(slider_, &QSlider::valueChanged, this, [this](int position) {
     const double value = low_ + position * step_;
     const QSignalBlocker quiet(box_);

@@ -24,6 +24,9 @@ class SliderSpin : public QWidget {
  Q_SIGNALS:
   /// The user moved it.
   void edited(double value);
+  /// The slider is being dragged from now on, and no longer.
+  void dragBegun();
+  void dragEnded();
 
  private:
   QSlider* slider_;

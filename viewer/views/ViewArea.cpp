@@ -11,7 +11,7 @@
 
 namespace fenestra::viewer {
 
-ViewArea::ViewArea(Document& document, SliceCursor& cursor, ViewLink& cameras, ViewOptions& options,
+ViewArea::ViewArea(Document& document, SliceCursor& cursor, ViewLink& cameras, ViewOptions& options, Brush& brush,
                    const GlSupport& gl, Quality restQuality, QWidget* parent)
     : QWidget(parent),
       rows_(new QSplitter(Qt::Vertical)),
@@ -37,7 +37,7 @@ ViewArea::ViewArea(Document& document, SliceCursor& cursor, ViewLink& cameras, V
   if (gl.available) {
     const VolumeView::Shared shared{std::make_shared<GpuScene>(), std::make_shared<FramePacer>(restQuality)};
     for (int index = 0; index < ViewLink::count; ++index) {
-      auto* view = new VolumeView(index, document, cursor, cameras, options, shared);
+      auto* view = new VolumeView(index, document, cursor, cameras, options, brush, shared);
       connectView(view);
       connect(view, &VolumeView::failed, this, &ViewArea::failed);
       upper_->addWidget(view);

@@ -16,8 +16,8 @@ class ViewArea : public QWidget {
   Q_OBJECT
  public:
   /// Without OpenGL the place of the 3-D views says why, and the slices are there all the same.
-  ViewArea(Document& document, SliceCursor& cursor, ViewLink& cameras, ViewOptions& options, const GlSupport& gl,
-           Quality restQuality, QWidget* parent = nullptr);
+  ViewArea(Document& document, SliceCursor& cursor, ViewLink& cameras, ViewOptions& options, Brush& brush,
+           const GlSupport& gl, Quality restQuality, QWidget* parent = nullptr);
 
   const std::vector<VolumeView*>& volumeViews() const { return volumes_; }  ///< empty without OpenGL
   const std::vector<SliceView*>& sliceViews() const { return slices_; }     ///< axial, sagittal, coronal
