@@ -49,6 +49,8 @@ void writeLayers(const fs::path& folder, const Layers& layers, const View& view,
   writeLayer(folder, "t_focus_filled", layers.size, layers.tFocusFilled);
   writeLayer(folder, "t_start", layers.size, layers.tStart);
   writeLayer(folder, "distance", layers.size, layers.distance);
+  if (!layers.edits.empty())
+    io::writeLayer(folder / "edit_map.mha", layers.size, 2, {&layers.edits[0].x, layers.edits.size() * 2});
   writeLayer(folder, "focus_layer", layers.size, layers.focusLayer);
   writeLayer(folder, "context_layer", layers.size, layers.contextLayer);
   writeLayer(folder, "final", layers.size, layers.final);
@@ -144,6 +146,8 @@ void render(const RenderOptions& options) {
   const auto gpuScene = context ? std::make_shared<GpuScene>() : nullptr;
   if (loaded.placed) view.camera = placedCamera(options.scene.source(), loaded, *gpuScene);
   if (!options.session.empty()) saveSession(options.session, options.scene, loaded);
+  const bool second = loaded.placed == app::PlacedView::Dual;
+  loaded.scene.strokes = strokesIn(second ? 1 : options.scene.viewOfSession, loaded.scene.strokes);
   if (options.reference) {
     writeLayers(options.layers, referenceLayers(scene, view), view, scene.volume->grid);
     return;
