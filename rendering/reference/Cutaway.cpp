@@ -132,11 +132,12 @@ Image distanceMap(const Image& tFocus, glm::ivec2 size, double range) {
     sweep(size.y - 1, -1, -1);
   }
   Image result(tFocus.size(), infinity);
+  const int reach = static_cast<int>(std::min(std::ceil(range), static_cast<double>(size.x)));
   parallelFor(static_cast<std::size_t>(size.y), 1, [&](std::size_t begin, std::size_t end) {
     for (int j = static_cast<int>(begin); j < static_cast<int>(end); ++j)
       for (int i = 0; i < size.x; ++i) {
         double squared = infinity;
-        for (int k = 0; k < size.x; ++k) {
+        for (int k = std::max(i - reach, 0); k <= std::min(i + reach, size.x - 1); ++k) {
           const double across = i - k, along = column[offset(size, k, j)];
           squared = std::min(squared, across * across + along * along);
         }
@@ -174,8 +175,13 @@ Stages geometricStages(const Scene& scene, const Camera& camera, glm::ivec2 size
   const Widths widths = widthsInPixels(scene, camera, size, pixelScale);
   stages.tFocusFilled = fill(stages.hits.tFocus, size);
   stages.distance = distanceMap(stages.hits.tFocus, size, widths.open + widths.border);
-  const Image unedited = rayStart(stages.hits, stages.tFocusFilled, stages.distance, widths.open);
-  stages.tStart = edits(scene.strokes, camera, size, stages.hits, unedited).tStart;
+  stages.tStart = rayStart(stages.hits, stages.tFocusFilled, stages.distance, widths.open);
+  if (std::any_of(scene.strokes.begin(), scene.strokes.end(), isEffective)) {
+    Edits made = edits(scene.strokes, camera, size, stages.hits, stages.tStart);
+    stages.tStart = std::move(made.tStart);
+    stages.editOffset = std::move(made.offset);
+    stages.editFactor = std::move(made.factor);
+  }
   return stages;
 }
 
