@@ -365,8 +365,8 @@ void addSceneOptions(CLI::App& command, SceneOptions& options, std::function<voi
             });
   addSwitch(command, "--shading", "light by the gradient, default on", options.shading.enabled);
   addChoice<Quality>(command, "--quality", "default normal",
-                     {{"draft", Quality::Draft}, {"normal", Quality::Normal}, {"high", Quality::High}},
-                     options.quality);
+                     {{"draft", Quality::Draft}, {"normal", Quality::Normal}, {"high", Quality::High}}, options.quality)
+      ->each([&options](const std::string&) { options.maxError.reset(); });  // a session's
   addParsed(command, "--max-error", "E", "greatest error of a colour that sampling may leave, in 1/255, from 0.05 up",
             [&options](const std::string& text) {
               const auto error = parseNumbers<double, 1>(text, ',');

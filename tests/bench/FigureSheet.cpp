@@ -1,7 +1,7 @@
 // figure-sheet OUT.png [FOLDER]: pictures of the adaptive cutaway like those of the method's Figures 4, 5 and 8 on one
 // sheet. Rows: the torso phantom, a CT head, a labelled CT of a torso (the real ones only where the real-data
-// collection is). Columns: plain, w_open 0, w_open 24, with the context layer, with context layer and border, and
-// brushed with the strokes in tests/bench/figures. With FOLDER, every picture also goes there by itself at full size.
+// collection is). Columns: plain, w_open 0, w_open 24, with the context layer, with the border, and with both
+// and brushed (tests/bench/figures has the strokes). With FOLDER, every picture also goes there by itself at full size.
 
 #include <algorithm>
 #include <filesystem>
@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr glm::ivec2 cell{200, 186};          ///< pixels on the sheet
+constexpr glm::ivec2 cell{256, 238};          ///< pixels on the sheet
 constexpr int finer = 3;                      ///< times finer is what is rendered and then averaged
 constexpr double methodPictureWidth = 700.0;  ///< the method's pictures, which w_open of 24 px refers to
 
@@ -32,19 +32,21 @@ struct Row {
   std::string name;
   app::SceneOptions options;
   double zoom = 1.0;
+  double raise = 0.0;  ///< mm that the camera is moved up
 };
 
 std::vector<Row> rows() {
   std::vector<Row> list;
   const glm::dvec3 backdrop(0.05, 0.055, 0.07);
-  const auto add = [&](const std::string& name, app::SceneOptions options, double zoom, const fs::path& strokes) {
+  const auto add = [&](const std::string& name, app::SceneOptions options, double zoom, double raise,
+                       const fs::path& strokes) {
     options.strokes = figures / strokes;
     options.background = backdrop;
-    list.push_back({name, std::move(options), zoom});
+    list.push_back({name, std::move(options), zoom, raise});
   };
   app::SceneOptions torso;
   torso.phantom = "torso";
-  add("phantom", torso, 1.2, "torso-strokes.json");
+  add("phantom", torso, 1.15, 0.0, "torso-strokes.json");
 
   app::SceneOptions head;
   head.path = tests::findTestData("ct-head/ct.nii.gz");
@@ -54,7 +56,7 @@ std::vector<Row> rows() {
   if (head.path.empty())
     std::cerr << "left out the head: needs ct-head/ct.nii.gz\n";
   else
-    add("head", head, 1.25, "head-strokes.json");
+    add("head", head, 1.25, 0.0, "head-strokes.json");
 
   app::SceneOptions labelled;
   const fs::path folder = "labelled/totalsegmentator-torso";
@@ -65,7 +67,7 @@ std::vector<Row> rows() {
   if (labelled.path.empty() || labelled.labels.empty())
     std::cerr << "left out the labelled torso: needs " << folder.string() << '\n';
   else
-    add("labelled", labelled, 1.1, "labelled-strokes.json");
+    add("labelled", labelled, 1.5, 55.0, "labelled-strokes.json");
   return list;
 }
 
@@ -77,9 +79,9 @@ struct Column {
   std::string look;
   bool brushed = false;
 };
-const std::vector<Column> columns{{"plain", false, 0.0, "bare"},   {"open-0", true, 0.0, "bare"},
-                                  {"open-24", true, 24.0, "bare"}, {"context", true, 24.0, "context"},
-                                  {"border", true, 24.0, "full"},  {"brushed", true, 24.0, "full", true}};
+const std::vector<Column> columns{{"plain", false, 0.0, "bare"},    {"open-0", true, 0.0, "bare"},
+                                  {"open-24", true, 24.0, "bare"},  {"context", true, 24.0, "context"},
+                                  {"border", true, 24.0, "border"}, {"brushed", true, 24.0, "full", true}};
 
 Scene sceneOf(const Scene& row, const Column& column) {
   Scene scene = row;
@@ -131,7 +133,7 @@ void draw(const fs::path& output, const fs::path& folder) {
   for (std::size_t r = 0; r < all.size(); ++r) {
     const app::LoadedScene loaded = app::loadScene(all[r].options);
     View view = loaded.view;
-    view.camera = view.camera.zoomed(all[r].zoom);
+    view.camera = view.camera.zoomed(all[r].zoom).panned(0.0, all[r].raise);
     view.size = cell * finer;
     view.pixelScale = view.size.x / methodPictureWidth;
     view.quality = Quality::High;
