@@ -56,6 +56,10 @@ const char* nameOf(io::Warning::Kind kind) {
       return "precision loss";
     case Kind::TimePoints:
       return "time points";
+    case Kind::MovedData:
+      return "moved data";
+    case Kind::ChangedData:
+      return "changed data";
     case Kind::Other:
       break;
   }

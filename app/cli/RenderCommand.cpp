@@ -10,8 +10,11 @@
 #include <nlohmann/json.hpp>
 
 #include "app/CameraFile.h"
+#include "app/SceneSession.h"
 #include "app/cli/Report.h"
 #include "io/ImageWriter.h"
+#include "io/session/OpenSession.h"
+#include "io/session/SessionFile.h"
 #include "rendering/egl/EglContext.h"
 #include "rendering/passes/GpuScene.h"
 #include "rendering/placement/Placer.h"
@@ -123,17 +126,24 @@ Camera placedCamera(const fs::path& source, const app::LoadedScene& loaded, GpuS
   return Camera::fromDirection(measured.candidates[*chosen].direction, framed, loaded.view.camera.projection);
 }
 
+void saveSession(const fs::path& file, const app::SceneOptions& options, const app::LoadedScene& loaded) {
+  io::Session session = app::sessionOf(options, loaded);
+  io::noteContents(session, progressOnTerminal());
+  io::writeSession(file, session);
+}
+
 }  // namespace
 
 void render(const RenderOptions& options) {
-  const app::LoadedScene loaded = app::loadScene(options.scene, progressOnTerminal());
+  app::LoadedScene loaded = app::loadScene(options.scene, progressOnTerminal());
   printWarnings(loaded.warnings);
   const Scene& scene = loaded.scene;
-  View view = loaded.view;
+  View& view = loaded.view;
   std::optional<egl::EglContext> context;
   if (loaded.placed || !options.reference) context.emplace();
   const auto gpuScene = context ? std::make_shared<GpuScene>() : nullptr;
   if (loaded.placed) view.camera = placedCamera(options.scene.source(), loaded, *gpuScene);
+  if (!options.session.empty()) saveSession(options.session, options.scene, loaded);
   if (options.reference) {
     writeLayers(options.layers, referenceLayers(scene, view), view, scene.volume->grid);
     return;

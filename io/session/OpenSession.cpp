@@ -90,12 +90,12 @@ class Search {
   std::vector<fs::path> named_, alike_;
 };
 
-/// What opening the volume and opening the labels have in common: where to look, in which order, and what to say.
-template <class FilesAt>
-fs::path moved(const SessionData& data, const fs::path& folder, const FilesAt& filesAt, const Progress& progress) {
-  if (data.contents.hash.empty()) return {};
-  return Search(folder, data, progress).find(filesAt, progress);
-}
+template <class Data>
+struct Opened {
+  Data data;
+  Contents contents;
+  std::vector<fs::path> files;
+};
 
 /// Opens data by `open(path)`, which also says what they hold.
 template <class Open, class FilesAt>
@@ -105,11 +105,12 @@ auto openMoved(DataMissing::Data which, SessionData& data, const fs::path& place
   const std::string kind = labels ? "the label map " : "the volume ";
   const std::string hint = labels ? "say where they are (--labels FILE)"
                                   : "say where they are (--data PATH), or put them beside the session";
-  const auto differs = [&](const Contents& now) { return !data.contents.hash.empty() && now != data.contents; };
+  const bool known = !data.contents.hash.empty();
   const auto take = [&](const fs::path& path, auto opened) {
-    data.path = path;
-    data.contents = opened.second;
-    return std::move(opened.first);
+    data.path = fs::absolute(path);
+    data.contents = std::move(opened.contents);
+    data.files = std::move(opened.files);
+    return std::move(opened.data);
   };
   const auto warnOfChange = [&](const fs::path& path) {
     warnings.push_back({Warning::Kind::ChangedData,
@@ -119,7 +120,7 @@ auto openMoved(DataMissing::Data which, SessionData& data, const fs::path& place
 
   if (!place.empty()) {
     auto opened = open(place);
-    if (differs(opened.second)) warnOfChange(place);
+    if (known && opened.contents != data.contents) warnOfChange(place);
     return take(place, std::move(opened));
   }
 
@@ -128,19 +129,17 @@ auto openMoved(DataMissing::Data which, SessionData& data, const fs::path& place
   if (fs::exists(data.path, failure)) {
     try {
       auto opened = open(data.path);
-      if (!differs(opened.second)) return take(data.path, std::move(opened));
+      if (known && opened.contents == data.contents) return take(data.path, std::move(opened));
       if (isWithin(data.path, folder)) {
-        warnOfChange(data.path);
+        if (known) warnOfChange(data.path);
         return take(data.path, std::move(opened));
       }
       problem = kind + described(data.path, folder) + " is not what it was when the session was saved";
-    } catch (const DataMissing&) {
-      throw;
     } catch (const Error& error) {
       problem = kind + described(data.path, folder) + " cannot be opened: " + error.cause();
     }
   }
-  const fs::path found = moved(data, folder, filesAt, progress);
+  const fs::path found = known ? Search(folder, data, progress).find(filesAt, progress) : fs::path();
   if (found.empty()) throw DataMissing(which, data.path, problem, hint);
   warnings.push_back(
       {Warning::Kind::MovedData,
@@ -149,13 +148,7 @@ auto openMoved(DataMissing::Data which, SessionData& data, const fs::path& place
   return take(found, open(found));
 }
 
-Progress part(const Progress& progress, double begin, double end) {
-  if (!progress) return {};
-  return [=](double fraction, std::string_view doing) { return progress(std::lerp(begin, end, fraction), doing); };
-}
-
-}  // namespace
-
+/// The files that a volume's or a label map's contents are: those of the series, and the one that was named.
 std::vector<fs::path> filesOf(const fs::path& path, const SeriesInfo& series) {
   std::vector<fs::path> files = series.files;
   std::error_code failure;
@@ -165,19 +158,41 @@ std::vector<fs::path> filesOf(const fs::path& path, const SeriesInfo& series) {
   if (!listed && fs::is_regular_file(path, failure)) files.push_back(path);
   return files;
 }
+std::vector<fs::path> labelFilesAt(const fs::path& path) { return filesOf(path, listSeries(path).front()); }
 
-SessionVolume sessionVolume(const fs::path& path, const OpenedVolume& volume, const std::optional<RawDescription>& raw,
-                            const Progress& progress) {
+Progress part(const Progress& progress, double begin, double end) {
+  if (!progress) return {};
+  return [=](double fraction, std::string_view doing) { return progress(std::lerp(begin, end, fraction), doing); };
+}
+
+}  // namespace
+
+SessionVolume sessionVolume(const fs::path& path, const OpenedVolume& volume,
+                            const std::optional<RawDescription>& raw) {
   SessionVolume data;
-  data.path = path;
-  data.contents = contentsOf(filesOf(path, volume.series), progress);
+  data.path = fs::absolute(path);
+  data.files = filesOf(path, volume.series);
   if (volume.format == "DICOM") data.series = seriesKey(volume.series.id);
   data.raw = raw;
   return data;
 }
 
-SessionData sessionLabels(const fs::path& path, const Progress& progress) {
-  return {path, contentsOf(filesOf(path, listSeries(path).front()), progress)};
+SessionData sessionLabels(const fs::path& path) {
+  SessionData data;
+  data.path = fs::absolute(path);
+  data.files = labelFilesAt(path);
+  return data;
+}
+
+void noteContents(Session& session, const Progress& progress) {
+  for (SessionData* data : {static_cast<SessionData*>(&session.volume), &session.labels}) {
+    if (data->path.empty() || !data->contents.hash.empty()) continue;
+    try {
+      data->contents = contentsOf(data->files, progress);
+    } catch (const Error&) {
+      data->contents = {};
+    }
+  }
 }
 
 OpenedSession openSession(const fs::path& file, const SessionPlaces& places, const Progress& progress) {
@@ -186,6 +201,8 @@ OpenedSession openSession(const fs::path& file, const SessionPlaces& places, con
   Session& session = opened.session;
   const fs::path folder = fs::absolute(file).parent_path();
   if (session.phantom) {
+    if (!places.volume.empty() || !places.labels.empty())
+      throw Error(file, "shows a phantom, which is not read from files", "leave out --data and --labels");
     OpenedPhantom phantom = openPhantom(session.phantom->name, session.phantom->voxels, progress);
     opened.volume = std::move(phantom.volume);
     opened.labels = std::move(phantom.labels);
@@ -198,8 +215,8 @@ OpenedSession openSession(const fs::path& file, const SessionPlaces& places, con
     options.raw = session.volume.raw;
     options.progress = part(progress, 0.0, 0.7);
     OpenedVolume volume = openVolume(path, options);
-    Contents contents = contentsOf(filesOf(path, volume.series), part(progress, 0.7, 0.8));
-    return std::pair(std::move(volume), std::move(contents));
+    std::vector<fs::path> files = filesOf(path, volume.series);
+    return Opened{std::move(volume), contentsOf(files, part(progress, 0.7, 0.8)), files};
   };
   const auto volumeFilesAt = [&](const fs::path& path) {
     OpenOptions options;
@@ -214,10 +231,10 @@ OpenedSession openSession(const fs::path& file, const SessionPlaces& places, con
   opened.volume.warnings.clear();
 
   if (!places.labels.empty() || !session.labels.path.empty()) {
-    const auto labelFilesAt = [](const fs::path& path) { return filesOf(path, listSeries(path).front()); };
     const auto openLabelsAt = [&](const fs::path& path) {
       OpenedLabels labels = openLabels(path, opened.volume.volume->grid, part(progress, 0.8, 0.9));
-      return std::pair(std::move(labels), contentsOf(labelFilesAt(path), part(progress, 0.9, 1.0)));
+      std::vector<fs::path> files = labelFilesAt(path);
+      return Opened{std::move(labels), contentsOf(files, part(progress, 0.9, 1.0)), files};
     };
     OpenedLabels labels = openMoved(DataMissing::Data::Labels, session.labels, places.labels, folder, progress,
                                     opened.warnings, openLabelsAt, labelFilesAt);

@@ -41,11 +41,12 @@ struct OpenedSession {
 OpenedSession openSession(const std::filesystem::path& file, const SessionPlaces& places = {},
                           const Progress& progress = {});
 
-/// The files that a volume's or a label map's contents are: those of the series, and the one that was named.
-std::vector<std::filesystem::path> filesOf(const std::filesystem::path& path, const SeriesInfo& series);
-/// As a session keeps them. Hashes the files. Throws Error, Cancelled.
+/// Open data as a session keeps them, without contents.
 SessionVolume sessionVolume(const std::filesystem::path& path, const OpenedVolume& volume,
-                            const std::optional<RawDescription>& raw, const Progress& progress = {});
-SessionData sessionLabels(const std::filesystem::path& path, const Progress& progress = {});
+                            const std::optional<RawDescription>& raw = {});
+SessionData sessionLabels(const std::filesystem::path& path);
+/// Hashes what is not hashed yet, which takes a while. Files that cannot be read leave contents unknown: a session can
+/// be saved while the disk with its data is away. Throws Cancelled.
+void noteContents(Session& session, const Progress& progress = {});
 
 }  // namespace fenestra::io

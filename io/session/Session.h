@@ -20,8 +20,9 @@ namespace fenestra::io {
 
 /// A file or folder that a session needs.
 struct SessionData {
-  std::filesystem::path path;  ///< absolute; empty: none
-  Contents contents;           ///< what it held when the session was saved
+  std::filesystem::path path;                ///< absolute; empty: none
+  Contents contents;                         ///< what it held when the session was saved; no hash: not known
+  std::vector<std::filesystem::path> files;  ///< what `contents` is of, while the data are open; not kept
   bool operator==(const SessionData&) const = default;
 };
 
@@ -116,8 +117,10 @@ struct Session {
   bool operator==(const Session&) const = default;
 };
 
-/// The scene that a session makes of its data. `volume` and `labels` as openSession gives them.
-Scene sceneOf(const Session& session, std::shared_ptr<const Volume> volume, std::shared_ptr<const LabelMap> labels);
+/// What a session shows, but for the volume and its labels.
+Scene sceneOf(const Session& session);
+/// A transfer function by the preset or file that made it.
+SessionContext sessionContext(const std::string& presetOrPath, TransferFunction function, double shift = 0.0);
 /// The camera that makes a view's picture of that size.
 Camera shownCamera(const SessionView& view, glm::ivec2 size);
 

@@ -45,6 +45,19 @@ json::Words<ScalarType> scalarTypes() {
 inline io::json::Words<ScalarType> wordsOf(ScalarType) { return io::scalarTypes(); }
 
 namespace io {
+namespace {
+
+/// A member that is written only where there is something.
+template <class T>
+void optional(json::Writer& io, const char* key, const T& value, bool there) {
+  if (there) io(key, value);
+}
+template <class T>
+void optional(const json::Reader& io, const char* key, T& value, bool) {
+  io(key, value);
+}
+
+}  // namespace
 
 void members(auto& io, Is<RawDescription> auto& raw) {
   io.required("dims", raw.dims, {1.0, 1e6});
@@ -56,16 +69,17 @@ void members(auto& io, Is<RawDescription> auto& raw) {
 
 void members(auto& io, Is<SessionData> auto& data) {
   io.required("path", data.path);
-  io("contents", data.contents.hash);
-  io("bytes", data.contents.bytes);
-  io("files", data.contents.files);
+  const bool known = !data.contents.hash.empty();
+  optional(io, "contents", data.contents.hash, known);
+  optional(io, "bytes", data.contents.bytes, known);
+  optional(io, "files", data.contents.files, known);
 }
 
 void members(auto& io, Is<SessionVolume> auto& volume) {
   members(io, static_cast<std::conditional_t<std::is_const_v<std::remove_reference_t<decltype(volume)>>,
                                              const SessionData, SessionData>&>(volume));
-  io("series", volume.series);
-  io("raw", volume.raw);
+  optional(io, "series", volume.series, !volume.series.empty());
+  optional(io, "raw", volume.raw, volume.raw.has_value());
 }
 
 void members(auto& io, Is<SessionPhantom> auto& phantom) {
@@ -81,8 +95,8 @@ void members(auto& io, Is<SessionView> auto& view) {
 }
 
 void members(auto& io, Is<SessionContext> auto& context) {
-  io("preset", context.preset);
-  io("file", context.file);
+  optional(io, "preset", context.preset, !context.preset.empty());
+  optional(io, "file", context.file, !context.file.empty());
   io.required("nodes", context.function.nodes);
   io("shift", context.shift);
 }
@@ -116,16 +130,6 @@ void members(auto& io, Is<SessionOverlays> auto& overlays) {
 }
 
 namespace {
-
-/// A member that is written only where there is something.
-template <class T>
-void optional(json::Writer& io, const char* key, const T& value, bool there) {
-  if (there) io(key, value);
-}
-template <class T>
-void optional(const json::Reader& io, const char* key, T& value, bool) {
-  io(key, value);
-}
 
 void focusMember(json::Writer& io, const Focus& focus) {
   if (const auto* labels = std::get_if<LabelFocus>(&focus))
@@ -162,8 +166,8 @@ void members(auto& io, Is<Session> auto& session) {
   optional(io, "window", session.window, session.window.has_value());
   optional(io, "crosshair", session.crosshair, session.crosshair.has_value());
   io("overlays", session.overlays);
-  io("maximised", session.maximised);
-  io("layout", session.layout);
+  optional(io, "maximised", session.maximised, !session.maximised.empty());
+  optional(io, "layout", session.layout, !session.layout.empty());
   io("placement", session.placement);
   io("strokes", session.strokes);
   optional(io, "autosave_of", session.autosaveOf, !session.autosaveOf.empty());

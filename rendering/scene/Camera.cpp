@@ -109,6 +109,12 @@ Camera Camera::panned(double rightMm, double upMm) const {
   return camera;
 }
 
+Camera Camera::beside() const {
+  Camera camera = orbited(glm::half_pi<double>(), 0.0);
+  camera.up = {0.0, 0.0, 1.0};
+  return camera;
+}
+
 Camera Camera::fittedTo(double aspect) const {
   Camera camera = *this;
   if (aspect < 1.0) {

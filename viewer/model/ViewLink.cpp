@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include <glm/gtc/constants.hpp>
 #include <glm/gtc/quaternion.hpp>
 
 namespace fenestra::viewer {
@@ -91,9 +90,7 @@ void ViewLink::setLinked(bool linked) {
 }
 
 void ViewLink::place(const Camera& first) {
-  Camera second = first.orbited(glm::half_pi<double>(), 0.0);
-  second.up = {0.0, 0.0, 1.0};
-  placed_ = {first, second};
+  placed_ = {first, first.beside()};
   reset();
 }
 
