@@ -323,25 +323,43 @@ void addSceneOptions(CLI::App& command, SceneOptions& options, std::function<voi
 
   constexpr double widest = 1e5;
   addSwitch(command, "--cutaway", "open the view to the focus, default on", options.cutaway.enabled);
+  // Before what it sets, so that a look and then a width is that look with that width.
+  std::string looks;
+  for (const OpeningLook& look : openingLooks()) looks += (looks.empty() ? "" : "|") + std::string(look.id);
+  addParsed(command, "--look", looks, "context layer and border ready made, default full",
+            [&](const std::string& text) {
+              const auto all = openingLooks();
+              const auto look =
+                  std::find_if(all.begin(), all.end(), [&](const OpeningLook& each) { return each.id == text; });
+              if (look == all.end()) return false;
+              look->applyTo(options.cutaway, options.contextLayer);
+              return true;
+            });
   addNumber(command, "--w-open", 0.0, widest, "WIDTH", "how far the cut opens around the focus, default 24",
             options.cutaway.openWidth);
   addNumber(command, "--w-border", 0.0, widest, "WIDTH", "width of the line around the cut, default 2",
             options.cutaway.borderWidth);
   addChoice<WidthUnit>(command, "--width-unit", "of the two widths, default px; mm are those at the focus's depth",
                        {{"px", WidthUnit::Pixel}, {"mm", WidthUnit::Millimetre}}, options.cutaway.unit);
-  addNumber(command, "--context-layer", 0.0, 1.0, "0..1", "strength of the context's edges over the focus, default 0.7",
+  addNumber(command, "--context-layer", 0.0, 1.0, "0..1",
+            "strength of the context's edges over the focus, default 0.7; 0 leaves them out",
             options.contextLayer.strength);
+  addNumber(command, "--context-curvature", 0.0, 100.0, "WEIGHT", "of the context's bends in its edges, default 1",
+            options.contextLayer.curvatureWeight);
+  addNumber(command, "--context-silhouette", 0.0, 100.0, "WEIGHT", "of the context's outlines in its edges, default 1",
+            options.contextLayer.silhouetteWeight);
+  addNumber(command, "--context-illumination", 0.0, 1.0, "0..1", "how much light shades the edges' colour, default 1",
+            options.contextLayer.illuminationWeight);
+  addNumber(command, "--context-value", 0.0, 1.0, "0..1",
+            "how much the edges take the context's own colour, by its values, default 0",
+            options.contextLayer.valueWeight);
+  addColour(command, "--context-colour", "of the context's edges", options.contextLayer.colour);
+  addColour(command, "--border-colour", "of the line around the cut", options.cutaway.borderColour);
   addSwitch(command, "--shading", "light by the gradient, default on", options.shading.enabled);
   addChoice<Quality>(command, "--quality", "default normal",
                      {{"draft", Quality::Draft}, {"normal", Quality::Normal}, {"high", Quality::High}},
                      options.quality);
-  addParsed(command, "--background", "R,G,B", "0..1 each, default 0,0,0", [&options](const std::string& text) {
-    const auto colour = parseNumbers<double, 3>(text, ',');
-    if (!colour || std::any_of(colour->begin(), colour->end(), [](double c) { return c < 0.0 || c > 1.0; }))
-      return false;
-    options.background = {(*colour)[0], (*colour)[1], (*colour)[2]};
-    return true;
-  });
+  addColour(command, "--background", "default 0,0,0", options.background);
   command.option_defaults()->group("Options");
 }
 

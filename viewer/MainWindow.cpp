@@ -32,6 +32,7 @@
 #include "viewer/panels/AppearancePanel.h"
 #include "viewer/panels/BrushPanel.h"
 #include "viewer/panels/CamerasPanel.h"
+#include "viewer/panels/ContextLayerPanel.h"
 #include "viewer/panels/CutawayPanel.h"
 #include "viewer/panels/FocusPanel.h"
 #include "viewer/views/PlacementRenderer.h"
@@ -203,6 +204,7 @@ void MainWindow::makeDocks() {
   focusPanel_ = new FocusPanel(document_);
   appearancePanel_ = new AppearancePanel(document_);
   cutawayPanel_ = new CutawayPanel(document_);
+  contextLayerPanel_ = new ContextLayerPanel(document_);
   camerasPanel_ = new CamerasPanel(document_, cameras_, placement_);
   brushPanel_ = new BrushPanel(document_, brush_);
   const auto add = [this](const QString& title, const char* name, QWidget* panel) {
@@ -224,9 +226,11 @@ void MainWindow::makeDocks() {
     brush->raise();
   });
   add(tr("Context"), "contextDock", appearancePanel_);
-  add(tr("Cutaway"), "cutawayDock", cutawayPanel_);
+  QDockWidget* cutaway = add(tr("Cutaway"), "cutawayDock", cutawayPanel_);
+  tabifyDockWidget(cutaway, add(tr("Context edges"), "contextLayerDock", contextLayerPanel_));
+  cutaway->raise();
   // The list of structures takes the height that is left.
-  for (QWidget* panel : {static_cast<QWidget*>(appearancePanel_), static_cast<QWidget*>(cutawayPanel_)})
+  for (QWidget* panel : std::initializer_list<QWidget*>{appearancePanel_, cutawayPanel_, contextLayerPanel_})
     panel->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   resizeDocks({focus}, {310}, Qt::Horizontal);
 }

@@ -27,6 +27,7 @@ class Actions;
 class AppearancePanel;
 class BrushPanel;
 class CamerasPanel;
+class ContextLayerPanel;
 class CutawayPanel;
 class FocusPanel;
 class NoticeBar;
@@ -89,6 +90,7 @@ class MainWindow : public QMainWindow {
   FocusPanel& focusPanel() { return *focusPanel_; }
   AppearancePanel& appearancePanel() { return *appearancePanel_; }
   CutawayPanel& cutawayPanel() { return *cutawayPanel_; }
+  ContextLayerPanel& contextLayerPanel() { return *contextLayerPanel_; }
   CamerasPanel& camerasPanel() { return *camerasPanel_; }
   BrushPanel& brushPanel() { return *brushPanel_; }
 
@@ -140,6 +142,7 @@ class MainWindow : public QMainWindow {
   FocusPanel* focusPanel_ = nullptr;
   AppearancePanel* appearancePanel_ = nullptr;
   CutawayPanel* cutawayPanel_ = nullptr;
+  ContextLayerPanel* contextLayerPanel_ = nullptr;
   CamerasPanel* camerasPanel_ = nullptr;
   BrushPanel* brushPanel_ = nullptr;
   QLabel* pointer_ = nullptr;

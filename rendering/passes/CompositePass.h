@@ -5,6 +5,7 @@
 
 #include "rendering/gl/ShaderProgram.h"
 #include "rendering/gl/Texture.h"
+#include "rendering/passes/GpuScene.h"
 #include "rendering/scene/Scene.h"
 
 namespace fenestra {
@@ -18,6 +19,7 @@ class CompositePass {
     const gl::Texture* distances = nullptr;
     const gl::Texture* contextLayer = nullptr;  ///< with silhouette
     const gl::Texture* silhouette = nullptr;
+    const GpuScene* gpu = nullptr;         ///< with contextLayer, for the context's own colours
     const gl::Texture* editMap = nullptr;  ///< strokes that fade or strengthen the context layer
     glm::dvec2 widths{0.0};                ///< w_open, w_border in rendered pixels
     double curvatureScale = 1.0;           ///< mm, the scale of the derivatives

@@ -74,7 +74,7 @@ struct ContextLayerKey {
 };
 struct CompositeKey {
   std::uint64_t focusLayer;
-  std::optional<std::uint64_t> distance, contextLayer;
+  std::optional<std::uint64_t> distance, contextLayer, ownColours;
   glm::dvec2 widths;
   glm::dvec3 borderColour;
   ContextLayer look;
@@ -314,6 +314,7 @@ void Renderer::render(const Scene& scene, const View& view) {
   const CompositeKey compositeKey{s.focus.version(),
                                   cutaway ? std::optional(s.distance.version()) : std::nullopt,
                                   contextLayer ? std::optional(s.context.version()) : std::nullopt,
+                                  contextLayer ? std::optional(version.transfer) : std::nullopt,
                                   s.widths,
                                   scene.cutaway.borderColour,
                                   scene.contextLayer};
@@ -328,7 +329,7 @@ void Renderer::render(const Scene& scene, const View& view) {
     if (contextLayer) {
       inputs.contextLayer = &s.contextLayer;
       inputs.silhouette = &s.silhouette;
-      inputs.curvatureScale = gpu.derivative().spacing;
+      inputs.gpu = &gpu;
       if (s.editMap) inputs.editMap = &s.editMap;
     }
     // Filtered when presented: a draft is smaller than the rectangle it fills.

@@ -1,13 +1,13 @@
 #pragma once
-// The opening around the focus, and the context's edges drawn over it.
+// The opening around the focus and its border.
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QToolButton>
 #include <QWidget>
 
 namespace fenestra::viewer {
 
+class ColourButton;
 class Document;
 class SliderSpin;
 
@@ -20,17 +20,15 @@ class CutawayPanel : public QWidget {
   SliderSpin* openWidth() const { return openWidth_; }
   SliderSpin* borderWidth() const { return borderWidth_; }
   QComboBox* unit() const { return unit_; }
-  SliderSpin* contextLayer() const { return contextLayer_; }
 
  private:
   void show();
-  void chooseColour();
 
   Document& document_;
   QCheckBox* enabled_;
-  SliderSpin *openWidth_, *borderWidth_, *contextLayer_;
+  SliderSpin *openWidth_, *borderWidth_;
   QComboBox* unit_;
-  QToolButton* colour_;
+  ColourButton* colour_;
 };
 
 }  // namespace fenestra::viewer
