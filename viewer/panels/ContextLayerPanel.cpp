@@ -29,6 +29,12 @@ ContextLayerPanel::ContextLayerPanel(Document& document, QWidget* parent)
       &ContextLayer::curvatureWeight);
   add(tr("Silhouette"), tr("How much it counts that the surface is seen edge-on"), 2.0,
       &ContextLayer::silhouetteWeight);
+  add(tr("Illumination"), tr("How much the edges are lit as their surface is; 0 draws them flat"), 1.0,
+      &ContextLayer::illuminationWeight);
+  add(tr("Value"), tr("How much of the context's own colour the edges take"), 1.0, &ContextLayer::valueWeight);
+  add(tr("Illumination"), tr("How much the edges are lit as their surface is; 0 draws them flat"), 1.0,
+      &ContextLayer::illuminationWeight);
+  add(tr("Value"), tr("How much of the context's own colour the edges take"), 1.0, &ContextLayer::valueWeight);
   form->addRow(tr("Colour"), colour_);
   connect(colour_, &ColourButton::edited, this, [this](glm::dvec3 colour) {
     ContextLayer layer = document_.scene().contextLayer;

@@ -16,6 +16,7 @@ class CutawayPanel : public QWidget {
  public:
   explicit CutawayPanel(Document& document, QWidget* parent = nullptr);
 
+  QComboBox* look() const { return look_; }
   QCheckBox* enabledBox() const { return enabled_; }
   SliderSpin* openWidth() const { return openWidth_; }
   SliderSpin* borderWidth() const { return borderWidth_; }
@@ -27,7 +28,7 @@ class CutawayPanel : public QWidget {
   Document& document_;
   QCheckBox* enabled_;
   SliderSpin *openWidth_, *borderWidth_;
-  QComboBox* unit_;
+  QComboBox *look_, *unit_;
   ColourButton* colour_;
 };
 
