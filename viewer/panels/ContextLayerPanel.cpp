@@ -9,8 +9,9 @@
 namespace fenestra::viewer {
 
 ContextLayerPanel::ContextLayerPanel(Document& document, QWidget* parent)
-    : QWidget(parent), document_(document), colour_(new ColourButton(tr("Colour of the context's edges"))) {
-  auto* form = new QFormLayout(this);
+    : ScrollingPanel(parent), document_(document), colour_(new ColourButton(tr("Colour of the context's edges"))) {
+  auto* body = new QWidget;
+  auto* form = new QFormLayout(body);
   const auto add = [&](const QString& name, const QString& meaning, double most, double ContextLayer::*value) {
     auto* slider = new SliderSpin(0.0, most, 0.05);
     slider->setToolTip(meaning);
@@ -36,6 +37,7 @@ ContextLayerPanel::ContextLayerPanel(Document& document, QWidget* parent)
       &ContextLayer::illuminationWeight);
   add(tr("Value"), tr("How much of the context's own colour the edges take"), 1.0, &ContextLayer::valueWeight);
   form->addRow(tr("Colour"), colour_);
+  setBody(body);
   connect(colour_, &ColourButton::edited, this, [this](glm::dvec3 colour) {
     ContextLayer layer = document_.scene().contextLayer;
     layer.colour = colour;

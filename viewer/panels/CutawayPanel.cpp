@@ -26,7 +26,7 @@ int lookOf(const Edits& edits) {
 }  // namespace
 
 CutawayPanel::CutawayPanel(Document& document, QWidget* parent)
-    : QWidget(parent),
+    : ScrollingPanel(parent),
       document_(document),
       enabled_(new QCheckBox(tr("Open the context around the focus"))),
       openWidth_(new SliderSpin(0.0, 120.0, 1.0)),
@@ -44,13 +44,15 @@ CutawayPanel::CutawayPanel(Document& document, QWidget* parent)
   openWidth_->setToolTip(tr("w_open: how far the opening reaches beyond the focus"));
   borderWidth_->setToolTip(tr("w_border: width of the line around the opening"));
 
-  auto* form = new QFormLayout(this);
+  auto* body = new QWidget;
+  auto* form = new QFormLayout(body);
   form->addRow(enabled_);
   form->addRow(tr("Look"), look_);
   form->addRow(tr("Opening"), openWidth_);
   form->addRow(tr("Border"), borderWidth_);
   form->addRow(tr("Unit"), unit_);
   form->addRow(tr("Border colour"), colour_);
+  setBody(body);
 
   const auto edit = [this](const QString& step, auto change) {
     Cutaway cutaway = document_.scene().cutaway;

@@ -3,7 +3,8 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QWidget>
+
+#include "viewer/panels/ScrollingPanel.h"
 
 namespace fenestra::viewer {
 
@@ -11,7 +12,7 @@ class ColourButton;
 class Document;
 class SliderSpin;
 
-class CutawayPanel : public QWidget {
+class CutawayPanel : public ScrollingPanel {
   Q_OBJECT
  public:
   explicit CutawayPanel(Document& document, QWidget* parent = nullptr);
