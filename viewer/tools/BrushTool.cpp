@@ -44,8 +44,8 @@ bool BrushTool::press(const QMouseEvent& event) {
 }
 
 bool BrushTool::move(const QMouseEvent& event) {
-  if (!brush_.isActive() && !isPainting()) return false;
   mouse_ = event.position();
+  if (!brush_.isActive() && !isPainting()) return false;
   if (deepening_) {
     brush_.scaleDepth(std::exp(dragRate * (deepening_->y() - mouse_->y())));
     deepening_ = mouse_;
