@@ -160,13 +160,13 @@ void setView(const SceneOptions& options, LoadedScene& loaded) {
   View& view = loaded.view;
   view.size = {960, 720};
   view.quality = options.quality;
+  view.maxError = options.maxError;
   std::optional<CameraChoice> choice = options.camera;
   const auto* saved =
       loaded.session ? &loaded.session->views[static_cast<std::size_t>(options.viewOfSession)] : nullptr;
   if (saved) {
     view.size = saved->size;
     view.pixelScale = saved->pixelScale;
-    view.maxError = loaded.session->maxError;
   } else if (!choice) {
     const bool plainPhantom = !options.phantom.empty() && options.focusLabels.empty() && !options.focusRange;
     choice = plainPhantom ? phantomView(options.phantom).camera : StandardView::Anterior;
@@ -322,6 +322,8 @@ void addSceneOptions(CLI::App& command, SceneOptions& options, std::function<voi
   });
 
   constexpr double widest = 1e5;
+  // Below it, rounding of the voxels' float32 sums shows first.
+  constexpr double leastMaxError = 0.05;
   addSwitch(command, "--cutaway", "open the view to the focus, default on", options.cutaway.enabled);
   // Before what it sets, so that a look and then a width is that look with that width.
   std::string looks;
@@ -357,8 +359,15 @@ void addSceneOptions(CLI::App& command, SceneOptions& options, std::function<voi
   addColour(command, "--border-colour", "of the line around the cut", options.cutaway.borderColour);
   addSwitch(command, "--shading", "light by the gradient, default on", options.shading.enabled);
   addChoice<Quality>(command, "--quality", "default normal",
-                     {{"draft", Quality::Draft}, {"normal", Quality::Normal}, {"high", Quality::High}},
-                     options.quality);
+                     {{"draft", Quality::Draft}, {"normal", Quality::Normal}, {"high", Quality::High}}, options.quality)
+      ->each([&options](const std::string&) { options.maxError.reset(); });  // a session's
+  addParsed(command, "--max-error", "E", "greatest error of a colour that sampling may leave, in 1/255, from 0.05 up",
+            [&options](const std::string& text) {
+              const auto error = parseNumbers<double, 1>(text, ',');
+              if (!error || (*error)[0] < leastMaxError || (*error)[0] > 255.0) return false;
+              options.maxError = (*error)[0];
+              return true;
+            });
   addColour(command, "--background", "default 0,0,0", options.background);
   command.option_defaults()->group("Options");
 }

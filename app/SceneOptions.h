@@ -59,6 +59,7 @@ struct SceneOptions : VolumeOptions {
   ContextLayer contextLayer;
   Shading shading;
   Quality quality = Quality::Normal;
+  std::optional<double> maxError;  ///< in 1/255; see View
   glm::dvec3 background = Scene{}.background;
   int viewOfSession = 0;  ///< whose camera and picture size are taken from a session: 0 is C1, 1 is C2
 };

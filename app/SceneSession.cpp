@@ -10,6 +10,7 @@ void useAsDefaults(const io::Session& session, SceneOptions& options) {
   options.contextLayer = session.contextLayer;
   options.shading = session.shading;
   options.quality = session.quality;
+  options.maxError = session.maxError;
   options.background = session.background;
 }
 

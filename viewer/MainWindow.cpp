@@ -231,7 +231,7 @@ void MainWindow::makeDocks() {
   cutaway->raise();
   // The list of structures takes the height that is left.
   for (QWidget* panel : std::initializer_list<QWidget*>{appearancePanel_, cutawayPanel_, contextLayerPanel_})
-    panel->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    panel->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
   resizeDocks({focus}, {310}, Qt::Horizontal);
 }
 

@@ -8,15 +8,25 @@
 
 namespace fenestra {
 
+namespace {
+
+/// What is left behind this much does not show: half a step of 8 bits, or a quarter of the bound.
+double leastTransmittance(const FocusLayerPass::Sampling& sampling) {
+  return sampling.maxError ? *sampling.maxError / 4.0 : 1.0 / 512.0;
+}
+
+}  // namespace
+
 void FocusLayerPass::run(const GpuScene& gpu, const Scene& scene, const RayFrame& rays,
-                         const std::optional<Opening>& opening, double step, std::span<const gl::Region> regions,
-                         gl::Texture& focusLayer) {
+                         const std::optional<Opening>& opening, const Sampling& sampling,
+                         std::span<const gl::Region> regions, gl::Texture& focusLayer) {
   const bool shading = scene.shading.enabled;
   const bool palette = static_cast<bool>(gpu.focusPaletteIndex());
   gl::ShaderProgram& program = programs_.get({focusDefine(gpu),
                                               {"SHADING", shading},
                                               {"FOCUS_PALETTE", palette},
                                               {"HAS_RAY_START", opening.has_value()},
+                                              {"CELL_BY_CELL", sampling.maxError.has_value()},
                                               {"TABLE_SIZE", GpuScene::tableSize}});
   rays.setUniforms(program);
   bindVolume(gpu, program);
@@ -24,8 +34,11 @@ void FocusLayerPass::run(const GpuScene& gpu, const Scene& scene, const RayFrame
   unsigned unit = firstFreeUnit;
   bindTexture(program, "occupiedSkip", unit++, gpu.occupiedSkip());
   bindTexture(program, "transferTable", unit++, gpu.transferTable());
+  bindTexture(program, "transferIntegral", unit++, gpu.transferIntegral());
   program.set("transferMap", gpu.transferMap());
-  program.set("stepLength", static_cast<float>(step));
+  program.set("stepLength", static_cast<float>(sampling.step));
+  program.set("leastTransmittance", static_cast<float>(leastTransmittance(sampling)));
+  if (sampling.maxError) program.set("maxError", static_cast<float>(*sampling.maxError));
   if (opening) {
     bindTexture(program, "rayStart", unit++, opening->rayStart);
     bindTexture(program, "hitPoints", unit++, opening->hitPoints);

@@ -18,11 +18,16 @@ class FocusLayerPass {
     const gl::Texture& hitPoints;
     const gl::Texture& rayStart;
   };
+  struct Sampling {
+    double step = 1.0;               ///< mm between samples, where no bound is set
+    std::optional<double> maxError;  ///< of a pixel's colour, 0..1: the integral is then found cell by cell
+    bool operator==(const Sampling&) const = default;
+  };
   /// A pixel's result depends on the ray starts this many pixels around it: a cut face's normal takes its neighbours'.
   static constexpr int reach = 1;
-  /// Writes premultiplied RGBA32F. Without an opening rays start where they enter the volume. `step` in mm.
+  /// Writes premultiplied RGBA32F. Without an opening rays start where they enter the volume.
   void run(const GpuScene& gpu, const Scene& scene, const RayFrame& rays, const std::optional<Opening>& opening,
-           double step, std::span<const gl::Region> regions, gl::Texture& focusLayer);
+           const Sampling& sampling, std::span<const gl::Region> regions, gl::Texture& focusLayer);
 
  private:
   gl::ShaderVariants programs_{"FocusLayer.comp"};

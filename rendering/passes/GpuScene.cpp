@@ -13,6 +13,36 @@ namespace {
 /// Opacity of 1 mm above which the context counts as there (method: ε).
 constexpr double contextThreshold = 1.0 / 255.0;
 
+/// Emission (colour · extinction) and extinction at each entry, and their integrals from the first entry on.
+struct TransferTables {
+  std::vector<glm::vec4> properties, integrals;
+};
+
+TransferTables transferTables(const TransferFunction& function, ValueRange span, int size) {
+  const auto emission = [](const OpticalProperties& p) { return glm::dvec4(p.colour * p.extinction, p.extinction); };
+  const double perEntry = (span.high - span.low) / (size - 1);
+  const auto at = [&](double value) { return emission(function.evaluate(value)); };
+  TransferTables tables;
+  glm::dvec4 integral(0.0);
+  auto node = function.nodes.begin();
+  for (int i = 0; i < size; ++i) {
+    const double here = span.low + perEntry * i, next = span.low + perEntry * (i + 1);
+    tables.properties.emplace_back(at(here));
+    tables.integrals.emplace_back(integral);
+    // Between nodes emission is a quadratic function of the value, so Simpson's rule is exact. Points a hair inside
+    // tell the two sides of a step.
+    double low = here;
+    while (low < next) {
+      while (node != function.nodes.end() && node->value <= low) ++node;
+      const double high = node == function.nodes.end() ? next : std::min(next, node->value);
+      const double hair = 1e-9 * (high - low);
+      integral += (at(low + hair) + 4.0 * at(0.5 * (low + high)) + at(high - hair)) * ((high - low) / (6.0 * perEntry));
+      low = high;
+    }
+  }
+  return tables;
+}
+
 gl::Texture skipTexture(glm::ivec3 bricks, const std::vector<std::uint8_t>& occupied) {
   gl::Texture texture = gl::Texture::make3D(gl::Format::R8UI, bricks);
   texture.upload(std::span<const std::uint8_t>(chebyshevDistance(bricks, occupied)));
@@ -257,17 +287,15 @@ void GpuScene::updateTransfer(const Scene& scene) {
   ValueRange span =
       context_.nodes.empty() ? volume_->range : ValueRange{context_.nodes.front().value, context_.nodes.back().value};
   if (!(span.high > span.low)) span = {span.low - 0.5, span.low + 0.5};
-  std::vector<glm::vec4> table(tableSize);
-  for (int i = 0; i < tableSize; ++i) {
-    const OpticalProperties p = context_.evaluate(span.low + (span.high - span.low) * i / (tableSize - 1));
-    table[static_cast<std::size_t>(i)] = glm::vec4(glm::vec3(p.colour), static_cast<float>(p.extinction));
-  }
-  if (!transferTable_) transferTable_ = gl::Texture::make2D(gl::Format::RGBA32F, {tableSize, 1});
-  transferTable_.upload(std::span<const glm::vec4>(table));
+  const TransferTables tables = transferTables(context_, span, tableSize);
+  for (gl::Texture* texture : {&transferTable_, &transferIntegral_})
+    if (!*texture) *texture = gl::Texture::make2D(gl::Format::RGBA32F, {tableSize, 1});
+  transferTable_.upload(std::span<const glm::vec4>(tables.properties));
+  transferIntegral_.upload(std::span<const glm::vec4>(tables.integrals));
   const double perReal = (tableSize - 1) / (span.high - span.low);
   transferMap_ = glm::vec2(volumeTexture_.slope * perReal, (volumeTexture_.offset - span.low) * perReal);
 
-  // The table is read to the nearest entry: a brick within one entry of something visible may show it.
+  // The tables are read to the nearest entry: a brick within one entry of something visible may show it.
   const double slack = 1.0 / perReal;
   std::vector<std::uint8_t> occupied(bricks_.ranges.size());
   for (std::size_t i = 0; i < occupied.size(); ++i) {
@@ -295,7 +323,7 @@ std::vector<GpuScene::Resource> GpuScene::resources() const {
   add("volume", of(volumeTexture_.texture));
   add("gradient", of(gradient_));
   add("derivative volume", of(derivative_.texture));
-  add("transfer table", of(transferTable_));
+  add("transfer tables", of(transferTable_) + of(transferIntegral_));
   add("empty-space skipping", of(contextSkip_) + of(occupiedSkip_) + of(focusSkip_));
   add("focus index", of(focusBricks_) + focusCells_.bytes());
   add("focus palette", of(focusPaletteIndex_) + of(focusPalette_));

@@ -64,7 +64,7 @@ struct FocusLayerKey {
   Shading shading;
   Camera camera;
   glm::ivec2 size;
-  double step;
+  FocusLayerPass::Sampling sampling;
   bool operator==(const FocusLayerKey&) const = default;
 };
 struct ContextLayerKey {
@@ -89,16 +89,11 @@ gl::Texture& sized(gl::Texture& texture, gl::Format format, glm::ivec2 size, gl:
   return texture;
 }
 
-double samplesPerVoxel(Quality quality) {
-  switch (quality) {
-    case Quality::Draft:
-      return 1.0;
-    case Quality::Normal:
-      return 2.0;
-    case Quality::High:
-      break;
-  }
-  return 4.0;
+FocusLayerPass::Sampling samplingOf(const View& view, const Grid& grid) {
+  const double finest = std::min({grid.spacing.x, grid.spacing.y, grid.spacing.z});
+  if (view.maxError) return {finest, *view.maxError / 255.0};
+  if (view.quality == Quality::High) return {finest, highQualityError / 255.0};
+  return {view.quality == Quality::Draft ? finest : 0.5 * finest, std::nullopt};
 }
 
 /// Distance maps reach this far (rendered pixels) or the next power of two beyond what the widths need: a slider that
@@ -279,8 +274,7 @@ void Renderer::render(const Scene& scene, const View& view) {
     s.start.forget();
   }
 
-  const glm::dvec3 spacing = grid.spacing;
-  const double step = std::min({spacing.x, spacing.y, spacing.z}) / samplesPerVoxel(view.quality);
+  const FocusLayerPass::Sampling sampling = samplingOf(view, grid);
   const FocusLayerKey focusKey{cutaway ? std::optional(s.start.version()) : std::nullopt,
                                version.volume,
                                version.focus,
@@ -291,11 +285,12 @@ void Renderer::render(const Scene& scene, const View& view) {
                                scene.shading,
                                view.camera,
                                view.size,
-                               step};
+                               sampling};
   s.runIfStale(Pass::FocusLayer, s.focus, focusKey, changed, [&](Regions regions) {
     std::optional<FocusLayerPass::Opening> opening;
     if (cutaway) opening.emplace(FocusLayerPass::Opening{s.hitPoints, s.rayStart});
-    s.focusLayerPass.run(gpu, scene, rays, opening, step, regions, sized(s.focusLayer, gl::Format::RGBA32F, view.size));
+    s.focusLayerPass.run(gpu, scene, rays, opening, sampling, regions,
+                         sized(s.focusLayer, gl::Format::RGBA32F, view.size));
   });
 
   if (contextLayer) {
@@ -427,7 +422,13 @@ std::optional<BrushPoint> Renderer::pickBrush(glm::dvec2 pixel, BrushMode mode, 
   State& s = *state_;
   const glm::ivec2 at(glm::floor(pixel));
   if (!s.shows(at)) return std::nullopt;
-  const float position = mode == BrushMode::Open ? s.startAt(at) : s.hitAt(at).x;
+  const float context = s.hitAt(at).x;
+  float position = context;
+  if (mode == BrushMode::Open) {
+    position = s.startAt(at);
+    if (s.editMap && isSomething(position))
+      position = std::max(context, position - std::max(0.0f, s.editMap.readTexel(at).x));
+  }
   const RayFrame& rays = *s.rays;
   BrushPoint point;
   if (isSomething(position)) {

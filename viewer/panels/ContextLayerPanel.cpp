@@ -9,8 +9,9 @@
 namespace fenestra::viewer {
 
 ContextLayerPanel::ContextLayerPanel(Document& document, QWidget* parent)
-    : QWidget(parent), document_(document), colour_(new ColourButton(tr("Colour of the context's edges"))) {
-  auto* form = new QFormLayout(this);
+    : ScrollingPanel(parent), document_(document), colour_(new ColourButton(tr("Colour of the context's edges"))) {
+  auto* body = new QWidget;
+  auto* form = new QFormLayout(body);
   const auto add = [&](const QString& name, const QString& meaning, double most, double ContextLayer::*value) {
     auto* slider = new SliderSpin(0.0, most, 0.05);
     slider->setToolTip(meaning);
@@ -29,7 +30,14 @@ ContextLayerPanel::ContextLayerPanel(Document& document, QWidget* parent)
       &ContextLayer::curvatureWeight);
   add(tr("Silhouette"), tr("How much it counts that the surface is seen edge-on"), 2.0,
       &ContextLayer::silhouetteWeight);
+  add(tr("Illumination"), tr("How much the edges are lit as their surface is; 0 draws them flat"), 1.0,
+      &ContextLayer::illuminationWeight);
+  add(tr("Value"), tr("How much of the context's own colour the edges take"), 1.0, &ContextLayer::valueWeight);
+  add(tr("Illumination"), tr("How much the edges are lit as their surface is; 0 draws them flat"), 1.0,
+      &ContextLayer::illuminationWeight);
+  add(tr("Value"), tr("How much of the context's own colour the edges take"), 1.0, &ContextLayer::valueWeight);
   form->addRow(tr("Colour"), colour_);
+  setBody(body);
   connect(colour_, &ColourButton::edited, this, [this](glm::dvec3 colour) {
     ContextLayer layer = document_.scene().contextLayer;
     layer.colour = colour;

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include <QWidget>
+#include "viewer/panels/ScrollingPanel.h"
 
 namespace fenestra {
 struct ContextLayer;
@@ -15,7 +15,7 @@ class ColourButton;
 class Document;
 class SliderSpin;
 
-class ContextLayerPanel : public QWidget {
+class ContextLayerPanel : public ScrollingPanel {
   Q_OBJECT
  public:
   explicit ContextLayerPanel(Document& document, QWidget* parent = nullptr);

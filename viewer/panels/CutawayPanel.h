@@ -3,7 +3,8 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QWidget>
+
+#include "viewer/panels/ScrollingPanel.h"
 
 namespace fenestra::viewer {
 
@@ -11,11 +12,12 @@ class ColourButton;
 class Document;
 class SliderSpin;
 
-class CutawayPanel : public QWidget {
+class CutawayPanel : public ScrollingPanel {
   Q_OBJECT
  public:
   explicit CutawayPanel(Document& document, QWidget* parent = nullptr);
 
+  QComboBox* look() const { return look_; }
   QCheckBox* enabledBox() const { return enabled_; }
   SliderSpin* openWidth() const { return openWidth_; }
   SliderSpin* borderWidth() const { return borderWidth_; }
@@ -27,7 +29,7 @@ class CutawayPanel : public QWidget {
   Document& document_;
   QCheckBox* enabled_;
   SliderSpin *openWidth_, *borderWidth_;
-  QComboBox* unit_;
+  QComboBox *look_, *unit_;
   ColourButton* colour_;
 };
 

@@ -1,7 +1,5 @@
 #include "viewer/panels/ScrollingPanel.h"
 
-#include <algorithm>
-
 #include <QAbstractSlider>
 #include <QAbstractSpinBox>
 #include <QComboBox>
@@ -23,10 +21,13 @@ void ScrollingPanel::setBody(QWidget* body) {
     }
 }
 
+QSize ScrollingPanel::sizeHint() const { return widget() ? widget()->sizeHint() : QScrollArea::sizeHint(); }
+
 QSize ScrollingPanel::minimumSizeHint() const {
-  const QSize least = QScrollArea::minimumSizeHint();
-  const int width = widget() ? widget()->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width() : 0;
-  return {std::max(least.width(), width), least.height()};
+  if (!widget()) return QScrollArea::minimumSizeHint();
+  constexpr int rows = 3;
+  return {widget()->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width(),
+          rows * fontMetrics().lineSpacing()};
 }
 
 bool ScrollingPanel::eventFilter(QObject* watched, QEvent* event) {

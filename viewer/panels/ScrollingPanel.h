@@ -10,7 +10,8 @@ class ScrollingPanel : public QScrollArea {
  public:
   using QScrollArea::QScrollArea;
 
-  /// As wide as its contents need, and as low as it gets.
+  QSize sizeHint() const override;
+  /// As wide as its contents need, and a few rows high.
   QSize minimumSizeHint() const override;
 
  protected:
