@@ -175,8 +175,13 @@ Stages geometricStages(const Scene& scene, const Camera& camera, glm::ivec2 size
   const Widths widths = widthsInPixels(scene, camera, size, pixelScale);
   stages.tFocusFilled = fill(stages.hits.tFocus, size);
   stages.distance = distanceMap(stages.hits.tFocus, size, widths.open + widths.border);
-  const Image unedited = rayStart(stages.hits, stages.tFocusFilled, stages.distance, widths.open);
-  stages.tStart = edits(scene.strokes, camera, size, stages.hits, unedited).tStart;
+  stages.tStart = rayStart(stages.hits, stages.tFocusFilled, stages.distance, widths.open);
+  if (std::any_of(scene.strokes.begin(), scene.strokes.end(), isEffective)) {
+    Edits made = edits(scene.strokes, camera, size, stages.hits, stages.tStart);
+    stages.tStart = std::move(made.tStart);
+    stages.editOffset = std::move(made.offset);
+    stages.editFactor = std::move(made.factor);
+  }
   return stages;
 }
 

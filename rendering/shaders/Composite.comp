@@ -9,6 +9,9 @@ uniform sampler2D hitPoints;
 uniform sampler2D distances;
 uniform vec2 widths;          // w_open, w_border in rendered pixels
 uniform vec3 borderColour;
+#if EDITED
+uniform sampler2D editMap;
+#endif
 #endif
 #if CONTEXT_LAYER
 uniform sampler2D contextLayer;
@@ -19,9 +22,6 @@ uniform vec2 contextShade;     // weights of illumination and of the context's o
 uniform sampler2D transferTable;  // colour, extinction, one row
 uniform vec2 transferMap;      // table position = stored value · x + y
 uniform float curvatureScale; // mm: length that makes curvature dimensionless, the derivative volume's spacing
-#if EDITED
-uniform sampler2D editMap;
-#endif
 #endif
 
 void main() {
@@ -52,6 +52,9 @@ void main() {
     float distance = texelFetch(distances, pixel, 0).r;
     float border = clamp(min(distance + 0.5, widths.x + widths.y) - max(distance - 0.5, widths.x), 0.0, 1.0);
     if (distance <= 0.0) border = 0.0;
+#if EDITED
+    border *= texelFetch(editMap, pixel, 0).g;
+#endif
     result = mix(result, vec4(borderColour, 1.0), border);
   }
 #endif
