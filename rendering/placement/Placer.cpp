@@ -103,7 +103,7 @@ void Placer::begin(GpuScene& gpu, const Scene& scene, const Sampling& sampling, 
 bool Placer::advance(const GpuScene& gpu, std::size_t count) {
   if (!task_) return true;
   std::vector<Candidate>& candidates = task_->measured.candidates;
-  const int side = task_->key.sampling.side;
+  const int side = CandidateImages::sideFor(gpu, task_->key.sampling.side);
   const auto measureAll = [&](const std::vector<glm::dvec3>& directions) {
     return images_.measure(gpu, directions, task_->surface, side);
   };

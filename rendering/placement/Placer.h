@@ -13,7 +13,7 @@ namespace fenestra::placement {
 struct Sampling {
   int count = 192;        ///< 12·nside²
   bool refined = false;   ///< instead: hierarchically from 48 to the resolution of 12 288
-  int side = CandidateImages::defaultSide;  ///< pixels of a candidate's image
+  int side = CandidateImages::defaultSide;  ///< pixels across the model in a candidate's image, at least
   int surfacePoints = 4096;
   bool operator==(const Sampling&) const = default;
 };

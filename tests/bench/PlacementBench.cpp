@@ -134,9 +134,10 @@ Row measureStructure(const Structure& structure) {
   row.name = structure.name;
 
   CandidateImages images;
+  const int side = CandidateImages::sideFor(gpu);
   const Options options;
   const std::vector<Candidate> converged =
-      images.measure(gpu, ringDirections(*sideOf(convergedCount)), {}, CandidateImages::defaultSide);
+      images.measure(gpu, ringDirections(*sideOf(convergedCount)), {}, side);
   const Candidate& best = converged[bestView(converged, options).value()];
   const Candidate& dual = converged[dualView(converged, best.direction, options).value()];
   const auto deviation = [&](const std::vector<Candidate>& candidates) {
@@ -148,10 +149,10 @@ Row measureStructure(const Structure& structure) {
   };
   for (const int count : counts)
     row.brute.push_back(
-        deviation(images.measure(gpu, ringDirections(*sideOf(count)), {}, CandidateImages::defaultSide)));
+        deviation(images.measure(gpu, ringDirections(*sideOf(count)), {}, side)));
   const Refined refined = refine(
       [&](const std::vector<glm::dvec3>& directions) {
-        return images.measure(gpu, directions, {}, CandidateImages::defaultSide);
+        return images.measure(gpu, directions, {}, side);
       },
       options);
   row.refined =
@@ -168,7 +169,7 @@ Row measureStructure(const Structure& structure) {
   row.refine = timed(measureAnew);
   sampling.refined = false;
   row.measure = timed(measureAnew);
-  row.images = timed([&] { images.measure(gpu, ringDirections(4), {}, CandidateImages::defaultSide); });
+  row.images = timed([&] { images.measure(gpu, ringDirections(4), {}, side); });
   const Measured& measured = placer.measure(gpu, loaded.scene, sampling, options);
   row.choose = timed([&] { choose(measured, options, false); });
   row.chooseJoint = timed([&] { choose(measured, options, true); });
