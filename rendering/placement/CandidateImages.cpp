@@ -37,14 +37,16 @@ struct SurfacePoint {
   glm::vec4 position, facing;
 };
 
-/// Tiles traced in one go: 512 bytes of hits each, and no dispatch so long that a window manager takes the GPU for hung.
+/// Tiles traced in one go: 512 bytes of hits each, and no dispatch so long that a window manager takes the GPU for
+/// hung.
 constexpr std::size_t tilesPerBatch = 1 << 15;
 constexpr int tileSide = 8;
 /// Work groups in a row of a dispatch; the shaders count on it.
 constexpr int groupsPerRow = 1024;
 /// Of a pixel, to find where the outline crosses from one to the next: within 1/32 of it.
 constexpr int outlineHalvings = 4;
-/// Pixels that the focus's box spans at least, from corner to corner, and how much finer an image gets for that at most.
+/// Pixels that the focus's box spans at least, from corner to corner, and how much finer an image gets for that at
+/// most.
 constexpr double leastSpan = 48.0;
 constexpr int mostFiner = 64;
 
@@ -93,8 +95,9 @@ void addTiles(std::vector<Tile>& tiles, unsigned view, const PixelRange& pixels)
   const glm::ivec2 count = (pixels.high - pixels.low) / tileSide + 1;
   for (int row = 0; row < count.y; ++row)
     for (int column = 0; column < count.x; ++column)
-      tiles.push_back({view, pixels.low.x + column * tileSide, pixels.low.y + row * tileSide,
-                       (column + 1 < count.x ? 1u : 0u) | (row + 1 < count.y ? static_cast<unsigned>(count.x) << 1 : 0u)});
+      tiles.push_back(
+          {view, pixels.low.x + column * tileSide, pixels.low.y + row * tileSide,
+           (column + 1 < count.x ? 1u : 0u) | (row + 1 < count.y ? static_cast<unsigned>(count.x) << 1 : 0u)});
 }
 
 /// What the opposite camera measures: the same outline, mirrored.
@@ -113,7 +116,8 @@ ImageSums fromBehind(const ImageSums& front, double depth, const Camera::Axes& a
 int CandidateImages::sideFor(const GpuScene& gpu, int least) {
   if (!gpu.focus().box) return least;
   const Grid& grid = gpu.grid();
-  const glm::dvec3 extent = glm::dmat3(grid.worldFromIndex()) * glm::dvec3(gpu.focus().box->high - gpu.focus().box->low + 1);
+  const glm::dvec3 extent =
+      glm::dmat3(grid.worldFromIndex()) * glm::dvec3(gpu.focus().box->high - gpu.focus().box->low + 1);
   const double pixels = glm::length(extent) * least / (2.0 * grid.boundingRadius());
   return least * std::clamp(static_cast<int>(std::ceil(leastSpan / pixels)), 1, mostFiner);
 }
@@ -215,8 +219,8 @@ void CandidateImages::measureVisibility(const GpuScene& gpu, const FocusSurface&
     for (int axis = 0; axis < 3; ++axis) extent += std::abs(glm::dot(steps[axis], point.normal));
     // facing · (cells per mm along d) = normal · d: the inverse transpose takes a normal along.
     const glm::dvec3 facing = glm::transpose(glm::inverse(cellsFromWorld)) * point.normal;
-    points.push_back({glm::vec4(glm::vec3(point.index + 1.0), static_cast<float>(extent)),
-                      glm::vec4(glm::vec3(facing), 0.0f)});
+    points.push_back(
+        {glm::vec4(glm::vec3(point.index + 1.0), static_cast<float>(extent)), glm::vec4(glm::vec3(facing), 0.0f)});
   }
   std::vector<View> views;
   for (const Candidate& candidate : candidates) views.push_back(viewOf(grid, candidate.direction, false));

@@ -24,8 +24,8 @@ class CandidateImages {
   static int sideFor(const GpuScene& gpu, int least = defaultSide);
 
   /// Sums over the images, one a direction; descriptors filled in but for those of describeTogether(). `surface` may be
-  /// empty; else each candidate's seen points are found. `gpu` is up to date. The same call gives the same answer to the
-  /// bit.
+  /// empty; else each candidate's seen points are found. `gpu` is up to date. The same call gives the same answer to
+  /// the bit.
   std::vector<Candidate> measure(const GpuScene& gpu, const std::vector<glm::dvec3>& directions,
                                  const FocusSurface& surface, int side);
 

@@ -13,9 +13,9 @@ namespace {
 
 /// A cell that the surface passes through.
 struct Element {
-  glm::ivec3 cell{0};        ///< its first corner's index
-  unsigned corners = 0;      ///< bit i: corner i (x fastest) is in the focus
-  double greatestArea = 0.0; ///< mm²: of the surface in it if nothing of that turned back
+  glm::ivec3 cell{0};         ///< its first corner's index
+  unsigned corners = 0;       ///< bit i: corner i (x fastest) is in the focus
+  double greatestArea = 0.0;  ///< mm²: of the surface in it if nothing of that turned back
 };
 
 /// Which corners of cells are in the focus.
@@ -87,8 +87,7 @@ std::vector<Element> elementsOf(const Grid& grid, const FocusIndex& index, const
     for (int y = firstBrick.y; y <= lastBrick.y; ++y)
       for (int x = firstBrick.x; x <= lastBrick.x; ++x)
         if (cornersOf.canCross(index.slots[brickOffset(index.bricks, {x, y, z})])) bricks.emplace_back(x, y, z);
-  std::sort(bricks.begin(), bricks.end(),
-            [](glm::ivec3 a, glm::ivec3 b) { return mortonCode(a) < mortonCode(b); });
+  std::sort(bricks.begin(), bricks.end(), [](glm::ivec3 a, glm::ivec3 b) { return mortonCode(a) < mortonCode(b); });
 
   std::vector<std::vector<Element>> perBrick(bricks.size());
   parallelFor(bricks.size(), 16, [&](std::size_t begin, std::size_t end) {
@@ -179,9 +178,10 @@ FocusSurface sampleSurface(const Scene& scene, const FocusIndex& index, int coun
   constexpr std::size_t proposalsPerPoint = 4;
   const auto wanted = static_cast<std::size_t>(count);
   std::vector<Proposal> proposals;
-  sampleEvenly(std::span<const Element>(elements), greatest, proposalsPerPoint * wanted,
-               [](const Element& element) { return element.greatestArea; },
-               [&](const Element& element) { proposals.push_back({&element}); });
+  sampleEvenly(
+      std::span<const Element>(elements), greatest, proposalsPerPoint * wanted,
+      [](const Element& element) { return element.greatestArea; },
+      [&](const Element& element) { proposals.push_back({&element}); });
   const Normals normalOf(grid, cornersOf);
   const glm::dmat3 worldFromIndexGradient = glm::transpose(glm::dmat3(grid.indexFromWorld()));
   parallelFor(proposals.size(), 256, [&](std::size_t begin, std::size_t end) {
@@ -196,16 +196,16 @@ FocusSurface sampleSurface(const Scene& scene, const FocusIndex& index, int coun
   for (const Proposal& proposal : proposals) shares += proposal.area;
   if (shares <= 0.0) return surface;
   surface.area = greatest * shares / static_cast<double>(proposals.size());
-  sampleEvenly(std::span<const Proposal>(proposals), shares, wanted,
-               [](const Proposal& proposal) { return proposal.area; },
-               [&](const Proposal& proposal) {
-                 const glm::dvec3 gradient = gradientOf(proposal.element->corners);
-                 const double mean = 0.125 * std::popcount(proposal.element->corners);
-                 const glm::dvec3 toLevel = gradient * ((0.5 - mean) / glm::dot(gradient, gradient));
-                 surface.points.push_back({glm::dvec3(proposal.element->cell) + 0.5 +
-                                               glm::clamp(toLevel, glm::dvec3(-0.5), glm::dvec3(0.5)),
-                                           proposal.normal});
-               });
+  sampleEvenly(
+      std::span<const Proposal>(proposals), shares, wanted, [](const Proposal& proposal) { return proposal.area; },
+      [&](const Proposal& proposal) {
+        const glm::dvec3 gradient = gradientOf(proposal.element->corners);
+        const double mean = 0.125 * std::popcount(proposal.element->corners);
+        const glm::dvec3 toLevel = gradient * ((0.5 - mean) / glm::dot(gradient, gradient));
+        surface.points.push_back(
+            {glm::dvec3(proposal.element->cell) + 0.5 + glm::clamp(toLevel, glm::dvec3(-0.5), glm::dvec3(0.5)),
+             proposal.normal});
+      });
   return surface;
 }
 

@@ -11,8 +11,8 @@ namespace fenestra::placement {
 
 /// How candidates are spread.
 struct Sampling {
-  int count = 192;        ///< 12·nside²
-  bool refined = false;   ///< instead: hierarchically from 48 to the resolution of 12 288
+  int count = 192;                          ///< 12·nside²
+  bool refined = false;                     ///< instead: hierarchically from 48 to the resolution of 12 288
   int side = CandidateImages::defaultSide;  ///< pixels across the model in a candidate's image, at least
   int surfacePoints = 4096;
   bool operator==(const Sampling&) const = default;
@@ -21,21 +21,23 @@ struct Sampling {
 /// The cameras chosen among measured candidates; indices into Measured::candidates.
 struct Placement {
   std::optional<std::size_t> c1, c2;
-  double share = 0.0;   ///< of the focus's surface that at least one of the two sees
-  std::string note;     ///< why there is no answer, or none that stands out; empty otherwise
+  double share = 0.0;  ///< of the focus's surface that at least one of the two sees
+  std::string note;    ///< why there is no answer, or none that stands out; empty otherwise
 };
 
 /// The measured candidates of one focus: the spread ones, then the six standard views.
 struct Measured {
   std::vector<Candidate> candidates;
-  std::size_t coarser = 0;        ///< refined: the first ones, which only led the way; choose() takes finest ones, as brute force would
-  std::size_t spread = 0;         ///< how many of them are spread; the standard views serve comparisons and the joint search
+  std::size_t coarser =
+      0;  ///< refined: the first ones, which only led the way; choose() takes finest ones, as brute force would
+  std::size_t spread = 0;  ///< how many of them are spread; the standard views serve comparisons and the joint search
   std::size_t surfacePoints = 0;
-  double surfaceArea = 0.0;       ///< mm²
+  double surfaceArea = 0.0;  ///< mm²
 };
 
-/// The paper's order: the best view, then the best of its region. `joint`: both at once (jointSearch), the standard views
-/// among the candidates. Costs no rendering. A focus that looks the same from everywhere gets the first direction and a note.
+/// The paper's order: the best view, then the best of its region. `joint`: both at once (jointSearch), the standard
+/// views among the candidates. Costs no rendering. A focus that looks the same from everywhere gets the first direction
+/// and a note.
 Placement choose(const Measured& measured, const Options& options, bool joint);
 /// C2 for a C1 anywhere on the sphere.
 Placement chooseDual(const Measured& measured, glm::dvec3 c1, const Options& options);
@@ -48,8 +50,8 @@ class Placer {
   /// The next measure() measures anew.
   void forget() { key_.reset(); }
 
-  /// The same in slices, for a window that must answer in between: begin(), then advance() until it is true, then measured().
-  /// Another begin() drops what was under way; `gpu`'s volume and focus stay as they are meanwhile.
+  /// The same in slices, for a window that must answer in between: begin(), then advance() until it is true, then
+  /// measured(). Another begin() drops what was under way; `gpu`'s volume and focus stay as they are meanwhile.
   void begin(GpuScene& gpu, const Scene& scene, const Sampling& sampling, const Options& options);
   /// Measures up to `count` candidates more (a refinement in one go). True when all are measured.
   bool advance(const GpuScene& gpu, std::size_t count);

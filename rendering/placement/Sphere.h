@@ -12,8 +12,8 @@ namespace fenestra::placement {
 /// nside of N = 12·nside² directions; empty when N is no such number.
 std::optional<int> sideOf(int count);
 
-/// All directions of a resolution in RING order, which exists for every nside ≥ 1. Unit vectors in world space (LPS), from
-/// the model's centre towards the camera; the pole is the patient's superior.
+/// All directions of a resolution in RING order, which exists for every nside ≥ 1. Unit vectors in world space (LPS),
+/// from the model's centre towards the camera; the pole is the patient's superior.
 std::vector<glm::dvec3> ringDirections(int nside);
 
 /// NESTED order exists for nside = 2^k only; the children of pixel p at twice the resolution are 4p … 4p+3.
