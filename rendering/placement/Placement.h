@@ -3,7 +3,6 @@
 // No GL: CandidateImages supplies what is measured.
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,11 +16,11 @@ namespace fenestra::placement {
 /// What a candidate's image of first focus hits holds. The camera looks at the model's centre in parallel projection;
 /// the image spans the model's bounding sphere, so every candidate sees all of the model at one scale.
 struct ImageSums {
-  double count = 0.0;        ///< focus pixels
+  double count = 0.0;        ///< focus pixels, those on its outline by the part that it covers
   double depth = 0.0;        ///< sum of depths, 0 at the near side of the sphere, 1 at the far side
   glm::dvec2 position{0.0};  ///< sum of positions, each -1…1 from left to right and from bottom to top
-  glm::ivec4 box{0, 0, -1,
-                 -1};  ///< first and last column and row (x0, y0, x1, y1), rows from the top; empty when x1 < x0
+  /// Pixels whose middle sees it: x0, y0, x1, y1, rows from the top; empty when x1 < x0.
+  glm::ivec4 box{0, 0, -1, -1};
 };
 
 /// All in [0, 1]; the first three are the paper's.
@@ -96,16 +95,5 @@ struct Pair {
 std::optional<Pair> jointSearch(const std::vector<Candidate>& candidates, std::size_t points, const Options& options);
 /// The best orthogonal pair of the six standard views by share, among candidates that hold them.
 std::optional<Pair> bestStandardPair(const std::vector<Candidate>& candidates, std::size_t points);
-
-/// Measures directions in the order given.
-using Evaluate = std::function<std::vector<Candidate>(const std::vector<glm::dvec3>&)>;
-/// From N = 12·start² (start = 2^k) down to the resolution of 12·finest² by the children of the best pixels, for C1 and
-/// for C2 in C1's region at once, then over neighbouring pixels while that helps. Below 300 directions for the
-/// defaults.
-struct Refined {
-  std::vector<Candidate> candidates;  ///< all that were evaluated, level by level
-  std::size_t coarser = 0;            ///< how many of them, from the first on, are not of the finest resolution
-};
-Refined refine(const Evaluate& evaluate, const Options& options, int start = 2, int finest = 32);
 
 }  // namespace fenestra::placement

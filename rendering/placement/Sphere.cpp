@@ -26,6 +26,12 @@ glm::dvec3 nestedDirection(int nside, long pixel) {
   return direction;
 }
 
+long nestedPixel(int nside, glm::dvec3 direction) {
+  long pixel = 0;
+  vec2pix_nest(nside, &direction.x, &pixel);
+  return pixel;
+}
+
 std::vector<std::optional<std::size_t>> oppositesOf(const std::vector<glm::dvec3>& directions) {
   // A direction on the edge of two roundings may miss its opposite; then each is looked at alone.
   using Key = std::array<long, 3>;

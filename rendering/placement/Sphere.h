@@ -18,6 +18,9 @@ std::vector<glm::dvec3> ringDirections(int nside);
 
 /// NESTED order exists for nside = 2^k only; the children of pixel p at twice the resolution are 4p … 4p+3.
 glm::dvec3 nestedDirection(int nside, long pixel);
+/// NESTED pixel that a direction lies in.
+long nestedPixel(int nside, glm::dvec3 direction);
+
 /// For each direction the index of the opposite one, where it is among them, to 1e-8: pairs, of which no two share one.
 std::vector<std::optional<std::size_t>> oppositesOf(const std::vector<glm::dvec3>& directions);
 

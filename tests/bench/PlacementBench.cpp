@@ -150,14 +150,11 @@ Row measureStructure(const Structure& structure) {
   for (const int count : counts)
     row.brute.push_back(
         deviation(images.measure(gpu, ringDirections(*sideOf(count)), {}, side)));
-  const Refined refined = refine(
-      [&](const std::vector<glm::dvec3>& directions) {
-        return images.measure(gpu, directions, {}, side);
-      },
-      options);
-  row.refined =
-      deviation({refined.candidates.begin() + static_cast<std::ptrdiff_t>(refined.coarser), refined.candidates.end()});
-  row.refinedImages = refined.candidates.size();
+  Refinement refinement(options);
+  while (!refinement.wanted().empty()) refinement.add(images.measure(gpu, refinement.wanted(), {}, side));
+  const std::vector<Candidate> refined = refinement.candidates();
+  row.refined = deviation({refined.begin() + static_cast<std::ptrdiff_t>(refinement.coarser()), refined.end()});
+  row.refinedImages = refined.size();
 
   Placer placer;
   Sampling sampling;
