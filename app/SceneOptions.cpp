@@ -217,6 +217,8 @@ void addSceneOptions(CLI::App& command, SceneOptions& options) {
   });
 
   constexpr double widest = 1e5;
+  // Below it, rounding of the voxels' float32 sums shows first.
+  constexpr double leastMaxError = 0.05;
   addSwitch(command, "--cutaway", "open the view to the focus, default on", options.cutaway.enabled);
   addNumber(command, "--w-open", 0.0, widest, "WIDTH", "how far the cut opens around the focus, default 24",
             options.cutaway.openWidth);
@@ -230,6 +232,13 @@ void addSceneOptions(CLI::App& command, SceneOptions& options) {
   addChoice<Quality>(command, "--quality", "default normal",
                      {{"draft", Quality::Draft}, {"normal", Quality::Normal}, {"high", Quality::High}},
                      options.quality);
+  addParsed(command, "--max-error", "E", "greatest error of a colour that sampling may leave, in 1/255, from 0.05 up",
+            [&options](const std::string& text) {
+              const auto error = parseNumbers<double, 1>(text, ',');
+              if (!error || (*error)[0] < leastMaxError || (*error)[0] > 255.0) return false;
+              options.maxError = (*error)[0];
+              return true;
+            });
   addParsed(command, "--background", "R,G,B", "0..1 each, default 0,0,0", [&options](const std::string& text) {
     const auto colour = parseNumbers<double, 3>(text, ',');
     if (!colour || std::any_of(colour->begin(), colour->end(), [](double c) { return c < 0.0 || c > 1.0; }))
@@ -301,6 +310,7 @@ LoadedScene loadScene(const SceneOptions& options, const io::Progress& progress)
 
   loaded.view.size = {960, 720};
   loaded.view.quality = options.quality;
+  loaded.view.maxError = options.maxError;
   if (const auto* file = std::get_if<fs::path>(&camera)) {
     const CameraFile saved = readCamera(*file);
     loaded.view.camera = saved.camera;

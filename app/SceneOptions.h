@@ -56,6 +56,7 @@ struct SceneOptions : VolumeOptions {
   ContextLayer contextLayer;
   Shading shading;
   Quality quality = Quality::Normal;
+  std::optional<double> maxError;  ///< in 1/255; see View
   glm::dvec3 background = Scene{}.background;
 };
 

@@ -37,7 +37,7 @@ struct RenderOptions {
   app::SceneOptions scene;
   std::filesystem::path output, layers, stats;  ///< empty: not written
   int repeat = 1;                               ///< frames, each from the first pass on
-  bool reference = false;                       ///< the geometric stages on the CPU instead of the picture
+  bool reference = false;                       ///< in double precision on the CPU
 };
 void render(const RenderOptions& options);
 

@@ -15,7 +15,7 @@
 #include "rendering/egl/EglContext.h"
 #include "rendering/passes/GpuScene.h"
 #include "rendering/placement/Placer.h"
-#include "rendering/reference/Reference.h"
+#include "rendering/reference/Picture.h"
 
 namespace fenestra::cli {
 namespace {
@@ -53,18 +53,24 @@ void writeLayers(const fs::path& folder, const Layers& layers, const View& view,
 
 Layers referenceLayers(const Scene& scene, const View& view) {
   const auto single = [](const reference::Image& image) { return std::vector<float>(image.begin(), image.end()); };
+  const auto colours = [](const std::vector<glm::dvec4>& image) {
+    return std::vector<glm::vec4>(image.begin(), image.end());
+  };
+  reference::PictureOptions options;
+  options.pixelScale = view.pixelScale;
+  reference::Stages stages;
+  if (hasCutaway(scene)) stages = reference::geometricStages(scene, view.camera, view.size, view.pixelScale);
+  const reference::Picture picture = reference::picture(scene, view.camera, view.size, stages, options);
   Layers layers;
   layers.size = view.size;
-  const reference::HitPoints hits = reference::hitPoints(scene, view.camera, view.size);
-  layers.tContext = single(hits.tContext);
-  if (!hasCutaway(scene)) return layers;
-  const reference::Widths widths = reference::widthsInPixels(scene, view.camera, view.size, view.pixelScale);
-  const reference::Image filled = reference::fill(hits.tFocus, view.size);
-  const reference::Image distance = reference::distanceMap(hits.tFocus, view.size, widths.open + widths.border);
-  layers.tFocus = single(hits.tFocus);
-  layers.tFocusFilled = single(filled);
-  layers.distance = single(distance);
-  layers.tStart = single(reference::rayStart(hits, filled, distance, widths.open));
+  layers.tContext = single(stages.hits.tContext);
+  layers.tFocus = single(stages.hits.tFocus);
+  layers.tFocusFilled = single(stages.tFocusFilled);
+  layers.distance = single(stages.distance);
+  layers.tStart = single(stages.tStart);
+  layers.focusLayer = colours(picture.focusLayer);
+  layers.contextLayer = colours(picture.contextLayer);
+  layers.final = colours(picture.final);
   return layers;
 }
 
@@ -77,6 +83,17 @@ std::vector<std::uint8_t> overBackground(const std::vector<std::uint8_t>& premul
       const double value = premultiplied[pixel * 4 + channel] + through * background[static_cast<int>(channel)];
       rgb[pixel * 3 + channel] = static_cast<std::uint8_t>(std::lround(std::min(value, 255.0)));
     }
+  }
+  return rgb;
+}
+
+std::vector<std::uint8_t> overBackground(const std::vector<glm::vec4>& premultiplied, glm::dvec3 background) {
+  std::vector<std::uint8_t> rgb;
+  rgb.reserve(premultiplied.size() * 3);
+  for (const glm::vec4& front : premultiplied) {
+    const glm::vec3 colour = glm::vec3(front) + (1.0f - front.a) * glm::vec3(background);
+    for (int channel = 0; channel < 3; ++channel)
+      rgb.push_back(static_cast<std::uint8_t>(std::lround(std::clamp(colour[channel], 0.0f, 1.0f) * 255.0f)));
   }
   return rgb;
 }
@@ -135,7 +152,10 @@ void render(const RenderOptions& options) {
   const auto gpuScene = context ? std::make_shared<GpuScene>() : nullptr;
   if (loaded.placed) view.camera = placedCamera(options.scene.source(), loaded, *gpuScene);
   if (options.reference) {
-    writeLayers(options.layers, referenceLayers(scene, view), view, scene.volume->grid);
+    const Layers layers = referenceLayers(scene, view);
+    if (!options.layers.empty()) writeLayers(options.layers, layers, view, scene.volume->grid);
+    if (!options.output.empty())
+      io::writePng(options.output, view.size, 3, overBackground(layers.final, scene.background));
     return;
   }
 

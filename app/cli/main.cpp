@@ -177,20 +177,23 @@ int main(int argc, char** argv) {
   CLI::Option* output = command->add_option("-o,--output", renderOptions.output, "PNG to write")->type_name("FILE");
   CLI::Option* layers =
       command->add_option("--layers", renderOptions.layers, "folder for every stage, as .mha")->type_name("FOLDER");
-  command->add_option("--stats", renderOptions.stats, "JSON of times and memory to write")
-      ->type_name("FILE")
-      ->needs(output);
-  command->add_option("--repeat", renderOptions.repeat, "frames to draw and time, each from the first pass on")
-      ->check(CLI::Range(1, 10000))
-      ->needs(output);
+  CLI::Option* stats = command->add_option("--stats", renderOptions.stats, "JSON of times and memory to write")
+                           ->type_name("FILE")
+                           ->needs(output);
+  CLI::Option* repeat =
+      command->add_option("--repeat", renderOptions.repeat, "frames to draw and time, each from the first pass on")
+          ->check(CLI::Range(1, 10000))
+          ->needs(output);
   CLI::Option* reference =
       command->add_flag("--reference", renderOptions.reference,
-                        "write the layers of the geometric stages, in double precision on the CPU, and no picture");
-  reference->needs(layers)->excludes(output);
+                        "the picture, its layers or both in double precision on the CPU, without OpenGL; takes minutes "
+                        "where the renderer takes seconds");
+  reference->excludes(stats)->excludes(repeat);
   command->final_callback([=] {
     if (!command->get_option("PATH")->count() && !command->get_option("--phantom")->count())
       throw CLI::RequiredError("PATH or --phantom");
-    if (!output->count() && !reference->count()) throw CLI::RequiredError("--output");
+    const bool referenceLayers = reference->count() && layers->count();
+    if (!output->count() && !referenceLayers) throw CLI::RequiredError("--output");
   });
   commands.push_back({command, &renderOptions.scene, [&] { return render(renderOptions), true; }});
 

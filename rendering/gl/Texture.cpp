@@ -26,8 +26,8 @@ Traits traits(Format format) {
       return {GL_R32F, GL_RED, GL_FLOAT, 4};
     case Format::RG32F:
       return {GL_RG32F, GL_RG, GL_FLOAT, 8};
-    case Format::RGBA8:
-      return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4};
+    case Format::RGB10A2:
+      return {GL_RGB10_A2, GL_RGBA, GL_UNSIGNED_INT_2_10_10_10_REV, 4};
     case Format::RGBA32F:
       return {GL_RGBA32F, GL_RGBA, GL_FLOAT, 16};
     case Format::R8UI:

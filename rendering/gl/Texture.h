@@ -15,8 +15,9 @@ class AllocationError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-enum class Format : std::uint8_t { R8, R16, R32F, RG32F, RGBA8, RGBA32F, R8UI, R16UI, R32UI };
-/// Bytes of one texel, and what upload() and read() exchange per texel: the format's own components, tightly packed.
+enum class Format : std::uint8_t { R8, R16, R32F, RG32F, RGB10A2, RGBA32F, R8UI, R16UI, R32UI };
+/// Bytes of one texel, and what upload() and read() exchange per texel: the format's own components, tightly packed
+/// (RGB10A2: red in the lowest bits of 32).
 std::size_t bytesPerTexel(Format format);
 
 enum class Filter : std::uint8_t { Nearest, Linear };  ///< clamped to the edge in either case

@@ -4,23 +4,28 @@
 #include <cmath>
 
 #include "rendering/passes/SceneBinding.h"
+#include "rendering/scene/Lighting.h"
 
 namespace fenestra {
+
 namespace {
-/// gradientUnit() is a quarter of the range over the finest spacing, and the texture holds the root.
-double gate(double fraction) { return std::sqrt(4.0 * fraction); }
-/// A cut face's own light fades over this many of the finest voxels.
-constexpr double wallDepthVoxels = 2.0;
+
+/// What is left behind this much does not show: half a step of 8 bits, or a quarter of the bound.
+double leastTransmittance(const FocusLayerPass::Sampling& sampling) {
+  return sampling.maxError ? *sampling.maxError / 4.0 : 1.0 / 512.0;
+}
+
 }  // namespace
 
 void FocusLayerPass::run(const GpuScene& gpu, const Scene& scene, const RayFrame& rays,
-                         const std::optional<Opening>& opening, double step, gl::Texture& focusLayer) {
+                         const std::optional<Opening>& opening, const Sampling& sampling, gl::Texture& focusLayer) {
   const bool shading = scene.shading.enabled;
   const bool palette = static_cast<bool>(gpu.focusPaletteIndex());
   gl::ShaderProgram& program = programs_.get({focusDefine(gpu),
                                               {"SHADING", shading},
                                               {"FOCUS_PALETTE", palette},
                                               {"HAS_RAY_START", opening.has_value()},
+                                              {"CELL_BY_CELL", sampling.maxError.has_value()},
                                               {"TABLE_SIZE", GpuScene::tableSize}});
   rays.setUniforms(program);
   bindVolume(gpu, program);
@@ -28,13 +33,18 @@ void FocusLayerPass::run(const GpuScene& gpu, const Scene& scene, const RayFrame
   unsigned unit = firstFreeUnit;
   bindTexture(program, "occupiedSkip", unit++, gpu.occupiedSkip());
   bindTexture(program, "transferTable", unit++, gpu.transferTable());
+  bindTexture(program, "transferIntegral", unit++, gpu.transferIntegral());
   program.set("transferMap", gpu.transferMap());
-  program.set("stepLength", static_cast<float>(step));
+  program.set("stepLength", static_cast<float>(sampling.step));
+  program.set("leastTransmittance", static_cast<float>(leastTransmittance(sampling)));
+  if (sampling.maxError) program.set("maxError", static_cast<float>(*sampling.maxError));
   if (opening) {
     bindTexture(program, "rayStart", unit++, opening->rayStart);
     bindTexture(program, "hitPoints", unit++, opening->hitPoints);
     const glm::dvec3 spacing = gpu.grid().spacing;
-    program.set("wallDepth", static_cast<float>(wallDepthVoxels * std::min({spacing.x, spacing.y, spacing.z})));
+    program.set("wallDepth",
+                static_cast<float>(lighting::wallDepthVoxels * std::min({spacing.x, spacing.y, spacing.z})));
+    program.set("wallShare", static_cast<float>(lighting::wallShare));
   }
   program.set("focusProperties",
               glm::vec4(glm::vec3(gpu.focusColour()), static_cast<float>(scene.focusAppearance.extinction)));
@@ -47,7 +57,8 @@ void FocusLayerPass::run(const GpuScene& gpu, const Scene& scene, const RayFrame
   if (shading) {
     bindTexture(program, "gradientTexture", unit++, gpu.gradient());
     program.set("gradientOrigin", glm::vec3(gpu.gradientOrigin()) + 0.5f);
-    program.set("gradientGate", glm::vec2(gate(gradientGateLow), gate(gradientGateHigh)));
+    program.set("certainLength", static_cast<float>(lighting::certainLength));
+    program.set("meanIncidence", static_cast<float>(lighting::meanIncidence));
     if (gpu.focusSmooth()) {
       bindTexture(program, "focusSmooth", unit++, gpu.focusSmooth());
       // A texel spans half a voxel around its centre, and the cell frame is index + 1.

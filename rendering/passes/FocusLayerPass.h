@@ -17,9 +17,14 @@ class FocusLayerPass {
     const gl::Texture& hitPoints;
     const gl::Texture& rayStart;
   };
-  /// Writes premultiplied RGBA32F. Without an opening rays start where they enter the volume. `step` in mm.
+  struct Sampling {
+    double step = 1.0;               ///< mm between samples, where no bound is set
+    std::optional<double> maxError;  ///< of a pixel's colour, 0..1: the integral is then found cell by cell
+    bool operator==(const Sampling&) const = default;
+  };
+  /// Writes premultiplied RGBA32F. Without an opening rays start where they enter the volume.
   void run(const GpuScene& gpu, const Scene& scene, const RayFrame& rays, const std::optional<Opening>& opening,
-           double step, gl::Texture& focusLayer);
+           const Sampling& sampling, gl::Texture& focusLayer);
 
  private:
   gl::ShaderVariants programs_{"FocusLayer.comp"};

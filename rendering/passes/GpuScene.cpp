@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "rendering/scene/Lighting.h"
 #include "rendering/scene/Parallel.h"
 
 namespace fenestra {
@@ -11,6 +12,36 @@ namespace {
 
 /// Opacity of 1 mm above which the context counts as there (method: ε).
 constexpr double contextThreshold = 1.0 / 255.0;
+
+/// Emission (colour · extinction) and extinction at each entry, and their integrals from the first entry on.
+struct TransferTables {
+  std::vector<glm::vec4> properties, integrals;
+};
+
+TransferTables transferTables(const TransferFunction& function, ValueRange span, int size) {
+  const auto emission = [](const OpticalProperties& p) { return glm::dvec4(p.colour * p.extinction, p.extinction); };
+  const double perEntry = (span.high - span.low) / (size - 1);
+  const auto at = [&](double value) { return emission(function.evaluate(value)); };
+  TransferTables tables;
+  glm::dvec4 integral(0.0);
+  auto node = function.nodes.begin();
+  for (int i = 0; i < size; ++i) {
+    const double here = span.low + perEntry * i, next = span.low + perEntry * (i + 1);
+    tables.properties.emplace_back(at(here));
+    tables.integrals.emplace_back(integral);
+    // Between nodes emission is a quadratic function of the value, so Simpson's rule is exact. Points a hair inside
+    // tell the two sides of a step.
+    double low = here;
+    while (low < next) {
+      while (node != function.nodes.end() && node->value <= low) ++node;
+      const double high = node == function.nodes.end() ? next : std::min(next, node->value);
+      const double hair = 1e-9 * (high - low);
+      integral += (at(low + hair) + 4.0 * at(0.5 * (low + high)) + at(high - hair)) * ((high - low) / (6.0 * perEntry));
+      low = high;
+    }
+  }
+  return tables;
+}
 
 gl::Texture skipTexture(glm::ivec3 bricks, const std::vector<std::uint8_t>& occupied) {
   gl::Texture texture = gl::Texture::make3D(gl::Format::R8UI, bricks);
@@ -77,7 +108,8 @@ void GpuScene::updateVolume(const Scene& scene) {
 void GpuScene::updateGradient() {
   // Lighting asks for gradients where something shows and values vary by more than noise. The least change of value in
   // a brick that can lift a central difference over the gate: it may span two bricks, and has three components.
-  const double leastChange = gradientGateLow * (volume_->range.high - volume_->range.low) / (2.0 * std::sqrt(3.0));
+  const double leastChange =
+      lighting::gradientGateLow * (volume_->range.high - volume_->range.low) / (2.0 * std::sqrt(3.0));
   std::optional<IndexBox> varied, shown;
   for (int z = 0; z < bricks_.dims.z; ++z)
     for (int y = 0; y < bricks_.dims.y; ++y)
@@ -190,9 +222,10 @@ void GpuScene::updateFocusSmooth(const Scene& scene) {
            static_cast<std::size_t>(size.x) *
                (static_cast<std::size_t>(y) + static_cast<std::size_t>(size.y) * static_cast<std::size_t>(z));
   };
-  std::vector<std::uint8_t> wanted(1 << 16, 0);
-  for (const std::uint16_t label : std::get<LabelFocus>(scene.focus).labels) wanted[label] = 255;
-  std::vector<std::uint8_t> field(offset(0, 0, size.z));
+  // Sixteen bits: the steps of eight show as facets in the normals.
+  std::vector<std::uint16_t> wanted(1 << 16, 0);
+  for (const std::uint16_t label : std::get<LabelFocus>(scene.focus).labels) wanted[label] = 65535;
+  std::vector<std::uint16_t> field(offset(0, 0, size.z));
   labels.voxels.visit([&](auto values) {
     if constexpr (std::is_unsigned_v<typename decltype(values)::value_type>)
       for (int z = 0; z < size.z; ++z)
@@ -211,7 +244,7 @@ void GpuScene::updateFocusSmooth(const Scene& scene) {
       std::vector<int> line(static_cast<std::size_t>(length) + 4);
       for (int c = static_cast<int>(begin); c < static_cast<int>(end); ++c)
         for (int b = 0; b < size[lineAxes.y]; ++b) {
-          const auto at = [&](int a) -> std::uint8_t& {
+          const auto at = [&](int a) -> std::uint16_t& {
             glm::ivec3 p;
             p[lineAxes.x] = a;
             p[lineAxes.y] = b;
@@ -222,15 +255,15 @@ void GpuScene::updateFocusSmooth(const Scene& scene) {
             line[static_cast<std::size_t>(a + 2)] = at(std::clamp(a, 0, length - 1));
           for (int a = 0; a < length; ++a) {
             const int* v = line.data() + a;
-            at(a) = static_cast<std::uint8_t>((v[0] + 4 * v[1] + 6 * v[2] + 4 * v[3] + v[4] + 8) / 16);
+            at(a) = static_cast<std::uint16_t>((v[0] + 4 * v[1] + 6 * v[2] + 4 * v[3] + v[4] + 8) / 16);
           }
         }
     });
   };
   for (int pass = 0; pass < 2; ++pass)
     for (int axis = 0; axis < 3; ++axis) filter(axis);
-  focusSmooth_ = gl::Texture::make3D(gl::Format::R8, size, gl::Filter::Linear);
-  focusSmooth_.upload(std::span<const std::uint8_t>(field));
+  focusSmooth_ = gl::Texture::make3D(gl::Format::R16, size, gl::Filter::Linear);
+  focusSmooth_.upload(std::span<const std::uint16_t>(field));
 }
 
 void GpuScene::updateTransfer(const Scene& scene) {
@@ -254,17 +287,15 @@ void GpuScene::updateTransfer(const Scene& scene) {
   ValueRange span =
       context_.nodes.empty() ? volume_->range : ValueRange{context_.nodes.front().value, context_.nodes.back().value};
   if (!(span.high > span.low)) span = {span.low - 0.5, span.low + 0.5};
-  std::vector<glm::vec4> table(tableSize);
-  for (int i = 0; i < tableSize; ++i) {
-    const OpticalProperties p = context_.evaluate(span.low + (span.high - span.low) * i / (tableSize - 1));
-    table[static_cast<std::size_t>(i)] = glm::vec4(glm::vec3(p.colour), static_cast<float>(p.extinction));
-  }
-  if (!transferTable_) transferTable_ = gl::Texture::make2D(gl::Format::RGBA32F, {tableSize, 1});
-  transferTable_.upload(std::span<const glm::vec4>(table));
+  const TransferTables tables = transferTables(context_, span, tableSize);
+  for (gl::Texture* texture : {&transferTable_, &transferIntegral_})
+    if (!*texture) *texture = gl::Texture::make2D(gl::Format::RGBA32F, {tableSize, 1});
+  transferTable_.upload(std::span<const glm::vec4>(tables.properties));
+  transferIntegral_.upload(std::span<const glm::vec4>(tables.integrals));
   const double perReal = (tableSize - 1) / (span.high - span.low);
   transferMap_ = glm::vec2(volumeTexture_.slope * perReal, (volumeTexture_.offset - span.low) * perReal);
 
-  // The table is read to the nearest entry: a brick within one entry of something visible may show it.
+  // The tables are read to the nearest entry: a brick within one entry of something visible may show it.
   const double slack = 1.0 / perReal;
   std::vector<std::uint8_t> occupied(bricks_.ranges.size());
   for (std::size_t i = 0; i < occupied.size(); ++i) {
@@ -292,7 +323,7 @@ std::vector<GpuScene::Resource> GpuScene::resources() const {
   add("volume", of(volumeTexture_.texture));
   add("gradient", of(gradient_));
   add("derivative volume", of(derivative_.texture));
-  add("transfer table", of(transferTable_));
+  add("transfer tables", of(transferTable_) + of(transferIntegral_));
   add("empty-space skipping", of(contextSkip_) + of(occupiedSkip_) + of(focusSkip_));
   add("focus index", of(focusBricks_) + focusCells_.bytes());
   add("focus palette", of(focusPaletteIndex_) + of(focusPalette_));

@@ -43,9 +43,11 @@ class GpuScene {
   /// Transparent gaps of the context in coded values, clipped to float's range: gapCount() vec2.
   const gl::Buffer& gaps() const { return gapBuffer_; }
   int gapCount() const { return static_cast<int>(gaps_.size()); }
-  /// Colour and extinction (1/mm), tableSize entries; table position = coded value · map.x + map.y.
-  static constexpr int tableSize = 4096;
+  /// Emission (colour · extinction) and extinction (1/mm), tableSize entries, and their integrals from the first entry
+  /// on (entries/mm); entry = coded value · map.x + map.y.
+  static constexpr int tableSize = 16384;
   const gl::Texture& transferTable() const { return transferTable_; }
+  const gl::Texture& transferIntegral() const { return transferIntegral_; }
   glm::vec2 transferMap() const { return transferMap_; }
   /// Chebyshev distances in bricks: to anything of the context; to anything at all; to the focus.
   const gl::Texture& contextSkip() const { return contextSkip_; }
@@ -92,7 +94,7 @@ class GpuScene {
 
   std::vector<glm::vec2> gaps_;
   gl::Buffer gapBuffer_;
-  gl::Texture transferTable_;
+  gl::Texture transferTable_, transferIntegral_;
   glm::vec2 transferMap_{0.0f};
   std::vector<std::uint8_t> contextOccupied_;  ///< per brick
   gl::Texture contextSkip_, occupiedSkip_;

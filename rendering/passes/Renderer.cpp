@@ -63,7 +63,7 @@ struct FocusLayerKey {
   Shading shading;
   Camera camera;
   glm::ivec2 size;
-  double step;
+  FocusLayerPass::Sampling sampling;
   bool operator==(const FocusLayerKey&) const = default;
 };
 struct ContextLayerKey {
@@ -86,16 +86,11 @@ gl::Texture& sized(gl::Texture& texture, gl::Format format, glm::ivec2 size, gl:
   return texture;
 }
 
-double samplesPerVoxel(Quality quality) {
-  switch (quality) {
-    case Quality::Draft:
-      return 1.0;
-    case Quality::Normal:
-      return 2.0;
-    case Quality::High:
-      break;
-  }
-  return 4.0;
+FocusLayerPass::Sampling samplingOf(const View& view, const Grid& grid) {
+  const double finest = std::min({grid.spacing.x, grid.spacing.y, grid.spacing.z});
+  if (view.maxError) return {finest, *view.maxError / 255.0};
+  if (view.quality == Quality::High) return {finest, highQualityError / 255.0};
+  return {view.quality == Quality::Draft ? finest : 0.5 * finest, std::nullopt};
 }
 
 /// Distance maps reach this far (rendered pixels) or the next power of two beyond what the widths need: a slider that
@@ -218,8 +213,7 @@ void Renderer::render(const Scene& scene, const View& view) {
     s.start.forget();
   }
 
-  const glm::dvec3 spacing = grid.spacing;
-  const double step = std::min({spacing.x, spacing.y, spacing.z}) / samplesPerVoxel(view.quality);
+  const FocusLayerPass::Sampling sampling = samplingOf(view, grid);
   const FocusLayerKey focusKey{cutaway ? std::optional(s.start.version()) : std::nullopt,
                                version.volume,
                                version.focus,
@@ -230,11 +224,11 @@ void Renderer::render(const Scene& scene, const View& view) {
                                scene.shading,
                                view.camera,
                                view.size,
-                               step};
+                               sampling};
   s.runIfStale(Pass::FocusLayer, s.focus, focusKey, [&] {
     std::optional<FocusLayerPass::Opening> opening;
     if (cutaway) opening.emplace(FocusLayerPass::Opening{s.hitPoints, s.rayStart});
-    s.focusLayerPass.run(gpu, scene, rays, opening, step, sized(s.focusLayer, gl::Format::RGBA32F, view.size));
+    s.focusLayerPass.run(gpu, scene, rays, opening, sampling, sized(s.focusLayer, gl::Format::RGBA32F, view.size));
   });
 
   if (contextLayer) {

@@ -17,8 +17,10 @@ class GpuScene;
 enum class Quality : std::uint8_t {
   Draft,   ///< one sample per finest voxel: while dragging
   Normal,  ///< two
-  High,    ///< four
+  High,    ///< as many as an error of at most highQualityError asks for
 };
+/// In 1/255; see View::maxError.
+inline constexpr double highQualityError = 0.5;
 
 /// One picture to make.
 struct View {

@@ -6,6 +6,7 @@
 
 #include "rendering/gl/Context.h"
 #include "rendering/passes/RenderError.h"
+#include "rendering/scene/Lighting.h"
 #include "rendering/scene/Parallel.h"
 
 namespace fenestra {
@@ -115,21 +116,22 @@ VolumeTexture makeVolumeTexture(const Volume& volume) {
   return result;
 }
 
-double gradientUnit(const Volume& volume) {
-  const glm::dvec3 s = volume.grid.spacing;
-  return std::max(volume.range.high - volume.range.low, 1e-30) / (4.0 * std::min({s.x, s.y, s.z}));
-}
-
 gl::Texture makeGradientTexture(const Volume& volume, glm::ivec3 low, glm::ivec3 high) {
   const glm::ivec3 dims = volume.grid.dims, size = high - low + 1;
-  gl::Texture texture = gl::Texture::make3D(gl::Format::RGBA8, size, gl::Filter::Linear);
+  gl::Texture texture = gl::Texture::make3D(gl::Format::RGB10A2, size, gl::Filter::Linear);
+  const glm::dvec3 spacing = volume.grid.spacing;
+  const double unit =
+      std::max(volume.range.high - volume.range.low, 1e-30) / std::min({spacing.x, spacing.y, spacing.z});
   // World gradient = (index from world)ᵀ · index gradient.
   const glm::mat3 worldFromIndexGradient(glm::transpose(glm::dmat3(volume.grid.indexFromWorld())) * volume.slope /
-                                         gradientUnit(volume));
+                                         unit);
+  constexpr auto gateLow = static_cast<float>(lighting::gradientGateLow);
+  constexpr auto gateHigh = static_cast<float>(lighting::gradientGateHigh);
+  constexpr std::uint32_t flat = 511u | 511u << 10 | 511u << 20;
   volume.voxels.visit([&](auto scalars) {
     using T = typename decltype(scalars)::value_type;
     const Sanitizer<T> sanitize(volume);
-    uploadBySlabs<glm::u8vec4>(texture, planeSize(size), [&](int depth, glm::u8vec4* plane) {
+    uploadBySlabs<std::uint32_t>(texture, planeSize(size), [&](int depth, std::uint32_t* plane) {
       const int z = low.z + depth;
       const int zLow = std::max(z - 1, 0), zHigh = std::min(z + 1, dims.z - 1);
       const float zScale = zHigh > zLow ? 1.0f / static_cast<float>(zHigh - zLow) : 0.0f;
@@ -141,7 +143,7 @@ gl::Texture makeGradientTexture(const Volume& volume, glm::ivec3 low, glm::ivec3
         const T* below = scalars.data() + volume.grid.offset({0, y, zLow});
         const T* front = scalars.data() + volume.grid.offset({0, yLow, z});
         const T* back = scalars.data() + volume.grid.offset({0, yHigh, z});
-        glm::u8vec4* out = plane + static_cast<std::size_t>(y - low.y) * static_cast<std::size_t>(size.x) - low.x;
+        std::uint32_t* out = plane + static_cast<std::size_t>(y - low.y) * static_cast<std::size_t>(size.x) - low.x;
         for (int x = low.x; x <= high.x; ++x) {
           const int xLow = std::max(x - 1, 0), xHigh = std::min(x + 1, dims.x - 1);
           const float xScale = xHigh > xLow ? 1.0f / static_cast<float>(xHigh - xLow) : 0.0f;
@@ -152,14 +154,14 @@ gl::Texture makeGradientTexture(const Volume& volume, glm::ivec3 low, glm::ivec3
                                 difference(above[x], below[x], zScale));
           const glm::vec3 g = worldFromIndexGradient * index;
           const float length2 = glm::dot(g, g);
-          if (!(length2 > 1e-20f)) {
-            out[x] = {128, 128, 128, 0};
+          if (!(length2 > gateLow * gateLow)) {
+            out[x] = flat;
             continue;
           }
-          const float inverse = 1.0f / std::sqrt(length2);
-          const glm::vec3 n = g * (inverse * 127.5f) + 128.0f;  // truncated: rounds to nearest
-          out[x] = {static_cast<std::uint8_t>(n.x), static_cast<std::uint8_t>(n.y), static_cast<std::uint8_t>(n.z),
-                    static_cast<std::uint8_t>(std::min(255.0f, std::sqrt(length2 * inverse) * 255.0f + 0.5f))};
+          const float length = std::sqrt(length2);
+          const glm::vec3 n = g * (glm::smoothstep(gateLow, gateHigh, length) / length * 511.0f) + 511.5f;  // truncated
+          out[x] = static_cast<std::uint32_t>(n.x) | static_cast<std::uint32_t>(n.y) << 10 |
+                   static_cast<std::uint32_t>(n.z) << 20;
         }
       }
     });

@@ -23,16 +23,9 @@ struct VolumeTexture {
 /// the machine's 3-D textures.
 VolumeTexture makeVolumeTexture(const Volume& volume);
 
-/// Gradient magnitudes between which lighting fades in, as fractions of the value range per finest spacing: below the
-/// first a gradient is noise. On CT (range about 4000 HU, 1 mm) these are 8 and 40 HU/mm.
-inline constexpr double gradientGateLow = 0.002, gradientGateHigh = 0.01;
-
-/// World-space gradients for lighting over a box of voxels, RGBA8, linear filter: xyz = ½ + ½ · unit gradient,
-/// w = sqrt(|gradient| / unit) clamped to 1, where unit is gradientUnit(). Central differences, one-sided at the
-/// volume's border. `low` and `high` are the box's first and last voxel.
+/// Gated normals for lighting over a box of voxels (rendering/scene/Lighting.h), RGB10A2, linear filter: a component v
+/// in -1..1 is stored as round(511·v) + 511. `low` and `high` are the box's first and last voxel.
 gl::Texture makeGradientTexture(const Volume& volume, glm::ivec3 low, glm::ivec3 high);
-/// The gradient magnitude (real value per mm) at w = 1: a quarter of the value range over the finest spacing.
-double gradientUnit(const Volume& volume);
 
 /// The volume smoothed and thinned by two along each axis that is finer than twice the finest spacing, for derivatives:
 /// on noisy scans curvature needs a scale of more than a voxel. Binomial filter (1 3 3 1)/8 on thinned axes.

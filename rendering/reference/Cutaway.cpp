@@ -131,11 +131,12 @@ Image distanceMap(const Image& tFocus, glm::ivec2 size, double range) {
     sweep(size.y - 1, -1, -1);
   }
   Image result(tFocus.size(), infinity);
+  const int reach = static_cast<int>(std::min(std::ceil(range), static_cast<double>(size.x)));
   parallelFor(static_cast<std::size_t>(size.y), 1, [&](std::size_t begin, std::size_t end) {
     for (int j = static_cast<int>(begin); j < static_cast<int>(end); ++j)
       for (int i = 0; i < size.x; ++i) {
         double squared = infinity;
-        for (int k = 0; k < size.x; ++k) {
+        for (int k = std::max(i - reach, 0); k <= std::min(i + reach, size.x - 1); ++k) {
           const double across = i - k, along = column[offset(size, k, j)];
           squared = std::min(squared, across * across + along * along);
         }

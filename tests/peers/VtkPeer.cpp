@@ -1,6 +1,6 @@
 #include "tests/peers/VtkPeer.h"
 
-#include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <iostream>
@@ -13,28 +13,31 @@
 #include <vtkImageData.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
+#include <vtkOpenGLFramebufferObject.h>
 #include <vtkOpenGLRenderWindow.h>
+#include <vtkOpenGLState.h>
 #include <vtkPiecewiseFunction.h>
+#include <vtkPixelBufferObject.h>
 #include <vtkPointData.h>
-#include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
-#include <vtkUnsignedCharArray.h>
+#include <vtkTextureObject.h>
+#include <vtkVersion.h>
 #include <vtkVolume.h>
 #include <vtkVolumeProperty.h>
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "app/SceneOptions.h"
 #include "io/ImageWriter.h"
+#include "tests/bench/Subjects.h"
 
 namespace fenestra::peers {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 struct Options {
-  app::SceneOptions scene;
-  std::filesystem::path output;
-  double step = 0.0;  ///< mm; 0: half the least voxel spacing, Quality::Normal's
-  int frames = 5;
+  std::filesystem::path folder;
+  bench::Views views;
 };
 
 int vtkTypeOf(ScalarType type) {
@@ -82,12 +85,12 @@ vtkSmartPointer<vtkMatrix4x4> makePlace(const Grid& grid) {
 }
 
 /// The transfer function over stored values. VTK interpolates opacity where the scene interpolates extinction, so it
-/// gets points close enough for the two to agree.
-vtkSmartPointer<vtkVolumeProperty> makeProperty(const Scene& scene) {
+/// gets points close enough for the two to agree; it sizes its tables by them.
+vtkSmartPointer<vtkVolumeProperty> makeProperty(const Scene& scene, bool lit) {
   const Volume& volume = *scene.volume;
   vtkNew<vtkColorTransferFunction> colour;
   vtkNew<vtkPiecewiseFunction> opacity;
-  constexpr int points = 2048;
+  constexpr int points = 4096;
   for (int i = 0; i < points; ++i) {
     const double value = std::lerp(volume.range.low, volume.range.high, i / (points - 1.0));
     const double stored = (value - volume.intercept) / volume.slope;
@@ -100,7 +103,7 @@ vtkSmartPointer<vtkVolumeProperty> makeProperty(const Scene& scene) {
   property->SetScalarOpacity(opacity);
   property->SetScalarOpacityUnitDistance(1.0);  // opacities are those of 1 mm
   property->SetInterpolationTypeToLinear();
-  property->SetShade(scene.shading.enabled);
+  property->SetShade(lit);
   property->SetAmbient(scene.shading.ambient);
   property->SetDiffuse(scene.shading.diffuse);
   property->SetSpecular(scene.shading.specular);
@@ -114,88 +117,147 @@ void placeCamera(vtkCamera& target, const Camera& camera) {
   const glm::dvec3 up = camera.axes().up;
   target.SetViewUp(up.x, up.y, up.z);
   target.SetViewAngle(camera.verticalFov);
-  target.SetParallelProjection(camera.projection == Projection::Orthographic);
-  target.SetParallelScale(0.5 * camera.orthographicHeight);
 }
 
-/// RGB by rows from the top.
-std::vector<std::uint8_t> readPicture(vtkRenderWindow& window, glm::ivec2 size) {
-  vtkNew<vtkUnsignedCharArray> pixels;
-  window.GetPixelData(0, 0, size.x - 1, size.y - 1, 0, pixels);
-  const std::size_t row = static_cast<std::size_t>(size.x) * 3;
-  std::vector<std::uint8_t> picture(row * static_cast<std::size_t>(size.y));
-  for (std::size_t j = 0; j < static_cast<std::size_t>(size.y); ++j)
-    std::copy_n(pixels->GetPointer(0) + static_cast<std::ptrdiff_t>(j * row), row,
-                picture.end() - static_cast<std::ptrdiff_t>((j + 1) * row));
-  return picture;
-}
+/// One subject in a window of its own, whose picture is kept in single precision: eight bits would add an error of
+/// their own.
+class Stage {
+ public:
+  Stage(const Scene& scene, glm::ivec2 size, bool lit, const MakeMapper& makeMapper)
+      : scene_(scene), size_(size), makeMapper_(makeMapper), image_(makeImage(*scene.volume)) {
+    volume_->SetProperty(makeProperty(scene, lit));
+    volume_->SetUserMatrix(makePlace(scene.volume->grid));
+    renderer_->AddVolume(volume_);
+    renderer_->SetBackground(0.0, 0.0, 0.0);
+    window_->OffScreenRenderingOn();
+    window_->SetMultiSamples(0);
+    window_->SetSize(size.x, size.y);
+    window_->AddRenderer(renderer_);
+    // The window draws into a framebuffer of its own before it shows anything: that one gets a colour image of floats.
+    window_->Render();
+    picture_->SetContext(window_);
+    picture_->Allocate2D(static_cast<unsigned>(size.x), static_cast<unsigned>(size.y), 4, VTK_FLOAT);
+    window_->GetState()->PushFramebufferBindings();
+    window_->GetRenderFramebuffer()->Bind();
+    window_->GetRenderFramebuffer()->AddColorAttachment(0, picture_);
+    window_->GetState()->PopFramebufferBindings();
+  }
+  ~Stage() { picture_->ReleaseGraphicsResources(window_); }
+  Stage(const Stage&) = delete;
+  Stage& operator=(const Stage&) = delete;
 
-void measure(const Options& options, const MakeMapper& makeMapper) {
-  const app::LoadedScene loaded = app::loadScene(options.scene);
-  const Scene& scene = loaded.scene;
-  const glm::dvec3 spacing = scene.volume->grid.spacing;
-  const double step = options.step > 0.0 ? options.step : 0.5 * std::min({spacing.x, spacing.y, spacing.z});
+  /// Of all that follows. The next frame is one to warm up.
+  void setStep(double samplesPerVoxel) {
+    const auto mapper = makeMapper_(bench::stepLength(scene_.volume->grid, samplesPerVoxel));
+    mapper->SetInputData(image_);
+    volume_->SetMapper(mapper);
+  }
 
-  const vtkSmartPointer<vtkVolumeMapper> mapper = makeMapper(step);
-  mapper->SetInputData(makeImage(*scene.volume));
-  vtkNew<vtkVolume> volume;
-  volume->SetMapper(mapper);
-  volume->SetProperty(makeProperty(scene));
-  volume->SetUserMatrix(makePlace(scene.volume->grid));
-  vtkNew<vtkRenderer> renderer;
-  renderer->AddVolume(volume);
-  renderer->SetBackground(scene.background.r, scene.background.g, scene.background.b);
-  placeCamera(*renderer->GetActiveCamera(), loaded.view.camera);
-  renderer->ResetCameraClippingRange();
-  vtkNew<vtkRenderWindow> window;
-  window->OffScreenRenderingOn();
-  window->SetMultiSamples(0);
-  window->SetSize(loaded.view.size.x, loaded.view.size.y);
-  window->AddRenderer(renderer);
-
-  std::vector<std::uint8_t> picture;
-  std::vector<double> frames;
-  for (int frame = 0; frame <= options.frames; ++frame) {
+  /// Milliseconds until the picture is in the graphics memory.
+  double draw(const Camera& camera) {
+    placeCamera(*renderer_->GetActiveCamera(), camera);
+    renderer_->ResetCameraClippingRange();
     const auto start = std::chrono::steady_clock::now();
-    window->Render();
-    picture = readPicture(*window, loaded.view.size);
-    const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
-    // The first one uploads the volume and compiles shaders.
-    if (frame > 0) frames.push_back(elapsed.count());
+    window_->Render();
+    window_->WaitForCompletion();
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   }
-  io::writePng(options.output, loaded.view.size, 3, picture);
 
-  const char* renderedBy = "unknown";
-  if (auto* openGl = vtkOpenGLRenderWindow::SafeDownCast(window)) {
-    openGl->MakeCurrent();
-    renderedBy = openGl->ReportCapabilities();
+  /// RGBA of pixels of the last picture, (i, j) from the top.
+  std::vector<float> read(const std::vector<glm::ivec2>& pixels) {
+    const auto buffer = vtkSmartPointer<vtkPixelBufferObject>::Take(picture_->Download());
+    std::vector<float> values(static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y) * 4);
+    std::array<unsigned, 2> dims{static_cast<unsigned>(size_.x), static_cast<unsigned>(size_.y)};
+    std::array<vtkIdType, 2> strides{0, 0};
+    buffer->Download2D(VTK_FLOAT, values.data(), dims.data(), 4, strides.data());
+    std::vector<float> colours;
+    for (const glm::ivec2 pixel : pixels) {
+      const std::size_t at = static_cast<std::size_t>(size_.y - 1 - pixel.y) * static_cast<std::size_t>(size_.x) +
+                             static_cast<std::size_t>(pixel.x);
+      colours.insert(colours.end(), values.begin() + static_cast<std::ptrdiff_t>(at * 4),
+                     values.begin() + static_cast<std::ptrdiff_t>(at * 4 + 4));
+    }
+    return colours;
   }
-  std::string capabilities = renderedBy;
-  const std::string key = "OpenGL renderer string:  ";
-  const std::size_t at = capabilities.find(key);
-  if (at != std::string::npos)
-    capabilities = capabilities.substr(at + key.size(), capabilities.find('\n', at) - at - key.size());
-  std::sort(frames.begin(), frames.end());
-  const nlohmann::ordered_json result{
-      {"mapper", mapper->GetClassName()},       {"gl", capabilities},       {"step", step}, {"frames", frames.size()},
-      {"median_ms", frames[frames.size() / 2]}, {"min_ms", frames.front()},
-  };
-  std::cout << result.dump(2) << '\n';
+
+  std::string description() {
+    window_->MakeCurrent();
+    const std::string capabilities = window_->ReportCapabilities();
+    const std::string key = "OpenGL renderer string:  ";
+    const std::size_t at = capabilities.find(key);
+    if (at == std::string::npos) return "unknown";
+    return capabilities.substr(at + key.size(), capabilities.find('\n', at) - at - key.size());
+  }
+
+ private:
+  const Scene& scene_;
+  glm::ivec2 size_;
+  const MakeMapper& makeMapper_;
+  vtkSmartPointer<vtkImageData> image_;
+  vtkNew<vtkVolume> volume_;
+  vtkNew<vtkRenderer> renderer_;
+  vtkSmartPointer<vtkOpenGLRenderWindow> window_{
+      vtkOpenGLRenderWindow::SafeDownCast(vtkSmartPointer<vtkRenderWindow>::New())};
+  vtkNew<vtkTextureObject> picture_;
+};
+
+void measure(const Options& options, const std::string& name, const MakeMapper& makeMapper) {
+  const std::filesystem::path folder = options.folder / "peers";
+  std::filesystem::create_directories(folder);
+  const std::vector<glm::ivec2> pixels = bench::sampledPixels(options.views.size, options.views.pixelBlock);
+  Json runs = Json::array();
+  std::string gl;
+  bool first = true;
+  const bench::Subjects subjects = bench::reportSubjects(options.views);
+  for (const bench::Subject& subject : subjects.here) {
+    const Scene scene = bench::plainScene(app::loadScene(subject.options).scene);
+    const std::vector<Camera> cameras = bench::cameraPath(scene, options.views.cameras);
+    for (const bool lit : {false, true}) {
+      Stage stage(scene, options.views.size, lit, makeMapper);
+      std::vector<double> ladder = lit ? bench::litLadder : bench::stepLadder;
+      if (!lit && first) ladder.insert(ladder.end(), bench::limitLadder.begin(), bench::limitLadder.end());
+      for (const double samples : ladder) {
+        Json run{{"subject", subject.id}, {"lit", lit}, {"samplesPerVoxel", samples}};
+        stage.setStep(samples);
+        stage.draw(cameras.back());
+        const std::size_t count = samples > bench::stepLadder.back() ? 1 : cameras.size();
+        for (std::size_t i = 0; i < count; ++i) {
+          run["frames_ms"].push_back(stage.draw(cameras[i]));
+          if (lit) continue;
+          const std::string file = name + "-" + subject.id + "-" + std::to_string(i) + "-" +
+                                   std::to_string(static_cast<int>(samples * 10.0)) + ".mha";
+          io::writeLayer(folder / file, {static_cast<int>(pixels.size()), 1}, 4, stage.read(pixels));
+          run["pictures"].push_back(file);
+        }
+        std::cerr << name << ' ' << run.dump() << '\n';
+        runs.push_back(std::move(run));
+      }
+      gl = stage.description();
+    }
+    first = false;
+  }
+  const bench::Views& views = options.views;
+  io::writeText(folder / (name + ".json"), Json{{"program", name + " " + vtkVersion::GetVTKVersion()},
+                                                {"gl", gl},
+                                                {"size", {views.size.x, views.size.y}},
+                                                {"cameras", views.cameras},
+                                                {"pixelBlock", views.pixelBlock},
+                                                {"phantomVoxels", views.phantomVoxels},
+                                                {"runs", runs}}
+                                                   .dump(1) +
+                                               "\n");
 }
 
 }  // namespace
 
-int run(int argc, char** argv, const MakeMapper& makeMapper) {
+int run(int argc, char** argv, const std::string& name, const MakeMapper& makeMapper) {
   Options options;
-  CLI::App program{"Draws a scene's volume with VTK and times it."};
-  app::addSceneOptions(program, options.scene);
-  program.add_option("-o,--output", options.output, "PNG to write")->required();
-  program.add_option("--step", options.step, "mm between samples; half the least voxel spacing otherwise")
-      ->check(CLI::PositiveNumber);
-  program.add_option("--frames", options.frames, "frames to time, after one to warm up")->check(CLI::Range(1, 1000));
+  CLI::App program{"Draws the report's subjects with VTK and times it."};
+  program.add_option("FOLDER", options.folder, "the report's folder")->required();
+  bench::addViewOptions(program, options.views);
   CLI11_PARSE(program, argc, argv);
   try {
-    measure(options, makeMapper);
+    measure(options, name, makeMapper);
     return 0;
   } catch (const std::exception& error) {
     std::cerr << program.get_name() << ": " << error.what() << '\n';

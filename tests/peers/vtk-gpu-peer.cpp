@@ -5,7 +5,7 @@
 #include "tests/peers/VtkPeer.h"
 
 int main(int argc, char** argv) {
-  return fenestra::peers::run(argc, argv, [](double step) -> vtkSmartPointer<vtkVolumeMapper> {
+  return fenestra::peers::run(argc, argv, "vtk-gpu", [](double step) -> vtkSmartPointer<vtkVolumeMapper> {
     const auto mapper = vtkSmartPointer<vtkOpenGLGPUVolumeRayCastMapper>::New();
     mapper->AutoAdjustSampleDistancesOff();
     mapper->SetSampleDistance(static_cast<float>(step));

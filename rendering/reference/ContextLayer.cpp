@@ -1,0 +1,130 @@
+#include "rendering/reference/ContextLayer.h"
+
+#include "rendering/reference/Light.h"
+#include "rendering/scene/Parallel.h"
+
+namespace fenestra::reference {
+namespace {
+
+/// Real values per mm below which a gradient is nothing but rounding.
+constexpr double leastGradient = 1e-6;
+
+double finestSpacing(const Grid& grid) { return std::min({grid.spacing.x, grid.spacing.y, grid.spacing.z}); }
+
+/// Voxels per element of the smoothed volume along each axis.
+glm::ivec3 thinning(const Grid& grid) {
+  glm::ivec3 factor;
+  for (int axis = 0; axis < 3; ++axis)
+    factor[axis] = grid.spacing[axis] < 2.0 * finestSpacing(grid) && grid.dims[axis] >= 8 ? 2 : 1;
+  return factor;
+}
+
+/// A voxel's weights in the reconstruction and in its first and second derivative by the index.
+struct Tap {
+  int voxel;
+  glm::dvec3 weights;
+};
+
+/// Smoothing, thinning and spline in one along an axis of `count` voxels, at the continuous index `at`.
+std::vector<Tap> tapsAlong(double at, int factor, int count) {
+  struct Binomial {
+    int offset;
+    double weight;
+  };
+  static const std::vector<Binomial> thin{{-1, 0.125}, {0, 0.375}, {1, 0.375}, {2, 0.125}}, plain{{0, 1.0}};
+  const std::vector<Binomial>& binomial = factor == 2 ? thin : plain;
+  const int elements = (count + factor - 1) / factor;
+  // Element i is centred on index factor·i + (factor - 1)/2.
+  const double position = (at - 0.5 * (factor - 1)) / factor, base = std::floor(position);
+  std::vector<Tap> taps;
+  for (int k = -1; k <= 2; ++k) {
+    // Cubic B-spline around the element: with d the distance to it, 2/3 - d² + |d|³/2 within 1, (2 - |d|)³/6 within 2.
+    const double d = position - (base + k), a = std::abs(d), side = d < 0.0 ? -1.0 : 1.0, rest = 2.0 - a;
+    const glm::dvec3 spline =
+        a < 1.0 ? glm::dvec3(2.0 / 3.0 - a * a * (1.0 - 0.5 * a), side * a * (1.5 * a - 2.0), 3.0 * a - 2.0)
+                : glm::dvec3(rest * rest * rest / 6.0, -0.5 * side * rest * rest, rest);
+    const glm::dvec3 weights = spline / glm::dvec3(1.0, factor, factor * factor);
+    const int element = std::clamp(static_cast<int>(base) + k, 0, elements - 1);
+    for (const Binomial& b : binomial)
+      taps.push_back({std::clamp(factor * element + b.offset, 0, count - 1), b.weight * weights});
+  }
+  return taps;
+}
+
+/// By the index.
+struct Derivatives {
+  glm::dvec3 gradient{0.0};
+  glm::dmat3 hessian{0.0};
+};
+
+template <class ValueAt>
+Derivatives derivativesAt(const Grid& grid, glm::ivec3 factor, glm::dvec3 index, const ValueAt& valueAt) {
+  const std::vector<Tap> tx = tapsAlong(index.x, factor.x, grid.dims.x), ty = tapsAlong(index.y, factor.y, grid.dims.y),
+                         tz = tapsAlong(index.z, factor.z, grid.dims.z);
+  Derivatives sum;
+  for (const Tap& z : tz)
+    for (const Tap& y : ty) {
+      glm::dvec3 row(0.0);  // the value and its derivatives along x
+      for (const Tap& x : tx) row += valueAt({x.voxel, y.voxel, z.voxel}) * x.weights;
+      const glm::dvec3 &v = y.weights, &w = z.weights;
+      sum.gradient += glm::dvec3(row[1] * v[0] * w[0], row[0] * v[1] * w[0], row[0] * v[0] * w[1]);
+      const double xy = row[1] * v[1] * w[0], xz = row[1] * v[0] * w[1], yz = row[0] * v[1] * w[1];
+      sum.hessian +=
+          glm::dmat3(row[2] * v[0] * w[0], xy, xz, xy, row[0] * v[2] * w[0], yz, xz, yz, row[0] * v[0] * w[2]);
+    }
+  return sum;
+}
+
+/// Curvatures of the level set with gradient g and Hessian H: the eigenvalues, along the tangent plane, of -H/|g| with
+/// the sign for which a ball of high values is convex.
+glm::dvec2 principalCurvatures(glm::dvec3 gradient, const glm::dmat3& hessian) {
+  const double length = glm::length(gradient);
+  const glm::dvec3 n = gradient / length;
+  const glm::dvec3 across = std::abs(n.x) < 0.7 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0);
+  const glm::dvec3 u = glm::normalize(glm::cross(n, across)), v = glm::cross(n, u);
+  const auto along = [&](glm::dvec3 a, glm::dvec3 b) { return -glm::dot(a, hessian * b) / length; };
+  const double uu = along(u, u), uv = along(u, v), vv = along(v, v);
+  const double mean = 0.5 * (uu + vv), spread = std::hypot(0.5 * (uu - vv), uv);
+  return {mean + spread, mean - spread};
+}
+
+}  // namespace
+
+double derivativeSpacing(const Grid& grid) {
+  const glm::dvec3 spacing = grid.spacing * glm::dvec3(thinning(grid));
+  return std::min({spacing.x, spacing.y, spacing.z});
+}
+
+std::vector<std::optional<ContextPoint>> contextLayer(const Scene& scene, const Camera& camera,
+                                                      const std::vector<Ray>& rays, const Image& tContext,
+                                                      const Image& tFocus) {
+  const Grid& grid = scene.volume->grid;
+  const glm::ivec3 factor = thinning(grid);
+  const double margin = 0.5 * finestSpacing(grid);
+  const Light light(camera, scene.shading);
+  const glm::dmat3 indexFromWorld(grid.indexFromWorld()), worldFromGradient = glm::transpose(indexFromWorld);
+  std::vector<std::optional<ContextPoint>> layer(rays.size());
+
+  withValues(*scene.volume, [&](auto valueAt) {
+    parallelFor(rays.size(), 16, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const std::optional<Span> span = clip(rays[i], grid);
+        if (!span || !(tContext[i] > span->tIn + margin) || !(tContext[i] < tFocus[i] - margin)) continue;
+        const Ray local = indexRay(rays[i], grid);
+        const glm::dvec3 index = local.origin + tContext[i] * local.direction;
+        const Derivatives derivatives = derivativesAt(grid, factor, index, valueAt);
+        const glm::dvec3 gradient = worldFromGradient * derivatives.gradient;
+        if (!(glm::length(gradient) > leastGradient)) continue;
+        const glm::dvec2 k = principalCurvatures(gradient, worldFromGradient * derivatives.hessian * indexFromWorld);
+        const glm::dvec3 normal = glm::normalize(gradient);
+        const glm::ivec3 cell(glm::floor(index));
+        layer[i] = ContextPoint{k.x, k.y, light.incident(std::abs(glm::dot(normal, light.direction))),
+                                interpolate(cornersOf(cell, grid.dims, valueAt), index - glm::dvec3(cell)),
+                                1.0 - std::abs(glm::dot(normal, rays[i].direction))};
+      }
+    });
+  });
+  return layer;
+}
+
+}  // namespace fenestra::reference

@@ -1,0 +1,29 @@
+#pragma once
+// Stage 6: the context's first surface, from derivatives of a C² reconstruction (Kindlmann, Whitaker, Tasdizen, Möller,
+// Vis 2003): the cubic B-spline over the volume smoothed by (1 3 3 1)/8 and thinned by two along each axis that is
+// finer than twice the finest spacing and has at least eight voxels.
+
+#include <optional>
+
+#include "rendering/reference/Reference.h"
+
+namespace fenestra::reference {
+
+/// What the context layer has of one pixel.
+struct ContextPoint {
+  double k1 = 0.0, k2 = 0.0;  ///< 1/mm, k1 ≥ k2; positive where the surface bends away from lower values
+  double illumination = 0.0;
+  double value = 0.0;       ///< real
+  double silhouette = 0.0;  ///< 1 - |n·v|
+};
+
+/// One element a ray: at `tContext`, where that is a surface of its own, more than half the finest spacing behind the
+/// box's entry and before `tFocus`, and has a gradient.
+std::vector<std::optional<ContextPoint>> contextLayer(const Scene& scene, const Camera& camera,
+                                                      const std::vector<Ray>& rays, const Image& tContext,
+                                                      const Image& tFocus);
+
+/// mm: the length that makes curvature dimensionless, the finest spacing of what the derivatives are taken of.
+double derivativeSpacing(const Grid& grid);
+
+}  // namespace fenestra::reference

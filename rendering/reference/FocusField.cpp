@@ -1,0 +1,37 @@
+#include "rendering/reference/FocusField.h"
+
+#include "rendering/scene/Parallel.h"
+
+namespace fenestra::reference {
+
+FocusField::FocusField(const Scene& scene) : grid_(scene.volume->grid) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (const auto* focus = std::get_if<LabelFocus>(&scene.focus); focus && scene.labels) {
+    range_ = {0.5, infinity};
+    std::vector<std::uint8_t> isFocus(std::numeric_limits<std::uint16_t>::max() + 1, 0);
+    for (const std::uint16_t label : focus->labels) isFocus[label] = 1;
+    indicator_.resize(grid_.voxelCount());
+    scene.labels->voxels.visit([&](auto labels) {
+      parallelFor(indicator_.size(), 1 << 20, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) indicator_[i] = isFocus[static_cast<std::uint16_t>(labels[i])];
+      });
+    });
+  } else if (const auto* values = std::get_if<ValueFocus>(&scene.focus)) {
+    range_ = values->values;
+    cells_ = focusCells(*scene.volume, *values);
+  }
+}
+
+std::optional<Corners> FocusField::corners(glm::ivec3 cell, const Corners& values) const {
+  if (cells_) return cells_->contains(cell) ? std::optional(values) : std::nullopt;
+  if (!hasLabels()) return {};
+  const Corners corners = cornersOf(cell, grid_.dims, [&](glm::ivec3 index) { return isLabelled(index) ? 1.0 : 0.0; });
+  const bool none = std::all_of(corners.begin(), corners.end(), [](double corner) { return corner == 0.0; });
+  return none ? std::nullopt : std::optional(corners);
+}
+
+bool FocusField::isLabelled(glm::ivec3 index) const {
+  return indicator_[grid_.offset(glm::clamp(index, glm::ivec3(0), grid_.dims - 1))] != 0;
+}
+
+}  // namespace fenestra::reference

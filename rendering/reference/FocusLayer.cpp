@@ -1,0 +1,338 @@
+#include "rendering/reference/FocusLayer.h"
+
+#include <atomic>
+
+#include "rendering/reference/Light.h"
+#include "rendering/scene/Lighting.h"
+#include "rendering/scene/Parallel.h"
+
+namespace fenestra::reference {
+namespace {
+
+/// Colours of a focus of labels: the colour of the nearest voxel, or if that carries none of the focus's labels, of the
+/// first one around it that does (x fastest, from the lowest index).
+class FocusColours {
+ public:
+  explicit FocusColours(const Scene& scene) : labels_(scene.labels.get()), first_(scene.focusAppearance.colour) {
+    const auto* focus = std::get_if<LabelFocus>(&scene.focus);
+    if (!focus || !labels_ || focus->labels.empty()) return;
+    entryOf_.resize(std::numeric_limits<std::uint16_t>::max() + 1, none);
+    for (const std::uint16_t value : focus->labels) {
+      const Label* label = labels_->find(value);
+      entryOf_[value] = static_cast<int>(colours_.size());
+      colours_.push_back(label ? label->colour : defaultLabelColour(value));
+    }
+    first_ = colours_.front();
+    differ_ = std::any_of(colours_.begin(), colours_.end(), [&](const glm::dvec3& c) { return c != first_; });
+  }
+
+  /// Whether the colour depends on the place at all.
+  bool differ() const { return differ_; }
+
+  glm::dvec3 at(glm::dvec3 index) const {
+    if (!differ_) return first_;
+    const glm::ivec3 nearest(glm::floor(index + 0.5));
+    int entry = entryAt(nearest);
+    for (int n = 0; entry == none && n < 27; ++n) entry = entryAt(nearest + glm::ivec3(n % 3, n / 3 % 3, n / 9) - 1);
+    return entry == none ? first_ : colours_[static_cast<std::size_t>(entry)];
+  }
+
+ private:
+  static constexpr int none = -1;
+
+  int entryAt(glm::ivec3 voxel) const { return labels_->grid.contains(voxel) ? entryOf_[labels_->value(voxel)] : none; }
+
+  const LabelMap* labels_;
+  glm::dvec3 first_;
+  bool differ_ = false;
+  std::vector<int> entryOf_;  ///< per label value
+  std::vector<glm::dvec3> colours_;
+};
+
+/// What all rays of a picture have in common.
+struct Medium {
+  const Scene& scene;
+  FocusField focus;
+  FocusColours focusColours;
+  Light light;
+  VoxelNormals normals;
+  std::optional<FocusNormals> focusNormals;
+  std::vector<ValueGap> clear;  ///< values without any extinction
+  double wallDepth;             ///< mm
+
+  Medium(const Scene& what, const Camera& camera)
+      : scene(what),
+        focus(what),
+        focusColours(what),
+        light(camera, what.shading),
+        normals(*what.volume),
+        clear(what.context.transparentGaps(0.0)) {
+    const Grid& grid = scene.volume->grid;
+    if (scene.shading.enabled && focus.hasLabels()) focusNormals.emplace(grid, focus);
+    wallDepth = lighting::wallDepthVoxels * std::min({grid.spacing.x, grid.spacing.y, grid.spacing.z});
+  }
+
+  bool isClear(double least, double greatest) const {
+    return std::any_of(clear.begin(), clear.end(),
+                       [&](const ValueGap& gap) { return gap.low < least && greatest < gap.high; });
+  }
+};
+
+/// Optical properties along a part of a cell in which they follow one line of the transfer function, or are those of
+/// the focus: κ = κ0 + x·dκ and c = c0 + x·dc, x(u) a cubic of u from 0 to 1 over the part.
+struct Part {
+  double begin = 0.0, end = 1.0;  ///< of the cell's piece of the ray, 0..1
+  double length = 0.0;            ///< mm
+  OpticalProperties from;
+  double extinctionSlope = 0.0;
+  glm::dvec3 colourSlope{0.0};
+  Cubic x{};
+
+  double extinction(double u) const { return std::max(0.0, from.extinction + extinctionSlope * evaluate(x, u)); }
+  glm::dvec3 colour(double u) const { return from.colour + colourSlope * evaluate(x, u); }
+  /// Optical depth from the part's beginning.
+  double depth(double u) const {
+    const double integral = u * (x[0] + u * (x[1] / 2.0 + u * (x[2] / 3.0 + u * x[3] / 4.0)));
+    return std::max(0.0, length * (from.extinction * u + extinctionSlope * integral));
+  }
+  /// The first or second half, with an own u from 0 to 1: depths are never differences of large ones.
+  Part half(bool second) const {
+    Part part = *this;
+    (second ? part.begin : part.end) = 0.5 * (begin + end);
+    part.length = 0.5 * length;
+    // x(u/2), or x((u + 1)/2) by the Taylor series at u = 1/2.
+    if (second) part.x = {evaluate(x, 0.5), x[1] + x[2] + 0.75 * x[3], x[2] + 1.5 * x[3], x[3]};
+    for (std::size_t k = 1; k < 4; ++k) part.x[k] *= std::ldexp(1.0, -static_cast<int>(k));
+    return part;
+  }
+};
+
+/// The cubic through values at 0, 1/3, 2/3 and 1.
+Cubic through(double a, double b, double c, double d) {
+  return {a, -5.5 * a + 9.0 * b - 4.5 * c + d, 9.0 * a - 22.5 * b + 18.0 * c - 4.5 * d,
+          -4.5 * a + 13.5 * b - 13.5 * c + 4.5 * d};
+}
+
+/// The transfer function along part of a cell in which `value` (from 0 to 1 over the part) stays between two nodes.
+Part contextPart(const TransferFunction& transfer, const Cubic& value, double begin, double end) {
+  Part part;
+  const auto at = [&](double u) { return evaluate(value, begin + (end - begin) * u); };
+  const auto after = std::upper_bound(transfer.nodes.begin(), transfer.nodes.end(), at(0.5),
+                                      [](double wanted, const auto& node) { return wanted < node.value; });
+  if (transfer.nodes.empty()) return part;
+  if (after == transfer.nodes.begin() || after == transfer.nodes.end()) {
+    part.from = (after == transfer.nodes.end() ? *std::prev(after) : *after).properties;
+    return part;
+  }
+  const TransferFunction::Node &low = *std::prev(after), &high = *after;
+  part.from = low.properties;
+  part.extinctionSlope = high.properties.extinction - low.properties.extinction;
+  part.colourSlope = high.properties.colour - low.properties.colour;
+  // Clamped: beside a value of 1e30 rounding carries a cubic far outside its nodes.
+  const auto share = [&](double u) { return std::clamp((at(u) - low.value) / (high.value - low.value), 0.0, 1.0); };
+  part.x = through(share(0.0), share(1.0 / 3.0), share(2.0 / 3.0), share(1.0));
+  return part;
+}
+
+/// Kronrod's extension of the three-point Gauss rule, exact for polynomials up to degree 11 (Kronrod, Nodes and Weights
+/// of Quadrature Formulas, 1965): places on 0..1 from the middle outwards, and the weights of both rules.
+struct Node {
+  double offset, kronrod, gauss;
+};
+constexpr Node rule[] = {{0.0, 0.450916538658474142345, 8.0 / 9.0},
+                         {0.434243749346802558002, 0.401397414775962222905, 0.0},
+                         {0.774596669241483377036, 0.268488089868333440729, 5.0 / 9.0},
+                         {0.960491268708020283424, 0.104656226026467265194, 0.0}};
+
+template <class ValueAt>
+class Integrator {
+ public:
+  Integrator(const Medium& medium, const ValueAt& valueAt, const CutRay& ray, double tolerance)
+      : medium_(medium),
+        grid_(medium.scene.volume->grid),
+        valueAt_(valueAt),
+        ray_(ray),
+        tolerance_(tolerance),
+        perMillimetre_(1.0 / std::max(ray.span.tOut - ray.span.tIn, std::numeric_limits<double>::min())) {}
+
+  void run() {
+    walkCells(indexRay(ray_.ray, grid_), ray_.span, grid_.dims, [&](const Piece& piece) {
+      addCell(piece);
+      // What can still come is at most the light that is left, lit to no more than twice its colour.
+      if (2.0 * transmittance() > 0.1 * tolerance_) return true;
+      error_ += 2.0 * transmittance();
+      return false;
+    });
+  }
+
+  glm::dvec4 colour() const { return {colour_, -std::expm1(-depth_)}; }
+  double error() const { return error_; }
+
+ private:
+  double transmittance() const { return std::exp(-depth_); }
+
+  void addCell(const Piece& piece) {
+    const Corners values = cornersOf(piece.cell, grid_.dims, valueAt_);
+    const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
+    const std::optional<Corners> field = medium_.focus.corners(piece.cell, values);
+    if (!field && medium_.isClear(*least, *greatest)) return;
+    piece_ = &piece;
+
+    const Cubic value = alongPiece(values, piece);
+    const Cubic focusValue = field ? alongPiece(*field, piece) : Cubic{};
+    const ValueRange& focusRange = medium_.focus.range();
+    places_.assign({0.0, 1.0});
+    const Stops stops = monotoneStops(value);
+    for (const TransferFunction::Node& node : medium_.scene.context.nodes)
+      if (*least <= node.value && node.value <= *greatest) appendCrossings(value, stops, node.value, places_);
+    if (field) {
+      const Stops focusStops = monotoneStops(focusValue);
+      for (const double level : {focusRange.low, focusRange.high})
+        appendCrossings(focusValue, focusStops, level, places_);
+      if (medium_.focusColours.differ()) appendMiddles(piece);
+    }
+    if (medium_.scene.shading.enabled) {
+      for (int i = 0; i < 8; ++i) {
+        const glm::ivec3 corner = piece.cell + glm::ivec3(i & 1, (i >> 1) & 1, i >> 2);
+        normals_[static_cast<std::size_t>(i)] =
+            medium_.normals.at(glm::clamp(corner, glm::ivec3(0), grid_.dims - 1), valueAt_);
+      }
+      appendTurns(piece);
+    }
+    std::sort(places_.begin(), places_.end());
+
+    for (std::size_t k = 0; k + 1 < places_.size(); ++k) {
+      const double begin = places_[k], end = places_[k + 1], middle = 0.5 * (begin + end);
+      if (!(begin < end)) continue;
+      const double inField = evaluate(focusValue, middle);
+      inFocus_ = field && inField >= focusRange.low && inField <= focusRange.high;
+      Part part;
+      if (inFocus_) {
+        const glm::dvec3 at = glm::mix(piece.begin, piece.end, middle) + glm::dvec3(piece.cell);
+        part.from = {medium_.focusColours.at(at), medium_.scene.focusAppearance.extinction};
+      } else {
+        part = contextPart(medium_.scene.context, value, begin, end);
+      }
+      part.begin = begin;
+      part.end = end;
+      part.length = (end - begin) * (piece.tEnd - piece.tBegin);
+      addPart(part, maxHalvings);
+    }
+  }
+
+  /// Where the nearest voxel changes.
+  void appendMiddles(const Piece& piece) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const double s = (0.5 - piece.begin[axis]) / (piece.end[axis] - piece.begin[axis]);
+      if (s > 0.0 && s < 1.0) places_.push_back(s);
+    }
+  }
+
+  /// Where the normals turn from one side of the light to the other: |n·l| has a kink there.
+  void appendTurns(const Piece& piece) {
+    Corners towards;
+    for (std::size_t i = 0; i < 8; ++i) towards[i] = glm::dot(normals_[i], medium_.light.direction);
+    const Cubic cubic = alongPiece(towards, piece);
+    appendCrossings(cubic, monotoneStops(cubic), 0.0, places_);
+  }
+
+  /// Adds a part, halving it until the error fits.
+  void addPart(const Part& part, int halvings) {
+    const double thickness = part.depth(1.0), light = transmittance();
+    if (!(thickness > 0.0)) return;
+    glm::dvec4 fine(0.0), coarse(0.0);
+    const auto add = [&](const Node& node, double u) {
+      const double emission = 0.5 * part.length * part.extinction(u) * light * std::exp(-part.depth(u));
+      const glm::dvec4 sample = emission * glm::dvec4(shade(part, u), 1.0);
+      fine += node.kronrod * sample;
+      coarse += node.gauss * sample;
+    };
+    for (const Node& node : rule) {
+      add(node, 0.5 - 0.5 * node.offset);
+      if (node.offset > 0.0) add(node, 0.5 + 0.5 * node.offset);
+    }
+    // Opacity is known exactly: a rule that misses where the light goes cannot agree with it by chance.
+    const double opacity = -light * std::expm1(-thickness);
+    const glm::dvec4 difference = glm::abs(fine - coarse);
+    const double error = std::max({difference.r, difference.g, difference.b, std::abs(fine.a - opacity)});
+    const double allowed = tolerance_ * (0.5 * opacity + 0.4 * part.length * perMillimetre_);
+    if (error > std::max(allowed, rounding) && halvings > 0) {
+      addPart(part.half(false), halvings - 1);
+      addPart(part.half(true), halvings - 1);
+      return;
+    }
+    colour_ += glm::dvec3(fine);
+    depth_ += thickness;
+    error_ += error;
+  }
+
+  glm::dvec3 shade(const Part& part, double u) {
+    const glm::dvec3 colour = part.colour(u);
+    if (!medium_.scene.shading.enabled) return colour;
+    const double s = glm::mix(part.begin, part.end, u);
+    const glm::dvec3 at = glm::mix(piece_->begin, piece_->end, s), world = ray_.ray.direction;
+    glm::dvec3 shaded = medium_.light.shade(colour, normalAt(at), world);
+    if (ray_.wall != glm::dvec3(0.0)) {
+      const double behind = piece_->tBegin + s * (piece_->tEnd - piece_->tBegin) - ray_.span.tIn;
+      const double share = lighting::wallShare * std::exp(-behind / medium_.wallDepth);
+      shaded = glm::mix(shaded, medium_.light.lit(colour, ray_.wall, world), share);
+    }
+    return shaded;
+  }
+
+  glm::dvec3 normalAt(glm::dvec3 at) {
+    if (inFocus_ && medium_.focusNormals) {
+      const glm::dvec3 normal = medium_.focusNormals->at(at + glm::dvec3(piece_->cell));
+      const double length = glm::length(normal);
+      if (length > flatFocus) return normal / length;
+    }
+    return interpolate(normals_, at);
+  }
+
+  /// 2^-52 of a part is below the resolution of its ends, and one rounding of 1 below what can be asked for.
+  static constexpr int maxHalvings = 52;
+  static constexpr double rounding = std::numeric_limits<double>::epsilon();
+  /// Gradient of the smoothed indicator (1/mm) below which a point lies too deep in the focus to have its normal.
+  static constexpr double flatFocus = 1e-3;
+
+  const Medium& medium_;
+  const Grid& grid_;
+  const ValueAt& valueAt_;
+  const CutRay& ray_;
+  const double tolerance_, perMillimetre_;
+
+  // The cell and the part of it at hand.
+  const Piece* piece_ = nullptr;
+  std::vector<double> places_;
+  std::array<glm::dvec3, 8> normals_{};
+  bool inFocus_ = false;
+
+  glm::dvec3 colour_{0.0};
+  double depth_ = 0.0, error_ = 0.0;
+};
+
+}  // namespace
+
+FocusLayer focusLayer(const Scene& scene, const Camera& camera, const std::vector<CutRay>& rays, double tolerance) {
+  const Medium medium(scene, camera);
+  FocusLayer layer{std::vector<glm::dvec4>(rays.size(), glm::dvec4(0.0)), Image(rays.size(), 0.0)};
+  withValues(*scene.volume, [&](auto valueAt) {
+    // Rays differ widely in cost: threads take blocks of them as they get free.
+    constexpr std::size_t block = 64;
+    std::atomic<std::size_t> next = 0;
+    const std::size_t blocks = (rays.size() + block - 1) / block;
+    parallelFor(blocks, 1, [&](std::size_t, std::size_t) {
+      for (std::size_t at = next++; at < blocks; at = next++)
+        for (std::size_t i = at * block; i < std::min((at + 1) * block, rays.size()); ++i) {
+          if (!(rays[i].span.tIn <= rays[i].span.tOut)) continue;
+          Integrator integrator(medium, valueAt, rays[i], tolerance);
+          integrator.run();
+          layer.colour[i] = integrator.colour();
+          layer.error[i] = integrator.error();
+        }
+    });
+  });
+  return layer;
+}
+
+}  // namespace fenestra::reference

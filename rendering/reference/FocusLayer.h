@@ -1,0 +1,23 @@
+#pragma once
+// Stage 5: the emission-absorption integral along given rays (see Picture.h).
+
+#include "rendering/reference/Reference.h"
+
+namespace fenestra::reference {
+
+/// What is seen along a ray from where the cutaway lets it start.
+struct CutRay {
+  Ray ray;
+  Span span;             ///< from the start to where the ray leaves the box; tIn > tOut: nothing is seen
+  glm::dvec3 wall{0.0};  ///< unit normal of the cut face at the start, world; zero where there is none
+};
+
+struct FocusLayer {
+  std::vector<glm::dvec4> colour;  ///< premultiplied RGBA
+  Image error;                     ///< estimated, of the worst channel; at most the tolerance
+};
+
+/// One element a ray.
+FocusLayer focusLayer(const Scene& scene, const Camera& camera, const std::vector<CutRay>& rays, double tolerance);
+
+}  // namespace fenestra::reference

@@ -1,0 +1,163 @@
+#include "rendering/reference/Picture.h"
+
+#include "rendering/reference/ContextLayer.h"
+#include "rendering/reference/FocusLayer.h"
+#include "rendering/reference/Light.h"
+#include "rendering/scene/Lighting.h"
+#include "rendering/scene/Parallel.h"
+
+namespace fenestra::reference {
+namespace {
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+std::vector<glm::ivec2> pixelsOf(glm::ivec2 size, const PictureOptions& options) {
+  if (!options.pixels.empty()) return options.pixels;
+  std::vector<glm::ivec2> all;
+  for (int j = 0; j < size.y; ++j)
+    for (int i = 0; i < size.x; ++i) all.emplace_back(i, j);
+  return all;
+}
+
+std::size_t offset(glm::ivec2 size, glm::ivec2 pixel) {
+  return static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(pixel.x);
+}
+
+/// A picture's rays as the cutaway cuts them.
+class Opening {
+ public:
+  Opening(const Scene& scene, const Camera& camera, glm::ivec2 size, const Stages& stages)
+      : camera_(camera), size_(size), stages_(stages) {
+    const glm::dvec3 spacing = scene.volume->grid.spacing;
+    wallDepth_ = lighting::wallDepthVoxels * std::min({spacing.x, spacing.y, spacing.z});
+  }
+
+  /// Where `pixel`'s ray starts to see; NaN where it meets nothing.
+  double start(glm::ivec2 pixel) const { return stages_.tStart[offset(size_, pixel)]; }
+
+  /// Unit normal of the face that the cutaway cuts, from the neighbours' ray starts; zero where the ray starts on the
+  /// focus, or on the context's own surface.
+  glm::dvec3 wallNormal(glm::ivec2 pixel) const {
+    const std::size_t at = offset(size_, pixel);
+    if (!std::isnan(stages_.hits.tFocus[at])) return glm::dvec3(0.0);
+    if (!(start(pixel) > stages_.hits.tContext[at] + 0.5 * wallDepth_)) return glm::dvec3(0.0);
+    std::array<glm::dvec3, 2> tangents;
+    for (int axis = 0; axis < 2; ++axis) {
+      const glm::ivec2 step(1 - axis, axis);
+      const glm::ivec2 before = glm::max(pixel - step, 0), after = glm::min(pixel + step, size_ - 1);
+      if (std::isnan(start(before)) || std::isnan(start(after))) return glm::dvec3(0.0);
+      tangents[static_cast<std::size_t>(axis)] = startPoint(after) - startPoint(before);
+    }
+    const glm::dvec3 normal = glm::cross(tangents[0], tangents[1]);
+    const double length = glm::length(normal);
+    return length > 0.0 ? normal / length : glm::dvec3(0.0);
+  }
+
+ private:
+  glm::dvec3 startPoint(glm::ivec2 pixel) const {
+    const Ray ray = pixelRay(camera_, size_, pixel);
+    return ray.origin + start(pixel) * ray.direction;
+  }
+
+  const Camera& camera_;
+  glm::ivec2 size_;
+  const Stages& stages_;
+  double wallDepth_;  ///< mm
+};
+
+/// The rays of `pixels`, starting where the box or the cutaway lets them.
+std::vector<CutRay> cutRays(const Scene& scene, const Camera& camera, glm::ivec2 size, const Stages* stages,
+                            const std::vector<glm::ivec2>& pixels) {
+  constexpr Span missed{1.0, 0.0};
+  std::vector<CutRay> rays;
+  rays.reserve(pixels.size());
+  std::optional<Opening> opening;
+  if (stages) opening.emplace(scene, camera, size, *stages);
+  for (const glm::ivec2 pixel : pixels) {
+    CutRay ray{pixelRay(camera, size, pixel), missed, glm::dvec3(0.0)};
+    if (const std::optional<Span> span = clip(ray.ray, scene.volume->grid)) ray.span = *span;
+    if (opening) {
+      const double start = opening->start(pixel);
+      if (std::isnan(start)) {
+        ray.span = missed;
+      } else {
+        ray.span.tIn = std::max(ray.span.tIn, start);
+        ray.wall = opening->wallNormal(pixel);
+      }
+    }
+    rays.push_back(ray);
+  }
+  return rays;
+}
+
+/// Premultiplied `front` over `behind`.
+glm::dvec4 over(glm::dvec4 front, glm::dvec4 behind) { return front + (1.0 - front.a) * behind; }
+
+/// Opacity of the context layer: both terms rise steeply, so that edges come out as lines.
+double contextOpacity(const ContextLayer& look, const ContextPoint& point, double scale) {
+  const double bend = std::sqrt(0.5 * (point.k1 * point.k1 + point.k2 * point.k2)) * scale;
+  const double opacity = look.curvatureWeight * smoothstep(0.10, 0.40, bend) +
+                         look.silhouetteWeight * smoothstep(0.30, 0.85, point.silhouette);
+  return look.strength * std::clamp(opacity, 0.0, 1.0);
+}
+
+/// Share of a pixel, a box one pixel wide across the rim, that w_open < DM ≤ w_open + w_border covers.
+double borderCoverage(double distance, Widths widths) {
+  if (!(distance > 0.0)) return 0.0;
+  const double low = std::max(distance - 0.5, widths.open),
+               high = std::min(distance + 0.5, widths.open + widths.border);
+  return std::clamp(high - low, 0.0, 1.0);
+}
+
+}  // namespace
+
+Picture picture(const Scene& scene, const Camera& camera, glm::ivec2 size, const PictureOptions& options) {
+  const Stages stages = hasCutaway(scene) ? geometricStages(scene, camera, size, options.pixelScale) : Stages{};
+  return picture(scene, camera, size, stages, options);
+}
+
+Picture picture(const Scene& scene, const Camera& camera, glm::ivec2 size, const Stages& stages,
+                const PictureOptions& options) {
+  const bool cutaway = hasCutaway(scene), hasContext = cutaway && scene.contextLayer.strength > 0.0;
+  const std::vector<glm::ivec2> pixels = pixelsOf(size, options);
+  const std::vector<CutRay> cut = cutRays(scene, camera, size, cutaway ? &stages : nullptr, pixels);
+  FocusLayer layer = focusLayer(scene, camera, cut, options.tolerance);
+
+  Picture result;
+  result.final = layer.colour;
+  if (hasContext) {
+    std::vector<Ray> rays;
+    Image tContext, tFocus;
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+      rays.push_back(cut[i].ray);
+      tContext.push_back(stages.hits.tContext[offset(size, pixels[i])]);
+      tFocus.push_back(stages.hits.tFocus[offset(size, pixels[i])]);
+    }
+    const double scale = derivativeSpacing(scene.volume->grid);
+    for (const auto& point : contextLayer(scene, camera, rays, tContext, tFocus)) {
+      const std::size_t i = result.contextLayer.size();
+      result.contextLayer.push_back(point ? glm::dvec4(point->k1, point->k2, point->illumination, point->value)
+                                          : glm::dvec4(nothing));
+      result.silhouette.push_back(point ? point->silhouette : nothing);
+      if (!point) continue;
+      const glm::dvec4 surface(scene.contextLayer.colour * point->illumination, 1.0);
+      result.final[i] = over(surface * contextOpacity(scene.contextLayer, *point, scale), result.final[i]);
+    }
+  }
+  if (cutaway && scene.cutaway.borderWidth > 0.0) {
+    const Widths widths = widthsInPixels(scene, camera, size, options.pixelScale);
+    // Half a pixel beyond the border its rim still shows.
+    const Image distance = distanceMap(stages.hits.tFocus, size, widths.open + widths.border + 1.0);
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+      const std::size_t at = offset(size, pixels[i]);
+      if (std::isnan(stages.hits.tContext[at])) continue;
+      const glm::dvec4 border(scene.cutaway.borderColour, 1.0);
+      result.final[i] = glm::mix(result.final[i], border, borderCoverage(distance[at], widths));
+    }
+  }
+  result.focusLayer = std::move(layer.colour);
+  result.error = std::move(layer.error);
+  return result;
+}
+
+}  // namespace fenestra::reference

@@ -1,0 +1,48 @@
+#pragma once
+// Stages 5 to 7 and the finished picture in double precision on the CPU: the limit that the renderer's colours converge
+// to. Shares the lighting model's numbers with the shaders (rendering/scene/Lighting.h) and no code. Uses all cores.
+//
+// Colour is the emission-absorption integral along each pixel's ray (Max, TVCG 1995, equation 5),
+//   C = ∫ T(t) κ(f(t)) c(f(t)) shade(t) dt,  T(t) = exp(-∫ κ dt),  A = 1 - T(t_out),
+// with f the trilinear interpolation of the voxels' values, κ and c the piecewise linear transfer function itself. Each
+// ray is cut at cell faces, where f meets a node of the transfer function and at the surface of the focus; in between κ
+// is a polynomial, so optical depth is exact, and colour is integrated by Gauss-Kronrod rules that halve their interval
+// until the tolerance is met.
+//
+// Brush strokes are left out: stage 4 of the reference has none. Values that are no numbers count as in hitPoints().
+
+#include <vector>
+
+#include "rendering/reference/Reference.h"
+
+namespace fenestra::reference {
+
+struct PictureOptions {
+  double pixelScale = 1.0;  ///< rendered pixels per device-independent pixel (see View)
+  double tolerance = 1e-5;  ///< greatest estimated error of a channel of the focus layer, on the scale of 0..1; > 0
+  /// The pixels to make, (i, j) from the top left; empty: all of them, row by row. Stages 1 to 4 are always whole: the
+  /// opening around a pixel depends on the others.
+  std::vector<glm::ivec2> pixels;
+};
+
+/// One element a pixel, in the order of PictureOptions::pixels.
+struct Picture {
+  std::vector<glm::dvec4> focusLayer;  ///< premultiplied RGBA
+  /// κ1 ≥ κ2 (1/mm, positive where the surface bends away from lower values), illumination, value (real units); NaN
+  /// where there is no surface to draw. Empty when the scene has no context layer.
+  std::vector<glm::dvec4> contextLayer;
+  Image silhouette;               ///< 1 - |n·v| of the context layer, NaN and empty as that is
+  std::vector<glm::dvec4> final;  ///< premultiplied RGBA, without background
+  /// Estimated error of the worst channel of the focus layer, at most the tolerance; the final picture's is no greater.
+  Image error;
+};
+
+/// The whole chain. With no cutaway (see hasCutaway) it is a plain volume rendering from the box's entry on.
+Picture picture(const Scene& scene, const Camera& camera, glm::ivec2 size, const PictureOptions& options = {});
+
+/// The same from given stages 1 to 4, which may be another renderer's: then only what stages 5 to 7 add is measured.
+/// Not read when the scene has no cutaway.
+Picture picture(const Scene& scene, const Camera& camera, glm::ivec2 size, const Stages& stages,
+                const PictureOptions& options = {});
+
+}  // namespace fenestra::reference

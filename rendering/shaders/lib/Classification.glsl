@@ -1,0 +1,68 @@
+// The transfer function of the context, and the material of the focus. Emission is colour · extinction (1/mm).
+
+uniform sampler2D transferTable;     // emission and extinction; TABLE_SIZE entries in a row
+uniform sampler2D transferIntegral;  // of both from the first entry on, in entries/mm
+uniform vec2 transferMap;            // entry = stored value · x + y
+const float LAST_ENTRY = float(TABLE_SIZE - 1);
+
+// Both tables are read to the nearest entry.
+vec4 materialAt(float entry) {
+  return texelFetch(transferTable, ivec2(int(clamp(entry, 0.0, LAST_ENTRY) + 0.5), 0), 0);
+}
+
+// An entry, whole and not clamped, and the tables' integral up to there inside them.
+struct Bound {
+  float entry;
+  vec4 integral;
+};
+
+Bound boundAt(float entry) {
+  Bound bound;
+  bound.entry = floor(entry + 0.5);
+  bound.integral = texelFetch(transferIntegral, ivec2(int(clamp(bound.entry, 0.0, LAST_ENTRY)), 0), 0);
+  return bound;
+}
+
+// Below this many entries between two of the table's integrals (float32), their difference keeps too few digits, and
+// one entry stands for all.
+const float LEAST_SPAN = 8.0;
+
+// Mean material where values run evenly from one bound to the other (pre-integrated classification: Engel, Kraus, Ertl
+// 2001, without attenuation inside).
+vec4 meanMaterial(Bound a, Bound b) {
+  float span = b.entry - a.entry;
+  if (abs(span) < LEAST_SPAN) return materialAt(0.5 * (a.entry + b.entry));
+  vec4 sum = b.integral - a.integral;
+  float below = min(b.entry, 0.0) - min(a.entry, 0.0);
+  float above = max(b.entry, LAST_ENTRY) - max(a.entry, LAST_ENTRY);
+  if (below != 0.0) sum += below * materialAt(0.0);
+  if (above != 0.0) sum += above * materialAt(LAST_ENTRY);
+  return max(sum / span, vec4(0.0));
+}
+
+#if FOCUS_KIND != 0
+uniform vec4 focusProperties;  // colour, extinction (1/mm)
+#if FOCUS_KIND == 1 && FOCUS_PALETTE
+uniform usampler3D focusPaletteIndex;
+uniform ivec3 focusOrigin;      // index of the palette texture's first voxel
+uniform sampler2D focusPalette; // colours, one row
+#endif
+
+vec4 focusMaterial(vec3 at) {
+  vec3 colour = focusProperties.rgb;
+#if FOCUS_KIND == 1 && FOCUS_PALETTE
+  uint entry = texelFetch(focusPaletteIndex, ivec3(floor(at - 0.5)) - focusOrigin, 0).r;
+  colour = texelFetch(focusPalette, ivec2(entry, 0), 0).rgb;
+#endif
+  return vec4(colour, 1.0) * focusProperties.a;
+}
+#endif
+
+// (1 - exp(-x)) / x, by its series where the difference would cancel.
+float relativeOpacity(float x) { return x < 1e-2 ? 1.0 - x * (0.5 - x / 6.0) : (1.0 - exp(-x)) / x; }
+
+// Premultiplied colour and opacity of a piece of ray of one material. Shaded colour = colour · light.x + light.y.
+vec4 pieceOf(vec4 material, float lengthOfPiece, vec2 light) {
+  return vec4(material.rgb * light.x + material.a * light.y, material.a)
+         * (lengthOfPiece * relativeOpacity(material.a * lengthOfPiece));
+}

@@ -1,0 +1,61 @@
+#pragma once
+// Times and errors of the renderer's pictures.
+
+#include <chrono>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "rendering/gl/Context.h"
+#include "rendering/passes/Renderer.h"
+#include "tests/bench/ColourError.h"
+#include "tests/bench/Subjects.h"
+#include "tests/bench/TruthStore.h"
+
+namespace fenestra::bench {
+
+struct Options {
+  Views views;
+  int rounds = 2;               ///< of the camera path, for times
+  std::filesystem::path peers;  ///< folder of what the peers measured
+};
+
+/// How the renderer chooses its steps.
+struct Setting {
+  std::string name;
+  Quality quality = Quality::Normal;
+  std::optional<double> maxError = std::nullopt;  ///< 1/255
+};
+std::vector<Setting> qualitySettings();
+std::vector<Setting> boundSettings(const std::vector<double>& bounds);
+
+/// A subject loaded, its views and what they should show.
+struct Measurable {
+  std::string name;
+  Scene scene;
+  std::vector<Camera> cameras;
+  std::vector<glm::ivec2> pixels;               ///< that are compared
+  std::vector<std::vector<glm::dvec4>> truths;  ///< of each camera, premultiplied RGBA of `pixels`; may be empty
+};
+Measurable prepare(const std::string& name, const Scene& scene, const Options& options, const TruthStore& truths);
+/// The same without truths: for times alone.
+Measurable prepareTimes(const std::string& name, const Scene& scene, const Options& options);
+
+struct Measured {
+  Distribution milliseconds;  ///< one a frame, from the call until the picture is in the graphics memory
+  ColourErrors errors;        ///< over all cameras
+};
+/// Draws along the path, after one frame that uploads and compiles. Needs a current context.
+Measured measure(Renderer& renderer, const Measurable& what, const Setting& setting, const Options& options);
+
+/// Milliseconds that `work` takes, the GPU's included.
+template <class Work>
+double timed(const Work& work) {
+  const auto start = std::chrono::steady_clock::now();
+  gl::TimerQuery timer;
+  work();
+  timer.elapsedMilliseconds();  // waits
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+}  // namespace fenestra::bench

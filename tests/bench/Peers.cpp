@@ -1,0 +1,69 @@
+#include "tests/bench/Peers.h"
+
+#include <algorithm>
+#include <fstream>
+#include <system_error>
+
+#include <nlohmann/json.hpp>
+
+#include "io/Error.h"
+#include "io/ImageWriter.h"
+
+namespace fenestra::bench {
+namespace {
+namespace fs = std::filesystem;
+}
+
+Peers readPeers(const fs::path& folder, const Views& views) {
+  Peers peers;
+  std::vector<fs::path> files;
+  std::error_code none;  // no folder is no peers
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, none))
+    if (entry.path().extension() == ".json") files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  for (const fs::path& path : files) {
+    const std::string program = path.stem().string();
+    try {
+      const auto json = nlohmann::json::parse(std::ifstream(path));
+      const Views theirs{{json.at("size").at(0), json.at("size").at(1)},
+                         json.at("cameras"),
+                         json.at("pixelBlock"),
+                         json.at("phantomVoxels"),
+                         views.only};
+      if (theirs != views) {
+        peers.left.push_back(program + ": left out, was measured with other views");
+        continue;
+      }
+      peers.programs.push_back(program + ": " + json.at("program").get<std::string>() + ", " +
+                               json.at("gl").get<std::string>());
+      for (const auto& entry : json.at("runs")) {
+        PeerRun run{program, entry.at("subject"), entry.at("lit"), entry.at("samplesPerVoxel"), {}, {}};
+        for (const double frame : entry.at("frames_ms")) run.milliseconds.add(frame);
+        for (const std::string picture : entry.value("pictures", nlohmann::json::array()))
+          run.pictures.push_back(folder / picture);
+        peers.runs.push_back(std::move(run));
+      }
+    } catch (const nlohmann::json::exception& error) {
+      throw io::Error(path, error.what(), "measure this peer again");
+    }
+  }
+  return peers;
+}
+
+ColourErrors errorsOf(const PeerRun& run, const Measurable& what) {
+  ColourErrors errors;
+  for (std::size_t i = 0; i < run.pictures.size(); ++i) {
+    const io::Picture picture = io::readPicture(run.pictures[i]);
+    if (picture.values.size() != 4 * what.pixels.size())
+      throw io::Error(run.pictures[i], "has another number of pixels", "measure this peer again");
+    for (std::size_t k = 0; k < what.pixels.size(); ++k) {
+      // Peers draw on black and keep no opacity.
+      const glm::dvec4 truth = what.truths.at(i)[k];
+      errors.add({picture.values[4 * k], picture.values[4 * k + 1], picture.values[4 * k + 2], truth.a}, truth,
+                 glm::dvec3(0.0));
+    }
+  }
+  return errors;
+}
+
+}  // namespace fenestra::bench

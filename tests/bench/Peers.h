@@ -1,0 +1,32 @@
+#pragma once
+// What other volume renderers (tests/peers) made of the same subjects.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tests/bench/Measure.h"
+
+namespace fenestra::bench {
+
+/// One program, subject and step.
+struct PeerRun {
+  std::string program, subject;
+  bool lit = false;
+  double samplesPerVoxel = 0.0;
+  Distribution milliseconds;                    ///< one a frame
+  std::vector<std::filesystem::path> pictures;  ///< of the compared pixels, one a camera; none when lit
+};
+
+/// Everything in `folder` that was measured with the same views; what was not is said in `left`.
+struct Peers {
+  std::vector<PeerRun> runs;
+  std::vector<std::string> left;
+  std::vector<std::string> programs;  ///< with version and machine
+};
+Peers readPeers(const std::filesystem::path& folder, const Views& views);
+
+/// A run's pictures against the truths of `what`, which is the same subject. Throws io::Error.
+ColourErrors errorsOf(const PeerRun& run, const Measurable& what);
+
+}  // namespace fenestra::bench

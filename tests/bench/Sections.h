@@ -1,0 +1,24 @@
+#pragma once
+// The report's sections. Each measures, says on standard error how far it is, and returns what it found.
+
+#include "rendering/egl/EglContext.h"
+#include "tests/bench/Measure.h"
+#include "tests/bench/Report.h"
+
+namespace fenestra::bench {
+
+/// The error bound on ten scenes: what is asked for against what is measured.
+Section boundsSection(const Options& options, const TruthStore& truths);
+
+/// Every setting's and peer's time against its error.
+Section sweepSection(const Options& options, const TruthStore& truths);
+/// Each stage's error in its own unit.
+Section stageSection(const Options& options, const TruthStore& truths);
+/// What each pass takes; these three need no reference pictures.
+Section passSection(const Options& options, const TruthStore& truths);
+/// What a slider's move takes.
+Section updateSection(const Options& options, const TruthStore& truths);
+/// Memory and passes of each kind of scene.
+Section memorySection(const Options& options, const TruthStore& truths);
+
+}  // namespace fenestra::bench

@@ -1,0 +1,62 @@
+#pragma once
+// What the report measures: data, views and pixels, the same for the renderer and for its peers.
+
+#include <string>
+#include <vector>
+
+#include "app/SceneOptions.h"
+
+namespace CLI {
+class App;
+}
+
+namespace fenestra::bench {
+
+/// What the renderer and its peers must agree on for their pictures to be compared.
+struct Views {
+  glm::ivec2 size{700, 650};
+  int cameras = 3;          ///< along the path
+  int pixelBlock = 5;       ///< one pixel of each block of this side is compared with the reference
+  int phantomVoxels = 256;  ///< along a phantom's longest side
+  std::string only;         ///< subjects whose id starts with it
+  bool operator==(const Views&) const = default;
+};
+/// --size, --cameras, --block, --voxels and --only.
+void addViewOptions(CLI::App& program, Views& views);
+
+/// One data set with a focus, as the programs' options describe it.
+struct Subject {
+  std::string id;  ///< for switches and file names
+  std::string name;
+  app::SceneOptions options;
+};
+
+struct Subjects {
+  std::vector<Subject> here;
+  std::vector<std::string> missing;  ///< a line for each that is left out because its data are not there
+};
+/// The report's data: a phantom, a CT head, a labelled torso, an MR head; those that `views` asks for.
+Subjects reportSubjects(const Views& views);
+/// Ten scenes of every kind, for the error bound.
+Subjects boundSubjects(const Views& views);
+
+/// A subject's scene as a plain volume rendering without lighting: what every volume renderer can draw. The outermost
+/// voxels have the volume's least value, because some programs end the volume at their centres and others half a voxel
+/// beyond; with nothing to see there, all have the same limit.
+Scene plainScene(const Scene& scene);
+
+/// `count` views around the patient, up and down, framing what shows.
+std::vector<Camera> cameraPath(const Scene& scene, int count);
+
+/// One pixel of every block of side×side, at a place of its own in each, row by row.
+std::vector<glm::ivec2> sampledPixels(glm::ivec2 size, int side);
+
+/// Samples per voxel that the peers are timed at; lighting costs them several times as much, so fewer with it.
+inline const std::vector<double> stepLadder{0.5, 1.0, 2.0, 4.0}, litLadder{1.0, 2.0};
+/// And those at which one view of the first subject shows what a peer's picture converges to.
+inline const std::vector<double> limitLadder{8.0, 16.0, 32.0};
+
+/// Millimetres between samples, of so many per voxel at the finest spacing.
+double stepLength(const Grid& grid, double samplesPerVoxel);
+
+}  // namespace fenestra::bench

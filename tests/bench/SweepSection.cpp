@@ -1,0 +1,178 @@
+#include "tests/bench/Sections.h"
+
+#include <iostream>
+#include <map>
+
+#include "rendering/passes/GpuScene.h"
+#include "tests/bench/Peers.h"
+#include "tests/bench/Text.h"
+
+namespace fenestra::bench {
+namespace {
+
+/// One program at one setting.
+struct Row {
+  std::string program, setting;
+  Distribution milliseconds;
+  ColourErrors errors;
+};
+
+const std::string fixedSteps = "Fenestra, fixed steps", bounded = "Fenestra, error bound";
+
+std::vector<Row> measureAll(const Measurable& what, const Options& options) {
+  std::vector<Row> rows;
+  Renderer renderer(std::make_shared<GpuScene>());
+  for (const Setting& setting : qualitySettings()) {
+    Measured measured = measure(renderer, what, setting, options);
+    rows.push_back({fixedSteps, setting.name, std::move(measured.milliseconds), std::move(measured.errors)});
+  }
+  for (const Setting& setting : boundSettings({8.0, 4.0, 2.0, 1.0, 0.5, 0.25})) {
+    Measured measured = measure(renderer, what, setting, options);
+    rows.push_back({bounded, "≤ " + setting.name, std::move(measured.milliseconds), std::move(measured.errors)});
+  }
+  return rows;
+}
+
+std::string stepName(double samplesPerVoxel) {
+  return samplesPerVoxel < 1.0 ? number(1.0 / samplesPerVoxel) + " voxels"
+                               : (samplesPerVoxel > 1.0 ? "1/" + number(samplesPerVoxel) : "1") + " voxel";
+}
+
+/// Curves of time over one measure of error.
+Chart timeAgainstError(const std::string& name, const std::string& title, const std::string& errorTitle,
+                       const std::vector<Row>& rows, double (*error)(const ColourErrors&)) {
+  Chart chart{name, title, {errorTitle, true}, {"ms a frame: median, 10 to 90 %", true}, {}};
+  for (const Row& row : rows) {
+    if (chart.series.empty() || chart.series.back().name != row.program) chart.series.push_back({row.program, {}});
+    const Distribution& times = row.milliseconds;
+    chart.series.back().points.push_back(
+        {error(row.errors), times.median(), times.percentile(10.0), times.percentile(90.0), row.setting});
+  }
+  return chart;
+}
+
+double nearlyMax(const ColourErrors& errors) { return errors.channel.percentile(99.99); }
+double rootMeanSquare(const ColourErrors& errors) { return errors.squares.rms(); }
+
+const std::vector<std::string> columns{"program", "setting", "10 % ms", "median ms",  "90 % ms",   "RMS",
+                                       "99.99 %", "maximum", "ΔE RMS",  "ΔE 99.99 %", "ΔE maximum"};
+
+void append(Table& table, const std::string& subject, const std::vector<Row>& rows) {
+  for (const Row& row : rows)
+    table.rows.push_back({subject, row.program, row.setting, fixed(row.milliseconds.percentile(10.0), 1),
+                          fixed(row.milliseconds.median(), 1), fixed(row.milliseconds.percentile(90.0), 1),
+                          number(rootMeanSquare(row.errors)), number(nearlyMax(row.errors)),
+                          number(row.errors.channel.max()), number(row.errors.deltaE.rms()),
+                          number(row.errors.deltaE.percentile(99.99)), number(row.errors.deltaE.max())});
+}
+
+Table sweepTable(const std::string& name) {
+  Table table{name, {"subject"}, {}, false};
+  table.columns.insert(table.columns.end(), columns.begin(), columns.end());
+  return table;
+}
+
+/// The fastest of our rows whose errors are at most those given.
+const Row* fastestBelow(const std::vector<Row>& rows, double rms, double nearly) {
+  const Row* fastest = nullptr;
+  for (const Row& row : rows)
+    if ((row.program == fixedSteps || row.program == bounded) && rootMeanSquare(row.errors) <= rms &&
+        nearlyMax(row.errors) <= nearly && (!fastest || row.milliseconds.median() < fastest->milliseconds.median()))
+      fastest = &row;
+  return fastest;
+}
+
+std::vector<std::string> comparison(const std::string& subject, const Row& peer, const std::vector<Row>& rows) {
+  const Row* ours = fastestBelow(rows, rootMeanSquare(peer.errors), nearlyMax(peer.errors));
+  std::vector<std::string> cells{subject, peer.program + ", " + peer.setting, number(rootMeanSquare(peer.errors)),
+                                 number(nearlyMax(peer.errors)), fixed(peer.milliseconds.median(), 1)};
+  if (!ours) {
+    cells.insert(cells.end(), {"none", "", "", "", ""});
+    return cells;
+  }
+  cells.insert(cells.end(), {ours->setting, number(rootMeanSquare(ours->errors)), number(nearlyMax(ours->errors)),
+                             fixed(ours->milliseconds.median(), 1),
+                             fixed(peer.milliseconds.median() / ours->milliseconds.median(), 1) + " ×"});
+  return cells;
+}
+
+}  // namespace
+
+Section sweepSection(const Options& options, const TruthStore& truths) {
+  Section section;
+  section.title = "Time against error";
+  section.text =
+      "Each subject as a plain volume rendering without lighting, which every program can draw, with the same "
+      "transfer function, views and steps, and as its own scene: cutaway, lighting and context layer. Errors in 1/255 "
+      "of the worst channel, and as ΔE*ab (CIE 1976), against the converged reference in double precision, over the "
+      "pixels that show anything. Times until the picture is in the graphics memory. Reading it as a speed: the first "
+      "table sets each peer against the fastest setting of ours whose RMS and 99.99th percentile are both no greater.";
+  const Peers peers = readPeers(options.peers, options.views);
+  for (const std::string& program : peers.programs) section.text += "\n\n" + program;
+  for (const std::string& left : peers.left) section.text += "\n\n" + left;
+  const Subjects subjects = reportSubjects(options.views);
+  for (const std::string& missing : subjects.missing) section.text += "\n\n" + missing;
+
+  Table against{"peers", {"subject", "peer", "RMS", "99.99 %", "ms", "ours", "RMS", "99.99 %", "ms", "speed"}, {}};
+  Table lit{"lit", {"subject", "program", "step", "10 % ms", "median ms", "90 % ms"}, {}};
+  Table plainTable = sweepTable("plain"), ownTable = sweepTable("scenes");
+  Table limit{"limits", {"program", "step", "RMS", "99.9 %", "99.99 %", "maximum"}, {}};
+  for (const Subject& subject : subjects.here) {
+    std::cerr << "sweep: " << subject.name << '\n';
+    const app::LoadedScene loaded = app::loadScene(subject.options);
+    const Scene plainUnlit = plainScene(loaded.scene);
+    const Measurable plain = prepare(subject.name, plainUnlit, options, truths);
+    std::vector<Row> rows = measureAll(plain, options);
+    const std::size_t ours = rows.size();
+    std::map<std::string, Row> floors;
+    for (const PeerRun& run : peers.runs) {
+      if (run.subject != subject.id) continue;
+      if (run.lit) {
+        lit.rows.push_back({subject.name, run.program, stepName(run.samplesPerVoxel),
+                            fixed(run.milliseconds.percentile(10.0), 1), fixed(run.milliseconds.median(), 1),
+                            fixed(run.milliseconds.percentile(90.0), 1)});
+        continue;
+      }
+      Row row{run.program, stepName(run.samplesPerVoxel), run.milliseconds, errorsOf(run, plain)};
+      if (!limitLadder.empty() && subject.id == subjects.here.front().id)
+        limit.rows.push_back({row.program, row.setting, number(rootMeanSquare(row.errors)),
+                              number(row.errors.channel.percentile(99.9)), number(nearlyMax(row.errors)),
+                              number(row.errors.channel.max())});
+      if (run.samplesPerVoxel > stepLadder.back()) continue;
+      const auto [floor, isNew] = floors.try_emplace(run.program, row);
+      if (!isNew && rootMeanSquare(row.errors) < rootMeanSquare(floor->second.errors)) floor->second = row;
+      if (run.samplesPerVoxel == 2.0) against.rows.push_back(comparison(subject.name, row, rows));
+      rows.push_back(std::move(row));
+    }
+    for (auto& [program, floor] : floors) {
+      floor.program += " at its least error";
+      against.rows.push_back(
+          comparison(subject.name, floor, {rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(ours)}));
+    }
+    append(plainTable, subject.name, rows);
+    section.charts.push_back(timeAgainstError(subject.id + "-plain", subject.name + ", plain, unlit",
+                                              "99.99th percentile of the error, 1/255", rows, nearlyMax));
+    section.charts.push_back(timeAgainstError(subject.id + "-plain-rms", subject.name + ", plain, unlit",
+                                              "RMS error, 1/255", rows, rootMeanSquare));
+
+    Scene plainLit = plainUnlit;
+    plainLit.shading.enabled = true;
+    Renderer renderer(std::make_shared<GpuScene>());
+    for (const Setting& setting : {qualitySettings()[0], qualitySettings()[1]}) {
+      const Measured measured = measure(renderer, prepareTimes(subject.name, plainLit, options), setting, options);
+      lit.rows.push_back({subject.name, "Fenestra", setting.quality == Quality::Draft ? stepName(1.0) : stepName(2.0),
+                          fixed(measured.milliseconds.percentile(10.0), 1), fixed(measured.milliseconds.median(), 1),
+                          fixed(measured.milliseconds.percentile(90.0), 1)});
+    }
+
+    const std::vector<Row> own = measureAll(prepare(subject.name, loaded.scene, options, truths), options);
+    append(ownTable, subject.name, own);
+    section.charts.push_back(timeAgainstError(subject.id + "-scene", subject.name + ", with cutaway and lighting",
+                                              "99.99th percentile of the error, 1/255", own, nearlyMax));
+  }
+  std::cerr << plainText(against) << plainText(lit) << plainText(plainTable) << plainText(ownTable) << plainText(limit);
+  section.tables = {std::move(against), std::move(lit), std::move(limit), std::move(plainTable), std::move(ownTable)};
+  return section;
+}
+
+}  // namespace fenestra::bench

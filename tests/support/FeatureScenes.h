@@ -1,0 +1,53 @@
+#pragma once
+// One scene in every kind of use, from a plain volume to all that there is: what a feature costs, and that it costs
+// nothing while it is off.
+
+#include <string>
+#include <vector>
+
+#include "rendering/scene/Scene.h"
+
+namespace fenestra::tests {
+
+struct FeatureScene {
+  std::string name;
+  Scene scene;
+};
+
+/// `base` has labels and a label focus; `values` is a focus for the kinds that have one by value.
+inline std::vector<FeatureScene> featureScenes(const Scene& base, const ValueFocus& values) {
+  std::vector<FeatureScene> kinds;
+  const auto add = [&](const std::string& name, auto&& change) {
+    Scene scene = base;
+    scene.strokes.clear();
+    scene.contextLayer.strength = 0.0;
+    scene.cutaway.borderWidth = 0.0;
+    scene.cutaway.enabled = true;
+    scene.shading.enabled = true;
+    change(scene);
+    kinds.push_back({name, std::move(scene)});
+  };
+  const auto plain = [](Scene& scene) {
+    scene.focus = {};
+    scene.labels = nullptr;
+  };
+  add("plain, unlit", [&](Scene& scene) {
+    plain(scene);
+    scene.shading.enabled = false;
+  });
+  add("plain", plain);
+  add("labels, no cutaway", [](Scene& scene) { scene.cutaway.enabled = false; });
+  add("cutaway by value", [&](Scene& scene) {
+    scene.focus = values;
+    scene.labels = nullptr;
+  });
+  add("cutaway by labels", [](Scene&) {});
+  add("with a border", [](Scene& scene) { scene.cutaway.borderWidth = 2.0; });
+  add("with the context layer", [](Scene& scene) {
+    scene.cutaway.borderWidth = 2.0;
+    scene.contextLayer.strength = 0.7;
+  });
+  return kinds;
+}
+
+}  // namespace fenestra::tests
