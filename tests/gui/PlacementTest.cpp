@@ -246,6 +246,7 @@ TEST(PlacementPreferences, KeepTheSettingsAndDropNonsense) {
   QSettings::setDefaultFormat(QSettings::IniFormat);
   QSettings::setPath(QSettings::IniFormat, QSettings::UserScope,
                      QString::fromStdString(tests::scratchFolder().string()));
+  QCoreApplication::setOrganizationName(QStringLiteral("Fenestra tests"));
   QSettings().remove(QStringLiteral("placement"));
   Preferences preferences;
   EXPECT_EQ(preferences.placement(), PlacementSettings());
