@@ -41,7 +41,7 @@ struct Picture {
 Picture picture(const Scene& scene, const Camera& camera, glm::ivec2 size, const PictureOptions& options = {});
 
 /// The same from given stages 1 to 4, which may be another renderer's: then only what stages 5 to 7 add is measured.
-/// Not read when the scene has no cutaway.
+/// Needs tContext, tFocus and tStart, and tOut where the scene has strokes; nothing when the scene has no cutaway.
 Picture picture(const Scene& scene, const Camera& camera, glm::ivec2 size, const Stages& stages,
                 const PictureOptions& options = {});
 
