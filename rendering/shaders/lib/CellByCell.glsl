@@ -184,9 +184,9 @@ vec4 integrateCell(CellPath path, Ray ray, Cut cut, float transmittance, float s
 #endif
 #if SHADING
   vec3 from = cellPosition(ray, path.sFrom), to = cellPosition(ray, path.sTo);
-#if FOCUS_KIND == 1
+#if FOCUS_KIND != 0
   if (focus) {
-    // Its own light bends as the smoothed indicator does.
+    // Its own light, of labels by the smoothed indicator.
     float seen = transmittance * (1.0 - exp(-focusProperties.a * whole));
     vec2 bend = abs(lightAt(0.5 * (from + to), ray.world, true)
                     - 0.5 * (lightAt(from, ray.world, true) + lightAt(to, ray.world, true)));
