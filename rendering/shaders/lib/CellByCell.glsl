@@ -117,14 +117,27 @@ vec4 contextPiece(CellPath path, Ray ray, Cut cut, CellLight light, Bound front,
 #if FOCUS_KIND != 0
 vec4 focusPiece(CellPath path, Ray ray, Cut cut, CellLight light, float uFront, float uBack) {
   float size = (uBack - uFront) * (path.sTo - path.sFrom);
-  float sFront = mix(path.sFrom, path.sTo, uFront), sBack = mix(path.sFrom, path.sTo, uBack);
-  vec4 material = focusMaterialAlong(cellPosition(ray, sFront), cellPosition(ray, sBack));
-  float u = mix(uFront, uBack, centreOfEmission(material.a * size)), s = mix(path.sFrom, path.sTo, u);
+  float u = mix(uFront, uBack, centreOfEmission(focusProperties.a * size)), s = mix(path.sFrom, path.sTo, u);
   vec2 here = mix(light.from, light.to, u);
 #if SHADING
   here = lightAt(cellPosition(ray, s), ray.world, true);
 #endif
-  return pieceOf(material, size, behindCut(here, cut, s));
+  here = behindCut(here, cut, s);
+  vec3 from = cellPosition(ray, mix(path.sFrom, path.sTo, uFront));
+#if FOCUS_KIND == 1 && FOCUS_PALETTE
+  vec3 to = cellPosition(ray, mix(path.sFrom, path.sTo, uBack));
+  vec4 edges = colourEdges(from, to), result = vec4(0.0);
+  float begin = 0.0;
+  for (int i = 0; i < 4; ++i) {
+    if (edges[i] <= begin) continue;
+    vec4 material = focusMaterial(mix(from, to, 0.5 * (begin + edges[i])));
+    result = over(result, pieceOf(material, (edges[i] - begin) * size, here));
+    begin = edges[i];
+  }
+  return result;
+#else
+  return pieceOf(focusMaterial(from), size, here);
+#endif
 }
 #endif
 
