@@ -57,6 +57,8 @@ void members(auto& io, io::json::Is<ContextLayer> auto& layer) {
   io("strength", layer.strength, io::json::fraction);
   io("curvature_weight", layer.curvatureWeight, io::json::nonNegative);
   io("silhouette_weight", layer.silhouetteWeight, io::json::nonNegative);
+  io("illumination_weight", layer.illuminationWeight, io::json::fraction);
+  io("value_weight", layer.valueWeight, io::json::fraction);
   io("colour", layer.colour, io::json::fraction);
 }
 

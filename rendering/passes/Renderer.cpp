@@ -320,12 +320,12 @@ void Renderer::render(const Scene& scene, const View& view) {
       inputs.hitPoints = &s.hitPoints;
       inputs.distances = &s.distances;
       inputs.widths = s.widths;
+      if (s.editMap) inputs.editMap = &s.editMap;
     }
     if (contextLayer) {
       inputs.contextLayer = &s.contextLayer;
       inputs.silhouette = &s.silhouette;
       inputs.gpu = &gpu;
-      if (s.editMap) inputs.editMap = &s.editMap;
     }
     // Filtered when presented: a draft is smaller than the rectangle it fills.
     s.compositePass.run(inputs, scene, regions, sized(s.picture, gl::Format::RGBA32F, view.size, gl::Filter::Linear));
@@ -422,7 +422,13 @@ std::optional<BrushPoint> Renderer::pickBrush(glm::dvec2 pixel, BrushMode mode, 
   State& s = *state_;
   const glm::ivec2 at(glm::floor(pixel));
   if (!s.shows(at)) return std::nullopt;
-  const float position = mode == BrushMode::Open ? s.startAt(at) : s.hitAt(at).x;
+  const float context = s.hitAt(at).x;
+  float position = context;
+  if (mode == BrushMode::Open) {
+    position = s.startAt(at);
+    if (s.editMap && isSomething(position))
+      position = std::max(context, position - std::max(0.0f, s.editMap.readTexel(at).x));
+  }
   const RayFrame& rays = *s.rays;
   BrushPoint point;
   if (isSomething(position)) {
