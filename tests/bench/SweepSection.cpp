@@ -56,8 +56,8 @@ Chart timeAgainstError(const std::string& name, const std::string& title, const 
 double nearlyMax(const ColourErrors& errors) { return errors.channel.percentile(99.99); }
 double rootMeanSquare(const ColourErrors& errors) { return errors.squares.rms(); }
 
-const std::vector<std::string> columns{"program", "setting", "10 % ms", "median ms",  "90 % ms",   "RMS",
-                                       "99.99 %", "maximum", "ΔE RMS",  "ΔE 99.99 %", "ΔE maximum"};
+const std::vector<std::string> columns{"program", "setting", "least ms", "median ms",  "most ms",   "RMS",
+                                       "99.99 %", "maximum", "ΔE RMS",   "ΔE 99.99 %", "ΔE maximum"};
 
 void append(Table& table, const std::string& subject, const std::vector<Row>& rows) {
   for (const Row& row : rows)
