@@ -402,8 +402,8 @@ TEST_F(Brush, PictureMatchesTheReference) {
     edited += glm::distance(layers.final[at], plain.final[at]) > 0.02f;
     worst = std::max(worst, error);
   }
-  // Distances of RGBA: four channels within the bound of a quarter step of 8 bits make half a step. The curvature, found
-  // in float32 from a volume of 16 bits and steeply turned into opacity, adds to single pixels.
+  // Distances of RGBA: four channels within the bound of a quarter step of 8 bits make half a step. The curvature,
+  // found in float32 from a volume of 16 bits and steeply turned into opacity, adds to single pixels.
   EXPECT_LE(sum / static_cast<double>(options.pixels.size()), 0.5 / 255.0);
   EXPECT_LE(worst, 4.0 / 255.0);
   EXPECT_GT(edited, 60u);
@@ -420,9 +420,10 @@ void expectSamePicture(const Layers& a, const Layers& b, const std::string& afte
   EXPECT_TRUE(same(a.final, b.final)) << after;
 }
 
-TEST_F(Brush, PaintingGivesTheSameBitsAsAFullRun) {
+void expectPaintingGivesTheSameBits(Quality quality) {
   Scene scene = ballScene();
-  const View view = viewOf(scene);
+  View view = viewOf(scene);
+  view.quality = quality;
   Renderer renderer(std::make_shared<GpuScene>());
   renderer.render(scene, view);
   std::vector<glm::dvec2> pixels;
@@ -474,6 +475,10 @@ TEST_F(Brush, PaintingGivesTheSameBitsAsAFullRun) {
   scene.strokes.clear();
   step("cleared");
 }
+
+TEST_F(Brush, PaintingGivesTheSameBitsAsAFullRun) { expectPaintingGivesTheSameBits(Quality::Normal); }
+
+TEST_F(Brush, PaintingGivesTheSameBitsAsAFullRunWithinABound) { expectPaintingGivesTheSameBits(Quality::High); }
 
 TEST_F(Brush, NothingRunsForUnchangedOrInvisibleStrokes) {
   Scene scene = ballScene();
