@@ -8,6 +8,7 @@
 
 #include "viewer/Dialogs.h"
 #include "viewer/MainWindow.h"
+#include "viewer/Sessions.h"
 #include "viewer/Style.h"
 #include "viewer/model/Paths.h"
 #include "viewer/model/WindowPresets.h"
@@ -76,8 +77,14 @@ void Actions::makeFileMenu() {
   connect(&window_.document(), &Document::volumeChanged, series,
           [this, series] { series->setEnabled(!window_.document().study().otherSeries.empty()); });
 
+  QAction* session = action(tr("Open s&ession…"), {}, [this] { window_.sessions().choose(); });
+  QAction* save = volumeAction(tr("&Save session"), QKeySequence::Save, [this] { window_.sessions().save(); });
+  save->setIcon(icon("save"));
+  QAction* saveAs =
+      volumeAction(tr("Save session &as…"), QKeySequence(tr("Ctrl+Shift+S")), [this] { window_.sessions().saveAs(); });
+
   QMenu* menu = window_.menuBar()->addMenu(tr("&File"));
-  menu->addActions({folder, file});
+  menu->addActions({folder, file, session});
   recent_ = menu->addMenu(tr("&Recent"));
   connect(recent_, &QMenu::aboutToShow, this, &Actions::fillRecentMenu);
   samples_ = menu->addMenu(tr("&Built-in phantoms"));
@@ -85,8 +92,10 @@ void Actions::makeFileMenu() {
   menu->addSeparator();
   menu->addActions({series, labels});
   menu->addSeparator();
+  menu->addActions({save, saveAs});
+  menu->addSeparator();
   menu->addAction(action(tr("&Quit"), QKeySequence::Quit, [this] { window_.close(); }));
-  tools_ << QList<QAction*>{folder, file, labels};
+  tools_ << QList<QAction*>{folder, file, labels, save};
 }
 
 void Actions::makeEditMenu() {
@@ -130,12 +139,15 @@ void Actions::makeViewMenu() {
                          [&cameras](bool on) { cameras.setLinked(on); });
   link->setIcon(icon("link"));
   link->setObjectName(QStringLiteral("link"));
+  connect(&cameras, &ViewLink::linkedChanged, link, &QAction::setChecked);
   QAction* parallel = toggle(tr("&Parallel projection"), QKeySequence(tr("Ctrl+P")), false, [&cameras](bool on) {
     cameras.setProjection(on ? Projection::Orthographic : Projection::Perspective);
   });
   parallel->setIcon(icon("parallel"));
   connect(&document, &Document::volumeChanged, parallel,
           [&cameras, parallel] { parallel->setChecked(cameras.projection() == Projection::Orthographic); });
+  connect(&cameras, &ViewLink::projectionChanged, parallel,
+          [parallel](Projection now) { parallel->setChecked(now == Projection::Orthographic); });
   QAction* crosshair = toggle(tr("&Crosshair"), QKeySequence(tr("C")), options.crosshair(),
                               [&options](bool on) { options.setCrosshair(on); });
   crosshair->setIcon(icon("crosshair"));
@@ -145,6 +157,11 @@ void Actions::makeViewMenu() {
   QAction* text =
       toggle(tr("Corner &text"), QKeySequence(tr("T")), options.text(), [&options](bool on) { options.setText(on); });
   text->setIcon(icon("text"));
+  connect(&options, &ViewOptions::changed, this, [&options, crosshair, overlay, text] {
+    crosshair->setChecked(options.crosshair());
+    overlay->setChecked(options.labels());
+    text->setChecked(options.text());
+  });
 
   QMenu* menu = window_.menuBar()->addMenu(tr("&View"));
   QMenu* sides = menu->addMenu(tr("&Look from"));

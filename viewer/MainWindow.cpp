@@ -21,15 +21,18 @@
 #include <QTimer>
 #include <QVBoxLayout>
 
+#include "io/session/SessionFile.h"
 #include "viewer/Actions.h"
 #include "viewer/Dialogs.h"
 #include "viewer/NoticeBar.h"
+#include "viewer/Sessions.h"
 #include "viewer/Style.h"
 #include "viewer/model/CamerasChange.h"
 #include "viewer/model/Paths.h"
 #include "viewer/panels/AppearancePanel.h"
 #include "viewer/panels/BrushPanel.h"
 #include "viewer/panels/CamerasPanel.h"
+#include "viewer/panels/ContextLayerPanel.h"
 #include "viewer/panels/CutawayPanel.h"
 #include "viewer/panels/FocusPanel.h"
 #include "viewer/views/PlacementRenderer.h"
@@ -108,6 +111,8 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
   setCentralWidget(centre);
 
   makeDocks();
+  sessions_ = new Sessions(*this, {.describe = [this](io::Session& session) { views_->describe(session); },
+                                   .restore = [this](const io::Session& session) { views_->restore(session); }});
   actions_ = new Actions(*this);
   makeStatusBar();
 
@@ -147,6 +152,9 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
     restoreGeometry(preferences_.windowGeometry());
     restoreState(preferences_.windowState(), layoutVersion);
     views_->restoreLayout(preferences_.viewLayout());
+    placement_.setSettings(preferences_.placement());
+    connect(&placement_, &PlacementController::settingsChanged, this,
+            [this] { preferences_.setPlacement(placement_.settings()); });
   }
 }
 
@@ -199,6 +207,7 @@ void MainWindow::makeDocks() {
   focusPanel_ = new FocusPanel(document_);
   appearancePanel_ = new AppearancePanel(document_);
   cutawayPanel_ = new CutawayPanel(document_);
+  contextLayerPanel_ = new ContextLayerPanel(document_);
   camerasPanel_ = new CamerasPanel(document_, cameras_, placement_);
   brushPanel_ = new BrushPanel(document_, brush_);
   const auto add = [this](const QString& title, const char* name, QWidget* panel) {
@@ -220,10 +229,12 @@ void MainWindow::makeDocks() {
     brush->raise();
   });
   add(tr("Context"), "contextDock", appearancePanel_);
-  add(tr("Cutaway"), "cutawayDock", cutawayPanel_);
+  QDockWidget* cutaway = add(tr("Cutaway"), "cutawayDock", cutawayPanel_);
+  tabifyDockWidget(cutaway, add(tr("Context edges"), "contextLayerDock", contextLayerPanel_));
+  cutaway->raise();
   // The list of structures takes the height that is left.
-  for (QWidget* panel : {static_cast<QWidget*>(appearancePanel_), static_cast<QWidget*>(cutawayPanel_)})
-    panel->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+  for (QWidget* panel : std::initializer_list<QWidget*>{appearancePanel_, cutawayPanel_, contextLayerPanel_})
+    panel->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
   resizeDocks({focus}, {310}, Qt::Horizontal);
 }
 
@@ -241,15 +252,27 @@ void MainWindow::makeStatusBar() {
   statusBar()->addPermanentWidget(new QLabel(tr("Radiological convention")));
 }
 
-void MainWindow::open(Reader read) {
-  job_.start([this, read = std::move(read)](const io::Progress& progress) -> LoadJob::Show {
-    // Shared, because what is handed to the GUI thread must be copyable.
-    auto study = std::make_shared<Study>(read(progress));
-    return [this, study] { showStudy(std::move(*study)); };
-  });
+void MainWindow::open(Reader read, std::function<void(const io::DataMissing&)> missing) {
+  job_.start(
+      [this, read = std::move(read), missing = std::move(missing)](const io::Progress& progress) -> LoadJob::Show {
+        try {
+          // Shared, because what is handed to the GUI thread must be copyable.
+          auto study = std::make_shared<Study>(read(progress));
+          return [this, study] { showStudy(std::move(*study)); };
+        } catch (const io::DataMissing& error) {
+          if (!missing) throw;
+          // Not from within the job's end: a dialog would keep it from ending.
+          return [this, missing, error] { QTimer::singleShot(0, this, [missing, error] { missing(error); }); };
+        }
+      });
 }
 
 void MainWindow::open(const std::vector<std::filesystem::path>& paths) {
+  if (!sessions_->mayGo()) return;
+  if (paths.size() == 1 && io::isSession(paths.front())) {
+    sessions_->open(paths.front());
+    return;
+  }
   try {
     const PathsToOpen chosen = interpret(paths);
     open([chosen, looks = document_.scene()](const io::Progress& progress) {
@@ -261,6 +284,7 @@ void MainWindow::open(const std::vector<std::filesystem::path>& paths) {
 }
 
 void MainWindow::openSeries(const std::string& series) {
+  if (!sessions_->mayGo()) return;
   PathsToOpen chosen;
   chosen.volume = document_.study().path;
   chosen.series = series;
@@ -271,27 +295,29 @@ void MainWindow::openSeries(const std::string& series) {
 void MainWindow::openLabels(const std::filesystem::path& path) {
   job_.start([this, path, volume = document_.scene().volume](const io::Progress& progress) -> LoadJob::Show {
     const io::OpenedLabels opened = io::openLabels(path, volume->grid, progress);
-    return [this, opened] {
-      document_.setLabels(opened.labels);
+    return [this, opened, from = io::sessionLabels(path)] {
+      document_.setLabels(opened.labels, from);
       showWarnings(opened.warnings);
     };
   });
 }
 
 void MainWindow::addSample(const QString& name, Reader read) {
-  actions_->addSample(name, [this, read = std::move(read)] { open(read); });
+  actions_->addSample(name, [this, read = std::move(read)] {
+    if (sessions_->mayGo()) open(read);
+  });
 }
 
 void MainWindow::showStudy(Study study) {
-  const std::filesystem::path path = study.path;
+  const std::filesystem::path path = study.sessionFile.empty() ? study.path : study.sessionFile;
   const std::vector<io::Warning> warnings = study.warnings;
   document_.open(std::move(study));
   pages_->setCurrentWidget(views_);
   notices_->clear();
-  setWindowTitle(QStringLiteral("%1 – Fenestra").arg(document_.description()));
-  if (setup_.remember && !path.empty()) preferences_.addRecent(path);
+  sessions_->studyShown();
+  rememberRecent(path);
   const std::size_t others = document_.study().otherSeries.size();
-  if (others > 0)
+  if (others > 0 && !document_.study().restoresSession)
     notices_->add(NoticeBar::Kind::Warning,
                   tr("There are %1 series here; this is the largest, %2.")
                       .arg(others + 1)
@@ -317,6 +343,10 @@ void MainWindow::showWarnings(const std::vector<io::Warning>& warnings) {
       box.exec();
     });
   }
+}
+
+void MainWindow::rememberRecent(const std::filesystem::path& path) {
+  if (setup_.remember && !path.empty()) preferences_.addRecent(path);
 }
 
 void MainWindow::showError(const QString& message) { notices_->add(NoticeBar::Kind::Error, message); }
@@ -445,6 +475,10 @@ QImage MainWindow::picture() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!sessions_->mayGo()) {
+    event->ignore();
+    return;
+  }
   if (setup_.remember) preferences_.setLayout(saveGeometry(), saveState(layoutVersion), views_->saveLayout());
   QMainWindow::closeEvent(event);
 }
@@ -457,7 +491,8 @@ void MainWindow::dropEvent(QDropEvent* event) {
   const std::vector<std::filesystem::path> paths = localPaths(*event->mimeData());
   if (paths.empty()) return;
   event->acceptProposedAction();
-  if (!document_.hasVolume() || paths.size() > 1 || QFileInfo(toQString(paths.front())).isDir()) {
+  if (!document_.hasVolume() || paths.size() > 1 || io::isSession(paths.front()) ||
+      QFileInfo(toQString(paths.front())).isDir()) {
     open(paths);
     return;
   }

@@ -27,9 +27,11 @@ class Actions;
 class AppearancePanel;
 class BrushPanel;
 class CamerasPanel;
+class ContextLayerPanel;
 class CutawayPanel;
 class FocusPanel;
 class NoticeBar;
+class Sessions;
 
 class MainWindow : public QMainWindow {
   Q_OBJECT
@@ -44,9 +46,11 @@ class MainWindow : public QMainWindow {
 
   explicit MainWindow(const Setup& setup, QWidget* parent = nullptr);
 
-  /// Reads and shows; what is open stays until the new study is there.
-  void open(Reader read);
-  /// As dropped: a volume, a volume and its label map, or slices of one folder.
+  /// Reads and shows; what is open stays until the new study is there. `missing` is called when the reader did not find
+  /// a session's data.
+  void open(Reader read, std::function<void(const io::DataMissing&)> missing = {});
+  /// As dropped: a session, a volume, a volume and its label map, or slices of one folder. Asks before unsaved work
+  /// goes.
   void open(const std::vector<std::filesystem::path>& paths);
   void openLabels(const std::filesystem::path& path);
   /// An entry in the File menu for data that comes with the program.
@@ -69,6 +73,9 @@ class MainWindow : public QMainWindow {
   /// What is being read or measured is given up, or else the brush laid down, or else all views are shown.
   void stop();
 
+  /// In the File menu's list, unless this window remembers nothing.
+  void rememberRecent(const std::filesystem::path& path);
+
   const GlSupport& gl() const { return setup_.gl; }
   Document& document() { return document_; }
   SliceCursor& cursor() { return cursor_; }
@@ -77,11 +84,13 @@ class MainWindow : public QMainWindow {
   ViewOptions& options() { return options_; }
   Brush& brush() { return brush_; }
   Preferences& preferences() { return preferences_; }
+  Sessions& sessions() { return *sessions_; }
   ViewArea& views() { return *views_; }
   NoticeBar& notices() { return *notices_; }
   FocusPanel& focusPanel() { return *focusPanel_; }
   AppearancePanel& appearancePanel() { return *appearancePanel_; }
   CutawayPanel& cutawayPanel() { return *cutawayPanel_; }
+  ContextLayerPanel& contextLayerPanel() { return *contextLayerPanel_; }
   CamerasPanel& camerasPanel() { return *camerasPanel_; }
   BrushPanel& brushPanel() { return *brushPanel_; }
 
@@ -122,6 +131,7 @@ class MainWindow : public QMainWindow {
   Preferences preferences_;
   LoadJob job_;
 
+  Sessions* sessions_ = nullptr;
   Actions* actions_ = nullptr;
   QStackedWidget* pages_ = nullptr;
   ViewArea* views_ = nullptr;
@@ -132,6 +142,7 @@ class MainWindow : public QMainWindow {
   FocusPanel* focusPanel_ = nullptr;
   AppearancePanel* appearancePanel_ = nullptr;
   CutawayPanel* cutawayPanel_ = nullptr;
+  ContextLayerPanel* contextLayerPanel_ = nullptr;
   CamerasPanel* camerasPanel_ = nullptr;
   BrushPanel* brushPanel_ = nullptr;
   QLabel* pointer_ = nullptr;

@@ -214,7 +214,15 @@ OpenedSession openSession(const fs::path& file, const SessionPlaces& places, con
     options.series = session.volume.series;
     options.raw = session.volume.raw;
     options.progress = part(progress, 0.0, 0.7);
-    OpenedVolume volume = openVolume(path, options);
+    OpenedVolume volume;
+    try {
+      volume = openVolume(path, options);
+    } catch (const Error&) {
+      if (places.volume.empty() || options.series.empty()) throw;
+      // A study that was exported anew has other UIDs.
+      options.series.clear();
+      volume = openVolume(path, options);
+    }
     std::vector<fs::path> files = filesOf(path, volume.series);
     return Opened{std::move(volume), contentsOf(files, part(progress, 0.7, 0.8)), files};
   };

@@ -249,11 +249,11 @@ bool isSession(const fs::path& path) { return lowered(path.extension().string())
 
 Session readSession(const fs::path& file) {
   Value root = json::parse(file, json::readBounded(file, largest));
+  const auto format = root.is_object() ? root.find("format") : root.end();
+  if (format == root.end() || *format != formatName)
+    throw Error(file, "is no session", "give a .fenestra file that Fenestra wrote");
   const json::Place top{file};
   const json::Reader reader(top, root);
-  std::string format;
-  if (root.contains("format") && root["format"].is_string()) format = root["format"].get<std::string>();
-  if (format != formatName) throw Error(file, "is no session", "give a .fenestra file that Fenestra wrote");
   int version = 0;
   reader.required("version", version, {1.0, 1e6});
   if (version > sessionVersion)

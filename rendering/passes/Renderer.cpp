@@ -422,7 +422,13 @@ std::optional<BrushPoint> Renderer::pickBrush(glm::dvec2 pixel, BrushMode mode, 
   State& s = *state_;
   const glm::ivec2 at(glm::floor(pixel));
   if (!s.shows(at)) return std::nullopt;
-  const float position = mode == BrushMode::Open ? s.startAt(at) : s.hitAt(at).x;
+  const float context = s.hitAt(at).x;
+  float position = context;
+  if (mode == BrushMode::Open) {
+    position = s.startAt(at);
+    if (s.editMap && isSomething(position))
+      position = std::max(context, position - std::max(0.0f, s.editMap.readTexel(at).x));
+  }
   const RayFrame& rays = *s.rays;
   BrushPoint point;
   if (isSomething(position)) {

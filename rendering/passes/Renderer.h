@@ -91,10 +91,11 @@ class Renderer {
   std::optional<glm::dvec3> pick(glm::dvec2 pixel);
 
   /// Where a brush at pixel (i, j), in rendered pixels as for pick(), touches. Open cuts into what is seen: its anchor
-  /// is where the ray starts to see. The other modes are about the context that lies, or lay, before it: theirs is the
-  /// context's first surface, even where the cutaway removed it; a point of that surface is the same from every side,
-  /// which one of the cut face is not. Where the ray meets nothing, the point of the ray as deep in the view as
-  /// `before`, a stroke's last anchor, so that a stroke can leave the body and come back; empty without one.
+  /// is where the ray starts to see, or did before strokes opened it further, so that a stroke being painted does not
+  /// dig itself in. The other modes are about the context that lies, or lay, before it: theirs is the context's first
+  /// surface, even where the cutaway removed it; a point of that surface is the same from every side, which one of the
+  /// cut face is not. Where the ray meets nothing, the point of the ray as deep in the view as `before`, a stroke's
+  /// last anchor, so that a stroke can leave the body and come back; empty without one.
   std::optional<BrushPoint> pickBrush(glm::dvec2 pixel, BrushMode mode, std::optional<glm::dvec3> before = {});
 
   /// Measures each pass with timer queries; waits for the GPU, so off by default.

@@ -164,8 +164,14 @@ void Document::edit(const QString& name, Edits edits) {
   history_.push(name, std::make_shared<EditsChange>(*this, std::move(before), edits_));
 }
 
-void Document::setLabels(std::shared_ptr<const LabelMap> labels) {
+void Document::noteContents(const io::Session& session) {
+  if (session.volume.files == study_.session.volume.files) study_.session.volume.contents = session.volume.contents;
+  if (session.labels.files == study_.session.labels.files) study_.session.labels.contents = session.labels.contents;
+}
+
+void Document::setLabels(std::shared_ptr<const LabelMap> labels, io::SessionData from) {
   study_.scene.labels = std::move(labels);
+  study_.session.labels = std::move(from);
   Q_EMIT labelsChanged();
   if (std::holds_alternative<LabelFocus>(focus())) {
     Edits without = edits_;

@@ -12,6 +12,7 @@
 #include <QString>
 
 #include "io/VolumeReader.h"
+#include "io/session/Session.h"
 #include "rendering/scene/Scene.h"
 #include "viewer/model/History.h"
 
@@ -27,6 +28,10 @@ struct Study {
   io::SeriesInfo series;
   std::vector<io::SeriesInfo> otherSeries;
   std::vector<io::Warning> warnings;
+  io::Session session;                ///< where the data are; all of the session that the study was opened from
+  bool restoresSession = false;       ///< there is one: the window becomes what it says
+  std::filesystem::path sessionFile;  ///< its file; empty without one
+  bool isRecovered = false;           ///< it was saved after a crash by none but the program
 };
 
 /// What the user edits of a study: what undo and redo move through, and what a session keeps. The data is not in it.
@@ -51,7 +56,9 @@ class Document : public QObject {
   void open(Study study);
   /// A label map on the volume's grid, or null. A focus made of the old map's labels goes with it, and so does what
   /// could be undone.
-  void setLabels(std::shared_ptr<const LabelMap> labels);
+  void setLabels(std::shared_ptr<const LabelMap> labels, io::SessionData from = {});
+  /// Takes over the hashes of the data's contents, where `session` is of the same data.
+  void noteContents(const io::Session& session);
 
   bool hasVolume() const { return study_.scene.volume != nullptr; }
   const Scene& scene() const { return study_.scene; }

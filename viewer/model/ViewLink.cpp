@@ -103,6 +103,7 @@ void ViewLink::setPose(const Pose& pose) {
   placed_ = pose.cameras;
   reset();
   placed_ = pose.home;
+  Q_EMIT projectionChanged(projection());
 }
 
 void ViewLink::rotate(int view, const glm::dmat3& worldRotation) {

@@ -65,6 +65,7 @@ class ViewLink : public QObject {
   void turned(int view);
   void landed();
   void linkedChanged(bool linked);
+  void projectionChanged(Projection projection);
 
  private:
   void set(int view, const Camera& camera);

@@ -20,7 +20,7 @@
 namespace fenestra::viewer {
 
 BrushPanel::BrushPanel(Document& document, Brush& brush, QWidget* parent)
-    : QWidget(parent),
+    : ScrollingPanel(parent),
       document_(document),
       brush_(brush),
       paint_(new QToolButton),
@@ -40,6 +40,7 @@ BrushPanel::BrushPanel(Document& document, Brush& brush, QWidget* parent)
   paint_->setIcon(icon("brush"));
   paint_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   paint_->setCheckable(true);
+  paint_->setObjectName(QStringLiteral("choice"));
   paint_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   paint_->setToolTip(tr("The left button paints; Ctrl with it still turns the view (P, and E the other way)"));
   struct Mode {
@@ -57,6 +58,7 @@ BrushPanel::BrushPanel(Document& document, Brush& brush, QWidget* parent)
     button->setText(nameOf(each.mode));
     button->setToolTip(each.meaning);
     button->setCheckable(true);
+    button->setObjectName(QStringLiteral("choice"));
     button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     group->addButton(button);
     modes->addWidget(button);
@@ -89,7 +91,8 @@ BrushPanel::BrushPanel(Document& document, Brush& brush, QWidget* parent)
   form->addRow(tr("Amount"), amount_);
   auto* buttons = new QHBoxLayout;
   for (QPushButton* button : {delete_, clear_, load_, save_}) buttons->addWidget(button);
-  auto* column = new QVBoxLayout(this);
+  auto* body = new QWidget;
+  auto* column = new QVBoxLayout(body);
   column->addWidget(paint_);
   column->addLayout(modes);
   column->addLayout(form);
@@ -97,6 +100,7 @@ BrushPanel::BrushPanel(Document& document, Brush& brush, QWidget* parent)
   column->addWidget(thisViewOnly_);
   column->addWidget(list_, 1);
   column->addLayout(buttons);
+  setBody(body);
 
   connect(paint_, &QToolButton::clicked, &brush_, &Brush::setActive);
   const auto bind = [this](SliderSpin* slider, double BrushSettings::*member) {

@@ -7,9 +7,9 @@
 #include <QListView>
 #include <QPushButton>
 #include <QToolButton>
-#include <QWidget>
 
 #include "viewer/model/Brush.h"
+#include "viewer/panels/ScrollingPanel.h"
 
 namespace fenestra::viewer {
 
@@ -17,7 +17,7 @@ class Document;
 class SliderSpin;
 class StrokeModel;
 
-class BrushPanel : public QWidget {
+class BrushPanel : public ScrollingPanel {
   Q_OBJECT
  public:
   BrushPanel(Document& document, Brush& brush, QWidget* parent = nullptr);

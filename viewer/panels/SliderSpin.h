@@ -7,6 +7,8 @@
 
 namespace fenestra::viewer {
 
+class History;
+
 class SliderSpin : public QWidget {
   Q_OBJECT
  public:
@@ -33,5 +35,8 @@ class SliderSpin : public QWidget {
   QDoubleSpinBox* box_;
   double low_ = 0.0, step_ = 1.0;
 };
+
+/// A drag of the slider is one step of the history.
+void makeDragsSteps(SliderSpin& slider, History& history);
 
 }  // namespace fenestra::viewer

@@ -44,8 +44,8 @@ bool BrushTool::press(const QMouseEvent& event) {
 }
 
 bool BrushTool::move(const QMouseEvent& event) {
-  if (!brush_.isActive() && !isPainting()) return false;
   mouse_ = event.position();
+  if (!brush_.isActive() && !isPainting()) return false;
   if (deepening_) {
     brush_.scaleDepth(std::exp(dragRate * (deepening_->y() - mouse_->y())));
     deepening_ = mouse_;
@@ -154,7 +154,8 @@ void BrushTool::draw(QPainter& painter, const QRectF& view) const {
            : QStringLiteral("%1 %2 %").arg(nameOf(settings.mode)).arg(100.0 * settings.amount, 0, 'f', 0);
   const double height = painter.fontMetrics().height(), width = painter.fontMetrics().horizontalAdvance(text) + 4.0;
   QRectF box(at.x() - 0.5 * width, at.y() + radius + 4.0, width, height);
-  if (box.bottom() > view.bottom()) box.moveBottom(at.y() - radius - 4.0);
+  // The arrow that points down, into the picture, is where the text would be.
+  if ((deep && !adds) || box.bottom() > view.bottom()) box.moveBottom(at.y() - radius - 4.0);
   box.moveLeft(std::clamp(box.left(), view.left(), std::max(view.left(), view.right() - width)));
   drawText(painter, box, Qt::AlignCenter | Qt::TextSingleLine, text, colour);
   painter.restore();

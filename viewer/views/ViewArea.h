@@ -1,11 +1,14 @@
 #pragma once
 // The five views: C1 and C2 side by side over axial, sagittal and coronal. One of them can take the whole area.
 
+#include <memory>
+#include <string>
 #include <vector>
 
 #include <QSplitter>
 #include <QWidget>
 
+#include "io/session/Session.h"
 #include "viewer/views/GlSupport.h"
 #include "viewer/views/SliceView.h"
 #include "viewer/views/VolumeView.h"
@@ -29,6 +32,10 @@ class ViewArea : public QWidget {
   bool isMaximised() const { return maximised_ != nullptr; }
   void showAll();
 
+  /// The pictures' sizes and sampling, and the layout.
+  void describe(io::Session& session) const;
+  void restore(const io::Session& session);
+
   QByteArray saveLayout() const;
   void restoreLayout(const QByteArray& layout);
 
@@ -39,6 +46,10 @@ class ViewArea : public QWidget {
   void failed(const QString& problem);
 
  private:
+  /// Every view by the name that a session has for it.
+  std::vector<std::pair<std::string, QWidget*>> namedViews() const;
+
+  std::shared_ptr<FramePacer> pacer_;
   QSplitter *rows_, *upper_, *lower_;
   std::vector<VolumeView*> volumes_;
   std::vector<SliceView*> slices_;

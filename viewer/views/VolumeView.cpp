@@ -156,6 +156,7 @@ View VolumeView::viewFor(Effort effort) const {
       .size = glm::max(glm::ivec2(glm::round(glm::dvec2(width(), height()) * scale)), glm::ivec2(1)),
       .pixelScale = scale,
       .quality = effort.quality,
+      .maxError = effort.maxError,
   };
 }
 

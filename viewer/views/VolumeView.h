@@ -45,6 +45,8 @@ class VolumeView : public QOpenGLWidget {
   void hold(bool on) { held_ = on; }
   /// What is on screen is the scene at full quality, or why it cannot be is said there.
   bool isSettled() const;
+  /// What is drawn at rest.
+  View restView() const { return viewFor(shared_.pacer->atRest()); }
   /// Why nothing is drawn; empty when all is well.
   const QString& problem() const { return problem_; }
   /// The camera as drawn: in a view that is higher than wide, the field of view is widened so that the volume still
