@@ -175,7 +175,7 @@ TEST_F(SessionWindow, LinkedCamerasStayLinkedAndUnlinkedOnesDoNot) {
     window_->cameras().setLinked(linked);
     window_->cameras().orbit(0, 0.3, 0.1);
     save(file_);
-    restart();
+    window_->cameras().setLinked(!linked);
     open(file_);
     EXPECT_EQ(window_->cameras().isLinked(), linked);
     EXPECT_EQ(window_->findChild<QAction*>(QStringLiteral("link"))->isChecked(), linked);
@@ -195,7 +195,8 @@ TEST_F(SessionWindow, CamerasStandWhereTheyStood) {
   window_->cameras().zoom(0, 1.7);
   const ViewLink::Pose pose = window_->cameras().pose();
   save(file_);
-  restart();
+  window_->cameras().place(Camera::standard(StandardView::Posterior, window_->document().scene().volume->grid));
+  ASSERT_NE(window_->cameras().pose(), pose);
   open(file_);
   EXPECT_EQ(window_->cameras().pose(), pose);
   window_->cameras().reset();
@@ -212,7 +213,9 @@ TEST_F(SessionWindow, KeepsTheLayoutAndWhatIsDrawnOverThePictures) {
   settings.options.region = placement::Region::Stream;
   window_->placement().setSettings(settings);
   save(file_);
-  restart();
+  window_->views().showAll();
+  window_->options().setText(true);
+  window_->placement().setSettings({});
   open(file_);
   EXPECT_TRUE(window_->views().isMaximised());
   EXPECT_TRUE(slice(SlicePlane::Coronal)->isVisible());
@@ -278,6 +281,8 @@ TEST_F(SessionWindow, SavesByItsKeysAndOpensWhatIsDropped) {
   window_->document().undoStack().undo();
   QMimeData data;
   data.setUrls({QUrl::fromLocalFile(toQString(file_))});
+  QDragEnterEvent enter(QPoint(200, 200), Qt::CopyAction, &data, Qt::LeftButton, {});
+  QApplication::sendEvent(window_.get(), &enter);
   QDropEvent drop(QPointF(200, 200), Qt::CopyAction, &data, Qt::LeftButton, {});
   QSignalSpy opened(window_.get(), &MainWindow::opened);
   QApplication::sendEvent(window_.get(), &drop);
@@ -287,9 +292,8 @@ TEST_F(SessionWindow, SavesByItsKeysAndOpensWhatIsDropped) {
 }
 
 TEST_F(SessionWindow, AsksWhereMovedDataIs) {
-  work();
+  window_->document().focusOn(marker);
   save(file_);
-  restart();
   fs::create_directory(folder_ / "sessions");
   fs::rename(file_, folder_ / "sessions" / "a.fenestra");
   int asked = 0;
