@@ -15,6 +15,7 @@
 #include "io/TransferFunctionFile.h"
 #include "io/session/OpenSession.h"
 #include "io/session/SessionFile.h"
+#include "io/session/StrokeFile.h"
 
 namespace fenestra::app {
 namespace {
@@ -357,6 +358,11 @@ void addSceneOptions(CLI::App& command, SceneOptions& options, std::function<voi
             options.contextLayer.valueWeight);
   addColour(command, "--context-colour", "of the context's edges", options.contextLayer.colour);
   addColour(command, "--border-colour", "of the line around the cut", options.cutaway.borderColour);
+  addParsed(command, "--strokes", "FILE.json", "brush strokes to apply, in place of a session's",
+            [&options](const std::string& text) {
+              options.strokes = text;
+              return !text.empty();
+            });
   addSwitch(command, "--shading", "light by the gradient, default on", options.shading.enabled);
   addChoice<Quality>(command, "--quality", "default normal",
                      {{"draft", Quality::Draft}, {"normal", Quality::Normal}, {"high", Quality::High}}, options.quality)
@@ -397,6 +403,7 @@ LoadedScene loadScene(const SceneOptions& options, const io::Progress& progress)
   setFocus(options, loaded);
   scene.cutaway = options.cutaway;
   scene.contextLayer = options.contextLayer;
+  if (!options.strokes.empty()) scene.strokes = io::readStrokes(options.strokes);
   scene.shading = options.shading;
   scene.background = options.background;
   setView(options, loaded);

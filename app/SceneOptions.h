@@ -57,6 +57,7 @@ struct SceneOptions : VolumeOptions {
   std::optional<glm::ivec2> size;  ///< rendered pixels
   Cutaway cutaway;
   ContextLayer contextLayer;
+  std::filesystem::path strokes;  ///< file of brush strokes; empty: none, or the session's
   Shading shading;
   Quality quality = Quality::Normal;
   std::optional<double> maxError;  ///< in 1/255; see View

@@ -13,13 +13,13 @@ void CompositePass::run(const Inputs& inputs, const Scene& scene, std::span<cons
   if (cutaway) {
     bindTexture(program, "hitPoints", 1, *inputs.hitPoints);
     bindTexture(program, "distances", 2, *inputs.distances);
+    if (inputs.editMap) bindTexture(program, "editMap", 5, *inputs.editMap);
     program.set("widths", glm::vec2(inputs.widths));
     program.set("borderColour", glm::vec3(scene.cutaway.borderColour));
   }
   if (layer) {
     bindTexture(program, "contextLayer", 3, *inputs.contextLayer);
     bindTexture(program, "silhouette", 4, *inputs.silhouette);
-    if (inputs.editMap) bindTexture(program, "editMap", 5, *inputs.editMap);
     const ContextLayer& look = scene.contextLayer;
     program.set("contextColour", glm::vec3(look.colour));
     program.set("contextWeights", glm::vec3(look.strength, look.curvatureWeight, look.silhouetteWeight));

@@ -20,7 +20,7 @@ class CompositePass {
     const gl::Texture* contextLayer = nullptr;  ///< with silhouette
     const gl::Texture* silhouette = nullptr;
     const GpuScene* gpu = nullptr;         ///< with contextLayer, for the context's own colours
-    const gl::Texture* editMap = nullptr;  ///< strokes that fade or strengthen the context layer
+    const gl::Texture* editMap = nullptr;  ///< of brush strokes
     glm::dvec2 widths{0.0};                ///< w_open, w_border in rendered pixels
     double curvatureScale = 1.0;           ///< mm, the scale of the derivatives
   };

@@ -9,8 +9,9 @@
 
 namespace fenestra {
 
-/// Writes RG32F: how far in mm the strokes move a ray's start (negative towards the eye), and the factor of the context
-/// layer's opacity. 0 and 1 where no stroke acts. Rays without a start of their own stay without one.
+/// Writes RG32F: how far in mm the strokes move a ray's start (negative towards the eye); and the factor of the context
+/// layer's opacity where the ray meets the focus, of the border's elsewhere. 0 and 1 where no stroke acts, or the ray
+/// meets nothing.
 class EditMapPass {
  public:
   void run(const RayFrame& rays, const RayStartPass::Inputs& inputs, const ProjectedStrokes& strokes,

@@ -320,12 +320,12 @@ void Renderer::render(const Scene& scene, const View& view) {
       inputs.hitPoints = &s.hitPoints;
       inputs.distances = &s.distances;
       inputs.widths = s.widths;
+      if (s.editMap) inputs.editMap = &s.editMap;
     }
     if (contextLayer) {
       inputs.contextLayer = &s.contextLayer;
       inputs.silhouette = &s.silhouette;
       inputs.gpu = &gpu;
-      if (s.editMap) inputs.editMap = &s.editMap;
     }
     // Filtered when presented: a draft is smaller than the rectangle it fills.
     s.compositePass.run(inputs, scene, regions, sized(s.picture, gl::Format::RGBA32F, view.size, gl::Filter::Linear));

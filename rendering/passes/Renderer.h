@@ -45,7 +45,7 @@ struct Layers {
   glm::ivec2 size{0};
   std::vector<float> tContext, tFocus, tFocusFilled, tStart;
   std::vector<float> distance;          ///< px, 0 inside the focus projection, +inf beyond w_open + w_border
-  std::vector<glm::vec2> edits;         ///< brush: mm that it moved t_start by, factor of the context layer's opacity
+  std::vector<glm::vec2> edits;         ///< of brush strokes: EditMapPass's output
   std::vector<glm::vec4> focusLayer;    ///< premultiplied RGBA
   std::vector<glm::vec4> contextLayer;  ///< κ1, κ2 (1/mm), illumination, value (real units)
   std::vector<glm::vec4> final;         ///< premultiplied RGBA

@@ -7,9 +7,9 @@ namespace fenestra::reference {
 
 /// What the strokes make of every pixel, row by row from the top.
 struct Edits {
-  Image offset;         ///< mm that the ray start moved, negative towards the eye; 0 where the ray meets nothing
-  Image contextFactor;  ///< of the context layer's opacity
-  Image tStart;         ///< the ray start after the strokes; NaN where the ray meets nothing
+  Image offset;  ///< mm that the ray start moved, negative towards the eye; 0 where the ray meets nothing
+  Image factor;  ///< of the context layer's opacity where the ray meets the focus, of the border's elsewhere
+  Image tStart;  ///< the ray start after the strokes; NaN where the ray meets nothing
 };
 
 /// `tStart` is stage 4's (rayStart), before any stroke.

@@ -9,6 +9,9 @@ uniform sampler2D hitPoints;
 uniform sampler2D distances;
 uniform vec2 widths;          // w_open, w_border in rendered pixels
 uniform vec3 borderColour;
+#if EDITED
+uniform sampler2D editMap;
+#endif
 #endif
 #if CONTEXT_LAYER
 uniform sampler2D contextLayer;
@@ -16,12 +19,9 @@ uniform sampler2D silhouette;
 uniform vec3 contextColour;
 uniform vec3 contextWeights;  // strength, curvature, silhouette
 uniform vec2 contextShade;     // weights of illumination and of the context's own colour
-uniform sampler2D transferTable;  // colour, extinction, one row
+uniform sampler2D transferTable;  // colour · extinction, extinction; one row
 uniform vec2 transferMap;      // table position = stored value · x + y
 uniform float curvatureScale; // mm: length that makes curvature dimensionless, the derivative volume's spacing
-#if EDITED
-uniform sampler2D editMap;
-#endif
 #endif
 
 void main() {
@@ -42,7 +42,9 @@ void main() {
     opacity = min(opacity * texelFetch(editMap, pixel, 0).g, 1.0);
 #endif
     int entry = int(clamp(context.w * transferMap.x + transferMap.y, 0.0, float(textureSize(transferTable, 0).x - 1)) + 0.5);
-    vec3 colour = mix(contextColour, texelFetch(transferTable, ivec2(entry, 0), 0).rgb, contextShade.y);
+    vec4 material = texelFetch(transferTable, ivec2(entry, 0), 0);
+    vec3 own = material.a > 0.0 ? material.rgb / material.a : contextColour;
+    vec3 colour = mix(contextColour, own, contextShade.y);
     colour *= mix(1.0, context.z, contextShade.x);
     result = vec4(colour, 1.0) * opacity + result * (1.0 - opacity);
   }
@@ -52,6 +54,9 @@ void main() {
     float distance = texelFetch(distances, pixel, 0).r;
     float border = clamp(min(distance + 0.5, widths.x + widths.y) - max(distance - 0.5, widths.x), 0.0, 1.0);
     if (distance <= 0.0) border = 0.0;
+#if EDITED
+    border *= texelFetch(editMap, pixel, 0).g;
+#endif
     result = mix(result, vec4(borderColour, 1.0), border);
   }
 #endif

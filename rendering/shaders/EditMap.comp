@@ -1,5 +1,6 @@
-// The brush: how far strokes move each ray's start, and how much of the context layer they leave (what a stroke does is
-// defined in rendering/scene/BrushStroke.h). Output: offset in mm along the ray, factor of the context layer.
+// The brush: how far strokes move each ray's start, and how much of the context layer and the border they leave (what a
+// stroke does is defined in rendering/scene/BrushStroke.h). Output: offset in mm along the ray; factor of the context
+// layer's opacity where the ray meets the focus, of the border's elsewhere.
 #include "lib/Region.glsl"
 #include "lib/Ray.glsl"
 #include "lib/RayStart.glsl"
@@ -66,15 +67,18 @@ void main() {
         weight = max(weight, profile(d, stroke.softness) * (1.0 - smoothstep(1.0, 2.0, off / stroke.radius)));
       }
       float change = stroke.effect * weight;
-      if (stroke.mode == RESTORE) {
-        if (!meetsFocus || stroke.coversFocus != 0u) start = max(start - change, hit.x);
-      } else if (stroke.mode == OPEN) {
-        start = min(start + change, farthest);
-      } else {
+      if (stroke.mode == RESTORE || stroke.mode == OPEN) {
+        if (stroke.mode == OPEN)
+          start = min(start + change, farthest);
+        else if (!meetsFocus || stroke.coversFocus != 0u)
+          start = max(start - change, hit.x);
+        if (!meetsFocus) share *= 1.0 - weight;
+      } else if (meetsFocus) {
         share *= stroke.mode == FADE ? 1.0 - change : 1.0 + change;
       }
     }
     offset = start - unedited;
+    if (meetsFocus && start < unedited) share *= (start - hit.x) / (unedited - hit.x);
   }
   imageStore(editMap, pixel, vec4(offset, share, 0.0, 0.0));
 }

@@ -68,13 +68,26 @@ TEST(ReferenceStrokes, LinesOfOneStrokeDoNotAddUpAndStrokesFollowOneAnother) {
   EXPECT_NEAR(flat.edits({open, deep}).tStart[Flat::at(0, 0)], 100.0, 1e-12);
   open.depth = 1e4;
   EXPECT_NEAR(flat.edits({open}).tStart[Flat::at(0, 0)], 300.0, 1e-12);
-  // Shares of the context layer multiply.
-  BrushStroke fade = line, strengthen = line;
-  fade.mode = BrushMode::Fade;
-  strengthen.mode = BrushMode::Strengthen;
-  EXPECT_NEAR(flat.edits({fade, fade, strengthen}).contextFactor[Flat::at(0, 0)], 0.5 * 0.5 * 1.5, 1e-12);
-  EXPECT_EQ(flat.edits({fade}).offset[Flat::at(0, 0)], 0.0);
-  EXPECT_EQ(flat.edits({line}).contextFactor[Flat::at(0, 0)], 1.0);
+}
+
+TEST(ReferenceStrokes, FactorsOfContextLayerAndBorder) {
+  const Flat flat;
+  const auto bare = Flat::at(0, 0), onFocus = Flat::at(14, 0);
+  const auto stroke = [](BrushMode mode) { return Flat::stroke(mode, {{-6.0, 0.0}, {16.0, 0.0}}); };
+  BrushStroke fade = stroke(BrushMode::Fade), strengthen = stroke(BrushMode::Strengthen);
+  EXPECT_NEAR(flat.edits({fade, fade, strengthen}).factor[onFocus], 0.5 * 0.5 * 1.5, 1e-12);
+  EXPECT_EQ(flat.edits({fade}).factor[bare], 1.0) << "the border stays";
+  EXPECT_EQ(flat.edits({fade}).offset[onFocus], 0.0);
+  // Where a brush moved the cut, its border is gone. Restored, no context layer is left; half of the 50 mm back over
+  // the focus leaves half of the context layer.
+  BrushStroke restore = stroke(BrushMode::Restore);
+  EXPECT_EQ(flat.edits({restore}).factor[bare], 0.0);
+  EXPECT_EQ(flat.edits({stroke(BrushMode::Open)}).factor[bare], 0.0);
+  EXPECT_EQ(flat.edits({restore}).factor[onFocus], 1.0);
+  restore.coversFocus = true;
+  restore.depth = 25.0;
+  EXPECT_NEAR(flat.edits({restore}).factor[onFocus], 0.5, 1e-12);
+  EXPECT_NEAR(flat.edits({restore, fade}).factor[onFocus], 0.25, 1e-12);
 }
 
 TEST(ReferenceStrokes, RaysThatMeetTheFocus) {

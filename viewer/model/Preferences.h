@@ -8,6 +8,8 @@
 #include <QByteArray>
 #include <QSettings>
 
+#include "viewer/model/PlacementController.h"
+
 namespace fenestra::viewer {
 
 class Preferences {
@@ -23,6 +25,10 @@ class Preferences {
   QByteArray windowState() const;
   QByteArray viewLayout() const;
   void setLayout(const QByteArray& geometry, const QByteArray& state, const QByteArray& views);
+
+  /// How cameras are placed; what was never stored, or makes no sense, is the default.
+  PlacementSettings placement() const;
+  void setPlacement(const PlacementSettings& placement);
 
  private:
   QSettings settings_;
