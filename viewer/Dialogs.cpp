@@ -75,6 +75,8 @@ void showKeys(QWidget* parent) {
       {QT_TRANSLATE_NOOP("Dialogs", "Shift+move"), QT_TRANSLATE_NOOP("Dialogs", "crosshair follows the mouse")},
       {QT_TRANSLATE_NOOP("Dialogs", "Double-click"), QT_TRANSLATE_NOOP("Dialogs", "this view alone, and back (Esc)")},
       {QT_TRANSLATE_NOOP("Dialogs", "R"), QT_TRANSLATE_NOOP("Dialogs", "reset the view; Ctrl+R all views")},
+      {QT_TRANSLATE_NOOP("Dialogs", "Ctrl+S  Ctrl+Shift+S"),
+       QT_TRANSLATE_NOOP("Dialogs", "save the session; as another file")},
       {QT_TRANSLATE_NOOP("Dialogs", "L"), QT_TRANSLATE_NOOP("Dialogs", "link the 3-D views")},
       {QT_TRANSLATE_NOOP("Dialogs", "C  O  T"), QT_TRANSLATE_NOOP("Dialogs", "crosshair, label overlay, corner text")},
       {QT_TRANSLATE_NOOP("Dialogs", "1"), QT_TRANSLATE_NOOP("Dialogs", "window and level of the data")},
