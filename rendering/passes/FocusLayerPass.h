@@ -18,8 +18,6 @@ class FocusLayerPass {
     const gl::Texture& hitPoints;
     const gl::Texture& rayStart;
   };
-  /// A pixel's result depends on the ray starts this many pixels around it: a cut face's normal takes its neighbours'.
-  static constexpr int reach = 1;
   struct Sampling {
     double step = 1.0;               ///< mm between samples, where no bound is set
     std::optional<double> maxError;  ///< of a pixel's colour, 0..1: the integral is then found cell by cell

@@ -8,6 +8,8 @@
 #include <QByteArray>
 #include <QSettings>
 
+#include "viewer/model/FramePacer.h"
+
 namespace fenestra::viewer {
 
 class Preferences {
@@ -18,6 +20,10 @@ class Preferences {
   std::vector<std::filesystem::path> recent() const;
   void addRecent(const std::filesystem::path& path);
   void clearRecent();
+
+  /// How the 3-D views are drawn when nothing moves.
+  Effort atRest() const;
+  void setAtRest(const Effort& effort);
 
   QByteArray windowGeometry() const;
   QByteArray windowState() const;
