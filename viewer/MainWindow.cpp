@@ -153,6 +153,9 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
     restoreGeometry(preferences_.windowGeometry());
     restoreState(preferences_.windowState(), layoutVersion);
     views_->restoreLayout(preferences_.viewLayout());
+    placement_.setSettings(preferences_.placement());
+    connect(&placement_, &PlacementController::settingsChanged, this,
+            [this] { preferences_.setPlacement(placement_.settings()); });
   }
 }
 

@@ -5,29 +5,50 @@
 #include <cmath>
 
 #include "rendering/passes/SceneBinding.h"
+#include "rendering/placement/Sphere.h"
 
 namespace fenestra::placement {
 namespace {
 
-enum Block : unsigned { candidatesBlock = 2, tilesBlock = 3, partialsBlock = 4, totalsBlock = 5 };
+enum Block : unsigned {
+  viewsBlock = 2,
+  tilesBlock = 3,
+  hitsBlock = 4,
+  pointsBlock = 3,
+  rangesBlock = 3,
+  partialsBlock = 4,
+  sumsBlock = 5
+};
 
 /// As the shaders declare them (std430).
-struct Axes {
+struct View {
   glm::vec4 right, up, forward;
 };
+struct Tile {
+  unsigned view;
+  int x, y;
+  unsigned neighbours;
+};
 struct Sums {
-  glm::vec4 sums;
+  glm::vec4 sums, more;
   glm::ivec4 box;
 };
 struct SurfacePoint {
   glm::vec4 position, facing;
 };
 
-/// Tiles traced in one go: 64 bytes of sums each, and no dispatch so long that a window manager takes the GPU for hung.
-constexpr std::size_t tilesPerBatch = 1 << 16;
+/// Tiles traced in one go: 512 bytes of hits each, and no dispatch so long that a window manager takes the GPU for
+/// hung.
+constexpr std::size_t tilesPerBatch = 1 << 15;
 constexpr int tileSide = 8;
 /// Work groups in a row of a dispatch; the shaders count on it.
 constexpr int groupsPerRow = 1024;
+/// Of a pixel, to find where the outline crosses from one to the next: within 1/32 of it.
+constexpr int outlineHalvings = 4;
+/// Pixels that the focus's box spans at least, from corner to corner, and how much finer an image gets for that at
+/// most.
+constexpr double leastSpan = 48.0;
+constexpr int mostFiner = 64;
 
 glm::ivec2 groupsFor(std::size_t count) {
   const int groups = static_cast<int>(count);
@@ -39,23 +60,19 @@ gl::Buffer bufferOf(const std::vector<T>& values) {
   return gl::Buffer(std::as_bytes(std::span(values)));
 }
 
-gl::Buffer axesBuffer(const Grid& grid, const std::vector<Candidate>& candidates) {
+View viewOf(const Grid& grid, glm::dvec3 direction, bool twoSided) {
   const glm::dmat3 cellsFromWorld(grid.indexFromWorld());
-  std::vector<Axes> axes;
-  for (const Candidate& candidate : candidates) {
-    const Camera::Axes world = axesAt(candidate.direction);
-    axes.push_back({glm::vec4(cellsFromWorld * world.right, 0.0), glm::vec4(cellsFromWorld * world.up, 0.0),
-                    glm::vec4(cellsFromWorld * world.forward, 0.0)});
-  }
-  return bufferOf(axes);
+  const Camera::Axes world = axesAt(direction);
+  return {glm::vec4(cellsFromWorld * world.right, twoSided ? 1.0 : 0.0), glm::vec4(cellsFromWorld * world.up, 0.0),
+          glm::vec4(cellsFromWorld * world.forward, 0.0)};
 }
 
-/// First and last tile (column and row) that the focus's box projects onto, half a voxel wider than its voxels: the 0.5
-/// level reaches no farther.
-struct TileRange {
+/// First and last pixel (column and row) whose surroundings the focus's box projects onto. Half a voxel wider than its
+/// voxels: the 0.5 level reaches no farther. A pixel more at the start: there begin the cells of the first that sees.
+struct PixelRange {
   glm::ivec2 low{0}, high{-1};
 };
-TileRange tilesOf(const Grid& grid, const IndexBox& box, const Camera::Axes& axes, int side) {
+PixelRange pixelsOf(const Grid& grid, const IndexBox& box, const Camera::Axes& axes, int side) {
   const glm::dmat4 worldFromIndex = grid.worldFromIndex();
   const glm::dvec3 centre = grid.centre();
   const double radius = grid.boundingRadius();
@@ -66,16 +83,44 @@ TileRange tilesOf(const Grid& grid, const IndexBox& box, const Camera::Axes& axe
                            (corner & 4) ? box.high.z + 1.0 : box.low.z - 1.0);
     const glm::dvec3 offset = glm::dvec3(worldFromIndex * glm::dvec4(index, 1.0)) - centre;
     const glm::dvec2 pixel =
-        (glm::dvec2(glm::dot(offset, axes.right), -glm::dot(offset, axes.up)) / radius + 1.0) * (0.5 * side);
+        (glm::dvec2(glm::dot(offset, axes.right), -glm::dot(offset, axes.up)) / radius + 1.0) * (0.5 * side) - 0.5;
     low = glm::min(low, pixel);
     high = glm::max(high, pixel);
   }
-  const int last = (side + tileSide - 1) / tileSide - 1;
-  return {glm::clamp(glm::ivec2(glm::floor(low)) / tileSide, 0, last),
-          glm::clamp(glm::ivec2(glm::floor(high)) / tileSide, 0, last)};
+  return {glm::clamp(glm::ivec2(glm::floor(low)) - 1, -tileSide, side - 1),
+          glm::clamp(glm::ivec2(glm::floor(high)) + 1, 0, side - 1)};
+}
+
+void addTiles(std::vector<Tile>& tiles, unsigned view, const PixelRange& pixels) {
+  const glm::ivec2 count = (pixels.high - pixels.low) / tileSide + 1;
+  for (int row = 0; row < count.y; ++row)
+    for (int column = 0; column < count.x; ++column)
+      tiles.push_back(
+          {view, pixels.low.x + column * tileSide, pixels.low.y + row * tileSide,
+           (column + 1 < count.x ? 1u : 0u) | (row + 1 < count.y ? static_cast<unsigned>(count.x) << 1 : 0u)});
+}
+
+/// What the opposite camera measures: the same outline, mirrored.
+ImageSums fromBehind(const ImageSums& front, double depth, const Camera::Axes& axes, const Camera::Axes& opposite,
+                     int side) {
+  ImageSums sums = front;
+  sums.depth = depth;
+  const glm::dvec3 world = front.position.x * axes.right + front.position.y * axes.up;
+  sums.position = {glm::dot(world, opposite.right), glm::dot(world, opposite.up)};
+  sums.box = {side - 1 - front.box.z, front.box.y, side - 1 - front.box.x, front.box.w};
+  return sums;
 }
 
 }  // namespace
+
+int CandidateImages::sideFor(const GpuScene& gpu, int least) {
+  if (!gpu.focus().box) return least;
+  const Grid& grid = gpu.grid();
+  const glm::dvec3 extent =
+      glm::dmat3(grid.worldFromIndex()) * glm::dvec3(gpu.focus().box->high - gpu.focus().box->low + 1);
+  const double pixels = glm::length(extent) * least / (2.0 * grid.boundingRadius());
+  return least * std::clamp(static_cast<int>(std::ceil(leastSpan / pixels)), 1, mostFiner);
+}
 
 std::vector<Candidate> CandidateImages::measure(const GpuScene& gpu, const std::vector<glm::dvec3>& directions,
                                                 const FocusSurface& surface, int side) {
@@ -97,52 +142,68 @@ void CandidateImages::setSphere(const GpuScene& gpu, gl::ShaderProgram& program)
 }
 
 void CandidateImages::measureImages(const GpuScene& gpu, std::vector<Candidate>& candidates, int side) {
-  const gl::Buffer axes = axesBuffer(gpu.grid(), candidates);
-  for (std::size_t begin = 0; begin < candidates.size();) {
-    // Whole candidates, until a batch is full.
-    std::vector<glm::uvec2> tiles, ranges;
-    std::size_t end = begin;
-    for (; end < candidates.size() && (end == begin || tiles.size() < tilesPerBatch); ++end) {
-      const TileRange range = tilesOf(gpu.grid(), *gpu.focus().box, axesAt(candidates[end].direction), side);
+  // Opposite candidates share an image.
+  std::vector<glm::dvec3> directions;
+  for (const Candidate& candidate : candidates) directions.push_back(candidate.direction);
+  const std::vector<std::optional<std::size_t>> opposites = oppositesOf(directions);
+  std::vector<std::size_t> traced;
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+    if (!opposites[i] || *opposites[i] > i) traced.push_back(i);
+
+  for (std::size_t begin = 0; begin < traced.size();) {
+    // Whole images, until a batch is full.
+    std::vector<View> views;
+    std::vector<Tile> tiles;
+    std::vector<glm::uvec2> ranges;
+    for (std::size_t i = begin; i < traced.size() && (views.empty() || tiles.size() < tilesPerBatch); ++i) {
       const std::size_t first = tiles.size();
-      for (int y = range.low.y; y <= range.high.y; ++y)
-        for (int x = range.low.x; x <= range.high.x; ++x)
-          tiles.emplace_back(static_cast<unsigned>(end), static_cast<unsigned>(x) | static_cast<unsigned>(y) << 16);
+      const glm::dvec3 direction = directions[traced[i]];
+      addTiles(tiles, static_cast<unsigned>(views.size()),
+               pixelsOf(gpu.grid(), *gpu.focus().box, axesAt(direction), side));
       ranges.emplace_back(static_cast<unsigned>(first), static_cast<unsigned>(tiles.size() - first));
+      views.push_back(viewOf(gpu.grid(), direction, opposites[traced[i]].has_value()));
     }
+    const gl::Buffer viewList = bufferOf(views), tileList = bufferOf(tiles);
+    const gl::Buffer hits = gl::Buffer::zeroed(tiles.size() * tileSide * tileSide * sizeof(glm::vec2));
     const gl::Buffer partials = gl::Buffer::zeroed(tiles.size() * sizeof(Sums));
-    {
-      gl::ShaderProgram& program = tiles_.get({focusDefine(gpu)});
+    const auto dispatchTiles = [&](gl::ShaderProgram& program) {
       setSphere(gpu, program);
       bindVolume(gpu, program);
       bindFocus(gpu, program);
-      axes.bind(candidatesBlock);
-      const gl::Buffer tileList = bufferOf(tiles);
+      viewList.bind(viewsBlock);
       tileList.bind(tilesBlock);
-      partials.bind(partialsBlock);
+      hits.bind(hitsBlock);
+      partials.bind(sumsBlock);
       program.set("tileCount", static_cast<int>(tiles.size()));
       program.set("side", side);
+      program.set("halvings", outlineHalvings);
       program.dispatch(groupsFor(tiles.size()), {1, 1});
-    }
+    };
+    dispatchTiles(hits_.get({focusDefine(gpu)}));
+    dispatchTiles(outlines_.get({focusDefine(gpu)}));
+
     std::vector<Sums> totals(ranges.size());
-    const gl::Buffer result = gl::Buffer::zeroed(totals.size() * sizeof(Sums));
+    const gl::Buffer rangeList = bufferOf(ranges), result = gl::Buffer::zeroed(totals.size() * sizeof(Sums));
     gl::ShaderProgram& program = sums_.get();
-    const gl::Buffer rangeList = bufferOf(ranges);
-    rangeList.bind(tilesBlock);
+    rangeList.bind(rangesBlock);
     partials.bind(partialsBlock);
-    result.bind(totalsBlock);
-    program.set("candidateCount", static_cast<int>(ranges.size()));
+    result.bind(sumsBlock);
+    program.set("viewCount", static_cast<int>(ranges.size()));
     program.dispatch(groupsFor(ranges.size()), {1, 1});
     result.read(std::as_writable_bytes(std::span(totals)));
     for (std::size_t i = 0; i < totals.size(); ++i) {
-      ImageSums& sums = candidates[begin + i].sums;
+      if (totals[i].sums.x <= 0.0f) continue;
+      const std::size_t front = traced[begin + i];
+      ImageSums& sums = candidates[front].sums;
       sums.count = totals[i].sums.x;
-      if (sums.count <= 0.0) continue;
       sums.depth = totals[i].sums.y;
       sums.position = glm::dvec2(totals[i].sums.z, totals[i].sums.w);
       sums.box = totals[i].box;
+      if (const auto behind = opposites[front])
+        candidates[*behind].sums =
+            fromBehind(sums, totals[i].more.x, axesAt(directions[front]), axesAt(directions[*behind]), side);
     }
-    begin = end;
+    begin += totals.size();
   }
 }
 
@@ -153,28 +214,28 @@ void CandidateImages::measureVisibility(const GpuScene& gpu, const FocusSurface&
   const glm::dmat3 steps(grid.worldFromIndex());
   std::vector<SurfacePoint> points;
   for (const FocusSurface::Point& point : surface.points) {
-    // Lifted a little, and rays start a voxel towards the camera: the steps of a voxelised surface must not hide it
-    // from itself.
+    // A surface between voxels is known to half a voxel along its normal, and so is the point on it.
     double extent = 0.0;
     for (int axis = 0; axis < 3; ++axis) extent += std::abs(glm::dot(steps[axis], point.normal));
-    const glm::dvec3 lifted = point.index + cellsFromWorld * point.normal * (0.25 * extent) + 1.0;
     // facing · (cells per mm along d) = normal · d: the inverse transpose takes a normal along.
     const glm::dvec3 facing = glm::transpose(glm::inverse(cellsFromWorld)) * point.normal;
-    points.push_back({glm::vec4(glm::vec3(lifted), 0.0f), glm::vec4(glm::vec3(facing), 0.0f)});
+    points.push_back(
+        {glm::vec4(glm::vec3(point.index + 1.0), static_cast<float>(extent)), glm::vec4(glm::vec3(facing), 0.0f)});
   }
+  std::vector<View> views;
+  for (const Candidate& candidate : candidates) views.push_back(viewOf(grid, candidate.direction, false));
   gl::ShaderProgram& program = visibility_.get({focusDefine(gpu)});
   setSphere(gpu, program);
   bindVolume(gpu, program);
   bindFocus(gpu, program);
-  const gl::Buffer axes = axesBuffer(grid, candidates), list = bufferOf(points);
-  axes.bind(candidatesBlock);
-  list.bind(tilesBlock);
+  const gl::Buffer viewList = bufferOf(views), list = bufferOf(points);
+  viewList.bind(viewsBlock);
+  list.bind(pointsBlock);
   const glm::ivec2 size(static_cast<int>(points.size()), static_cast<int>(candidates.size()));
   gl::Texture seen = gl::Texture::make2D(gl::Format::R8UI, size);
   seen.bindImage(0, gl::Access::Write);
   program.set("pointCount", size.x);
-  program.set("clearance", static_cast<float>(std::max({grid.spacing.x, grid.spacing.y, grid.spacing.z})));
-  program.dispatch(size);
+  program.dispatch(size, {64, 1});
   std::vector<std::uint8_t> bytes(points.size() * candidates.size());
   seen.readInto(std::span(bytes));
   const std::size_t words = (points.size() + 63) / 64;

@@ -8,9 +8,13 @@
 
 namespace fenestra::placement {
 
-/// Points on the 0.5 level of the focus's trilinear indicator, each standing for the same area. The area of a cell is the
-/// integral of the indicator's gradient over it (coarea formula), so that it does not depend on how the surface lies in
-/// the lattice. Where the volume ends inside the focus there is no surface. Deterministic.
+/// Points on the 0.5 level of the focus's indicator, each standing for the same area, neighbours beside one another in
+/// the list. Deterministic.
+///
+/// The area in a cell is n·∫∇I dV: the integral of the indicator's gradient is the vector area of the surface between
+/// the voxels, whatever steps that has, and its component along the normal n of the surface that the steps stand for is
+/// that surface's area. It holds for any lattice, and an error of the normal counts in second order only. Where the
+/// volume ends inside the focus there is no surface.
 struct FocusSurface {
   struct Point {
     glm::dvec3 index{0.0};   ///< continuous index position

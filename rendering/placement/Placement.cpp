@@ -4,10 +4,6 @@
 #include <bit>
 #include <cmath>
 #include <numbers>
-#include <numeric>
-#include <set>
-
-#include "rendering/placement/Sphere.h"
 
 namespace fenestra::placement {
 namespace {
@@ -40,26 +36,6 @@ double divergence(const Candidate& a, const Candidate& b) {
 
 /// The candidates nearest to one, for stability: HEALPix pixels have eight neighbours at most.
 constexpr std::size_t neighbourCount = 8;
-
-/// Pixels kept at each level of the refinement for C1 and for C2: from 48 through four levels, at most 272 images.
-constexpr std::size_t keptPerLevel = 7;
-/// Images of a refinement in all; what its levels leave is for climbing at the end.
-constexpr std::size_t mostImages = 299;
-
-/// The eight pixels around one, and itself, among the directions of a resolution.
-std::vector<long> pixelsAround(const std::vector<glm::dvec3>& directions, glm::dvec3 centre) {
-  std::vector<long> order(directions.size());
-  std::iota(order.begin(), order.end(), 0L);
-  const auto nearer = [&](long a, long b) {
-    const double da = glm::dot(directions[static_cast<std::size_t>(a)], centre);
-    const double db = glm::dot(directions[static_cast<std::size_t>(b)], centre);
-    return da != db ? da > db : a < b;
-  };
-  const std::size_t count = std::min<std::size_t>(neighbourCount + 1, order.size());
-  std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count), order.end(), nearer);
-  order.resize(count);
-  return order;
-}
 
 }  // namespace
 
@@ -174,28 +150,51 @@ double seenShare(const Candidate& a, const Candidate& b, std::size_t points) {
 }
 
 std::optional<Pair> jointSearch(const std::vector<Candidate>& candidates, std::size_t points, const Options& options) {
-  std::optional<Pair> best;
-  double greatest = 0.0, greatestQuality = 0.0;
-  std::vector<double> q(candidates.size());
-  for (std::size_t i = 0; i < candidates.size(); ++i) q[i] = quality(candidates[i].descriptors, options.weights);
+  struct View {
+    std::size_t index;
+    double quality, bound;  ///< what a pair's value owes to it at most
+  };
+  const double shareWeight = options.shareWeight;
+  std::vector<View> views;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     if (candidates[i].sums.count <= 0.0) continue;
-    for (std::size_t j = 0; j < candidates.size(); ++j) {
-      if (j == i || candidates[j].sums.count <= 0.0) continue;
-      if (!inRegion(candidates[i].direction, candidates[j].direction, options)) continue;
-      const double share = seenShare(candidates[i], candidates[j], points), mean = 0.5 * (q[i] + q[j]);
-      const double value = options.shareWeight * share + (1.0 - options.shareWeight) * mean;
-      if (best && (value < greatest || (value == greatest && mean <= greatestQuality))) continue;
-      best = Pair{i, j, share};
-      greatest = value;
-      greatestQuality = mean;
-    }
+    const double q = quality(candidates[i].descriptors, options.weights);
+    const double share = seenShare(candidates[i], candidates[i], points);
+    views.push_back({i, q, shareWeight * share + (1.0 - shareWeight) * 0.5 * q});
   }
-  // The relation of the two is the same from either side, but C1 is the better view.
-  if (best && q[best->c2] > q[best->c1] &&
-      inRegion(candidates[best->c2].direction, candidates[best->c1].direction, options))
-    std::swap(best->c1, best->c2);
-  return best;
+  std::stable_sort(views.begin(), views.end(), [](const View& a, const View& b) { return a.bound > b.bound; });
+
+  /// In the order in which pairs are preferred.
+  struct Found {
+    double value, mean;
+    Pair pair;
+    bool isBetterThan(const Found& other) const {
+      if (value != other.value) return value > other.value;
+      if (mean != other.mean) return mean > other.mean;
+      return std::pair(pair.c1, pair.c2) < std::pair(other.pair.c1, other.pair.c2);
+    }
+  };
+  std::optional<Found> best;
+  // Two views see no more together than each for itself: where that cannot reach the best, nothing after it can. What
+  // rounding makes of the bound must not cut off an equal.
+  constexpr double rounding = 1e-12;
+  for (std::size_t a = 0; a < views.size(); ++a)
+    for (std::size_t b = a + 1; b < views.size(); ++b) {
+      if (best && views[a].bound + views[b].bound < best->value - rounding) break;
+      const std::size_t low = std::min(views[a].index, views[b].index), high = std::max(views[a].index, views[b].index);
+      const bool asIs = inRegion(candidates[low].direction, candidates[high].direction, options);
+      const bool swapped = inRegion(candidates[high].direction, candidates[low].direction, options);
+      if (!asIs && !swapped) continue;
+      const double share = seenShare(candidates[low], candidates[high], points);
+      const double mean = 0.5 * (views[a].quality + views[b].quality);
+      Pair pair{low, high, share};
+      // Where either may be C1, it is the better view.
+      const double lead = (views[a].index == low ? 1.0 : -1.0) * (views[a].quality - views[b].quality);
+      if (!asIs || (swapped && lead < 0.0)) std::swap(pair.c1, pair.c2);
+      const Found found{shareWeight * share + (1.0 - shareWeight) * mean, mean, pair};
+      if (!best || found.isBetterThan(*best)) best = found;
+    }
+  return best ? std::optional(best->pair) : std::nullopt;
 }
 
 std::optional<Pair> bestStandardPair(const std::vector<Candidate>& candidates, std::size_t points) {
@@ -208,85 +207,6 @@ std::optional<Pair> bestStandardPair(const std::vector<Candidate>& candidates, s
       if (!best || share > best->share) best = Pair{i, j, share};
     }
   return best;
-}
-
-Refined refine(const Evaluate& evaluate, const Options& options, int start, int finest) {
-  const auto pixelsOf = [](int nside) {
-    std::vector<long> pixels(static_cast<std::size_t>(12) * static_cast<std::size_t>(nside) *
-                             static_cast<std::size_t>(nside));
-    std::iota(pixels.begin(), pixels.end(), 0L);
-    return pixels;
-  };
-  const auto directionsOf = [](int nside, const std::vector<long>& wanted) {
-    std::vector<glm::dvec3> directions;
-    for (const long pixel : wanted) directions.push_back(nestedDirection(nside, pixel));
-    return directions;
-  };
-  std::vector<long> pixels = pixelsOf(start);
-  std::vector<Candidate> level = evaluate(directionsOf(start, pixels)), all = level;
-  // Positions in `level` of the best that are admitted, best first.
-  const auto bestOf = [&](std::size_t most, const std::function<bool(const Candidate&)>& admitted) {
-    std::vector<std::size_t> order;
-    for (std::size_t i = 0; i < level.size(); ++i)
-      if (level[i].sums.count > 0.0 && admitted(level[i])) order.push_back(i);
-    const std::size_t count = std::min(most, order.size());
-    std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count), order.end(),
-                      [&](std::size_t a, std::size_t b) {
-                        const double qa = quality(level[a].descriptors, options.weights);
-                        const double qb = quality(level[b].descriptors, options.weights);
-                        return qa != qb ? qa > qb : pixels[a] < pixels[b];
-                      });
-    order.resize(count);
-    return order;
-  };
-  const auto anywhere = [](const Candidate&) { return true; };
-
-  int nside = start;
-  for (; nside < finest; nside *= 2) {
-    // The pixels of this level that C1 or C2 most likely lie in.
-    const std::optional<std::size_t> c1 = bestView(all, options);
-    if (!c1) return {all, 0};
-    const glm::dvec3 direction = all[*c1].direction;
-    std::set<long> kept;
-    for (const std::size_t i : bestOf(keptPerLevel, anywhere)) kept.insert(pixels[i]);
-    for (const std::size_t i : bestOf(keptPerLevel, [&](const Candidate& candidate) {
-           return inRegion(direction, candidate.direction, options);
-         }))
-      kept.insert(pixels[i]);
-    pixels.clear();
-    for (const long pixel : kept)
-      for (long child = 4 * pixel; child < 4 * pixel + 4; ++child) pixels.push_back(child);
-    level = evaluate(directionsOf(2 * nside, pixels));
-    all.insert(all.end(), level.begin(), level.end());
-  }
-
-  const std::size_t coarser = all.size() - level.size();
-  // A maximum may lie across the edge of a pixel that was kept: climb from the best two, of the region and of all,
-  // until they are better than all around them.
-  const std::vector<glm::dvec3> finestDirections = directionsOf(nside, pixelsOf(nside));
-  while (all.size() < mostImages) {
-    const std::vector<std::size_t> best = bestOf(2, anywhere);
-    if (best.empty()) break;
-    const glm::dvec3 direction = level[best.front()].direction;
-    std::vector<std::size_t> centres{best.front()};
-    const std::vector<std::size_t> dual =
-        bestOf(2, [&](const Candidate& candidate) { return inRegion(direction, candidate.direction, options); });
-    centres.insert(centres.end(), dual.begin(), dual.end());
-    centres.insert(centres.end(), best.begin(), best.end());
-    std::vector<long> fresh;
-    for (const std::size_t centre : centres) {
-      for (const long pixel : pixelsAround(finestDirections, level[centre].direction))
-        if (std::find(pixels.begin(), pixels.end(), pixel) == pixels.end()) fresh.push_back(pixel);
-      if (!fresh.empty()) break;
-    }
-    if (fresh.empty()) break;
-    fresh.resize(std::min(fresh.size(), mostImages - all.size()));
-    const std::vector<Candidate> measured = evaluate(directionsOf(nside, fresh));
-    pixels.insert(pixels.end(), fresh.begin(), fresh.end());
-    level.insert(level.end(), measured.begin(), measured.end());
-    all.insert(all.end(), measured.begin(), measured.end());
-  }
-  return {std::move(all), coarser};
 }
 
 }  // namespace fenestra::placement

@@ -3,7 +3,6 @@
 // No GL: CandidateImages supplies what is measured.
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,30 +13,32 @@
 
 namespace fenestra::placement {
 
-/// What a candidate's image of first focus hits holds. The camera looks at the model's centre in parallel projection; the
-/// image spans the model's bounding sphere, so every candidate sees all of the model at one scale.
+/// What a candidate's image of first focus hits holds. The camera looks at the model's centre in parallel projection;
+/// the image spans the model's bounding sphere, so every candidate sees all of the model at one scale.
 struct ImageSums {
-  double count = 0.0;            ///< focus pixels
-  double depth = 0.0;            ///< sum of depths, 0 at the near side of the sphere, 1 at the far side
-  glm::dvec2 position{0.0};      ///< sum of positions, each -1…1 from left to right and from bottom to top
-  glm::ivec4 box{0, 0, -1, -1};  ///< first and last column and row (x0, y0, x1, y1), rows from the top; empty when x1 < x0
+  double count = 0.0;        ///< focus pixels, those on its outline by the part that it covers
+  double depth = 0.0;        ///< sum of depths, 0 at the near side of the sphere, 1 at the far side
+  glm::dvec2 position{0.0};  ///< sum of positions, each -1…1 from left to right and from bottom to top
+  /// Pixels whose middle sees it: x0, y0, x1, y1, rows from the top; empty when x1 < x0.
+  glm::ivec4 box{0, 0, -1, -1};
 };
 
 /// All in [0, 1]; the first three are the paper's.
 struct Descriptors {
-  double visibility = 0.0;         ///< vd1: mean depth over the sphere's diameter; larger is farther, as in the paper
-  double coverage = 0.0;           ///< vd2: the focus pixels' share of the image
-  double location = 0.0;           ///< vd3: 1 with the centroid in the middle of the image, 0 in a corner
-  double entropy = 0.0;            ///< of the seen surface's distribution (Bordoloi, Shen 2005), over its logarithm's maximum
-  double mutualInformation = 0.0;  ///< Σ p(o|v) log(p(o|v) / p(o)) (Viola et al. 2006), 1 where it is least: a typical view
-  double stability = 0.0;          ///< 1 - Jensen–Shannon divergence to the nearest candidates (Bordoloi, Shen 2005)
-  double orientation = 0.0;        ///< cosine to the nearest of the six anatomical directions
+  double visibility = 0.0;  ///< vd1: mean depth over the sphere's diameter; larger is farther, as in the paper
+  double coverage = 0.0;    ///< vd2: the focus pixels' share of the image
+  double location = 0.0;    ///< vd3: 1 with the centroid in the middle of the image, 0 in a corner
+  double entropy = 0.0;     ///< of the seen surface's distribution (Bordoloi, Shen 2005), over its logarithm's maximum
+  double mutualInformation =
+      0.0;                   ///< Σ p(o|v) log(p(o|v) / p(o)) (Viola et al. 2006), 1 where it is least: a typical view
+  double stability = 0.0;    ///< 1 - Jensen–Shannon divergence to the nearest candidates (Bordoloi, Shen 2005)
+  double orientation = 0.0;  ///< cosine to the nearest of the six anatomical directions
 };
 
-/// Quality = Σ weight · descriptor. The paper's depth term prefers views through more context when its weight is positive.
-/// The defaults are among those with which the pair sees most of the focus's surface (tests/bench/results): a heavy depth
-/// weight of either sign draws both cameras to one side of the focus. What is left of it decides between opposite views,
-/// whose outlines are the same, for the nearer side.
+/// Quality = Σ weight · descriptor. The paper's depth term prefers views through more context when its weight is
+/// positive. The defaults are among those with which the pair sees most of the focus's surface (tests/bench/results): a
+/// heavy depth weight of either sign draws both cameras to one side of the focus. What is left of it decides between
+/// opposite views, whose outlines are the same, for the nearer side.
 struct Weights {
   double visibility = -0.02, coverage = 16.0, location = 0.25;
   double entropy = 0.0, mutualInformation = 0.0, stability = 0.0, orientation = 0.0;
@@ -59,10 +60,10 @@ struct Options {
 
 /// One viewpoint: where it is, what it measures, which surface points it sees.
 struct Candidate {
-  glm::dvec3 direction{0.0};         ///< unit, world, from the model's centre towards the camera
+  glm::dvec3 direction{0.0};  ///< unit, world, from the model's centre towards the camera
   ImageSums sums;
   Descriptors descriptors;
-  std::vector<std::uint64_t> seen;   ///< a bit for each point of the focus's surface; empty when not asked for
+  std::vector<std::uint64_t> seen;  ///< a bit for each point of the focus's surface; empty when not asked for
 };
 
 /// vd1, vd2, vd3 and the orientation prior of an image of side² pixels.
@@ -88,20 +89,11 @@ struct Pair {
   std::size_t c1 = 0, c2 = 0;
   double share = 0.0;
 };
-/// Both cameras at once: the pair, c2 in c1's region, that maximises shareWeight · share + (1 - shareWeight) · mean quality;
-/// of equals the one of higher quality, then of lowest indices. c1 is the one of higher quality where either may be c1.
+/// Both cameras at once: the pair, c2 in c1's region, that maximises shareWeight · share + (1 - shareWeight) · mean
+/// quality; of equals the one of higher quality, then of lowest indices. c1 is the one of higher quality where either
+/// may be c1.
 std::optional<Pair> jointSearch(const std::vector<Candidate>& candidates, std::size_t points, const Options& options);
 /// The best orthogonal pair of the six standard views by share, among candidates that hold them.
 std::optional<Pair> bestStandardPair(const std::vector<Candidate>& candidates, std::size_t points);
-
-/// Measures directions in the order given.
-using Evaluate = std::function<std::vector<Candidate>(const std::vector<glm::dvec3>&)>;
-/// From N = 12·start² (start = 2^k) down to the resolution of 12·finest² by the children of the best pixels, for C1 and for
-/// C2 in C1's region at once, then over neighbouring pixels while that helps. Below 300 directions for the defaults.
-struct Refined {
-  std::vector<Candidate> candidates;  ///< all that were evaluated, level by level
-  std::size_t coarser = 0;            ///< how many of them, from the first on, are not of the finest resolution
-};
-Refined refine(const Evaluate& evaluate, const Options& options, int start = 2, int finest = 32);
 
 }  // namespace fenestra::placement

@@ -39,21 +39,22 @@ Placement chooseDual(const Measured& measured, glm::dvec3 c1, const Options& opt
 
 Placement choose(const Measured& measured, const Options& options, bool joint) {
   Placement placement;
-  const std::vector<Candidate> finest = spreadOf(measured, measured.coarser);
-  placement.c1 = bestView(finest, options);
+  const std::size_t first = measured.refinedFor == options ? measured.coarser : 0;
+  const std::vector<Candidate> eligible = spreadOf(measured, first);
+  placement.c1 = bestView(eligible, options);
   if (!placement.c1) {
     placement.note = "no candidate sees the focus: it is empty";
     return placement;
   }
-  *placement.c1 += measured.coarser;
+  *placement.c1 += first;
   if (joint) {
     if (const auto pair = jointSearch(measured.candidates, measured.surfacePoints, options)) {
       placement.c1 = pair->c1;
       placement.c2 = pair->c2;
     }
   } else {
-    placement.c2 = dualView(finest, measured.candidates[*placement.c1].direction, options);
-    if (placement.c2) *placement.c2 += measured.coarser;
+    placement.c2 = dualView(eligible, measured.candidates[*placement.c1].direction, options);
+    if (placement.c2) *placement.c2 += first;
   }
   if (!placement.c2) placement.note = "no candidate in the region of C1 sees the focus";
   placement.share = shareOf(measured, placement);
@@ -78,6 +79,15 @@ const Measured& Placer::measure(GpuScene& gpu, const Scene& scene, const Samplin
   return measured_;
 }
 
+Placer::Batch::Batch(std::vector<glm::dvec3> wanted) : directions(std::move(wanted)), measured(directions.size()) {
+  const std::vector<std::optional<std::size_t>> opposites = oppositesOf(directions);
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    if (opposites[i] && *opposites[i] < i) continue;
+    order.push_back(i);
+    if (opposites[i]) order.push_back(*opposites[i]);
+  }
+}
+
 void Placer::begin(GpuScene& gpu, const Scene& scene, const Sampling& sampling, const Options& options) {
   task_.reset();
   gpu.update(scene);
@@ -85,55 +95,72 @@ void Placer::begin(GpuScene& gpu, const Scene& scene, const Sampling& sampling, 
                 sampling.refined ? std::optional(options) : std::nullopt};
   if (key_ == key) return;
   Task task{.key = key,
-            .options = options,
             .surface = sampleSurface(scene, gpu.focus(), sampling.surfacePoints),
-            .directions = {},
+            .refinement = {},
+            .batch = Batch(),
             .measured = {}};
   task.measured.surfacePoints = task.surface.points.size();
   task.measured.surfaceArea = task.surface.area;
-  if (!sampling.refined) {
+  if (sampling.refined) {
+    task.refinement.emplace(options, task.measured.surfacePoints);
+    task.measured.refinedFor = options;
+    task.batch = Batch(task.refinement->wanted());
+  } else {
     const std::optional<int> nside = sideOf(sampling.count);
     if (!nside) throw std::invalid_argument(std::to_string(sampling.count) + " is not 12·nside²");
-    task.directions = ringDirections(*nside);
+    std::vector<glm::dvec3> directions = ringDirections(*nside);
+    directions.insert(directions.end(), standardDirections.begin(), standardDirections.end());
+    task.batch = Batch(std::move(directions));
+    task.standard = true;
   }
-  task.directions.insert(task.directions.end(), standardDirections.begin(), standardDirections.end());
   task_ = std::move(task);
 }
 
 bool Placer::advance(const GpuScene& gpu, std::size_t count) {
   if (!task_) return true;
-  std::vector<Candidate>& candidates = task_->measured.candidates;
-  const int side = task_->key.sampling.side;
-  const auto measureAll = [&](const std::vector<glm::dvec3>& directions) {
-    return images_.measure(gpu, directions, task_->surface, side);
-  };
-  if (task_->key.sampling.refined && candidates.empty()) {
-    Refined refined = refine(measureAll, task_->options);
-    candidates = std::move(refined.candidates);
-    task_->measured.coarser = refined.coarser;
-    task_->measured.spread = candidates.size();
-    // The standard views are still to come.
+  Batch& batch = task_->batch;
+  std::vector<glm::dvec3> directions;
+  const std::size_t first = batch.done;
+  for (; !batch.isDone(); ++batch.done) {
+    const glm::dvec3 next = batch.directions[batch.order[batch.done]];
+    // A pair is measured together, however the work is cut, so that the answer is the same to the bit.
+    if (directions.size() >= count && glm::dot(next, directions.back()) > -1.0 + 1e-12) break;
+    directions.push_back(next);
+  }
+  const int side = CandidateImages::sideFor(gpu, task_->key.sampling.side);
+  std::vector<Candidate> measured = images_.measure(gpu, directions, task_->surface, side);
+  for (std::size_t i = 0; i < measured.size(); ++i) batch.measured[batch.order[first + i]] = std::move(measured[i]);
+  if (!batch.isDone()) return false;
+
+  if (!task_->standard) {
+    task_->refinement->add(batch.measured);
+    task_->standard = task_->refinement->wanted().empty();
+    batch = Batch(task_->standard ? std::vector(standardDirections.begin(), standardDirections.end())
+                                  : task_->refinement->wanted());
     return false;
   }
-  const std::size_t refined = task_->key.sampling.refined ? task_->measured.spread : 0;
-  const auto first = task_->directions.begin() + static_cast<std::ptrdiff_t>(candidates.size() - refined);
-  const auto left = static_cast<std::size_t>(task_->directions.end() - first);
-  for (Candidate& candidate : measureAll({first, first + static_cast<std::ptrdiff_t>(std::min(count, left))}))
-    candidates.push_back(std::move(candidate));
-  if (left > count) return false;
+  finish();
+  return true;
+}
 
+void Placer::finish() {
+  std::vector<Candidate>& candidates = task_->measured.candidates;
+  if (task_->refinement) {
+    candidates = task_->refinement->candidates();
+    task_->measured.coarser = task_->refinement->coarser();
+  }
+  for (Candidate& candidate : task_->batch.measured) candidates.push_back(std::move(candidate));
   task_->measured.spread = candidates.size() - standardDirections.size();
   describeTogether(candidates, task_->measured.surfacePoints);
   key_ = task_->key;
   measured_ = std::move(task_->measured);
   task_.reset();
-  return true;
 }
 
 double Placer::progress() const {
   if (!task_) return 1.0;
-  if (task_->key.sampling.refined) return 0.0;
-  return static_cast<double>(task_->measured.candidates.size()) / static_cast<double>(task_->directions.size());
+  if (task_->refinement) return task_->refinement->progress();
+  return static_cast<double>(task_->batch.done) / static_cast<double>(task_->batch.order.size());
 }
 
 }  // namespace fenestra::placement

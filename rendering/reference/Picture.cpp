@@ -3,6 +3,7 @@
 #include "rendering/reference/ContextLayer.h"
 #include "rendering/reference/FocusLayer.h"
 #include "rendering/reference/Light.h"
+#include "rendering/reference/Strokes.h"
 #include "rendering/scene/Lighting.h"
 #include "rendering/scene/Parallel.h"
 
@@ -93,8 +94,7 @@ std::vector<CutRay> cutRays(const Scene& scene, const Camera& camera, glm::ivec2
 /// Premultiplied `front` over `behind`.
 glm::dvec4 over(glm::dvec4 front, glm::dvec4 behind) { return front + (1.0 - front.a) * behind; }
 
-/// Opacity of the context layer: both terms rise steeply, so that edges come out as lines.
-/// `factor` is the brush's.
+/// Opacity of the context layer: both terms rise steeply, so that edges come out as lines. `factor` is the brush's.
 double contextOpacity(const ContextLayer& look, const ContextPoint& point, double scale, double factor) {
   const double bend = std::sqrt(0.5 * (point.k1 * point.k1 + point.k2 * point.k2)) * scale;
   const double opacity = look.curvatureWeight * smoothstep(0.10, 0.40, bend) +

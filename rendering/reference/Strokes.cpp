@@ -109,17 +109,17 @@ Edits edits(const BrushStrokes& strokes, const Camera& camera, glm::ivec2 size, 
       const double farthest = std::max(context, meetsFocus ? hits.tFocus[i] : hits.tOut[i]);
       double& start = result.tStart[i];
       for (const auto& [stroke, lines] : drawn) {
-        const bool opens = stroke->mode == BrushMode::Open;
+        const bool opens = stroke->mode == BrushMode::Open, movesRays = opens || stroke->mode == BrushMode::Restore;
         const double weight =
             weightAt(pixel, *stroke, lines, projector, context, opens ? std::max(tStart[i], start) : context);
         if (opens) {
           start = std::min(start + stroke->depth * weight, farthest);
         } else if (stroke->mode == BrushMode::Restore) {
           if (!meetsFocus || stroke->coversFocus) start = std::max(start - stroke->depth * weight, context);
-          if (!meetsFocus) result.factor[i] *= 1.0 - weight;
         } else if (meetsFocus) {
           result.factor[i] *= 1.0 + (stroke->mode == BrushMode::Fade ? -1.0 : 1.0) * stroke->amount * weight;
         }
+        if (movesRays && !meetsFocus) result.factor[i] *= 1.0 - weight;
       }
       result.offset[i] = start - tStart[i];
       if (meetsFocus && start < tStart[i]) result.factor[i] *= (start - context) / (tStart[i] - context);

@@ -10,7 +10,7 @@ enum class Quality : std::uint8_t {
   Normal,  ///< two
   High,    ///< as many as an error of at most highQualityError asks for
 };
-/// In 1/255; see View::maxError.
+/// Of a pixel's colour, in 1/255.
 inline constexpr double highQualityError = 0.5;
 
 }  // namespace fenestra

@@ -7,22 +7,27 @@
 #include "lib/FirstHit.glsl"
 #include "lib/Candidate.glsl"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = 64) in;
 struct SurfacePoint {
-  vec4 position;  // cell frame, lifted off the surface
+  vec4 position;  // cell frame; w: mm along the normal within which the surface may lie elsewhere
   vec4 facing;    // world normal in cells: dot(facing, forward) ≤ 0 where the camera looks onto the surface
 };
 layout(std430, binding = 3) readonly buffer Points { SurfacePoint points[]; };
 uniform int pointCount;
-uniform float clearance;  // mm along the ray that the surface may not hide itself in
 layout(r8ui, binding = 0) uniform writeonly uimage2D seen;  // x: point, y: candidate
+
+// Of the surface's uncertainty, where it is seen so nearly edge-on that no ray could clear it.
+const float MOST_CLEARANCE = 8.0;
 
 void main() {
   ivec2 at = ivec2(gl_GlobalInvocationID.xy);
-  if (at.x >= pointCount || at.y >= imageSize(seen).y) return;
+  if (at.x >= pointCount) return;
   uint visible = 0u;
-  vec3 towards = -candidates[at.y].forward.xyz;
-  if (dot(points[at.x].facing.xyz, towards) >= 0.0) {
+  vec3 towards = -views[at.y].forward.xyz;
+  float slope = dot(points[at.x].facing.xyz, towards);
+  if (slope >= 0.0) {
+    // The steps of a voxelised surface must not hide it from itself: the ray starts where it has left them behind.
+    float clearance = points[at.x].position.w * min(1.0 / slope, MOST_CLEARANCE);
     Ray ray;
     ray.direction = towards;
     ray.base = points[at.x].position.xyz + clearance * towards;

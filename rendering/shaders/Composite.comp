@@ -19,7 +19,7 @@ uniform sampler2D silhouette;
 uniform vec3 contextColour;
 uniform vec3 contextWeights;  // strength, curvature, silhouette
 uniform vec2 contextShade;     // weights of illumination and of the context's own colour
-uniform sampler2D transferTable;  // colour, extinction, one row
+uniform sampler2D transferTable;  // colour · extinction, extinction; one row
 uniform vec2 transferMap;      // table position = stored value · x + y
 uniform float curvatureScale; // mm: length that makes curvature dimensionless, the derivative volume's spacing
 #endif
@@ -42,7 +42,9 @@ void main() {
     opacity = min(opacity * texelFetch(editMap, pixel, 0).g, 1.0);
 #endif
     int entry = int(clamp(context.w * transferMap.x + transferMap.y, 0.0, float(textureSize(transferTable, 0).x - 1)) + 0.5);
-    vec3 colour = mix(contextColour, texelFetch(transferTable, ivec2(entry, 0), 0).rgb, contextShade.y);
+    vec4 material = texelFetch(transferTable, ivec2(entry, 0), 0);
+    vec3 own = material.a > 0.0 ? material.rgb / material.a : contextColour;
+    vec3 colour = mix(contextColour, own, contextShade.y);
     colour *= mix(1.0, context.z, contextShade.x);
     result = vec4(colour, 1.0) * opacity + result * (1.0 - opacity);
   }

@@ -67,11 +67,12 @@ void main() {
         weight = max(weight, profile(d, stroke.softness) * (1.0 - smoothstep(1.0, 2.0, off / stroke.radius)));
       }
       float change = stroke.effect * weight;
-      if (stroke.mode == RESTORE) {
-        if (!meetsFocus || stroke.coversFocus != 0u) start = max(start - change, hit.x);
+      if (stroke.mode == RESTORE || stroke.mode == OPEN) {
+        if (stroke.mode == OPEN)
+          start = min(start + change, farthest);
+        else if (!meetsFocus || stroke.coversFocus != 0u)
+          start = max(start - change, hit.x);
         if (!meetsFocus) share *= 1.0 - weight;
-      } else if (stroke.mode == OPEN) {
-        start = min(start + change, farthest);
       } else if (meetsFocus) {
         share *= stroke.mode == FADE ? 1.0 - change : 1.0 + change;
       }

@@ -23,6 +23,7 @@ namespace {
 using namespace placement;
 
 constexpr int convergedCount = 12288;
+constexpr int manyPoints = 16384;
 const std::vector<int> counts{12, 48, 108, 192, 300, 432, 588, 768, 972, 1200};
 
 struct Structure {
@@ -103,9 +104,9 @@ double degreesBetween(glm::dvec3 a, glm::dvec3 b) {
   return glm::degrees(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)));
 }
 
-/// Angles to the converged answer, and how much of its quality is lost.
+/// Angles to the converged answer, and how much of its qualities is lost.
 struct Deviation {
-  double c1 = 0.0, c2 = 0.0, lost = 0.0;
+  double c1 = 0.0, c2 = 0.0, lost = 0.0, lostByC2 = 0.0;
 };
 
 struct Row {
@@ -113,8 +114,13 @@ struct Row {
   std::vector<Deviation> brute;  ///< for each of `counts`
   Deviation refined;
   std::size_t refinedImages = 0;
+  int side = 0;               ///< pixels of the images
+  double error = 0.0;         ///< of qualities, by images four times as fine
+  std::vector<double> times;  ///< ms, for each of `counts`
+  double jointByMore = 0.0;   ///< joint, looked at with `manyPoints`
   double standard = 0.0, stream = 0.0, semiSphere = 0.0, jointStream = 0.0, joint = 0.0;
-  double measure = 0.0, images = 0.0, refine = 0.0, choose = 0.0, chooseJoint = 0.0, dual = 0.0;
+  double measure = 0.0, images = 0.0, refine = 0.0, choose = 0.0, chooseJoint = 0.0, chooseJointOfMany = 0.0;
+  double dual = 0.0;
   std::vector<double> weightShares, weightSingles;  ///< for each of trialWeights()
 };
 
@@ -126,6 +132,23 @@ std::vector<Weights> trialWeights() {
   return trials;
 }
 
+/// Scatter of the quality's error over 48 directions, against images four times as fine: differences below it are the
+/// images', not the focus's.
+double errorOfQuality(CandidateImages& images, const GpuScene& gpu, int side, const Options& options) {
+  const std::vector<glm::dvec3> directions = ringDirections(2);
+  const std::vector<Candidate> coarse = images.measure(gpu, directions, {}, side);
+  const std::vector<Candidate> fine = images.measure(gpu, directions, {}, 4 * side);
+  double sum = 0.0, squares = 0.0;
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    const double error =
+        quality(coarse[i].descriptors, options.weights) - quality(fine[i].descriptors, options.weights);
+    sum += error;
+    squares += error * error;
+  }
+  const double count = static_cast<double>(directions.size());
+  return std::sqrt(std::max(0.0, squares / count - sum / count * (sum / count)));
+}
+
 Row measureStructure(const Structure& structure) {
   const app::LoadedScene loaded = app::loadScene(structure.scene);
   GpuScene gpu;
@@ -134,29 +157,35 @@ Row measureStructure(const Structure& structure) {
   row.name = structure.name;
 
   CandidateImages images;
+  const int side = CandidateImages::sideFor(gpu);
   const Options options;
-  const std::vector<Candidate> converged =
-      images.measure(gpu, ringDirections(*sideOf(convergedCount)), {}, CandidateImages::defaultSide);
+  row.side = side;
+  row.error = errorOfQuality(images, gpu, side, options);
+  const std::vector<Candidate> converged = images.measure(gpu, ringDirections(*sideOf(convergedCount)), {}, side);
   const Candidate& best = converged[bestView(converged, options).value()];
   const Candidate& dual = converged[dualView(converged, best.direction, options).value()];
   const auto deviation = [&](const std::vector<Candidate>& candidates) {
     const Candidate& c1 = candidates[bestView(candidates, options).value()];
     const auto c2 = dualView(candidates, c1.direction, options);
-    return Deviation{degreesBetween(best.direction, c1.direction),
-                     c2 ? degreesBetween(dual.direction, candidates[*c2].direction) : 180.0,
-                     quality(best.descriptors, options.weights) - quality(c1.descriptors, options.weights)};
+    const auto lost = [&](const Candidate& from, const Candidate& to) {
+      return quality(from.descriptors, options.weights) - quality(to.descriptors, options.weights);
+    };
+    return c2 ? Deviation{degreesBetween(best.direction, c1.direction),
+                          degreesBetween(dual.direction, candidates[*c2].direction), lost(best, c1),
+                          lost(dual, candidates[*c2])}
+              : Deviation{degreesBetween(best.direction, c1.direction), 180.0, lost(best, c1), 0.0};
   };
-  for (const int count : counts)
-    row.brute.push_back(
-        deviation(images.measure(gpu, ringDirections(*sideOf(count)), {}, CandidateImages::defaultSide)));
-  const Refined refined = refine(
-      [&](const std::vector<glm::dvec3>& directions) {
-        return images.measure(gpu, directions, {}, CandidateImages::defaultSide);
-      },
-      options);
-  row.refined =
-      deviation({refined.candidates.begin() + static_cast<std::ptrdiff_t>(refined.coarser), refined.candidates.end()});
-  row.refinedImages = refined.candidates.size();
+  for (const int count : counts) {
+    const auto start = std::chrono::steady_clock::now();
+    const std::vector<Candidate> candidates = images.measure(gpu, ringDirections(*sideOf(count)), {}, side);
+    row.times.push_back(millisecondsSince(start));
+    row.brute.push_back(deviation(candidates));
+  }
+  Refinement refinement(options);
+  while (!refinement.wanted().empty()) refinement.add(images.measure(gpu, refinement.wanted(), {}, side));
+  const std::vector<Candidate> refined = refinement.candidates();
+  row.refined = deviation({refined.begin() + static_cast<std::ptrdiff_t>(refinement.coarser()), refined.end()});
+  row.refinedImages = refined.size();
 
   Placer placer;
   Sampling sampling;
@@ -168,18 +197,27 @@ Row measureStructure(const Structure& structure) {
   row.refine = timed(measureAnew);
   sampling.refined = false;
   row.measure = timed(measureAnew);
-  row.images = timed([&] { images.measure(gpu, ringDirections(4), {}, CandidateImages::defaultSide); });
+  row.images = timed([&] { images.measure(gpu, ringDirections(4), {}, side); });
   const Measured& measured = placer.measure(gpu, loaded.scene, sampling, options);
   row.choose = timed([&] { choose(measured, options, false); });
   row.chooseJoint = timed([&] { choose(measured, options, true); });
   row.dual = timed([&] { chooseDual(measured, {0.0, -1.0, 0.0}, options); });
+  const std::vector<Candidate> many1200 =
+      images.measure(gpu, ringDirections(10), sampleSurface(loaded.scene, gpu.focus(), sampling.surfacePoints), side);
+  row.chooseJointOfMany =
+      timed([&] { jointSearch(many1200, static_cast<std::size_t>(measured.surfacePoints), options); });
 
   Options stream;
   stream.region = Region::Stream;
   row.standard = bestStandardPair(measured.candidates, measured.surfacePoints).value().share;
   row.semiSphere = choose(measured, options, false).share;
   row.stream = choose(measured, stream, false).share;
-  row.joint = choose(measured, options, true).share;
+  const Placement joint = choose(measured, options, true);
+  row.joint = joint.share;
+  const FocusSurface many = sampleSurface(loaded.scene, gpu.focus(), manyPoints);
+  const std::vector<Candidate> pair = images.measure(
+      gpu, {measured.candidates[*joint.c1].direction, measured.candidates[*joint.c2].direction}, many, side);
+  row.jointByMore = seenShare(pair[0], pair[1], many.points.size());
   row.jointStream = choose(measured, stream, true).share;
   for (const Weights& weights : trialWeights()) {
     Options trial;
@@ -190,6 +228,29 @@ Row measureStructure(const Structure& structure) {
     row.weightSingles.push_back(seenShare(c1, c1, measured.surfacePoints));
   }
   return row;
+}
+
+/// The torso's organs at a growing number of voxels along its longest side.
+struct Scaled {
+  glm::ivec3 dims{0};
+  double images = 0.0, measure = 0.0;
+};
+Scaled measureScaled(int voxels) {
+  app::SceneOptions options;
+  options.phantom = "torso";
+  options.phantomVoxels = voxels;
+  const app::LoadedScene loaded = app::loadScene(options);
+  GpuScene gpu;
+  gpu.update(loaded.scene);
+  CandidateImages images;
+  const int side = CandidateImages::sideFor(gpu);
+  Placer placer;
+  Scaled scaled{loaded.scene.volume->grid.dims, timed([&] { images.measure(gpu, ringDirections(4), {}, side); }),
+                timed([&] {
+                  placer.forget();
+                  placer.measure(gpu, loaded.scene, {}, {});
+                })};
+  return scaled;
 }
 
 std::string number(double value, int digits) {
@@ -226,36 +287,56 @@ std::string angleTable(const std::vector<Row>& rows, double Deviation::*angle) {
   return table;
 }
 
-std::string page(const std::vector<Row>& rows, const std::string& gl) {
+std::string page(const std::vector<Row>& rows, const std::vector<Scaled>& scaling, const std::string& gl) {
   std::ostringstream out;
   out << "# Dual-camera placement, measured\n\nWritten by `placement-bench` (build target of that name) on " << gl
       << ". Default weights and region (semi-sphere), candidate images of " << CandidateImages::defaultSide
-      << "², surface shares over 4096 points.\n\n## How many directions\n\n"
-         "Degrees from the answer of N = 12288, for growing N and for the hierarchical refinement (its number of "
-         "images in "
-         "brackets). Seen in parallel projection, opposite sides have the same outline: angles near 180° are the "
-         "opposite "
-         "of an equally good view.\n\n![Angle to the converged answer against N](placement.svg)\n\nC1:\n\n"
+      << "² over the model (finer by a whole factor where the focus is small), surface shares over "
+      << Sampling().surfacePoints
+      << " points.\n\n## How many directions\n\nDegrees from the answer of N = 12288, for growing N and for the "
+         "hierarchical refinement (its number of images in brackets), all by the same measure. Seen in parallel "
+         "projection, opposite sides have the same outline: angles near 180° are the opposite of an equally good "
+         "view.\n\n![Angle to the converged answer against N](placement.svg)\n\nC1:\n\n"
       << angleTable(rows, &Deviation::c1) << "\nC2:\n\n"
-      << angleTable(rows, &Deviation::c2) << "\nQuality that C1 loses to the converged answer:\n\n";
-  out << header({"structure", "N = 192", "N = 1200", "refined"});
+      << angleTable(rows, &Deviation::c2)
+      << "\nQuality lost to the converged answer. *Error*: scatter of the qualities against images four times as fine; "
+         "what is below it is a tie.\n\n";
+  out << header({"structure", "image", "error", "C1, N = 192", "C1, N = 1200", "C1, refined", "C2, refined"});
   for (const Row& row : rows)
-    out << tableRow(
-        {row.name, number(row.brute[3].lost, 5), number(row.brute.back().lost, 5), number(row.refined.lost, 5)});
-  out << "\n## Share of the focus's surface that the pair sees\n\nN = 192 and the six standard views.\n\n"
-      << header({"structure", "best standard pair", "stream", "semi-sphere", "joint, stream", "joint, semi-sphere"});
+    out << tableRow({row.name, std::to_string(row.side) + "²", number(row.error, 5), number(row.brute[3].lost, 5),
+                     number(row.brute.back().lost, 5), number(row.refined.lost, 5), number(row.refined.lostByC2, 5)});
+  out << "\n## Share of the focus's surface that the pair sees\n\nN = 192 and the six standard views. *checked*: the "
+         "joint search's pair looked at with "
+      << manyPoints << " points.\n\n"
+      << header({"structure", "best standard pair", "stream", "semi-sphere", "joint, stream", "joint, semi-sphere",
+                 "checked"});
   for (const Row& row : rows)
     out << tableRow({row.name, number(row.standard, 3), number(row.stream, 3), number(row.semiSphere, 3),
-                     number(row.jointStream, 3), number(row.joint, 3)});
+                     number(row.jointStream, 3), number(row.joint, 3), number(row.jointByMore, 3)});
   out << "\n## Times\n\nMilliseconds, median of five after one run. *images*: N = 192 candidate images alone; "
-         "*measure*: with "
-         "what each candidate sees of the surface, and all descriptors; *refined*: the same, refined; *choose*: C1 and "
-         "C2 "
-         "after a change of weights; *joint*: the joint search; *C2*: C2 for a dragged C1.\n\n"
-      << header({"structure", "images", "measure", "refined", "choose", "joint", "C2"});
+         "*measure*: with what each candidate sees of the surface, and all descriptors; *refined*: the same, refined; "
+         "*choose*: C1 and C2 after a change of weights; *joint*: the joint search; *C2*: C2 for a dragged C1.\n\n"
+      << header({"structure", "images", "measure", "refined", "choose", "joint", "joint, N = 1200", "C2"});
   for (const Row& row : rows)
     out << tableRow({row.name, number(row.images, 0), number(row.measure, 0), number(row.refine, 0),
-                     number(row.choose, 2), number(row.chooseJoint, 1), number(row.dual, 2)});
+                     number(row.choose, 2), number(row.chooseJoint, 2), number(row.chooseJointOfMany, 1),
+                     number(row.dual, 2)});
+  out << "\n## Scaling\n\nMilliseconds for N candidate images, one run each.\n\n";
+  std::vector<std::string> cells{"N"};
+  for (const int count : counts) cells.push_back(std::to_string(count));
+  out << header(cells);
+  for (const Row& row : rows) {
+    cells = {row.name};
+    for (const double time : row.times) cells.push_back(number(time, 0));
+    out << tableRow(cells);
+  }
+  out << "\nThe phantom torso's organs in volumes of growing size; milliseconds for N = 192, median of five.\n\n"
+      << header({"voxels", "millions", "images", "measure"});
+  for (const Scaled& scaled : scaling)
+    out << tableRow(
+        {std::to_string(scaled.dims.x) + "×" + std::to_string(scaled.dims.y) + "×" + std::to_string(scaled.dims.z),
+         number(1e-6 * scaled.dims.x * scaled.dims.y * scaled.dims.z, 1), number(scaled.images, 0),
+         number(scaled.measure, 0)});
   out << "\n## Weights\n\nShare of the surface that the pair (and C1 alone) sees, averaged over the structures above: "
          "the ten "
          "best for the pair, the default, and the paper's sign of the depth term.\n\n"
@@ -328,6 +409,9 @@ std::string plot(const std::vector<Row>& rows) {
 int run(const std::filesystem::path& folder, const std::string& part) {
   egl::EglContext context;
   std::filesystem::create_directories(folder);
+  std::vector<Scaled> scaling;
+  if (part.empty())
+    for (const int voxels : {128, 256, 512}) scaling.push_back(measureScaled(voxels));
   std::vector<Row> rows;
   for (const Structure& structure : structures()) {
     if (structure.name.find(part) == std::string::npos) continue;
@@ -338,7 +422,7 @@ int run(const std::filesystem::path& folder, const std::string& part) {
               << "°, C2 " << row.refined.c2 << "°, lost " << row.refined.lost << ", " << row.refinedImages
               << " images\n";
     // After each, so that a run cut short leaves what it has.
-    std::ofstream(folder / "placement.md") << page(rows, context.description());
+    std::ofstream(folder / "placement.md") << page(rows, scaling, context.description());
     std::ofstream(folder / "placement.svg") << plot(rows);
   }
   return 0;

@@ -11,7 +11,9 @@
 
 #include "rendering/placement/Sphere.h"
 #include "viewer/model/Document.h"
+#include "tests/support/TestData.h"
 #include "viewer/model/PlacementController.h"
+#include "viewer/model/Preferences.h"
 #include "viewer/panels/SphereMap.h"
 
 namespace fenestra::viewer {
@@ -238,6 +240,39 @@ TEST_F(Placement, CanBeCancelledAndTellsWhatWentWrong) {
   placement_.place();
   EXPECT_FALSE(placement_.isBusy());
   EXPECT_TRUE(placement_.note().contains(QStringLiteral("no memory")));
+}
+
+TEST(PlacementPreferences, KeepTheSettingsAndDropNonsense) {
+  QSettings::setDefaultFormat(QSettings::IniFormat);
+  QSettings::setPath(QSettings::IniFormat, QSettings::UserScope,
+                     QString::fromStdString(tests::scratchFolder().string()));
+  QCoreApplication::setOrganizationName(QStringLiteral("Fenestra tests"));
+  QSettings().remove(QStringLiteral("placement"));
+  Preferences preferences;
+  EXPECT_EQ(preferences.placement(), PlacementSettings());
+  PlacementSettings settings;
+  settings.sampling.count = 588;
+  settings.sampling.refined = true;
+  settings.options.region = placement::Region::Stream;
+  settings.options.streamHalfWidth = 7.5;
+  settings.options.shareWeight = 0.25;
+  settings.options.weights = {-0.5, 2.0, 0.125, 0.1, 0.2, 0.3, 0.4};
+  settings.joint = true;
+  settings.follow = settings.automatic = false;
+  preferences.setPlacement(settings);
+  EXPECT_EQ(Preferences().placement(), settings);
+
+  QSettings stored;
+  stored.setValue(QStringLiteral("placement/samples"), 100);  // no count of directions
+  stored.setValue(QStringLiteral("placement/streamHalfWidth"), -3.0);
+  stored.setValue(QStringLiteral("placement/weightDepth"), QStringLiteral("nan"));
+  stored.setValue(QStringLiteral("placement/weightCoverage"), QStringLiteral("much"));
+  const PlacementSettings read = Preferences().placement(), defaults;
+  EXPECT_EQ(read.sampling.count, defaults.sampling.count);
+  EXPECT_EQ(read.options.streamHalfWidth, defaults.options.streamHalfWidth);
+  EXPECT_EQ(read.options.weights.visibility, defaults.options.weights.visibility);
+  EXPECT_EQ(read.options.weights.coverage, defaults.options.weights.coverage);
+  EXPECT_EQ(read.options.weights.stability, settings.options.weights.stability);
 }
 
 TEST(Flight, TurnsEvenlyEndsExactlyAndStopsAtATouch) {

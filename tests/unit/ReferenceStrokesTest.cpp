@@ -78,9 +78,11 @@ TEST(ReferenceStrokes, FactorsOfContextLayerAndBorder) {
   EXPECT_NEAR(flat.edits({fade, fade, strengthen}).factor[onFocus], 0.5 * 0.5 * 1.5, 1e-12);
   EXPECT_EQ(flat.edits({fade}).factor[bare], 1.0) << "the border stays";
   EXPECT_EQ(flat.edits({fade}).offset[onFocus], 0.0);
-  // Restored, neither is left; half of the 50 mm back over the focus leaves half of the context layer.
+  // Where a brush moved the cut, its border is gone. Restored, no context layer is left; half of the 50 mm back over
+  // the focus leaves half of the context layer.
   BrushStroke restore = stroke(BrushMode::Restore);
   EXPECT_EQ(flat.edits({restore}).factor[bare], 0.0);
+  EXPECT_EQ(flat.edits({stroke(BrushMode::Open)}).factor[bare], 0.0);
   EXPECT_EQ(flat.edits({restore}).factor[onFocus], 1.0);
   restore.coversFocus = true;
   restore.depth = 25.0;

@@ -1,7 +1,10 @@
 #include "viewer/model/Preferences.h"
 
+#include <array>
+
 #include <QStringList>
 
+#include "rendering/placement/Sphere.h"
 #include "viewer/model/Paths.h"
 
 namespace fenestra::viewer {
@@ -13,6 +16,26 @@ const QString stateKey = QStringLiteral("layout/docks");
 const QString qualityKey = QStringLiteral("picture/quality");
 const QString maxErrorKey = QStringLiteral("picture/maxError");
 const QString viewsKey = QStringLiteral("layout/views");
+const QString placementKey = QStringLiteral("placement/%1");
+
+struct NamedWeight {
+  const char* name;
+  double placement::Weights::*member;
+};
+const std::array<NamedWeight, 7> namedWeights{{{"weightDepth", &placement::Weights::visibility},
+                                               {"weightCoverage", &placement::Weights::coverage},
+                                               {"weightLocation", &placement::Weights::location},
+                                               {"weightEntropy", &placement::Weights::entropy},
+                                               {"weightTypical", &placement::Weights::mutualInformation},
+                                               {"weightStability", &placement::Weights::stability},
+                                               {"weightOrientation", &placement::Weights::orientation}}};
+struct NamedSwitch {
+  const char* name;
+  bool PlacementSettings::*member;
+};
+const std::array<NamedSwitch, 3> namedSwitches{{{"joint", &PlacementSettings::joint},
+                                                {"follow", &PlacementSettings::follow},
+                                                {"automatic", &PlacementSettings::automatic}}};
 
 }  // namespace
 
@@ -63,6 +86,43 @@ void Preferences::setLayout(const QByteArray& geometry, const QByteArray& state,
   settings_.setValue(geometryKey, geometry);
   settings_.setValue(stateKey, state);
   settings_.setValue(viewsKey, views);
+}
+
+PlacementSettings Preferences::placement() const {
+  PlacementSettings placement;
+  const auto stored = [this](const char* name) { return settings_.value(placementKey.arg(QLatin1String(name))); };
+  const auto read = [&](const char* name, double& value, double low, double high) {
+    bool good = false;
+    const double number = stored(name).toDouble(&good);
+    if (good && number >= low && number <= high) value = number;
+  };
+  if (const int count = stored("samples").toInt(); count <= 12288 && placement::sideOf(count))
+    placement.sampling.count = count;
+  placement.sampling.refined = stored("refined").toBool();
+  if (stored("region").toString() == QLatin1String("stream")) placement.options.region = placement::Region::Stream;
+  read("streamHalfWidth", placement.options.streamHalfWidth, 0.0, 90.0);
+  read("shareWeight", placement.options.shareWeight, 0.0, 1.0);
+  constexpr double mostWeight = 1e3;
+  for (const NamedWeight& weight : namedWeights)
+    read(weight.name, placement.options.weights.*weight.member, -mostWeight, mostWeight);
+  for (const NamedSwitch& named : namedSwitches)
+    if (const QVariant value = stored(named.name); value.isValid()) placement.*named.member = value.toBool();
+  return placement;
+}
+
+void Preferences::setPlacement(const PlacementSettings& placement) {
+  const auto store = [this](const char* name, const QVariant& value) {
+    settings_.setValue(placementKey.arg(QLatin1String(name)), value);
+  };
+  const placement::Options& options = placement.options;
+  store("samples", placement.sampling.count);
+  store("refined", placement.sampling.refined);
+  store("region",
+        options.region == placement::Region::Stream ? QStringLiteral("stream") : QStringLiteral("semi-sphere"));
+  store("streamHalfWidth", options.streamHalfWidth);
+  store("shareWeight", options.shareWeight);
+  for (const NamedWeight& weight : namedWeights) store(weight.name, options.weights.*weight.member);
+  for (const NamedSwitch& named : namedSwitches) store(named.name, placement.*named.member);
 }
 
 }  // namespace fenestra::viewer

@@ -9,6 +9,7 @@
 #include <QSettings>
 
 #include "viewer/model/FramePacer.h"
+#include "viewer/model/PlacementController.h"
 
 namespace fenestra::viewer {
 
@@ -29,6 +30,10 @@ class Preferences {
   QByteArray windowState() const;
   QByteArray viewLayout() const;
   void setLayout(const QByteArray& geometry, const QByteArray& state, const QByteArray& views);
+
+  /// How cameras are placed; what was never stored, or makes no sense, is the default.
+  PlacementSettings placement() const;
+  void setPlacement(const PlacementSettings& placement);
 
  private:
   QSettings settings_;

@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include <QElapsedTimer>
+
 #include "viewer/views/VolumeView.h"
 
 namespace fenestra::viewer {
 namespace {
 
-/// Candidates in a slice: without a GPU some 50 ms of work for an organ.
-constexpr std::size_t sliceCandidates = 12;
+/// How long the window may be deaf: a frame of 30 a second, with room for what one slice takes longer than the last.
+constexpr double sliceMilliseconds = 20.0;
+constexpr std::size_t mostPerSlice = 256;
 
 }  // namespace
 
@@ -31,7 +34,13 @@ void PlacementRenderer::begin(const Scene& scene, const placement::Sampling& sam
 
 bool PlacementRenderer::advance() {
   bool done = false;
-  view_.inContext([&](const std::shared_ptr<GpuScene>& gpu) { done = placer_->advance(*gpu, sliceCandidates); });
+  QElapsedTimer clock;
+  clock.start();
+  view_.inContext([&](const std::shared_ptr<GpuScene>& gpu) { done = placer_->advance(*gpu, perSlice_); });
+  // The next slice is as large as this one's speed allows, but grows by steps: the first ones also compile shaders.
+  const double milliseconds = std::max(1e-3, static_cast<double>(clock.nsecsElapsed()) * 1e-6);
+  const double fitting = static_cast<double>(perSlice_) * std::min(2.0, sliceMilliseconds / milliseconds);
+  perSlice_ = std::clamp(static_cast<std::size_t>(fitting), std::size_t{1}, mostPerSlice);
   return done;
 }
 

@@ -25,6 +25,7 @@ class PlacementRenderer : public PlacementBackend {
  private:
   VolumeView& view_;
   std::optional<placement::Placer> placer_;
+  std::size_t perSlice_ = 2;  ///< candidates
   std::optional<Renderer> renderer_;
 };
 

@@ -1,19 +1,26 @@
-// Rays of candidate cameras: parallel projection over the model's bounding sphere, one set of axes a candidate.
+// Rays of candidate cameras: parallel projection over the model's bounding sphere, one set of axes a view.
 
-struct CandidateAxes {  // cells per mm along the camera's right, up and forward
-  vec4 right, up, forward;
+struct CandidateView {  // right, up and forward in cells per mm
+  vec4 right;           // w: 1 where the view from the opposite side is wanted too
+  vec4 up;
+  vec4 forward;
 };
-layout(std430, binding = 2) readonly buffer Candidates { CandidateAxes candidates[]; };
+layout(std430, binding = 2) readonly buffer Views { CandidateView views[]; };
 uniform vec3 sphereCentre;   // cell frame
 uniform float sphereRadius;  // mm
 
 // s = 0 at the plane through the centre; position in -1…1 across the image.
-Ray candidateRay(uint candidate, vec2 position) {
-  CandidateAxes axes = candidates[candidate];
+Ray candidateRay(uint view, vec2 position) {
   Ray ray;
-  ray.direction = axes.forward.xyz;
-  ray.base = sphereCentre + sphereRadius * (position.x * axes.right.xyz + position.y * axes.up.xyz);
+  ray.direction = views[view].forward.xyz;
+  ray.base = sphereCentre + sphereRadius * (position.x * views[view].right.xyz + position.y * views[view].up.xyz);
   ray.world = ray.worldBase = vec3(0.0);
+  clipToBox(ray, -sphereRadius);
+  return ray;
+}
+
+Ray reversed(Ray ray) {
+  ray.direction = -ray.direction;
   clipToBox(ray, -sphereRadius);
   return ray;
 }

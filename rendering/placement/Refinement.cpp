@@ -1,0 +1,133 @@
+#include "rendering/placement/Refinement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include "rendering/placement/Sphere.h"
+
+namespace fenestra::placement {
+namespace {
+
+/// How many pixels of a level hand on to their children. The coarser, the less a pixel's middle tells of what is in it.
+std::size_t keptOf(int nside) { return nside <= 2 ? 12 : nside <= 4 ? 8 : nside <= 8 ? 8 : 5; }
+
+/// The pixels around one: those met up to `reach` pixels' widths away from its middle.
+std::vector<long> pixelsAround(int nside, long pixel, int reach) {
+  constexpr int stepsPerWidth = 16;
+  const glm::dvec3 centre = nestedDirection(nside, pixel);
+  const Camera::Axes axes = axesAt(centre);
+  std::set<long> around;
+  for (int ring = 1; ring <= reach; ++ring) {
+    const double away = ring * std::sqrt(std::numbers::pi / 3.0) / nside;
+    for (int i = 0; i < ring * stepsPerWidth; ++i) {
+      const double angle = 2.0 * std::numbers::pi * i / (ring * stepsPerWidth);
+      const glm::dvec3 aside = std::cos(angle) * axes.right + std::sin(angle) * axes.up;
+      around.insert(nestedPixel(nside, std::cos(away) * centre + std::sin(away) * aside));
+    }
+  }
+  around.erase(pixel);
+  return {around.begin(), around.end()};
+}
+
+}  // namespace
+
+Refinement::Refinement(const Options& options, std::size_t points, int start, int finest)
+    : options_(options), points_(points), start_(start), finest_(finest) {
+  plan();
+}
+
+void Refinement::add(const std::vector<Candidate>& measured) {
+  for (std::size_t i = 0; i < wantedPixels_.size(); ++i) known_[wantedPixels_[i]] = measured.at(i);
+  std::vector<Candidate> all = candidates();
+  describeTogether(all, points_);
+  auto next = all.begin();
+  for (auto& [pixel, candidate] : known_) candidate.descriptors = (next++)->descriptors;
+  plan();
+}
+
+double Refinement::progress() const {
+  return wanted_.empty() ? 1.0 : static_cast<double>(known_.size()) / static_cast<double>(mostImages);
+}
+
+std::vector<Candidate> Refinement::candidates() const {
+  std::vector<Candidate> all;
+  for (const auto& [pixel, candidate] : known_) all.push_back(candidate);  // coarser levels first
+  return all;
+}
+
+std::size_t Refinement::coarser() const {
+  return static_cast<std::size_t>(std::distance(known_.begin(), known_.lower_bound({finest_, 0})));
+}
+
+/// Goes through the whole search with what is known, up to where something is missing: quick, and no state to keep.
+void Refinement::plan() {
+  wantedPixels_.clear();
+  wanted_.clear();
+  std::vector<long> all(static_cast<std::size_t>(12 * start_ * start_));
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<long>(i);
+  if (!have(start_, all) || !descend({})) return;
+  const std::vector<long> best = ranked(finest_, {});
+  if (best.empty()) return;
+  const glm::dvec3 c1 = nestedDirection(finest_, best.front());
+  // In parallel projection the opposite view has the same outline.
+  if (!have(finest_, {nestedPixel(finest_, -c1)}) || !climb(finest_, {})) return;
+  descend(c1);
+}
+
+bool Refinement::have(int nside, const std::vector<long>& pixels) {
+  for (const long index : pixels)
+    if (!known_.contains({nside, index}) && known_.size() + wanted_.size() < mostImages) {
+      wantedPixels_.push_back({nside, index});
+      wanted_.push_back(nestedDirection(nside, index));
+    }
+  return wanted_.empty();
+}
+
+bool Refinement::descend(const std::optional<glm::dvec3>& c1) {
+  for (int nside = start_; nside < finest_; nside *= 2) {
+    std::vector<long> children, kept = ranked(nside, c1);
+    kept.resize(std::min(kept.size(), keptOf(nside)));
+    for (const long pixel : kept)
+      for (long child = 4 * pixel; child < 4 * pixel + 4; ++child)
+        if (!c1 || mayHold({2 * nside, child}, *c1)) children.push_back(child);
+    if (!have(2 * nside, children) || !climb(2 * nside, c1)) return false;
+  }
+  return true;
+}
+
+bool Refinement::climb(int nside, const std::optional<glm::dvec3>& c1) {
+  const std::vector<long> best = ranked(nside, c1);
+  if (best.empty()) return true;
+  const auto outside = [&](long pixel) { return c1 && !mayHold({nside, pixel}, *c1); };
+  std::vector<long> around = pixelsAround(nside, best.front(), 1);
+  // Along the region's rim it also matters how near to that a pixel's middle happens to lie: look farther.
+  constexpr int rimReach = 3;
+  if (nside == finest_ && std::any_of(around.begin(), around.end(), outside))
+    around = pixelsAround(nside, best.front(), rimReach);
+  std::erase_if(around, outside);
+  return have(nside, around);
+}
+
+std::vector<long> Refinement::ranked(int nside, const std::optional<glm::dvec3>& c1) const {
+  std::vector<long> pixels;
+  const auto end = known_.lower_bound({nside + 1, 0});
+  for (auto at = known_.lower_bound({nside, 0}); at != end; ++at)
+    if (at->second.sums.count > 0.0 && (!c1 || mayHold(at->first, *c1))) pixels.push_back(at->first.index);
+  std::stable_sort(pixels.begin(), pixels.end(), [&](long a, long b) {
+    return qualityAt({nside, a}) > qualityAt({nside, b});
+  });
+  return pixels;
+}
+
+bool Refinement::mayHold(Pixel pixel, glm::dvec3 c1) const {
+  if (pixel.nside >= finest_) return inRegion(c1, nestedDirection(pixel.nside, pixel.index), options_);
+  for (long child = 4 * pixel.index; child < 4 * pixel.index + 4; ++child)
+    if (mayHold({2 * pixel.nside, child}, c1)) return true;
+  return false;
+}
+
+double Refinement::qualityAt(Pixel pixel) const { return quality(known_.at(pixel).descriptors, options_.weights); }
+
+}  // namespace fenestra::placement
