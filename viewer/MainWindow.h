@@ -40,8 +40,8 @@ class MainWindow : public QMainWindow {
   using Reader = std::function<Study(const io::Progress&)>;
   struct Setup {
     GlSupport gl;
-    std::optional<Effort> atRest;  ///< of the 3-D views when nothing moves; unset: as remembered
-    bool remember = true;          ///< restore and save layout, recent files and the above
+    std::optional<Effort> atRest = {};  ///< of the 3-D views when nothing moves; unset: as remembered
+    bool remember = true;               ///< restore and save layout, recent files and the above
   };
 
   explicit MainWindow(const Setup& setup, QWidget* parent = nullptr);
