@@ -72,8 +72,7 @@ class SessionWindow : public Window {
   void restart() {
     const QSize size = window_->size();
     window_.reset();
-    window_ =
-        std::make_unique<MainWindow>(MainWindow::Setup{.gl = gl_, .restQuality = Quality::Normal, .remember = false});
+    window_ = std::make_unique<MainWindow>(MainWindow::Setup{.gl = gl_, .atRest = Effort{}, .remember = false});
     window_->resize(size);
     window_->show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get()));
