@@ -181,12 +181,6 @@ Row measureStructure(const Structure& structure) {
     row.times.push_back(millisecondsSince(start));
     row.brute.push_back(deviation(candidates));
   }
-  Refinement refinement(options);
-  while (!refinement.wanted().empty()) refinement.add(images.measure(gpu, refinement.wanted(), {}, side));
-  const std::vector<Candidate> refined = refinement.candidates();
-  row.refined = deviation({refined.begin() + static_cast<std::ptrdiff_t>(refinement.coarser()), refined.end()});
-  row.refinedImages = refined.size();
-
   Placer placer;
   Sampling sampling;
   const auto measureAnew = [&] {
@@ -195,6 +189,12 @@ Row measureStructure(const Structure& structure) {
   };
   sampling.refined = true;
   row.refine = timed(measureAnew);
+  const Measured refined = placer.measured();
+  const auto candidate = [&](std::size_t index) {
+    return refined.candidates.begin() + static_cast<std::ptrdiff_t>(index);
+  };
+  row.refined = deviation({candidate(refined.coarser), candidate(refined.spread)});
+  row.refinedImages = refined.spread;
   sampling.refined = false;
   row.measure = timed(measureAnew);
   row.images = timed([&] { images.measure(gpu, ringDirections(4), {}, side); });
