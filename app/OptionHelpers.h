@@ -14,6 +14,7 @@
 #include <vector>
 
 #include <CLI/CLI.hpp>
+#include <glm/glm.hpp>
 
 namespace fenestra::app {
 
@@ -82,6 +83,17 @@ inline CLI::Option* addSwitch(CLI::App& command, const std::string& name, const 
   return addParsed(command, name, "on|off", description, [&target](const std::string& text) {
     target = text == "on";
     return target || text == "off";
+  });
+}
+
+inline CLI::Option* addColour(CLI::App& command, const std::string& name, const std::string& description,
+                              glm::dvec3& target) {
+  return addParsed(command, name, "R,G,B", description + ", 0..1 each", [&target](const std::string& text) {
+    const auto colour = parseNumbers<double, 3>(text, ',');
+    if (!colour || std::any_of(colour->begin(), colour->end(), [](double c) { return c < 0.0 || c > 1.0; }))
+      return false;
+    target = {(*colour)[0], (*colour)[1], (*colour)[2]};
+    return true;
   });
 }
 

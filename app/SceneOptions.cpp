@@ -10,8 +10,12 @@
 
 #include "app/CameraFile.h"
 #include "app/OptionHelpers.h"
+#include "app/SceneSession.h"
 #include "io/PhantomFile.h"
 #include "io/TransferFunctionFile.h"
+#include "io/session/OpenSession.h"
+#include "io/session/SessionFile.h"
+#include "io/session/StrokeFile.h"
 
 namespace fenestra::app {
 namespace {
@@ -107,17 +111,99 @@ io::Progress part(const io::Progress& progress, double begin, double end) {
   return [=](double fraction, std::string_view doing) { return progress(std::lerp(begin, end, fraction), doing); };
 }
 
-}  // namespace
+/// `labels` may be empty; a session then has its own.
+OpenedData openWithLabels(const VolumeOptions& options, const fs::path& labels, const io::Progress& progress) {
+  OpenedData data;
+  if (!options.phantom.empty()) {
+    io::OpenedPhantom phantom = io::openPhantom(options.phantom, options.phantomVoxels, progress);
+    data.volume = std::move(phantom.volume);
+    data.labels = std::move(phantom.labels);
+  } else if (io::isSession(options.path)) {
+    io::OpenedSession opened = io::openSession(options.path, {options.data, labels}, progress);
+    data.volume = std::move(opened.volume);
+    data.volume.warnings = std::move(opened.warnings);
+    data.labels = std::move(opened.labels);
+    data.session = std::move(opened.session);
+  } else {
+    const double volumeShare = labels.empty() ? 1.0 : 0.8;
+    data.volume = io::openVolume(
+        options.path, {.series = options.series, .raw = options.raw, .progress = part(progress, 0.0, volumeShare)});
+    if (!labels.empty()) {
+      io::OpenedLabels opened = io::openLabels(labels, data.volume.volume->grid, part(progress, volumeShare, 1.0));
+      data.labels = std::move(opened.labels);
+      std::move(opened.warnings.begin(), opened.warnings.end(), std::back_inserter(data.volume.warnings));
+    }
+  }
+  return data;
+}
 
-std::string VolumeOptions::source() const { return phantom.empty() ? path.string() : "phantom " + phantom; }
+/// The focus that the options ask for, or the phantom's own; a session's stays otherwise.
+void setFocus(const SceneOptions& options, LoadedScene& loaded) {
+  Scene& scene = loaded.scene;
+  std::vector<std::string> wanted = options.focusLabels;
+  if (!options.phantom.empty() && wanted.empty() && !options.focusRange) wanted = phantomView(options.phantom).focus;
+  if (options.focusRange) {
+    scene.focus = ValueFocus{*options.focusRange, options.focusMinimumSize};
+  } else if (!wanted.empty()) {
+    const fs::path file = options.labels.empty() ? fs::path(options.source()) : options.labels;
+    if (!scene.labels) throw io::Error(file, "has no labels to focus on", "name a label map with --labels");
+    scene.focus = LabelFocus{resolveLabels(*scene.labels, wanted, file)};
+  }
+  const auto* labels = std::get_if<LabelFocus>(&scene.focus);
+  if (labels && countVoxels(*scene.labels, labels->labels) == 0)
+    loaded.warnings.push_back({io::Warning::Kind::Other,
+                               "the focus has no voxels in this volume",
+                               {options.labels.empty() ? fs::path(options.source()) : options.labels}});
+}
 
-void addVolumeOptions(CLI::App& command, VolumeOptions& options) {
+/// Camera, size and sampling: what the options ask for, what the session's view has, or the usual.
+void setView(const SceneOptions& options, LoadedScene& loaded) {
+  View& view = loaded.view;
+  view.size = {960, 720};
+  view.quality = options.quality;
+  view.maxError = options.maxError;
+  std::optional<CameraChoice> choice = options.camera;
+  const auto* saved =
+      loaded.session ? &loaded.session->views[static_cast<std::size_t>(options.viewOfSession)] : nullptr;
+  if (saved) {
+    view.size = saved->size;
+    view.pixelScale = saved->pixelScale;
+  } else if (!choice) {
+    const bool plainPhantom = !options.phantom.empty() && options.focusLabels.empty() && !options.focusRange;
+    choice = plainPhantom ? phantomView(options.phantom).camera : StandardView::Anterior;
+  }
+  if (!choice) {
+    view.camera = saved->camera;
+    view.camera.projection = options.projection.value_or(view.camera.projection);
+    view.size = options.size.value_or(view.size);
+    if (saved->fitsWidth) view.camera = view.camera.fittedTo(static_cast<double>(view.size.x) / view.size.y);
+    return;
+  }
+  if (const auto* file = std::get_if<fs::path>(&*choice)) {
+    const CameraFile read = readCamera(*file);
+    view.camera = read.camera;
+    view.camera.projection = options.projection.value_or(read.camera.projection);
+    view.size = read.size;
+  } else {
+    if (const auto* placed = std::get_if<PlacedView>(&*choice)) {
+      loaded.placed = *placed;
+      choice = StandardView::Anterior;
+    }
+    view.camera = makeCamera(options, *choice, visibleGrid(*loaded.scene.volume, loaded.scene.context));
+  }
+  view.size = options.size.value_or(view.size);
+}
+
+/// `onPath` runs as soon as PATH is known: options take effect in the order in which they are added.
+void addVolume(CLI::App& command, VolumeOptions& options, const std::function<void()>& onPath) {
   command.option_defaults()->group("Volume");
-  auto* path = addParsed(command, "PATH", "PATH", "DICOM folder or file, NIfTI, NRRD, MetaImage, or raw with --raw",
-                         [&options](const std::string& text) {
-                           options.path = text;
-                           return !text.empty();
-                         });
+  auto* path =
+      addParsed(command, "PATH", "PATH", "DICOM folder or file, NIfTI, NRRD, MetaImage, raw with --raw, or a session",
+                [&options, onPath](const std::string& text) {
+                  options.path = text;
+                  if (io::isSession(options.path)) onPath();
+                  return !text.empty();
+                });
   std::string names;
   for (const std::string& name : io::phantomNames()) names += (names.empty() ? "" : "|") + name;
   auto* phantom =
@@ -149,7 +235,13 @@ void addVolumeOptions(CLI::App& command, VolumeOptions& options) {
                       "how to read PATH's bytes, e.g. 256x256x128:uint16:be:skip=512")
                   ->type_name("WxHxD:TYPE[:le|be][:skip=BYTES]")
                   ->excludes(phantom);
-  // Options take effect in the order in which they are added, so --raw is known here.
+  command
+      .add_option_function<std::string>(
+          "--data", [&options](const std::string& text) { options.data = text; },
+          "where the volume of a session is now, when it has moved or changed")
+      ->type_name("PATH")
+      ->excludes(phantom);
+  // --raw is known here.
   addParsed(command, "--spacing", "X,Y,Z", "mm between the voxels of --raw", [&options](const std::string& text) {
     const auto spacing = parseNumbers<double, 3>(text, ',');
     if (!spacing || !std::all_of(spacing->begin(), spacing->end(), [](double mm) { return mm > 0.0; })) return false;
@@ -159,8 +251,20 @@ void addVolumeOptions(CLI::App& command, VolumeOptions& options) {
   command.option_defaults()->group("Options");
 }
 
-void addSceneOptions(CLI::App& command, SceneOptions& options) {
-  addVolumeOptions(command, options);
+}  // namespace
+
+std::string VolumeOptions::source() const { return phantom.empty() ? path.string() : "phantom " + phantom; }
+
+void addVolumeOptions(CLI::App& command, VolumeOptions& options) {
+  addVolume(command, options, [] {});
+}
+
+void addSceneOptions(CLI::App& command, SceneOptions& options, std::function<void(const io::Session&)> onSession) {
+  addVolume(command, options, [&options, onSession = std::move(onSession)] {
+    const io::Session session = io::readSession(options.path);
+    useAsDefaults(session, options);
+    if (onSession) onSession(session);
+  });
   auto* phantom = command.get_option("--phantom");
   command.option_defaults()->group("Focus");
   auto* labels = addParsed(command, "--labels", "FILE", "label map, resampled to the volume where its grid differs",
@@ -186,9 +290,9 @@ void addSceneOptions(CLI::App& command, SceneOptions& options) {
   addNumber(command, "--focus-min-size", 0.0, 1e12, "MM3",
             "leave out islands of --focus-range below this volume, default 300", options.focusMinimumSize);
   // Whether a focus by labels has labels to choose from is known only once the whole line is.
-  command.parse_complete_callback([=] {
-    if (focusLabels->count() && !labels->count() && !phantom->count())
-      throw CLI::RequiresError("--focus-labels", "--labels or --phantom");
+  command.parse_complete_callback([=, &options] {
+    if (focusLabels->count() && !labels->count() && !phantom->count() && !io::isSession(options.path))
+      throw CLI::RequiresError("--focus-labels", "--labels, --phantom or a session");
   });
 
   command.option_defaults()->group("Picture");
@@ -208,6 +312,8 @@ void addSceneOptions(CLI::App& command, SceneOptions& options) {
   addChoice<Projection>(command, "--projection", "default perspective",
                         {{"perspective", Projection::Perspective}, {"orthographic", Projection::Orthographic}},
                         options.projection);
+  addChoice<int>(command, "--view", "of a session: whose camera and size, default C1", {{"C1", 0}, {"C2", 1}},
+                 options.viewOfSession);
   addParsed(command, "--size", "WxH", "picture in pixels, up to 16384 a side", [&options](const std::string& text) {
     const auto size = parseNumbers<int, 2>(text, 'x');
     if (!size || std::any_of(size->begin(), size->end(), [](int n) { return n < 1 || n > largestPicture; }))
@@ -220,18 +326,47 @@ void addSceneOptions(CLI::App& command, SceneOptions& options) {
   // Below it, rounding of the voxels' float32 sums shows first.
   constexpr double leastMaxError = 0.05;
   addSwitch(command, "--cutaway", "open the view to the focus, default on", options.cutaway.enabled);
+  // Before what it sets, so that a look and then a width is that look with that width.
+  std::string looks;
+  for (const OpeningLook& look : openingLooks()) looks += (looks.empty() ? "" : "|") + std::string(look.id);
+  addParsed(command, "--look", looks, "context layer and border ready made, default full",
+            [&](const std::string& text) {
+              const auto all = openingLooks();
+              const auto look =
+                  std::find_if(all.begin(), all.end(), [&](const OpeningLook& each) { return each.id == text; });
+              if (look == all.end()) return false;
+              look->applyTo(options.cutaway, options.contextLayer);
+              return true;
+            });
   addNumber(command, "--w-open", 0.0, widest, "WIDTH", "how far the cut opens around the focus, default 24",
             options.cutaway.openWidth);
   addNumber(command, "--w-border", 0.0, widest, "WIDTH", "width of the line around the cut, default 2",
             options.cutaway.borderWidth);
   addChoice<WidthUnit>(command, "--width-unit", "of the two widths, default px; mm are those at the focus's depth",
                        {{"px", WidthUnit::Pixel}, {"mm", WidthUnit::Millimetre}}, options.cutaway.unit);
-  addNumber(command, "--context-layer", 0.0, 1.0, "0..1", "strength of the context's edges over the focus, default 0.7",
+  addNumber(command, "--context-layer", 0.0, 1.0, "0..1",
+            "strength of the context's edges over the focus, default 0.7; 0 leaves them out",
             options.contextLayer.strength);
+  addNumber(command, "--context-curvature", 0.0, 100.0, "WEIGHT", "of the context's bends in its edges, default 1",
+            options.contextLayer.curvatureWeight);
+  addNumber(command, "--context-silhouette", 0.0, 100.0, "WEIGHT", "of the context's outlines in its edges, default 1",
+            options.contextLayer.silhouetteWeight);
+  addNumber(command, "--context-illumination", 0.0, 1.0, "0..1", "how much light shades the edges' colour, default 1",
+            options.contextLayer.illuminationWeight);
+  addNumber(command, "--context-value", 0.0, 1.0, "0..1",
+            "how much the edges take the context's own colour, by its values, default 0",
+            options.contextLayer.valueWeight);
+  addColour(command, "--context-colour", "of the context's edges", options.contextLayer.colour);
+  addColour(command, "--border-colour", "of the line around the cut", options.cutaway.borderColour);
+  addParsed(command, "--strokes", "FILE.json", "brush strokes to apply, in place of a session's",
+            [&options](const std::string& text) {
+              options.strokes = text;
+              return !text.empty();
+            });
   addSwitch(command, "--shading", "light by the gradient, default on", options.shading.enabled);
   addChoice<Quality>(command, "--quality", "default normal",
-                     {{"draft", Quality::Draft}, {"normal", Quality::Normal}, {"high", Quality::High}},
-                     options.quality);
+                     {{"draft", Quality::Draft}, {"normal", Quality::Normal}, {"high", Quality::High}}, options.quality)
+      ->each([&options](const std::string&) { options.maxError.reset(); });  // a session's
   addParsed(command, "--max-error", "E", "greatest error of a colour that sampling may leave, in 1/255, from 0.05 up",
             [&options](const std::string& text) {
               const auto error = parseNumbers<double, 1>(text, ',');
@@ -239,91 +374,39 @@ void addSceneOptions(CLI::App& command, SceneOptions& options) {
               options.maxError = (*error)[0];
               return true;
             });
-  addParsed(command, "--background", "R,G,B", "0..1 each, default 0,0,0", [&options](const std::string& text) {
-    const auto colour = parseNumbers<double, 3>(text, ',');
-    if (!colour || std::any_of(colour->begin(), colour->end(), [](double c) { return c < 0.0 || c > 1.0; }))
-      return false;
-    options.background = {(*colour)[0], (*colour)[1], (*colour)[2]};
-    return true;
-  });
+  addColour(command, "--background", "default 0,0,0", options.background);
   command.option_defaults()->group("Options");
 }
 
 OpenedData openData(const VolumeOptions& options, const io::Progress& progress) {
-  if (options.phantom.empty())
-    return {io::openVolume(options.path, {.series = options.series, .raw = options.raw, .progress = progress}),
-            nullptr};
-  if (progress && !progress(0.0, "making the phantom")) throw io::Cancelled();
-  const Phantom phantom = io::loadPhantom(options.phantom);
-  Phantom::Rasterised rasterised = phantom.rasterise(options.phantomVoxels);
-  OpenedData data;
-  data.volume.format = "phantom";
-  data.volume.series.id = options.phantom;
-  data.volume.series.modality = "CT";
-  data.volume.series.description = phantom.name;
-  data.volume.series.dims = rasterised.volume->grid.dims;
-  data.volume.volume = std::move(rasterised.volume);
-  data.labels = std::move(rasterised.labels);
-  return data;
+  return openWithLabels(options, {}, progress);
 }
 
 LoadedScene loadScene(const SceneOptions& options, const io::Progress& progress) {
   LoadedScene loaded;
-  Scene& scene = loaded.scene;
-  const double volumeShare = options.labels.empty() ? 1.0 : 0.8;
-  OpenedData data = openData(options, part(progress, 0.0, volumeShare));
+  OpenedData data = openWithLabels(options, options.labels, progress);
   loaded.volume = std::move(data.volume);
   loaded.warnings = std::move(loaded.volume.warnings);
   loaded.volume.warnings.clear();
+  loaded.session = std::move(data.session);
+  Scene& scene = loaded.scene;
+  if (loaded.session) scene = io::sceneOf(*loaded.session);
   scene.volume = loaded.volume.volume;
   scene.labels = std::move(data.labels);
-  if (!options.labels.empty()) {
-    io::OpenedLabels opened = io::openLabels(options.labels, scene.volume->grid, part(progress, volumeShare, 1.0));
-    scene.labels = std::move(opened.labels);
-    std::move(opened.warnings.begin(), opened.warnings.end(), std::back_inserter(loaded.warnings));
-  }
+  if (loaded.session) scene.strokes = strokesIn(options.viewOfSession, scene.strokes);
 
-  loaded.transferFunction =
-      options.transferFunction.empty() ? io::defaultPreset(*scene.volume) : options.transferFunction;
-  scene.context = io::loadTransferFunction(loaded.transferFunction, *scene.volume);
-
-  CameraChoice camera = options.camera.value_or(StandardView::Anterior);
-  std::vector<std::string> focusLabels = options.focusLabels;
-  if (!options.phantom.empty() && focusLabels.empty() && !options.focusRange) {
-    const PhantomView view = phantomView(options.phantom);
-    focusLabels = view.focus;
-    camera = options.camera.value_or(view.camera);
+  if (!loaded.session || !options.transferFunction.empty()) {
+    loaded.transferFunction =
+        options.transferFunction.empty() ? io::defaultPreset(*scene.volume) : options.transferFunction;
+    scene.context = io::loadTransferFunction(loaded.transferFunction, *scene.volume);
   }
-  if (options.focusRange) {
-    scene.focus = ValueFocus{*options.focusRange, options.focusMinimumSize};
-  } else if (!focusLabels.empty()) {
-    const fs::path file = options.labels.empty() ? fs::path(options.source()) : options.labels;
-    LabelFocus focus{resolveLabels(*scene.labels, focusLabels, file)};
-    if (countVoxels(*scene.labels, focus.labels) == 0)
-      loaded.warnings.push_back({io::Warning::Kind::Other, "the focus has no voxels in this volume", {file}});
-    scene.focus = std::move(focus);
-  }
+  setFocus(options, loaded);
   scene.cutaway = options.cutaway;
   scene.contextLayer = options.contextLayer;
+  if (!options.strokes.empty()) scene.strokes = io::readStrokes(options.strokes);
   scene.shading = options.shading;
   scene.background = options.background;
-
-  loaded.view.size = {960, 720};
-  loaded.view.quality = options.quality;
-  loaded.view.maxError = options.maxError;
-  if (const auto* file = std::get_if<fs::path>(&camera)) {
-    const CameraFile saved = readCamera(*file);
-    loaded.view.camera = saved.camera;
-    loaded.view.camera.projection = options.projection.value_or(saved.camera.projection);
-    loaded.view.size = saved.size;
-  } else {
-    if (const auto* placed = std::get_if<PlacedView>(&camera)) {
-      loaded.placed = *placed;
-      camera = StandardView::Anterior;
-    }
-    loaded.view.camera = makeCamera(options, camera, visibleGrid(*scene.volume, scene.context));
-  }
-  loaded.view.size = options.size.value_or(loaded.view.size);
+  setView(options, loaded);
   return loaded;
 }
 

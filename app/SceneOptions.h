@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "io/VolumeReader.h"
+#include "io/session/Session.h"
 #include "rendering/passes/Renderer.h"
 #include "rendering/scene/Scene.h"
 
@@ -22,11 +24,12 @@ namespace fenestra::app {
 
 /// Which volume.
 struct VolumeOptions {
-  std::filesystem::path path;  ///< empty with a phantom
+  std::filesystem::path path;  ///< empty with a phantom; may be a session
   std::string phantom;         ///< name of a built-in phantom, or empty
   int phantomVoxels = 256;     ///< along its longest side
   std::string series;
   std::optional<io::RawDescription> raw;
+  std::filesystem::path data;  ///< where the volume of a session is now; empty: where the session says
 
   bool empty() const { return path.empty() && phantom.empty(); }
   /// What errors and titles call it: the path, or "phantom NAME".
@@ -54,22 +57,27 @@ struct SceneOptions : VolumeOptions {
   std::optional<glm::ivec2> size;  ///< rendered pixels
   Cutaway cutaway;
   ContextLayer contextLayer;
+  std::filesystem::path strokes;  ///< file of brush strokes; empty: none, or the session's
   Shading shading;
   Quality quality = Quality::Normal;
   std::optional<double> maxError;  ///< in 1/255; see View
   glm::dvec3 background = Scene{}.background;
+  int viewOfSession = 0;  ///< whose camera and picture size are taken from a session: 0 is C1, 1 is C2
 };
 
-/// Adds PATH, --phantom, --series, --raw and --spacing. Values are checked while parsing, and mistakes throw
+/// Adds PATH, --phantom, --series, --raw, --spacing and --data. Values are checked while parsing, and mistakes throw
 /// CLI::ParseError. Numbers are read with a decimal point whatever the locale. `options` must outlive `command`.
 void addVolumeOptions(CLI::App& command, VolumeOptions& options);
-/// Adds the above and everything else in SceneOptions.
-void addSceneOptions(CLI::App& command, SceneOptions& options);
+/// Adds the above and everything else in SceneOptions. When PATH is a session, parsing reads it first and takes it for
+/// the defaults of all other options, which may throw io::Error; `onSession` may do the same with options of its own
+/// that are added later.
+void addSceneOptions(CLI::App& command, SceneOptions& options, std::function<void(const io::Session&)> onSession = {});
 
-/// Opens the volume, or makes the phantom (format "phantom"). Throws io::Error, io::Cancelled.
+/// Opens the volume or that of the session, or makes the phantom (format "phantom"). Throws io::Error, io::Cancelled.
 struct OpenedData {
   io::OpenedVolume volume;
-  std::shared_ptr<const LabelMap> labels;  ///< a phantom's own; null for files
+  std::shared_ptr<const LabelMap> labels;  ///< a phantom's own, or the session's; null for files
+  std::optional<io::Session> session;      ///< as opened
 };
 OpenedData openData(const VolumeOptions& options, const io::Progress& progress = {});
 
@@ -77,9 +85,10 @@ struct LoadedScene {
   io::OpenedVolume volume;  ///< its warnings moved to `warnings`
   Scene scene;
   View view;
-  std::optional<PlacedView> placed;   ///< view.camera is still to be placed, which takes an OpenGL context
-  std::string transferFunction;       ///< preset or file in use
-  std::vector<io::Warning> warnings;  ///< of volume, labels and focus
+  std::optional<PlacedView> placed;    ///< view.camera is still to be placed, which takes an OpenGL context
+  std::string transferFunction;        ///< preset or file in use
+  std::optional<io::Session> session;  ///< that this was made from, its data as they were found
+  std::vector<io::Warning> warnings;   ///< of volume, labels and focus
 };
 /// From options to a scene: opens the data, resolves labels and transfer function, places the camera. A phantom
 /// without focus options gets the focus that shows the cutaway best. Throws io::Error, io::Cancelled.

@@ -14,6 +14,7 @@
 #include "io/DicomStack.h"
 #include "io/ImageFile.h"
 #include "io/VoxelSink.h"
+#include "io/session/SessionFile.h"
 #include "rendering/scene/Parallel.h"
 
 namespace fenestra::io {
@@ -65,7 +66,8 @@ std::vector<fs::path> filesBelow(const fs::path& folder) {
   for (const auto end = fs::recursive_directory_iterator(); entries != end; entries.increment(failure)) {
     if (failure) throw Error(folder, "cannot be listed: " + failure.message(), "check the folder's permissions");
     std::error_code unknown;
-    if (entries->is_regular_file(unknown)) paths.push_back(entries->path());
+    // Sessions are often kept beside the slices that they show.
+    if (entries->is_regular_file(unknown) && !isSession(entries->path())) paths.push_back(entries->path());
   }
   std::sort(paths.begin(), paths.end());
   return paths;
@@ -180,7 +182,7 @@ std::size_t chosen(const std::vector<Candidate>& candidates, const fs::path& pat
     return static_cast<std::size_t>(largest - candidates.begin());
   }
   for (std::size_t i = 0; i < candidates.size(); ++i)
-    if (candidates[i].info.id == id) return i;
+    if (candidates[i].info.id == id || seriesKey(candidates[i].info.id) == id) return i;
   throw Error(path, "has no series " + id, "list its series with: fenestra-cli info " + path.string());
 }
 

@@ -242,6 +242,21 @@ Phantom loadPhantom(const std::string& name) {
   return parsePhantom(text, path);
 }
 
+OpenedPhantom openPhantom(const std::string& name, int voxels, const Progress& progress) {
+  if (progress && !progress(0.0, "making the phantom")) throw Cancelled();
+  const Phantom phantom = loadPhantom(name);
+  Phantom::Rasterised rasterised = phantom.rasterise(voxels);
+  OpenedPhantom opened;
+  opened.volume.format = "phantom";
+  opened.volume.series.id = name;
+  opened.volume.series.modality = "CT";
+  opened.volume.series.description = phantom.name;
+  opened.volume.series.dims = rasterised.volume->grid.dims;
+  opened.volume.volume = std::move(rasterised.volume);
+  opened.labels = std::move(rasterised.labels);
+  return opened;
+}
+
 Phantom parsePhantom(std::string_view json, const std::string& source) { return Parser(source).parse(json); }
 
 }  // namespace fenestra::io

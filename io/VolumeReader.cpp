@@ -8,6 +8,7 @@
 #include "io/HeaderText.h"
 #include "io/ImageFile.h"
 #include "io/Probe.h"
+#include "io/session/Contents.h"
 
 namespace fenestra::io {
 namespace fs = std::filesystem;
@@ -77,6 +78,8 @@ RawDescription parseRawDescription(std::string_view text) {
   }
   return description;
 }
+
+std::string seriesKey(const std::string& id) { return hashOf(id); }
 
 SeriesInfo describe(const ImageFile& image) {
   SeriesInfo info;

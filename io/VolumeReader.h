@@ -30,7 +30,9 @@ struct Warning {
     UnreadableFiles,
     NoGeometry,
     PrecisionLoss,
-    TimePoints,  ///< the file or series holds further volumes of the same place (time, repeats, layers); one is shown
+    TimePoints,   ///< the file or series holds further volumes of the same place (time, repeats, layers); one is shown
+    MovedData,    ///< a session's data lie elsewhere now
+    ChangedData,  ///< a session's data are not what they were
     Other
   };
   Kind kind = Kind::Other;
@@ -45,12 +47,13 @@ struct RawDescription {
   bool bigEndian = false;
   std::size_t skip = 0;  ///< bytes before the first voxel
   glm::dvec3 spacing{1.0};
+  bool operator==(const RawDescription&) const = default;
 };
 /// "WxHxD:TYPE[:le|be][:skip=BYTES]", e.g. "256x256x128:uint16:be:skip=512". Throws Error.
 RawDescription parseRawDescription(std::string_view text);
 
 struct OpenOptions {
-  std::string series = {};                 ///< a series' id as listSeries gives it; empty: the largest
+  std::string series = {};  ///< a series' id as listSeries gives it, or its seriesKey(); empty: the largest
   std::optional<RawDescription> raw = {};  ///< read PATH as raw bytes
   Progress progress = {};                  ///< may be empty
 };
@@ -64,6 +67,9 @@ struct SeriesInfo {
   glm::ivec3 dims{0};
   std::vector<std::filesystem::path> files;
 };
+
+/// A name for a series that says nothing to who does not have it: a hash of its id.
+std::string seriesKey(const std::string& id);
 
 struct OpenedVolume {
   std::shared_ptr<const Volume> volume;

@@ -4,7 +4,6 @@
 
 #include <QApplication>
 #include <QCloseEvent>
-#include <QDir>
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QFileDialog>
@@ -12,7 +11,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
-#include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPainter>
@@ -21,15 +19,20 @@
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QTimer>
-#include <QToolBar>
 #include <QVBoxLayout>
 
+#include "io/session/SessionFile.h"
+#include "viewer/Actions.h"
 #include "viewer/Dialogs.h"
 #include "viewer/NoticeBar.h"
+#include "viewer/Sessions.h"
+#include "viewer/Style.h"
+#include "viewer/model/CamerasChange.h"
 #include "viewer/model/Paths.h"
-#include "viewer/model/WindowPresets.h"
 #include "viewer/panels/AppearancePanel.h"
+#include "viewer/panels/BrushPanel.h"
 #include "viewer/panels/CamerasPanel.h"
+#include "viewer/panels/ContextLayerPanel.h"
 #include "viewer/panels/CutawayPanel.h"
 #include "viewer/panels/FocusPanel.h"
 #include "viewer/views/PlacementRenderer.h"
@@ -37,9 +40,7 @@
 namespace fenestra::viewer {
 namespace {
 
-constexpr int layoutVersion = 2;  ///< of the docks and toolbars; a saved layout of another version is not restored
-
-QIcon icon(const char* name) { return QIcon(QStringLiteral(":/icons/%1.svg").arg(QLatin1String(name))); }
+constexpr int layoutVersion = 3;  ///< of the docks and toolbars; a saved layout of another version is not restored
 
 /// "L 12.3  P 45.0  S 101.2 mm": the patient's own directions instead of signs.
 QString patientCoordinates(glm::dvec3 world) {
@@ -94,7 +95,7 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
     cameras_.place(study.camera.value_or(Camera::standard(StandardView::Anterior, grid, cameras_.projection())));
   });
 
-  views_ = new ViewArea(document_, cursor_, cameras_, options_, setup.gl, setup.restQuality);
+  views_ = new ViewArea(document_, cursor_, cameras_, options_, brush_, setup.gl, setup.restQuality);
   if (setup.gl.available) placement_.setBackend(std::make_unique<PlacementRenderer>(*views_->volumeViews().front()));
   notices_ = new NoticeBar;
   pages_ = new QStackedWidget;
@@ -110,19 +111,24 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
   setCentralWidget(centre);
 
   makeDocks();
-  makeActions();
+  sessions_ = new Sessions(*this, {.describe = [this](io::Session& session) { views_->describe(session); },
+                                   .restore = [this](const io::Session& session) { views_->restore(session); }});
+  actions_ = new Actions(*this);
   makeStatusBar();
 
   // Pictures at full quality would be of cameras that are about to leave.
   connect(&placement_, &PlacementController::changed, this, [this] {
     for (VolumeView* view : views_->volumeViews()) view->hold(placement_.isBusy());
   });
+  connect(&placement_, &PlacementController::leaving, this,
+          [this] { document_.history().push(tr("Place cameras"), std::make_shared<CamerasChange>(cameras_)); });
   connect(views_, &ViewArea::pointed, this, &MainWindow::pointAt);
   connect(views_, &ViewArea::left, pointer_, &QLabel::clear);
   connect(views_, &ViewArea::menuRequested, this, &MainWindow::showMenu);
   connect(views_, &ViewArea::failed, this, &MainWindow::showError, Qt::QueuedConnection);
   connect(focusPanel_, &FocusPanel::structureChosen, this, &MainWindow::goToFocus);
   connect(appearancePanel_, &AppearancePanel::failed, this, &MainWindow::showError);
+  connect(brushPanel_, &BrushPanel::failed, this, &MainWindow::showError);
   connect(&job_, &LoadJob::started, this, [this] {
     loadingText_->setText(tr("Opening…"));
     loadingProgress_->setValue(0);
@@ -201,7 +207,9 @@ void MainWindow::makeDocks() {
   focusPanel_ = new FocusPanel(document_);
   appearancePanel_ = new AppearancePanel(document_);
   cutawayPanel_ = new CutawayPanel(document_);
+  contextLayerPanel_ = new ContextLayerPanel(document_);
   camerasPanel_ = new CamerasPanel(document_, cameras_, placement_);
+  brushPanel_ = new BrushPanel(document_, brush_);
   const auto add = [this](const QString& title, const char* name, QWidget* panel) {
     auto* dock = new QDockWidget(title);
     dock->setObjectName(QLatin1String(name));
@@ -212,12 +220,21 @@ void MainWindow::makeDocks() {
   };
   QDockWidget* focus = add(tr("Focus"), "focusDock", focusPanel_);
   tabifyDockWidget(focus, add(tr("Cameras"), "camerasDock", camerasPanel_));
+  QDockWidget* brush = add(tr("Brush"), "brushDock", brushPanel_);
+  tabifyDockWidget(focus, brush);
   focus->raise();
+  connect(&brush_, &Brush::activeChanged, brush, [brush](bool active) {
+    if (!active) return;
+    brush->show();
+    brush->raise();
+  });
   add(tr("Context"), "contextDock", appearancePanel_);
-  add(tr("Cutaway"), "cutawayDock", cutawayPanel_);
+  QDockWidget* cutaway = add(tr("Cutaway"), "cutawayDock", cutawayPanel_);
+  tabifyDockWidget(cutaway, add(tr("Context edges"), "contextLayerDock", contextLayerPanel_));
+  cutaway->raise();
   // The list of structures takes the height that is left.
-  for (QWidget* panel : {static_cast<QWidget*>(appearancePanel_), static_cast<QWidget*>(cutawayPanel_)})
-    panel->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+  for (QWidget* panel : std::initializer_list<QWidget*>{appearancePanel_, cutawayPanel_, contextLayerPanel_})
+    panel->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
   resizeDocks({focus}, {310}, Qt::Horizontal);
 }
 
@@ -235,161 +252,27 @@ void MainWindow::makeStatusBar() {
   statusBar()->addPermanentWidget(new QLabel(tr("Radiological convention")));
 }
 
-void MainWindow::makeActions() {
-  const auto action = [this](const QString& text, const QKeySequence& keys, auto slot) {
-    auto* made = new QAction(text, this);
-    if (!keys.isEmpty()) {
-      made->setShortcut(keys);
-      made->setToolTip(QStringLiteral("%1 (%2)").arg(QString(text).remove(QLatin1Char('&')).remove(QStringLiteral("…")),
-                                                     keys.toString(QKeySequence::NativeText)));
-    }
-    connect(made, &QAction::triggered, this, slot);
-    return made;
-  };
-  const auto withVolume = [this](QAction* made) {
-    made->setEnabled(false);
-    needVolume_ << made;
-    return made;
-  };
-  const auto toggle = [&](const QString& text, const QKeySequence& keys, bool on, auto slot) {
-    auto* made = new QAction(text, this);
-    made->setCheckable(true);
-    made->setChecked(on);
-    made->setShortcut(keys);
-    made->setToolTip(QStringLiteral("%1 (%2)").arg(text, keys.toString(QKeySequence::NativeText)));
-    connect(made, &QAction::toggled, this, slot);
-    return made;
-  };
-
-  QAction* openFolder = action(tr("Open &folder…"), QKeySequence(tr("Ctrl+Shift+O")), [this] { chooseFolder(); });
-  openFolder->setIcon(icon("folder"));
-  QAction* openFile = action(tr("&Open file…"), QKeySequence::Open, [this] { chooseFile(); });
-  openFile->setIcon(icon("file"));
-  QAction* labels = withVolume(action(tr("Open &labels…"), QKeySequence(tr("Ctrl+L")), [this] { chooseLabels(); }));
-  labels->setIcon(icon("labels"));
-  chooseSeries_ = action(tr("Choose &series…"), {}, [this] { chooseSeries(); });
-  chooseSeries_->setEnabled(false);
-  QMenu* file = menuBar()->addMenu(tr("&File"));
-  file->addActions({openFolder, openFile});
-  recentMenu_ = file->addMenu(tr("&Recent"));
-  connect(recentMenu_, &QMenu::aboutToShow, this, &MainWindow::fillRecentMenu);
-  sampleMenu_ = file->addMenu(tr("&Built-in phantoms"));
-  sampleMenu_->menuAction()->setVisible(false);
-  file->addSeparator();
-  file->addActions({chooseSeries_, labels});
-  file->addSeparator();
-  file->addAction(action(tr("&Quit"), QKeySequence::Quit, [this] { close(); }));
-
-  QAction* reset = withVolume(action(tr("&Reset view"), QKeySequence(tr("R")), [this] { resetActiveView(); }));
-  reset->setIcon(icon("reset"));
-  QAction* resetAll =
-      withVolume(action(tr("Reset &all views"), QKeySequence(tr("Ctrl+R")), [this] { resetAllViews(); }));
-  QAction* link = toggle(tr("&Link the 3-D views"), QKeySequence(tr("L")), cameras_.isLinked(),
-                         [this](bool on) { cameras_.setLinked(on); });
-  link->setIcon(icon("link"));
-  link->setObjectName(QStringLiteral("link"));
-  QAction* parallel = toggle(tr("&Parallel projection"), QKeySequence(tr("Ctrl+P")), false, [this](bool on) {
-    cameras_.setProjection(on ? Projection::Orthographic : Projection::Perspective);
-  });
-  parallel->setIcon(icon("parallel"));
-  connect(&document_, &Document::volumeChanged, parallel,
-          [this, parallel] { parallel->setChecked(cameras_.projection() == Projection::Orthographic); });
-  QAction* crosshair = toggle(tr("&Crosshair"), QKeySequence(tr("C")), options_.crosshair(),
-                              [this](bool on) { options_.setCrosshair(on); });
-  crosshair->setIcon(icon("crosshair"));
-  QAction* overlay = toggle(tr("Label &overlay"), QKeySequence(tr("O")), options_.labels(),
-                            [this](bool on) { options_.setLabels(on); });
-  overlay->setIcon(icon("overlay"));
-  QAction* text =
-      toggle(tr("Corner &text"), QKeySequence(tr("T")), options_.text(), [this](bool on) { options_.setText(on); });
-  text->setIcon(icon("text"));
-
-  QMenu* view = menuBar()->addMenu(tr("&View"));
-  QMenu* sides = view->addMenu(tr("&Look from"));
-  struct Side {
-    const char *letter, *name;
-    StandardView view;
-  };
-  QList<QAction*> sideActions;
-  for (const Side& side :
-       {Side{"A", QT_TR_NOOP("Anterior"), StandardView::Anterior},
-        Side{"P", QT_TR_NOOP("Posterior"), StandardView::Posterior}, Side{"L", QT_TR_NOOP("Left"), StandardView::Left},
-        Side{"R", QT_TR_NOOP("Right"), StandardView::Right}, Side{"S", QT_TR_NOOP("Superior"), StandardView::Superior},
-        Side{"I", QT_TR_NOOP("Inferior"), StandardView::Inferior}}) {
-    QAction* made =
-        withVolume(action(tr(side.name), QKeySequence(QStringLiteral("Shift+%1").arg(QLatin1String(side.letter))),
-                          [this, which = side.view] { face(which); }));
-    made->setIconText(QLatin1String(side.letter));
-    sideActions << made;
-  }
-  sides->addActions(sideActions);
-  QAction* place = action(tr("P&lace cameras"), QKeySequence(tr("F5")), [this] { placement_.place(); });
-  place->setIcon(icon("place"));
-  const auto enablePlace = [this, place] { place->setEnabled(placement_.canPlace()); };
-  connect(&placement_, &PlacementController::changed, place, enablePlace);
-  enablePlace();
-  view->addAction(place);
-  view->addActions({reset, resetAll});
-  view->addSeparator();
-  view->addActions({link, parallel});
-  view->addSeparator();
-  view->addActions({crosshair, overlay, text});
-  view->addSeparator();
-  view->addAction(action(tr("All &views"), QKeySequence(tr("Esc")), [this] {
-    if (job_.isRunning())
-      job_.cancel();
-    else if (placement_.isBusy())
-      placement_.cancel();
-    else
-      views_->showAll();
-  }));
-  view->addAction(action(tr("F&ull screen"), QKeySequence(tr("F11")),
-                         [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); }));
-  view->addSeparator();
-  for (QDockWidget* dock : findChildren<QDockWidget*>()) view->addAction(dock->toggleViewAction());
-
-  QMenu* window = menuBar()->addMenu(tr("&Window/level"));
-  window->addAction(withVolume(action(tr("Of the data"), QKeySequence(tr("1")), [this] { document_.resetWindow(); })));
-  for (const WindowPreset& preset : ctWindowPresets)
-    window->addAction(withVolume(
-        action(tr("CT %1  (%2 / %3)").arg(tr(preset.name)).arg(preset.window.width).arg(preset.window.level),
-               QKeySequence(QString::number(preset.key)), [this, &preset] { document_.setWindow(preset.window); })));
-
-  QMenu* focus = menuBar()->addMenu(tr("F&ocus"));
-  focus->addAction(withVolume(
-      action(tr("&No focus"), QKeySequence(tr("Ctrl+Backspace")), [this] { document_.setFocus(std::monostate{}); })));
-
-  QMenu* help = menuBar()->addMenu(tr("&Help"));
-  help->addAction(action(tr("&Keys and mouse"), QKeySequence(tr("?")), [this] { showKeys(this); }));
-  help->addAction(action(tr("&About Fenestra"), {}, [this] { showAbout(setup_.gl, this); }));
-
-  QToolBar* bar = addToolBar(tr("Tools"));
-  bar->setObjectName(QStringLiteral("tools"));
-  bar->setMovable(false);
-  bar->setIconSize({18, 18});
-  bar->addActions({openFolder, openFile, labels});
-  bar->addSeparator();
-  bar->addActions(sideActions);
-  bar->addActions({reset, place});
-  bar->addSeparator();
-  bar->addActions({link, parallel});
-  bar->addSeparator();
-  bar->addActions({crosshair, overlay, text});
-  connect(&document_, &Document::volumeChanged, this, [this] {
-    for (QAction* each : needVolume_) each->setEnabled(true);
-    chooseSeries_->setEnabled(!document_.study().otherSeries.empty());
-  });
-}
-
-void MainWindow::open(Reader read) {
-  job_.start([this, read = std::move(read)](const io::Progress& progress) -> LoadJob::Show {
-    // Shared, because what is handed to the GUI thread must be copyable.
-    auto study = std::make_shared<Study>(read(progress));
-    return [this, study] { showStudy(std::move(*study)); };
-  });
+void MainWindow::open(Reader read, std::function<void(const io::DataMissing&)> missing) {
+  job_.start(
+      [this, read = std::move(read), missing = std::move(missing)](const io::Progress& progress) -> LoadJob::Show {
+        try {
+          // Shared, because what is handed to the GUI thread must be copyable.
+          auto study = std::make_shared<Study>(read(progress));
+          return [this, study] { showStudy(std::move(*study)); };
+        } catch (const io::DataMissing& error) {
+          if (!missing) throw;
+          // Not from within the job's end: a dialog would keep it from ending.
+          return [this, missing, error] { QTimer::singleShot(0, this, [missing, error] { missing(error); }); };
+        }
+      });
 }
 
 void MainWindow::open(const std::vector<std::filesystem::path>& paths) {
+  if (!sessions_->mayGo()) return;
+  if (paths.size() == 1 && io::isSession(paths.front())) {
+    sessions_->open(paths.front());
+    return;
+  }
   try {
     const PathsToOpen chosen = interpret(paths);
     open([chosen, looks = document_.scene()](const io::Progress& progress) {
@@ -401,6 +284,7 @@ void MainWindow::open(const std::vector<std::filesystem::path>& paths) {
 }
 
 void MainWindow::openSeries(const std::string& series) {
+  if (!sessions_->mayGo()) return;
   PathsToOpen chosen;
   chosen.volume = document_.study().path;
   chosen.series = series;
@@ -411,35 +295,36 @@ void MainWindow::openSeries(const std::string& series) {
 void MainWindow::openLabels(const std::filesystem::path& path) {
   job_.start([this, path, volume = document_.scene().volume](const io::Progress& progress) -> LoadJob::Show {
     const io::OpenedLabels opened = io::openLabels(path, volume->grid, progress);
-    return [this, opened] {
-      document_.setLabels(opened.labels);
+    return [this, opened, from = io::sessionLabels(path)] {
+      document_.setLabels(opened.labels, from);
       showWarnings(opened.warnings);
     };
   });
 }
 
 void MainWindow::addSample(const QString& name, Reader read) {
-  sampleMenu_->menuAction()->setVisible(true);
-  connect(sampleMenu_->addAction(name), &QAction::triggered, this, [this, read = std::move(read)] { open(read); });
+  actions_->addSample(name, [this, read = std::move(read)] {
+    if (sessions_->mayGo()) open(read);
+  });
 }
 
 void MainWindow::showStudy(Study study) {
-  const std::filesystem::path path = study.path;
+  const std::filesystem::path path = study.sessionFile.empty() ? study.path : study.sessionFile;
   const std::vector<io::Warning> warnings = study.warnings;
   document_.open(std::move(study));
   pages_->setCurrentWidget(views_);
   notices_->clear();
-  setWindowTitle(QStringLiteral("%1 – Fenestra").arg(document_.description()));
-  if (setup_.remember && !path.empty()) preferences_.addRecent(path);
+  sessions_->studyShown();
+  rememberRecent(path);
   const std::size_t others = document_.study().otherSeries.size();
-  if (others > 0)
+  if (others > 0 && !document_.study().restoresSession)
     notices_->add(NoticeBar::Kind::Warning,
                   tr("There are %1 series here; this is the largest, %2.")
                       .arg(others + 1)
                       .arg(describe(document_.study().series)),
                   tr("Choose…"), [this] { chooseSeries(); });
   showWarnings(warnings);
-  if (document_.study().placeCameras) placement_.place();
+  if (document_.study().placeCameras) placement_.placeAutomatically();
   Q_EMIT opened();
 }
 
@@ -458,6 +343,10 @@ void MainWindow::showWarnings(const std::vector<io::Warning>& warnings) {
       box.exec();
     });
   }
+}
+
+void MainWindow::rememberRecent(const std::filesystem::path& path) {
+  if (setup_.remember && !path.empty()) preferences_.addRecent(path);
 }
 
 void MainWindow::showError(const QString& message) { notices_->add(NoticeBar::Kind::Error, message); }
@@ -482,21 +371,6 @@ void MainWindow::chooseLabels() {
 
 void MainWindow::chooseSeries() {
   if (const std::optional<std::string> series = askForSeries(document_.study(), this)) openSeries(*series);
-}
-
-void MainWindow::fillRecentMenu() {
-  recentMenu_->clear();
-  for (const std::filesystem::path& path : preferences_.recent()) {
-    QAction* entry = recentMenu_->addAction(QDir::toNativeSeparators(toQString(path)));
-    connect(entry, &QAction::triggered, this, [this, path] { open({path}); });
-  }
-  if (recentMenu_->isEmpty()) {
-    recentMenu_->addAction(tr("Nothing yet"))->setEnabled(false);
-    return;
-  }
-  recentMenu_->addSeparator();
-  connect(recentMenu_->addAction(tr("Forget these")), &QAction::triggered, this,
-          [this] { preferences_.clearRecent(); });
 }
 
 void MainWindow::pointAt(glm::dvec3 world) {
@@ -539,7 +413,27 @@ void MainWindow::goToFocus() {
   if (const std::optional<glm::dvec3> centre = document_.focusCentre()) cursor_.moveTo(*centre);
 }
 
-void MainWindow::face(StandardView side) { cameras_.face(lastCamera_, side); }
+void MainWindow::stop() {
+  if (job_.isRunning())
+    job_.cancel();
+  else if (placement_.isBusy())
+    placement_.cancel();
+  else if (brush_.isActive())
+    brush_.setActive(false);
+  else
+    views_->showAll();
+}
+
+void MainWindow::moveCameras(const QString& step, const std::function<void()>& move) {
+  auto change = std::make_shared<CamerasChange>(cameras_);
+  const ViewLink::Pose before = cameras_.pose();
+  move();
+  if (cameras_.pose() != before) document_.history().push(step, std::move(change));
+}
+
+void MainWindow::face(StandardView side) {
+  moveCameras(tr("Standard view"), [&] { cameras_.face(lastCamera_, side); });
+}
 
 void MainWindow::resetActiveView() {
   for (SliceView* view : views_->sliceViews())
@@ -547,12 +441,12 @@ void MainWindow::resetActiveView() {
       view->resetView();
       return;
     }
-  cameras_.reset();
+  moveCameras(tr("Reset view"), [this] { cameras_.reset(); });
 }
 
 void MainWindow::resetAllViews() {
   for (SliceView* view : views_->sliceViews()) view->resetView();
-  cameras_.reset();
+  moveCameras(tr("Reset views"), [this] { cameras_.reset(); });
 }
 
 void MainWindow::whenDrawn(std::function<void()> done) {
@@ -581,6 +475,10 @@ QImage MainWindow::picture() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!sessions_->mayGo()) {
+    event->ignore();
+    return;
+  }
   if (setup_.remember) preferences_.setLayout(saveGeometry(), saveState(layoutVersion), views_->saveLayout());
   QMainWindow::closeEvent(event);
 }
@@ -593,7 +491,8 @@ void MainWindow::dropEvent(QDropEvent* event) {
   const std::vector<std::filesystem::path> paths = localPaths(*event->mimeData());
   if (paths.empty()) return;
   event->acceptProposedAction();
-  if (!document_.hasVolume() || paths.size() > 1 || QFileInfo(toQString(paths.front())).isDir()) {
+  if (!document_.hasVolume() || paths.size() > 1 || io::isSession(paths.front()) ||
+      QFileInfo(toQString(paths.front())).isDir()) {
     open(paths);
     return;
   }

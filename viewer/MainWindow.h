@@ -7,6 +7,7 @@
 
 #include "viewer/jobs/LoadJob.h"
 #include "viewer/jobs/ReadStudy.h"
+#include "viewer/model/Brush.h"
 #include "viewer/model/Document.h"
 #include "viewer/model/PlacementController.h"
 #include "viewer/model/Preferences.h"
@@ -22,11 +23,15 @@ class QStackedWidget;
 
 namespace fenestra::viewer {
 
+class Actions;
 class AppearancePanel;
+class BrushPanel;
 class CamerasPanel;
+class ContextLayerPanel;
 class CutawayPanel;
 class FocusPanel;
 class NoticeBar;
+class Sessions;
 
 class MainWindow : public QMainWindow {
   Q_OBJECT
@@ -41,9 +46,11 @@ class MainWindow : public QMainWindow {
 
   explicit MainWindow(const Setup& setup, QWidget* parent = nullptr);
 
-  /// Reads and shows; what is open stays until the new study is there.
-  void open(Reader read);
-  /// As dropped: a volume, a volume and its label map, or slices of one folder.
+  /// Reads and shows; what is open stays until the new study is there. `missing` is called when the reader did not find
+  /// a session's data.
+  void open(Reader read, std::function<void(const io::DataMissing&)> missing = {});
+  /// As dropped: a session, a volume, a volume and its label map, or slices of one folder. Asks before unsaved work
+  /// goes.
   void open(const std::vector<std::filesystem::path>& paths);
   void openLabels(const std::filesystem::path& path);
   /// An entry in the File menu for data that comes with the program.
@@ -55,16 +62,37 @@ class MainWindow : public QMainWindow {
   /// The whole window in device pixels, 3-D views with what is drawn over them included.
   QImage picture();
 
+  void chooseFile();
+  void chooseFolder();
+  void chooseLabels();
+  void chooseSeries();
+  /// Of the view that was used last.
+  void resetActiveView();
+  void resetAllViews();
+  void face(StandardView side);
+  /// What is being read or measured is given up, or else the brush laid down, or else all views are shown.
+  void stop();
+
+  /// In the File menu's list, unless this window remembers nothing.
+  void rememberRecent(const std::filesystem::path& path);
+
+  const GlSupport& gl() const { return setup_.gl; }
   Document& document() { return document_; }
   SliceCursor& cursor() { return cursor_; }
   ViewLink& cameras() { return cameras_; }
   PlacementController& placement() { return placement_; }
+  ViewOptions& options() { return options_; }
+  Brush& brush() { return brush_; }
+  Preferences& preferences() { return preferences_; }
+  Sessions& sessions() { return *sessions_; }
   ViewArea& views() { return *views_; }
   NoticeBar& notices() { return *notices_; }
   FocusPanel& focusPanel() { return *focusPanel_; }
   AppearancePanel& appearancePanel() { return *appearancePanel_; }
   CutawayPanel& cutawayPanel() { return *cutawayPanel_; }
+  ContextLayerPanel& contextLayerPanel() { return *contextLayerPanel_; }
   CamerasPanel& camerasPanel() { return *camerasPanel_; }
+  BrushPanel& brushPanel() { return *brushPanel_; }
 
  Q_SIGNALS:
   /// A study is on show.
@@ -78,7 +106,6 @@ class MainWindow : public QMainWindow {
   void dropEvent(QDropEvent* event) override;
 
  private:
-  void makeActions();
   void makeDocks();
   void makeStatusBar();
   QWidget* makeWelcome();
@@ -87,18 +114,12 @@ class MainWindow : public QMainWindow {
   void showWarnings(const std::vector<io::Warning>& warnings);
   void showError(const QString& message);
   void openSeries(const std::string& series);
-  void chooseSeries();
-  void chooseFile();
-  void chooseFolder();
-  void chooseLabels();
-  void fillRecentMenu();
   void pointAt(glm::dvec3 world);
   void showMenu(glm::dvec3 world, QPoint globalPosition);
   /// The crosshair goes to the middle of the focus.
   void goToFocus();
-  void resetActiveView();
-  void resetAllViews();
-  void face(StandardView side);
+  /// Moves the cameras as a step that can be undone.
+  void moveCameras(const QString& step, const std::function<void()>& move);
 
   Setup setup_;
   Document document_;
@@ -106,9 +127,12 @@ class MainWindow : public QMainWindow {
   ViewLink cameras_;
   PlacementController placement_;
   ViewOptions options_;
+  Brush brush_;
   Preferences preferences_;
   LoadJob job_;
 
+  Sessions* sessions_ = nullptr;
+  Actions* actions_ = nullptr;
   QStackedWidget* pages_ = nullptr;
   ViewArea* views_ = nullptr;
   NoticeBar* notices_ = nullptr;
@@ -118,11 +142,10 @@ class MainWindow : public QMainWindow {
   FocusPanel* focusPanel_ = nullptr;
   AppearancePanel* appearancePanel_ = nullptr;
   CutawayPanel* cutawayPanel_ = nullptr;
+  ContextLayerPanel* contextLayerPanel_ = nullptr;
   CamerasPanel* camerasPanel_ = nullptr;
+  BrushPanel* brushPanel_ = nullptr;
   QLabel* pointer_ = nullptr;
-  QMenu *recentMenu_ = nullptr, *sampleMenu_ = nullptr;
-  QList<QAction*> needVolume_;  ///< enabled while something is open
-  QAction* chooseSeries_ = nullptr;
   int lastCamera_ = 0;  ///< of the 3-D view used last, which standard views act on
 };
 

@@ -1,7 +1,6 @@
 #include "viewer/Style.h"
 
 #include <QApplication>
-#include <QIcon>
 #include <QPalette>
 #include <QStyleFactory>
 
@@ -58,6 +57,10 @@ void applyStyle(QApplication& application) {
     QCheckBox::indicator:checked, QListView::indicator:checked { background: #427aac; border-color: #6ea3d2;
       image: url(:/icons/check.svg); }
     QCheckBox::indicator:disabled { border-color: #565c64; }
+    QToolButton#choice { background: #343840; border: 1px solid #4a4f57; border-radius: 3px; padding: 3px 4px; }
+    QToolButton#choice:hover { background: #3c4047; }
+    QToolButton#choice:checked { background: #2d4d6a; border-color: #427aac; }
+    QToolButton#choice:disabled { color: #80858c; }
     QToolButton#thumbnail { background: #101215; border: 1px solid #3c4047; border-radius: 3px; }
     QToolButton#thumbnail:hover { border-color: #6ea3d2; }
     QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
@@ -69,5 +72,7 @@ void applyStyle(QApplication& application) {
     QFrame#welcome, QLabel#noOpenGl { background: #101215; }
   )"));
 }
+
+QIcon icon(const char* name) { return QIcon(QStringLiteral(":/icons/%1.svg").arg(QLatin1String(name))); }
 
 }  // namespace fenestra::viewer

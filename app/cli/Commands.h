@@ -35,7 +35,7 @@ void slice(const SliceOptions& options);
 
 struct RenderOptions {
   app::SceneOptions scene;
-  std::filesystem::path output, layers, stats;  ///< empty: not written
+  std::filesystem::path output, layers, stats, session;  ///< empty: not written
   int repeat = 1;                               ///< frames, each from the first pass on
   bool reference = false;                       ///< in double precision on the CPU
 };

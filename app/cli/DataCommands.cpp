@@ -56,6 +56,10 @@ const char* nameOf(io::Warning::Kind kind) {
       return "precision loss";
     case Kind::TimePoints:
       return "time points";
+    case Kind::MovedData:
+      return "moved data";
+    case Kind::ChangedData:
+      return "changed data";
     case Kind::Other:
       break;
   }
@@ -91,10 +95,23 @@ Json describe(const std::vector<io::Warning>& warnings) {
   return json;
 }
 
+/// What a session is about, beside its volume.
+Json describe(const io::Session& session) {
+  Json views = Json::array();
+  for (const io::SessionView& view : session.views) views.push_back({{"size", {view.size.x, view.size.y}}});
+  Json json{{"focus", nullptr}, {"labels", nullptr}, {"strokes", session.strokes.size()}, {"views", std::move(views)}};
+  if (const auto* labels = std::get_if<LabelFocus>(&session.focus)) json["focus"] = labels->labels;
+  if (const auto* range = std::get_if<ValueFocus>(&session.focus))
+    json["focus"] = {{"low", range->values.low}, {"high", range->values.high}};
+  if (!session.labels.path.empty()) json["labels"] = session.labels.path.string();
+  return json;
+}
+
 }  // namespace
 
 void info(const InfoOptions& options) {
-  const io::OpenedVolume opened = app::openData(options.volume, progressOnTerminal()).volume;
+  const app::OpenedData data = app::openData(options.volume, progressOnTerminal());
+  const io::OpenedVolume& opened = data.volume;
   const Volume& volume = *opened.volume;
   const Grid& grid = volume.grid;
   Json windows = Json::array();
@@ -104,7 +121,7 @@ void info(const InfoOptions& options) {
   for (const io::SeriesInfo& series : opened.otherSeries) others.push_back(describe(series, options.descriptions));
   const glm::dmat3& d = grid.direction;
   const WindowLevel shown = volume.defaultWindow();
-  printJson(Json{
+  Json json{
       {"source", options.volume.source()},
       {"format", opened.format},
       {"dims", list(grid.dims)},
@@ -122,7 +139,9 @@ void info(const InfoOptions& options) {
       {"series", describe(opened.series, options.descriptions)},
       {"other_series", std::move(others)},
       {"warnings", describe(opened.warnings)},
-  });
+  };
+  if (data.session) json["session"] = describe(*data.session);
+  printJson(json);
 }
 
 void convert(const ConvertOptions& options) {

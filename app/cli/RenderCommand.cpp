@@ -10,8 +10,11 @@
 #include <nlohmann/json.hpp>
 
 #include "app/CameraFile.h"
+#include "app/SceneSession.h"
 #include "app/cli/Report.h"
 #include "io/ImageWriter.h"
+#include "io/session/OpenSession.h"
+#include "io/session/SessionFile.h"
 #include "rendering/egl/EglContext.h"
 #include "rendering/passes/GpuScene.h"
 #include "rendering/placement/Placer.h"
@@ -46,6 +49,8 @@ void writeLayers(const fs::path& folder, const Layers& layers, const View& view,
   writeLayer(folder, "t_focus_filled", layers.size, layers.tFocusFilled);
   writeLayer(folder, "t_start", layers.size, layers.tStart);
   writeLayer(folder, "distance", layers.size, layers.distance);
+  if (!layers.edits.empty())
+    io::writeLayer(folder / "edit_map.mha", layers.size, 2, {&layers.edits[0].x, layers.edits.size() * 2});
   writeLayer(folder, "focus_layer", layers.size, layers.focusLayer);
   writeLayer(folder, "context_layer", layers.size, layers.contextLayer);
   writeLayer(folder, "final", layers.size, layers.final);
@@ -68,6 +73,8 @@ Layers referenceLayers(const Scene& scene, const View& view) {
   layers.tFocusFilled = single(stages.tFocusFilled);
   layers.distance = single(stages.distance);
   layers.tStart = single(stages.tStart);
+  for (std::size_t i = 0; i < stages.editOffset.size(); ++i)
+    layers.edits.emplace_back(stages.editOffset[i], stages.editFactor[i]);
   layers.focusLayer = colours(picture.focusLayer);
   layers.contextLayer = colours(picture.contextLayer);
   layers.final = colours(picture.final);
@@ -140,17 +147,26 @@ Camera placedCamera(const fs::path& source, const app::LoadedScene& loaded, GpuS
   return Camera::fromDirection(measured.candidates[*chosen].direction, framed, loaded.view.camera.projection);
 }
 
+void saveSession(const fs::path& file, const app::SceneOptions& options, const app::LoadedScene& loaded) {
+  io::Session session = app::sessionOf(options, loaded);
+  io::noteContents(session, progressOnTerminal());
+  io::writeSession(file, session);
+}
+
 }  // namespace
 
 void render(const RenderOptions& options) {
-  const app::LoadedScene loaded = app::loadScene(options.scene, progressOnTerminal());
+  app::LoadedScene loaded = app::loadScene(options.scene, progressOnTerminal());
   printWarnings(loaded.warnings);
   const Scene& scene = loaded.scene;
-  View view = loaded.view;
+  View& view = loaded.view;
   std::optional<egl::EglContext> context;
   if (loaded.placed || !options.reference) context.emplace();
   const auto gpuScene = context ? std::make_shared<GpuScene>() : nullptr;
   if (loaded.placed) view.camera = placedCamera(options.scene.source(), loaded, *gpuScene);
+  if (!options.session.empty()) saveSession(options.session, options.scene, loaded);
+  const bool second = loaded.placed == app::PlacedView::Dual;
+  loaded.scene.strokes = strokesIn(second ? 1 : options.scene.viewOfSession, loaded.scene.strokes);
   if (options.reference) {
     const Layers layers = referenceLayers(scene, view);
     if (!options.layers.empty()) writeLayers(options.layers, layers, view, scene.volume->grid);

@@ -107,6 +107,23 @@ void addPlacementOptions(CLI::App& command, PlaceOptions& options) {
   command.option_defaults()->group("Options");
 }
 
+void useAsDefaults(const io::Session& session, PlaceOptions& options) {
+  const io::SessionPlacement& saved = session.placement;
+  options.sampling.count = saved.samples;
+  options.sampling.refined = saved.refined;
+  options.placement.weights = {.visibility = saved.weights.visibility,
+                               .coverage = saved.weights.coverage,
+                               .location = saved.weights.location,
+                               .entropy = saved.weights.entropy,
+                               .mutualInformation = saved.weights.mutualInformation,
+                               .stability = saved.weights.stability,
+                               .orientation = saved.weights.orientation};
+  options.placement.region = saved.inStream ? placement::Region::Stream : placement::Region::SemiSphere;
+  options.placement.streamHalfWidth = saved.streamHalfWidth;
+  options.placement.shareWeight = saved.shareWeight;
+  options.joint = saved.joint;
+}
+
 int fail(const std::string& what) {
   std::cerr << oneLine("fenestra-cli: " + what) << '\n';
   return failed;
@@ -180,6 +197,9 @@ int main(int argc, char** argv) {
   CLI::Option* stats = command->add_option("--stats", renderOptions.stats, "JSON of times and memory to write")
                            ->type_name("FILE")
                            ->needs(output);
+  command
+      ->add_option("--save-session", renderOptions.session, "what is shown as a session, for the window or for later")
+      ->type_name("FILE.fenestra");
   CLI::Option* repeat =
       command->add_option("--repeat", renderOptions.repeat, "frames to draw and time, each from the first pass on")
           ->check(CLI::Range(1, 10000))
@@ -199,7 +219,8 @@ int main(int argc, char** argv) {
 
   PlaceOptions placeOptions;
   command = program.add_subcommand("place", "the best view of the focus and one that complements it, as JSON");
-  app::addSceneOptions(*command, placeOptions.scene);
+  app::addSceneOptions(*command, placeOptions.scene,
+                       [&placeOptions](const io::Session& session) { useAsDefaults(session, placeOptions); });
   addPlacementOptions(*command, placeOptions);
   requireSource(*command);
   commands.push_back({command, &placeOptions.scene, [&] { return place(placeOptions), true; }});
@@ -219,6 +240,8 @@ int main(int argc, char** argv) {
     const std::string what = named ? error.what() : "expected info, convert, slice, render, place or compare";
     std::cerr << oneLine("fenestra-cli: " + what + "; see --help") << '\n';
     return misused;
+  } catch (const io::Error& error) {  // of a session, which is read while parsing
+    return fail(error.what());
   }
   for (const Command& each : commands)
     if (each.app->parsed()) return run(each);

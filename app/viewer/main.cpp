@@ -13,9 +13,12 @@
 #include <QLocale>
 
 #include "app/SceneOptions.h"
+#include "app/SceneSession.h"
 #include "io/ImageWriter.h"
 #include "io/PhantomFile.h"
+#include "io/session/SessionFile.h"
 #include "viewer/MainWindow.h"
+#include "viewer/Sessions.h"
 #include "viewer/Style.h"
 #include "viewer/model/Paths.h"
 
@@ -47,11 +50,14 @@ void handleQtMessage(QtMsgType type, const QMessageLogContext&, const QString& m
 Study readScene(const app::SceneOptions& options, const io::Progress& progress) {
   app::LoadedScene loaded = app::loadScene(options, progress);
   Study study;
+  study.session = app::sessionOf(options, loaded);
+  study.restoresSession = loaded.session.has_value();
+  if (study.restoresSession) study.sessionFile = options.path;
   study.scene = std::move(loaded.scene);
   study.transferFunction = std::move(loaded.transferFunction);
   study.camera = loaded.view.camera;
   study.placeCameras = loaded.placed.has_value();
-  study.path = options.path;
+  study.path = study.session.volume.path;
   study.series = std::move(loaded.volume.series);
   study.otherSeries = std::move(loaded.volume.otherSeries);
   study.warnings = std::move(loaded.warnings);
@@ -107,7 +113,7 @@ int main(int argc, char** argv) {
     return misused;
   } catch (const io::Error& error) {
     tell(error.what());
-    return misused;
+    return io::isSession(options.path) ? failed : misused;
   }
   if (options.empty()) options.phantom = "torso";
 
@@ -128,7 +134,16 @@ int main(int argc, char** argv) {
     window.addSample(QString::fromStdString(io::loadPhantom(name).name), phantomReader(name));
   if (options.size) window.resize(options.size->x, options.size->y);
   window.show();
-  window.open([options](const io::Progress& progress) { return readScene(options, progress); });
+  const auto read = [options](const io::SessionPlaces& places, const io::Progress& progress) {
+    app::SceneOptions where = options;
+    if (!places.volume.empty()) where.data = places.volume;
+    if (!places.labels.empty()) where.labels = places.labels;
+    return readScene(where, progress);
+  };
+  if (!screenshot.empty())
+    window.open([read](const io::Progress& progress) { return read({}, progress); });
+  else if (!window.sessions().startRecovery(Sessions::recoveryFolder()))
+    window.sessions().open(read);
   if (!screenshot.empty()) {
     QObject::connect(&window, &MainWindow::failed, &application,
                      [&](const QString& message) { QCoreApplication::exit(fail(message.toStdString())); });

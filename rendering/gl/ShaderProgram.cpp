@@ -126,12 +126,35 @@ ShaderProgram& ShaderVariants::get(const std::vector<Define>& defines) {
                                : programs_.emplace(key, ShaderProgram::compute(path_, defines)).first->second;
 }
 
-void ShaderProgram::dispatch(glm::ivec2 size, glm::ivec2 groupSize) const {
+namespace {
+
+void dispatchGroups(glm::ivec2 size, glm::ivec2 groupSize) {
   const glm::ivec2 groups = (size + groupSize - 1) / groupSize;
-  glUseProgram(name_);
   glDispatchCompute(static_cast<GLuint>(groups.x), static_cast<GLuint>(groups.y), 1);
+}
+
+/// To everything after: other shaders, textures read back, buffers.
+void makeWritesVisible() {
   glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT |
                   GL_SHADER_STORAGE_BARRIER_BIT);
+}
+
+}  // namespace
+
+void ShaderProgram::dispatch(glm::ivec2 size, glm::ivec2 groupSize) const {
+  glUseProgram(name_);
+  dispatchGroups(size, groupSize);
+  makeWritesVisible();
+  glUseProgram(0);
+}
+
+void ShaderProgram::dispatch(std::span<const Region> regions) {
+  glUseProgram(name_);
+  for (const Region& region : regions) {
+    set("pixelOrigin", region.origin);
+    dispatchGroups(region.size, {8, 8});
+  }
+  makeWritesVisible();
   glUseProgram(0);
 }
 

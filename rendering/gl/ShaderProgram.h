@@ -2,6 +2,7 @@
 // Programs from the embedded shader sources, with #include and compile-time switches.
 
 #include <cstdint>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -22,6 +23,12 @@ class ShaderError : public std::runtime_error {
 struct Define {
   std::string name;
   int value = 1;
+};
+
+/// Part of a picture in pixels from its top left.
+struct Region {
+  glm::ivec2 origin{0}, size{0};
+  bool operator==(const Region&) const = default;
 };
 
 class ShaderProgram {
@@ -50,6 +57,8 @@ class ShaderProgram {
   /// Runs a compute program over at least size.x × size.y invocations in groups of groupSize, then makes its writes
   /// visible to everything after.
   void dispatch(glm::ivec2 size, glm::ivec2 groupSize = {8, 8}) const;
+  /// The same over each region of a picture in groups of 8×8; the shader takes its pixels from lib/Region.glsl.
+  void dispatch(std::span<const Region> regions);
   /// Draws one triangle that covers the viewport.
   void drawFullScreen() const;
 

@@ -4,13 +4,16 @@
 
 namespace fenestra {
 
-void CompositePass::run(const Inputs& inputs, const Scene& scene, gl::Texture& picture) {
+void CompositePass::run(const Inputs& inputs, const Scene& scene, std::span<const gl::Region> regions,
+                        gl::Texture& picture) {
   const bool cutaway = inputs.distances != nullptr, layer = inputs.contextLayer != nullptr;
-  gl::ShaderProgram& program = programs_.get({{"CUTAWAY", cutaway}, {"CONTEXT_LAYER", layer}});
+  gl::ShaderProgram& program =
+      programs_.get({{"CUTAWAY", cutaway}, {"CONTEXT_LAYER", layer}, {"EDITED", inputs.editMap != nullptr}});
   bindTexture(program, "focusLayer", 0, *inputs.focusLayer);
   if (cutaway) {
     bindTexture(program, "hitPoints", 1, *inputs.hitPoints);
     bindTexture(program, "distances", 2, *inputs.distances);
+    if (inputs.editMap) bindTexture(program, "editMap", 5, *inputs.editMap);
     program.set("widths", glm::vec2(inputs.widths));
     program.set("borderColour", glm::vec3(scene.cutaway.borderColour));
   }
@@ -20,10 +23,14 @@ void CompositePass::run(const Inputs& inputs, const Scene& scene, gl::Texture& p
     const ContextLayer& look = scene.contextLayer;
     program.set("contextColour", glm::vec3(look.colour));
     program.set("contextWeights", glm::vec3(look.strength, look.curvatureWeight, look.silhouetteWeight));
-    program.set("curvatureScale", static_cast<float>(inputs.curvatureScale));
+    program.set("contextShade", glm::vec2(look.illuminationWeight, look.valueWeight));
+    bindTexture(program, "transferTable", 6, inputs.gpu->transferTable());
+    program.set("transferMap", inputs.gpu->transferMap());
+    // Curvature times the scale of the derivatives has no dimension.
+    program.set("curvatureScale", static_cast<float>(inputs.gpu->derivative().spacing));
   }
   picture.bindImage(0, gl::Access::Write);
-  program.dispatch(glm::ivec2(picture.size()));
+  program.dispatch(regions);
 }
 
 }  // namespace fenestra

@@ -18,7 +18,8 @@ double leastTransmittance(const FocusLayerPass::Sampling& sampling) {
 }  // namespace
 
 void FocusLayerPass::run(const GpuScene& gpu, const Scene& scene, const RayFrame& rays,
-                         const std::optional<Opening>& opening, const Sampling& sampling, gl::Texture& focusLayer) {
+                         const std::optional<Opening>& opening, const Sampling& sampling,
+                         std::span<const gl::Region> regions, gl::Texture& focusLayer) {
   const bool shading = scene.shading.enabled;
   const bool palette = static_cast<bool>(gpu.focusPaletteIndex());
   gl::ShaderProgram& program = programs_.get({focusDefine(gpu),
@@ -67,7 +68,7 @@ void FocusLayerPass::run(const GpuScene& gpu, const Scene& scene, const RayFrame
     }
   }
   focusLayer.bindImage(0, gl::Access::Write);
-  program.dispatch(rays.size());
+  program.dispatch(regions);
 }
 
 }  // namespace fenestra

@@ -2,6 +2,7 @@
 // Stage 5: the volume rendering integral from the ray start on, focus and context each with their own properties.
 
 #include <optional>
+#include <span>
 
 #include "rendering/gl/ShaderProgram.h"
 #include "rendering/gl/Texture.h"
@@ -22,9 +23,11 @@ class FocusLayerPass {
     std::optional<double> maxError;  ///< of a pixel's colour, 0..1: the integral is then found cell by cell
     bool operator==(const Sampling&) const = default;
   };
+  /// A pixel's result depends on the ray starts this many pixels around it: a cut face's normal takes its neighbours'.
+  static constexpr int reach = 1;
   /// Writes premultiplied RGBA32F. Without an opening rays start where they enter the volume.
   void run(const GpuScene& gpu, const Scene& scene, const RayFrame& rays, const std::optional<Opening>& opening,
-           const Sampling& sampling, gl::Texture& focusLayer);
+           const Sampling& sampling, std::span<const gl::Region> regions, gl::Texture& focusLayer);
 
  private:
   gl::ShaderVariants programs_{"FocusLayer.comp"};

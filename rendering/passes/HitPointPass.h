@@ -11,6 +11,7 @@ namespace fenestra {
 /// Positions along rays in every map of this renderer are s = t - RayFrame::distance() in mm; `nothing` where there is
 /// no such point.
 inline constexpr float nothing = -1e30f;
+constexpr bool isSomething(float s) { return s > nothing * 0.1f; }
 
 class HitPointPass {
  public:

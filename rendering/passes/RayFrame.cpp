@@ -9,7 +9,7 @@ RayFrame::RayFrame(const Camera& camera, glm::ivec2 size, const Grid& grid)
     : size_(size), camera_(camera), grid_(grid), axes_(camera.axes()) {
   const double depth = depthOf(grid.centre());
   const double aspect = static_cast<double>(size.x) / size.y;
-  if (camera.projection == Projection::Perspective) {
+  if (perspective()) {
     // Never nearer than the volume's own size, or the directions of the rays would lose digits.
     distance_ = std::max(depth, std::max(grid.boundingRadius(), 1e-9));
     const double halfHeight = distance_ * std::tan(glm::radians(camera.verticalFov) * 0.5);
@@ -31,21 +31,33 @@ void RayFrame::setUniforms(gl::ShaderProgram& program) const {
   program.set("worldFromView", glm::mat3(worldFromView));
   program.set("rayHalfSize", glm::vec2(halfSize_));
   program.set("rayDistance", static_cast<float>(distance_));
-  program.set("rayPerspective", static_cast<int>(camera_.projection == Projection::Perspective));
+  program.set("rayPerspective", static_cast<int>(perspective()));
 }
 
 glm::dvec3 RayFrame::worldPosition(glm::dvec2 pixel, double s) const {
   const glm::dvec2 ndc(2.0 * pixel.x / size_.x - 1.0, 1.0 - 2.0 * pixel.y / size_.y);
   const glm::dvec2 offset = ndc * halfSize_;
-  if (camera_.projection == Projection::Orthographic)
+  if (!perspective())
     return camera_.eye + axes_.right * offset.x + axes_.up * offset.y + axes_.forward * (distance_ + s);
   const glm::dvec3 direction = glm::normalize(axes_.right * offset.x + axes_.up * offset.y + axes_.forward * distance_);
   return camera_.eye + direction * (distance_ + s);
 }
 
+glm::dvec3 RayFrame::worldPositionAtDepth(glm::dvec2 pixel, double depth) const {
+  const glm::dvec2 ndc(2.0 * pixel.x / size_.x - 1.0, 1.0 - 2.0 * pixel.y / size_.y);
+  const glm::dvec2 offset = ndc * halfSize_ * (perspective() ? depth / distance_ : 1.0);
+  return camera_.eye + axes_.right * offset.x + axes_.up * offset.y + axes_.forward * depth;
+}
+
+glm::dvec2 RayFrame::pixelOf(glm::dvec3 world) const {
+  const glm::dvec3 from = world - camera_.eye;
+  const glm::dvec2 halfSize = halfSize_ * (perspective() ? depthOf(world) / distance_ : 1.0);
+  const glm::dvec2 ndc = glm::dvec2(glm::dot(from, axes_.right), glm::dot(from, axes_.up)) / halfSize;
+  return glm::dvec2(0.5 * (1.0 + ndc.x), 0.5 * (1.0 - ndc.y)) * glm::dvec2(size_);
+}
+
 double RayFrame::pixelSize(double depth) const {
-  const double scale = camera_.projection == Projection::Perspective ? depth / distance_ : 1.0;
-  return 2.0 * halfSize_.y * scale / size_.y;
+  return 2.0 * halfSize_.y * (perspective() ? depth / distance_ : 1.0) / size_.y;
 }
 
 double RayFrame::depthOf(glm::dvec3 world) const { return glm::dot(world - camera_.eye, axes_.forward); }

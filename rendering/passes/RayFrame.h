@@ -17,8 +17,13 @@ class RayFrame {
   glm::ivec2 size() const { return size_; }
   const Camera::Axes& axes() const { return axes_; }
   double distance() const { return distance_; }
+  bool perspective() const { return camera_.projection == Projection::Perspective; }
   /// World position of s on pixel (i, j)'s ray, and t there.
   glm::dvec3 worldPosition(glm::dvec2 pixel, double s) const;
+  /// World position at a view depth (mm from the eye along the view) on the ray through (i, j).
+  glm::dvec3 worldPositionAtDepth(glm::dvec2 pixel, double depth) const;
+  /// Where on the picture, in pixels from its top left, a point before the eye shows.
+  glm::dvec2 pixelOf(glm::dvec3 world) const;
   /// mm per rendered pixel at a view depth (mm from the eye along the view).
   double pixelSize(double depth) const;
   double depthOf(glm::dvec3 world) const;

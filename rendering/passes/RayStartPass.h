@@ -1,6 +1,8 @@
 #pragma once
 // Stage 4: where each ray starts to see.
 
+#include <span>
+
 #include "rendering/gl/ShaderProgram.h"
 #include "rendering/gl/Texture.h"
 #include "rendering/passes/RayFrame.h"
@@ -8,12 +10,22 @@
 namespace fenestra {
 
 /// The focus hit where there is one; within w_open of the focus projection the filled focus hit blended into the
-/// context hit by distance; the context hit elsewhere; `nothing` where the ray meets nothing.
+/// context hit by distance; the context hit elsewhere; `nothing` where the ray meets nothing. Then what the brush
+/// moved.
 class RayStartPass {
  public:
-  /// `openWidth` in rendered pixels. Writes R32F.
-  void run(const RayFrame& rays, const gl::Texture& hitPoints, const gl::Texture& focusFilled,
-           const gl::Texture& distances, double openWidth, gl::Texture& rayStart);
+  struct Inputs {
+    const gl::Texture& hitPoints;
+    const gl::Texture& focusFilled;
+    const gl::Texture& distances;
+    double openWidth;  ///< rendered pixels
+
+    /// For shaders/lib/RayStart.glsl, in three texture units from `unit` on.
+    void bind(gl::ShaderProgram& program, unsigned unit) const;
+  };
+  /// `editMap` is EditMapPass's, or null without strokes. Writes R32F.
+  void run(const RayFrame& rays, const Inputs& inputs, const gl::Texture* editMap, std::span<const gl::Region> regions,
+           gl::Texture& rayStart);
 
  private:
   gl::ShaderVariants programs_{"RayStart.comp"};

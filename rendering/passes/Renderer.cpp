@@ -9,6 +9,7 @@
 #include "rendering/passes/CompositePass.h"
 #include "rendering/passes/ContextLayerPass.h"
 #include "rendering/passes/DistanceMapPass.h"
+#include "rendering/passes/EditMapPass.h"
 #include "rendering/passes/FocusLayerPass.h"
 #include "rendering/passes/GpuScene.h"
 #include "rendering/passes/HitPointPass.h"
@@ -73,12 +74,14 @@ struct ContextLayerKey {
 };
 struct CompositeKey {
   std::uint64_t focusLayer;
-  std::optional<std::uint64_t> distance, contextLayer;
+  std::optional<std::uint64_t> distance, contextLayer, ownColours;
   glm::dvec2 widths;
   glm::dvec3 borderColour;
   ContextLayer look;
   bool operator==(const CompositeKey&) const = default;
 };
+
+using Regions = std::span<const gl::Region>;
 
 /// A picture-sized image that lasts until the size changes or it is no longer used.
 gl::Texture& sized(gl::Texture& texture, gl::Format format, glm::ivec2 size, gl::Filter filter = gl::Filter::Nearest) {
@@ -108,8 +111,8 @@ int distanceRange(glm::dvec2 widths, glm::ivec2 size) {
 }  // namespace
 
 std::string_view nameOf(Pass pass) {
-  constexpr std::array<std::string_view, passCount> names{"hit points",  "pull-push",     "distance map", "ray start",
-                                                          "focus layer", "context layer", "composite"};
+  constexpr std::array<std::string_view, passCount> names{"hit points", "pull-push",   "distance map",  "edit map",
+                                                          "ray start",  "focus layer", "context layer", "composite"};
   return names[static_cast<std::size_t>(pass)];
 }
 
@@ -119,48 +122,89 @@ struct Renderer::State {
   HitPointPass hitPointPass;
   PullPushPass pullPushPass;
   DistanceMapPass distanceMapPass;
+  EditMapPass editMapPass;
   RayStartPass rayStartPass;
   FocusLayerPass focusLayerPass;
   ContextLayerPass contextLayerPass;
   CompositePass compositePass;
   gl::ShaderProgram presentProgram;
 
-  gl::Texture hitPoints, focusFilled, distances, rayStart, focusLayer, contextLayer, silhouette, picture;
+  gl::Texture hitPoints, focusFilled, distances, editMap, rayStart, focusLayer, contextLayer, silhouette, picture;
   gl::Texture pickedHit;
 
   Memo<HitKey> hits;
   Memo<FillKey> fill;
   Memo<DistanceKey> distance;
-  Memo<RayStartKey> start;
+  Memo<RayStartKey> edits, start;
   Memo<FocusLayerKey> focus;
   Memo<ContextLayerKey> context;
   Memo<CompositeKey> composite;
 
+  /// What the images were last edited by, in the last picture's view; unknown after an error stopped a picture.
+  std::optional<ProjectedStrokes> strokes{std::in_place};
+
   std::optional<RayFrame> rays;  ///< of the last picture
+  double pixelScale = 1.0;
   glm::dvec2 widths{0.0};
   glm::vec3 background{0.0f};
   bool timing = false;
   std::array<PassStats, passCount> stats{};
 
+  /// Runs body(regions) over the whole picture when the key changed, otherwise over `changed`, where strokes changed.
   template <class Key, class Body>
-  void runIfStale(Pass pass, Memo<Key>& memo, Key key, const Body& body) {
-    if (!memo.isStale(key)) return;
+  void runIfStale(Pass pass, Memo<Key>& memo, Key key, Regions changed, const Body& body) {
+    const bool stale = memo.isStale(key);
+    if (!stale && changed.empty()) return;
+    const gl::Region whole{glm::ivec2(0), rays->size()};
+    const Regions regions = stale ? Regions(&whole, 1) : changed;
     PassStats& mine = stats[static_cast<std::size_t>(pass)];
     if (timing) {
       gl::TimerQuery timer;
-      body();
+      body(regions);
       mine.milliseconds = timer.elapsedMilliseconds();
     } else {
-      body();
+      body(regions);
     }
     ++mine.runs;
-    memo.ran(std::move(key));
+    mine.pixels = 0;
+    for (const gl::Region& region : regions) mine.pixels += std::uint64_t(region.size.x) * std::uint64_t(region.size.y);
+    if (stale) memo.ran(std::move(key));
   }
 
-  glm::dvec2 widthsInPixels(const Scene& scene, double pixelScale) const;
+  void releaseEdits() {
+    editMap = {};
+    editMapPass.release();
+    edits.forget();
+  }
+  /// Everything that strokes show in.
+  void forgetEdited() {
+    edits.forget();
+    start.forget();
+    focus.forget();
+    composite.forget();
+  }
+
+  glm::dvec2 widthsInPixels(const Scene& scene) const;
+  bool shows(glm::ivec2 pixel) const;
+  /// First hits (context or focus, focus) on the ray of a pixel of the picture.
+  glm::vec2 hitAt(glm::ivec2 pixel);
+  /// Where the ray starts to see; `nothing` where it meets nothing.
+  float startAt(glm::ivec2 pixel) { return rayStart ? rayStart.readTexel(pixel).x : hitAt(pixel).x; }
 };
 
-glm::dvec2 Renderer::State::widthsInPixels(const Scene& scene, double pixelScale) const {
+bool Renderer::State::shows(glm::ivec2 pixel) const {
+  return picture && glm::all(glm::greaterThanEqual(pixel, glm::ivec2(0))) &&
+         glm::all(glm::lessThan(pixel, glm::ivec2(picture.size())));
+}
+
+glm::vec2 Renderer::State::hitAt(glm::ivec2 pixel) {
+  if (hitPoints) return hitPoints.readTexel(pixel);
+  // A plain volume rendering has no hit points: find this pixel's alone.
+  hitPointPass.run(*gpu, *rays, sized(pickedHit, gl::Format::RG32F, glm::ivec2(1)), pixel);
+  return pickedHit.readTexel(glm::ivec2(0));
+}
+
+glm::dvec2 Renderer::State::widthsInPixels(const Scene& scene) const {
   const glm::dvec2 wanted = glm::max(glm::dvec2(scene.cutaway.openWidth, scene.cutaway.borderWidth), glm::dvec2(0.0));
   if (scene.cutaway.unit == WidthUnit::Pixel) return wanted * pixelScale;
   const Grid& grid = scene.volume->grid;
@@ -184,29 +228,46 @@ void Renderer::render(const Scene& scene, const View& view) {
   const Grid& grid = scene.volume->grid;
   s.rays.emplace(view.camera, view.size, grid);
   const RayFrame& rays = *s.rays;
+  s.pixelScale = view.pixelScale;
   s.background = glm::vec3(scene.background);
   const bool cutaway = hasCutaway(scene);
   const bool contextLayer = cutaway && scene.contextLayer.strength > 0.0;
-  s.widths = cutaway ? s.widthsInPixels(scene, view.pixelScale) : glm::dvec2(0.0);
+  s.widths = cutaway ? s.widthsInPixels(scene) : glm::dvec2(0.0);
+
+  // Strokes are in no pass's key: all that depends on them is patched together, or not at all.
+  const std::optional<ProjectedStrokes> before = std::exchange(s.strokes, std::nullopt);
+  if (!before) s.forgetEdited();
+  const ProjectedStrokes strokes = cutaway ? project(scene.strokes, rays) : ProjectedStrokes();
+  const std::vector<gl::Region> changed =
+      before ? changedRegions(*before, strokes, view.size, FocusLayerPass::reach) : std::vector<gl::Region>();
 
   if (cutaway) {
     s.runIfStale(Pass::HitPoints, s.hits, HitKey{version.volume, version.focus, version.gaps, view.camera, view.size},
-                 [&] { s.hitPointPass.run(gpu, rays, sized(s.hitPoints, gl::Format::RG32F, view.size)); });
-    s.runIfStale(Pass::PullPush, s.fill, FillKey{s.hits.version()},
-                 [&] { s.pullPushPass.run(s.hitPoints, sized(s.focusFilled, gl::Format::R32F, view.size)); });
+                 {}, [&](Regions) { s.hitPointPass.run(gpu, rays, sized(s.hitPoints, gl::Format::RG32F, view.size)); });
+    s.runIfStale(Pass::PullPush, s.fill, FillKey{s.hits.version()}, {},
+                 [&](Regions) { s.pullPushPass.run(s.hitPoints, sized(s.focusFilled, gl::Format::R32F, view.size)); });
     const int range = distanceRange(s.widths, view.size);
-    s.runIfStale(Pass::DistanceMap, s.distance, DistanceKey{s.hits.version(), range},
-                 [&] { s.distanceMapPass.run(s.hitPoints, range, sized(s.distances, gl::Format::R32F, view.size)); });
-    s.runIfStale(Pass::RayStart, s.start,
-                 RayStartKey{s.hits.version(), s.fill.version(), s.distance.version(), s.widths.x}, [&] {
-                   s.rayStartPass.run(rays, s.hitPoints, s.focusFilled, s.distances, s.widths.x,
-                                      sized(s.rayStart, gl::Format::R32F, view.size));
-                 });
+    s.runIfStale(Pass::DistanceMap, s.distance, DistanceKey{s.hits.version(), range}, {}, [&](Regions) {
+      s.distanceMapPass.run(s.hitPoints, range, sized(s.distances, gl::Format::R32F, view.size));
+    });
+    const RayStartKey startKey{s.hits.version(), s.fill.version(), s.distance.version(), s.widths.x};
+    const RayStartPass::Inputs inputs{s.hitPoints, s.focusFilled, s.distances, s.widths.x};
+    if (strokes.empty())
+      s.releaseEdits();
+    else
+      s.runIfStale(Pass::EditMap, s.edits, startKey, changed, [&](Regions regions) {
+        s.editMapPass.run(rays, inputs, strokes, regions, sized(s.editMap, gl::Format::RG32F, view.size));
+      });
+    s.runIfStale(Pass::RayStart, s.start, startKey, changed, [&](Regions regions) {
+      s.rayStartPass.run(rays, inputs, s.editMap ? &s.editMap : nullptr, regions,
+                         sized(s.rayStart, gl::Format::R32F, view.size));
+    });
   } else {
     // A plain volume rendering keeps none of the cutaway's images.
     for (gl::Texture* texture : {&s.hitPoints, &s.focusFilled, &s.distances, &s.rayStart}) *texture = {};
     s.pullPushPass.release();
     s.distanceMapPass.release();
+    s.releaseEdits();
     s.hits.forget();
     s.fill.forget();
     s.distance.forget();
@@ -225,15 +286,16 @@ void Renderer::render(const Scene& scene, const View& view) {
                                view.camera,
                                view.size,
                                sampling};
-  s.runIfStale(Pass::FocusLayer, s.focus, focusKey, [&] {
+  s.runIfStale(Pass::FocusLayer, s.focus, focusKey, changed, [&](Regions regions) {
     std::optional<FocusLayerPass::Opening> opening;
     if (cutaway) opening.emplace(FocusLayerPass::Opening{s.hitPoints, s.rayStart});
-    s.focusLayerPass.run(gpu, scene, rays, opening, sampling, sized(s.focusLayer, gl::Format::RGBA32F, view.size));
+    s.focusLayerPass.run(gpu, scene, rays, opening, sampling, regions,
+                         sized(s.focusLayer, gl::Format::RGBA32F, view.size));
   });
 
   if (contextLayer) {
     s.runIfStale(Pass::ContextLayer, s.context, ContextLayerKey{s.hits.version(), version.derivative, scene.shading},
-                 [&] {
+                 {}, [&](Regions) {
                    s.contextLayerPass.run(gpu, scene.shading, rays, s.hitPoints,
                                           sized(s.contextLayer, gl::Format::RGBA32F, view.size),
                                           sized(s.silhouette, gl::Format::R32F, view.size));
@@ -247,25 +309,28 @@ void Renderer::render(const Scene& scene, const View& view) {
   const CompositeKey compositeKey{s.focus.version(),
                                   cutaway ? std::optional(s.distance.version()) : std::nullopt,
                                   contextLayer ? std::optional(s.context.version()) : std::nullopt,
+                                  contextLayer ? std::optional(version.transfer) : std::nullopt,
                                   s.widths,
                                   scene.cutaway.borderColour,
                                   scene.contextLayer};
-  s.runIfStale(Pass::Composite, s.composite, compositeKey, [&] {
+  s.runIfStale(Pass::Composite, s.composite, compositeKey, changed, [&](Regions regions) {
     CompositePass::Inputs inputs;
     inputs.focusLayer = &s.focusLayer;
     if (cutaway) {
       inputs.hitPoints = &s.hitPoints;
       inputs.distances = &s.distances;
       inputs.widths = s.widths;
+      if (s.editMap) inputs.editMap = &s.editMap;
     }
     if (contextLayer) {
       inputs.contextLayer = &s.contextLayer;
       inputs.silhouette = &s.silhouette;
-      inputs.curvatureScale = gpu.derivative().spacing;
+      inputs.gpu = &gpu;
     }
     // Filtered when presented: a draft is smaller than the rectangle it fills.
-    s.compositePass.run(inputs, scene, sized(s.picture, gl::Format::RGBA32F, view.size, gl::Filter::Linear));
+    s.compositePass.run(inputs, scene, regions, sized(s.picture, gl::Format::RGBA32F, view.size, gl::Filter::Linear));
   });
+  s.strokes = strokes;
 }
 
 void Renderer::present(std::uint32_t framebuffer, glm::ivec4 rectangle) {
@@ -303,7 +368,7 @@ Layers Renderer::readLayers() {
   const std::size_t count = static_cast<std::size_t>(layers.size.x) * static_cast<std::size_t>(layers.size.y);
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();
   const auto time = [&](float position) {
-    return position > nothing * 0.1f ? static_cast<float>(s.rays->distance() + position) : nan;
+    return isSomething(position) ? static_cast<float>(s.rays->distance() + position) : nan;
   };
   const auto times = [&](const gl::Texture& texture, std::vector<float>& into) {
     into.resize(count);
@@ -324,12 +389,16 @@ Layers Renderer::readLayers() {
     for (float& distance : layers.distance)
       if (distance > s.widths.x + s.widths.y) distance = std::numeric_limits<float>::infinity();
   }
+  if (s.editMap) {
+    layers.edits.resize(count);
+    s.editMap.readInto(std::span(layers.edits));
+  }
   if (s.contextLayer) {
     layers.contextLayer.resize(count);
     s.contextLayer.readInto(std::span(layers.contextLayer));
     const VolumeTexture& coding = s.gpu->volume();
     for (glm::vec4& texel : layers.contextLayer)
-      texel = texel.x > nothing * 0.1f
+      texel = isSomething(texel.x)
                   ? glm::vec4(glm::vec3(texel), static_cast<float>(coding.slope * texel.w + coding.offset))
                   : glm::vec4(nan);
   }
@@ -342,20 +411,37 @@ Layers Renderer::readLayers() {
 
 std::optional<glm::dvec3> Renderer::pick(glm::dvec2 pixel) {
   State& s = *state_;
-  if (!s.picture) return std::nullopt;
   const glm::ivec2 at(glm::floor(pixel));
-  if (glm::any(glm::lessThan(at, glm::ivec2(0))) || glm::any(glm::greaterThanEqual(at, glm::ivec2(s.picture.size()))))
-    return std::nullopt;
-  float position = nothing;
-  if (s.rayStart) {
-    position = s.rayStart.readTexel(at).x;
-  } else {
-    // A plain volume rendering has no hit points: find this pixel's alone.
-    s.hitPointPass.run(*s.gpu, *s.rays, sized(s.pickedHit, gl::Format::RG32F, glm::ivec2(1)), at);
-    position = s.pickedHit.readTexel(glm::ivec2(0)).x;
-  }
-  if (!(position > nothing * 0.1f)) return std::nullopt;
+  if (!s.shows(at)) return std::nullopt;
+  const float position = s.startAt(at);
+  if (!isSomething(position)) return std::nullopt;
   return s.rays->worldPosition(glm::dvec2(at) + 0.5, position);
+}
+
+std::optional<BrushPoint> Renderer::pickBrush(glm::dvec2 pixel, BrushMode mode, std::optional<glm::dvec3> before) {
+  State& s = *state_;
+  const glm::ivec2 at(glm::floor(pixel));
+  if (!s.shows(at)) return std::nullopt;
+  const float context = s.hitAt(at).x;
+  float position = context;
+  if (mode == BrushMode::Open) {
+    position = s.startAt(at);
+    if (s.editMap && isSomething(position))
+      position = std::max(context, position - std::max(0.0f, s.editMap.readTexel(at).x));
+  }
+  const RayFrame& rays = *s.rays;
+  BrushPoint point;
+  if (isSomething(position)) {
+    // The surface under the pixel's centre, at the pixel's own place.
+    const double depth = rays.depthOf(rays.worldPosition(glm::dvec2(at) + 0.5, position));
+    point.anchor = rays.worldPositionAtDepth(pixel, depth);
+  } else if (before) {
+    point.anchor = rays.worldPositionAtDepth(pixel, rays.depthOf(*before));
+  } else {
+    return std::nullopt;
+  }
+  point.pixelSize = rays.pixelSize(rays.depthOf(point.anchor)) * s.pixelScale;
+  return point;
 }
 
 void Renderer::setTiming(bool on) { state_->timing = on; }
@@ -364,8 +450,8 @@ const std::array<PassStats, passCount>& Renderer::stats() const { return state_-
 
 std::size_t Renderer::imageBytes() const {
   const State& s = *state_;
-  std::size_t sum = s.pullPushPass.bytes() + s.distanceMapPass.bytes();
-  for (const gl::Texture* texture : {&s.hitPoints, &s.focusFilled, &s.distances, &s.rayStart, &s.focusLayer,
+  std::size_t sum = s.pullPushPass.bytes() + s.distanceMapPass.bytes() + s.editMapPass.bytes();
+  for (const gl::Texture* texture : {&s.hitPoints, &s.focusFilled, &s.distances, &s.editMap, &s.rayStart, &s.focusLayer,
                                      &s.contextLayer, &s.silhouette, &s.picture, &s.pickedHit})
     if (*texture) sum += texture->bytes();
   return sum;

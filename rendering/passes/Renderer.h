@@ -8,19 +8,12 @@
 #include <string_view>
 #include <vector>
 
+#include "rendering/scene/Quality.h"
 #include "rendering/scene/Scene.h"
 
 namespace fenestra {
 
 class GpuScene;
-
-enum class Quality : std::uint8_t {
-  Draft,   ///< one sample per finest voxel: while dragging
-  Normal,  ///< two
-  High,    ///< as many as an error of at most highQualityError asks for
-};
-/// In 1/255; see View::maxError.
-inline constexpr double highQualityError = 0.5;
 
 /// One picture to make.
 struct View {
@@ -34,8 +27,17 @@ struct View {
   bool operator==(const View&) const = default;
 };
 
-enum class Pass : std::uint8_t { HitPoints, PullPush, DistanceMap, RayStart, FocusLayer, ContextLayer, Composite };
-inline constexpr std::size_t passCount = 7;
+enum class Pass : std::uint8_t {
+  HitPoints,
+  PullPush,
+  DistanceMap,
+  EditMap,
+  RayStart,
+  FocusLayer,
+  ContextLayer,
+  Composite
+};
+inline constexpr std::size_t passCount = 8;
 std::string_view nameOf(Pass pass);
 
 /// Row-major from the top of the picture; t in mm along the pixel's ray (see Camera), NaN where there is nothing.
@@ -43,6 +45,7 @@ struct Layers {
   glm::ivec2 size{0};
   std::vector<float> tContext, tFocus, tFocusFilled, tStart;
   std::vector<float> distance;          ///< px, 0 inside the focus projection, +inf beyond w_open + w_border
+  std::vector<glm::vec2> edits;         ///< of brush strokes: EditMapPass's output
   std::vector<glm::vec4> focusLayer;    ///< premultiplied RGBA
   std::vector<glm::vec4> contextLayer;  ///< κ1, κ2 (1/mm), illumination, value (real units)
   std::vector<glm::vec4> final;         ///< premultiplied RGBA
@@ -50,7 +53,15 @@ struct Layers {
 
 struct PassStats {
   std::uint64_t runs = 0;     ///< since the renderer was made
+  std::uint64_t pixels = 0;   ///< shaded by the last run: under a changed brush stroke only, or the whole picture
   double milliseconds = 0.0;  ///< GPU time of the last run; 0 until timing is on
+};
+
+/// Where a brush touches what a picture shows.
+struct BrushPoint {
+  glm::dvec3 anchor;  ///< world, mm: what BrushStroke::anchors holds
+  double pixelSize =
+      0.0;  ///< mm per device-independent pixel at its depth: a brush of r such pixels has r·pixelSize mm
 };
 
 /// Needs a current OpenGL 4.5 context in every call, always the same one or one that shares with it. Move-only.
@@ -62,7 +73,8 @@ class Renderer {
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;
 
-  /// Makes the picture. Nothing runs for an unchanged scene and view.
+  /// Makes the picture. Nothing runs for an unchanged scene and view; where only strokes changed, what depends on them
+  /// runs for the pixels under them, with the result of a run for all.
   void render(const Scene& scene, const View& view);
 
   /// Draws the last picture into `framebuffer` (an OpenGL name; QOpenGLWidget's is not 0), stretched over the rectangle
@@ -77,6 +89,14 @@ class Renderer {
   /// World position of what pixel (i, j from the top, in rendered pixels) of the last picture shows: where its ray
   /// starts to see. Empty where it shows the background.
   std::optional<glm::dvec3> pick(glm::dvec2 pixel);
+
+  /// Where a brush at pixel (i, j), in rendered pixels as for pick(), touches. Open cuts into what is seen: its anchor
+  /// is where the ray starts to see, or did before strokes opened it further, so that a stroke being painted does not
+  /// dig itself in. The other modes are about the context that lies, or lay, before it: theirs is the context's first
+  /// surface, even where the cutaway removed it; a point of that surface is the same from every side, which one of the
+  /// cut face is not. Where the ray meets nothing, the point of the ray as deep in the view as `before`, a stroke's
+  /// last anchor, so that a stroke can leave the body and come back; empty without one.
+  std::optional<BrushPoint> pickBrush(glm::dvec2 pixel, BrushMode mode, std::optional<glm::dvec3> before = {});
 
   /// Measures each pass with timer queries; waits for the GPU, so off by default.
   void setTiming(bool on);

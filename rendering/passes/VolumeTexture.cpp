@@ -183,8 +183,9 @@ DerivativeVolume makeDerivativeVolume(const Volume& volume, const VolumeTexture&
   }
   const bool wide = !coding.integers;
   result.texture = gl::Texture::make3D(wide ? gl::Format::R32F : gl::Format::R16, dims);
-  // Eight-bit data are stretched so that smoothing keeps what lies between their steps.
-  const float stretch = coding.texture.format() == gl::Format::R8 ? 257.0f : 1.0f;
+  // Stretched over all 16 bits, so that smoothing keeps what lies between the data's own steps.
+  const ValueRange coded = coding.codedFromReal(volume.range);
+  const float stretch = static_cast<float>(65535.0 / std::max(coded.high, 1.0));
   result.texelScale = wide ? 1.0f : 65535.0f / stretch;
   const double base = (coding.offset - volume.intercept) / volume.slope;
   // Taps of the texel's filter along an axis: offsets from factor·i.

@@ -4,6 +4,7 @@
 
 #include "rendering/reference/FocusCells.h"
 #include "rendering/reference/Reference.h"
+#include "rendering/reference/Strokes.h"
 #include "rendering/scene/Parallel.h"
 
 namespace fenestra::reference {
@@ -118,18 +119,17 @@ Image fill(const Image& tFocus, glm::ivec2 size) {
 Image distanceMap(const Image& tFocus, glm::ivec2 size, double range) {
   // Squared distances are sums of two squares: first the nearest known pixel in each column, then the best column.
   Image column(tFocus.size(), infinity);
-  for (int i = 0; i < size.x; ++i) {
-    const auto sweep = [&](int from, int to, int step) {
-      double distance = infinity;
-      for (int j = from; j != to; j += step) {
-        distance = std::isnan(tFocus[offset(size, i, j)]) ? distance + 1.0 : 0.0;
-        double& nearest = column[offset(size, i, j)];
-        nearest = std::min(nearest, distance);
-      }
-    };
-    sweep(0, size.y, 1);
-    sweep(size.y - 1, -1, -1);
-  }
+  const auto carry = [&](int j, int neighbour) {
+    for (int i = 0; i < size.x; ++i) {
+      double& nearest = column[offset(size, i, j)];
+      if (!std::isnan(tFocus[offset(size, i, j)]))
+        nearest = 0.0;
+      else if (neighbour >= 0 && neighbour < size.y)
+        nearest = std::min(nearest, column[offset(size, i, neighbour)] + 1.0);
+    }
+  };
+  for (int j = 0; j < size.y; ++j) carry(j, j - 1);
+  for (int j = size.y - 1; j >= 0; --j) carry(j, j + 1);
   Image result(tFocus.size(), infinity);
   const int reach = static_cast<int>(std::min(std::ceil(range), static_cast<double>(size.x)));
   parallelFor(static_cast<std::size_t>(size.y), 1, [&](std::size_t begin, std::size_t end) {
@@ -175,6 +175,12 @@ Stages geometricStages(const Scene& scene, const Camera& camera, glm::ivec2 size
   stages.tFocusFilled = fill(stages.hits.tFocus, size);
   stages.distance = distanceMap(stages.hits.tFocus, size, widths.open + widths.border);
   stages.tStart = rayStart(stages.hits, stages.tFocusFilled, stages.distance, widths.open);
+  if (std::any_of(scene.strokes.begin(), scene.strokes.end(), isEffective)) {
+    Edits made = edits(scene.strokes, camera, size, stages.hits, stages.tStart);
+    stages.tStart = std::move(made.tStart);
+    stages.editOffset = std::move(made.offset);
+    stages.editFactor = std::move(made.factor);
+  }
   return stages;
 }
 

@@ -3,6 +3,7 @@
 #include "rendering/reference/ContextLayer.h"
 #include "rendering/reference/FocusLayer.h"
 #include "rendering/reference/Light.h"
+#include "rendering/reference/Strokes.h"
 #include "rendering/scene/Lighting.h"
 #include "rendering/scene/Parallel.h"
 
@@ -93,12 +94,18 @@ std::vector<CutRay> cutRays(const Scene& scene, const Camera& camera, glm::ivec2
 /// Premultiplied `front` over `behind`.
 glm::dvec4 over(glm::dvec4 front, glm::dvec4 behind) { return front + (1.0 - front.a) * behind; }
 
-/// Opacity of the context layer: both terms rise steeply, so that edges come out as lines.
-double contextOpacity(const ContextLayer& look, const ContextPoint& point, double scale) {
+/// Opacity of the context layer: both terms rise steeply, so that edges come out as lines. `factor` is the brush's.
+double contextOpacity(const ContextLayer& look, const ContextPoint& point, double scale, double factor) {
   const double bend = std::sqrt(0.5 * (point.k1 * point.k1 + point.k2 * point.k2)) * scale;
   const double opacity = look.curvatureWeight * smoothstep(0.10, 0.40, bend) +
                          look.silhouetteWeight * smoothstep(0.30, 0.85, point.silhouette);
-  return look.strength * std::clamp(opacity, 0.0, 1.0);
+  return std::min(look.strength * std::clamp(opacity, 0.0, 1.0) * factor, 1.0);
+}
+
+glm::dvec3 contextColour(const Scene& scene, const ContextPoint& point) {
+  const ContextLayer& look = scene.contextLayer;
+  return glm::mix(look.colour, scene.context.evaluate(point.value).colour, look.valueWeight) *
+         glm::mix(1.0, point.illumination, look.illuminationWeight);
 }
 
 /// Share of a pixel, a box one pixel wide across the rim, that w_open < DM ≤ w_open + w_border covers.
@@ -123,6 +130,10 @@ Picture picture(const Scene& scene, const Camera& camera, glm::ivec2 size, const
   const std::vector<CutRay> cut = cutRays(scene, camera, size, cutaway ? &stages : nullptr, pixels);
   FocusLayer layer = focusLayer(scene, camera, cut, options.tolerance);
 
+  const auto factor = [&](glm::ivec2 pixel) {
+    return stages.editFactor.empty() ? 1.0 : stages.editFactor[offset(size, pixel)];
+  };
+
   Picture result;
   result.final = layer.colour;
   if (hasContext) {
@@ -140,8 +151,9 @@ Picture picture(const Scene& scene, const Camera& camera, glm::ivec2 size, const
                                           : glm::dvec4(nothing));
       result.silhouette.push_back(point ? point->silhouette : nothing);
       if (!point) continue;
-      const glm::dvec4 surface(scene.contextLayer.colour * point->illumination, 1.0);
-      result.final[i] = over(surface * contextOpacity(scene.contextLayer, *point, scale), result.final[i]);
+      const glm::dvec4 surface(contextColour(scene, *point), 1.0);
+      const double opacity = contextOpacity(scene.contextLayer, *point, scale, factor(pixels[i]));
+      result.final[i] = over(surface * opacity, result.final[i]);
     }
   }
   if (cutaway && scene.cutaway.borderWidth > 0.0) {
@@ -152,7 +164,7 @@ Picture picture(const Scene& scene, const Camera& camera, glm::ivec2 size, const
       const std::size_t at = offset(size, pixels[i]);
       if (std::isnan(stages.hits.tContext[at])) continue;
       const glm::dvec4 border(scene.cutaway.borderColour, 1.0);
-      result.final[i] = glm::mix(result.final[i], border, borderCoverage(distance[at], widths));
+      result.final[i] = glm::mix(result.final[i], border, borderCoverage(distance[at], widths) * factor(pixels[i]));
     }
   }
   result.focusLayer = std::move(layer.colour);

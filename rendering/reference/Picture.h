@@ -9,7 +9,7 @@
 // is a polynomial, so optical depth is exact, and colour is integrated by Gauss-Kronrod rules that halve their interval
 // until the tolerance is met.
 //
-// Brush strokes are left out: stage 4 of the reference has none. Values that are no numbers count as in hitPoints().
+// Values that are no numbers count as in hitPoints().
 
 #include <vector>
 

@@ -65,10 +65,12 @@ struct Widths {
 };
 Widths widthsInPixels(const Scene& scene, const Camera& camera, glm::ivec2 size, double pixelScale);
 
-/// Stages 1 to 4 in one go. Without a cutaway, tFocusFilled and distance are empty and tStart is tContext.
+/// Stages 1 to 4 in one go, with the scene's brush strokes (see Strokes.h for what they edit). Without a cutaway,
+/// tFocusFilled and distance are empty and tStart is tContext; without strokes, the edits are empty.
 struct Stages {
   HitPoints hits;
   Image tFocusFilled, distance, tStart;
+  Image editOffset, editFactor;
 };
 Stages geometricStages(const Scene& scene, const Camera& camera, glm::ivec2 size, double pixelScale = 1.0);
 

@@ -109,6 +109,21 @@ Camera Camera::panned(double rightMm, double upMm) const {
   return camera;
 }
 
+Camera Camera::beside() const {
+  Camera camera = orbited(glm::half_pi<double>(), 0.0);
+  camera.up = {0.0, 0.0, 1.0};
+  return camera;
+}
+
+Camera Camera::fittedTo(double aspect) const {
+  Camera camera = *this;
+  if (aspect < 1.0) {
+    camera.verticalFov = glm::degrees(2.0 * std::atan(std::tan(glm::radians(verticalFov) * 0.5) / aspect));
+    camera.orthographicHeight /= aspect;
+  }
+  return camera;
+}
+
 Camera Camera::standard(StandardView view, const Grid& grid, Projection projection) {
   const glm::dvec3 superior(0.0, 0.0, 1.0), anterior(0.0, -1.0, 0.0);
   switch (view) {

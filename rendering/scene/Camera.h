@@ -43,6 +43,13 @@ struct Camera {
   /// Move eye and target together by `right` and `up` mm in the view plane.
   Camera panned(double right, double up) const;
 
+  /// The second camera of a pair: a quarter turn to this one's right, the patient upright. For an anterior view it
+  /// looks from the patient's left.
+  Camera beside() const;
+  /// For a picture of that aspect, width over height: in one higher than wide the field of view is widened so that what
+  /// fits across a square one still does.
+  Camera fittedTo(double aspect) const;
+
   static Camera standard(StandardView view, const Grid& grid, Projection projection = Projection::Perspective);
   /// From a unit direction (towards the eye), framing `grid`, the patient's superior up where that is defined.
   static Camera fromDirection(glm::dvec3 towardsEye, const Grid& grid, Projection projection = Projection::Perspective);

@@ -2,6 +2,8 @@
 // The parameters of the adaptive cutaway, its border and its context layer.
 
 #include <cstdint>
+#include <span>
+#include <string_view>
 
 #include <glm/glm.hpp>
 
@@ -20,13 +22,30 @@ struct Cutaway {
   bool operator==(const Cutaway&) const = default;
 };
 
-/// How the context's edges are drawn over the focus. strength 0 switches the layer off: no pass, no memory.
+/// How the context's first surface is drawn over the focus: its edges as lines, where it bends sharply or turns away
+/// from the eye (method: curvature, illumination and value at the context's hit). strength 0 switches the layer off: no
+/// pass, no memory.
 struct ContextLayer {
   double strength = 0.7;                ///< 0..1, scales the layer's opacity
   double curvatureWeight = 1.0;         ///< opacity per unit of curvature × derivative scale
   double silhouetteWeight = 1.0;        ///< opacity of the term (1 - |n·v|)
-  glm::dvec3 colour{0.42, 0.70, 0.90};  ///< display RGB, modulated by the illumination
+  double illuminationWeight = 1.0;      ///< 0..1: from the flat colour to the colour as the surface is lit
+  double valueWeight = 0.0;             ///< 0..1: from `colour` to the context's own, by its transfer function's value
+  glm::dvec3 colour{0.42, 0.70, 0.90};  ///< display RGB
   bool operator==(const ContextLayer&) const = default;
 };
+
+/// Ready-made looks of an opening, one for each kind of picture in the method's Figure 5.
+struct OpeningLook {
+  std::string_view id, name;
+  ContextLayer contextLayer;
+  double borderWidth = 0.0;  ///< in the cutaway's own unit
+  glm::dvec3 borderColour = Cutaway{}.borderColour;
+
+  /// Leaves the rest of the cutaway as it is.
+  void applyTo(Cutaway& cutaway, ContextLayer& layer) const;
+};
+/// full, a scene's default; bare (A and B: the cut alone); context (C); border (D).
+std::span<const OpeningLook> openingLooks();
 
 }  // namespace fenestra

@@ -1,4 +1,6 @@
 // Stage 7: the paper's equation. Output: premultiplied RGBA without background.
+#include "lib/Region.glsl"
+
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(rgba32f, binding = 0) uniform writeonly image2D picture;
 uniform sampler2D focusLayer;
@@ -7,17 +9,23 @@ uniform sampler2D hitPoints;
 uniform sampler2D distances;
 uniform vec2 widths;          // w_open, w_border in rendered pixels
 uniform vec3 borderColour;
+#if EDITED
+uniform sampler2D editMap;
+#endif
 #endif
 #if CONTEXT_LAYER
 uniform sampler2D contextLayer;
 uniform sampler2D silhouette;
 uniform vec3 contextColour;
 uniform vec3 contextWeights;  // strength, curvature, silhouette
+uniform vec2 contextShade;     // weights of illumination and of the context's own colour
+uniform sampler2D transferTable;  // colour · extinction, extinction; one row
+uniform vec2 transferMap;      // table position = stored value · x + y
 uniform float curvatureScale; // mm: length that makes curvature dimensionless, the derivative volume's spacing
 #endif
 
 void main() {
-  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  ivec2 pixel = regionPixel();
   if (any(greaterThanEqual(pixel, imageSize(picture)))) return;
   vec4 result = texelFetch(focusLayer, pixel, 0);
 #if CUTAWAY
@@ -30,7 +38,15 @@ void main() {
     // Edges come out as lines: both terms rise steeply.
     float opacity = contextWeights.y * smoothstep(0.10, 0.40, bend) + contextWeights.z * smoothstep(0.30, 0.85, rim);
     opacity = contextWeights.x * clamp(opacity, 0.0, 1.0);
-    result = vec4(contextColour * context.z, 1.0) * opacity + result * (1.0 - opacity);
+#if EDITED
+    opacity = min(opacity * texelFetch(editMap, pixel, 0).g, 1.0);
+#endif
+    int entry = int(clamp(context.w * transferMap.x + transferMap.y, 0.0, float(textureSize(transferTable, 0).x - 1)) + 0.5);
+    vec4 material = texelFetch(transferTable, ivec2(entry, 0), 0);
+    vec3 own = material.a > 0.0 ? material.rgb / material.a : contextColour;
+    vec3 colour = mix(contextColour, own, contextShade.y);
+    colour *= mix(1.0, context.z, contextShade.x);
+    result = vec4(colour, 1.0) * opacity + result * (1.0 - opacity);
   }
 #endif
   if (widths.y > 0.0 && hit.x > -1e29) {
@@ -38,6 +54,9 @@ void main() {
     float distance = texelFetch(distances, pixel, 0).r;
     float border = clamp(min(distance + 0.5, widths.x + widths.y) - max(distance - 0.5, widths.x), 0.0, 1.0);
     if (distance <= 0.0) border = 0.0;
+#if EDITED
+    border *= texelFetch(editMap, pixel, 0).g;
+#endif
     result = mix(result, vec4(borderColour, 1.0), border);
   }
 #endif

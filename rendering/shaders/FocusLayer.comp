@@ -1,5 +1,6 @@
 // Stage 5: emission–absorption integral from the ray start to the exit of the box, front to back.
 // Output: premultiplied RGBA.
+#include "lib/Region.glsl"
 #include "lib/Ray.glsl"
 #include "lib/Volume.glsl"
 #include "lib/Crossing.glsl"
@@ -44,7 +45,7 @@ vec2 behindCut(vec2 light, Cut cut, float s) {
 #endif
 
 void main() {
-  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  ivec2 pixel = regionPixel();
   if (any(greaterThanEqual(pixel, pictureSize))) return;
   Ray ray = pixelRay(pixel);
   vec4 result = vec4(0.0);

@@ -1,26 +1,25 @@
 // Stage 4: where each ray starts to see.
+#include "lib/Region.glsl"
 #include "lib/Ray.glsl"
+#include "lib/RayStart.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
-uniform sampler2D hitPoints;
-uniform sampler2D focusFilled;
-uniform sampler2D distances;
-uniform float openWidth;  // rendered pixels
 layout(r32f, binding = 0) uniform writeonly image2D rayStart;
+#if EDITED
+uniform sampler2D editMap;
+#endif
 
 void main() {
-  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  ivec2 pixel = regionPixel();
   if (any(greaterThanEqual(pixel, pictureSize))) return;
   vec2 hit = texelFetch(hitPoints, pixel, 0).xy;
-  float context = hit.x, focus = hit.y, start = hit.x;
-  if (!isNone(context)) {
-    float distance = texelFetch(distances, pixel, 0).r;
-    if (!isNone(focus)) {
-      start = focus;
-    } else if (openWidth > 0.0 && distance <= openWidth) {
-      start = mix(texelFetch(focusFilled, pixel, 0).r, context, distance / openWidth);
-    }
-    start = clamp(start, context, max(context, pixelRay(pixel).sOut));
+  float start = hit.x;
+  if (!isNone(hit.x)) {
+    float sOut = pixelRay(pixel).sOut;
+    start = uneditedStart(pixel, hit, sOut);
+#if EDITED
+    start = clamp(start + texelFetch(editMap, pixel, 0).r, hit.x, max(hit.x, isNone(hit.y) ? sOut : hit.y));
+#endif
   }
   imageStore(rayStart, pixel, vec4(start));
 }

@@ -61,7 +61,6 @@ int main(int argc, char** argv) {
   for (const NamedSection& section : allSections()) names.emplace_back(section.name);
   program.add_option("--sections", arguments.sections, "these alone")->delimiter(',')->check(CLI::IsMember(names));
   addViewOptions(program, options.views);
-  program.add_option("--rounds", options.rounds, "times that the path is timed")->check(CLI::Range(1, 100));
   CLI11_PARSE(program, argc, argv);
   try {
     run(arguments);

@@ -1,14 +1,10 @@
 #include "tests/bench/Measure.h"
 
-#include <cmath>
-
 #include "tests/bench/Text.h"
 
 namespace fenestra::bench {
 
-std::vector<Setting> qualitySettings() {
-  return {{"draft", Quality::Draft}, {"normal", Quality::Normal}, {"high", Quality::High}};
-}
+std::vector<Setting> fixedSettings() { return {{"draft", Quality::Draft}, {"normal", Quality::Normal}}; }
 
 std::vector<Setting> boundSettings(const std::vector<double>& bounds) {
   std::vector<Setting> settings;
@@ -24,35 +20,40 @@ Measurable prepare(const std::string& name, const Scene& scene, const Options& o
   Measurable result = prepareTimes(name, scene, options);
   result.pixels = sampledPixels(options.views.size, options.views.pixelBlock);
   for (const Camera& camera : result.cameras)
-    result.truths.push_back(truths.colours(scene, camera, options.views.size, result.pixels));
+    if (result.truths.size() < static_cast<std::size_t>(options.views.compared))
+      result.truths.push_back(truths.colours(scene, camera, options.views.size, result.pixels));
   return result;
 }
 
 Measured measure(Renderer& renderer, const Measurable& what, const Setting& setting, const Options& options) {
   View view;
-  view.size = options.views.size;
   view.quality = setting.quality;
   view.maxError = setting.maxError;
-  view.camera = what.cameras.back();
+  // A small picture uploads and compiles what this setting needs.
+  view.camera = what.cameras.front();
+  view.size = glm::min(options.views.size, 64);
   timed([&] { renderer.render(what.scene, view); });
+  view.size = options.views.size;
   Measured result;
-  for (int round = 0; round < options.rounds; ++round)
-    for (std::size_t i = 0; i < what.cameras.size(); ++i) {
-      view.camera = what.cameras[i];
-      // Of one camera, every other frame would be the one before: the eye moves by the least that a double can hold.
-      if (what.cameras.size() == 1 && round % 2 == 0)
-        view.camera.eye.x = std::nextafter(view.camera.eye.x, view.camera.eye.x + 1.0);
-      result.milliseconds.add(timed([&] { renderer.render(what.scene, view); }));
-      if (round > 0 || what.truths.empty()) continue;
-      const Layers layers = renderer.readLayers();
-      for (std::size_t k = 0; k < what.pixels.size(); ++k) {
-        const glm::ivec2 pixel = what.pixels[k];
-        const std::size_t at = static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(options.views.size.x) +
-                               static_cast<std::size_t>(pixel.x);
-        result.errors.add(glm::dvec4(layers.final[at]), what.truths[i][k], what.scene.background);
-      }
-    }
+  for (std::size_t i = 0; i < what.cameras.size(); ++i) {
+    view.camera = what.cameras[i];
+    result.milliseconds.add(timed([&] { renderer.render(what.scene, view); }));
+    if (i >= what.truths.size()) continue;
+    const Layers layers = renderer.readLayers();
+    result.errors.add(errorsOf(layers.final, what.truths[i], what, view.size));
+  }
   return result;
+}
+
+ColourErrors errorsOf(const std::vector<glm::vec4>& here, const std::vector<glm::dvec4>& truth, const Measurable& what,
+                      glm::ivec2 size) {
+  ColourErrors errors;
+  for (std::size_t k = 0; k < what.pixels.size(); ++k) {
+    const std::size_t at = static_cast<std::size_t>(what.pixels[k].y) * static_cast<std::size_t>(size.x) +
+                           static_cast<std::size_t>(what.pixels[k].x);
+    errors.add(glm::dvec4(here[at]), truth[k], what.scene.background);
+  }
+  return errors;
 }
 
 }  // namespace fenestra::bench

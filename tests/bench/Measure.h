@@ -16,7 +16,6 @@ namespace fenestra::bench {
 
 struct Options {
   Views views;
-  int rounds = 2;               ///< of the camera path, for times
   std::filesystem::path peers;  ///< folder of what the peers measured
 };
 
@@ -26,7 +25,8 @@ struct Setting {
   Quality quality = Quality::Normal;
   std::optional<double> maxError = std::nullopt;  ///< 1/255
 };
-std::vector<Setting> qualitySettings();
+/// Draft and normal; high is an error bound.
+std::vector<Setting> fixedSettings();
 std::vector<Setting> boundSettings(const std::vector<double>& bounds);
 
 /// A subject loaded, its views and what they should show.
@@ -35,7 +35,7 @@ struct Measurable {
   Scene scene;
   std::vector<Camera> cameras;
   std::vector<glm::ivec2> pixels;               ///< that are compared
-  std::vector<std::vector<glm::dvec4>> truths;  ///< of each camera, premultiplied RGBA of `pixels`; may be empty
+  std::vector<std::vector<glm::dvec4>> truths;  ///< of the first cameras, premultiplied RGBA of `pixels`
 };
 Measurable prepare(const std::string& name, const Scene& scene, const Options& options, const TruthStore& truths);
 /// The same without truths: for times alone.
@@ -45,8 +45,12 @@ struct Measured {
   Distribution milliseconds;  ///< one a frame, from the call until the picture is in the graphics memory
   ColourErrors errors;        ///< over all cameras
 };
-/// Draws along the path, after one frame that uploads and compiles. Needs a current context.
+/// Draws along the path, each view once, after a small picture that uploads and compiles. Needs a current context.
 Measured measure(Renderer& renderer, const Measurable& what, const Setting& setting, const Options& options);
+
+/// The compared pixels of a layer of `size` against their truth.
+ColourErrors errorsOf(const std::vector<glm::vec4>& here, const std::vector<glm::dvec4>& truth, const Measurable& what,
+                      glm::ivec2 size);
 
 /// Milliseconds that `work` takes, the GPU's included.
 template <class Work>

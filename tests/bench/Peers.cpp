@@ -27,6 +27,7 @@ Peers readPeers(const fs::path& folder, const Views& views) {
       const auto json = nlohmann::json::parse(std::ifstream(path));
       const Views theirs{{json.at("size").at(0), json.at("size").at(1)},
                          json.at("cameras"),
+                         json.at("compared"),
                          json.at("pixelBlock"),
                          json.at("phantomVoxels"),
                          views.only};

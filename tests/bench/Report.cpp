@@ -76,7 +76,7 @@ std::string markdownPage(const Report& report) {
     for (const Chart& chart : section.charts)
       text.append("\n![").append(chart.title).append("](").append(chart.name).append(".svg)\n");
     for (const Table& table : section.tables)
-      if (table.inPage) text.append("\n").append(markdown(table));
+      if (!table.isLong) text.append("\n").append(markdown(table));
   }
   return text;
 }
@@ -92,8 +92,7 @@ std::string htmlPage(const Report& report) {
   for (const Section& section : report.sections) {
     text += "<h2>" + escaped(section.title) + "</h2>\n" + paragraphs(section.text);
     for (const Chart& chart : section.charts) text += svg(chart);
-    for (const Table& table : section.tables)
-      if (table.inPage) text += html(table);
+    for (const Table& table : section.tables) text += html(table);
   }
   return text + "</body></html>\n";
 }

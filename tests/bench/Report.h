@@ -13,7 +13,7 @@ struct Table {
   std::string name;  ///< of its CSV file
   std::vector<std::string> columns;
   std::vector<std::vector<std::string>> rows;
-  bool inPage = true;  ///< false: raw figures, in the CSV file alone
+  bool isLong = false;  ///< in the HTML page and the CSV file alone
 };
 
 struct Section {

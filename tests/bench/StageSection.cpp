@@ -38,17 +38,6 @@ void addRow(Table& table, const std::string& subject, const std::string& stage, 
                         extra});
 }
 
-ColourErrors colourErrors(const std::vector<glm::vec4>& here, const std::vector<glm::dvec4>& truth,
-                          const Measurable& what, glm::ivec2 size) {
-  ColourErrors errors;
-  for (std::size_t k = 0; k < what.pixels.size(); ++k) {
-    const std::size_t at = static_cast<std::size_t>(what.pixels[k].y) * static_cast<std::size_t>(size.x) +
-                           static_cast<std::size_t>(what.pixels[k].x);
-    errors.add(glm::dvec4(here[at]), truth[k], what.scene.background);
-  }
-  return errors;
-}
-
 }  // namespace
 
 Section stageSection(const Options& options, const TruthStore& truths) {
@@ -64,7 +53,7 @@ Section stageSection(const Options& options, const TruthStore& truths) {
               {"subject", "stage", "unit", "pixels", "median", "99.9 %", "99.99 %", "maximum", "missed", "extra"},
               {}};
   Options oneView = options;
-  oneView.views.cameras = 1;
+  oneView.views.compared = 1;
   const Subjects subjects = reportSubjects(options.views);
   const glm::ivec2 size = options.views.size;
   for (const Subject& subject : subjects.here) {
@@ -101,11 +90,11 @@ Section stageSection(const Options& options, const TruthStore& truths) {
     pictureOptions.pixels = what.pixels;
     const reference::Picture picture = reference::picture(scene, camera, size, own, pictureOptions);
     addRow(table, subject.name, "focus layer", "1/255",
-           colourErrors(layers.focusLayer, picture.focusLayer, what, size).channel, "", "");
-    addRow(table, subject.name, "composite", "1/255", colourErrors(layers.final, picture.final, what, size).channel, "",
+           errorsOf(layers.focusLayer, picture.focusLayer, what, size).channel, "", "");
+    addRow(table, subject.name, "composite", "1/255", errorsOf(layers.final, picture.final, what, size).channel, "",
            "");
-    addRow(table, subject.name, "picture", "1/255", colourErrors(layers.final, what.truths.front(), what, size).channel,
-           "", "");
+    addRow(table, subject.name, "picture", "1/255", errorsOf(layers.final, what.truths.front(), what, size).channel, "",
+           "");
   }
   std::cerr << plainText(table);
   section.tables.push_back(std::move(table));

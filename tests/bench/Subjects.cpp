@@ -129,7 +129,7 @@ std::vector<Camera> cameraPath(const Scene& scene, int count) {
   std::vector<Camera> path;
   for (int i = 0; i < count; ++i) {
     // Off the axes, where rays would run along the voxels' planes and flatter everybody.
-    const double turn = (i + 0.07) / count;
+    const double turn = 0.02 + static_cast<double>(i) / count;
     path.push_back(Camera::fromAngles(360.0 * turn, 25.0 * std::sin(6.0 + 17.0 * turn), framed));
   }
   return path;

@@ -16,12 +16,13 @@ namespace fenestra::bench {
 struct Views {
   glm::ivec2 size{700, 650};
   int cameras = 3;          ///< along the path
-  int pixelBlock = 5;       ///< one pixel of each block of this side is compared with the reference
+  int compared = 2;         ///< of them with the reference, from the first on
+  int pixelBlock = 8;       ///< one pixel of each block of this side is compared with the reference
   int phantomVoxels = 256;  ///< along a phantom's longest side
   std::string only;         ///< subjects whose id starts with it
   bool operator==(const Views&) const = default;
 };
-/// --size, --cameras, --block, --voxels and --only.
+/// --size, --cameras, --compared, --block, --voxels and --only.
 void addViewOptions(CLI::App& program, Views& views);
 
 /// One data set with a focus, as the programs' options describe it.
@@ -45,16 +46,16 @@ Subjects boundSubjects(const Views& views);
 /// beyond; with nothing to see there, all have the same limit.
 Scene plainScene(const Scene& scene);
 
-/// `count` views around the patient, up and down, framing what shows.
+/// `count` views around the patient, up and down, framing what shows. The first is the same for any count.
 std::vector<Camera> cameraPath(const Scene& scene, int count);
 
 /// One pixel of every block of side×side, at a place of its own in each, row by row.
 std::vector<glm::ivec2> sampledPixels(glm::ivec2 size, int side);
 
-/// Samples per voxel that the peers are timed at; lighting costs them several times as much, so fewer with it.
-inline const std::vector<double> stepLadder{0.5, 1.0, 2.0, 4.0}, litLadder{1.0, 2.0};
+/// Samples per voxel that the peers are timed at; with lighting, which costs them several times as much, at one alone.
+inline const std::vector<double> stepLadder{0.5, 1.0, 2.0, 4.0}, litLadder{2.0};
 /// And those at which one view of the first subject shows what a peer's picture converges to.
-inline const std::vector<double> limitLadder{8.0, 16.0, 32.0};
+inline const std::vector<double> limitLadder{8.0, 16.0};
 
 /// Millimetres between samples, of so many per voxel at the finest spacing.
 double stepLength(const Grid& grid, double samplesPerVoxel);

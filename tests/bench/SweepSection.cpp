@@ -19,16 +19,18 @@ struct Row {
 
 const std::string fixedSteps = "Fenestra, fixed steps", bounded = "Fenestra, error bound";
 
-std::vector<Row> measureAll(const Measurable& what, const Options& options) {
+std::vector<Row> measureAll(const Measurable& what, const std::vector<double>& bounds, const Options& options) {
   std::vector<Row> rows;
   Renderer renderer(std::make_shared<GpuScene>());
-  for (const Setting& setting : qualitySettings()) {
+  for (const Setting& setting : fixedSettings()) {
     Measured measured = measure(renderer, what, setting, options);
     rows.push_back({fixedSteps, setting.name, std::move(measured.milliseconds), std::move(measured.errors)});
   }
-  for (const Setting& setting : boundSettings({8.0, 4.0, 2.0, 1.0, 0.5, 0.25})) {
+  for (const Setting& setting : boundSettings(bounds)) {
     Measured measured = measure(renderer, what, setting, options);
-    rows.push_back({bounded, "≤ " + setting.name, std::move(measured.milliseconds), std::move(measured.errors)});
+    const bool high = *setting.maxError == highQualityError;
+    rows.push_back({bounded, "≤ " + setting.name + (high ? " (high)" : ""), std::move(measured.milliseconds),
+                    std::move(measured.errors)});
   }
   return rows;
 }
@@ -41,12 +43,12 @@ std::string stepName(double samplesPerVoxel) {
 /// Curves of time over one measure of error.
 Chart timeAgainstError(const std::string& name, const std::string& title, const std::string& errorTitle,
                        const std::vector<Row>& rows, double (*error)(const ColourErrors&)) {
-  Chart chart{name, title, {errorTitle, true}, {"ms a frame: median, 10 to 90 %", true}, {}};
+  Chart chart{name, title, {errorTitle, true}, {"ms a frame: median, least to most", true}, {}};
   for (const Row& row : rows) {
     if (chart.series.empty() || chart.series.back().name != row.program) chart.series.push_back({row.program, {}});
     const Distribution& times = row.milliseconds;
     chart.series.back().points.push_back(
-        {error(row.errors), times.median(), times.percentile(10.0), times.percentile(90.0), row.setting});
+        {error(row.errors), times.median(), times.percentile(0.0), times.max(), row.setting});
   }
   return chart;
 }
@@ -59,15 +61,15 @@ const std::vector<std::string> columns{"program", "setting", "10 % ms", "median 
 
 void append(Table& table, const std::string& subject, const std::vector<Row>& rows) {
   for (const Row& row : rows)
-    table.rows.push_back({subject, row.program, row.setting, fixed(row.milliseconds.percentile(10.0), 1),
-                          fixed(row.milliseconds.median(), 1), fixed(row.milliseconds.percentile(90.0), 1),
+    table.rows.push_back({subject, row.program, row.setting, fixed(row.milliseconds.percentile(0.0), 1),
+                          fixed(row.milliseconds.median(), 1), fixed(row.milliseconds.max(), 1),
                           number(rootMeanSquare(row.errors)), number(nearlyMax(row.errors)),
                           number(row.errors.channel.max()), number(row.errors.deltaE.rms()),
                           number(row.errors.deltaE.percentile(99.99)), number(row.errors.deltaE.max())});
 }
 
 Table sweepTable(const std::string& name) {
-  Table table{name, {"subject"}, {}, false};
+  Table table{name, {"subject"}, {}, true};
   table.columns.insert(table.columns.end(), columns.begin(), columns.end());
   return table;
 }
@@ -114,7 +116,7 @@ Section sweepSection(const Options& options, const TruthStore& truths) {
   for (const std::string& missing : subjects.missing) section.text += "\n\n" + missing;
 
   Table against{"peers", {"subject", "peer", "RMS", "99.99 %", "ms", "ours", "RMS", "99.99 %", "ms", "speed"}, {}};
-  Table lit{"lit", {"subject", "program", "step", "10 % ms", "median ms", "90 % ms"}, {}};
+  Table lit{"lit", {"subject", "program", "step", "least ms", "median ms", "most ms"}, {}};
   Table plainTable = sweepTable("plain"), ownTable = sweepTable("scenes");
   Table limit{"limits", {"program", "step", "RMS", "99.9 %", "99.99 %", "maximum"}, {}};
   for (const Subject& subject : subjects.here) {
@@ -122,15 +124,15 @@ Section sweepSection(const Options& options, const TruthStore& truths) {
     const app::LoadedScene loaded = app::loadScene(subject.options);
     const Scene plainUnlit = plainScene(loaded.scene);
     const Measurable plain = prepare(subject.name, plainUnlit, options, truths);
-    std::vector<Row> rows = measureAll(plain, options);
+    std::vector<Row> rows = measureAll(plain, {8.0, 4.0, 2.0, 1.0, 0.5, 0.25}, options);
     const std::size_t ours = rows.size();
     std::map<std::string, Row> floors;
     for (const PeerRun& run : peers.runs) {
       if (run.subject != subject.id) continue;
       if (run.lit) {
         lit.rows.push_back({subject.name, run.program, stepName(run.samplesPerVoxel),
-                            fixed(run.milliseconds.percentile(10.0), 1), fixed(run.milliseconds.median(), 1),
-                            fixed(run.milliseconds.percentile(90.0), 1)});
+                            fixed(run.milliseconds.percentile(0.0), 1), fixed(run.milliseconds.median(), 1),
+                            fixed(run.milliseconds.max(), 1)});
         continue;
       }
       Row row{run.program, stepName(run.samplesPerVoxel), run.milliseconds, errorsOf(run, plain)};
@@ -158,14 +160,14 @@ Section sweepSection(const Options& options, const TruthStore& truths) {
     Scene plainLit = plainUnlit;
     plainLit.shading.enabled = true;
     Renderer renderer(std::make_shared<GpuScene>());
-    for (const Setting& setting : {qualitySettings()[0], qualitySettings()[1]}) {
+    for (const Setting& setting : fixedSettings()) {
       const Measured measured = measure(renderer, prepareTimes(subject.name, plainLit, options), setting, options);
       lit.rows.push_back({subject.name, "Fenestra", setting.quality == Quality::Draft ? stepName(1.0) : stepName(2.0),
-                          fixed(measured.milliseconds.percentile(10.0), 1), fixed(measured.milliseconds.median(), 1),
-                          fixed(measured.milliseconds.percentile(90.0), 1)});
+                          fixed(measured.milliseconds.percentile(0.0), 1), fixed(measured.milliseconds.median(), 1),
+                          fixed(measured.milliseconds.max(), 1)});
     }
 
-    const std::vector<Row> own = measureAll(prepare(subject.name, loaded.scene, options, truths), options);
+    const std::vector<Row> own = measureAll(prepare(subject.name, loaded.scene, options, truths), {2.0, 0.5}, options);
     append(ownTable, subject.name, own);
     section.charts.push_back(timeAgainstError(subject.id + "-scene", subject.name + ", with cutaway and lighting",
                                               "99.99th percentile of the error, 1/255", own, nearlyMax));

@@ -13,7 +13,8 @@ void addViewOptions(CLI::App& program, Views& views) {
     return true;
   });
   program.add_option("--cameras", views.cameras, "views along the path, default 3")->check(CLI::Range(1, 100));
-  program.add_option("--block", views.pixelBlock, "compare one pixel of each block of this side, default 5")
+  program.add_option("--compared", views.compared, "of them with the reference, default 2")->check(CLI::Range(1, 100));
+  program.add_option("--block", views.pixelBlock, "compare one pixel of each block of this side, default 8")
       ->check(CLI::Range(1, 64));
   program.add_option("--voxels", views.phantomVoxels, "along a phantom's longest side, default 256")
       ->check(CLI::Range(8, 1024));

@@ -421,19 +421,37 @@ TEST_F(CommandLine, SavedCameraGivesTheSamePicture) {
   EXPECT_EQ(contents(at("first/camera.json")), contents(at("second/camera.json")));
 }
 
-TEST_F(CommandLine, ReferenceAgreesWithThePicturesLayers) {
+TEST_F(CommandLine, ReferenceAgreesWithThePictureAndItsLayers) {
   const std::vector<std::string> scene{"render", "--phantom", "head", "--phantom-voxels", "48", "--size",
-                                       "61x47",  "--w-open",  "5",    "--camera",         "A"};
+                                       "61x47",  "--w-open",  "5",    "--camera",         "A",  "--focus-labels",
+                                       "tumour"};
   std::vector<std::string> onGpu = scene, onCpu = scene;
-  onGpu.insert(onGpu.end(), {"-o", at("picture.png"), "--layers", at("gpu")});
-  onCpu.insert(onCpu.end(), {"--reference", "--layers", at("cpu")});
+  onGpu.insert(onGpu.end(), {"--quality", "high", "-o", at("gpu.png"), "--layers", at("gpu")});
+  onCpu.insert(onCpu.end(), {"--reference", "-o", at("cpu.png"), "--layers", at("cpu")});
   ASSERT_EQ(run(onGpu).exitCode, 0);
   ASSERT_EQ(run(onCpu).exitCode, 0);
-  const Result distance = run({"compare", at("gpu/distance.mha"), at("cpu/distance.mha")});
-  EXPECT_EQ(distance.exitCode, 0) << distance.out << distance.error;
+  const auto expectWithin = [&](const std::string& name, double limit) {
+    const Result compared = run({"compare", at("gpu" + name), at("cpu" + name)});
+    EXPECT_EQ(compared.exitCode, 0) << name << ": " << compared.out << compared.error;
+    EXPECT_LE(compared.json()["max"].get<double>(), limit) << name;
+  };
   // Square roots of whole numbers in single precision.
-  EXPECT_LT(distance.json()["max"].get<double>(), 1e-5);
+  expectWithin("/distance.mha", 1e-5);
+  // A hit to a thousandth of a voxel of 5 mm.
+  for (const char* name : {"/t_context.mha", "/t_focus.mha", "/t_start.mha"}) expectWithin(name, 5e-3);
+  // High quality is asked for an error below 1/255; a picture rounds once more.
+  for (const char* name : {"/focus_layer.mha", "/final.mha"}) expectWithin(name, 1.0 / 255.0);
+  expectWithin(".png", 2.0 / 255.0);
+  expectWithin("/context_layer.mha", 2e-3);
   EXPECT_EQ(contents(at("gpu/camera.json")), contents(at("cpu/camera.json")));
+}
+
+TEST_F(CommandLine, ReferenceNeedsSomewhereToWriteAndTakesNoTimes) {
+  EXPECT_EQ(run({"render", "--phantom", "head", "--reference"}).exitCode, 2);
+  EXPECT_EQ(run({"render", "--phantom", "head", "--reference", "-o", at("x.png"), "--repeat", "2"}).exitCode, 2);
+  EXPECT_EQ(run({"render", "--phantom", "head", "--reference", "-o", at("x.png"), "--stats", at("x.json")}).exitCode,
+            2);
+  EXPECT_TRUE(nothingLeftBehind());
 }
 
 TEST_F(CommandLine, UnknownLabelsNameTheNearest) {

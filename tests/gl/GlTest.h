@@ -81,11 +81,10 @@ inline Rendered renderOnce(const Scene& scene, const Camera& camera, glm::ivec2 
 
 inline double finestSpacing(const Grid& grid) { return std::min({grid.spacing.x, grid.spacing.y, grid.spacing.z}); }
 
-/// Renders and holds stages 1 to 4 against the reference. Each stage is fed the renderer's own earlier stages, so that
-/// an error shows where it arises.
-inline void expectStagesMatch(const Scene& scene, const Camera& camera, glm::ivec2 size) {
-  const Layers layers = renderOnce(scene, camera, size).layers;
-  const reference::HitPoints truth = reference::hitPoints(scene, camera, size);
+/// Holds stages 1 to 4 against the reference, whose hits are `truth`. Each stage is fed the renderer's own earlier
+/// stages, so that an error shows where it arises.
+inline void expectStagesMatch(const Layers& layers, const reference::HitPoints& truth, const Scene& scene,
+                              const Camera& camera, glm::ivec2 size) {
   const std::size_t pixels = truth.tFocus.size();
   // A voxel's length, and what float32 makes of t itself, which the layers hold measured from the eye.
   double greatest = 0.0;
@@ -130,6 +129,11 @@ inline void expectStagesMatch(const Scene& scene, const Camera& camera, glm::ive
   const StageErrors startErrors = compareMaps(layers.tStart, start, voxel);
   EXPECT_LE(startErrors.max(), 2e-3) << "t_start";
   EXPECT_EQ(startErrors.onlyHere + startErrors.onlyReference, 0u);
+}
+
+inline void expectStagesMatch(const Scene& scene, const Camera& camera, glm::ivec2 size) {
+  const Layers layers = renderOnce(scene, camera, size).layers;
+  expectStagesMatch(layers, reference::hitPoints(scene, camera, size), scene, camera, size);
 }
 
 }  // namespace fenestra::tests

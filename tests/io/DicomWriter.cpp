@@ -120,6 +120,10 @@ void writeDicom(const std::filesystem::path& path, const DicomSpec& spec) {
   put(dataset, DCM_StudyInstanceUID, std::string("1.2"));
   put(dataset, DCM_Modality, spec.modality);
   if (!spec.description.empty()) put(dataset, DCM_SeriesDescription, spec.description);
+  if (!spec.patientName.empty()) put(dataset, DCM_PatientName, spec.patientName);
+  if (!spec.patientId.empty()) put(dataset, DCM_PatientID, spec.patientId);
+  if (!spec.birthDate.empty()) put(dataset, DCM_PatientBirthDate, spec.birthDate);
+  if (!spec.accessionNumber.empty()) put(dataset, DCM_AccessionNumber, spec.accessionNumber);
   put(dataset, DCM_FrameOfReferenceUID, spec.frameOfReference);
   put(dataset, DCM_InstanceNumber, std::to_string(spec.instanceNumber));
   put(dataset, DCM_AcquisitionNumber, std::to_string(spec.acquisitionNumber));

@@ -123,8 +123,10 @@ void placeCamera(vtkCamera& target, const Camera& camera) {
 /// their own.
 class Stage {
  public:
-  Stage(const Scene& scene, glm::ivec2 size, bool lit, const MakeMapper& makeMapper)
-      : scene_(scene), size_(size), makeMapper_(makeMapper), image_(makeImage(*scene.volume)) {
+  Stage(const Scene& scene, glm::ivec2 size, bool lit, const Peer& peer)
+      : scene_(scene), size_(size), peer_(peer), mapper_(peer.makeMapper()) {
+    mapper_->SetInputData(makeImage(*scene.volume));
+    volume_->SetMapper(mapper_);
     volume_->SetProperty(makeProperty(scene, lit));
     volume_->SetUserMatrix(makePlace(scene.volume->grid));
     renderer_->AddVolume(volume_);
@@ -146,11 +148,9 @@ class Stage {
   Stage(const Stage&) = delete;
   Stage& operator=(const Stage&) = delete;
 
-  /// Of all that follows. The next frame is one to warm up.
+  /// Of all that follows.
   void setStep(double samplesPerVoxel) {
-    const auto mapper = makeMapper_(bench::stepLength(scene_.volume->grid, samplesPerVoxel));
-    mapper->SetInputData(image_);
-    volume_->SetMapper(mapper);
+    peer_.setStep(*mapper_, bench::stepLength(scene_.volume->grid, samplesPerVoxel));
   }
 
   /// Milliseconds until the picture is in the graphics memory.
@@ -165,11 +165,7 @@ class Stage {
 
   /// RGBA of pixels of the last picture, (i, j) from the top.
   std::vector<float> read(const std::vector<glm::ivec2>& pixels) {
-    const auto buffer = vtkSmartPointer<vtkPixelBufferObject>::Take(picture_->Download());
-    std::vector<float> values(static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y) * 4);
-    std::array<unsigned, 2> dims{static_cast<unsigned>(size_.x), static_cast<unsigned>(size_.y)};
-    std::array<vtkIdType, 2> strides{0, 0};
-    buffer->Download2D(VTK_FLOAT, values.data(), dims.data(), 4, strides.data());
+    const std::vector<float> values = readAll();
     std::vector<float> colours;
     for (const glm::ivec2 pixel : pixels) {
       const std::size_t at = static_cast<std::size_t>(size_.y - 1 - pixel.y) * static_cast<std::size_t>(size_.x) +
@@ -190,10 +186,21 @@ class Stage {
   }
 
  private:
+  /// RGBA, row by row from the bottom.
+  std::vector<float> readAll() {
+    if (peer_.readPicture) return peer_.readPicture(*mapper_, size_);
+    const auto buffer = vtkSmartPointer<vtkPixelBufferObject>::Take(picture_->Download());
+    std::vector<float> values(static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y) * 4);
+    std::array<unsigned, 2> dims{static_cast<unsigned>(size_.x), static_cast<unsigned>(size_.y)};
+    std::array<vtkIdType, 2> strides{0, 0};
+    buffer->Download2D(VTK_FLOAT, values.data(), dims.data(), 4, strides.data());
+    return values;
+  }
+
   const Scene& scene_;
   glm::ivec2 size_;
-  const MakeMapper& makeMapper_;
-  vtkSmartPointer<vtkImageData> image_;
+  const Peer& peer_;
+  vtkSmartPointer<vtkVolumeMapper> mapper_;
   vtkNew<vtkVolume> volume_;
   vtkNew<vtkRenderer> renderer_;
   vtkSmartPointer<vtkOpenGLRenderWindow> window_{
@@ -201,7 +208,8 @@ class Stage {
   vtkNew<vtkTextureObject> picture_;
 };
 
-void measure(const Options& options, const std::string& name, const MakeMapper& makeMapper) {
+void measure(const Options& options, const Peer& peer) {
+  const std::string& name = peer.name;
   const std::filesystem::path folder = options.folder / "peers";
   std::filesystem::create_directories(folder);
   const std::vector<glm::ivec2> pixels = bench::sampledPixels(options.views.size, options.views.pixelBlock);
@@ -213,17 +221,18 @@ void measure(const Options& options, const std::string& name, const MakeMapper& 
     const Scene scene = bench::plainScene(app::loadScene(subject.options).scene);
     const std::vector<Camera> cameras = bench::cameraPath(scene, options.views.cameras);
     for (const bool lit : {false, true}) {
-      Stage stage(scene, options.views.size, lit, makeMapper);
+      Stage stage(scene, options.views.size, lit, peer);
       std::vector<double> ladder = lit ? bench::litLadder : bench::stepLadder;
       if (!lit && first) ladder.insert(ladder.end(), bench::limitLadder.begin(), bench::limitLadder.end());
+      stage.setStep(ladder.front());
+      stage.draw(cameras.back());  // uploads and compiles
       for (const double samples : ladder) {
         Json run{{"subject", subject.id}, {"lit", lit}, {"samplesPerVoxel", samples}};
         stage.setStep(samples);
-        stage.draw(cameras.back());
         const std::size_t count = samples > bench::stepLadder.back() ? 1 : cameras.size();
         for (std::size_t i = 0; i < count; ++i) {
           run["frames_ms"].push_back(stage.draw(cameras[i]));
-          if (lit) continue;
+          if (lit || i >= static_cast<std::size_t>(options.views.compared)) continue;
           const std::string file = name + "-" + subject.id + "-" + std::to_string(i) + "-" +
                                    std::to_string(static_cast<int>(samples * 10.0)) + ".mha";
           io::writeLayer(folder / file, {static_cast<int>(pixels.size()), 1}, 4, stage.read(pixels));
@@ -241,6 +250,7 @@ void measure(const Options& options, const std::string& name, const MakeMapper& 
                                                 {"gl", gl},
                                                 {"size", {views.size.x, views.size.y}},
                                                 {"cameras", views.cameras},
+                                                {"compared", views.compared},
                                                 {"pixelBlock", views.pixelBlock},
                                                 {"phantomVoxels", views.phantomVoxels},
                                                 {"runs", runs}}
@@ -250,14 +260,14 @@ void measure(const Options& options, const std::string& name, const MakeMapper& 
 
 }  // namespace
 
-int run(int argc, char** argv, const std::string& name, const MakeMapper& makeMapper) {
+int run(int argc, char** argv, const Peer& peer) {
   Options options;
   CLI::App program{"Draws the report's subjects with VTK and times it."};
   program.add_option("FOLDER", options.folder, "the report's folder")->required();
   bench::addViewOptions(program, options.views);
   CLI11_PARSE(program, argc, argv);
   try {
-    measure(options, name, makeMapper);
+    measure(options, peer);
     return 0;
   } catch (const std::exception& error) {
     std::cerr << program.get_name() << ": " << error.what() << '\n';

@@ -4,13 +4,22 @@
 
 #include "tests/peers/VtkPeer.h"
 
-int main(int argc, char** argv) {
-  return fenestra::peers::run(argc, argv, "vtk-gpu", [](double step) -> vtkSmartPointer<vtkVolumeMapper> {
-    const auto mapper = vtkSmartPointer<vtkOpenGLGPUVolumeRayCastMapper>::New();
-    mapper->AutoAdjustSampleDistancesOff();
-    mapper->SetSampleDistance(static_cast<float>(step));
-    mapper->SetImageSampleDistance(1.0f);
-    mapper->UseJitteringOff();
-    return mapper;
-  });
+namespace {
+
+using Mapper = vtkOpenGLGPUVolumeRayCastMapper;
+
+vtkSmartPointer<vtkVolumeMapper> makeMapper() {
+  const auto mapper = vtkSmartPointer<Mapper>::New();
+  mapper->AutoAdjustSampleDistancesOff();
+  mapper->SetImageSampleDistance(1.0f);
+  mapper->UseJitteringOff();
+  return mapper;
 }
+
+void setStep(vtkVolumeMapper& mapper, double step) {
+  Mapper::SafeDownCast(&mapper)->SetSampleDistance(static_cast<float>(step));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) { return fenestra::peers::run(argc, argv, {"vtk-gpu", makeMapper, setStep, {}}); }

@@ -14,11 +14,16 @@ struct FeatureScene {
   Scene scene;
 };
 
-/// `base` has labels and a label focus; `values` is a focus for the kinds that have one by value.
+/// `base` has a focus of two labels or more, of different colours; `values` is one for the kinds that have it by value.
 inline std::vector<FeatureScene> featureScenes(const Scene& base, const ValueFocus& values) {
+  const auto firstLabels = [&](std::ptrdiff_t count) {
+    const std::vector<std::uint16_t>& all = std::get<LabelFocus>(base.focus).labels;
+    return LabelFocus{{all.begin(), all.begin() + count}};
+  };
   std::vector<FeatureScene> kinds;
   const auto add = [&](const std::string& name, auto&& change) {
     Scene scene = base;
+    scene.focus = firstLabels(1);
     scene.strokes.clear();
     scene.contextLayer.strength = 0.0;
     scene.cutaway.borderWidth = 0.0;
@@ -41,7 +46,8 @@ inline std::vector<FeatureScene> featureScenes(const Scene& base, const ValueFoc
     scene.focus = values;
     scene.labels = nullptr;
   });
-  add("cutaway by labels", [](Scene&) {});
+  add("cutaway by a label", [](Scene&) {});
+  add("cutaway by two labels", [&](Scene& scene) { scene.focus = firstLabels(2); });
   add("with a border", [](Scene& scene) { scene.cutaway.borderWidth = 2.0; });
   add("with the context layer", [](Scene& scene) {
     scene.cutaway.borderWidth = 2.0;

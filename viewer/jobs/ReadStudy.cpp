@@ -29,17 +29,37 @@ Study readStudy(const PathsToOpen& paths, const Scene& looks, const io::Progress
   study.scene.volume = opened.volume;
   study.scene.labels = nullptr;
   study.scene.focus = std::monostate{};
+  study.scene.strokes.clear();
   study.transferFunction = io::defaultPreset(*opened.volume);
   study.scene.context = io::loadTransferFunction(study.transferFunction, *opened.volume);
   study.path = paths.volume;
+  study.session.volume = io::sessionVolume(paths.volume, opened);
   study.series = std::move(opened.series);
   study.otherSeries = std::move(opened.otherSeries);
   study.warnings = std::move(opened.warnings);
   if (!paths.labels.empty()) {
     io::OpenedLabels labels = io::openLabels(paths.labels, study.scene.volume->grid, progress);
+    study.session.labels = io::sessionLabels(paths.labels);
     study.scene.labels = std::move(labels.labels);
     std::move(labels.warnings.begin(), labels.warnings.end(), std::back_inserter(study.warnings));
   }
+  return study;
+}
+
+Study readSession(const std::filesystem::path& file, const io::SessionPlaces& places, const io::Progress& progress) {
+  io::OpenedSession opened = io::openSession(file, places, progress);
+  Study study;
+  study.scene = io::sceneOf(opened.session);
+  study.scene.volume = opened.volume.volume;
+  study.scene.labels = std::move(opened.labels);
+  study.camera = opened.session.views[0].camera;
+  study.path = opened.session.volume.path;
+  study.series = std::move(opened.volume.series);
+  study.otherSeries = std::move(opened.volume.otherSeries);
+  study.warnings = std::move(opened.warnings);
+  study.session = std::move(opened.session);
+  study.restoresSession = true;
+  study.sessionFile = file;
   return study;
 }
 

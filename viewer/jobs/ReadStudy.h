@@ -1,6 +1,7 @@
 #pragma once
 // From a path that the user chose to a study that a document can show.
 
+#include "io/session/OpenSession.h"
 #include "viewer/model/Document.h"
 
 namespace fenestra::viewer {
@@ -20,5 +21,8 @@ PathsToOpen interpret(const std::vector<std::filesystem::path>& paths);
 /// Opens a volume with the transfer function that suits it; `looks` gives everything of the scene that does not belong
 /// to the data (cutaway, context layer, shading). Throws io::Error, io::Cancelled.
 Study readStudy(const PathsToOpen& paths, const Scene& looks, const io::Progress& progress);
+
+/// Opens a session with its data. Throws io::DataMissing, io::Error, io::Cancelled.
+Study readSession(const std::filesystem::path& file, const io::SessionPlaces& places, const io::Progress& progress);
 
 }  // namespace fenestra::viewer

@@ -1,8 +1,10 @@
 #include "viewer/model/Document.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <mutex>
+#include <utility>
 
 #include "io/TransferFunctionFile.h"
 #include "rendering/scene/Parallel.h"
@@ -41,27 +43,144 @@ std::optional<glm::dvec3> middle(const Grid& grid, const Voxels& voxels, const B
 
 }  // namespace
 
+/// From some edits to others. Of the strokes only those are kept that differ: everything between what both lists begin
+/// with and what both end with.
+class Document::EditsChange : public Change {
+ public:
+  EditsChange(Document& document, Edits before, Edits after)
+      : document_(document), before_(std::move(before)), after_(std::move(after)) {
+    BrushStrokes &old = before_.strokes, &now = after_.strokes;
+    const auto [oldEnd, nowEnd] = std::mismatch(old.begin(), old.end(), now.begin(), now.end());
+    firstStroke_ = static_cast<std::size_t>(oldEnd - old.begin());
+    const auto last =
+        std::mismatch(old.rbegin(), std::reverse_iterator(oldEnd), now.rbegin(), std::reverse_iterator(nowEnd));
+    old = {oldEnd, last.first.base()};
+    now = {nowEnd, last.second.base()};
+  }
+
+  void undo() override { document_.show(replaced(document_.edits(), after_, before_)); }
+  void redo() override { document_.show(replaced(document_.edits(), before_, after_)); }
+
+  bool absorb(const Change& next) override {
+    const auto& later = static_cast<const EditsChange&>(next);
+    const Edits& now = document_.edits();
+    *this = EditsChange(document_, replaced(replaced(now, later.after_, later.before_), after_, before_), now);
+    return true;
+  }
+  bool isNothing() const override { return before_ == after_; }
+
+  std::size_t bytes() const override { return sizeof(*this) + heldBy(before_) + heldBy(after_); }
+
+ private:
+  EditsChange& operator=(EditsChange&& other) noexcept {
+    before_ = std::move(other.before_);
+    after_ = std::move(other.after_);
+    firstStroke_ = other.firstStroke_;
+    return *this;
+  }
+
+  /// `whole`, which is `from` with all its strokes, as `to`.
+  Edits replaced(const Edits& whole, const Edits& from, const Edits& to) const {
+    Edits result = to;
+    const auto begin = whole.strokes.begin() + static_cast<std::ptrdiff_t>(firstStroke_);
+    result.strokes.insert(result.strokes.begin(), whole.strokes.begin(), begin);
+    result.strokes.insert(result.strokes.end(), begin + static_cast<std::ptrdiff_t>(from.strokes.size()),
+                          whole.strokes.end());
+    return result;
+  }
+
+  static std::size_t heldBy(const Edits& edits) {
+    std::size_t bytes = edits.preset.capacity() + edits.context.nodes.capacity() * sizeof(TransferFunction::Node) +
+                        edits.strokes.capacity() * sizeof(BrushStroke);
+    for (const BrushStroke& stroke : edits.strokes) bytes += stroke.anchors.capacity() * sizeof(glm::dvec3);
+    if (const auto* focus = std::get_if<LabelFocus>(&edits.focus))
+      bytes += focus->labels.capacity() * sizeof(focus->labels[0]);
+    return bytes;
+  }
+
+  Document& document_;
+  Edits before_, after_;
+  std::size_t firstStroke_ = 0;  ///< place of the first that differs
+};
+
 void Document::open(Study study) {
   study_ = std::move(study);
-  unshifted_ = scene().context;
-  shift_ = 0.0;
-  window_ = scene().volume->defaultWindow();
+  Scene& scene = study_.scene;
+  edits_ = {.focus = scene.focus,
+            .focusAppearance = scene.focusAppearance,
+            .preset = study_.transferFunction,
+            .context = scene.context,
+            .cutaway = scene.cutaway,
+            .contextLayer = scene.contextLayer,
+            .strokes = scene.strokes};
+  window_ = scene.volume->defaultWindow();
+  history_.clear();
   Q_EMIT volumeChanged();
   Q_EMIT labelsChanged();
   Q_EMIT focusChanged();
   Q_EMIT transferFunctionChanged();
   Q_EMIT cutawayChanged();
+  Q_EMIT strokesChanged();
   Q_EMIT windowChanged();
   Q_EMIT sceneChanged();
 }
 
-void Document::setLabels(std::shared_ptr<const LabelMap> labels) {
+void Document::show(Edits edits) {
+  const Edits before = std::exchange(edits_, std::move(edits));
+  Scene& scene = study_.scene;
+  const bool focus = edits_.focus != before.focus || edits_.focusAppearance != before.focusAppearance;
+  const bool context =
+      edits_.preset != before.preset || edits_.context != before.context || edits_.shift != before.shift;
+  const bool cutaway = edits_.cutaway != before.cutaway || edits_.contextLayer != before.contextLayer;
+  const bool strokes = edits_.strokes != before.strokes;
+  if (focus) {
+    scene.focus = edits_.focus;
+    scene.focusAppearance = edits_.focusAppearance;
+  }
+  if (context) {
+    scene.context = edits_.context;
+    for (TransferFunction::Node& node : scene.context.nodes) node.value += edits_.shift;
+  }
+  if (cutaway) {
+    scene.cutaway = edits_.cutaway;
+    scene.contextLayer = edits_.contextLayer;
+  }
+  if (strokes) scene.strokes = edits_.strokes;
+  if (focus) Q_EMIT focusChanged();
+  if (context) Q_EMIT transferFunctionChanged();
+  if (cutaway) Q_EMIT cutawayChanged();
+  if (strokes) Q_EMIT strokesChanged();
+  if (focus || context || cutaway) Q_EMIT sceneChanged();
+}
+
+void Document::setEdits(Edits edits) {
+  show(std::move(edits));
+  history_.clear();
+}
+
+void Document::edit(const QString& name, Edits edits) {
+  Edits before = edits_;
+  show(std::move(edits));
+  history_.push(name, std::make_shared<EditsChange>(*this, std::move(before), edits_));
+}
+
+void Document::noteContents(const io::Session& session) {
+  if (session.volume.files == study_.session.volume.files) study_.session.volume.contents = session.volume.contents;
+  if (session.labels.files == study_.session.labels.files) study_.session.labels.contents = session.labels.contents;
+}
+
+void Document::setLabels(std::shared_ptr<const LabelMap> labels, io::SessionData from) {
   study_.scene.labels = std::move(labels);
-  const bool focusWasLabels = std::holds_alternative<LabelFocus>(study_.scene.focus);
-  if (focusWasLabels) study_.scene.focus = std::monostate{};
+  study_.session.labels = std::move(from);
   Q_EMIT labelsChanged();
-  if (focusWasLabels) Q_EMIT focusChanged();
-  Q_EMIT sceneChanged();
+  if (std::holds_alternative<LabelFocus>(focus())) {
+    Edits without = edits_;
+    without.focus = std::monostate{};
+    setEdits(std::move(without));
+  } else {
+    history_.clear();
+    Q_EMIT sceneChanged();
+  }
 }
 
 QString Document::description() const {
@@ -90,17 +209,16 @@ void Document::resetWindow() {
 }
 
 void Document::setFocus(Focus focus) {
-  if (focus == study_.scene.focus) return;
-  study_.scene.focus = std::move(focus);
-  Q_EMIT focusChanged();
-  Q_EMIT sceneChanged();
+  Edits edits = edits_;
+  edits.focus = std::move(focus);
+  edit(tr("Focus"), std::move(edits));
 }
 
 void Document::focusOn(std::uint16_t label) { setFocus(LabelFocus{{label}}); }
 
 void Document::setFocused(std::uint16_t label, bool focused) {
   std::vector<std::uint16_t> labels;
-  if (const auto* current = std::get_if<LabelFocus>(&study_.scene.focus)) labels = current->labels;
+  if (const auto* current = std::get_if<LabelFocus>(&edits_.focus)) labels = current->labels;
   const auto at = std::lower_bound(labels.begin(), labels.end(), label);
   const bool present = at != labels.end() && *at == label;
   if (present == focused) return;
@@ -115,7 +233,7 @@ void Document::setFocused(std::uint16_t label, bool focused) {
 }
 
 bool Document::isFocused(std::uint16_t label) const {
-  const auto* current = std::get_if<LabelFocus>(&study_.scene.focus);
+  const auto* current = std::get_if<LabelFocus>(&edits_.focus);
   return current && std::binary_search(current->labels.begin(), current->labels.end(), label);
 }
 
@@ -137,37 +255,35 @@ std::optional<glm::dvec3> Document::focusCentre() const {
 }
 
 void Document::setPreset(const std::string& presetOrPath) {
-  unshifted_ = io::loadTransferFunction(presetOrPath, *study_.scene.volume);
-  study_.transferFunction = presetOrPath;
-  shift_ = 0.0;
-  applyTransferFunction();
+  Edits edits = edits_;
+  edits.context = io::loadTransferFunction(presetOrPath, *study_.scene.volume);
+  edits.preset = presetOrPath;
+  edits.shift = 0.0;
+  edit(tr("Transfer function"), std::move(edits));
 }
 
 void Document::setShift(double shift) {
-  if (shift == shift_) return;
-  shift_ = shift;
-  applyTransferFunction();
+  Edits edits = edits_;
+  edits.shift = shift;
+  edit(tr("Shift"), std::move(edits));
 }
 
-void Document::applyTransferFunction() {
-  study_.scene.context = unshifted_;
-  for (TransferFunction::Node& node : study_.scene.context.nodes) node.value += shift_;
-  Q_EMIT transferFunctionChanged();
-  Q_EMIT sceneChanged();
+void Document::setCutaway(const Cutaway& cutaway, const QString& name) {
+  Edits edits = edits_;
+  edits.cutaway = cutaway;
+  edit(name, std::move(edits));
 }
 
-void Document::setCutaway(const Cutaway& cutaway) {
-  if (cutaway == study_.scene.cutaway) return;
-  study_.scene.cutaway = cutaway;
-  Q_EMIT cutawayChanged();
-  Q_EMIT sceneChanged();
+void Document::setContextLayer(const ContextLayer& layer, const QString& name) {
+  Edits edits = edits_;
+  edits.contextLayer = layer;
+  edit(name, std::move(edits));
 }
 
-void Document::setContextLayer(const ContextLayer& layer) {
-  if (layer == study_.scene.contextLayer) return;
-  study_.scene.contextLayer = layer;
-  Q_EMIT cutawayChanged();
-  Q_EMIT sceneChanged();
+void Document::setStrokes(BrushStrokes strokes, const QString& name) {
+  Edits edits = edits_;
+  edits.strokes = std::move(strokes);
+  edit(name, std::move(edits));
 }
 
 std::optional<glm::ivec3> Document::voxelAt(glm::dvec3 world) const {

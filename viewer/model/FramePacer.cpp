@@ -15,6 +15,13 @@ void blend(std::optional<double>& average, double sample) {
 
 }  // namespace
 
+void FramePacer::setAtRest(Quality quality, std::optional<double> maxError) {
+  const Effort rest{1.0, quality, maxError};
+  if (rest == rest_) return;
+  rest_ = rest;
+  restCost_.reset();
+}
+
 Effort FramePacer::moving(int views) const {
   if (restCost_ && *restCost_ * views <= budget) return rest_;
   if (!draftCost_ && !restCost_) return {0.5, Quality::Draft};

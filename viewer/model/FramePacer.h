@@ -12,6 +12,7 @@ namespace fenestra::viewer {
 struct Effort {
   double scale = 1.0;
   Quality quality = Quality::Normal;
+  std::optional<double> maxError = {};  ///< see View
   bool operator==(const Effort&) const = default;
 };
 
@@ -22,9 +23,10 @@ class FramePacer {
   /// Below a quarter of the resolution anatomy is hard to recognise.
   static constexpr double leastScale = 0.25;
 
-  explicit FramePacer(Quality restQuality = Quality::Normal) : rest_{1.0, restQuality} {}
+  explicit FramePacer(Quality restQuality = Quality::Normal) : rest_{1.0, restQuality, {}} {}
 
   Effort atRest() const { return rest_; }
+  void setAtRest(Quality quality, std::optional<double> maxError);
   /// For the next frame of a drag that redraws `views` views.
   Effort moving(int views) const;
 

@@ -26,7 +26,7 @@ PlacementController::PlacementController(Document& document, ViewLink& cameras, 
     : QObject(parent), document_(document), cameras_(cameras) {
   chosen_.setSingleShot(true);
   chosen_.setInterval(settleMilliseconds);
-  connect(&chosen_, &QTimer::timeout, this, &PlacementController::place);
+  connect(&chosen_, &QTimer::timeout, this, &PlacementController::placeAutomatically);
   connect(&slice_, &QTimer::timeout, this, &PlacementController::slice);
   connect(&document, &Document::focusChanged, this, &PlacementController::focusChanged);
   connect(&document, &Document::volumeChanged, this, [this] { visible_.reset(); });
@@ -60,9 +60,9 @@ void PlacementController::setSettings(const PlacementSettings& settings) {
   if (settings == settings_) return;
   const PlacementSettings before = std::exchange(settings_, settings);
   if (settings.sampling != before.sampling && (measured() || isMeasuring()))
-    place();
+    placeAutomatically();
   else if (measured() && (settings.options != before.options || settings.joint != before.joint))
-    choose(false);
+    choose(false, false);
   else if (measured() && settings.follow && !before.follow)
     follow();
   Q_EMIT settingsChanged();
@@ -80,8 +80,9 @@ void PlacementController::focusChanged() {
   Q_EMIT changed();
 }
 
-void PlacementController::place() {
+void PlacementController::measure(bool asked) {
   cancel();
+  asked_ = asked;
   if (!canPlace()) return;
   note_.clear();
   try {
@@ -118,7 +119,7 @@ void PlacementController::slice() {
   measured_ = backend_->measured();
   measuredSubject_ = subject();
   Q_EMIT measuredFocus();
-  choose(true);
+  choose(true, asked_);
   Q_EMIT changed();
 }
 
@@ -126,13 +127,13 @@ void PlacementController::fail(const std::exception& error) {
   note_ = tr("The focus cannot be measured: %1").arg(QString::fromUtf8(error.what()));
 }
 
-void PlacementController::choose(bool framed) {
+void PlacementController::choose(bool framed, bool asked) {
   const placement::Placement answer = placement::choose(measured_, settings_.options, settings_.joint);
   note_ = QString::fromStdString(answer.note);
   if (!note_.isEmpty()) note_[0] = note_[0].toUpper();
   if (!answer.c1) return;
   const auto directionAt = [this](std::size_t candidate) { return measured_.candidates[candidate].direction; };
-  fly(directionAt(*answer.c1), answer.c2 ? std::optional(directionAt(*answer.c2)) : std::nullopt, framed);
+  fly(directionAt(*answer.c1), answer.c2 ? std::optional(directionAt(*answer.c2)) : std::nullopt, framed, asked);
 }
 
 void PlacementController::follow() {
@@ -153,13 +154,17 @@ void PlacementController::goTo(glm::dvec3 direction) {
     const glm::dmat3 from(before.right, before.up, -before.forward), to(after.right, after.up, -after.forward);
     c2 = to * glm::transpose(from) * directionOf(cameras_.camera(1));
   }
-  fly(direction, c2, false);
+  fly(direction, c2, false, true);
 }
 
-void PlacementController::fly(glm::dvec3 c1, std::optional<glm::dvec3> c2, bool framed) {
+void PlacementController::fly(glm::dvec3 c1, std::optional<glm::dvec3> c2, bool framed, bool asked) {
   const Camera &first = cameras_.camera(0), &second = cameras_.camera(1);
   const ViewLink::Pair home{framing(c1), framing(c2.value_or(directionOf(second)))};
-  cameras_.flyTo({framed ? home[0] : facing(first, c1), !c2 ? second : framed ? home[1] : facing(second, *c2)}, home);
+  const ViewLink::Pair there{framed ? home[0] : facing(first, c1), !c2      ? second
+                                                                   : framed ? home[1]
+                                                                            : facing(second, *c2)};
+  if (asked && there != ViewLink::Pair{first, second}) Q_EMIT leaving();
+  cameras_.flyTo(there, home);
 }
 
 Camera PlacementController::framing(glm::dvec3 direction) {

@@ -59,7 +59,10 @@ class PlacementController : public QObject {
   /// There is OpenGL, a volume and a focus.
   bool canPlace() const;
   /// Measures the focus, unless that is done, and flies both cameras to the answer.
-  void place();
+  void place() { measure(true); }
+  /// The same where nobody asked for it: when a focus was chosen, or a study opened that wants it. It is not announced
+  /// by leaving().
+  void placeAutomatically() { measure(false); }
   void cancel();
   bool isMeasuring() const { return slice_.isActive(); }
   /// Measuring, or about to.
@@ -87,6 +90,8 @@ class PlacementController : public QObject {
   void progressed(double fraction);
   /// Candidates were rendered.
   void measuredFocus();
+  /// The cameras are about to fly because the user asked for it, by place() or goTo().
+  void leaving();
 
  private:
   /// What measurements belong to.
@@ -98,11 +103,12 @@ class PlacementController : public QObject {
   };
   Subject subject() const;
   void focusChanged();
+  void measure(bool asked);
   void slice();
-  void choose(bool framed);
+  void choose(bool framed, bool asked);
   void follow();
   /// C2 stays when it is told no direction.
-  void fly(glm::dvec3 c1, std::optional<glm::dvec3> c2, bool framed);
+  void fly(glm::dvec3 c1, std::optional<glm::dvec3> c2, bool framed, bool asked);
   /// From there, with all that the context shows in the picture.
   Camera framing(glm::dvec3 direction);
   void fail(const std::exception& error);
@@ -118,6 +124,7 @@ class PlacementController : public QObject {
   QString note_;
   QTimer chosen_;  ///< runs out a moment after the focus was chosen
   QTimer slice_;
+  bool asked_ = false;  ///< what is being measured is for place(), not for a focus just chosen
 };
 
 }  // namespace fenestra::viewer

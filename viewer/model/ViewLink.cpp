@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include <glm/gtc/constants.hpp>
 #include <glm/gtc/quaternion.hpp>
 
 namespace fenestra::viewer {
@@ -91,15 +90,20 @@ void ViewLink::setLinked(bool linked) {
 }
 
 void ViewLink::place(const Camera& first) {
-  Camera second = first.orbited(glm::half_pi<double>(), 0.0);
-  second.up = {0.0, 0.0, 1.0};
-  placed_ = {first, second};
+  placed_ = {first, first.beside()};
   reset();
 }
 
 void ViewLink::reset() {
   flight_.stop();
   for (int view = 0; view < count; ++view) set(view, placed_[static_cast<std::size_t>(view)]);
+}
+
+void ViewLink::setPose(const Pose& pose) {
+  placed_ = pose.cameras;
+  reset();
+  placed_ = pose.home;
+  Q_EMIT projectionChanged(projection());
 }
 
 void ViewLink::rotate(int view, const glm::dmat3& worldRotation) {

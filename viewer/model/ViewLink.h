@@ -17,6 +17,11 @@ class ViewLink : public QObject {
   static constexpr int count = 2;
 
   using Pair = std::array<Camera, count>;
+  /// Where both cameras are, and where reset() takes them.
+  struct Pose {
+    Pair cameras, home;
+    bool operator==(const Pose&) const = default;
+  };
 
   explicit ViewLink(QObject* parent = nullptr);
 
@@ -29,6 +34,11 @@ class ViewLink : public QObject {
   void place(const Camera& first);
   /// Back to what was last placed.
   void reset();
+
+  /// In flight, of its end.
+  Pose pose() const { return {isFlying() ? to_ : cameras_, placed_}; }
+  /// At once.
+  void setPose(const Pose& pose);
 
   /// Flies both cameras there, over some frames; reset() then goes to `home`. Whatever else moves a camera ends the
   /// flight.
@@ -55,6 +65,7 @@ class ViewLink : public QObject {
   void turned(int view);
   void landed();
   void linkedChanged(bool linked);
+  void projectionChanged(Projection projection);
 
  private:
   void set(int view, const Camera& camera);

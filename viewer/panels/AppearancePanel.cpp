@@ -31,6 +31,7 @@ AppearancePanel::AppearancePanel(Document& document, QWidget* parent)
   column->addWidget(new TransferFunctionPlot(document));
 
   connect(presets_, &QComboBox::activated, this, &AppearancePanel::choose);
+  makeDragsSteps(*shift_, document.history());
   connect(shift_, &SliderSpin::edited, &document, &Document::setShift);
   connect(&document, &Document::transferFunctionChanged, this, &AppearancePanel::show);
   connect(&document, &Document::volumeChanged, this, [this] {

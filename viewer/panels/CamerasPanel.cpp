@@ -1,10 +1,6 @@
 #include "viewer/panels/CamerasPanel.h"
 
-#include <QAbstractSlider>
-#include <QAbstractSpinBox>
-#include <QEvent>
 #include <QFormLayout>
-#include <QFrame>
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
@@ -51,7 +47,7 @@ const std::array<WeightRow, CamerasPanel::weightCount> weightRows{{
 }  // namespace
 
 CamerasPanel::CamerasPanel(Document& document, ViewLink& cameras, PlacementController& placement, QWidget* parent)
-    : QScrollArea(parent),
+    : ScrollingPanel(parent),
       cameras_(cameras),
       placement_(placement),
       place_(new QPushButton(tr("Place cameras"))),
@@ -135,17 +131,7 @@ CamerasPanel::CamerasPanel(Document& document, ViewLink& cameras, PlacementContr
   column->addWidget(further);
   column->addStretch();
   further->hide();
-  setWidget(body);
-  setWidgetResizable(true);
-  setFrameShape(QFrame::NoFrame);
-  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-
-  for (auto* widget : body->findChildren<QWidget*>())
-    if (qobject_cast<QComboBox*>(widget) || qobject_cast<QAbstractSlider*>(widget) ||
-        qobject_cast<QAbstractSpinBox*>(widget)) {
-      widget->setFocusPolicy(Qt::StrongFocus);
-      widget->installEventFilter(this);
-    }
+  setBody(body);
 
   const auto edit = [this](auto change) {
     PlacementSettings settings = placement_.settings();
@@ -280,15 +266,8 @@ void CamerasPanel::drawNext() {
 }
 
 void CamerasPanel::showEvent(QShowEvent* event) {
-  QScrollArea::showEvent(event);
+  ScrollingPanel::showEvent(event);
   if (drawn_ < best_.size()) drawBest();
-}
-
-bool CamerasPanel::eventFilter(QObject* watched, QEvent* event) {
-  const auto* widget = qobject_cast<QWidget*>(watched);
-  if (event->type() != QEvent::Wheel || !widget || widget->hasFocus()) return QScrollArea::eventFilter(watched, event);
-  event->ignore();  // and so it goes on to the scroll area
-  return true;
 }
 
 }  // namespace fenestra::viewer

@@ -10,9 +10,10 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QTimer>
 #include <QToolButton>
+
+#include "viewer/panels/ScrollingPanel.h"
 
 namespace fenestra::viewer {
 
@@ -22,7 +23,7 @@ class SliderSpin;
 class SphereMap;
 class ViewLink;
 
-class CamerasPanel : public QScrollArea {
+class CamerasPanel : public ScrollingPanel {
   Q_OBJECT
  public:
   static constexpr std::size_t thumbnailCount = 4;
@@ -48,8 +49,6 @@ class CamerasPanel : public QScrollArea {
 
  protected:
   void showEvent(QShowEvent* event) override;
-  /// The wheel scrolls the panel; it changes a value only where the user has clicked.
-  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   void show();

@@ -6,6 +6,8 @@
 #include <QHBoxLayout>
 #include <QSignalBlocker>
 
+#include "viewer/model/History.h"
+
 namespace fenestra::viewer {
 
 SliderSpin::SliderSpin(double low, double high, double step, QWidget* parent)
@@ -18,6 +20,8 @@ SliderSpin::SliderSpin(double low, double high, double step, QWidget* parent)
   box_->setAlignment(Qt::AlignRight);
   box_->setFixedWidth(84);
   setRange(low, high, step);
+  connect(slider_, &QSlider::sliderPressed, this, &SliderSpin::dragBegun);
+  connect(slider_, &QSlider::sliderReleased, this, &SliderSpin::dragEnded);
   connect(slider_, &QSlider::valueChanged, this, [this](int position) {
     const double value = low_ + position * step_;
     const QSignalBlocker quiet(box_);
@@ -47,6 +51,11 @@ void SliderSpin::setValue(double value) {
   if (value > box_->maximum()) box_->setMaximum(value);
   box_->setValue(value);
   slider_->setValue(static_cast<int>(std::lround(std::clamp((value - low_) / step_, 0.0, slider_->maximum() + 0.0))));
+}
+
+void makeDragsSteps(SliderSpin& slider, History& history) {
+  QObject::connect(&slider, &SliderSpin::dragBegun, &history, &History::beginGesture);
+  QObject::connect(&slider, &SliderSpin::dragEnded, &history, &History::endGesture);
 }
 
 }  // namespace fenestra::viewer

@@ -7,6 +7,8 @@
 
 namespace fenestra::viewer {
 
+class History;
+
 class SliderSpin : public QWidget {
   Q_OBJECT
  public:
@@ -24,11 +26,17 @@ class SliderSpin : public QWidget {
  Q_SIGNALS:
   /// The user moved it.
   void edited(double value);
+  /// The slider is being dragged from now on, and no longer.
+  void dragBegun();
+  void dragEnded();
 
  private:
   QSlider* slider_;
   QDoubleSpinBox* box_;
   double low_ = 0.0, step_ = 1.0;
 };
+
+/// A drag of the slider is one step of the history.
+void makeDragsSteps(SliderSpin& slider, History& history);
 
 }  // namespace fenestra::viewer

@@ -294,7 +294,7 @@ void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton || !document_.hasVolume()) return;
   dragging_ = true;  // so that the release that follows is no click
   if (beforeClick_) {
-    document_.setFocus(beforeClick_->focus);
+    if (beforeClick_->focus != document_.focus()) document_.history().takeBack();
     cursor_.moveTo(beforeClick_->cursor);
   }
   if (event->modifiers() & Qt::ControlModifier)

@@ -11,9 +11,10 @@
 
 namespace fenestra::viewer {
 
-ViewArea::ViewArea(Document& document, SliceCursor& cursor, ViewLink& cameras, ViewOptions& options,
+ViewArea::ViewArea(Document& document, SliceCursor& cursor, ViewLink& cameras, ViewOptions& options, Brush& brush,
                    const GlSupport& gl, Quality restQuality, QWidget* parent)
     : QWidget(parent),
+      pacer_(std::make_shared<FramePacer>(restQuality)),
       rows_(new QSplitter(Qt::Vertical)),
       upper_(new QSplitter(Qt::Horizontal)),
       lower_(new QSplitter(Qt::Horizontal)) {
@@ -35,9 +36,9 @@ ViewArea::ViewArea(Document& document, SliceCursor& cursor, ViewLink& cameras, V
     connect(view, &View::maximiseRequested, this, [this, view] { toggleMaximised(view); });
   };
   if (gl.available) {
-    const VolumeView::Shared shared{std::make_shared<GpuScene>(), std::make_shared<FramePacer>(restQuality)};
+    const VolumeView::Shared shared{std::make_shared<GpuScene>(), pacer_};
     for (int index = 0; index < ViewLink::count; ++index) {
-      auto* view = new VolumeView(index, document, cursor, cameras, options, shared);
+      auto* view = new VolumeView(index, document, cursor, cameras, options, brush, shared);
       connectView(view);
       connect(view, &VolumeView::failed, this, &ViewArea::failed);
       upper_->addWidget(view);
@@ -86,6 +87,37 @@ void ViewArea::showAll() {
     for (int i = 0; i < row->count(); ++i) row->widget(i)->show();
     row->show();
   }
+}
+
+std::vector<std::pair<std::string, QWidget*>> ViewArea::namedViews() const {
+  std::vector<std::pair<std::string, QWidget*>> views;
+  for (VolumeView* view : volumes_) views.emplace_back(view->index() == 0 ? "C1" : "C2", view);
+  constexpr const char* planes[] = {"axial", "sagittal", "coronal"};
+  for (SliceView* view : slices_) views.emplace_back(planes[static_cast<std::size_t>(view->plane())], view);
+  return views;
+}
+
+void ViewArea::describe(io::Session& session) const {
+  for (const VolumeView* view : volumes_) {
+    const View picture = view->restView();
+    io::SessionView& saved = session.views[static_cast<std::size_t>(view->index())];
+    saved.size = picture.size;
+    saved.pixelScale = picture.pixelScale;
+  }
+  session.quality = pacer_->atRest().quality;
+  session.maxError = pacer_->atRest().maxError;
+  session.maximised.clear();
+  for (const auto& [name, view] : namedViews())
+    if (view == maximised_) session.maximised = name;
+  session.layout = saveLayout().toBase64().toStdString();
+}
+
+void ViewArea::restore(const io::Session& session) {
+  pacer_->setAtRest(session.quality, session.maxError);
+  showAll();
+  restoreLayout(QByteArray::fromBase64(QByteArray::fromStdString(session.layout)));
+  for (const auto& [name, view] : namedViews())
+    if (name == session.maximised) toggleMaximised(view);
 }
 
 QByteArray ViewArea::saveLayout() const {

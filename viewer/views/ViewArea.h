@@ -1,11 +1,14 @@
 #pragma once
 // The five views: C1 and C2 side by side over axial, sagittal and coronal. One of them can take the whole area.
 
+#include <memory>
+#include <string>
 #include <vector>
 
 #include <QSplitter>
 #include <QWidget>
 
+#include "io/session/Session.h"
 #include "viewer/views/GlSupport.h"
 #include "viewer/views/SliceView.h"
 #include "viewer/views/VolumeView.h"
@@ -16,8 +19,8 @@ class ViewArea : public QWidget {
   Q_OBJECT
  public:
   /// Without OpenGL the place of the 3-D views says why, and the slices are there all the same.
-  ViewArea(Document& document, SliceCursor& cursor, ViewLink& cameras, ViewOptions& options, const GlSupport& gl,
-           Quality restQuality, QWidget* parent = nullptr);
+  ViewArea(Document& document, SliceCursor& cursor, ViewLink& cameras, ViewOptions& options, Brush& brush,
+           const GlSupport& gl, Quality restQuality, QWidget* parent = nullptr);
 
   const std::vector<VolumeView*>& volumeViews() const { return volumes_; }  ///< empty without OpenGL
   const std::vector<SliceView*>& sliceViews() const { return slices_; }     ///< axial, sagittal, coronal
@@ -29,6 +32,10 @@ class ViewArea : public QWidget {
   bool isMaximised() const { return maximised_ != nullptr; }
   void showAll();
 
+  /// The pictures' sizes and sampling, and the layout.
+  void describe(io::Session& session) const;
+  void restore(const io::Session& session);
+
   QByteArray saveLayout() const;
   void restoreLayout(const QByteArray& layout);
 
@@ -39,6 +46,10 @@ class ViewArea : public QWidget {
   void failed(const QString& problem);
 
  private:
+  /// Every view by the name that a session has for it.
+  std::vector<std::pair<std::string, QWidget*>> namedViews() const;
+
+  std::shared_ptr<FramePacer> pacer_;
   QSplitter *rows_, *upper_, *lower_;
   std::vector<VolumeView*> volumes_;
   std::vector<SliceView*> slices_;

@@ -11,6 +11,7 @@
 #include <QPainter>
 #include <QWheelEvent>
 
+#include "viewer/model/Brush.h"
 #include "viewer/model/Document.h"
 #include "viewer/model/SliceCursor.h"
 #include "viewer/model/ViewLink.h"
@@ -32,13 +33,15 @@ double now() {
 }  // namespace
 
 VolumeView::VolumeView(int index, Document& document, SliceCursor& cursor, ViewLink& cameras, ViewOptions& options,
-                       Shared shared, QWidget* parent)
+                       Brush& brush, Shared shared, QWidget* parent)
     : QOpenGLWidget(parent),
       index_(index),
       document_(document),
       cursor_(cursor),
       cameras_(cameras),
       options_(options),
+      brush_(brush),
+      brushTool_(brush, document, canvas()),
       shared_(std::move(shared)) {
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
@@ -47,6 +50,12 @@ VolumeView::VolumeView(int index, Document& document, SliceCursor& cursor, ViewL
   connect(&rest_, &QTimer::timeout, this, &VolumeView::settle);
   connect(&document, &Document::volumeChanged, this, [this] { cold_ = true; });
   connect(&document, &Document::sceneChanged, this, [this] { disturb(ViewLink::count); });
+  connect(&document, &Document::strokesChanged, this, &VolumeView::refresh);
+  connect(&brush, &Brush::changed, this, [this] {
+    setCursor(brush_.isActive() ? Qt::CrossCursor : Qt::ArrowCursor);
+    brushTool_.measure();
+    update();
+  });
   connect(&cameras, &ViewLink::changed, this, [this](int view) {
     if (view == index_) disturb(cameras_.isLinked() || cameras_.isFlying() ? ViewLink::count : 1);
   });
@@ -92,6 +101,14 @@ void VolumeView::settle() {
   update();
 }
 
+void VolumeView::refresh() {
+  settled_ = false;
+  partial_ = true;
+  rest_.stop();
+  effort_ = shared_.pacer->atRest();
+  update();
+}
+
 void VolumeView::resizeEvent(QResizeEvent* event) {
   QOpenGLWidget::resizeEvent(event);
   disturb(ViewLink::count);
@@ -107,44 +124,51 @@ void VolumeView::initializeGL() {
 }
 
 Camera VolumeView::shownCamera() const {
-  Camera camera = cameras_.camera(index_);
-  const double aspect = static_cast<double>(width()) / std::max(1, height());
-  if (aspect < 1.0) {
-    camera.verticalFov = glm::degrees(2.0 * std::atan(std::tan(glm::radians(camera.verticalFov) * 0.5) / aspect));
-    camera.orthographicHeight /= aspect;
+  return cameras_.camera(index_).fittedTo(static_cast<double>(width()) / std::max(1, height()));
+}
+
+void VolumeView::attempt(const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const std::exception& error) {
+    problem_ = tr("This view cannot be drawn: %1").arg(QString::fromUtf8(error.what()));
+    Q_EMIT failed(problem_);
   }
-  return camera;
 }
 
 void VolumeView::paintGL() {
   const bool drawn = renderer_ && problem_.isEmpty() && document_.hasVolume();
-  if (drawn) {
-    try {
-      renderScene();
-    } catch (const std::exception& error) {
-      problem_ = tr("This view cannot be drawn: %1").arg(QString::fromUtf8(error.what()));
-      Q_EMIT failed(problem_);
-    }
-  }
+  if (drawn) attempt([this] { renderScene(); });
   drawOverlay();
   if (isSettled()) Q_EMIT settled();
+}
+
+Scene VolumeView::shownScene() const {
+  Scene scene = document_.scene();
+  scene.strokes = strokesIn(index_, scene.strokes);
+  return scene;
+}
+
+View VolumeView::viewFor(Effort effort) const {
+  const double scale = devicePixelRatioF() * effort.scale;
+  return {
+      .camera = shownCamera(),
+      .size = glm::max(glm::ivec2(glm::round(glm::dvec2(width(), height()) * scale)), glm::ivec2(1)),
+      .pixelScale = scale,
+      .quality = effort.quality,
+      .maxError = effort.maxError,
+  };
 }
 
 void VolumeView::renderScene() {
   const double ratio = devicePixelRatioF();
   const QSize device(static_cast<int>(std::lround(width() * ratio)), static_cast<int>(std::lround(height() * ratio)));
-  const double scale = ratio * effort_.scale;
-  const View view{
-      .camera = shownCamera(),
-      .size = glm::max(glm::ivec2(glm::round(glm::dvec2(width(), height()) * scale)), glm::ivec2(1)),
-      .pixelScale = scale,
-      .quality = effort_.quality,
-  };
-  if (!cold_ && !settled_) shared_.pacer->begin(effort_, now());
-  renderer_->render(document_.scene(), view);
+  const View view = viewFor(effort_);
+  if (!cold_ && !settled_ && !partial_) shared_.pacer->begin(effort_, now());
+  renderer_->render(shownScene(), view);
   renderer_->present(defaultFramebufferObject(), {0, 0, device.width(), device.height()});
   shown_ = view;
-  cold_ = false;
+  cold_ = partial_ = false;
   settled_ = effort_ == shared_.pacer->atRest();
 }
 
@@ -170,6 +194,7 @@ void VolumeView::drawOverlay() {
   drawOrientationCube(painter, {view.left() + overlayMargin, view.bottom() - overlayMargin - cube, cube, cube},
                       camera.axes());
   if (camera.projection == Projection::Orthographic) drawScaleBar(painter, view, mmPerPixel());
+  brushTool_.draw(painter, view);
   if (hasFocus()) {
     painter.setPen(QColor(86, 140, 190));
     painter.drawRect(rect().adjusted(0, 0, -1, -1));
@@ -184,11 +209,45 @@ std::optional<QPointF> VolumeView::widgetFromWorld(glm::dvec3 world) const {
   return QPointF(0.5 * (clip.x / clip.w + 1.0) * width(), 0.5 * (1.0 - clip.y / clip.w) * height());
 }
 
+bool VolumeView::canPick() const {
+  return renderer_ && problem_.isEmpty() && shown_.size.x > 0 && document_.hasVolume();
+}
+
+glm::dvec2 VolumeView::pixelAt(QPointF position) const {
+  return {position.x() / width() * shown_.size.x, position.y() / height() * shown_.size.y};
+}
+
+BrushTool::Canvas VolumeView::canvas() {
+  return {
+      .view = index_,
+      .pick = [this](QPointF position, BrushMode mode, std::optional<glm::dvec3> before) -> std::optional<BrushPoint> {
+        if (!canPick()) return std::nullopt;
+        makeCurrent();
+        std::optional<BrushPoint> point;
+        attempt([&] { point = renderer_->pickBrush(pixelAt(position), mode, before); });
+        doneCurrent();
+        return point;
+      },
+      .picture = [this]() -> std::vector<std::uint8_t> {
+        if (!canPick()) return {};
+        makeCurrent();
+        std::vector<std::uint8_t> picture;
+        attempt([&] {
+          shown_ = viewFor(shared_.pacer->atRest());
+          renderer_->render(shownScene(), shown_);
+          picture = renderer_->readPicture();
+        });
+        doneCurrent();
+        return picture;
+      },
+      .redraw = [this] { update(); },
+  };
+}
+
 std::optional<glm::dvec3> VolumeView::pick(QPointF position) {
-  if (!renderer_ || !problem_.isEmpty() || shown_.size.x == 0 || !document_.hasVolume()) return std::nullopt;
-  const glm::dvec2 pixel(position.x() / width() * shown_.size.x, position.y() / height() * shown_.size.y);
+  if (!canPick()) return std::nullopt;
   makeCurrent();
-  const std::optional<glm::dvec3> hit = renderer_->pick(pixel);
+  const std::optional<glm::dvec3> hit = renderer_->pick(pixelAt(position));
   doneCurrent();
   if (!hit) return std::nullopt;
   // The hit lies on a surface, half the time on its outer side: half a voxel on lies what is seen.
@@ -209,13 +268,14 @@ double VolumeView::mmPerPixel() const {
 }
 
 void VolumeView::mousePressEvent(QMouseEvent* event) {
+  if (brushTool_.press(*event)) return;
   pressed_ = last_ = event->position();
   beforeClick_.reset();
   dragging_ = false;
 }
 
 void VolumeView::mouseMoveEvent(QMouseEvent* event) {
-  if (!document_.hasVolume()) return;
+  if (!document_.hasVolume() || brushTool_.move(*event)) return;
   const QPointF position = event->position(), move = position - last_, total = position - pressed_;
   last_ = position;
   const Qt::MouseButtons buttons = event->buttons();
@@ -242,7 +302,7 @@ void VolumeView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void VolumeView::mouseReleaseEvent(QMouseEvent* event) {
-  if (dragging_ || !document_.hasVolume()) return;
+  if (brushTool_.release(*event) || dragging_ || !document_.hasVolume()) return;
   const std::optional<glm::dvec3> hit = pick(event->position());
   if (!hit) return;
   if (event->button() == Qt::RightButton) {
@@ -258,9 +318,13 @@ void VolumeView::mouseReleaseEvent(QMouseEvent* event) {
 
 void VolumeView::mouseDoubleClickEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return;
+  if (brush_.isActive()) {
+    mousePressEvent(event);  // two quick dabs
+    return;
+  }
   dragging_ = true;  // so that the release that follows is no click
   if (beforeClick_) {
-    document_.setFocus(beforeClick_->focus);
+    if (beforeClick_->focus != document_.focus()) document_.history().takeBack();
     cursor_.moveTo(beforeClick_->cursor);
   }
   Q_EMIT maximiseRequested();
@@ -276,6 +340,7 @@ void VolumeView::zoom(double factor) {
 }
 
 void VolumeView::wheelEvent(QWheelEvent* event) {
+  if (brushTool_.wheel(*event)) return;
   if (document_.hasVolume()) zoom(std::exp(event->angleDelta().y() * 0.0015));
 }
 
@@ -301,6 +366,9 @@ void VolumeView::keyPressEvent(QKeyEvent* event) {
   if (document_.hasVolume()) cameras_.orbit(index_, yaw, pitch);
 }
 
-void VolumeView::leaveEvent(QEvent*) { Q_EMIT left(); }
+void VolumeView::leaveEvent(QEvent*) {
+  brushTool_.leave();
+  Q_EMIT left();
+}
 
 }  // namespace fenestra::viewer

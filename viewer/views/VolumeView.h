@@ -2,9 +2,10 @@
 // One 3-D view: what a camera of the pair sees, drawn by a Renderer into Qt's framebuffer, with crosshair mark,
 // orientation cube and (parallel projection only) scale bar over it.
 //
-// While something changes it draws as the pacer says; after a moment of rest, at full quality. Left drag: rotate;
-// left click: crosshair to the surface hit (Ctrl: its label joins or leaves the focus); middle: pan; right drag or
-// wheel: zoom; arrows: turn by steps.
+// While something changes it draws as the pacer says; after a moment of rest, at full quality. A brush stroke changes
+// little of the picture and is drawn at full quality at once. Left drag: rotate, or paint while the brush is up (see
+// BrushTool); left click: crosshair to the surface hit (Ctrl: its label joins or leaves the focus); middle: pan; right
+// drag or wheel: zoom; arrows: turn by steps.
 
 #include <functional>
 #include <memory>
@@ -16,6 +17,7 @@
 #include "rendering/passes/GpuScene.h"
 #include "rendering/passes/Renderer.h"
 #include "viewer/model/FramePacer.h"
+#include "viewer/tools/BrushTool.h"
 
 namespace fenestra::viewer {
 
@@ -34,8 +36,8 @@ class VolumeView : public QOpenGLWidget {
   };
 
   /// `index` is the camera's place in `cameras`.
-  VolumeView(int index, Document& document, SliceCursor& cursor, ViewLink& cameras, ViewOptions& options, Shared shared,
-             QWidget* parent = nullptr);
+  VolumeView(int index, Document& document, SliceCursor& cursor, ViewLink& cameras, ViewOptions& options, Brush& brush,
+             Shared shared, QWidget* parent = nullptr);
   ~VolumeView() override;
 
   int index() const { return index_; }
@@ -43,6 +45,8 @@ class VolumeView : public QOpenGLWidget {
   void hold(bool on) { held_ = on; }
   /// What is on screen is the scene at full quality, or why it cannot be is said there.
   bool isSettled() const;
+  /// What is drawn at rest.
+  View restView() const { return viewFor(shared_.pacer->atRest()); }
   /// Why nothing is drawn; empty when all is well.
   const QString& problem() const { return problem_; }
   /// The camera as drawn: in a view that is higher than wide, the field of view is widened so that the volume still
@@ -79,11 +83,21 @@ class VolumeView : public QOpenGLWidget {
   /// Something changed that redraws `views` 3-D views at a time.
   void disturb(int views);
   void settle();
+  /// At full quality, at once.
+  void refresh();
+  /// Does what needs the renderer; when that fails the view says so from now on.
+  void attempt(const std::function<void()>& work);
+  /// The scene as this view shows it, and how it is to be drawn.
+  Scene shownScene() const;
+  View viewFor(Effort effort) const;
   void renderScene();
   void drawOverlay();
   void zoom(double factor);
   /// World position of what the widget shows there; empty on the background.
   std::optional<glm::dvec3> pick(QPointF position);
+  bool canPick() const;
+  glm::dvec2 pixelAt(QPointF position) const;
+  BrushTool::Canvas canvas();
   double mmPerPixel() const;
 
   const int index_;
@@ -91,6 +105,8 @@ class VolumeView : public QOpenGLWidget {
   SliceCursor& cursor_;
   ViewLink& cameras_;
   ViewOptions& options_;
+  Brush& brush_;
+  BrushTool brushTool_;
   Shared shared_;
 
   std::optional<Renderer> renderer_;
@@ -100,6 +116,7 @@ class VolumeView : public QOpenGLWidget {
   bool held_ = false;
   bool settled_ = false;  ///< the last picture is of the present scene, at full quality
   bool cold_ = true;      ///< the next picture also uploads voxels: its time says nothing
+  bool partial_ = false;  ///< the next picture changes only where strokes are: likewise
   QTimer rest_;           ///< runs out when nothing has changed for a moment
 
   QPointF pressed_, last_;

@@ -8,6 +8,8 @@ const int MOST_PIECES = 64;
 // Cells that the focus's surface runs through, or an edge between its colours: between two points so near, the surface
 // is found by one secant.
 const int FOCUS_PIECES = 8;
+// At most so many for the light on the focus, whose normals turn within a cell where the focus is a voxel thin.
+const int MOST_LIGHT_PIECES = 32;
 // How many times smaller than allowed an error has to seem where only two coarse answers are compared, which may agree
 // by chance: of the integral, and of the light over it.
 const float INTEGRAL_SAFETY = 8.0, LIGHT_SAFETY = 8.0;
@@ -21,7 +23,7 @@ struct CellPath {
 #if FOCUS_KIND != 0
   bool focus;        // some of it may be in the focus
   bool focusAll;     // all of it is
-  vec4 focusAlong;   // in the focus where not negative, Bernstein coefficients
+  vec4 focusAlong;   // in the focus where not negative (labels), Bernstein coefficients
 #if FOCUS_KIND == 2
   float halfRange;   // the focus is where |focusAlong| ≤ halfRange
 #endif
@@ -66,17 +68,27 @@ bool lookInto(Ray ray, ivec3 cell, float s, float sNext, out CellPath path) {
 }
 
 #if FOCUS_KIND != 0
-// In the focus where not negative.
-float focusAt(CellPath path, float u) {
-  float field = bernstein(path.focusAlong, u);
+// The part of a piece that is in the focus, 0 to 1 from end to end, where the field runs evenly from `front` to `back`;
+// x ≥ y where none of it is.
+vec2 insideFocus(CellPath path, float front, float back) {
 #if FOCUS_KIND == 2
-  field = path.halfRange - abs(field);
+  float low = -path.halfRange, high = path.halfRange;
+#else
+  float low = 0.0, high = FAR;
 #endif
-  return field;
+  if (front == back) return front >= low && front <= high ? vec2(0.0, 1.0) : vec2(1.0, 0.0);
+  vec2 ends = (vec2(low, high) - front) / (back - front);
+  return vec2(max(min(ends.x, ends.y), 0.0), min(max(ends.x, ends.y), 1.0));
 }
 #endif
 
 vec4 over(vec4 front, vec4 back) { return front + (1.0 - front.a) * back; }
+
+// Where in a piece of one material what is seen of it comes from on average, 0 to 1 from its front: ∫ x exp(-depth·x) dx
+// over ∫ exp(-depth·x) dx. Light that changes evenly along a piece is there what it is on average.
+float centreOfEmission(float depth) {
+  return depth < 0.1 ? 0.5 - depth / 12.0 : 1.0 / depth - 1.0 / (exp(depth) - 1.0);
+}
 
 // Light along a cell's path: evenly from end to end, or found piece by piece.
 struct CellLight {
@@ -89,51 +101,57 @@ struct CellIntegral {
   vec4 lit, plain;
 };
 
+// The context between two places u of a path.
+vec4 contextPiece(CellPath path, Ray ray, Cut cut, CellLight light, Bound front, Bound back, float uFront, float uBack) {
+  if (uFront >= uBack) return vec4(0.0);
+  float size = (uBack - uFront) * (path.sTo - path.sFrom);
+  vec4 material = meanMaterial(front, back);
+  float u = mix(uFront, uBack, centreOfEmission(material.a * size)), s = mix(path.sFrom, path.sTo, u);
+  vec2 here = mix(light.from, light.to, u);
+#if SHADING
+  if (light.pieceByPiece) here = lightAt(cellPosition(ray, s), ray.world, false);
+#endif
+  return pieceOf(material, size, behindCut(here, cut, s));
+}
+
+#if FOCUS_KIND != 0
+vec4 focusPiece(CellPath path, Ray ray, Cut cut, CellLight light, float uFront, float uBack) {
+  float size = (uBack - uFront) * (path.sTo - path.sFrom);
+  float sFront = mix(path.sFrom, path.sTo, uFront), sBack = mix(path.sFrom, path.sTo, uBack);
+  vec4 material = focusMaterialAlong(cellPosition(ray, sFront), cellPosition(ray, sBack));
+  float u = mix(uFront, uBack, centreOfEmission(material.a * size)), s = mix(path.sFrom, path.sTo, u);
+  vec2 here = mix(light.from, light.to, u);
+#if SHADING
+  here = lightAt(cellPosition(ray, s), ray.world, true);
+#endif
+  return pieceOf(material, size, behindCut(here, cut, s));
+}
+#endif
+
 CellIntegral integrateInPieces(int count, CellPath path, Ray ray, Cut cut, CellLight light) {
   CellIntegral result = CellIntegral(vec4(0.0), vec4(0.0));
-  vec3 from = cellPosition(ray, path.sFrom), to = cellPosition(ray, path.sTo);
-  float pieceLength = (path.sTo - path.sFrom) / float(count);
   Bound front = boundAt(path.entries.x);
+  float pieceLength = (path.sTo - path.sFrom) / float(count), uFront = 0.0;
+  for (int i = 1; i <= count; ++i) {
+    float uBack = float(i) / float(count);
+    Bound back = boundAt(bernstein(path.entries, uBack));
+    result.plain = over(result.plain, pieceOf(meanMaterial(front, back), pieceLength, UNLIT));
+    vec2 inside = vec2(1.0, 0.0);
 #if FOCUS_KIND != 0
-  float focusFront = path.focus ? focusAt(path, 0.0) : -1.0;
+    if (path.focus) inside = insideFocus(path, bernstein(path.focusAlong, uFront), bernstein(path.focusAlong, uBack));
+    if (inside.x < inside.y) {
+      vec2 u = mix(vec2(uFront), vec2(uBack), inside);
+      Bound entry = boundAt(bernstein(path.entries, u.x)), exit = boundAt(bernstein(path.entries, u.y));
+      result.lit = over(result.lit, contextPiece(path, ray, cut, light, front, entry, uFront, u.x));
+      result.lit = over(result.lit, focusPiece(path, ray, cut, light, u.x, u.y));
+      result.lit = over(result.lit, contextPiece(path, ray, cut, light, exit, back, u.y, uBack));
+    } else
 #endif
-  for (int i = 0; i < count; ++i) {
-    float u = (float(i) + 1.0) / float(count), middle = (float(i) + 0.5) / float(count);
-    float s = mix(path.sFrom, path.sTo, middle);
-    vec3 at = mix(from, to, middle);
-    Bound back = boundAt(bernstein(path.entries, u));
-    vec2 contextLight = mix(light.from, light.to, middle);
-#if SHADING
-    if (light.pieceByPiece) contextLight = lightAt(at, ray.world, false);
-#endif
-    contextLight = behindCut(contextLight, cut, s);
-    vec4 context = meanMaterial(front, back);
-    vec4 piece = pieceOf(context, pieceLength, contextLight);
-    result.plain = over(result.plain, pieceOf(context, pieceLength, UNLIT));
-#if FOCUS_KIND != 0
-    float focusBack = path.focus ? focusAt(path, u) : -1.0;
-    bool enters = focusFront < 0.0 && focusBack >= 0.0, leaves = focusFront >= 0.0 && focusBack < 0.0;
-    if (enters || focusFront >= 0.0) {
-      vec2 focusLight = contextLight;
-#if SHADING && FOCUS_KIND == 1
-      focusLight = behindCut(lightAt(at, ray.world, true), cut, s);
-#endif
-      vec4 focus = focusMaterial(at);
-      piece = pieceOf(focus, pieceLength, focusLight);
-      if (enters || leaves) {
-        // Its surface is in this piece: a part on either side.
-        float part = focusFront / (focusFront - focusBack);
-        Bound surface = boundAt(bernstein(path.entries, u + (part - 1.0) / float(count)));
-        vec4 focusPart = pieceOf(focus, (leaves ? part : 1.0 - part) * pieceLength, focusLight);
-        vec4 contextPart = leaves ? pieceOf(meanMaterial(surface, back), (1.0 - part) * pieceLength, contextLight)
-                                  : pieceOf(meanMaterial(front, surface), part * pieceLength, contextLight);
-        piece = leaves ? over(focusPart, contextPart) : over(contextPart, focusPart);
-      }
+    {
+      result.lit = over(result.lit, contextPiece(path, ray, cut, light, front, back, uFront, uBack));
     }
-    focusFront = focusBack;
-#endif
-    result.lit = over(result.lit, piece);
     front = back;
+    uFront = uBack;
   }
   return result;
 }
@@ -166,6 +184,16 @@ vec4 integrateCell(CellPath path, Ray ray, Cut cut, float transmittance, float s
 #endif
 #if SHADING
   vec3 from = cellPosition(ray, path.sFrom), to = cellPosition(ray, path.sTo);
+#if FOCUS_KIND == 1
+  if (focus) {
+    // Its own light bends as the smoothed indicator does.
+    float seen = transmittance * (1.0 - exp(-focusProperties.a * whole));
+    vec2 bend = abs(lightAt(0.5 * (from + to), ray.world, true)
+                    - 0.5 * (lightAt(from, ray.world, true) + lightAt(to, ray.world, true)));
+    float wrongLight = LIGHT_SAFETY * seen * max(bend.x, bend.y) / (maxError * max(seen, share));
+    count = max(count, min(int(ceil(sqrt(wrongLight))), MOST_LIGHT_PIECES));
+  }
+#endif
   light = CellLight(lightAt(from, ray.world, false), lightAt(to, ray.world, false), focus);
   if (!focus && shown > allowed) {
     vec2 bend = abs(lightAt(0.5 * (from + to), ray.world, false) - 0.5 * (light.from + light.to));

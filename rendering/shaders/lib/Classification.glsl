@@ -56,6 +56,28 @@ vec4 focusMaterial(vec3 at) {
 #endif
   return vec4(colour, 1.0) * focusProperties.a;
 }
+
+// Its mean from one point of a cell to another. The nearest voxel, which tells the colour, changes half way between
+// voxel centres.
+vec4 focusMaterialAlong(vec3 from, vec3 to) {
+#if FOCUS_KIND == 1 && FOCUS_PALETTE
+  vec3 middle = floor(0.5 * (from + to)) + 0.5;
+  vec3 ends = mix((middle - from) / (to - from), vec3(0.0), equal(from, to));
+  ends = clamp(ends, 0.0, 1.0);
+  float first = min(ends.x, min(ends.y, ends.z)), last = max(ends.x, max(ends.y, ends.z));
+  float second = ends.x + ends.y + ends.z - first - last;
+  vec4 edges = vec4(first, second, last, 1.0);
+  vec4 mean = vec4(0.0);
+  float begin = 0.0;
+  for (int i = 0; i < 4; ++i) {
+    if (edges[i] > begin) mean += (edges[i] - begin) * focusMaterial(mix(from, to, 0.5 * (begin + edges[i])));
+    begin = max(begin, edges[i]);
+  }
+  return mean;
+#else
+  return focusMaterial(from);
+#endif
+}
 #endif
 
 // (1 - exp(-x)) / x, by its series where the difference would cancel.

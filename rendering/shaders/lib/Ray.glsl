@@ -61,6 +61,15 @@ Ray pixelRay(ivec2 pixel) {
 
 vec3 worldPosition(Ray ray, float s) { return ray.worldBase + s * ray.world; }
 
+// Where the pixel's ray crosses the plane parallel to the picture `depth` mm behind the anchor plane.
+float positionAtDepth(ivec2 pixel, float depth) {
+  if (!rayPerspective) return depth;
+  vec2 ndc = 2.0 * (vec2(pixel) + 0.5) / vec2(pictureSize) - 1.0;
+  vec2 offset = vec2(ndc.x, -ndc.y) * rayHalfSize;
+  float along = length(vec3(offset, rayDistance));
+  return depth * (along / rayDistance) + dot(offset, offset) / (along + rayDistance);
+}
+
 vec3 cellPosition(Ray ray, float s) { return ray.base + s * ray.direction; }
 
 // Where the ray leaves the block of cells [lower, upper), and through which axis.

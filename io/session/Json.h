@@ -1,0 +1,239 @@
+#pragma once
+// JSON that may come from anywhere: parsed within bounds, read member by member with the place of every mistake, and
+// written so that it comes back bit for bit. Private to io/session.
+//
+// What a struct's members are called is said once, by an overload of members(io, object) that a Reader and a Writer
+// both run: io("open_width", cutaway.openWidth, nonNegative). A member that is missing keeps its default.
+
+#include <array>
+#include <cmath>
+#include <concepts>
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <glm/glm.hpp>
+#include <nlohmann/json.hpp>
+
+#include "io/Error.h"
+
+namespace fenestra::io::json {
+
+using Value = nlohmann::ordered_json;
+
+/// The whole of a regular file, of `most` bytes at most. Throws Error.
+std::string readBounded(const std::filesystem::path& file, std::uintmax_t most);
+
+/// Parses `text`. Throws Error when it is no JSON, nests deeper than 32, holds more than four million values or a
+/// thousand members in one object, or says a member twice; so what it takes is bounded, whatever the text.
+Value parse(const std::filesystem::path& file, std::string_view text);
+
+/// Two spaces a level, lists of plain values on one line, numbers with as few digits as bring back the same double.
+/// Throws std::invalid_argument for NaN and infinities, which JSON does not have.
+std::string textOf(const Value& value);
+
+/// What `read` holds that `known`, written from what was understood of it, does not: members of objects at any level.
+/// Null when there is nothing.
+Value unknownIn(const Value& read, const Value& known);
+/// Adds to `written` what unknownIn found. An element of a list keeps what belonged to one that says the same, or else,
+/// in a list that kept its length, to the one in its place.
+void addUnknown(Value& written, const Value& unknown);
+
+/// Where in a file a value is, for messages.
+struct Place {
+  const std::filesystem::path& file;
+  const Place* parent = nullptr;
+  std::string_view key = {};
+  std::size_t index = 0;  ///< in a list, when there is no key
+
+  [[noreturn]] void fail(const std::string& problem) const;
+};
+
+/// What a number must be, beside finite.
+struct Range {
+  double low = std::numeric_limits<double>::lowest(), high = std::numeric_limits<double>::max();
+};
+inline constexpr Range nonNegative{0.0, std::numeric_limits<double>::max()};
+inline constexpr Range positive{std::numeric_limits<double>::min(), std::numeric_limits<double>::max()};
+inline constexpr Range fraction{0.0, 1.0};
+/// Coordinates and lengths in mm: 1000 km, far beyond any patient and far from overflowing a float's square.
+inline constexpr Range millimetres{-1e9, 1e9};
+inline constexpr Range positiveMillimetres{1e-9, 1e9};
+
+/// The argument of members(): T when reading, const T when writing.
+template <class T, class U>
+concept Is = std::same_as<std::remove_const_t<T>, U>;
+
+template <class T>
+concept Enumeration = std::is_enum_v<T>;
+/// An enumeration's words: an overload of wordsOf(E) for each, as a list of pairs of word and value.
+template <Enumeration E>
+using Words = std::vector<std::pair<const char*, E>>;
+
+class Reader;
+class Writer;
+template <class T>
+concept Object = requires(T& object, Reader& reader) {
+  members(reader, object);
+};
+
+template <class T>
+struct IsVector : std::false_type {};
+template <class T>
+struct IsVector<std::vector<T>> : std::true_type {};
+template <class T>
+struct IsArray : std::false_type {};
+template <class T, std::size_t N>
+struct IsArray<std::array<T, N>> : std::true_type {};
+template <class T>
+struct IsOptional : std::false_type {};
+template <class T>
+struct IsOptional<std::optional<T>> : std::true_type {};
+
+template <class T>
+void read(const Place& place, const Value& json, T& value, Range range);
+template <class T>
+Value write(const T& value);
+
+class Reader {
+ public:
+  static constexpr bool reads = true;
+  Reader(const Place& place, const Value& object) : place_(place), object_(object) {
+    if (!object.is_object()) place.fail("is not an object");
+  }
+
+  bool has(const char* key) const { return object_.contains(key); }
+  /// The member itself; null when it is missing.
+  const Value& operator[](const char* key) const {
+    static const Value none;
+    const auto at = object_.find(key);
+    return at == object_.end() ? none : *at;
+  }
+  template <class T>
+  void operator()(const char* key, T& value, Range range = {}) const {
+    const auto at = object_.find(key);
+    if (at != object_.end()) read(Place{place_.file, &place_, key}, *at, value, range);
+  }
+  /// As operator(), for a member that must be there.
+  template <class T>
+  void required(const char* key, T& value, Range range = {}) const {
+    if (!has(key)) place_.fail(std::string("lacks \"").append(key).append("\""));
+    (*this)(key, value, range);
+  }
+  [[noreturn]] void fail(const std::string& problem) const { place_.fail(problem); }
+
+ private:
+  const Place& place_;
+  const Value& object_;
+};
+
+class Writer {
+ public:
+  static constexpr bool reads = false;
+  explicit Writer(Value& object) : object_(object) { object_ = Value::object(); }
+
+  template <class T>
+  void operator()(const char* key, const T& value, Range = {}) {
+    object_[key] = write(value);
+  }
+  template <class T>
+  void required(const char* key, const T& value, Range = {}) {
+    object_[key] = write(value);
+  }
+
+ private:
+  Value& object_;
+};
+
+template <class T>
+void read(const Place& place, const Value& json, T& value, Range range) {
+  if constexpr (std::same_as<T, bool>) {
+    if (!json.is_boolean()) place.fail("is neither true nor false");
+    value = json.get<bool>();
+  } else if constexpr (std::integral<T>) {
+    if (!json.is_number_integer()) place.fail("is not a whole number");
+    const bool fits = json.is_number_unsigned() ? std::in_range<T>(json.get<std::uint64_t>())
+                                                : std::in_range<T>(json.get<std::int64_t>());
+    const double number = json.get<double>();
+    if (!fits || number < range.low || number > range.high) place.fail("is out of range");
+    value = json.get<T>();
+  } else if constexpr (std::same_as<T, double>) {
+    if (!json.is_number()) place.fail("is not a number");
+    const double number = json.get<double>();
+    if (!std::isfinite(number) || number < range.low || number > range.high) place.fail("is out of range");
+    value = number;
+  } else if constexpr (std::same_as<T, std::string>) {
+    if (!json.is_string()) place.fail("is not a text");
+    value = json.get<std::string>();
+  } else if constexpr (std::same_as<T, std::filesystem::path>) {
+    if (!json.is_string()) place.fail("is not a text");
+    value = json.get<std::string>();
+  } else if constexpr (Enumeration<T>) {
+    for (const auto& [word, meant] : wordsOf(T{}))
+      if (json == word) {
+        value = meant;
+        return;
+      }
+    std::string words;
+    for (const auto& [word, meant] : wordsOf(T{})) words.append(words.empty() ? "" : ", ").append(word);
+    place.fail("is none of " + words);
+  } else if constexpr (IsOptional<T>::value) {
+    if (json.is_null()) {
+      value.reset();
+    } else {
+      read(place, json, value.emplace(), range);
+    }
+  } else if constexpr (IsVector<T>::value) {
+    if (!json.is_array()) place.fail("is not a list");
+    value.clear();
+    value.reserve(json.size());
+    for (std::size_t i = 0; i < json.size(); ++i)
+      read(Place{place.file, &place, {}, i}, json[i], value.emplace_back(), range);
+  } else if constexpr (IsArray<T>::value) {
+    if (!json.is_array() || json.size() != value.size()) place.fail("is not a list of " + std::to_string(value.size()));
+    for (std::size_t i = 0; i < value.size(); ++i) read(Place{place.file, &place, {}, i}, json[i], value[i], range);
+  } else if constexpr (Object<T>) {
+    Reader reader(place, json);
+    members(reader, value);
+  } else {  // a vector of GLM
+    const auto size = static_cast<std::size_t>(value.length());
+    if (!json.is_array() || json.size() != size) place.fail("is not a list of " + std::to_string(size));
+    for (std::size_t i = 0; i < size; ++i)
+      read(Place{place.file, &place, {}, i}, json[i], value[static_cast<int>(i)], range);
+  }
+}
+
+template <class T>
+Value write(const T& value) {
+  if constexpr (Enumeration<T>) {
+    for (const auto& [word, meant] : wordsOf(T{}))
+      if (meant == value) return word;
+    throw std::invalid_argument("a value without a word");
+  } else if constexpr (IsOptional<T>::value) {
+    return value ? write(*value) : Value();
+  } else if constexpr (IsVector<T>::value || IsArray<T>::value) {
+    Value list = Value::array();
+    for (const auto& each : value) list.push_back(write(each));
+    return list;
+  } else if constexpr (std::integral<T> || std::same_as<T, double> || std::same_as<T, std::string>) {
+    return value;
+  } else if constexpr (std::same_as<T, std::filesystem::path>) {
+    return value.generic_string();
+  } else if constexpr (Object<T>) {
+    Value object;
+    Writer writer(object);
+    members(writer, value);
+    return object;
+  } else {
+    Value list = Value::array();
+    for (int i = 0; i < value.length(); ++i) list.push_back(value[i]);
+    return list;
+  }
+}
+
+}  // namespace fenestra::io::json

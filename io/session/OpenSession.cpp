@@ -1,0 +1,255 @@
+#include "io/session/OpenSession.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <system_error>
+
+#include "io/PhantomFile.h"
+#include "io/session/SessionFile.h"
+
+namespace fenestra::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Bounds of a search, so that a session in a home folder does not walk a whole archive.
+constexpr std::size_t mostEntries = 100000, mostFolders = 64;
+constexpr int deepest = 16;
+
+std::string described(const fs::path& path, const fs::path& folder) {
+  const fs::path relative = path.lexically_relative(folder);
+  return std::string("\"").append((relative.empty() ? path : relative).string()).append("\"");
+}
+
+bool isWithin(const fs::path& path, const fs::path& folder) {
+  std::error_code failure;
+  const fs::path from = fs::canonical(folder, failure),
+                 relative = fs::weakly_canonical(path, failure).lexically_relative(from);
+  return !relative.empty() && *relative.begin() != "..";
+}
+
+/// Whether files hold exactly that; the cheap differences first.
+bool hold(const std::vector<fs::path>& files, const Contents& contents, const Progress& progress) {
+  if (files.size() != contents.files) return false;
+  std::uint64_t bytes = 0;
+  for (const fs::path& file : files) {
+    std::error_code failure;
+    bytes += fs::file_size(file, failure);
+    if (failure) return false;
+  }
+  return bytes == contents.bytes && contentsOf(files, progress) == contents;
+}
+
+/// Files and folders below a folder that data may have moved to.
+class Search {
+ public:
+  Search(const fs::path& folder, const SessionData& data, const Progress& progress) : data_(data) {
+    std::error_code failure;
+    std::map<fs::path, std::size_t> filesBelow;
+    fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied, failure);
+    std::vector<fs::path> same, others;
+    for (std::size_t seen = 0; !failure && entry != fs::recursive_directory_iterator() && seen < mostEntries;
+         entry.increment(failure), ++seen) {
+      if (progress && !progress(0.0, "looking for moved data")) throw Cancelled();
+      std::error_code unknown;
+      const fs::path& path = entry->path();
+      if (path.filename() == data.path.filename()) named_.push_back(path);
+      if (entry->is_regular_file(unknown)) {
+        if (data.contents.files == 1 && entry->file_size(unknown) == data.contents.bytes) alike_.push_back(path);
+        for (fs::path above = path.parent_path(); above != folder.parent_path() && !above.empty();
+             above = above.parent_path())
+          ++filesBelow[above];
+      }
+      if (entry.depth() >= deepest) entry.disable_recursion_pending();
+    }
+    std::sort(named_.begin(), named_.end());
+    std::sort(alike_.begin(), alike_.end());
+    // The folder with the fewest files besides is the one that is meant, not those above it.
+    std::vector<std::pair<std::size_t, fs::path>> folders;
+    for (const auto& [path, files] : filesBelow)
+      if (files >= data.contents.files) folders.emplace_back(files, path);
+    std::sort(folders.begin(), folders.end());
+    if (folders.size() > mostFolders) folders.resize(mostFolders);
+    for (auto& [files, path] : folders) alike_.push_back(std::move(path));
+  }
+
+  /// The first place whose files, as `filesAt` lists them, hold what the data held.
+  template <class FilesAt>
+  fs::path find(const FilesAt& filesAt, const Progress& progress) const {
+    for (const std::vector<fs::path>* places : {&named_, &alike_})
+      for (const fs::path& place : *places) try {
+          if (hold(filesAt(place), data_.contents, progress)) return place;
+        } catch (const Error&) {  // something else
+        }
+    return {};
+  }
+
+ private:
+  const SessionData& data_;
+  std::vector<fs::path> named_, alike_;
+};
+
+template <class Data>
+struct Opened {
+  Data data;
+  Contents contents;
+  std::vector<fs::path> files;
+};
+
+/// Opens data by `open(path)`, which also says what they hold.
+template <class Open, class FilesAt>
+auto openMoved(DataMissing::Data which, SessionData& data, const fs::path& place, const fs::path& folder,
+               const Progress& progress, std::vector<Warning>& warnings, const Open& open, const FilesAt& filesAt) {
+  const bool labels = which == DataMissing::Data::Labels;
+  const std::string kind = labels ? "the label map " : "the volume ";
+  const std::string hint = labels ? "say where they are (--labels FILE)"
+                                  : "say where they are (--data PATH), or put them beside the session";
+  const bool known = !data.contents.hash.empty();
+  const auto take = [&](const fs::path& path, auto opened) {
+    data.path = fs::absolute(path);
+    data.contents = std::move(opened.contents);
+    data.files = std::move(opened.files);
+    return std::move(opened.data);
+  };
+  const auto warnOfChange = [&](const fs::path& path) {
+    warnings.push_back({Warning::Kind::ChangedData,
+                        kind + described(path, folder) + " is not what it was when the session was saved",
+                        {path}});
+  };
+
+  if (!place.empty()) {
+    auto opened = open(place);
+    if (known && opened.contents != data.contents) warnOfChange(place);
+    return take(place, std::move(opened));
+  }
+
+  std::string problem = kind + described(data.path, folder) + " is not there";
+  std::error_code failure;
+  if (fs::exists(data.path, failure)) {
+    try {
+      auto opened = open(data.path);
+      if (known && opened.contents == data.contents) return take(data.path, std::move(opened));
+      if (isWithin(data.path, folder)) {
+        if (known) warnOfChange(data.path);
+        return take(data.path, std::move(opened));
+      }
+      problem = kind + described(data.path, folder) + " is not what it was when the session was saved";
+    } catch (const Error& error) {
+      problem = kind + described(data.path, folder) + " cannot be opened: " + error.cause();
+    }
+  }
+  const fs::path found = known ? Search(folder, data, progress).find(filesAt, progress) : fs::path();
+  if (found.empty()) throw DataMissing(which, data.path, problem, hint);
+  warnings.push_back(
+      {Warning::Kind::MovedData,
+       kind + "was found at " + described(found, folder) + ", no longer at " + described(data.path, folder),
+       {}});
+  return take(found, open(found));
+}
+
+/// The files that a volume's or a label map's contents are: those of the series, and the one that was named.
+std::vector<fs::path> filesOf(const fs::path& path, const SeriesInfo& series) {
+  std::vector<fs::path> files = series.files;
+  std::error_code failure;
+  const bool listed = std::any_of(files.begin(), files.end(), [&](const fs::path& file) {
+    return file == path || fs::equivalent(file, path, failure);
+  });
+  if (!listed && fs::is_regular_file(path, failure)) files.push_back(path);
+  return files;
+}
+std::vector<fs::path> labelFilesAt(const fs::path& path) { return filesOf(path, listSeries(path).front()); }
+
+Progress part(const Progress& progress, double begin, double end) {
+  if (!progress) return {};
+  return [=](double fraction, std::string_view doing) { return progress(std::lerp(begin, end, fraction), doing); };
+}
+
+}  // namespace
+
+SessionVolume sessionVolume(const fs::path& path, const OpenedVolume& volume,
+                            const std::optional<RawDescription>& raw) {
+  SessionVolume data;
+  data.path = fs::absolute(path);
+  data.files = filesOf(path, volume.series);
+  if (volume.format == "DICOM") data.series = seriesKey(volume.series.id);
+  data.raw = raw;
+  return data;
+}
+
+SessionData sessionLabels(const fs::path& path) {
+  SessionData data;
+  data.path = fs::absolute(path);
+  data.files = labelFilesAt(path);
+  return data;
+}
+
+void noteContents(Session& session, const Progress& progress) {
+  for (SessionData* data : {static_cast<SessionData*>(&session.volume), &session.labels}) {
+    if (data->path.empty() || !data->contents.hash.empty()) continue;
+    try {
+      data->contents = contentsOf(data->files, progress);
+    } catch (const Error&) {
+      data->contents = {};
+    }
+  }
+}
+
+OpenedSession openSession(const fs::path& file, const SessionPlaces& places, const Progress& progress) {
+  OpenedSession opened;
+  opened.session = readSession(file);
+  Session& session = opened.session;
+  const fs::path folder = fs::absolute(file).parent_path();
+  if (session.phantom) {
+    if (!places.volume.empty() || !places.labels.empty())
+      throw Error(file, "shows a phantom, which is not read from files", "leave out --data and --labels");
+    OpenedPhantom phantom = openPhantom(session.phantom->name, session.phantom->voxels, progress);
+    opened.volume = std::move(phantom.volume);
+    opened.labels = std::move(phantom.labels);
+    return opened;
+  }
+
+  const auto openVolumeAt = [&](const fs::path& path) {
+    OpenOptions options;
+    options.series = session.volume.series;
+    options.raw = session.volume.raw;
+    options.progress = part(progress, 0.0, 0.7);
+    OpenedVolume volume;
+    try {
+      volume = openVolume(path, options);
+    } catch (const Error&) {
+      if (places.volume.empty() || options.series.empty()) throw;
+      // A study that was exported anew has other UIDs.
+      options.series.clear();
+      volume = openVolume(path, options);
+    }
+    std::vector<fs::path> files = filesOf(path, volume.series);
+    return Opened{std::move(volume), contentsOf(files, part(progress, 0.7, 0.8)), files};
+  };
+  const auto volumeFilesAt = [&](const fs::path& path) {
+    OpenOptions options;
+    options.raw = session.volume.raw;
+    for (const SeriesInfo& series : listSeries(path, options))
+      if (session.volume.series.empty() || session.volume.series == seriesKey(series.id)) return filesOf(path, series);
+    return std::vector<fs::path>();
+  };
+  opened.volume = openMoved(DataMissing::Data::Volume, session.volume, places.volume, folder, progress, opened.warnings,
+                            openVolumeAt, volumeFilesAt);
+  std::move(opened.volume.warnings.begin(), opened.volume.warnings.end(), std::back_inserter(opened.warnings));
+  opened.volume.warnings.clear();
+
+  if (!places.labels.empty() || !session.labels.path.empty()) {
+    const auto openLabelsAt = [&](const fs::path& path) {
+      OpenedLabels labels = openLabels(path, opened.volume.volume->grid, part(progress, 0.8, 0.9));
+      std::vector<fs::path> files = labelFilesAt(path);
+      return Opened{std::move(labels), contentsOf(files, part(progress, 0.9, 1.0)), files};
+    };
+    OpenedLabels labels = openMoved(DataMissing::Data::Labels, session.labels, places.labels, folder, progress,
+                                    opened.warnings, openLabelsAt, labelFilesAt);
+    opened.labels = std::move(labels.labels);
+    std::move(labels.warnings.begin(), labels.warnings.end(), std::back_inserter(opened.warnings));
+  }
+  return opened;
+}
+
+}  // namespace fenestra::io

@@ -1,0 +1,516 @@
+// The brush in the renderer: what strokes do to rays and to the context layer, against the reference and on hard cases,
+// and that painting runs for the pixels under the stroke alone with the result of a run for all.
+
+#include <numeric>
+
+#include "rendering/reference/Strokes.h"
+#include "tests/gl/GlTest.h"
+
+namespace fenestra::tests {
+namespace {
+
+constexpr glm::ivec2 size{120, 100};
+
+/// A ball of label 1 (radius 6 mm) off the middle of a larger ball of values falling outwards, in air.
+Scene ballScene() {
+  const Grid grid = gridOf({40, 40, 40});
+  const auto from = [](glm::ivec3 i, glm::dvec3 centre) { return glm::length(glm::dvec3(i) - centre); };
+  Scene scene;
+  scene.volume = volumeOf<std::int16_t>(grid, [&](glm::ivec3 i) { return 1000.0 - 60.0 * from(i, glm::dvec3(19.5)); });
+  scene.labels = labelsOf(grid, [&](glm::ivec3 i) { return from(i, {19.5, 17.0, 21.0}) < 6.0 ? 1 : 0; });
+  scene.focus = LabelFocus{{1}};
+  scene.context = opaqueFrom(100.0);
+  scene.cutaway.openWidth = 12.0;
+  scene.cutaway.borderWidth = 3.0;
+  return scene;
+}
+
+Camera frontOf(const Scene& scene, Projection projection = Projection::Perspective) {
+  return Camera::fromAngles(20.0, 15.0, scene.volume->grid, projection);
+}
+
+View viewOf(const Scene& scene, Projection projection = Projection::Perspective) {
+  return {.camera = frontOf(scene, projection), .size = size};
+}
+
+/// A stroke through pixels of the renderer's picture.
+BrushStroke painted(Renderer& renderer, BrushMode mode, const std::vector<glm::dvec2>& pixels, double radius = 4.0) {
+  BrushStroke stroke;
+  stroke.mode = mode;
+  stroke.radius = radius;
+  for (const glm::dvec2 pixel : pixels)
+    if (const auto point = renderer.pickBrush(pixel, mode)) extend(stroke, point->anchor);
+  EXPECT_EQ(stroke.anchors.size(), pixels.size());
+  return stroke;
+}
+
+/// The same without a renderer at hand: on the picture of a scene without strokes.
+BrushStroke painted(const Scene& scene, const View& view, BrushMode mode, const std::vector<glm::dvec2>& pixels,
+                    double radius = 4.0) {
+  Renderer renderer(std::make_shared<GpuScene>());
+  renderer.render(scene, view);
+  return painted(renderer, mode, pixels, radius);
+}
+
+Layers layersOf(const Scene& scene, const View& view) {
+  Renderer renderer(std::make_shared<GpuScene>());
+  renderer.render(scene, view);
+  return renderer.readLayers();
+}
+
+/// The reference's edits of the renderer's own earlier stages, so that an error shows where it arises.
+reference::Edits truthOf(const Scene& scene, const View& view, const Layers& layers) {
+  reference::HitPoints hits = reference::hitPoints(scene, view.camera, view.size);
+  hits.tContext = widened(layers.tContext);
+  hits.tFocus = widened(layers.tFocus);
+  const reference::Widths widths = reference::widthsInPixels(scene, view.camera, view.size, view.pixelScale);
+  const reference::Image unedited =
+      reference::rayStart(hits, widened(layers.tFocusFilled), widened(layers.distance), widths.open);
+  return reference::edits(scene.strokes, view.camera, view.size, hits, unedited);
+}
+
+/// Largest share of the strokes' effect by which the picture may miss the reference: float32 in positions on the
+/// picture (1e-5 px of a few px) and along the ray, of which the layers hold only what is left after the distance to
+/// the eye.
+double tolerance(const Scene& scene, const Layers& layers) {
+  double farthest = 0.0, smallest = 1e30;
+  for (const float t : layers.tContext)
+    if (std::isfinite(t)) farthest = std::max(farthest, static_cast<double>(t));
+  for (const BrushStroke& stroke : scene.strokes) smallest = std::min(smallest, stroke.radius);
+  return 1e-4 + 6e-7 * farthest / smallest;
+}
+
+/// Returns how many pixels the strokes changed.
+std::size_t expectEditsMatch(const Scene& scene, const View& view) {
+  const Layers layers = layersOf(scene, view);
+  const reference::Edits truth = truthOf(scene, view, layers);
+  if (layers.edits.size() != truth.offset.size()) {
+    ADD_FAILURE() << layers.edits.size() << " edited pixels against " << truth.offset.size();
+    return 0;
+  }
+  double effect = 0.0;
+  for (const BrushStroke& stroke : scene.strokes) effect += stroke.depth;
+  const double allowed = tolerance(scene, layers);
+  std::size_t changed = 0;
+  for (std::size_t i = 0; i < layers.edits.size(); ++i) {
+    EXPECT_NEAR(layers.edits[i].x, truth.offset[i], allowed * std::min(effect, 40.0) + 1e-5) << "pixel " << i;
+    EXPECT_NEAR(layers.edits[i].y, truth.factor[i], allowed * 4.0) << "pixel " << i;
+    if (std::isnan(truth.tStart[i])) {
+      EXPECT_TRUE(std::isnan(layers.tStart[i])) << "pixel " << i;
+    } else {
+      EXPECT_NEAR(layers.tStart[i], truth.tStart[i], allowed * std::min(effect, 40.0) + 1e-5) << "pixel " << i;
+    }
+    changed += truth.offset[i] != 0.0 || truth.factor[i] != 1.0;
+  }
+  return changed;
+}
+
+using Brush = GlTest;
+
+TEST_F(Brush, EditsMatchTheReferenceInBothProjectionsAndAtBothScales) {
+  Scene scene = ballScene();
+  for (const Projection projection : {Projection::Perspective, Projection::Orthographic})
+    for (const double pixelScale : {1.0, 2.0}) {
+      scene.strokes.clear();
+      View view = viewOf(scene, projection);
+      view.pixelScale = pixelScale;
+      // Crossing strokes of every mode over opening, focus and bare context.
+      const auto add = [&](BrushMode mode, double softness, double depth, bool covers,
+                           const std::vector<glm::dvec2>& pixels) {
+        BrushStroke stroke = painted(scene, view, mode, pixels);
+        stroke.softness = softness;
+        stroke.depth = depth;
+        stroke.coversFocus = covers;
+        scene.strokes.push_back(stroke);
+      };
+      add(BrushMode::Restore, 0.5, 50.0, false, {{50, 38}, {62, 40}, {70, 52}});
+      add(BrushMode::Restore, 1.0, 4.0, true, {{58, 50}, {66, 47}});
+      add(BrushMode::Open, 0.3, 6.0, false, {{48, 60}, {60, 62}, {72, 60}});
+      add(BrushMode::Open, 0.7, 3.0, false, {{60, 62}});
+      add(BrushMode::Fade, 0.5, 0.0, false, {{55, 45}, {65, 55}});
+      add(BrushMode::Strengthen, 0.2, 0.0, false, {{65, 45}, {55, 55}});
+      EXPECT_GT(expectEditsMatch(scene, view), 500u);
+      // And as other cameras see the same strokes.
+      for (const glm::dvec2 turn : {glm::dvec2(0.4, 0.2), glm::dvec2(-0.7, 0.3), glm::dvec2(3.0, 0.0)}) {
+        view.camera = frontOf(scene, projection).orbited(turn.x, turn.y);
+        expectEditsMatch(scene, view);
+      }
+    }
+}
+
+TEST_F(Brush, HardEdgesMissNoMoreThanTheirRim) {
+  Scene scene = ballScene();
+  const View view = viewOf(scene);
+  scene.strokes = {painted(scene, view, BrushMode::Restore, {{50, 40}, {70, 44}})};
+  scene.strokes[0].softness = 0.0;
+  const Layers layers = layersOf(scene, view);
+  const reference::Edits truth = truthOf(scene, view, layers);
+  std::size_t changed = 0, missed = 0;
+  for (std::size_t i = 0; i < layers.edits.size(); ++i) {
+    changed += truth.offset[i] != 0.0;
+    missed += std::abs(layers.edits[i].x - truth.offset[i]) > 1e-3;
+  }
+  EXPECT_GT(changed, 200u);
+  EXPECT_LE(missed, 1u);  // a pixel whose centre lies on the rim to 1e-5 px may fall on either side
+}
+
+TEST_F(Brush, HardCases) {
+  const Scene plain = ballScene();
+  const glm::dvec3 centre = plain.volume->grid.centre();
+  for (const Projection projection : {Projection::Perspective, Projection::Orthographic}) {
+    const View view = viewOf(plain, projection);
+    const auto changedBy = [&](const BrushStroke& stroke, const View& seen) {
+      Scene scene = plain;
+      scene.strokes = {stroke};
+      return expectEditsMatch(scene, seen);
+    };
+    const BrushStroke line = painted(plain, view, BrushMode::Restore, {{48, 42}, {70, 40}});
+    BrushStroke point = line;
+    point.anchors.resize(1);
+    const std::size_t dab = changedBy(point, view);
+    EXPECT_GT(dab, 50u);
+    BrushStroke still = point;
+    still.anchors.push_back(still.anchors[0]);
+    EXPECT_EQ(changedBy(still, view), dab) << "a line of no length is a dab";
+
+    BrushStroke tiny = line;
+    tiny.radius = 1e-6;
+    EXPECT_EQ(changedBy(tiny, view), 0u) << "smaller than the gaps between pixel centres";
+    BrushStroke huge = line;
+    huge.radius = 1e6;
+    // A parallel view takes it as it is; in perspective the eye is inside the stroke.
+    EXPECT_EQ(changedBy(huge, view) > 1000u, projection == Projection::Orthographic);
+    BrushStroke wide = line;
+    wide.radius = 40.0;
+    EXPECT_GT(changedBy(wide, view), 3 * dab);
+
+    const Camera::Axes axes = view.camera.axes();
+    BrushStroke behind = line;
+    for (glm::dvec3& anchor : behind.anchors) anchor = view.camera.eye - 5.0 * axes.forward + 0.1 * anchor;
+    EXPECT_EQ(changedBy(behind, view), 0u);
+    // Behind in the middle breaks the polyline in two dabs.
+    BrushStroke broken = line;
+    broken.anchors.insert(broken.anchors.begin() + 1, view.camera.eye - 50.0 * axes.forward);
+    const std::size_t both = changedBy(broken, view);
+    EXPECT_GT(both, dab);
+    EXPECT_LT(both, changedBy(line, view));
+    // An end far outside the picture, on the same line: the rest stays as it was.
+    BrushStroke outside = line;
+    outside.anchors.push_back(line.anchors[1] + 1e5 * axes.right);
+    EXPECT_GE(changedBy(outside, view), changedBy(line, view));
+
+    View far = view;
+    far.camera.eye = centre - 1e6 * axes.forward;
+    if (projection == Projection::Perspective) far.camera.verticalFov = 0.003;
+    EXPECT_GT(changedBy(line, far), 50u);
+
+    View single = view;
+    single.size = {1, 1};
+    changedBy(wide, single);
+  }
+}
+
+TEST_F(Brush, CameraInsideTheVolume) {
+  Scene scene = ballScene();
+  View view = viewOf(scene);
+  view.camera = lookAt(glm::dvec3(19.5, 3.0, 19.5), glm::dvec3(19.5, 17.0, 21.0));
+  view.camera.verticalFov = 60.0;
+  scene.strokes = {painted(scene, view, BrushMode::Open, {{30, 30}, {20, 60}, {30, 80}}, 2.0)};
+  scene.strokes[0].depth = 3.0;
+  BrushStroke around = scene.strokes[0];
+  around.anchors = {view.camera.eye + glm::dvec3(0.5, 0.5, 0.5), view.camera.eye - glm::dvec3(3.0, 3.0, 3.0)};
+  scene.strokes.push_back(around);
+  expectEditsMatch(scene, view);
+}
+
+TEST_F(Brush, StrokesWithoutEffectCostNothing) {
+  const Scene plain = ballScene();
+  const View view = viewOf(plain);
+  const auto render = [&](const BrushStrokes& strokes) {
+    Scene scene = plain;
+    scene.strokes = strokes;
+    Renderer renderer(std::make_shared<GpuScene>());
+    renderer.render(scene, view);
+    EXPECT_EQ(renderer.stats()[static_cast<std::size_t>(Pass::EditMap)].runs, 0u);
+    EXPECT_TRUE(renderer.readLayers().edits.empty());
+    return std::pair(renderer.readLayers().final, renderer.imageBytes());
+  };
+  const auto none = render({});
+  const BrushStroke good = painted(plain, view, BrushMode::Restore, {{50, 40}, {70, 44}});
+  BrushStroke hidden = good, notANumber = good, infinite = good, flat = good, shallow = good, empty = good;
+  hidden.hidden = true;
+  notANumber.anchors[1].y = nan;
+  infinite.anchors[0].x = infinity;
+  flat.radius = 0.0;
+  shallow.depth = 0.0;
+  empty.anchors.clear();
+  EXPECT_EQ(render({hidden, notANumber, infinite, flat, shallow, empty}), none);
+  // Without a cutaway there is no ray start to move.
+  Scene closed = plain;
+  closed.cutaway.enabled = false;
+  const auto before = layersOf(closed, view).final;
+  closed.strokes = {good};
+  EXPECT_EQ(layersOf(closed, view).final, before);
+}
+
+TEST_F(Brush, NeverHidesTheFocusUnlessAsked) {
+  Scene scene = ballScene();
+  const View view = viewOf(scene);
+  const Layers plain = layersOf(scene, view);
+  BrushStroke stroke = painted(scene, view, BrushMode::Restore, {{45, 50}, {75, 50}}, 8.0);
+  stroke.depth = 1e3;
+  stroke.softness = 0.0;
+  for (const bool covers : {false, true}) {
+    stroke.coversFocus = covers;
+    scene.strokes = {stroke};
+    const Layers edited = layersOf(scene, view);
+    std::size_t restored = 0, focus = 0;
+    for (std::size_t i = 0; i < edited.tStart.size(); ++i) {
+      if (std::isnan(edited.tContext[i])) continue;
+      if (!covers && !std::isnan(edited.tFocus[i])) {
+        EXPECT_EQ(edited.tStart[i], edited.tFocus[i]);
+      }
+      if (edited.tStart[i] == plain.tStart[i]) continue;
+      // A float32 rounding of the offset and one of the sum.
+      EXPECT_NEAR(edited.tStart[i], edited.tContext[i], 2e-5) << "a deep hard brush restores all";
+      ++restored;
+      focus += !std::isnan(edited.tFocus[i]);
+    }
+    EXPECT_GT(restored, 100u);
+    EXPECT_EQ(focus > 100u, covers);
+  }
+  // Opening stops at the focus and at the volume's end.
+  stroke.mode = BrushMode::Open;
+  scene.strokes = {stroke};
+  const Layers opened = layersOf(scene, view);
+  for (std::size_t i = 0; i < opened.tStart.size(); ++i)
+    if (!std::isnan(opened.tFocus[i])) {
+      EXPECT_EQ(opened.tStart[i], opened.tFocus[i]);
+    }
+}
+
+TEST_F(Brush, ActsOnWhatItWasPaintedOnAlone) {
+  Scene scene = ballScene();
+  scene.cutaway.openWidth = 5.0;
+  const View view = viewOf(scene);
+  for (const BrushMode mode : {BrushMode::Restore, BrushMode::Open, BrushMode::Fade, BrushMode::Strengthen}) {
+    scene.strokes.clear();
+    // Over focus and cut faces; Open where the cut begins, since at the focus's rim the cuts of both sides meet.
+    const std::vector<glm::dvec2> across{{48, 42}, {60, 36}, {74, 42}}, rim{{46, 42}, {60, 33}, {74, 42}};
+    BrushStroke stroke = painted(scene, view, mode, mode == BrushMode::Open ? rim : across);
+    stroke.coversFocus = true;
+    stroke.depth = 100.0;
+    scene.strokes = {stroke};
+    const auto changed = [&](const Camera& camera) {
+      View seen = view;
+      seen.camera = camera;
+      const Layers layers = layersOf(scene, seen);
+      return std::count_if(layers.edits.begin(), layers.edits.end(),
+                           [](glm::vec2 edit) { return edit != glm::vec2(0.0f, 1.0f); });
+    };
+    const auto front = changed(view.camera);
+    EXPECT_GT(front, 80);
+    EXPECT_GT(changed(view.camera.orbited(0.3, 0.0)), front / 2) << "seen from a little aside it is still there";
+    for (const double turn : {2.6, 3.14159, 3.6}) EXPECT_EQ(changed(view.camera.orbited(turn, 0.0)), 0) << turn;
+  }
+}
+
+TEST_F(Brush, RestoresNothingBehindAnotherSurface) {
+  // Painted on the ball; then a plate comes between it and the eye.
+  Scene scene = ballScene();
+  const View view = viewOf(scene, Projection::Orthographic);
+  const glm::dvec3 forward = view.camera.axes().forward, centre = scene.volume->grid.centre();
+  const BrushStroke stroke = painted(scene, view, BrushMode::Restore, {{50, 42}, {70, 42}});
+  const std::shared_ptr<const Volume> ball = scene.volume;
+  const Grid grid = gridOf({80, 80, 80}, glm::dvec3(1.0), glm::dvec3(-20.0));
+  scene.volume = volumeOf<std::int16_t>(grid, [&](glm::ivec3 i) {
+    const glm::dvec3 p = glm::dvec3(i) - 20.0;
+    const double before = glm::dot(centre - p, forward);
+    return before > 30.0 && before < 33.0 ? 500.0 : 1000.0 - 60.0 * glm::length(p - 19.5);
+  });
+  scene.labels = labelsOf(grid, [&](glm::ivec3 i) {
+    return glm::length(glm::dvec3(i) - 20.0 - glm::dvec3(19.5, 17.0, 21.0)) < 6.0 ? 1 : 0;
+  });
+  scene.strokes = {stroke};
+  const Layers layers = layersOf(scene, view);
+  ASSERT_FALSE(layers.edits.empty());
+  for (const glm::vec2 edit : layers.edits) EXPECT_EQ(edit.x, 0.0f);
+}
+
+TEST_F(Brush, GraduatesTheContextLayer) {
+  Scene scene = ballScene();
+  scene.contextLayer.strength = 0.5;
+  const View view = viewOf(scene);
+  const Layers plain = layersOf(scene, view);
+  scene.contextLayer.strength = 0.0;
+  const Layers bare = layersOf(scene, view);
+  scene.contextLayer.strength = 0.5;
+  BrushStroke stroke = painted(scene, view, BrushMode::Fade, {{40, 50}, {80, 50}}, 30.0);
+  stroke.softness = 0.0;
+  stroke.amount = 1.0;
+  scene.strokes = {stroke};
+  EXPECT_EQ(layersOf(scene, view).final, bare.final) << "faded away";
+  const auto share = [&](const Layers& layers) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < bare.final.size(); ++i) sum += glm::distance(layers.final[i], bare.final[i]);
+    return sum;
+  };
+  scene.strokes[0].mode = BrushMode::Strengthen;
+  const Layers strong = layersOf(scene, view);
+  ASSERT_GT(share(plain), 1.0);
+  // The layer's opacity doubles, and is added over the same picture below it.
+  EXPECT_NEAR(share(strong) / share(plain), 2.0, 1e-3);
+}
+
+/// What depends on strokes, bit for bit.
+void expectSamePicture(const Layers& a, const Layers& b, const std::string& after) {
+  const auto same = [](const auto& x, const auto& y) {
+    return x.size() == y.size() && (x.empty() || std::memcmp(x.data(), y.data(), x.size() * sizeof x[0]) == 0);
+  };
+  EXPECT_TRUE(same(a.tStart, b.tStart)) << after;
+  EXPECT_TRUE(same(a.edits, b.edits)) << after;
+  EXPECT_TRUE(same(a.focusLayer, b.focusLayer)) << after;
+  EXPECT_TRUE(same(a.final, b.final)) << after;
+}
+
+TEST_F(Brush, PaintingGivesTheSameBitsAsAFullRun) {
+  Scene scene = ballScene();
+  const View view = viewOf(scene);
+  Renderer renderer(std::make_shared<GpuScene>());
+  renderer.render(scene, view);
+  std::vector<glm::dvec2> pixels;
+  for (int k = 0; k < 6; ++k) pixels.emplace_back(40.0 + 8.0 * k, 38.0 + 5.0 * (k % 3));
+  const BrushStroke along = painted(renderer, BrushMode::Restore, pixels, 2.0);
+  BrushStroke cut = painted(renderer, BrushMode::Open, {{52, 60}, {66, 58}}, 2.5);
+  BrushStroke fade = painted(renderer, BrushMode::Fade, {{60, 48}, {64, 52}}, 2.0);
+
+  const auto step = [&](const std::string& what, bool patched = true) {
+    const auto runs = renderer.stats();
+    renderer.render(scene, view);
+    expectSamePicture(renderer.readLayers(), layersOf(scene, view), what);
+    const std::uint64_t whole = std::uint64_t(size.x) * std::uint64_t(size.y);
+    for (const Pass pass : {Pass::RayStart, Pass::FocusLayer, Pass::Composite}) {
+      const PassStats& mine = renderer.stats()[static_cast<std::size_t>(pass)];
+      EXPECT_EQ(mine.runs, runs[static_cast<std::size_t>(pass)].runs + 1) << what << ", " << nameOf(pass);
+      EXPECT_EQ(mine.pixels < whole, patched) << what << ", " << nameOf(pass);
+    }
+    for (const Pass pass : {Pass::HitPoints, Pass::PullPush, Pass::DistanceMap, Pass::ContextLayer})
+      EXPECT_EQ(renderer.stats()[static_cast<std::size_t>(pass)].runs, 1u) << what << ", " << nameOf(pass);
+  };
+  scene.strokes.emplace_back(along).anchors.clear();
+  for (const glm::dvec3& anchor : along.anchors) {
+    scene.strokes.back().anchors.push_back(anchor);
+    step("a point more");
+  }
+  scene.strokes.push_back(cut);
+  step("a stroke more");
+  scene.strokes.push_back(fade);
+  step("a fading stroke");
+  scene.strokes[1].hidden = true;
+  step("hidden");
+  scene.strokes[1].hidden = false;
+  step("shown");
+  scene.strokes[0].depth = 3.0;
+  step("another depth");
+  std::swap(scene.strokes[0], scene.strokes[1]);
+  step("another order");
+  scene.strokes.pop_back();
+  step("undone");
+  scene.strokes[1].anchors.resize(2);
+  step("shortened");
+  scene.strokes[0] = fade;
+  scene.strokes[1] = fade;
+  step("all changed");
+  scene.cutaway.openWidth = 16.0;
+  scene.strokes[1] = cut;
+  step("another width as well", false);
+  scene.strokes.clear();
+  step("cleared");
+}
+
+TEST_F(Brush, NothingRunsForUnchangedOrInvisibleStrokes) {
+  Scene scene = ballScene();
+  const View view = viewOf(scene);
+  scene.strokes = {painted(scene, view, BrushMode::Open, {{50, 50}})};
+  Renderer renderer(std::make_shared<GpuScene>());
+  renderer.render(scene, view);
+  const auto before = renderer.stats();
+  renderer.render(scene, view);
+  BrushStroke elsewhere = scene.strokes[0];
+  elsewhere.anchors[0] += 500.0 * view.camera.axes().right;
+  scene.strokes.push_back(elsewhere);
+  renderer.render(scene, view);
+  for (std::size_t pass = 0; pass < passCount; ++pass)
+    EXPECT_EQ(renderer.stats()[pass].runs, before[pass].runs) << nameOf(static_cast<Pass>(pass));
+}
+
+TEST_F(Brush, AStrokeCostsATenthOfAFrameAtMost) {
+  Scene scene = ballScene();
+  View view = viewOf(scene);
+  view.size = {700, 650};
+  view.quality = Quality::Draft;
+  Renderer renderer(std::make_shared<GpuScene>());
+  renderer.render(scene, view);
+  constexpr double brush = 24.0;  // px
+  constexpr int points = 50;
+  std::vector<double> shares;
+  BrushStroke stroke;
+  stroke.radius = 0.0;
+  scene.strokes = {stroke};
+  for (int k = 0; k < points; ++k) {
+    const glm::dvec2 pixel(350.0 + 90.0 * std::cos(0.12 * k), 325.0 + 90.0 * std::sin(0.12 * k));
+    const auto point = renderer.pickBrush(pixel, BrushMode::Restore);
+    ASSERT_TRUE(point.has_value());
+    if (k == 0) scene.strokes[0].radius = brush * point->pixelSize;
+    ASSERT_TRUE(extend(scene.strokes[0], point->anchor));
+    renderer.render(scene, view);
+    double most = 0.0;
+    for (const Pass pass : {Pass::RayStart, Pass::FocusLayer, Pass::Composite})
+      most = std::max(most, static_cast<double>(renderer.stats()[static_cast<std::size_t>(pass)].pixels));
+    shares.push_back(most / (view.size.x * view.size.y));
+  }
+  std::sort(shares.begin(), shares.end());
+  EXPECT_LE(shares[points / 2], 0.10);
+  EXPECT_GT(shares.front(), 0.003) << "a disc of 24 px has 1810 of 455000 pixels";
+}
+
+TEST_F(Brush, PickingGivesTheAnchorUnderThePixelAndItsScale) {
+  Scene scene = ballScene();
+  const glm::dvec3 centre = scene.volume->grid.centre();
+  for (const Projection projection : {Projection::Perspective, Projection::Orthographic}) {
+    View view = viewOf(scene, projection);
+    view.size *= 2;
+    view.pixelScale = 2.0;
+    Renderer renderer(std::make_shared<GpuScene>());
+    EXPECT_FALSE(renderer.pickBrush({1.0, 1.0}, BrushMode::Open).has_value()) << "no picture yet";
+    renderer.render(scene, view);
+    const glm::dvec2 pixel(118.25, 88.75);
+    const auto surface = renderer.pickBrush(pixel, BrushMode::Restore);
+    const auto seen = renderer.pickBrush(pixel, BrushMode::Open);
+    ASSERT_TRUE(surface && seen);
+    // The body's surface of radius 15 mm, though it was cut away there; within it, what is seen.
+    EXPECT_NEAR(glm::distance(surface->anchor, centre), 15.0, 0.1);
+    EXPECT_LT(glm::distance(seen->anchor, centre), 13.0);
+    // Two points a device-independent pixel apart are pixelSize apart in the world (surface bending left out).
+    const glm::dmat4 clip = view.camera.clipFromWorld(1.2, scene.volume->grid);
+    const auto onPicture = [&](glm::dvec3 world) {
+      const glm::dvec4 p = clip * glm::dvec4(world, 1.0);
+      return glm::dvec2(0.5 + 0.5 * p.x / p.w, 0.5 - 0.5 * p.y / p.w) * glm::dvec2(view.size);
+    };
+    for (const auto& point : {*surface, *seen}) {
+      EXPECT_NEAR(glm::distance(onPicture(point.anchor), pixel), 0.0, 1e-6);
+      const glm::dvec3 beside = point.anchor + point.pixelSize * view.camera.axes().right;
+      EXPECT_NEAR(glm::distance(onPicture(beside), pixel), 2.0, 1e-6);
+    }
+    // Off the body there is no anchor but the ray's at a given one's depth.
+    EXPECT_FALSE(renderer.pickBrush({1.0, 1.0}, BrushMode::Restore).has_value());
+    const auto off = renderer.pickBrush({1.0, 1.0}, BrushMode::Restore, surface->anchor);
+    ASSERT_TRUE(off.has_value());
+    const glm::dvec3 forward = view.camera.axes().forward;
+    EXPECT_NEAR(glm::dot(off->anchor - surface->anchor, forward), 0.0, 1e-9);
+    EXPECT_FALSE(renderer.pickBrush({-3.0, 1e6}, BrushMode::Restore, surface->anchor).has_value());
+  }
+}
+
+}  // namespace
+}  // namespace fenestra::tests

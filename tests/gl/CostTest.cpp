@@ -1,0 +1,142 @@
+// Only what a scene needs: which memory and passes each kind of scene takes, and that a feature costs nothing while it
+// is off.
+
+#include <map>
+#include <set>
+
+#include "tests/gl/GlTest.h"
+#include "tests/support/FeatureScenes.h"
+
+namespace fenestra::tests {
+namespace {
+
+constexpr glm::ivec2 size{96, 80};
+constexpr std::size_t pixels = 96 * 80;
+
+using Cost = GlTest;
+using Memory = std::map<std::string, std::size_t>;
+
+/// Two labelled balls inside a larger one of values falling outwards, in air.
+Scene ballScene() {
+  const Grid grid = gridOf({40, 40, 40});
+  const auto radius = [&](glm::ivec3 i) { return glm::length(glm::dvec3(i) - 19.5); };
+  Scene scene;
+  scene.volume = volumeOf<std::int16_t>(grid, [&](glm::ivec3 i) { return 1000.0 - 60.0 * radius(i); });
+  const auto labels = labelsOf(grid, [&](glm::ivec3 i) { return radius(i) < 5.0 ? 1 : radius(i) < 9.0 ? 2 : 0; });
+  labels->labels = {{1, "inner", glm::dvec3(0.9, 0.2, 0.2)}, {2, "outer", glm::dvec3(0.2, 0.2, 0.9)}};
+  scene.labels = labels;
+  scene.focus = LabelFocus{{1, 2}};
+  scene.context = {{{100.0, {glm::dvec3(0.8, 0.5, 0.4), 0.0}}, {100.0, {glm::dvec3(0.8, 0.5, 0.4), 0.5}}}};
+  return scene;
+}
+
+std::vector<FeatureScene> kinds() { return featureScenes(ballScene(), ValueFocus{{800.0, 2000.0}, 0.0}); }
+
+View viewOf(const Scene& scene) { return {Camera::fromAngles(25.0, 15.0, scene.volume->grid), size}; }
+
+Memory memoryOf(const GpuScene& gpu, const Renderer& renderer) {
+  Memory memory;
+  for (const GpuScene::Resource& resource : gpu.resources()) memory[resource.name] = resource.bytes;
+  memory["images"] = renderer.imageBytes();
+  return memory;
+}
+
+std::set<std::string> namesOf(const Memory& memory) {
+  std::set<std::string> names;
+  for (const auto& [name, bytes] : memory) names.insert(name);
+  return names;
+}
+
+struct Drawn {
+  Memory memory;
+  std::set<std::string> passes;
+};
+
+Drawn draw(const Scene& scene) {
+  const auto gpu = std::make_shared<GpuScene>();
+  Renderer renderer(gpu);
+  renderer.render(scene, viewOf(scene));
+  Drawn drawn{memoryOf(*gpu, renderer), {}};
+  for (std::size_t pass = 0; pass < passCount; ++pass)
+    if (renderer.stats()[pass].runs > 0) drawn.passes.insert(std::string(nameOf(static_cast<Pass>(pass))));
+  return drawn;
+}
+
+TEST_F(Cost, EveryKindOfSceneTakesItsOwnPassesAndResourcesAndNoOthers) {
+  using Names = std::set<std::string>;
+  const Names always{"volume", "transfer tables", "empty-space skipping", "images"};
+  const auto with = [](Names names, const Names& more) {
+    names.insert(more.begin(), more.end());
+    return names;
+  };
+  const Names plainPasses{"focus layer", "composite"};
+  const Names cutPasses = with(plainPasses, {"hit points", "pull-push", "distance map", "ray start"});
+  const Names lit = with(always, {"gradient"}), byValue = with(lit, {"focus index"});
+  const Names byLabel = with(byValue, {"focus normals"});
+  struct Expected {
+    Names resources, passes;
+  };
+  const std::map<std::string, Expected> expected{
+      {"plain, unlit", {always, plainPasses}},
+      {"plain", {lit, plainPasses}},
+      {"labels, no cutaway", {byLabel, plainPasses}},
+      {"cutaway by value", {byValue, cutPasses}},
+      {"cutaway by a label", {byLabel, cutPasses}},
+      {"cutaway by two labels", {with(byLabel, {"focus palette"}), cutPasses}},
+      {"with a border", {byLabel, cutPasses}},
+      {"with the context layer", {with(byLabel, {"derivative volume"}), with(cutPasses, {"context layer"})}},
+  };
+  const std::vector<FeatureScene> scenes = kinds();
+  EXPECT_EQ(scenes.size(), expected.size());
+  for (const FeatureScene& kind : scenes) {
+    const Drawn drawn = draw(kind.scene);
+    EXPECT_EQ(namesOf(drawn.memory), expected.at(kind.name).resources) << kind.name;
+    EXPECT_EQ(drawn.passes, expected.at(kind.name).passes) << kind.name;
+  }
+}
+
+TEST_F(Cost, AFeatureAddsItsOwnBytesAndNoOthers) {
+  std::map<std::string, Memory> memory;
+  for (const FeatureScene& kind : kinds()) memory[kind.name] = draw(kind.scene).memory;
+  const std::size_t voxels = 40 * 40 * 40;
+
+  const Memory& unlit = memory["plain, unlit"];
+  EXPECT_EQ(unlit.at("volume"), voxels * 2);
+  EXPECT_EQ(unlit.at("images"), pixels * (16 + 16));  // focus layer and picture, RGBA32F
+
+  Memory plain = memory["plain"];
+  EXPECT_EQ(plain.erase("gradient"), 1u);
+  EXPECT_EQ(plain, unlit);
+
+  // Labels that open nothing bring the focus, no image and no pass.
+  EXPECT_EQ(memory["labels, no cutaway"].at("images"), unlit.at("images"));
+
+  EXPECT_EQ(memory["with a border"], memory["cutaway by a label"]);
+
+  Memory layer = memory["with the context layer"];
+  EXPECT_EQ(layer.erase("derivative volume"), 1u);
+  layer["images"] -= pixels * (16 + 4);  // the layer and its silhouette
+  EXPECT_EQ(layer, memory["with a border"]);
+}
+
+TEST_F(Cost, AFeatureSwitchedOffGivesBackWhatItTook) {
+  const std::vector<FeatureScene> scenes = kinds();
+  for (const FeatureScene& kind : scenes) {
+    const auto gpu = std::make_shared<GpuScene>();
+    Renderer renderer(gpu);
+    for (const FeatureScene& before : scenes) {
+      renderer.render(before.scene, viewOf(before.scene));
+      renderer.render(kind.scene, viewOf(kind.scene));
+    }
+    Memory after = memoryOf(*gpu, renderer), fresh = draw(kind.scene).memory;
+    // The gradient covers whatever has shown so far, so that a change need not make it anew.
+    if (fresh.count("gradient")) {
+      EXPECT_GE(after["gradient"], fresh["gradient"]) << kind.name;
+      after["gradient"] = fresh["gradient"];
+    }
+    EXPECT_EQ(after, fresh) << kind.name;
+  }
+}
+
+}  // namespace
+}  // namespace fenestra::tests

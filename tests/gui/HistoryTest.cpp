@@ -1,0 +1,289 @@
+// Undo and redo of what the document holds.
+
+#include <array>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include <QSignalSpy>
+
+#include "viewer/model/Document.h"
+
+namespace fenestra::viewer {
+namespace {
+
+Study study() {
+  auto volume = std::make_shared<Volume>();
+  auto labels = std::make_shared<LabelMap>();
+  volume->grid = labels->grid = {.dims = glm::ivec3(4)};
+  volume->voxels = Voxels(ScalarType::Int16, volume->grid.voxelCount());
+  labels->voxels = Voxels(ScalarType::UInt8, volume->grid.voxelCount());
+  for (std::size_t i = 0; i < volume->voxels.count(); ++i)
+    volume->voxels.as<std::int16_t>()[i] = static_cast<std::int16_t>(10 * i);
+  volume->computeRange();
+  labels->labels = {{1, "first", {1, 0, 0}}, {2, "second", {0, 1, 0}}, {7, "third", {0, 0, 1}}};
+  Study made;
+  made.scene.volume = volume;
+  made.scene.labels = labels;
+  made.scene.context.nodes = {{100.0, {{1, 1, 1}, 0.0}}, {200.0, {{1, 1, 1}, 1.0}}};
+  made.transferFunction = "ct-bone";
+  return made;
+}
+
+BrushStroke dab(double x) { return {.anchors = {{x, 0.0, 0.0}}}; }
+
+/// One edit of any kind, all of them as the window makes them.
+class RandomEdits {
+ public:
+  RandomEdits(Document& document, unsigned seed) : document_(document), engine_(seed) {}
+
+  void make() {
+    switch (below(8)) {
+      case 0:
+        return document_.setFocused(std::array<std::uint16_t, 3>{1, 2, 7}[below(3)], below(2) == 0);
+      case 1:
+        return document_.setFocus(ValueFocus{.values = {number(), 1000.0 + number()}});
+      case 2:
+        return document_.setShift(number());
+      case 3:
+        return document_.setPreset(std::array{"ct-bone", "ct-angio", "mr"}[below(3)]);
+      case 4: {
+        Cutaway cutaway = document_.scene().cutaway;
+        cutaway.openWidth = number();
+        cutaway.enabled = below(2) == 0;
+        return document_.setCutaway(cutaway);
+      }
+      case 5: {
+        ContextLayer layer = document_.scene().contextLayer;
+        layer.strength = number();
+        return document_.setContextLayer(layer);
+      }
+      case 6: {
+        BrushStrokes strokes = document_.strokes();
+        BrushStroke stroke;
+        stroke.mode = static_cast<BrushMode>(below(4));
+        stroke.radius = 1.0 + number();
+        for (std::size_t anchor = 0; anchor <= below(60); ++anchor) stroke.anchors.emplace_back(number());
+        strokes.push_back(stroke);
+        return document_.setStrokes(std::move(strokes), QStringLiteral("Stroke"));
+      }
+      default: {
+        BrushStrokes strokes = document_.strokes();
+        if (strokes.empty()) return;
+        const std::size_t one = below(strokes.size());
+        if (below(2) == 0)
+          strokes[one].hidden = !strokes[one].hidden;
+        else
+          strokes.erase(strokes.begin() + static_cast<std::ptrdiff_t>(one));
+        return document_.setStrokes(std::move(strokes), QStringLiteral("Strokes"));
+      }
+    }
+  }
+
+ private:
+  std::size_t below(std::size_t end) { return std::uniform_int_distribution<std::size_t>(0, end - 1)(engine_); }
+  double number() { return std::uniform_real_distribution<double>(0.0, 100.0)(engine_); }
+
+  Document& document_;
+  std::mt19937 engine_;
+};
+
+TEST(History, AThousandRandomEditsAreUndoneAndRedoneToTheBit) {
+  Document document;
+  document.open(study());
+  RandomEdits random(document, 5);
+  std::vector<Edits> states{document.edits()};
+  std::vector<Scene> scenes{document.scene()};
+  while (states.size() <= 1000) {
+    const int before = document.undoStack().index();
+    random.make();
+    const bool changed = !(document.edits() == states.back());
+    ASSERT_EQ(document.undoStack().index(), before + (changed ? 1 : 0)) << "a step for a change, and for nothing else";
+    if (!changed) continue;
+    states.push_back(document.edits());
+    scenes.push_back(document.scene());
+  }
+  ASSERT_EQ(document.undoStack().count(), 1000);
+  for (std::size_t at = 1000; at-- > 0;) {
+    document.undoStack().undo();
+    ASSERT_EQ(document.edits(), states[at]) << "after undoing step " << at;
+    ASSERT_EQ(document.scene(), scenes[at]) << "after undoing step " << at;
+  }
+  EXPECT_FALSE(document.undoStack().canUndo());
+  for (std::size_t at = 1; at <= 1000; ++at) {
+    document.undoStack().redo();
+    ASSERT_EQ(document.edits(), states[at]) << "after redoing step " << at;
+    ASSERT_EQ(document.scene(), scenes[at]) << "after redoing step " << at;
+  }
+  EXPECT_FALSE(document.undoStack().canRedo());
+}
+
+TEST(History, StepsOfOneGestureAreOneStep) {
+  Document document;
+  document.open(study());
+  const Edits first = document.edits();
+  History& history = document.history();
+  history.beginGesture();
+  for (const double shift : {1.0, 2.0, 3.0}) document.setShift(shift);
+  document.focusOn(2);
+  history.endGesture();
+  EXPECT_EQ(history.stack().count(), 2) << "another name is another step";
+  document.setShift(4.0);
+  document.setShift(5.0);
+  EXPECT_EQ(history.stack().count(), 4) << "outside a gesture each is its own";
+  history.beginGesture();
+  document.setShift(6.0);
+  history.endGesture();
+  history.beginGesture();
+  document.setShift(7.0);
+  history.endGesture();
+  EXPECT_EQ(history.stack().count(), 6);
+  history.stack().setIndex(1);
+  EXPECT_EQ(document.shift(), 3.0);
+  history.stack().setIndex(0);
+  EXPECT_EQ(document.edits(), first);
+}
+
+TEST(History, StrokesThatGrowWithinAGestureComeBackWhole) {
+  Document document;
+  document.open(study());
+  document.setStrokes({dab(1.0), dab(2.0)}, QStringLiteral("Load"));
+  const Edits before = document.edits();
+  document.history().beginGesture();
+  BrushStroke stroke = dab(3.0);
+  for (int point = 0; point < 20; ++point) {
+    stroke.anchors.emplace_back(3.0, point, 0.0);
+    BrushStrokes strokes = before.strokes;
+    strokes.push_back(stroke);
+    document.setStrokes(std::move(strokes), QStringLiteral("Stroke"));
+  }
+  document.history().endGesture();
+  const Edits after = document.edits();
+  ASSERT_EQ(document.undoStack().count(), 2);
+  document.undoStack().undo();
+  EXPECT_EQ(document.edits(), before);
+  document.undoStack().redo();
+  EXPECT_EQ(document.edits(), after);
+}
+
+TEST(History, AGestureThatEndsWhereItBeganIsNoStep) {
+  Document document;
+  document.open(study());
+  document.history().beginGesture();
+  document.setShift(1.0);
+  document.setShift(0.0);
+  document.history().endGesture();
+  EXPECT_EQ(document.undoStack().count(), 0);
+  document.setShift(0.0);
+  document.setCutaway(document.scene().cutaway);
+  document.setFocus(document.focus());
+  EXPECT_EQ(document.undoStack().count(), 0) << "what changes nothing is no step";
+}
+
+TEST(History, AGestureDoesNotReachBackOverASave) {
+  Document document;
+  document.open(study());
+  document.history().beginGesture();
+  document.setShift(1.0);
+  document.undoStack().setClean();
+  document.setShift(2.0);
+  document.history().endGesture();
+  EXPECT_FALSE(document.undoStack().isClean());
+  document.undoStack().undo();
+  EXPECT_TRUE(document.undoStack().isClean());
+  EXPECT_EQ(document.shift(), 1.0);
+}
+
+TEST(History, WhatIsTakenBackCannotBeRedone) {
+  Document document;
+  document.open(study());
+  document.focusOn(1);
+  document.focusOn(7);
+  document.history().takeBack();
+  EXPECT_TRUE(document.isFocused(1));
+  EXPECT_FALSE(document.undoStack().canRedo());
+  EXPECT_EQ(document.undoStack().count(), 1);
+}
+
+TEST(History, AnotherStudyOrLabelMapStartsAnew) {
+  Document document;
+  document.open(study());
+  document.setShift(1.0);
+  document.open(study());
+  EXPECT_EQ(document.undoStack().count(), 0);
+  document.focusOn(1);
+  document.setLabels(nullptr);
+  EXPECT_EQ(document.undoStack().count(), 0) << "undone, the focus would be of labels that are gone";
+}
+
+/// As many bytes as it says.
+class Weight : public Change {
+ public:
+  explicit Weight(std::size_t bytes, int& sum) : bytes_(bytes), sum_(sum) { ++sum_; }
+  void undo() override { --sum_; }
+  void redo() override { ++sum_; }
+  bool absorb(const Change&) override { return false; }
+  bool isNothing() const override { return false; }
+  std::size_t bytes() const override { return bytes_; }
+
+ private:
+  std::size_t bytes_;
+  int& sum_;
+};
+
+TEST(History, MemoryIsBoundedAndTheOldestStepsGoFirst) {
+  constexpr std::size_t limit = 100000;
+  History history(limit);
+  int sum = 0;
+  QSignalSpy named(&history.stack(), &QUndoStack::undoTextChanged);
+  for (int step = 1; step <= 500; ++step) {
+    history.push(QString::number(step), std::make_shared<Weight>(step % 7 == 0 ? 30000 : 900, sum));
+    ASSERT_LE(history.bytes(), limit);
+    ASSERT_EQ(history.stack().undoText(), QString::number(step));
+    ASSERT_EQ(named.count(), step);
+    ASSERT_EQ(sum, step) << "what is kept is neither undone nor done again";
+  }
+  const int kept = history.stack().count();
+  EXPECT_GE(kept, 6);
+  while (history.stack().canUndo()) history.stack().undo();
+  EXPECT_EQ(sum, 500 - kept);
+  while (history.stack().canRedo()) history.stack().redo();
+  EXPECT_EQ(sum, 500);
+  history.push(QStringLiteral("huge"), std::make_shared<Weight>(2 * limit, sum));
+  EXPECT_EQ(history.stack().count(), 1) << "the latest stays";
+}
+
+TEST(History, TheSavedStateIsKnownAfterOldStepsHaveGone) {
+  for (const int savedAt : {0, 60, 95}) {
+    History history(100000);
+    int sum = 0;
+    const auto push = [&] { history.push(QStringLiteral("step"), std::make_shared<Weight>(4000, sum)); };
+    for (int step = 0; step < savedAt; ++step) push();
+    history.stack().setClean();
+    for (int step = savedAt; step < 100; ++step) push();
+    EXPECT_FALSE(history.stack().isClean());
+    while (history.stack().canUndo() && !history.stack().isClean()) history.stack().undo();
+    EXPECT_EQ(history.stack().isClean(), savedAt == 95) << savedAt;
+    if (savedAt == 95) {
+      EXPECT_EQ(sum, 95);
+    }
+  }
+}
+
+TEST(History, StrokesAreCountedByTheirAnchors) {
+  Document document;
+  document.open(study());
+  BrushStroke stroke;
+  stroke.anchors.resize(1000);
+  document.setStrokes({stroke}, QStringLiteral("Stroke"));
+  const std::size_t one = document.history().bytes();
+  EXPECT_GE(one, 1000 * sizeof(glm::dvec3));
+  BrushStrokes two = document.strokes();
+  two.push_back(stroke);
+  document.setStrokes(std::move(two), QStringLiteral("Stroke"));
+  // The second step holds the second stroke alone; a few bytes more or less are the allocator's.
+  EXPECT_NEAR(static_cast<double>(document.history().bytes()), 2.0 * static_cast<double>(one), 1000.0);
+}
+
+}  // namespace
+}  // namespace fenestra::viewer

@@ -1,0 +1,167 @@
+// Cameras placed for the focus, in the window.
+
+#include <cmath>
+
+#include <QDockWidget>
+#include <QSignalSpy>
+#include <QTest>
+
+#include "tests/gui/WindowFixture.h"
+#include "viewer/panels/CamerasPanel.h"
+#include "viewer/panels/SliderSpin.h"
+#include "viewer/panels/SphereMap.h"
+
+namespace fenestra::viewer {
+namespace {
+
+/// The marked ball with the marker in focus and both cameras placed for it.
+class PlacedWindow : public Window {
+ protected:
+  void SetUp() override {
+    Window::SetUp();
+    setAutomatic(true);
+    auto* dock = window_->findChild<QDockWidget*>(QStringLiteral("camerasDock"));
+    dock->raise();
+    window_->cursor().moveTo(markerCentre);
+    SliceView* axial = slice(SlicePlane::Axial);
+    QTest::mouseClick(axial, Qt::LeftButton, {}, axial->widgetFromWorld(markerCentre).toPoint());
+    ASSERT_TRUE(window_->placement().isBusy());
+    waitUntilDrawn();
+    ASSERT_NE(window_->placement().measured(), nullptr);
+  }
+
+  PlacementController& placement() { return window_->placement(); }
+  glm::dvec3 direction(int view) { return directionOf(window_->cameras().camera(view)); }
+  glm::dvec3 candidate(std::size_t index) { return placement().measured()->candidates.at(index).direction; }
+
+  static constexpr double same = 1e-9;  ///< of unit vectors after a few operations in double precision
+};
+
+TEST_F(PlacedWindow, ChoosingALabelMovesBothViewsToTheAnswer) {
+  const auto answer =
+      placement::choose(*placement().measured(), placement().settings().options, placement().settings().joint);
+  ASSERT_TRUE(answer.c1 && answer.c2);
+  EXPECT_LT(glm::distance(direction(0), candidate(*answer.c1)), same);
+  EXPECT_LT(glm::distance(direction(1), candidate(*answer.c2)), same);
+  EXPECT_GT(glm::dot(direction(0), glm::normalize(markerCentre)), 0.0) << "from the side where the marker lies";
+  for (const std::size_t view : {0u, 1u}) EXPECT_TRUE(green(volume(view))) << "view " << view;
+  // A convex focus shows less than half of itself to one camera and no more than three quarters to two at right angles.
+  ASSERT_TRUE(placement().share());
+  EXPECT_NEAR(*placement().share(), answer.share, same);
+  EXPECT_GT(answer.share, 0.5);
+  const QString percent = QString::number(100.0 * answer.share, 'f', 0);
+  EXPECT_TRUE(window_->camerasPanel().share()->text().contains(percent));
+}
+
+TEST_F(PlacedWindow, MeasuringInSlicesChangesNothing) {
+  ASSERT_TRUE(volume(0)->inContext([&](const std::shared_ptr<GpuScene>& gpu) {
+    const PlacementSettings& settings = placement().settings();
+    placement::Placer placer;
+    const placement::Measured& whole =
+        placer.measure(*gpu, window_->document().scene(), settings.sampling, settings.options);
+    const placement::Measured& sliced = *placement().measured();
+    ASSERT_EQ(sliced.candidates.size(), whole.candidates.size());
+    EXPECT_EQ(sliced.spread, 192u);
+    EXPECT_EQ(sliced.spread, whole.spread);
+    EXPECT_EQ(sliced.surfacePoints, whole.surfacePoints);
+    for (std::size_t i = 0; i < whole.candidates.size(); ++i) {
+      const placement::Candidate &a = sliced.candidates[i], &b = whole.candidates[i];
+      EXPECT_EQ(a.direction, b.direction);
+      EXPECT_EQ(a.sums.count, b.sums.count);
+      EXPECT_EQ(a.sums.depth, b.sums.depth);
+      EXPECT_EQ(a.seen, b.seen);
+      EXPECT_EQ(a.descriptors.stability, b.descriptors.stability);
+    }
+  }));
+}
+
+TEST_F(PlacedWindow, TheWheelScrollsThePanelAndChangesNoValue) {
+  CamerasPanel& panel = window_->camerasPanel();
+  volume(0)->setFocus();
+  const PlacementSettings before = placement().settings();
+  wheel(panel.sampling(), 1);
+  wheel(panel.weight(0)->slider(), 1);
+  EXPECT_EQ(placement().settings(), before);
+  panel.weight(0)->slider()->setFocus();
+  wheel(panel.weight(0)->slider(), 1);
+  EXPECT_NE(placement().settings(), before);
+  waitUntilDrawn();
+}
+
+TEST_F(PlacedWindow, DraggingC1MovesC2WithinItsRegion) {
+  const glm::dvec3 before = direction(0);
+  QSignalSpy measured(&placement(), &PlacementController::measuredFocus);
+  drag(volume(0), {150, 150}, {330, 190});
+  EXPECT_LT(glm::dot(before, direction(0)), 0.9);
+  const auto& options = placement().settings().options;
+  EXPECT_TRUE(placement::inRegion(direction(0), direction(1), options));
+  const auto dual = placement::chooseDual(*placement().measured(), direction(0), options);
+  ASSERT_TRUE(dual.c2);
+  EXPECT_LT(glm::distance(direction(1), candidate(*dual.c2)), same);
+
+  QTest::mouseClick(window_->camerasPanel().follow(), Qt::LeftButton, {},
+                    QPoint(6, window_->camerasPanel().follow()->height() / 2));
+  ASSERT_FALSE(placement().settings().follow);
+  const double angle = glm::dot(direction(0), direction(1));
+  drag(volume(0), {150, 150}, {250, 120});
+  EXPECT_NEAR(glm::dot(direction(0), direction(1)), angle, same) << "the linked pair keeps its relation";
+  EXPECT_TRUE(measured.isEmpty());
+  waitUntilDrawn();
+}
+
+TEST_F(PlacedWindow, WeightsAndRegionMoveTheCamerasWithoutMeasuring) {
+  QSignalSpy measured(&placement(), &PlacementController::measuredFocus);
+  const glm::dvec3 before = direction(0);
+  // As the paper has it: larger for larger depth, and so from the far side.
+  window_->camerasPanel().weight(0)->box()->setValue(2.0);
+  window_->camerasPanel().weight(1)->box()->setValue(0.0);
+  waitUntilDrawn();
+  EXPECT_LT(glm::dot(direction(0), before), 0.0);
+  EXPECT_LT(glm::dot(direction(0), glm::normalize(markerCentre)), -0.9);
+  QTest::keyClick(window_->camerasPanel().region(), Qt::Key_Down);
+  EXPECT_EQ(placement().settings().options.region, placement::Region::Stream);
+  waitUntilDrawn();
+  EXPECT_TRUE(placement::inRegion(direction(0), direction(1), placement().settings().options));
+  EXPECT_TRUE(measured.isEmpty());
+  EXPECT_FALSE(placement().isMeasuring());
+}
+
+TEST_F(PlacedWindow, PlacingOnRequestIsAStepAndForANewFocusIsNone) {
+  QUndoStack& steps = window_->document().undoStack();
+  EXPECT_EQ(steps.count(), 1) << "the focus alone: the cameras followed it";
+  drag(volume(1), {150, 150}, {260, 190});
+  const ViewLink::Pose turned = window_->cameras().pose();
+  EXPECT_EQ(steps.count(), 1) << "turned by hand";
+  QTest::keyClick(window_.get(), Qt::Key_F5);
+  waitUntilDrawn();
+  const ViewLink::Pose placed = window_->cameras().pose();
+  EXPECT_NE(placed, turned);
+  EXPECT_EQ(steps.count(), 2);
+  steps.undo();
+  EXPECT_EQ(window_->cameras().pose(), turned);
+  steps.redo();
+  EXPECT_EQ(window_->cameras().pose(), placed);
+  QTest::keyClick(window_.get(), Qt::Key_F5);
+  waitUntilDrawn();
+  EXPECT_EQ(steps.count(), 2) << "they were there already";
+}
+
+TEST_F(PlacedWindow, ThumbnailsAndMapTakeC1There) {
+  CamerasPanel& panel = window_->camerasPanel();
+  const std::vector<std::size_t> best = placement().best(CamerasPanel::thumbnailCount);
+  ASSERT_EQ(best.size(), CamerasPanel::thumbnailCount);
+  for (std::size_t rank = 0; rank < best.size(); ++rank) EXPECT_FALSE(panel.thumbnail(rank)->icon().isNull());
+  QTest::mouseClick(panel.thumbnail(2), Qt::LeftButton);
+  waitUntilDrawn();
+  EXPECT_LT(glm::distance(direction(0), candidate(best[2])), same);
+
+  const glm::dvec3 wanted = glm::normalize(glm::dvec3(-0.3, -1.0, 0.4));
+  QTest::mouseClick(panel.map(), Qt::LeftButton, {}, panel.map()->widgetFromDirection(wanted).toPoint());
+  waitUntilDrawn();
+  // The map is some 120 device-independent pixels high: a pixel is about 1.5 degrees.
+  EXPECT_GT(glm::dot(direction(0), wanted), std::cos(glm::radians(3.0)));
+  EXPECT_TRUE(placement::inRegion(direction(0), direction(1), placement().settings().options));
+}
+
+}  // namespace
+}  // namespace fenestra::viewer

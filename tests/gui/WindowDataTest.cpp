@@ -1,0 +1,181 @@
+// Opening data in the window, what it says about it, and what it remembers.
+
+#include <filesystem>
+#include <fstream>
+#include <thread>
+
+#include <QApplication>
+#include <QDockWidget>
+#include <QDragEnterEvent>
+#include <QLabel>
+#include <QMimeData>
+#include <QPushButton>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QTest>
+#include <QUrl>
+
+#include "io/VolumeWriter.h"
+#include "tests/gui/WindowFixture.h"
+#include "tests/support/TestData.h"
+#include "viewer/NoticeBar.h"
+#include "viewer/model/Paths.h"
+#include "viewer/panels/CamerasPanel.h"
+#include "viewer/panels/FocusPanel.h"
+
+namespace fenestra::viewer {
+namespace {
+
+TEST_F(Window, ABrokenFileIsToldAndTheOldStudyStays) {
+  const std::filesystem::path broken = tests::scratchFolder() / "broken.nii";
+  std::ofstream(broken) << "not a volume";
+  window_->document().focusOn(marker);
+  const auto volumeBefore = window_->document().scene().volume;
+  QSignalSpy failed(window_.get(), &MainWindow::failed);
+  window_->open(std::vector{broken});
+  ASSERT_TRUE(failed.wait(patience));
+  ASSERT_EQ(window_->notices().texts().size(), 1);
+  EXPECT_TRUE(window_->notices().texts().front().contains(QStringLiteral("broken.nii")));
+  EXPECT_EQ(window_->document().scene().volume, volumeBefore);
+  EXPECT_TRUE(window_->document().isFocused(marker));
+  waitUntilDrawn();
+}
+
+TEST_F(Window, DroppedFilesAreOpened) {
+  auto half = std::make_shared<Volume>();
+  half->grid = {.dims = {12, 10, 8}, .spacing = glm::dvec3(3.0)};
+  half->voxels = Voxels(ScalarType::UInt8, half->grid.voxelCount());
+  for (std::size_t i = 0; i < half->voxels.count(); ++i) half->voxels.as<std::uint8_t>()[i] = i % 12 < 6 ? 0 : 5;
+  half->computeRange();
+  const std::filesystem::path file = tests::scratchFolder() / "Größe 頭部.mha";
+  io::writeVolume(*half, file);
+
+  QMimeData files;
+  files.setUrls({QUrl::fromLocalFile(toQString(file)), QUrl::fromLocalFile(toQString(file))});
+  QDragEnterEvent enter(QPoint(400, 300), Qt::CopyAction, &files, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(window_.get(), &enter);
+  ASSERT_TRUE(enter.isAccepted());
+  QDropEvent drop(QPointF(400, 300), Qt::CopyAction, &files, Qt::LeftButton, Qt::NoModifier);
+  QSignalSpy opened(window_.get(), &MainWindow::opened);
+  QApplication::sendEvent(window_.get(), &drop);
+  ASSERT_TRUE(opened.wait(patience));
+  const Scene& scene = window_->document().scene();
+  EXPECT_EQ(scene.volume->grid.dims, half->grid.dims);
+  ASSERT_NE(scene.labels, nullptr) << "the second file is the first one's label map";
+  ASSERT_EQ(scene.labels->labels.size(), 1u);
+  EXPECT_EQ(scene.labels->labels[0].value, 5);
+  waitUntilDrawn();
+}
+
+TEST_F(Window, LabelsAreOpenedOverTheStudy) {
+  auto marks = std::make_shared<Volume>();
+  marks->grid = window_->document().scene().volume->grid;
+  marks->voxels = Voxels(ScalarType::UInt8, marks->grid.voxelCount());
+  for (std::size_t i = 0; i < marks->voxels.count(); ++i) marks->voxels.as<std::uint8_t>()[i] = i % 48 < 24 ? 3 : 0;
+  marks->computeRange();
+  const std::filesystem::path file = tests::scratchFolder() / "labels.nrrd";
+  io::writeVolume(*marks, file);
+  window_->document().focusOn(marker);
+  QSignalSpy changed(&window_->document(), &Document::labelsChanged);
+  window_->openLabels(file);
+  ASSERT_TRUE(changed.wait(patience));
+  EXPECT_EQ(window_->focusPanel().list()->model()->rowCount(), 1);
+  EXPECT_EQ(window_->document().focus(), Focus()) << "the old labels are gone";
+  waitUntilDrawn();
+}
+
+TEST_F(Window, RemembersLayoutAndRecentFilesOnlyWhenAsked) {
+  QSettings::setDefaultFormat(QSettings::IniFormat);
+  QSettings::setPath(QSettings::IniFormat, QSettings::UserScope,
+                     QString::fromStdString(tests::scratchFolder().string()));
+  QCoreApplication::setOrganizationName(QStringLiteral("Fenestra tests"));
+  const auto cutawayDock = [](MainWindow& window) {
+    return window.findChild<QDockWidget*>(QStringLiteral("cutawayDock"));
+  };
+  MainWindow::Setup setup{.gl = {.problem = QStringLiteral("slices are enough here")}};
+  const auto closeWithoutDock = [&] {
+    MainWindow window(setup);
+    window.show();
+    cutawayDock(window)->hide();
+    QSignalSpy opened(&window, &MainWindow::opened);
+    window.open([](const io::Progress&) {
+      Study study = markedBall();
+      study.path = "/data/scan.nii";
+      return study;
+    });
+    EXPECT_TRUE(opened.wait(patience));
+    window.close();
+  };
+  setup.remember = false;
+  closeWithoutDock();
+  EXPECT_TRUE(Preferences().recent().empty());
+  setup.remember = true;
+  closeWithoutDock();
+  EXPECT_EQ(Preferences().recent(), std::vector<std::filesystem::path>{"/data/scan.nii"});
+  MainWindow again(setup);
+  again.show();
+  EXPECT_FALSE(cutawayDock(again)->isVisible());
+}
+
+TEST_F(Window, WarningsAreShownOnceEach) {
+  Study study = markedBall();
+  study.warnings = {{io::Warning::Kind::UnevenSpacing, "slices are uneven", {"a.dcm", "b.dcm"}},
+                    {io::Warning::Kind::UnevenSpacing, "slices are uneven", {"a.dcm", "b.dcm"}},
+                    {io::Warning::Kind::GantryTilt, "the gantry was tilted", {}}};
+  open(study);
+  EXPECT_EQ(window_->notices().texts(),
+            (QStringList{QStringLiteral("Slices are uneven."), QStringLiteral("The gantry was tilted.")}));
+  open(markedBall());
+  EXPECT_TRUE(window_->notices().texts().isEmpty());
+}
+
+TEST_F(Window, ReadingCanBeCancelled) {
+  const auto volumeBefore = window_->document().scene().volume;
+  window_->open([](const io::Progress& progress) -> Study {
+    while (progress(0.5, "reading slices")) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    throw io::Cancelled();
+  });
+  const auto cancel = [&]() -> QPushButton* {
+    for (QPushButton* button : window_->findChildren<QPushButton*>())
+      if (button->isVisible() && button->text() == QStringLiteral("Cancel")) return button;
+    return nullptr;
+  };
+  ASSERT_TRUE(QTest::qWaitFor([&] { return cancel() != nullptr; }, patience));
+  QTest::mouseClick(cancel(), Qt::LeftButton);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return cancel() == nullptr; }, patience));
+  EXPECT_TRUE(window_->notices().texts().isEmpty());
+  EXPECT_EQ(window_->document().scene().volume, volumeBefore);
+}
+
+TEST_F(Window, TitleAndPanelsNameNoFile) {
+  Study study = markedBall();
+  study.path = "/data/Doe^Jane/scan.nii";
+  study.series.description = "Jane Doe, head";
+  open(study);
+  EXPECT_FALSE(window_->windowTitle().contains(QStringLiteral("Doe")));
+  for (const QLabel* label : window_->findChildren<QLabel*>())
+    EXPECT_FALSE(label->text().contains(QStringLiteral("Doe"))) << label->text().toStdString();
+}
+
+TEST(WindowWithoutOpenGl, ExplainsItselfAndKeepsTheSlices) {
+  MainWindow window({.gl = {.problem = QStringLiteral("No driver here.")}, .remember = false});
+  window.resize(1280, 800);
+  window.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+  QSignalSpy opened(&window, &MainWindow::opened);
+  window.open([](const io::Progress&) { return markedBall(); });
+  ASSERT_TRUE(opened.wait(patience));
+  const auto* reason = window.findChild<QLabel*>(QStringLiteral("noOpenGl"));
+  ASSERT_NE(reason, nullptr);
+  EXPECT_TRUE(reason->isVisible());
+  EXPECT_TRUE(reason->text().contains(QStringLiteral("No driver here.")));
+  EXPECT_FALSE(window.camerasPanel().placeButton()->isEnabled());
+  SliceView* axial = window.views().sliceViews().front();
+  window.cursor().moveTo(markerCentre);
+  QTest::mouseClick(axial, Qt::LeftButton, {}, axial->widgetFromWorld(markerCentre).toPoint());
+  EXPECT_EQ(window.document().focus(), Focus(LabelFocus{{marker}}));
+  EXPECT_FALSE(window.picture().isNull());
+}
+
+}  // namespace
+}  // namespace fenestra::viewer

@@ -1,0 +1,52 @@
+#pragma once
+// A window on a display with OpenGL that shows a ball of soft tissue with a green cube in it, and the hands of its
+// user: mouse, wheel and keys.
+
+#include <memory>
+#include <optional>
+
+#include <gtest/gtest.h>
+
+#include <QPointF>
+
+#include "viewer/MainWindow.h"
+
+namespace fenestra::viewer {
+
+constexpr int patience = 30000;  ///< ms; reached only when something hangs
+constexpr std::uint16_t body = 1, marker = 2;
+
+/// Where the marker is: to the patient's left, anterior and superior of the middle.
+inline const glm::dvec3 markerCentre(17.0, -17.0, 17.0);
+
+/// A ball of soft tissue with a green cube of bone in it, 48³ voxels of 2 mm around the world's origin.
+Study markedBall();
+
+/// A window that shows the marked ball.
+class Window : public testing::Test {
+ protected:
+  void SetUp() override;
+
+  void open(const Study& study);
+  void waitUntilDrawn();
+  /// Whether a chosen focus moves the cameras: only where that is what is tested.
+  void setAutomatic(bool on);
+
+  VolumeView* volume(std::size_t index) { return window_->views().volumeViews().at(index); }
+  SliceView* slice(SlicePlane plane) { return window_->views().sliceViews().at(static_cast<std::size_t>(plane)); }
+
+  void drag(QWidget* widget, QPoint from, QPoint to, Qt::MouseButton button = Qt::LeftButton,
+            Qt::KeyboardModifiers modifiers = {});
+  void wheel(QWidget* widget, int notches, Qt::KeyboardModifiers modifiers = {});
+
+  /// What a view shows, in device pixels, without its outermost two device-independent pixels: there a frame tells
+  /// which view was used last.
+  QImage picture(QWidget* view);
+  /// Centre of the green pixels that a view shows, from -1 (left, top) to 1 (right, bottom); empty when there are few.
+  std::optional<QPointF> green(QWidget* view);
+
+  const GlSupport gl_ = probeOpenGl();
+  std::unique_ptr<MainWindow> window_;
+};
+
+}  // namespace fenestra::viewer

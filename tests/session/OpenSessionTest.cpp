@@ -1,0 +1,248 @@
+// A session's data: found where they are, where they moved to, or not; changed data is said; and nothing of the patient
+// is in the file.
+
+#include <chrono>
+
+#include <gtest/gtest.h>
+
+#include "io/VolumeWriter.h"
+#include "io/session/OpenSession.h"
+#include "io/session/SessionFile.h"
+#include "tests/io/DicomWriter.h"
+#include "tests/io/IoTesting.h"
+#include "tests/session/SessionTesting.h"
+#include "tests/support/TestData.h"
+
+namespace fenestra::tests {
+namespace {
+
+namespace fs = std::filesystem;
+using Kind = io::Warning::Kind;
+
+/// A study of five slices and a label map beside it, and a session for both in a folder of their own.
+class OpenSession : public testing::Test {
+ protected:
+  void SetUp() override {
+    top_ = scratchFolder();
+    project_ = top_ / "project";
+    fs::create_directories(project_);
+    writeStudy(project_ / "study", 0);
+    Volume labels;
+    labels.grid.dims = {4, 3, 5};
+    labels.voxels = Voxels(ScalarType::UInt8, labels.grid.voxelCount());
+    for (std::size_t i = 0; i < 60; ++i) labels.voxels.as<std::uint8_t>()[i] = static_cast<std::uint8_t>(i % 3);
+    io::writeVolume(labels, project_ / "labels.nii.gz");
+  }
+
+  static void writeStudy(const fs::path& folder, std::uint32_t value, const std::string& series = "1.2.3.4") {
+    fs::create_directories(folder);
+    for (int slice = 0; slice < 5; ++slice) {
+      DicomSpec spec;
+      spec.series = series;
+      spec.instance = series + "." + std::to_string(slice);
+      spec.instanceNumber = slice + 1;
+      spec.position = glm::dvec3(0.0, 0.0, slice);
+      spec.words.assign(12, value + static_cast<std::uint32_t>(slice));
+      writeDicom(folder / ("slice" + std::to_string(slice)), spec);
+    }
+  }
+
+  /// A session for what is in the project's folder.
+  fs::path save(const fs::path& file, const fs::path& volume, const fs::path& labels = {}) {
+    const io::OpenedVolume opened = io::openVolume(volume);
+    io::Session session;
+    session.volume = io::sessionVolume(volume, opened);
+    if (!labels.empty()) session.labels = io::sessionLabels(labels);
+    io::noteContents(session);
+    io::writeSession(file, session);
+    return file;
+  }
+
+  static std::string missing(const fs::path& file, io::DataMissing::Data which) {
+    try {
+      io::openSession(file);
+    } catch (const io::DataMissing& error) {
+      EXPECT_EQ(error.data(), which);
+      return error.what();
+    }
+    ADD_FAILURE() << "nothing was missing";
+    return {};
+  }
+
+  fs::path top_, project_;
+};
+
+TEST_F(OpenSession, FindsDataWhereTheyAre) {
+  const fs::path file = save(project_ / "a.fenestra", project_ / "study", project_ / "labels.nii.gz");
+  const io::OpenedSession opened = io::openSession(file);
+  EXPECT_TRUE(opened.warnings.empty()) << kindsOf(opened.warnings);
+  EXPECT_EQ(opened.volume.volume->grid.dims, glm::ivec3(4, 3, 5));
+  ASSERT_TRUE(opened.labels);
+  EXPECT_EQ(opened.labels->labels.size(), 2u);
+  io::writeSession(project_ / "b.fenestra", opened.session);
+  EXPECT_EQ(readFile(project_ / "a.fenestra"), readFile(project_ / "b.fenestra"));
+}
+
+TEST_F(OpenSession, KeepsWorkingWhenTheProjectMoves) {
+  save(project_ / "a.fenestra", project_ / "study", project_ / "labels.nii.gz");
+  fs::rename(project_, top_ / "elsewhere");
+  const io::OpenedSession opened = io::openSession(top_ / "elsewhere" / "a.fenestra");
+  EXPECT_TRUE(opened.warnings.empty()) << kindsOf(opened.warnings);
+}
+
+TEST_F(OpenSession, ASessionAmongTheSlicesIsNoSlice) {
+  const fs::path file = save(project_ / "study" / "a.fenestra", project_ / "study");
+  EXPECT_TRUE(io::openSession(file).warnings.empty());
+}
+
+TEST_F(OpenSession, SearchesBesideAndBelowByName) {
+  const fs::path file = save(project_ / "a.fenestra", project_ / "study", project_ / "labels.nii.gz");
+  const std::string before = readFile(file);
+  fs::create_directories(project_ / "data" / "2026");
+  fs::rename(project_ / "study", project_ / "data" / "2026" / "study");
+  fs::rename(project_ / "labels.nii.gz", project_ / "data" / "labels.nii.gz");
+  // Of the same name, but something else.
+  writeStudy(project_ / "study", 7);
+  const io::OpenedSession opened = io::openSession(file);
+  EXPECT_EQ(opened.session.volume.path, project_ / "study")
+      << "what is at its place is taken, and that it changed is said";
+  EXPECT_TRUE(hasWarning(opened.warnings, Kind::ChangedData));
+  EXPECT_TRUE(hasWarning(opened.warnings, Kind::MovedData));
+  EXPECT_EQ(opened.session.labels.path, project_ / "data" / "labels.nii.gz");
+  fs::rename(project_ / "study", project_ / "data" / "study");
+  const io::OpenedSession again = io::openSession(file);
+  EXPECT_EQ(again.session.volume.path, project_ / "data" / "2026" / "study") << "equal contents, not the nearest name";
+  EXPECT_FALSE(hasWarning(again.warnings, Kind::ChangedData));
+  io::writeSession(file, again.session);
+  EXPECT_NE(readFile(file), before);
+  EXPECT_TRUE(io::openSession(file).warnings.empty()) << "saved again, it knows where they are";
+}
+
+TEST_F(OpenSession, SearchesByContentsWhenTheNameIsGone) {
+  const fs::path file = save(project_ / "a.fenestra", project_ / "study", project_ / "labels.nii.gz");
+  fs::create_directories(project_ / "data" / "decoy");
+  fs::rename(project_ / "study", project_ / "data" / "anonymous");
+  fs::rename(project_ / "labels.nii.gz", project_ / "data" / "x.nii.gz");
+  for (int i = 0; i < 7; ++i) writeFile(project_ / "data" / "decoy" / std::to_string(i), "not a slice");
+  const io::OpenedSession opened = io::openSession(file);
+  EXPECT_EQ(opened.session.volume.path, project_ / "data" / "anonymous");
+  EXPECT_EQ(opened.session.labels.path, project_ / "data" / "x.nii.gz");
+  EXPECT_EQ(opened.warnings.size(), 2u) << kindsOf(opened.warnings);
+}
+
+TEST_F(OpenSession, AsksForWhatItDoesNotFind) {
+  const fs::path file = save(project_ / "a.fenestra", project_ / "study", project_ / "labels.nii.gz");
+  fs::rename(project_ / "labels.nii.gz", top_ / "labels.nii.gz");
+  std::string said = missing(file, io::DataMissing::Data::Labels);
+  EXPECT_NE(said.find("--labels"), std::string::npos) << said;
+  fs::rename(project_ / "study", top_ / "study");
+  said = missing(file, io::DataMissing::Data::Volume);
+  EXPECT_NE(said.find("--data"), std::string::npos) << said;
+  EXPECT_EQ(said.find('\n'), std::string::npos);
+  const io::OpenedSession opened = io::openSession(file, {top_ / "study", top_ / "labels.nii.gz"});
+  EXPECT_TRUE(opened.warnings.empty()) << kindsOf(opened.warnings);
+  EXPECT_EQ(opened.session.volume.path, top_ / "study");
+}
+
+TEST_F(OpenSession, SaysThatDataChanged) {
+  const fs::path file = save(project_ / "a.fenestra", project_ / "study", project_ / "labels.nii.gz");
+  std::string bytes = readFile(project_ / "study" / "slice2");
+  bytes.back() = static_cast<char>(bytes.back() + 1);
+  writeFile(project_ / "study" / "slice2", bytes);
+  io::OpenedSession opened = io::openSession(file);
+  EXPECT_TRUE(hasWarning(opened.warnings, Kind::ChangedData)) << "one bit in one slice";
+  io::writeSession(file, opened.session);
+  EXPECT_TRUE(io::openSession(file).warnings.empty()) << "saved again, that is what they are";
+
+  // Outside the session's folder changed data is not taken without being asked for.
+  fs::create_directories(top_ / "sessions");
+  const fs::path outside = save(top_ / "sessions" / "a.fenestra", project_ / "study");
+  EXPECT_TRUE(io::openSession(outside).warnings.empty());
+  writeStudy(project_ / "study", 7);
+  EXPECT_NE(missing(outside, io::DataMissing::Data::Volume).find("is not what it was"), std::string::npos);
+  opened = io::openSession(outside, {project_ / "study", {}});
+  EXPECT_TRUE(hasWarning(opened.warnings, Kind::ChangedData));
+}
+
+TEST_F(OpenSession, OpensTheSeriesThatWasChosen) {
+  writeStudy(project_ / "study" / "other", 100, "1.2.3.5");
+  io::OpenOptions options;
+  options.series = "1.2.3.5";
+  const io::OpenedVolume opened = io::openVolume(project_ / "study", options);
+  io::Session session;
+  session.volume = io::sessionVolume(project_ / "study", opened);
+  io::noteContents(session);
+  io::writeSession(project_ / "a.fenestra", session);
+  const io::OpenedSession again = io::openSession(project_ / "a.fenestra");
+  EXPECT_EQ(again.volume.series.id, "1.2.3.5");
+  EXPECT_EQ(again.volume.volume->range.low, 100.0);
+  EXPECT_EQ(again.volume.otherSeries.size(), 1u);
+}
+
+TEST_F(OpenSession, AStudyExportedAnewIsTakenWhereTheUserNamesIt) {
+  const fs::path file = save(project_ / "a.fenestra", project_ / "study");
+  fs::remove_all(project_ / "study");
+  writeStudy(top_ / "export", 0, "9.8.7");
+  const io::OpenedSession opened = io::openSession(file, {top_ / "export", {}});
+  EXPECT_EQ(opened.volume.series.id, "9.8.7");
+  EXPECT_TRUE(hasWarning(opened.warnings, Kind::ChangedData));
+}
+
+TEST_F(OpenSession, SavesWhileTheDataAreAway) {
+  const io::OpenedVolume opened = io::openVolume(project_ / "study");
+  io::Session session;
+  session.volume = io::sessionVolume(project_ / "study", opened);
+  fs::rename(project_ / "study", top_ / "away");
+  io::noteContents(session);
+  io::writeSession(project_ / "a.fenestra", session);
+  fs::rename(top_ / "away", project_ / "study");
+  EXPECT_TRUE(io::openSession(project_ / "a.fenestra").warnings.empty());
+}
+
+TEST_F(OpenSession, ContentsAreThoseOfSha256sum) {
+  writeFile(top_ / "abc", "abc");
+  // FIPS 180-2, appendix B.1.
+  const std::string abc = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
+  EXPECT_EQ(io::contentsOf({top_ / "abc"}), (io::Contents{"sha256:" + abc, 3, 1}));
+  writeFile(top_ / "copy", "abc");
+  EXPECT_EQ(io::contentsOf({top_ / "abc", top_ / "copy"}).hash, io::hashOf(abc + "\n" + abc + "\n"));
+  writeFile(top_ / "other", "abd");
+  EXPECT_EQ(io::contentsOf({top_ / "abc", top_ / "other"}), io::contentsOf({top_ / "other", top_ / "copy"}))
+      << "names and their order do not count";
+}
+
+/// What a patient is called, known by and was born: nowhere in a session, nor anything that leads there.
+TEST_F(OpenSession, HoldsNothingOfThePatient) {
+  const fs::path folder = project_ / "scan";
+  fs::create_directories(folder);
+  DicomSpec spec;
+  spec.patientName = "Doe^Jane Q";
+  spec.patientId = "MRN-7421963";
+  spec.birthDate = "19610417";
+  spec.accessionNumber = "ACC5550199";
+  spec.description = "HEAD DOE JANE";
+  spec.series = "1.2.826.0.1.3680043.9.77777.1";
+  spec.instance = "1.2.826.0.1.3680043.9.77777.1.1";
+  spec.frameOfReference = "1.2.826.0.1.3680043.9.77777.2";
+  writeDicom(folder / "1", spec);
+  const std::string study = readFile(folder / "1");
+  const std::vector<std::string> secrets{spec.patientName,     spec.patientId,   spec.birthDate,
+                                         spec.accessionNumber, spec.description, "77777"};
+  for (const std::string& secret : secrets) ASSERT_NE(study.find(secret), std::string::npos) << secret;
+
+  const io::OpenedVolume opened = io::openVolume(folder);
+  io::Session session = fullSession(project_);
+  session.volume = io::sessionVolume(folder, opened);
+  session.labels = io::sessionLabels(project_ / "labels.nii.gz");
+  io::noteContents(session);
+  io::writeSession(project_ / "a.fenestra", session);
+  const std::string text = readFile(project_ / "a.fenestra");
+  EXPECT_NE(text.find("\"path\": \"scan\""), std::string::npos) << "the names of files are the user's own";
+  for (const std::string& secret : secrets) EXPECT_EQ(text.find(secret), std::string::npos) << secret;
+  for (const char* part : {"Doe", "DOE", "Jane", "JANE", "7421963", "1961", "5550199"})
+    EXPECT_EQ(text.find(part), std::string::npos) << part;
+  EXPECT_EQ(text.find(top_.string()), std::string::npos);
+}
+
+}  // namespace
+}  // namespace fenestra::tests

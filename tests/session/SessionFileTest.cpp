@@ -1,0 +1,387 @@
+// Sessions as files: they come back to the bit, by the published schema, from older versions, and with what a newer
+// version added; a crash while saving leaves a whole one.
+
+#include <csignal>
+#include <cstring>
+#include <fstream>
+#include <random>
+#include <set>
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "io/session/SessionFile.h"
+#include "tests/io/IoTesting.h"
+#include "tests/session/SessionTesting.h"
+#include "tests/support/TestData.h"
+
+namespace fenestra::tests {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+fs::path saved(const io::Session& session, const std::string& name = "a.fenestra") {
+  const fs::path file = scratchFolder() / name;
+  io::writeSession(file, session);
+  return file;
+}
+
+/// What of a JSON Schema (2020-12) the published one uses. Stricter in one point: members that it does not name are
+/// mistakes, so that nothing is written that is not published.
+class Schema {
+ public:
+  explicit Schema(Json root) : root_(std::move(root)) {}
+  std::vector<std::string> mistakes(const Json& value) const {
+    std::vector<std::string> found;
+    check(value, root_, "", found);
+    return found;
+  }
+
+ private:
+  static bool isOf(const Json& value, const std::string& type) {
+    return type == "object"    ? value.is_object()
+           : type == "array"   ? value.is_array()
+           : type == "string"  ? value.is_string()
+           : type == "boolean" ? value.is_boolean()
+           : type == "integer" ? value.is_number_integer()
+                               : type == "number" && value.is_number();
+  }
+  static bool hasAll(const Json& value, const Json& names) {
+    return std::all_of(names.begin(), names.end(),
+                       [&](const Json& name) { return value.contains(name.get<std::string>()); });
+  }
+
+  void check(const Json& value, const Json& schema, const std::string& at, std::vector<std::string>& found) const {
+    const auto expect = [&](bool right, const std::string& what) {
+      if (!right) found.push_back(at + " " + what);
+    };
+    if (schema.contains("type") && !isOf(value, schema["type"].get<std::string>())) {
+      found.push_back(at + " is no " + schema["type"].get<std::string>());
+      return;
+    }
+    for (const auto& [key, rule] : schema.items()) {
+      if (key == "type") continue;
+      if (key == "$ref") {
+        check(value, root_.at(Json::json_pointer(rule.get<std::string>().substr(1))), at, found);
+      } else if (key == "const") {
+        expect(value == rule, "is not " + rule.dump());
+      } else if (key == "enum") {
+        expect(std::find(rule.begin(), rule.end(), value) != rule.end(), "is none of " + rule.dump());
+      } else if (key == "minimum") {
+        expect(value.get<double>() >= rule.get<double>(), "is too small");
+      } else if (key == "maximum") {
+        expect(value.get<double>() <= rule.get<double>(), "is too large");
+      } else if (key == "exclusiveMinimum") {
+        expect(value.get<double>() > rule.get<double>(), "is too small");
+      } else if (key == "exclusiveMaximum") {
+        expect(value.get<double>() < rule.get<double>(), "is too large");
+      } else if (key == "minItems") {
+        expect(value.size() >= rule.get<std::size_t>(), "has too few items");
+      } else if (key == "maxItems") {
+        expect(value.size() <= rule.get<std::size_t>(), "has too many items");
+      } else if (key == "items") {
+        for (std::size_t i = 0; i < value.size(); ++i) check(value[i], rule, at + "/" + std::to_string(i), found);
+      } else if (key == "required") {
+        expect(hasAll(value, rule), "lacks some of " + rule.dump());
+      } else if (key == "oneOf") {
+        const auto fitting = std::count_if(rule.begin(), rule.end(),
+                                           [&](const Json& choice) { return hasAll(value, choice.at("required")); });
+        expect(fitting == 1, "is not one of " + rule.dump());
+      } else if (key == "pattern") {
+        EXPECT_EQ(rule, "^sha256:[0-9a-f]{64}$") << "the only pattern that is checked here";
+        const std::string text = value.get<std::string>();
+        expect(text.size() == 71 && text.starts_with("sha256:") &&
+                   text.find_first_not_of("0123456789abcdef", 7) == std::string::npos,
+               "is no hash");
+      } else if (key == "properties") {
+        for (const auto& [name, member] : value.items()) {
+          if (rule.contains(name))
+            check(member, rule[name], at + "/" + name, found);
+          else
+            found.push_back(at + "/" + name + " is not published");
+        }
+      } else {
+        EXPECT_TRUE(key == "description" || key == "title" || key == "$schema" || key == "$defs") << key;
+      }
+    }
+  }
+
+  Json root_;
+};
+
+Schema publishedSchema() { return Schema(Json::parse(readFile(fs::path(FENESTRA_SCHEMA)))); }
+
+/// Every object's every member, as "/a/b/0/c".
+void collectMembers(const Json& value, const std::string& at, std::set<std::string>& into) {
+  if (value.is_object())
+    for (const auto& [key, member] : value.items()) {
+      into.insert(at + "/" + key);
+      collectMembers(member, at + "/" + key, into);
+    }
+  if (value.is_array() && !value.empty()) collectMembers(value.front(), at + "/0", into);
+}
+
+TEST(SessionFile, BringsEverythingBackToTheBit) {
+  const fs::path folder = scratchFolder();
+  const io::Session session = fullSession(folder);
+  io::writeSession(folder / "a.fenestra", session);
+  const io::Session read = io::readSession(folder / "a.fenestra");
+  EXPECT_EQ(read, session);
+  EXPECT_TRUE(std::signbit(read.crosshair->x)) << "minus zero is not zero";
+  io::writeSession(folder / "b.fenestra", read);
+  EXPECT_EQ(readFile(folder / "a.fenestra"), readFile(folder / "b.fenestra"));
+}
+
+TEST(SessionFile, AnyDoubleComesBackToTheBit) {
+  const fs::path folder = scratchFolder();
+  std::mt19937_64 random(5);
+  io::Session session = fullSession(folder);
+  auto& nodes = session.context.function.nodes;
+  nodes.clear();
+  while (nodes.size() < 20000) {
+    const double value = std::bit_cast<double>(random());
+    if (std::isfinite(value)) nodes.push_back({value, {{0.5, 0.5, 0.5}, std::abs(value)}});
+  }
+  std::sort(nodes.begin(), nodes.end(), [](const auto& a, const auto& b) { return a.value < b.value; });
+  io::writeSession(folder / "a.fenestra", session);
+  const io::Session read = io::readSession(folder / "a.fenestra");
+  ASSERT_EQ(read.context.function.nodes.size(), nodes.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const auto &was = nodes[i], &is = read.context.function.nodes[i];
+    ASSERT_EQ(std::memcmp(&was.value, &is.value, sizeof(double)), 0) << was.value;
+    ASSERT_EQ(std::memcmp(&was.properties.extinction, &is.properties.extinction, sizeof(double)), 0);
+  }
+}
+
+TEST(SessionFile, WritesNoNumberThatIsNone) {
+  const fs::path folder = scratchFolder();
+  for (const double none : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    io::Session session = fullSession(folder);
+    session.views[1].camera.eye.z = none;
+    EXPECT_THROW(io::writeSession(folder / "a.fenestra", session), std::invalid_argument);
+  }
+  EXPECT_TRUE(fs::is_empty(folder));
+}
+
+TEST(SessionFile, IsWhatThePublishedSchemaSays) {
+  const fs::path folder = scratchFolder();
+  const Schema schema = publishedSchema();
+  std::set<std::string> members;
+  const auto expectValid = [&](const io::Session& session) {
+    const Json written = Json::parse(io::textOf(session, folder / "a.fenestra"));
+    EXPECT_EQ(schema.mistakes(written), std::vector<std::string>());
+    collectMembers(written, "", members);
+  };
+  io::Session session = fullSession(folder);
+  expectValid(session);
+  session.context.preset = "ct-bone";
+  session.context.file.clear();
+  session.focus = LabelFocus{{1, 7}};
+  expectValid(session);
+  session.volume = {};
+  session.phantom = io::SessionPhantom{"head", 64};
+  expectValid(session);
+  io::Session plain;
+  plain.volume.path = folder / "a.nii";
+  expectValid(plain);
+  // And the other way: everything published is written by some session.
+  const Json root = Json::parse(readFile(fs::path(FENESTRA_SCHEMA)));
+  std::set<std::string> published;
+  const std::function<void(const Json&, const std::string&)> collect = [&](const Json& rule, const std::string& at) {
+    if (rule.contains("$ref")) collect(root.at(Json::json_pointer(rule["$ref"].get<std::string>().substr(1))), at);
+    if (rule.contains("items")) collect(rule["items"], at + "/0");
+    if (!rule.contains("properties")) return;
+    for (const auto& [name, member] : rule["properties"].items()) {
+      published.insert(at + "/" + name);
+      collect(member, at + "/" + name);
+    }
+  };
+  collect(root, "");
+  std::vector<std::string> oneSided;
+  std::set_symmetric_difference(members.begin(), members.end(), published.begin(), published.end(),
+                                std::back_inserter(oneSided));
+  EXPECT_EQ(oneSided, std::vector<std::string>());
+}
+
+TEST(SessionFile, TheSchemaRefusesWhatTheReaderRefuses) {
+  const fs::path file = saved(fullSession(scratchFolder()));
+  const Schema schema = publishedSchema();
+  const Json good = Json::parse(readFile(file));
+  const auto expectRefused = [&](const char* pointer, const Json& value) {
+    Json bad = good;
+    bad[Json::json_pointer(pointer)] = value;
+    writeFile(file, bad.dump());
+    EXPECT_FALSE(schema.mistakes(bad).empty()) << pointer;
+    const std::string said = errorOf([&] { io::readSession(file); });
+    EXPECT_NE(said.find(pointer), std::string::npos) << said;
+  };
+  expectRefused("/linked", 1);
+  expectRefused("/quality", "best");
+  expectRefused("/cutaway/open_width", -1);
+  expectRefused("/cutaway/unit", "cm");
+  expectRefused("/views", Json::array());
+  expectRefused("/views/0/size", Json{0, 5});
+  expectRefused("/views/0/size/1", 20000);
+  expectRefused("/views/1/camera/eye", Json{1, 2});
+  expectRefused("/views/1/camera/vertical_fov", 180);
+  expectRefused("/strokes/0/anchors/1/0", "1");
+  expectRefused("/strokes/2/radius", 0);
+  expectRefused("/context/nodes/0/colour/2", 1.5);
+  expectRefused("/volume/bytes", -1);
+  expectRefused("/volume/raw/dims", Json{1, 2, 3, 4});
+  expectRefused("/volume/raw/type", "int64");
+  expectRefused("/placement/samples", 1e6);
+  expectRefused("/focus", 3);
+}
+
+TEST(SessionFile, KeepsWhatItDoesNotKnowAtEveryLevel) {
+  const fs::path folder = scratchFolder(), file = folder / "a.fenestra";
+  io::writeSession(file, fullSession(folder));
+  Json root = Json::parse(readFile(file));
+  const Json extra{{"deep", {1, 2.5, {{"er", nullptr}}}}, {"text", "é\u0001\"\\"}, {"large", 18446744073709551615u}};
+  for (const char* place : {"", "/volume", "/volume/raw", "/labels", "/focus", "/context", "/context/nodes/1",
+                            "/cutaway", "/context_layer", "/shading", "/views/1", "/views/0/camera", "/home/1",
+                            "/window", "/overlays", "/placement", "/placement/weights", "/strokes/2"})
+    root[Json::json_pointer(place)]["of_tomorrow"] = extra;
+  writeFile(file, root.dump());
+  const auto unknownPlaces = [](const fs::path& path) {
+    int places = 0;
+    const std::function<void(const Json&)> count = [&](const Json& value) {
+      if (value.is_object() && value.contains("of_tomorrow")) ++places;
+      if (value.is_structured())
+        for (const Json& each : value) count(each);
+    };
+    count(Json::parse(readFile(path)));
+    return places;
+  };
+  ASSERT_EQ(unknownPlaces(file), 18);
+
+  io::Session session = io::readSession(file);
+  io::writeSession(folder / "b.fenestra", session);
+  EXPECT_EQ(Json::parse(readFile(folder / "b.fenestra")), root) << "nothing but the order may differ";
+  io::writeSession(folder / "c.fenestra", io::readSession(folder / "b.fenestra"));
+  EXPECT_EQ(readFile(folder / "b.fenestra"), readFile(folder / "c.fenestra"));
+
+  // What was edited keeps what belongs to it; what is gone takes its own along.
+  session.cutaway.openWidth = 77.0;
+  session.views[1].camera.eye.x += 1.0;
+  session.strokes.erase(session.strokes.begin());
+  io::writeSession(file, session);
+  EXPECT_EQ(unknownPlaces(file), 18);
+  root = Json::parse(readFile(file));
+  EXPECT_TRUE(root["strokes"][1].contains("of_tomorrow"));
+  EXPECT_EQ(root["views"][1]["of_tomorrow"], extra);
+  session.strokes.pop_back();
+  io::writeSession(file, session);
+  EXPECT_EQ(unknownPlaces(file), 17);
+}
+
+TEST(SessionFile, OpensAnOlderVersion) {
+  const fs::path sample = fs::path(FENESTRA_SESSION_SAMPLES) / "version-1.fenestra";
+  const io::Session session = io::readSession(sample);
+  EXPECT_EQ(session.volume.path, sample.parent_path() / "head.nii.gz");
+  EXPECT_EQ(session.labels.path, sample.parent_path() / "labels" / "head.nii.gz");
+  EXPECT_EQ(session.cutaway.openWidth, 12.5);
+  EXPECT_EQ(session.cutaway.borderWidth, 3.0);
+  EXPECT_EQ(session.views[0].camera.eye, glm::dvec3(10.0, -500.25, 30.0));
+  EXPECT_EQ(session.views[1].camera.projection, Projection::Orthographic);
+  EXPECT_EQ(session.home[1], session.views[1].camera);
+  EXPECT_EQ(session.focus, Focus(LabelFocus{{3, 5}}));
+  EXPECT_EQ(session.views[0].size, io::SessionView().size) << "it had no size";
+  const fs::path file = saved(session);
+  const Json written = Json::parse(readFile(file));
+  EXPECT_EQ(written["version"], io::sessionVersion);
+  EXPECT_FALSE(written.contains("cameras"));
+  EXPECT_EQ(written["note"], "kept by whoever does not know it");
+  EXPECT_EQ(io::readSession(file), session);
+}
+
+TEST(SessionFile, RefusesANewerVersionAndOtherFiles) {
+  const fs::path file = saved(fullSession(scratchFolder()));
+  Json root = Json::parse(readFile(file));
+  root["version"] = io::sessionVersion + 1;
+  writeFile(file, root.dump());
+  EXPECT_NE(errorOf([&] { io::readSession(file); }).find("newer version"), std::string::npos);
+  for (const char* text : {"{}", "[]", "3", "\"fenestra-session\"", R"({"format": 3})", R"({"format": "vtk"})"}) {
+    writeFile(file, text);
+    EXPECT_NE(errorOf([&] { io::readSession(file); }).find("is no session"), std::string::npos) << text;
+  }
+  EXPECT_NE(errorOf([&] { io::readSession(file.parent_path() / "none.fenestra"); }).find("does not exist"),
+            std::string::npos);
+}
+
+TEST(SessionFile, KeepsPathsRelative) {
+  const fs::path folder = scratchFolder();
+  fs::create_directories(folder / "sessions" / "mine");
+  fs::create_directories(folder / "patient's  é");
+  const auto pathOf = [](const fs::path& file) { return Json::parse(readFile(file))["volume"]["path"]; };
+  io::Session session = fullSession(folder);
+  session.volume.path = folder / "patient's  é";
+  const fs::path deep = folder / "sessions" / "mine" / "a.fenestra";
+  io::writeSession(deep, session);
+  EXPECT_EQ(pathOf(deep), "../../patient's  é");
+  EXPECT_EQ(io::readSession(deep).volume.path, folder / "patient's  é");
+  EXPECT_EQ(readFile(deep).find(folder.string()), std::string::npos) << "the folders above are nobody's business";
+
+  session.volume.path = folder / "sessions" / "mine";
+  io::writeSession(deep, session);
+  EXPECT_EQ(pathOf(deep), ".");
+  EXPECT_EQ(io::readSession(deep).volume.path, folder / "sessions" / "mine");
+
+  // By a link, ".." is what the system takes it for.
+  fs::create_directory_symlink(folder / "sessions" / "mine", folder / "link");
+  session.volume.path = folder / "patient's  é";
+  io::writeSession(folder / "link" / "b.fenestra", session);
+  EXPECT_EQ(pathOf(folder / "link" / "b.fenestra"), "../../patient's  é");
+  EXPECT_EQ(io::readSession(folder / "link" / "b.fenestra").volume.path, folder / "patient's  é");
+
+  session.volume.path = folder / "\xff\xfe.nii";
+  EXPECT_NE(errorOf([&] { io::writeSession(deep, session); }).find("not UTF-8"), std::string::npos);
+}
+
+/// 200 times, a program that saves one session over another without end is killed at a random moment.
+TEST(SessionFile, IsWholeWheneverSavingIsKilled) {
+  const fs::path folder = scratchFolder(), file = folder / "a.fenestra";
+  io::Session a = fullSession(folder), b = a;
+  for (int i = 0; i < 40; ++i) a.strokes.push_back(someStroke(BrushMode::Restore, 50));
+  b.strokes.push_back(someStroke(BrushMode::Restore, 4000));
+  const std::string textOfA = io::textOf(a, file), textOfB = io::textOf(b, file);
+  io::writeSession(file, a);
+  std::mt19937 random(1);
+  int halfWritten = 0, sawA = 0, sawB = 0;
+  constexpr int kills = 200;
+  for (int kill = 0; kill < kills; ++kill) {
+    const pid_t child = ::fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+      for (;;) {
+        io::writeSession(file, b);
+        io::writeSession(file, a);
+      }
+    }
+    ::usleep(std::uniform_int_distribution<useconds_t>(500, 9000)(random));
+    ASSERT_EQ(::kill(child, SIGKILL), 0);
+    int status = 0;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    ASSERT_TRUE(WIFSIGNALED(status)) << "it ended by itself";
+    const std::string text = readFile(file);
+    ASSERT_TRUE(text == textOfA || text == textOfB) << "after kill " << kill << ": " << text.size() << " bytes";
+    (text == textOfA ? sawA : sawB)++;
+    for (const auto& entry : fs::directory_iterator(folder))
+      if (entry.path() != file) {
+        ++halfWritten;
+        fs::remove(entry.path());
+      }
+  }
+  // Otherwise the moments were none in which saving could have been hurt.
+  EXPECT_GT(halfWritten, kills / 10);
+  EXPECT_GT(sawA, 0);
+  EXPECT_GT(sawB, 0);
+}
+
+}  // namespace
+}  // namespace fenestra::tests

@@ -1,0 +1,82 @@
+#pragma once
+// A session in which nothing has its default, for tests of what comes back.
+
+#include "io/session/Session.h"
+
+namespace fenestra::tests {
+
+inline Camera someCamera(double seed) {
+  Camera camera;
+  camera.projection = seed > 1.5 ? Projection::Orthographic : Projection::Perspective;
+  camera.eye = {seed * 0.1, -1.0 / 3.0, 1e-17};
+  camera.target = {-0.0, seed, 123456.789012345678};
+  camera.up = {0.6, 0.0, 0.8};
+  camera.verticalFov = 31.7 + seed;
+  camera.orthographicHeight = 99.1 * seed;
+  return camera;
+}
+
+inline BrushStroke someStroke(BrushMode mode, std::size_t anchors = 3) {
+  BrushStroke stroke;
+  stroke.mode = mode;
+  for (std::size_t i = 0; i < anchors; ++i) stroke.anchors.emplace_back(0.1 * static_cast<double>(i), -7.3, 1.0 / 7.0);
+  stroke.radius = 6.28;
+  stroke.softness = 0.125;
+  stroke.depth = 0.3;
+  stroke.amount = 0.9;
+  stroke.coversFocus = stroke.hidden = true;
+  stroke.view = 1;
+  return stroke;
+}
+
+/// Every member differs from its default. `folder` holds the data, by name.
+inline io::Session fullSession(const std::filesystem::path& folder) {
+  const io::Contents contents{"sha256:" + std::string(64, 'a'), 1234567890123, 245};
+  io::Session session;
+  session.volume.path = folder / "study";
+  session.volume.contents = contents;
+  session.volume.series = "sha256:" + std::string(64, '0');
+  session.volume.raw =
+      io::RawDescription{{3, 4, 5}, ScalarType::Int32, true, std::size_t{1} << 40, {0.1, 0.2, 0.30000000000000004}};
+  session.labels.path = folder / "labels.nii.gz";
+  session.labels.contents = contents;
+  session.focus = ValueFocus{{-1000.5, 3071.0}, 12.5};
+  session.focusAppearance = {{0.1, 0.2, 0.3}, 1.0 / 3.0};
+  session.context.file = folder / "mine.json";
+  session.context.function.nodes = {{-0.1, {{0.9, 0.8, 0.7}, 0.0}}, {300.0, {{0.0, 1.0, 0.5}, 13.815510557964274}}};
+  session.context.shift = -17.25;
+  session.cutaway = {false, 31.0, 0.5, WidthUnit::Millimetre, {0.3, 0.2, 0.1}};
+  session.contextLayer = {.strength = 0.25,
+                          .curvatureWeight = 2.0,
+                          .silhouetteWeight = 0.75,
+                          .illuminationWeight = 0.5,
+                          .valueWeight = 0.1,
+                          .colour = {1.0, 0.0, 0.1}};
+  session.shading = {false, 0.1, 0.2, 0.4, 7.0};
+  session.background = {0.05, 0.06, 0.07};
+  session.strokes = {someStroke(BrushMode::Open), someStroke(BrushMode::Fade, 1), someStroke(BrushMode::Strengthen)};
+  session.quality = Quality::High;
+  session.maxError = 1.5;
+  session.views = {io::SessionView{someCamera(1.0), {640, 481}, 1.25, false},
+                   io::SessionView{someCamera(2.0), {799, 600}, 2.0, false}};
+  session.home = {someCamera(3.0), someCamera(0.5)};
+  session.linked = false;
+  session.window = WindowLevel{401.5, -39.25};
+  session.crosshair = glm::dvec3(-0.0, 1e-300, 33.3);
+  session.overlays = {false, false, false};
+  session.maximised = "sagittal";
+  session.layout = "AAECAw==";
+  session.placement = {.samples = 588,
+                       .refined = true,
+                       .weights = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7},
+                       .inStream = true,
+                       .streamHalfWidth = 22.5,
+                       .shareWeight = 0.4,
+                       .joint = true,
+                       .follow = false,
+                       .automatic = false};
+  session.autosaveOf = folder / "kept.fenestra";
+  return session;
+}
+
+}  // namespace fenestra::tests

@@ -1,0 +1,215 @@
+#include "viewer/Sessions.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileDialog>
+#include <QLocale>
+#include <QMessageBox>
+#include <QPushButton>
+
+#include "io/session/SessionFile.h"
+#include "viewer/MainWindow.h"
+#include "viewer/NoticeBar.h"
+#include "viewer/jobs/ReadStudy.h"
+#include "viewer/model/Paths.h"
+
+namespace fenestra::viewer {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Between two copies, so that a crash costs a minute at most.
+constexpr int autosaveMilliseconds = 60000;
+
+QString sessionFilter() { return Sessions::tr("Sessions (*%1)").arg(QLatin1String(io::sessionEnding)); }
+
+std::optional<fs::path> chosen(const QString& name) {
+  return name.isEmpty() ? std::nullopt : std::optional(toPath(name));
+}
+
+SessionQuestions::Answer askToSave(QWidget* parent) {
+  switch (QMessageBox::question(parent, Sessions::tr("Unsaved work"),
+                                Sessions::tr("What was done since the session was last saved would be lost. Save it?"),
+                                QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save)) {
+    case QMessageBox::Save:
+      return SessionQuestions::Answer::Save;
+    case QMessageBox::Discard:
+      return SessionQuestions::Answer::Discard;
+    default:
+      return SessionQuestions::Answer::Cancel;
+  }
+}
+
+std::optional<fs::path> askForData(QWidget* parent, const io::DataMissing& missing) {
+  const bool labels = missing.data() == io::DataMissing::Data::Labels;
+  QMessageBox box(
+      QMessageBox::Question, Sessions::tr("Where is the data now?"),
+      labels ? Sessions::tr("The session's label map is needed.") : Sessions::tr("The session's volume is needed."),
+      QMessageBox::Cancel, parent);
+  QString cause = QString::fromStdString(missing.cause());
+  if (!cause.isEmpty()) cause[0] = cause[0].toUpper();
+  box.setInformativeText(cause + QLatin1Char('.'));
+  const QPushButton* file = box.addButton(Sessions::tr("Choose a file…"), QMessageBox::AcceptRole);
+  const QPushButton* folder =
+      labels ? nullptr : box.addButton(Sessions::tr("Choose a folder…"), QMessageBox::AcceptRole);
+  box.exec();
+  const QString from = toQString(missing.file().parent_path());
+  if (box.clickedButton() == file) return chosen(QFileDialog::getOpenFileName(parent, Sessions::tr("The data"), from));
+  if (folder && box.clickedButton() == folder)
+    return chosen(QFileDialog::getExistingDirectory(parent, Sessions::tr("The data's folder"), from));
+  return std::nullopt;
+}
+
+SessionQuestions::Answer askToRestore(QWidget* parent, const QDateTime& saved) {
+  QMessageBox box(QMessageBox::Question, Sessions::tr("Unsaved work"),
+                  Sessions::tr("Fenestra ended before its work was saved. A copy of %1 is there.")
+                      .arg(QLocale::system().toString(saved, QLocale::ShortFormat)),
+                  QMessageBox::NoButton, parent);
+  const QPushButton* restore = box.addButton(Sessions::tr("Restore"), QMessageBox::AcceptRole);
+  const QPushButton* discard = box.addButton(Sessions::tr("Discard"), QMessageBox::DestructiveRole);
+  box.addButton(Sessions::tr("Ask later"), QMessageBox::RejectRole);
+  box.exec();
+  return box.clickedButton() == restore   ? SessionQuestions::Answer::Save
+         : box.clickedButton() == discard ? SessionQuestions::Answer::Discard
+                                          : SessionQuestions::Answer::Cancel;
+}
+
+}  // namespace
+
+SessionQuestions sessionDialogs(QWidget* parent) {
+  return {
+      .saveChanges = [parent] { return askToSave(parent); },
+      .saveWhere =
+          [parent](const fs::path& suggested) {
+            QFileDialog dialog(parent, Sessions::tr("Save the session"), toQString(suggested.parent_path()),
+                               sessionFilter());
+            dialog.setAcceptMode(QFileDialog::AcceptSave);
+            dialog.setDefaultSuffix(QString::fromLatin1(io::sessionEnding).mid(1));
+            dialog.selectFile(toQString(suggested.filename()));
+            return dialog.exec() == QDialog::Accepted ? chosen(dialog.selectedFiles().value(0)) : std::nullopt;
+          },
+      .openWhich =
+          [parent] {
+            return chosen(QFileDialog::getOpenFileName(parent, Sessions::tr("Open a session"), {}, sessionFilter()));
+          },
+      .dataWhere = [parent](const io::DataMissing& missing) { return askForData(parent, missing); },
+      .restoreWork = [parent](const QDateTime& saved) { return askToRestore(parent, saved); },
+  };
+}
+
+Sessions::Sessions(MainWindow& window, SessionController::WindowPart part)
+    : QObject(&window),
+      window_(window),
+      controller_({window.document(), window.cursor(), window.cameras(), window.placement(), window.options()},
+                  std::move(part)),
+      questions_(sessionDialogs(&window)) {
+  connect(&controller_, &SessionController::changed, this, &Sessions::showTitle);
+  connect(&controller_, &SessionController::saved, this,
+          [this](const QString& file) { window_.rememberRecent(toPath(file)); });
+  connect(&controller_, &SessionController::failed, this,
+          [this](const QString& message) { window_.notices().add(NoticeBar::Kind::Error, message); });
+}
+
+void Sessions::studyShown() {
+  controller_.studyOpened();
+  if (restoring_ && window_.document().study().isRecovered) controller_.adopt(*restoring_);
+  restoring_.reset();
+}
+
+void Sessions::showTitle() {
+  const Document& document = window_.document();
+  window_.setWindowTitle(document.hasVolume() ? QStringLiteral("%1[*] – Fenestra").arg(document.description())
+                                              : QStringLiteral("Fenestra"));
+  window_.setWindowModified(controller_.isModified());
+}
+
+void Sessions::open(const fs::path& file) {
+  open([file](const io::SessionPlaces& places, const io::Progress& progress) {
+    return readSession(file, places, progress);
+  });
+}
+
+void Sessions::open(Reader read) { open(std::move(read), {}); }
+
+void Sessions::open(Reader read, io::SessionPlaces places) {
+  window_.open([read, places](const io::Progress& progress) { return read(places, progress); },
+               [this, read, places](const io::DataMissing& missing) {
+                 const std::optional<fs::path> there = questions_.dataWhere(missing);
+                 if (!there) {
+                   window_.notices().add(NoticeBar::Kind::Error, QString::fromUtf8(missing.what()));
+                   return;
+                 }
+                 io::SessionPlaces now = places;
+                 (missing.data() == io::DataMissing::Data::Labels ? now.labels : now.volume) = *there;
+                 open(read, now);
+               });
+}
+
+void Sessions::choose() {
+  if (const std::optional<fs::path> file = questions_.openWhich()) window_.open({*file});
+}
+
+bool Sessions::save() {
+  if (controller_.file().empty()) return saveAs();
+  controller_.save(controller_.file());
+  return true;
+}
+
+bool Sessions::saveAs() {
+  fs::path suggested = controller_.file();
+  if (suggested.empty()) {
+    const fs::path& data = window_.document().study().path;
+    suggested = (data.empty() ? toPath(QDir::homePath()) : fs::absolute(data).parent_path()) / "session";
+    suggested += io::sessionEnding;
+  }
+  std::optional<fs::path> file = questions_.saveWhere(suggested);
+  if (!file) return false;
+  if (!io::isSession(*file)) *file += io::sessionEnding;
+  controller_.save(*file);
+  return true;
+}
+
+bool Sessions::mayGo() {
+  controller_.waitUntilSaved();
+  if (!controller_.isModified()) return true;
+  switch (questions_.saveChanges()) {
+    case SessionQuestions::Answer::Save:
+      return save() && controller_.waitUntilSaved();
+    case SessionQuestions::Answer::Discard:
+      controller_.dropAutosave();
+      return true;
+    case SessionQuestions::Answer::Cancel:
+      break;
+  }
+  return false;
+}
+
+bool Sessions::startRecovery(const fs::path& folder) {
+  controller_.startAutosave(folder, autosaveMilliseconds);
+  for (AbandonedSession& abandoned : SessionController::abandonedIn(folder)) {
+    switch (questions_.restoreWork(abandoned.saved)) {
+      case SessionQuestions::Answer::Save:
+        restoring_ = abandoned;
+        open([file = abandoned.file](const io::SessionPlaces& places, const io::Progress& progress) {
+          Study study = readSession(file, places, progress);
+          study.sessionFile = std::exchange(study.session.autosaveOf, {});
+          study.isRecovered = true;
+          return study;
+        });
+        return true;
+      case SessionQuestions::Answer::Discard:
+        fs::remove(abandoned.file);
+        break;
+      case SessionQuestions::Answer::Cancel:
+        break;
+    }
+  }
+  return false;
+}
+
+fs::path Sessions::recoveryFolder() {
+  const QString state = qEnvironmentVariable("XDG_STATE_HOME", QDir::homePath() + QStringLiteral("/.local/state"));
+  return toPath(state) / "fenestra" / "sessions";
+}
+
+}  // namespace fenestra::viewer

@@ -1,0 +1,58 @@
+#pragma once
+// How the brush paints, the same in both 3-D views. What it has painted is the document's.
+
+#include <QObject>
+#include <QString>
+
+#include "rendering/scene/BrushStroke.h"
+
+namespace fenestra::viewer {
+
+struct BrushSettings {
+  BrushMode mode = BrushMode::Restore;
+  double radius = 24.0;   ///< device-independent pixels on what is painted
+  double softness = 0.5;  ///< as in BrushStroke, and so the rest
+  double depth = 10.0;    ///< mm
+  double amount = 0.5;
+  bool coversFocus = false;
+  bool thisViewOnly = false;
+  bool operator==(const BrushSettings&) const = default;
+};
+
+/// Whether a mode moves the ray start, by `depth`; the others change the context layer, by `amount`.
+bool movesRayStart(BrushMode mode);
+QString nameOf(BrushMode mode);
+/// What undoes a mode by hand: Restore and Open, Fade and Strengthen.
+BrushMode opposite(BrushMode mode);
+
+class Brush : public QObject {
+  Q_OBJECT
+ public:
+  static constexpr double leastRadius = 2.0, greatestRadius = 200.0;  ///< device-independent pixels
+  static constexpr double leastDepth = 0.5, greatestDepth = 200.0;    ///< mm
+
+  using QObject::QObject;
+
+  const BrushSettings& settings() const { return settings_; }
+  void setSettings(const BrushSettings& settings);
+  void scaleRadius(double factor);
+  /// Depth, or amount where the mode has that.
+  void scaleDepth(double factor);
+
+  /// The left button paints instead of turning the view.
+  bool isActive() const { return active_; }
+  void setActive(bool on);
+  /// The key for the brush, or the one for the brush the other way: takes the brush up in that sense, turns it round,
+  /// or lays it down when it has that sense already.
+  void toggle(bool otherWay);
+
+ Q_SIGNALS:
+  void changed();
+  void activeChanged(bool active);
+
+ private:
+  BrushSettings settings_;
+  bool active_ = false;
+};
+
+}  // namespace fenestra::viewer

@@ -1,0 +1,98 @@
+#include "viewer/model/History.h"
+
+#include <utility>
+#include <vector>
+
+#include <QSignalBlocker>
+
+namespace fenestra::viewer {
+
+/// One step on the stack. Its first redo() is the stack's own on push(), when the change is done already.
+class History::Step : public QUndoCommand {
+ public:
+  Step(const QString& name, std::shared_ptr<Change> change, int gesture)
+      : QUndoCommand(name), change_(std::move(change)), gesture_(gesture) {}
+
+  void undo() override {
+    change_->undo();
+    if (once_) setObsolete(true);
+  }
+  void redo() override {
+    if (done_) change_->redo();
+    done_ = true;
+  }
+  /// -1, which never merges, outside gestures.
+  int id() const override { return gesture_; }
+  bool mergeWith(const QUndoCommand* other) override {
+    const auto& next = static_cast<const Step&>(*other);
+    if (next.text() != text() || !change_->absorb(*next.change_)) return false;
+    setObsolete(change_->isNothing());
+    return true;
+  }
+
+  /// For a stack that is filled anew: the same change, which stays as it is.
+  Step* copy(bool mayMerge) const { return new Step(text(), change_, mayMerge ? gesture_ : -1); }
+  void forgetWhenUndone() { once_ = true; }
+  std::size_t bytes() const { return sizeof(Step) + change_->bytes(); }
+
+ private:
+  std::shared_ptr<Change> change_;
+  int gesture_;
+  bool done_ = false, once_ = false;
+};
+
+History::History(std::size_t limit, QObject* parent) : QObject(parent), limit_(limit) {}
+
+const History::Step& History::step(int index) const { return static_cast<const Step&>(*stack_.command(index)); }
+
+void History::push(const QString& name, std::shared_ptr<Change> change) {
+  if (change->isNothing()) return;
+  makeRoom(sizeof(Step) + change->bytes());
+  stack_.push(new Step(name, std::move(change), inGesture_ ? gesture_ : -1));
+}
+
+void History::beginGesture() {
+  ++gesture_;
+  inGesture_ = true;
+}
+
+void History::takeBack() {
+  if (!stack_.canUndo()) return;
+  // The stack hands its commands out as constants, but they are this object's own.
+  const_cast<Step&>(step(stack_.index() - 1)).forgetWhenUndone();
+  stack_.undo();
+}
+
+void History::clear() {
+  endGesture();
+  stack_.clear();
+}
+
+std::size_t History::bytes() const {
+  std::size_t sum = 0;
+  for (int index = 0; index < stack_.count(); ++index) sum += step(index).bytes();
+  return sum;
+}
+
+void History::makeRoom(std::size_t wanted) {
+  // What could be redone goes with the push anyway.
+  const int count = stack_.index();
+  std::size_t kept = wanted;
+  for (int index = 0; index < count; ++index) kept += step(index).bytes();
+  if (kept <= limit_) return;
+  // A QUndoStack drops steps by number only, so it is filled anew. An eighth is left free, so that this happens seldom.
+  int first = 0;
+  for (; first < count && kept > limit_ - limit_ / 8; ++first) kept -= step(first).bytes();
+  const int clean = stack_.cleanIndex();
+  std::vector<Step*> latest;
+  for (int index = first; index < count; ++index) latest.push_back(step(index).copy(index == count - 1));
+  const QSignalBlocker quiet(stack_);  // the push that follows tells what listeners need to know
+  stack_.clear();
+  if (clean != first) stack_.resetClean();
+  for (Step* each : latest) {
+    stack_.push(each);
+    if (first + stack_.index() == clean) stack_.setClean();
+  }
+}
+
+}  // namespace fenestra::viewer

@@ -1,0 +1,255 @@
+#include "viewer/model/SessionController.h"
+
+#include <algorithm>
+#include <system_error>
+
+#include <QDir>
+#include <QFileInfo>
+#include <QLockFile>
+#include <QUuid>
+#include <QtConcurrentRun>
+
+#include "io/session/OpenSession.h"
+#include "io/session/SessionFile.h"
+#include "viewer/model/Paths.h"
+#include "viewer/model/PlacementController.h"
+#include "viewer/model/SliceCursor.h"
+#include "viewer/model/ViewLink.h"
+#include "viewer/model/ViewOptions.h"
+
+namespace fenestra::viewer {
+namespace {
+
+namespace fs = std::filesystem;
+
+io::SessionPlacement sessionFrom(const PlacementSettings& settings) {
+  const placement::Weights& weights = settings.options.weights;
+  return {.samples = settings.sampling.count,
+          .refined = settings.sampling.refined,
+          .weights = {.visibility = weights.visibility,
+                      .coverage = weights.coverage,
+                      .location = weights.location,
+                      .entropy = weights.entropy,
+                      .mutualInformation = weights.mutualInformation,
+                      .stability = weights.stability,
+                      .orientation = weights.orientation},
+          .inStream = settings.options.region == placement::Region::Stream,
+          .streamHalfWidth = settings.options.streamHalfWidth,
+          .shareWeight = settings.options.shareWeight,
+          .joint = settings.joint,
+          .follow = settings.follow,
+          .automatic = settings.automatic};
+}
+
+PlacementSettings settingsFrom(const io::SessionPlacement& saved, PlacementSettings settings) {
+  settings.sampling.count = saved.samples;
+  settings.sampling.refined = saved.refined;
+  const io::SessionPlacement::Weights& weights = saved.weights;
+  settings.options.weights = {.visibility = weights.visibility,
+                              .coverage = weights.coverage,
+                              .location = weights.location,
+                              .entropy = weights.entropy,
+                              .mutualInformation = weights.mutualInformation,
+                              .stability = weights.stability,
+                              .orientation = weights.orientation};
+  settings.options.region = saved.inStream ? placement::Region::Stream : placement::Region::SemiSphere;
+  settings.options.streamHalfWidth = saved.streamHalfWidth;
+  settings.options.shareWeight = saved.shareWeight;
+  settings.joint = saved.joint;
+  settings.follow = saved.follow;
+  settings.automatic = saved.automatic;
+  return settings;
+}
+
+QString lockName(const fs::path& file) { return toQString(file) + QStringLiteral(".lock"); }
+
+/// A lock that is stale when the process that took it is gone, however old it is.
+std::shared_ptr<QLockFile> lockFor(const fs::path& file) {
+  auto lock = std::make_shared<QLockFile>(lockName(file));
+  lock->setStaleLockTime(0);
+  return lock;
+}
+
+}  // namespace
+
+SessionController::SessionController(const Parts& parts, WindowPart window, QObject* parent)
+    : QObject(parent), parts_(parts), window_(std::move(window)) {
+  connect(&writing_, &QFutureWatcherBase::finished, this, &SessionController::finish);
+  connect(&parts_.document.undoStack(), &QUndoStack::cleanChanged, this, &SessionController::changed);
+  connect(&timer_, &QTimer::timeout, this, &SessionController::autosave);
+}
+
+SessionController::~SessionController() {
+  writing_.disconnect(this);
+  writing_.waitForFinished();
+  dropAutosave();
+}
+
+io::Session SessionController::session() const {
+  const Document& document = parts_.document;
+  io::Session session = document.study().session;
+  const Edits& edits = document.edits();
+  session.focus = edits.focus;
+  session.focusAppearance = edits.focusAppearance;
+  session.context = io::sessionContext(edits.preset, edits.context, edits.shift);
+  session.cutaway = edits.cutaway;
+  session.contextLayer = edits.contextLayer;
+  session.strokes = edits.strokes;
+  session.shading = document.scene().shading;
+  session.background = document.scene().background;
+  const ViewLink::Pose pose = parts_.cameras.pose();
+  for (std::size_t view = 0; view < session.views.size(); ++view) {
+    session.views[view].camera = pose.cameras[view];
+    session.views[view].fitsWidth = true;
+    session.home[view] = pose.home[view];
+  }
+  session.linked = parts_.cameras.isLinked();
+  session.window = document.window();
+  session.crosshair = parts_.cursor.position();
+  session.overlays = {parts_.options.crosshair(), parts_.options.text(), parts_.options.labels()};
+  session.placement = sessionFrom(parts_.placement.settings());
+  session.autosaveOf.clear();
+  window_.describe(session);
+  return session;
+}
+
+void SessionController::studyOpened() {
+  dropAutosave();
+  const Study& study = parts_.document.study();
+  file_ = study.sessionFile;
+  recovered_ = study.isRecovered;
+  copied_.reset();
+  if (study.restoresSession) {
+    const io::Session& session = study.session;
+    const fs::path& made = session.context.file;
+    parts_.document.setEdits({.focus = session.focus,
+                              .focusAppearance = session.focusAppearance,
+                              .preset = made.empty() ? session.context.preset : made.string(),
+                              .context = session.context.function,
+                              .shift = session.context.shift,
+                              .cutaway = session.cutaway,
+                              .contextLayer = session.contextLayer,
+                              .strokes = session.strokes});
+    parts_.placement.setSettings(settingsFrom(session.placement, parts_.placement.settings()));
+    parts_.cameras.setLinked(session.linked);
+    parts_.cameras.setPose({{session.views[0].camera, session.views[1].camera}, session.home});
+    if (session.window) parts_.document.setWindow(*session.window);
+    if (session.crosshair) parts_.cursor.moveTo(*session.crosshair);
+    parts_.options.setCrosshair(session.overlays.crosshair);
+    parts_.options.setText(session.overlays.text);
+    parts_.options.setLabels(session.overlays.labels);
+    window_.restore(session);
+  }
+  Q_EMIT changed();
+}
+
+bool SessionController::isModified() const {
+  return parts_.document.hasVolume() && (recovered_ || !parts_.document.undoStack().isClean());
+}
+
+void SessionController::save(const fs::path& file) {
+  if (writing_.isRunning()) {
+    next_ = file;
+    return;
+  }
+  // What is done from now on is not in the file; should writing fail, nothing is.
+  parts_.document.undoStack().setClean();
+  recovered_ = false;
+  file_ = file;
+  write(session(), file, false);
+  Q_EMIT changed();
+}
+
+bool SessionController::waitUntilSaved() {
+  do {
+    writing_.waitForFinished();
+    finish();
+  } while (writing_.isRunning());
+  return savedWell_;
+}
+
+void SessionController::write(io::Session session, const fs::path& file, bool automatic) {
+  unfinished_ = true;
+  writing_.setFuture(QtConcurrent::run([session = std::move(session), file, automatic]() -> Written {
+    Written written{file, session, automatic, {}};
+    try {
+      io::noteContents(written.session);
+      io::writeSession(file, written.session);
+    } catch (const std::exception& error) {
+      written.error = error.what();
+    }
+    return written;
+  }));
+}
+
+void SessionController::finish() {
+  if (!std::exchange(unfinished_, false)) return;
+  const Written written = writing_.result();
+  parts_.document.noteContents(written.session);
+  if (written.automatic) {
+    // A copy that cannot be written is tried again; the user's own save says what is wrong.
+    if (!written.error.empty()) copied_.reset();
+  } else {
+    savedWell_ = written.error.empty();
+    if (savedWell_) {
+      if (!isModified()) dropAutosave();
+      Q_EMIT saved(toQString(written.file));
+    } else {
+      parts_.document.undoStack().resetClean();
+      Q_EMIT failed(QString::fromStdString(written.error));
+    }
+    Q_EMIT changed();
+  }
+  if (const auto next = std::exchange(next_, std::nullopt)) save(*next);
+}
+
+void SessionController::startAutosave(const fs::path& folder, int milliseconds) {
+  QDir().mkpath(toQString(folder));
+  autosaveFolder_ = folder;
+  timer_.start(milliseconds);
+}
+
+void SessionController::autosave() {
+  if (autosaveFolder_.empty() || writing_.isRunning() || !isModified()) return;
+  io::Session now = session();
+  if (copied_ == now) return;
+  if (autosaveFile_.empty()) {
+    const fs::path file =
+        autosaveFolder_ / (QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString() + io::sessionEnding);
+    auto lock = lockFor(file);
+    if (!lock->tryLock(0)) return;
+    lock_ = std::move(lock);
+    autosaveFile_ = file;
+  }
+  copied_ = now;
+  now.autosaveOf = file_;
+  write(std::move(now), autosaveFile_, true);
+}
+
+std::vector<AbandonedSession> SessionController::abandonedIn(const fs::path& folder) {
+  std::vector<AbandonedSession> found;
+  const QFileInfoList files =
+      QDir(toQString(folder)).entryInfoList({QStringLiteral("*%1").arg(QLatin1String(io::sessionEnding))}, QDir::Files);
+  for (const QFileInfo& file : files) {
+    const fs::path path = toPath(file.filePath());
+    auto lock = lockFor(path);
+    if (lock->tryLock(0)) found.push_back({path, file.lastModified(), std::move(lock)});
+  }
+  std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.saved > b.saved; });
+  return found;
+}
+
+void SessionController::adopt(const AbandonedSession& abandoned) {
+  autosaveFile_ = abandoned.file;
+  lock_ = abandoned.lock;
+}
+
+void SessionController::dropAutosave() {
+  if (autosaveFile_.empty()) return;
+  std::error_code ignored;
+  fs::remove(autosaveFile_, ignored);
+  autosaveFile_.clear();
+  lock_.reset();
+}
+
+}  // namespace fenestra::viewer

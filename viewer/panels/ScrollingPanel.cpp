@@ -1,0 +1,40 @@
+#include "viewer/panels/ScrollingPanel.h"
+
+#include <QAbstractSlider>
+#include <QAbstractSpinBox>
+#include <QComboBox>
+#include <QEvent>
+#include <QScrollBar>
+
+namespace fenestra::viewer {
+
+void ScrollingPanel::setBody(QWidget* body) {
+  setWidget(body);
+  setWidgetResizable(true);
+  setFrameShape(QFrame::NoFrame);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  for (auto* widget : body->findChildren<QWidget*>())
+    if (qobject_cast<QComboBox*>(widget) || qobject_cast<QAbstractSlider*>(widget) ||
+        qobject_cast<QAbstractSpinBox*>(widget)) {
+      widget->setFocusPolicy(Qt::StrongFocus);
+      widget->installEventFilter(this);
+    }
+}
+
+QSize ScrollingPanel::sizeHint() const { return widget() ? widget()->sizeHint() : QScrollArea::sizeHint(); }
+
+QSize ScrollingPanel::minimumSizeHint() const {
+  if (!widget()) return QScrollArea::minimumSizeHint();
+  constexpr int rows = 3;
+  return {widget()->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width(),
+          rows * fontMetrics().lineSpacing()};
+}
+
+bool ScrollingPanel::eventFilter(QObject* watched, QEvent* event) {
+  const auto* widget = qobject_cast<QWidget*>(watched);
+  if (event->type() != QEvent::Wheel || !widget || widget->hasFocus()) return QScrollArea::eventFilter(watched, event);
+  event->ignore();  // and so it goes on to the scroll area
+  return true;
+}
+
+}  // namespace fenestra::viewer

@@ -1,0 +1,164 @@
+#include "viewer/tools/BrushTool.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QMouseEvent>
+#include <QWheelEvent>
+
+#include "viewer/model/Brush.h"
+#include "viewer/model/Document.h"
+#include "viewer/views/Overlay.h"
+
+namespace fenestra::viewer {
+namespace {
+
+constexpr double wheelRate = 0.0008;  ///< of the depth's logarithm an eighth of a degree: a notch is a tenth
+constexpr double dragRate = 0.01;     ///< a pixel
+
+}  // namespace
+
+BrushTool::BrushTool(Brush& brush, Document& document, Canvas canvas)
+    : brush_(brush), document_(document), canvas_(std::move(canvas)) {}
+
+bool BrushTool::press(const QMouseEvent& event) {
+  if (!brush_.isActive() || event.button() != Qt::LeftButton || event.modifiers() & Qt::ControlModifier) return false;
+  if (event.modifiers() & (Qt::ShiftModifier | Qt::AltModifier)) {
+    deepening_ = event.position();
+    return true;
+  }
+  picture_ = canvas_.picture();
+  if (picture_.empty()) return true;
+  const BrushSettings& settings = brush_.settings();
+  before_ = document_.strokes();
+  stroke_ = BrushStroke{.mode = settings.mode,
+                        .anchors = {},
+                        .softness = settings.softness,
+                        .depth = settings.depth,
+                        .amount = settings.amount,
+                        .coversFocus = settings.coversFocus,
+                        .view = settings.thisViewOnly ? canvas_.view : -1};
+  document_.history().beginGesture();
+  paintTo(event.position());
+  return true;
+}
+
+bool BrushTool::move(const QMouseEvent& event) {
+  mouse_ = event.position();
+  if (!brush_.isActive() && !isPainting()) return false;
+  if (deepening_) {
+    brush_.scaleDepth(std::exp(dragRate * (deepening_->y() - mouse_->y())));
+    deepening_ = mouse_;
+    return true;
+  }
+  if (isPainting())
+    paintTo(*mouse_);
+  else if (event.buttons() == Qt::NoButton)
+    measure();
+  canvas_.redraw();
+  return isPainting();
+}
+
+bool BrushTool::release(const QMouseEvent& event) {
+  if (event.button() != Qt::LeftButton) return isPainting();
+  if (deepening_) {
+    deepening_.reset();
+    return true;
+  }
+  if (!isPainting()) return false;
+  paintTo(event.position());
+  finish();
+  return true;
+}
+
+bool BrushTool::wheel(const QWheelEvent& event) {
+  if (!brush_.isActive() || !(event.modifiers() & (Qt::ShiftModifier | Qt::AltModifier))) return false;
+  // With Alt held, a wheel's turn comes as one across.
+  const QPoint angle = event.angleDelta();
+  brush_.scaleDepth(std::exp(wheelRate * (angle.y() != 0 ? angle.y() : angle.x())));
+  return true;
+}
+
+void BrushTool::leave() {
+  mouse_.reset();
+  canvas_.redraw();
+}
+
+void BrushTool::paintTo(QPointF position) {
+  std::optional<glm::dvec3> last;
+  if (!stroke_->anchors.empty()) last = stroke_->anchors.back();
+  const std::optional<BrushPoint> point = canvas_.pick(position, stroke_->mode, last);
+  if (!point) return;
+  // One radius for the whole stroke, in mm where it begins.
+  if (stroke_->anchors.empty()) stroke_->radius = brush_.settings().radius * point->pixelSize;
+  if (!extend(*stroke_, point->anchor)) return;
+  under_ = point;
+  BrushStrokes strokes = before_;
+  strokes.push_back(*stroke_);
+  document_.setStrokes(std::move(strokes), Brush::tr("Brush: %1").arg(nameOf(stroke_->mode).toLower()));
+}
+
+void BrushTool::finish() {
+  document_.history().endGesture();
+  const bool painted = document_.strokes() != before_;
+  stroke_.reset();
+  before_.clear();
+  // A stroke that nobody can see, because nothing was cut away there or there is no context layer, is none.
+  if (painted && canvas_.picture() == picture_) document_.history().takeBack();
+  picture_.clear();
+}
+
+void BrushTool::measure() {
+  under_ = mouse_ && brush_.isActive() ? canvas_.pick(*mouse_, brush_.settings().mode, {}) : std::nullopt;
+}
+
+void BrushTool::draw(QPainter& painter, const QRectF& view) const {
+  if (!brush_.isActive() || !mouse_) return;
+  const BrushSettings& settings = brush_.settings();
+  const QPointF at = *mouse_;
+  const double radius =
+      stroke_ && under_ && !stroke_->anchors.empty() ? stroke_->radius / under_->pixelSize : settings.radius;
+  const bool adds = settings.mode == BrushMode::Restore || settings.mode == BrushMode::Strengthen;
+  QColor colour = adds ? QColor(140, 230, 150) : QColor(255, 170, 110);
+  if (!under_) colour = QColor(160, 164, 170);
+  const QColor rim(0, 0, 0, 170);
+
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setBrush(Qt::NoBrush);
+  for (const QPen& pen : {QPen(rim, 3.5), QPen(colour, 1.5)}) {
+    painter.setPen(pen);
+    painter.drawEllipse(at, radius, radius);
+  }
+  // Full effect inside the dotted ring.
+  const double full = radius * (1.0 - settings.softness);
+  if (full >= 2.0) {
+    painter.setPen(QPen(colour, 1.0, Qt::DotLine));
+    painter.drawEllipse(at, full, full);
+  }
+  const bool deep = movesRayStart(settings.mode);
+  if (deep && under_) {
+    // As long as the depth would be seen from the side: up is towards the eye.
+    const double length = std::clamp(settings.depth / under_->pixelSize, 3.0, 0.4 * view.height());
+    const QPointF foot = at + QPointF(radius + 8.0, 0.0), head = foot + QPointF(0.0, adds ? -length : length);
+    for (const QPen& pen : {QPen(rim, 4.0), QPen(colour, 2.0)}) {
+      painter.setPen(pen);
+      painter.drawLine(foot, head);
+      painter.drawLine(foot - QPointF(3.0, 0.0), foot + QPointF(3.0, 0.0));
+      const double back = adds ? 4.0 : -4.0;
+      painter.drawPolyline(QPolygonF{head + QPointF(-4.0, back), head, head + QPointF(4.0, back)});
+    }
+  }
+  const QString text =
+      deep ? QStringLiteral("%1 %2 mm").arg(nameOf(settings.mode)).arg(settings.depth, 0, 'f', 1)
+           : QStringLiteral("%1 %2 %").arg(nameOf(settings.mode)).arg(100.0 * settings.amount, 0, 'f', 0);
+  const double height = painter.fontMetrics().height(), width = painter.fontMetrics().horizontalAdvance(text) + 4.0;
+  QRectF box(at.x() - 0.5 * width, at.y() + radius + 4.0, width, height);
+  // The arrow that points down, into the picture, is where the text would be.
+  if ((deep && !adds) || box.bottom() > view.bottom()) box.moveBottom(at.y() - radius - 4.0);
+  box.moveLeft(std::clamp(box.left(), view.left(), std::max(view.left(), view.right() - width)));
+  drawText(painter, box, Qt::AlignCenter | Qt::TextSingleLine, text, colour);
+  painter.restore();
+}
+
+}  // namespace fenestra::viewer
