@@ -331,7 +331,8 @@ TEST_F(CandidateTest, ABallsSurfaceAndWhatIsSeenOfIt) {
       const std::size_t points = surface().points.size();
       // Normals are known to some two degrees, and so is where the far half begins.
       EXPECT_NEAR(seenShare(candidates[i], candidates[i], points), 0.5, 0.015);
-      EXPECT_NEAR(seenShare(candidates[i], candidates[i + 1], points), 1.0, 0.015);
+      // Points edge-on exactly, some four in a hundred, count by halves, and by the same half from either side.
+      EXPECT_NEAR(seenShare(candidates[i], candidates[i + 1], points), 1.0, 0.025);
     }
   }
 }
