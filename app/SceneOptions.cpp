@@ -119,6 +119,8 @@ OpenedData openWithLabels(const VolumeOptions& options, const fs::path& labels, 
     data.volume = std::move(phantom.volume);
     data.labels = std::move(phantom.labels);
   } else if (io::isSession(options.path)) {
+    if (!options.series.empty() || options.raw)
+      throw io::Error(options.path, "says itself how its volume is read", "leave out --series and --raw");
     io::OpenedSession opened = io::openSession(options.path, {options.data, labels}, progress);
     data.volume = std::move(opened.volume);
     data.volume.warnings = std::move(opened.warnings);
@@ -237,7 +239,12 @@ void addVolume(CLI::App& command, VolumeOptions& options, const std::function<vo
                   ->excludes(phantom);
   command
       .add_option_function<std::string>(
-          "--data", [&options](const std::string& text) { options.data = text; },
+          "--data",
+          [&options](const std::string& text) {
+            if (!io::isSession(options.path))
+              throw CLI::ValidationError("--data", "is about a session, and PATH is none");
+            options.data = text;
+          },
           "where the volume of a session is now, when it has moved or changed")
       ->type_name("PATH")
       ->excludes(phantom);

@@ -1,6 +1,7 @@
 #include "viewer/Actions.h"
 
 #include <QAction>
+#include <QActionGroup>
 #include <QDir>
 #include <QDockWidget>
 #include <QMenuBar>
@@ -191,6 +192,7 @@ void Actions::makeViewMenu() {
   menu->addActions({reset, resetAll});
   menu->addSeparator();
   menu->addActions({link, parallel});
+  menu->addMenu(makeAtRestMenu());
   menu->addSeparator();
   menu->addActions({crosshair, overlay, text});
   menu->addSeparator();
@@ -203,6 +205,32 @@ void Actions::makeViewMenu() {
   tools_ << sideActions + QList<QAction*>{reset, place};
   tools_ << QList<QAction*>{link, parallel};
   tools_ << QList<QAction*>{crosshair, overlay, text};
+}
+
+QMenu* Actions::makeAtRestMenu() {
+  auto* menu = new QMenu(tr("&Quality at rest"), &window_);
+  menu->setToolTipsVisible(true);
+  auto* group = new QActionGroup(this);
+  group->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
+  for (const Effort& effort : {Effort{.quality = Quality::Draft}, Effort{}, Effort{.maxError = 4.0},
+                               Effort{.maxError = 2.0}, Effort{.maxError = 1.0}, Effort{.quality = Quality::High}}) {
+    QString name = nameOf(effort);
+    name[0] = name[0].toUpper();
+    QAction* made = menu->addAction(name);
+    if (effort.quality == Quality::High || effort.maxError)
+      made->setToolTip(tr("The greatest error of a pixel's colour that sampling may leave"));
+    made->setCheckable(true);
+    group->addAction(made);
+    const auto show = [this, made, effort] { made->setChecked(window_.views().atRest() == effort); };
+    // Chosen again, the entry stays chosen.
+    connect(made, &QAction::triggered, this, [this, effort, show] {
+      window_.setAtRest(effort);
+      show();
+    });
+    connect(&window_.views(), &ViewArea::atRestChanged, made, show);
+    show();
+  }
+  return menu;
 }
 
 void Actions::makeWindowLevelMenu() {

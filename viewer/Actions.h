@@ -32,6 +32,7 @@ class Actions : public QObject {
   void makeFileMenu();
   void makeEditMenu();
   void makeViewMenu();
+  QMenu* makeAtRestMenu();
   void makeWindowLevelMenu();
   void makeFocusMenu();
   void makeHelpMenu();

@@ -95,7 +95,8 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
     cameras_.place(study.camera.value_or(Camera::standard(StandardView::Anterior, grid, cameras_.projection())));
   });
 
-  views_ = new ViewArea(document_, cursor_, cameras_, options_, brush_, setup.gl, setup.restQuality);
+  views_ = new ViewArea(document_, cursor_, cameras_, options_, brush_, setup.gl,
+                        setup.atRest.value_or(setup.remember ? preferences_.atRest() : Effort{}));
   if (setup.gl.available) placement_.setBackend(std::make_unique<PlacementRenderer>(*views_->volumeViews().front()));
   notices_ = new NoticeBar;
   pages_ = new QStackedWidget;
@@ -249,7 +250,29 @@ void MainWindow::makeStatusBar() {
   } else if (!setup_.gl.available) {
     statusBar()->addPermanentWidget(new QLabel(tr("No OpenGL: slices only")));
   }
+  frame_ = new QLabel;
+  frame_->setToolTip(tr("Time from the start of the last picture until it was on screen, and how finely it was drawn"));
+  statusBar()->addPermanentWidget(frame_);
+  connect(views_, &ViewArea::drawn, this, &MainWindow::showFrame);
   statusBar()->addPermanentWidget(new QLabel(tr("Radiological convention")));
+}
+
+void MainWindow::showFrame() {
+  const std::optional<FramePacer::Measured>& last = views_->pacer().last();
+  if (!last) return;
+  const double milliseconds = last->milliseconds;
+  QString text = milliseconds < 1000.0 ? tr("%1 ms").arg(milliseconds, 0, 'f', milliseconds < 10.0 ? 1 : 0)
+                                       : tr("%1 s").arg(milliseconds / 1000.0, 0, 'f', 1);
+  if (last->effort.scale < 1.0)
+    text += tr(", %1 % size").arg(100.0 * last->effort.scale, 0, 'f', 0);
+  else
+    text += QStringLiteral(", ") + nameOf(last->effort);
+  frame_->setText(text);
+}
+
+void MainWindow::setAtRest(const Effort& effort) {
+  views_->setAtRest(effort.quality, effort.maxError);
+  if (setup_.remember) preferences_.setAtRest(effort);
 }
 
 void MainWindow::open(Reader read, std::function<void(const io::DataMissing&)> missing) {

@@ -40,8 +40,8 @@ class MainWindow : public QMainWindow {
   using Reader = std::function<Study(const io::Progress&)>;
   struct Setup {
     GlSupport gl;
-    Quality restQuality = Quality::Normal;  ///< of the 3-D views when nothing moves
-    bool remember = true;                   ///< restore and save layout and recent files
+    std::optional<Effort> atRest = {};  ///< of the 3-D views when nothing moves; unset: as remembered
+    bool remember = true;               ///< restore and save layout, recent files and the above
   };
 
   explicit MainWindow(const Setup& setup, QWidget* parent = nullptr);
@@ -73,6 +73,8 @@ class MainWindow : public QMainWindow {
   /// What is being read or measured is given up, or else the brush laid down, or else all views are shown.
   void stop();
 
+  /// Of the 3-D views when nothing moves; remembered, unless this window remembers nothing.
+  void setAtRest(const Effort& effort);
   /// In the File menu's list, unless this window remembers nothing.
   void rememberRecent(const std::filesystem::path& path);
 
@@ -116,6 +118,8 @@ class MainWindow : public QMainWindow {
   void openSeries(const std::string& series);
   void pointAt(glm::dvec3 world);
   void showMenu(glm::dvec3 world, QPoint globalPosition);
+  /// Of the last picture: time and quality.
+  void showFrame();
   /// The crosshair goes to the middle of the focus.
   void goToFocus();
   /// Moves the cameras as a step that can be undone.
@@ -145,7 +149,7 @@ class MainWindow : public QMainWindow {
   ContextLayerPanel* contextLayerPanel_ = nullptr;
   CamerasPanel* camerasPanel_ = nullptr;
   BrushPanel* brushPanel_ = nullptr;
-  QLabel* pointer_ = nullptr;
+  QLabel *pointer_ = nullptr, *frame_ = nullptr;
   int lastCamera_ = 0;  ///< of the 3-D view used last, which standard views act on
 };
 

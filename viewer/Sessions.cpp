@@ -186,7 +186,8 @@ bool Sessions::mayGo() {
 
 bool Sessions::startRecovery(const fs::path& folder) {
   controller_.startAutosave(folder, autosaveMilliseconds);
-  for (AbandonedSession& abandoned : SessionController::abandonedIn(folder)) {
+  std::error_code ignored;
+  for (const AbandonedSession& abandoned : SessionController::abandonedIn(folder)) {
     switch (questions_.restoreWork(abandoned.saved)) {
       case SessionQuestions::Answer::Save:
         restoring_ = abandoned;
@@ -198,7 +199,7 @@ bool Sessions::startRecovery(const fs::path& folder) {
         });
         return true;
       case SessionQuestions::Answer::Discard:
-        fs::remove(abandoned.file);
+        fs::remove(abandoned.file, ignored);
         break;
       case SessionQuestions::Answer::Cancel:
         break;

@@ -97,7 +97,9 @@ void addPlacementOptions(CLI::App& command, PlaceOptions& options) {
                  "of the surface seen by either camera in the joint search, the rest is quality's; default 1",
                  options.placement.shareWeight)
       ->needs(joint);
-  command.add_option("--side", options.sampling.side, "pixels along a candidate's image, default 128")
+  command
+      .add_option("--side", options.sampling.side,
+                  "pixels across the model in a candidate's image, default 128; a small focus gets more")
       ->check(CLI::Range(8, 2048))
       ->type_name("PIXELS");
   app::addChoice<bool>(command, "--json", "the two cameras, or also every candidate; default cameras",

@@ -129,7 +129,10 @@ int main(int argc, char** argv) {
 
   const GlSupport gl = probeOpenGl();
   if (!gl.available && !screenshot.empty()) tell(gl.problem.toStdString());
-  MainWindow window({.gl = gl, .restQuality = options.quality, .remember = screenshot.empty()});
+  MainWindow::Setup setup{.gl = gl, .atRest = {}, .remember = screenshot.empty()};
+  if (program.count("--quality") + program.count("--max-error") > 0)
+    setup.atRest = Effort{.quality = options.quality, .maxError = options.maxError};
+  MainWindow window(setup);
   for (const std::string& name : io::phantomNames())
     window.addSample(QString::fromStdString(io::loadPhantom(name).name), phantomReader(name));
   if (options.size) window.resize(options.size->x, options.size->y);

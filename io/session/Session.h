@@ -64,7 +64,7 @@ struct SessionPlacement {
   int samples = 192;
   bool refined = false;
   struct Weights {
-    double visibility = -0.02, coverage = 16.0, location = 0.25;
+    double visibility = -0.02, coverage = 16.0, location = 0.5;
     double entropy = 0.0, mutualInformation = 0.0, stability = 0.0, orientation = 0.0;
     bool operator==(const Weights&) const = default;
   } weights;

@@ -49,12 +49,12 @@ namespace {
 
 /// A member that is written only where there is something.
 template <class T>
-void optional(json::Writer& io, const char* key, const T& value, bool there) {
+void optional(json::Writer& io, const char* key, const T& value, bool there, json::Range = {}) {
   if (there) io(key, value);
 }
 template <class T>
-void optional(const json::Reader& io, const char* key, T& value, bool) {
-  io(key, value);
+void optional(const json::Reader& io, const char* key, T& value, bool, json::Range range = {}) {
+  io(key, value, range);
 }
 
 }  // namespace
@@ -159,7 +159,7 @@ void members(auto& io, Is<Session> auto& session) {
   io("shading", session.shading);
   io("background", session.background, json::fraction);
   io("quality", session.quality);
-  optional(io, "max_error", session.maxError, session.maxError.has_value());
+  optional(io, "max_error", session.maxError, session.maxError.has_value(), {0.05, 255.0});
   io.required("views", session.views);
   io("home", session.home);
   io("linked", session.linked);

@@ -22,7 +22,7 @@ struct GpuLine {
 };
 
 /// Pixels a side of the tiles that keep lists of the lines that reach them; larger for pictures of more than mostTiles.
-constexpr int leastTile = 32, mostTiles = 4096;
+constexpr int leastTile = 16, mostTiles = 16384;
 
 struct TileGrid {
   int size = leastTile;

@@ -39,13 +39,16 @@ class Corners {
       const std::size_t bit = (slot - 2) * std::size_t{512} + local;
       if (((index_.cells[bit / 32] >> (bit % 32)) & 1u) == 0) return 0;
     }
-    unsigned corners = 0;
-    for (int i = 0; i < 8; ++i) {
-      const glm::ivec3 voxel = glm::min(cell + glm::ivec3(i & 1, (i >> 1) & 1, i >> 2), scene_.volume->grid.dims - 1);
-      const double value = scene_.volume->value(voxel);
-      if (value >= range_.low && value <= range_.high) corners |= 1u << i;
-    }
-    return corners;
+    return scene_.volume->voxels.visit([&](auto scalars) {
+      unsigned corners = 0;
+      for (int i = 0; i < 8; ++i) {
+        const glm::ivec3 voxel = glm::min(cell + glm::ivec3(i & 1, (i >> 1) & 1, i >> 2), scene_.volume->grid.dims - 1);
+        const double value = scene_.volume->slope * static_cast<double>(scalars[scene_.volume->grid.offset(voxel)]) +
+                             scene_.volume->intercept;
+        if (value >= range_.low && value <= range_.high) corners |= 1u << i;
+      }
+      return corners;
+    });
   }
 
   /// Whether a brick may hold cells that are partly in the focus.

@@ -35,12 +35,13 @@ struct Descriptors {
   double orientation = 0.0;  ///< cosine to the nearest of the six anatomical directions
 };
 
-/// Quality = Σ weight · descriptor. The paper's depth term prefers views through more context when its weight is
-/// positive. The defaults are among those with which the pair sees most of the focus's surface (tests/bench/results): a
-/// heavy depth weight of either sign draws both cameras to one side of the focus. What is left of it decides between
-/// opposite views, whose outlines are the same, for the nearer side.
+/// Quality = Σ weight · descriptor. The paper's depth term prefers views through more context when its weight is positive.
+/// The defaults are among those with which the pair sees most of the surface of the structures that tests/bench/results
+/// measures: a heavy depth weight of either sign draws both cameras to one side of the focus. What is left of it decides
+/// between opposite views, whose outlines are the same, for the nearer side: less is cut away. A little the other way C1
+/// would see some more.
 struct Weights {
-  double visibility = -0.02, coverage = 16.0, location = 0.25;
+  double visibility = -0.02, coverage = 16.0, location = 0.5;
   double entropy = 0.0, mutualInformation = 0.0, stability = 0.0, orientation = 0.0;
   bool operator==(const Weights&) const = default;
 };

@@ -127,7 +127,8 @@ bool Placer::advance(const GpuScene& gpu, std::size_t count) {
     if (directions.size() >= count && glm::dot(next, directions.back()) > -1.0 + 1e-12) break;
     directions.push_back(next);
   }
-  const int side = CandidateImages::sideFor(gpu, task_->key.sampling.side);
+  const bool coarse = task_->refinement && task_->refinement->isLeading();
+  const int side = CandidateImages::sideFor(gpu, task_->key.sampling.side) / (coarse ? 2 : 1);
   std::vector<Candidate> measured = images_.measure(gpu, directions, task_->surface, side);
   for (std::size_t i = 0; i < measured.size(); ++i) batch.measured[batch.order[first + i]] = std::move(measured[i]);
   if (!batch.isDone()) return false;

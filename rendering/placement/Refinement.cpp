@@ -11,7 +11,7 @@ namespace fenestra::placement {
 namespace {
 
 /// How many pixels of a level hand on to their children. The coarser, the less a pixel's middle tells of what is in it.
-std::size_t keptOf(int nside) { return nside <= 2 ? 12 : nside <= 4 ? 8 : nside <= 8 ? 8 : 5; }
+std::size_t keptOf(int nside) { return nside <= 2 ? 12 : nside <= 8 ? 8 : 5; }
 
 /// The pixels around one: those met up to `reach` pixels' widths away from its middle.
 std::vector<long> pixelsAround(int nside, long pixel, int reach) {
@@ -71,7 +71,6 @@ void Refinement::plan() {
   const std::vector<long> best = ranked(finest_, {});
   if (best.empty()) return;
   const glm::dvec3 c1 = nestedDirection(finest_, best.front());
-  // In parallel projection the opposite view has the same outline.
   if (!have(finest_, {nestedPixel(finest_, -c1)}) || !climb(finest_, {})) return;
   descend(c1);
 }
@@ -88,6 +87,12 @@ bool Refinement::have(int nside, const std::vector<long>& pixels) {
 bool Refinement::descend(const std::optional<glm::dvec3>& c1) {
   for (int nside = start_; nside < finest_; nside *= 2) {
     std::vector<long> children, kept = ranked(nside, c1);
+    // In parallel projection the opposite view has the same outline: of two sides the better one leads the way for C1.
+    if (!c1)
+      std::erase_if(kept, [&](long pixel) {
+        const Pixel opposite{nside, nestedPixel(nside, -nestedDirection(nside, pixel))};
+        return known_.contains(opposite) && qualityAt(opposite) > qualityAt({nside, pixel});
+      });
     kept.resize(std::min(kept.size(), keptOf(nside)));
     for (const long pixel : kept)
       for (long child = 4 * pixel; child < 4 * pixel + 4; ++child)

@@ -19,8 +19,8 @@ uniform sampler2D silhouette;
 uniform vec3 contextColour;
 uniform vec3 contextWeights;  // strength, curvature, silhouette
 uniform vec2 contextShade;     // weights of illumination and of the context's own colour
-uniform sampler2D transferTable;  // colour · extinction, extinction; one row
-uniform vec2 transferMap;      // table position = stored value · x + y
+uniform sampler2D transferTable;  // emission and extinction, one row
+uniform vec2 transferMap;      // entry = stored value · x + y
 uniform float curvatureScale; // mm: length that makes curvature dimensionless, the derivative volume's spacing
 #endif
 
@@ -41,10 +41,12 @@ void main() {
 #if EDITED
     opacity = min(opacity * texelFetch(editMap, pixel, 0).g, 1.0);
 #endif
-    int entry = int(clamp(context.w * transferMap.x + transferMap.y, 0.0, float(textureSize(transferTable, 0).x - 1)) + 0.5);
-    vec4 material = texelFetch(transferTable, ivec2(entry, 0), 0);
-    vec3 own = material.a > 0.0 ? material.rgb / material.a : contextColour;
-    vec3 colour = mix(contextColour, own, contextShade.y);
+    // A surface lies where opacity begins: what is opaque next to its value gives the colour.
+    int last = textureSize(transferTable, 0).x - 1;
+    int entry = int(clamp(context.w * transferMap.x + transferMap.y + 0.5, 0.0, float(last)));
+    vec4 own = vec4(0.0);
+    for (int k = -1; k <= 1; ++k) own += texelFetch(transferTable, ivec2(clamp(entry + k, 0, last), 0), 0);
+    vec3 colour = own.a > 0.0 ? mix(contextColour, own.rgb / own.a, contextShade.y) : contextColour;
     colour *= mix(1.0, context.z, contextShade.x);
     result = vec4(colour, 1.0) * opacity + result * (1.0 - opacity);
   }

@@ -61,10 +61,11 @@ void main() {
         vec2 along = line.to.xy - line.from.xy, from = vec2(pixel) + 0.5 - line.from.xy;
         float size2 = dot(along, along);
         vec4 nearest = mix(line.from, line.to, size2 > 0.0 ? clamp(dot(from, along) / size2, 0.0, 1.0) : 0.0);
+        float painted = profile(length(vec2(pixel) + 0.5 - nearest.xy) / nearest.z, stroke.softness);
+        if (painted <= weight) continue;
         float s = positionAtDepth(pixel, nearest.w);
         float off = excess(s, hit.x, stroke.mode == OPEN ? max(unedited, start) : hit.x);
-        float d = length(vec2(pixel) + 0.5 - nearest.xy) / nearest.z;
-        weight = max(weight, profile(d, stroke.softness) * (1.0 - smoothstep(1.0, 2.0, off / stroke.radius)));
+        weight = max(weight, painted * (1.0 - smoothstep(1.0, 2.0, off / stroke.radius)));
       }
       float change = stroke.effect * weight;
       if (stroke.mode == RESTORE || stroke.mode == OPEN) {

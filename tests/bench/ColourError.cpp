@@ -53,10 +53,9 @@ void ColourErrors::add(glm::dvec4 here, glm::dvec4 truth, glm::dvec3 background)
   const glm::dvec3 a = glm::dvec3(here) + (1.0 - here.a) * background;
   const glm::dvec3 b = glm::dvec3(truth) + (1.0 - truth.a) * background;
   const glm::dvec3 difference = glm::abs(a - b) * 255.0;
-  // Not glm::max, which drops what is no number.
   double worst = 0.0;
   for (int i = 0; i < 3; ++i)
-    if (!(difference[i] <= worst)) worst = difference[i];
+    worst = std::isnan(difference[i]) ? std::numeric_limits<double>::infinity() : std::max(worst, difference[i]);
   channel.add(worst);
   squares.add(std::sqrt(glm::dot(difference, difference) / 3.0));
   deltaE.add(glm::distance(lab(a), lab(b)));

@@ -2,8 +2,14 @@
 // fenestra.html, and CSV and SVG files. Needs no display; reference pictures are kept in FOLDER/truth.
 
 #include <algorithm>
+#include <chrono>
+#include <ctime>
+#include <fstream>
 #include <functional>
+#include <iomanip>
 #include <iostream>
+#include <sstream>
+#include <thread>
 
 #include <CLI/CLI.hpp>
 
@@ -30,6 +36,22 @@ const std::vector<NamedSection>& allSections() {
   return all;
 }
 
+/// "2 × NAME", as the kernel has it; the name is left out where it has none.
+std::string processors() {
+  std::ifstream file("/proc/cpuinfo");
+  std::string line, name;
+  while (name.empty() && std::getline(file, line))
+    if (line.starts_with("model name")) name = line.substr(line.find(':') + 1);
+  return std::to_string(std::thread::hardware_concurrency()) + " ×" + (name.empty() ? " processor" : name);
+}
+
+std::string today() {
+  const std::time_t now = std::time(nullptr);
+  std::ostringstream text;
+  text << std::put_time(std::gmtime(&now), "%Y-%m-%d");
+  return text.str();
+}
+
 void run(const Arguments& arguments) {
   const egl::EglContext context;
   const TruthStore truths(arguments.folder / "truth");
@@ -37,11 +59,21 @@ void run(const Arguments& arguments) {
   options.peers = arguments.folder / "peers";
   Report report;
   report.title = "Speed against error";
-  report.text = "Written by `fenestra-bench` on " + context.description() + ".";
+  const Views& views = options.views;
+  std::ostringstream text;
+  text << "Written on " << today() << " by `tests/bench/report`, on " << processors() << ", OpenGL by "
+       << context.description() << ". Pictures of " << views.size.x << "×" << views.size.y << " pixels; "
+       << views.cameras << " views on a path around each subject, " << std::min(views.compared, views.cameras)
+       << " of them compared with the reference, one pixel of every " << views.pixelBlock << "×" << views.pixelBlock
+       << "; phantoms of " << views.phantomVoxels << " voxels along their longest side.";
+  report.text = text.str();
   for (const NamedSection& section : allSections()) {
     const auto& wanted = arguments.sections;
     if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), section.name) == wanted.end()) continue;
+    const auto start = std::chrono::steady_clock::now();
     report.sections.push_back(section.make(options, truths));
+    std::cerr << section.name << ": "
+              << std::chrono::round<std::chrono::seconds>(std::chrono::steady_clock::now() - start).count() << " s\n";
     // After each, so that a run cut short leaves what it has.
     write(report, arguments.folder, "fenestra");
   }

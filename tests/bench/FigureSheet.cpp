@@ -23,6 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr glm::ivec2 cell{256, 238};          ///< pixels on the sheet
+constexpr int gap = 6;                        ///< pixels between cells
 constexpr int finer = 3;                      ///< times finer is what is rendered and then averaged
 constexpr double methodPictureWidth = 700.0;  ///< the method's pictures, which w_open of 24 px refers to
 
@@ -67,7 +68,7 @@ std::vector<Row> rows() {
   if (labelled.path.empty() || labelled.labels.empty())
     std::cerr << "left out the labelled torso: needs " << folder.string() << '\n';
   else
-    add("labelled", labelled, 1.5, 55.0, "labelled-strokes.json");
+    add("labelled", labelled, 1.45, 50.0, "labelled-strokes.json");
   return list;
 }
 
@@ -101,7 +102,7 @@ struct Sheet {
   std::vector<std::uint8_t> pixels;
 
   explicit Sheet(glm::ivec2 extent)
-      : size(extent), pixels(static_cast<std::size_t>(extent.x) * static_cast<std::size_t>(extent.y) * 3) {}
+      : size(extent), pixels(static_cast<std::size_t>(extent.x) * static_cast<std::size_t>(extent.y) * 3, 255) {}
 
   /// The means of finer × finer pixels of an RGBA picture.
   void place(const std::vector<std::uint8_t>& picture, glm::ivec2 origin) {
@@ -129,7 +130,7 @@ std::vector<std::uint8_t> withoutAlpha(const std::vector<std::uint8_t>& rgba) {
 void draw(const fs::path& output, const fs::path& folder) {
   const egl::EglContext context;
   const std::vector<Row> all = rows();
-  Sheet sheet(cell * glm::ivec2(static_cast<int>(columns.size()), static_cast<int>(all.size())));
+  Sheet sheet((cell + gap) * glm::ivec2(static_cast<int>(columns.size()), static_cast<int>(all.size())) - gap);
   for (std::size_t r = 0; r < all.size(); ++r) {
     const app::LoadedScene loaded = app::loadScene(all[r].options);
     View view = loaded.view;
@@ -141,7 +142,7 @@ void draw(const fs::path& output, const fs::path& folder) {
     for (std::size_t c = 0; c < columns.size(); ++c) {
       renderer.render(sceneOf(loaded.scene, columns[c]), view);
       const std::vector<std::uint8_t> picture = renderer.readPicture();
-      sheet.place(picture, cell * glm::ivec2(static_cast<int>(c), static_cast<int>(r)));
+      sheet.place(picture, (cell + gap) * glm::ivec2(static_cast<int>(c), static_cast<int>(r)));
       if (!folder.empty())
         io::writePng(folder / (all[r].name + "-" + columns[c].name + ".png"), view.size, 3, withoutAlpha(picture));
     }

@@ -22,7 +22,6 @@ Peers readPeers(const fs::path& folder, const Views& views) {
     if (entry.path().extension() == ".json") files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   for (const fs::path& path : files) {
-    const std::string program = path.stem().string();
     try {
       const auto json = nlohmann::json::parse(std::ifstream(path));
       const Views theirs{{json.at("size").at(0), json.at("size").at(1)},
@@ -32,10 +31,11 @@ Peers readPeers(const fs::path& folder, const Views& views) {
                          json.at("phantomVoxels"),
                          views.only};
       if (theirs != views) {
-        peers.left.push_back(program + ": left out, was measured with other views");
+        peers.left.push_back(path.stem().string() + ": left out, was measured with other views");
         continue;
       }
-      peers.programs.push_back(program + ": " + json.at("program").get<std::string>() + ", " +
+      const std::string program = json.at("program");
+      peers.programs.push_back(program + ": version " + json.at("version").get<std::string>() + ", on " +
                                json.at("gl").get<std::string>());
       for (const auto& entry : json.at("runs")) {
         PeerRun run{program, entry.at("subject"), entry.at("lit"), entry.at("samplesPerVoxel"), {}, {}};

@@ -73,6 +73,7 @@ TEST_F(Cost, EveryKindOfSceneTakesItsOwnPassesAndResourcesAndNoOthers) {
   const Names cutPasses = with(plainPasses, {"hit points", "pull-push", "distance map", "ray start"});
   const Names lit = with(always, {"gradient"}), byValue = with(lit, {"focus index"});
   const Names byLabel = with(byValue, {"focus normals"});
+  const Names withLayer = with(byLabel, {"derivative volume"}), layerPasses = with(cutPasses, {"context layer"});
   struct Expected {
     Names resources, passes;
   };
@@ -84,7 +85,8 @@ TEST_F(Cost, EveryKindOfSceneTakesItsOwnPassesAndResourcesAndNoOthers) {
       {"cutaway by a label", {byLabel, cutPasses}},
       {"cutaway by two labels", {with(byLabel, {"focus palette"}), cutPasses}},
       {"with a border", {byLabel, cutPasses}},
-      {"with the context layer", {with(byLabel, {"derivative volume"}), with(cutPasses, {"context layer"})}},
+      {"with the context layer", {withLayer, layerPasses}},
+      {"with a brush stroke", {withLayer, with(layerPasses, {"edit map"})}},
   };
   const std::vector<FeatureScene> scenes = kinds();
   EXPECT_EQ(scenes.size(), expected.size());
@@ -117,6 +119,13 @@ TEST_F(Cost, AFeatureAddsItsOwnBytesAndNoOthers) {
   EXPECT_EQ(layer.erase("derivative volume"), 1u);
   layer["images"] -= pixels * (16 + 4);  // the layer and its silhouette
   EXPECT_EQ(layer, memory["with a border"]);
+
+  Memory stroke = memory["with a brush stroke"];
+  const std::size_t edits = stroke["images"] - memory["with the context layer"]["images"];
+  EXPECT_GE(edits, pixels * 8);         // the edit map, RG32F
+  EXPECT_LE(edits, pixels * 8 + 4096);  // and a few lists of one stroke
+  stroke["images"] -= edits;
+  EXPECT_EQ(stroke, memory["with the context layer"]);
 }
 
 TEST_F(Cost, AFeatureSwitchedOffGivesBackWhatItTook) {

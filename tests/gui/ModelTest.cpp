@@ -306,5 +306,34 @@ TEST(Preferences, RecentPathsAreLatestFirstOnceEachAndFew) {
   EXPECT_EQ(recent[2], "/data/10");
 }
 
+TEST(Preferences, QualityAtRestIsRememberedAndNonsenseIsNot) {
+  QSettings::setDefaultFormat(QSettings::IniFormat);
+  QSettings::setPath(QSettings::IniFormat, QSettings::UserScope,
+                     QString::fromStdString(tests::scratchFolder().string()));
+  QCoreApplication::setOrganizationName(QStringLiteral("Fenestra tests"));
+  Preferences preferences;
+  for (const Effort& effort : {Effort{.maxError = 2.0}, Effort{.quality = Quality::Draft}, Effort{}}) {
+    preferences.setAtRest(effort);
+    EXPECT_EQ(Preferences().atRest(), effort);
+  }
+  QSettings().setValue(QStringLiteral("picture/quality"), 77);
+  QSettings().setValue(QStringLiteral("picture/maxError"), QStringLiteral("nan"));
+  EXPECT_EQ(Preferences().atRest(), Effort{});
+}
+
+TEST(FramePacer, TellsTheLastFrameAndForgetsWhatAnotherQualityCost) {
+  FramePacer pacer;
+  pacer.begin(pacer.atRest(), 100.0);
+  pacer.begin(pacer.atRest(), 103.0);
+  pacer.end(110.0);
+  ASSERT_TRUE(pacer.last());
+  EXPECT_EQ(pacer.last()->milliseconds, 10.0);
+  EXPECT_EQ(pacer.last()->views, 2);
+  EXPECT_EQ(pacer.moving(1), pacer.atRest());
+  pacer.setAtRest(Quality::Normal, 1.0);
+  EXPECT_EQ(pacer.atRest().maxError, 1.0);
+  EXPECT_EQ(pacer.moving(1).quality, Quality::Draft) << "how fast pictures of that quality are is not known";
+}
+
 }  // namespace
 }  // namespace fenestra::viewer

@@ -75,6 +75,35 @@ TEST_F(PlacedWindow, MeasuringInSlicesChangesNothing) {
   }));
 }
 
+TEST_F(PlacedWindow, RefiningShowsProgressAndCanBeCancelled) {
+  const glm::dvec3 before = direction(0);
+  PlacementSettings settings = placement().settings();
+  settings.sampling.refined = true;
+  settings.sampling.side = 48;
+  QSignalSpy progressed(&placement(), &PlacementController::progressed);
+  placement().setSettings(settings);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return progressed.count() >= 3; }, patience));
+  EXPECT_TRUE(placement().isMeasuring());
+  EXPECT_GT(placement().progress(), 0.0);
+  EXPECT_LT(placement().progress(), 1.0);
+  placement().cancel();
+  EXPECT_FALSE(placement().isMeasuring());
+  EXPECT_EQ(placement().measured()->spread, 192u) << "what was measured before stays";
+  EXPECT_LT(glm::distance(direction(0), before), same);
+
+  progressed.clear();
+  placement().place();
+  waitUntilDrawn();
+  ASSERT_NE(placement().measured(), nullptr);
+  EXPECT_TRUE(placement().measured()->refinedFor == settings.options);
+  EXPECT_LT(placement().measured()->spread, 300u);
+  double last = 0.0;
+  for (const QList<QVariant>& signal : progressed) {
+    EXPECT_GE(signal.front().toDouble(), last);
+    last = signal.front().toDouble();
+  }
+}
+
 TEST_F(PlacedWindow, TheWheelScrollsThePanelAndChangesNoValue) {
   CamerasPanel& panel = window_->camerasPanel();
   volume(0)->setFocus();

@@ -10,8 +10,8 @@
 #include <QTest>
 
 #include "rendering/placement/Sphere.h"
-#include "viewer/model/Document.h"
 #include "tests/support/TestData.h"
+#include "viewer/model/Document.h"
 #include "viewer/model/PlacementController.h"
 #include "viewer/model/Preferences.h"
 #include "viewer/panels/SphereMap.h"

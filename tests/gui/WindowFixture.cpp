@@ -43,8 +43,8 @@ Study markedBall() {
 void Window::SetUp() {
   ASSERT_TRUE(gl_.available) << gl_.problem.toStdString();
   // Draft, because what is tested here does not depend on the sampling and the machine may have no GPU.
-  window_ =
-      std::make_unique<MainWindow>(MainWindow::Setup{.gl = gl_, .restQuality = Quality::Draft, .remember = false});
+  window_ = std::make_unique<MainWindow>(
+      MainWindow::Setup{.gl = gl_, .atRest = Effort{.quality = Quality::Draft}, .remember = false});
   window_->resize(1280, 800);
   window_->show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get()));

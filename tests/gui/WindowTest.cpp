@@ -1,5 +1,6 @@
 // The window, driven as a user drives it: mouse, wheel and keys on a display with OpenGL.
 
+#include <QAction>
 #include <QLabel>
 #include <QStatusBar>
 #include <QTest>
@@ -75,6 +76,25 @@ TEST_F(Window, OpeningSliderChangesThePicture) {
   EXPECT_EQ(window_->cutawayPanel().openWidth()->box()->value(), width);
   waitUntilDrawn();
   EXPECT_EQ(picture(volume(0)), before);
+}
+
+TEST_F(Window, QualityAtRestIsChosenAndSaid) {
+  QAction* choice = nullptr;
+  for (QAction* action : window_->findChildren<QAction*>())
+    if (action->text() == QStringLiteral("Error ≤ 4/255")) choice = action;
+  ASSERT_NE(choice, nullptr);
+  EXPECT_FALSE(choice->isChecked());
+  choice->trigger();
+  EXPECT_TRUE(choice->isChecked());
+  EXPECT_EQ(volume(0)->restView().maxError, 4.0);
+  EXPECT_FALSE(volume(0)->isSettled());
+  waitUntilDrawn();
+  const auto said = [&] {
+    for (const QLabel* label : window_->statusBar()->findChildren<QLabel*>())
+      if (label->text().contains(QStringLiteral("s, error ≤ 4/255"))) return true;
+    return false;
+  };
+  EXPECT_TRUE(QTest::qWaitFor(said, patience));
 }
 
 TEST_F(Window, DraggingAViewTurnsItsPartnerToo) {

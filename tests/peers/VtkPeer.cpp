@@ -246,7 +246,8 @@ void measure(const Options& options, const Peer& peer) {
     first = false;
   }
   const bench::Views& views = options.views;
-  io::writeText(folder / (name + ".json"), Json{{"program", name + " " + vtkVersion::GetVTKVersion()},
+  io::writeText(folder / (name + ".json"), Json{{"program", peer.title},
+                                                {"version", vtkVersion::GetVTKVersion()},
                                                 {"gl", gl},
                                                 {"size", {views.size.x, views.size.y}},
                                                 {"cameras", views.cameras},

@@ -12,7 +12,8 @@
 namespace fenestra::peers {
 
 struct Peer {
-  std::string name;  ///< of its files
+  std::string name;   ///< of its files
+  std::string title;  ///< in the report
   /// The mapper that is measured, casting a ray at every pixel.
   std::function<vtkSmartPointer<vtkVolumeMapper>()> makeMapper;
   /// mm between a mapper's samples.

@@ -47,5 +47,5 @@ std::vector<float> readPicture(vtkVolumeMapper& mapper, glm::ivec2 size) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return fenestra::peers::run(argc, argv, {"vtk-cpu", makeMapper, setStep, readPicture});
+  return fenestra::peers::run(argc, argv, {"vtk-cpu", "VTK CPU mapper", makeMapper, setStep, readPicture});
 }

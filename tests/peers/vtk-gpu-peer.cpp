@@ -22,4 +22,6 @@ void setStep(vtkVolumeMapper& mapper, double step) {
 
 }  // namespace
 
-int main(int argc, char** argv) { return fenestra::peers::run(argc, argv, {"vtk-gpu", makeMapper, setStep, {}}); }
+int main(int argc, char** argv) {
+  return fenestra::peers::run(argc, argv, {"vtk-gpu", "VTK OpenGL mapper", makeMapper, setStep, {}});
+}

@@ -288,10 +288,27 @@ TEST_F(CandidateTest, TwoBallsHideOneAnotherAlongTheirAxis) {
   EXPECT_NEAR(candidates[0].sums.count, disc, tolerance);
   EXPECT_NEAR(candidates[1].sums.count, 2.0 * disc, tolerance);
   EXPECT_NEAR(candidates[2].sums.count, 2.0 * disc, tolerance);
-  // A quarter of the surface along the axis, half from beside. Along the axis, points edge-on to
-  // the lattice (about a tenth) count as seen, and of the hidden ball those near the outline, lifted over it.
-  EXPECT_NEAR(seenShare(candidates[0], candidates[0], surface().points.size()), 0.25, 0.02);
-  EXPECT_NEAR(seenShare(candidates[1], candidates[1], surface().points.size()), 0.5, 0.01);
+  // A quarter of the surface along the axis, half from beside. The hidden ball's outline is the other's: what is seen
+  // edge-on there (within 15 degrees: a quarter of the quarter) may be on either side of it.
+  EXPECT_NEAR(seenShare(candidates[0], candidates[0], surface().points.size()), 0.25, 0.06);
+  EXPECT_NEAR(seenShare(candidates[1], candidates[1], surface().points.size()), 0.5, 0.02);
+}
+
+TEST_F(CandidateTest, ASmallBallBehindALargerOneIsHidden) {
+  const Grid grid = gridOf({70, 40, 40});
+  const glm::dvec3 large(18.5, 19.5, 19.5), small(50.5, 19.5, 19.5);
+  const auto inside = [&](glm::ivec3 i) {
+    return glm::length(glm::dvec3(i) - large) < 10.0 || glm::length(glm::dvec3(i) - small) < 6.0;
+  };
+  const std::vector<Candidate> candidates =
+      measure(labelScene(grid, [&](glm::ivec3 i) { return inside(i) ? 1 : 0; }), {{-1, 0, 0}, {1, 0, 0}}, side, 2000);
+  const double all = 10.0 * 10.0 + 6.0 * 6.0;
+  // From the large one's side half of it; from the other half of the small one and what it leaves of the large one.
+  const auto share = [&](std::size_t i) { return seenShare(candidates[i], candidates[i], surface().points.size()); };
+  // Normals are known to some two degrees: so much of the outline (2π/90 of a half's 2π) is on the wrong side at most.
+  EXPECT_NEAR(share(0), 0.5 * 10.0 * 10.0 / all, 0.015);
+  const double ring = 10.0 * 10.0 * (1.0 - (1.0 - std::sqrt(1.0 - 0.36)));
+  EXPECT_NEAR(share(1), 0.5 * (6.0 * 6.0 + ring) / all, 0.015);
 }
 
 TEST_F(CandidateTest, ABallsSurfaceAndWhatIsSeenOfIt) {
@@ -307,14 +324,15 @@ TEST_F(CandidateTest, ABallsSurfaceAndWhatIsSeenOfIt) {
       directions.push_back(-direction);
     }
     const std::vector<Candidate> candidates = measure(scene, directions, side, 4096);
-    // Voxels show a slope as steps, and steps have more area: the more, the less cubic they are.
+    // An error of the normals counts in second order: 5 degrees are 0.4 %.
     EXPECT_NEAR(surface().area / (4.0 * pi * r * r), 1.0, 0.01);
     ASSERT_NEAR(static_cast<double>(surface().points.size()), 4096.0, 1.0);
     for (std::size_t i = 0; i < candidates.size(); i += 2) {
       const std::size_t points = surface().points.size();
-      // Points edge-on to an axis of the lattice count as seen; steps of voxels hide a few near the outline.
-      EXPECT_NEAR(seenShare(candidates[i], candidates[i], points), 0.5, 0.01);
-      EXPECT_NEAR(seenShare(candidates[i], candidates[i + 1], points), 1.0, 0.01);
+      // Normals are known to some two degrees, and so is where the far half begins.
+      EXPECT_NEAR(seenShare(candidates[i], candidates[i], points), 0.5, 0.015);
+      // Points edge-on exactly, some four in a hundred, count by halves, and by the same half from either side.
+      EXPECT_NEAR(seenShare(candidates[i], candidates[i + 1], points), 1.0, 0.025);
     }
   }
 }
@@ -326,22 +344,23 @@ TEST_F(CandidateTest, ABoxsSurface) {
   });
   measure(scene, {{1, 0, 0}}, side, 1000);
   const glm::dvec3 s(24 * 0.8, 20 * 1.0, 22 * 1.3);
-  // Edges are rounded off over a voxel, one in twenty here.
-  EXPECT_NEAR(surface().area / (2.0 * (s.x * s.y + s.y * s.z + s.x * s.z)), 1.0, 0.01);
+  // Edges are rounded off over two voxels of twenty: a quarter circle in place of two sides.
+  EXPECT_NEAR(surface().area / (2.0 * (s.x * s.y + s.y * s.z + s.x * s.z)), 1.0, 0.04);
   for (const FocusSurface::Point& point : surface().points) EXPECT_NEAR(glm::length(point.normal), 1.0, 1e-12);
 }
 
 /// CandidateVisibility.comp in double precision: nothing of the focus between the point, off its surface, and the
 /// camera.
-bool seesPoint(const Scene& scene, const FocusSurface::Point& point, glm::dvec3 direction) {
+bool seesPoint(const Scene& scene, const FocusSurface& surface, std::size_t which, glm::dvec3 direction) {
   const Grid& grid = scene.volume->grid;
+  const FocusSurface::Point& point = surface.points[which];
   const double slope = glm::dot(point.normal, direction);
-  if (slope < 0.0) return false;
+  if (std::abs(slope) < 1e-5 ? which % 2 != 0 : slope < 0.0) return false;
   const glm::dmat4 worldFromIndex = grid.worldFromIndex();
   double extent = 0.0;
   for (int axis = 0; axis < 3; ++axis) extent += std::abs(glm::dot(glm::dvec3(worldFromIndex[axis]), point.normal));
-  const glm::dvec3 eye =
-      glm::dvec3(worldFromIndex * glm::dvec4(point.index, 1.0)) + extent * std::min(1.0 / slope, 8.0) * direction;
+  const glm::dvec3 eye = glm::dvec3(worldFromIndex * glm::dvec4(point.index, 1.0)) +
+                         extent * std::min(1.0 / std::abs(slope), 8.0) * direction;
   const Camera camera = lookAt(eye, eye + direction, Projection::Orthographic, 1.0);
   return std::isnan(reference::hitPoints(scene, camera, {1, 1}).tFocus.front());
 }
@@ -358,7 +377,7 @@ TEST_F(CandidateTest, WhatIsSeenAndItsDescriptorsAgreeWithTheCpu) {
   for (std::size_t v = 0; v < n; ++v) {
     double seen = 0.0;
     for (std::size_t o = 0; o < points.size(); ++o) {
-      const bool sees = seesPoint(scene, points[o], candidates[v].direction);
+      const bool sees = seesPoint(scene, surface(), o, candidates[v].direction);
       EXPECT_EQ(sees, (candidates[v].seen[o / 64] >> (o % 64) & 1u) != 0) << v << ' ' << o;
       p[v][o] = sees ? 1.0 : 0.0;
       seen += p[v][o];

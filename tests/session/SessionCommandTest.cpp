@@ -208,7 +208,9 @@ TEST_F(SessionCommand, SaysWhatIsWrongInOneLine) {
   expectFailure({"info", "b.fenestra"}, "not valid JSON");
   expectFailure({"render", "none.fenestra", "-o", "b.png"}, "does not exist");
   EXPECT_FALSE(fs::exists(at("b.png")));
+  expectFailure({"render", "a.fenestra", "--series", "1.2.3", "-o", "b.png"}, "leave out --series");
   EXPECT_EQ(run({"render", "a.fenestra", "--view", "C3", "-o", "b.png"}).exitCode, 2);
+  EXPECT_EQ(run({"render", "head.nii.gz", "--data", "b.nii.gz", "-o", "b.png"}).exitCode, 2);
 }
 
 TEST_F(SessionCommand, ChangedDataIsSaid) {

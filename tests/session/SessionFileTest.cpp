@@ -221,6 +221,7 @@ TEST(SessionFile, TheSchemaRefusesWhatTheReaderRefuses) {
   };
   expectRefused("/linked", 1);
   expectRefused("/quality", "best");
+  expectRefused("/max_error", 1e-300);
   expectRefused("/cutaway/open_width", -1);
   expectRefused("/cutaway/unit", "cm");
   expectRefused("/views", Json::array());

@@ -53,6 +53,15 @@ inline std::vector<FeatureScene> featureScenes(const Scene& base, const ValueFoc
     scene.cutaway.borderWidth = 2.0;
     scene.contextLayer.strength = 0.7;
   });
+  add("with a brush stroke", [](Scene& scene) {
+    const Grid& grid = scene.volume->grid;
+    BrushStroke stroke;
+    stroke.anchors = {grid.centre()};
+    stroke.radius = 0.1 * grid.boundingRadius();
+    scene.cutaway.borderWidth = 2.0;
+    scene.contextLayer.strength = 0.7;
+    scene.strokes = {stroke};
+  });
   return kinds;
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <QCoreApplication>
+
 namespace fenestra::viewer {
 namespace {
 
@@ -20,6 +22,13 @@ void FramePacer::setAtRest(Quality quality, std::optional<double> maxError) {
   if (rest == rest_) return;
   rest_ = rest;
   restCost_.reset();
+}
+
+QString nameOf(const Effort& effort) {
+  const auto translated = [](const char* text) { return QCoreApplication::translate("FramePacer", text); };
+  if (!effort.maxError && effort.quality == Quality::Draft) return translated("draft");
+  if (!effort.maxError && effort.quality == Quality::Normal) return translated("normal");
+  return translated("error ≤ %1/255").arg(effort.maxError.value_or(highQualityError));
 }
 
 Effort FramePacer::moving(int views) const {
@@ -44,6 +53,7 @@ void FramePacer::end(double now) {
   const Frame frame = *frame_;
   frame_.reset();
   if (frame.mixed) return;
+  last_ = {now - frame.began, frame.views, frame.effort};
   const double perView = (now - frame.began) / frame.views;
   if (frame.effort == rest_) blend(restCost_, perView);
   // A frame's time grows with its pixels.

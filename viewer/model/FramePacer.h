@@ -4,6 +4,8 @@
 
 #include <optional>
 
+#include <QString>
+
 #include "rendering/passes/Renderer.h"
 
 namespace fenestra::viewer {
@@ -16,6 +18,9 @@ struct Effort {
   bool operator==(const Effort&) const = default;
 };
 
+/// "draft", "normal", or the bound that is kept: "error ≤ 1/255".
+QString nameOf(const Effort& effort);
+
 class FramePacer {
  public:
   /// Milliseconds that a frame of all moving views may take: 12 frames a second.
@@ -23,7 +28,14 @@ class FramePacer {
   /// Below a quarter of the resolution anatomy is hard to recognise.
   static constexpr double leastScale = 0.25;
 
-  explicit FramePacer(Quality restQuality = Quality::Normal) : rest_{1.0, restQuality, {}} {}
+  /// The frame last measured.
+  struct Measured {
+    double milliseconds = 0.0;  ///< until it was on screen
+    int views = 0;              ///< that it was drawn in
+    Effort effort;
+  };
+
+  explicit FramePacer(const Effort& atRest = {}) : rest_(atRest) {}
 
   Effort atRest() const { return rest_; }
   void setAtRest(Quality quality, std::optional<double> maxError);
@@ -34,6 +46,7 @@ class FramePacer {
   void begin(Effort effort, double now);
   /// The frame that holds all parts begun is on screen.
   void end(double now);
+  const std::optional<Measured>& last() const { return last_; }
 
  private:
   struct Frame {
@@ -45,6 +58,7 @@ class FramePacer {
 
   Effort rest_;
   std::optional<Frame> frame_;
+  std::optional<Measured> last_;
   std::optional<double> restCost_;   ///< ms a view at rest
   std::optional<double> draftCost_;  ///< ms a view for a draft of scale 1
 };

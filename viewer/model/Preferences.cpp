@@ -13,6 +13,8 @@ namespace {
 const QString recentKey = QStringLiteral("recent");
 const QString geometryKey = QStringLiteral("layout/geometry");
 const QString stateKey = QStringLiteral("layout/docks");
+const QString qualityKey = QStringLiteral("picture/quality");
+const QString maxErrorKey = QStringLiteral("picture/maxError");
 const QString viewsKey = QStringLiteral("layout/views");
 const QString placementKey = QStringLiteral("placement/%1");
 
@@ -55,6 +57,26 @@ void Preferences::addRecent(const std::filesystem::path& path) {
 }
 
 void Preferences::clearRecent() { settings_.remove(recentKey); }
+
+Effort Preferences::atRest() const {
+  Effort effort;
+  const int quality = settings_.value(qualityKey, static_cast<int>(effort.quality)).toInt();
+  if (quality >= static_cast<int>(Quality::Draft) && quality <= static_cast<int>(Quality::High))
+    effort.quality = static_cast<Quality>(quality);
+  // The file may have been edited by hand: what is no bound is none.
+  const double maxError = settings_.value(maxErrorKey, 0.0).toDouble();
+  constexpr double least = 0.05;  // as --max-error takes
+  if (maxError >= least && maxError <= 255.0) effort.maxError = maxError;
+  return effort;
+}
+
+void Preferences::setAtRest(const Effort& effort) {
+  settings_.setValue(qualityKey, static_cast<int>(effort.quality));
+  if (effort.maxError)
+    settings_.setValue(maxErrorKey, *effort.maxError);
+  else
+    settings_.remove(maxErrorKey);
+}
 
 QByteArray Preferences::windowGeometry() const { return settings_.value(geometryKey).toByteArray(); }
 QByteArray Preferences::windowState() const { return settings_.value(stateKey).toByteArray(); }

@@ -8,6 +8,7 @@
 #include <QByteArray>
 #include <QSettings>
 
+#include "viewer/model/FramePacer.h"
 #include "viewer/model/PlacementController.h"
 
 namespace fenestra::viewer {
@@ -20,6 +21,10 @@ class Preferences {
   std::vector<std::filesystem::path> recent() const;
   void addRecent(const std::filesystem::path& path);
   void clearRecent();
+
+  /// How the 3-D views are drawn when nothing moves.
+  Effort atRest() const;
+  void setAtRest(const Effort& effort);
 
   QByteArray windowGeometry() const;
   QByteArray windowState() const;

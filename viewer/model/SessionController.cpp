@@ -155,7 +155,6 @@ void SessionController::save(const fs::path& file) {
   // What is done from now on is not in the file; should writing fail, nothing is.
   parts_.document.undoStack().setClean();
   recovered_ = false;
-  file_ = file;
   write(session(), file, false);
   Q_EMIT changed();
 }
@@ -192,6 +191,7 @@ void SessionController::finish() {
   } else {
     savedWell_ = written.error.empty();
     if (savedWell_) {
+      file_ = written.file;
       if (!isModified()) dropAutosave();
       Q_EMIT saved(toQString(written.file));
     } else {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <QFormLayout>
+#include <QHBoxLayout>
 
 #include "viewer/model/Document.h"
 #include "viewer/panels/ColourButton.h"
@@ -49,9 +50,11 @@ CutawayPanel::CutawayPanel(Document& document, QWidget* parent)
   form->addRow(enabled_);
   form->addRow(tr("Look"), look_);
   form->addRow(tr("Opening"), openWidth_);
-  form->addRow(tr("Border"), borderWidth_);
+  auto* border = new QHBoxLayout;
+  border->addWidget(borderWidth_, 1);
+  border->addWidget(colour_);
+  form->addRow(tr("Border"), border);
   form->addRow(tr("Unit"), unit_);
-  form->addRow(tr("Border colour"), colour_);
   setBody(body);
 
   const auto edit = [this](const QString& step, auto change) {

@@ -12,9 +12,9 @@
 namespace fenestra::viewer {
 
 ViewArea::ViewArea(Document& document, SliceCursor& cursor, ViewLink& cameras, ViewOptions& options, Brush& brush,
-                   const GlSupport& gl, Quality restQuality, QWidget* parent)
+                   const GlSupport& gl, const Effort& atRest, QWidget* parent)
     : QWidget(parent),
-      pacer_(std::make_shared<FramePacer>(restQuality)),
+      pacer_(std::make_shared<FramePacer>(atRest)),
       rows_(new QSplitter(Qt::Vertical)),
       upper_(new QSplitter(Qt::Horizontal)),
       lower_(new QSplitter(Qt::Horizontal)) {
@@ -41,6 +41,7 @@ ViewArea::ViewArea(Document& document, SliceCursor& cursor, ViewLink& cameras, V
       auto* view = new VolumeView(index, document, cursor, cameras, options, brush, shared);
       connectView(view);
       connect(view, &VolumeView::failed, this, &ViewArea::failed);
+      connect(view, &VolumeView::drawn, this, &ViewArea::drawn);
       upper_->addWidget(view);
       volumes_.push_back(view);
     }
@@ -97,6 +98,12 @@ std::vector<std::pair<std::string, QWidget*>> ViewArea::namedViews() const {
   return views;
 }
 
+void ViewArea::setAtRest(Quality quality, std::optional<double> maxError) {
+  pacer_->setAtRest(quality, maxError);
+  for (VolumeView* view : volumes_) view->redraw();
+  Q_EMIT atRestChanged();
+}
+
 void ViewArea::describe(io::Session& session) const {
   for (const VolumeView* view : volumes_) {
     const View picture = view->restView();
@@ -113,7 +120,7 @@ void ViewArea::describe(io::Session& session) const {
 }
 
 void ViewArea::restore(const io::Session& session) {
-  pacer_->setAtRest(session.quality, session.maxError);
+  setAtRest(session.quality, session.maxError);
   showAll();
   restoreLayout(QByteArray::fromBase64(QByteArray::fromStdString(session.layout)));
   for (const auto& [name, view] : namedViews())

@@ -20,7 +20,7 @@ class ViewArea : public QWidget {
  public:
   /// Without OpenGL the place of the 3-D views says why, and the slices are there all the same.
   ViewArea(Document& document, SliceCursor& cursor, ViewLink& cameras, ViewOptions& options, Brush& brush,
-           const GlSupport& gl, Quality restQuality, QWidget* parent = nullptr);
+           const GlSupport& gl, const Effort& atRest, QWidget* parent = nullptr);
 
   const std::vector<VolumeView*>& volumeViews() const { return volumes_; }  ///< empty without OpenGL
   const std::vector<SliceView*>& sliceViews() const { return slices_; }     ///< axial, sagittal, coronal
@@ -31,6 +31,11 @@ class ViewArea : public QWidget {
   void toggleMaximised(QWidget* view);
   bool isMaximised() const { return maximised_ != nullptr; }
   void showAll();
+
+  /// How the 3-D views are drawn when nothing moves.
+  Effort atRest() const { return pacer_->atRest(); }
+  void setAtRest(Quality quality, std::optional<double> maxError);
+  const FramePacer& pacer() const { return *pacer_; }
 
   /// The pictures' sizes and sampling, and the layout.
   void describe(io::Session& session) const;
@@ -44,6 +49,9 @@ class ViewArea : public QWidget {
   void left();
   void menuRequested(glm::dvec3 world, QPoint globalPosition);
   void failed(const QString& problem);
+  void atRestChanged();
+  /// A 3-D view has a new picture on screen.
+  void drawn();
 
  private:
   /// Every view by the name that a session has for it.

@@ -62,7 +62,10 @@ VolumeView::VolumeView(int index, Document& document, SliceCursor& cursor, ViewL
   const auto repaint = [this] { update(); };
   connect(&cursor, &SliceCursor::moved, this, repaint);
   connect(&options, &ViewOptions::changed, this, repaint);
-  connect(this, &QOpenGLWidget::frameSwapped, this, [this] { shared_.pacer->end(now()); });
+  connect(this, &QOpenGLWidget::frameSwapped, this, [this] {
+    shared_.pacer->end(now());
+    Q_EMIT drawn();
+  });
 }
 
 VolumeView::~VolumeView() {
@@ -91,6 +94,8 @@ void VolumeView::disturb(int views) {
   rest_.start(restMilliseconds * (1 + index_));
   update();
 }
+
+void VolumeView::redraw() { disturb(ViewLink::count); }
 
 void VolumeView::settle() {
   if (held_) {

@@ -45,6 +45,8 @@ class VolumeView : public QOpenGLWidget {
   void hold(bool on) { held_ = on; }
   /// What is on screen is the scene at full quality, or why it cannot be is said there.
   bool isSettled() const;
+  /// Draws anew as the pacer now says.
+  void redraw();
   /// What is drawn at rest.
   View restView() const { return viewFor(shared_.pacer->atRest()); }
   /// Why nothing is drawn; empty when all is well.
@@ -61,6 +63,8 @@ class VolumeView : public QOpenGLWidget {
 
  Q_SIGNALS:
   void settled();
+  /// A picture is on screen.
+  void drawn();
   void failed(const QString& problem);
   void pointed(glm::dvec3 world);
   void left();

@@ -1,0 +1,403 @@
+// Sessions in the window: what is saved comes back to the bit, pictures included; the command line agrees; nothing is
+// lost without being asked for, and what a crash leaves is offered.
+
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <QApplication>
+#include <QDropEvent>
+#include <QLockFile>
+#include <QMimeData>
+#include <QProcess>
+#include <QSignalSpy>
+#include <QTest>
+#include <QUrl>
+
+#include "io/VolumeWriter.h"
+#include "io/session/SessionFile.h"
+#include "tests/gui/WindowFixture.h"
+#include "tests/io/IoTesting.h"
+#include "tests/support/TestData.h"
+#include "viewer/NoticeBar.h"
+#include "viewer/Sessions.h"
+#include "viewer/model/Paths.h"
+
+namespace fenestra::viewer {
+namespace {
+
+namespace fs = std::filesystem;
+using tests::readFile;
+
+/// A window on the marked ball from files, in a folder of its own.
+class SessionWindow : public Window {
+ protected:
+  void SetUp() override {
+    Window::SetUp();
+    if (HasFatalFailure()) return;
+    folder_ = tests::scratchFolder();
+    file_ = folder_ / "work.fenestra";
+    fs::create_directory(folder_ / "data");
+    const Study ball = markedBall();
+    io::writeVolume(*ball.scene.volume, folder_ / "data" / "ball.nii.gz");
+    Volume labels;
+    labels.grid = ball.scene.labels->grid;
+    labels.voxels = Voxels(ScalarType::UInt8, labels.grid.voxelCount());
+    std::copy_n(ball.scene.labels->voxels.data(), labels.voxels.byteCount(), labels.voxels.data());
+    io::writeVolume(labels, folder_ / "data" / "labels.nii.gz");
+    failOnQuestions();
+    open(folder_ / "data" / "ball.nii.gz", folder_ / "data" / "labels.nii.gz");
+  }
+
+  /// A question that a test does not expect is a failure, and no dialog that waits for ever.
+  void failOnQuestions() {
+    SessionQuestions& questions = window_->sessions().questions();
+    questions.saveChanges = [] { return ADD_FAILURE() << "asked to save", SessionQuestions::Answer::Discard; };
+    questions.saveWhere = [](const fs::path&) { return ADD_FAILURE() << "asked where", std::nullopt; };
+    questions.dataWhere = [](const io::DataMissing& missing) { return ADD_FAILURE() << missing.what(), std::nullopt; };
+    questions.restoreWork = [](const QDateTime&) {
+      return ADD_FAILURE() << "asked to restore", SessionQuestions::Answer::Cancel;
+    };
+  }
+
+  void open(const fs::path& path, const fs::path& labels = {}) {
+    QSignalSpy opened(window_.get(), &MainWindow::opened);
+    window_->open(labels.empty() ? std::vector{path} : std::vector{path, labels});
+    ASSERT_TRUE(opened.count() > 0 || opened.wait(patience))
+        << window_->notices().texts().join(QStringLiteral("; ")).toStdString();
+    waitUntilDrawn();
+  }
+
+  /// Another window of the same size, as after a restart.
+  void restart() {
+    const QSize size = window_->size();
+    window_.reset();
+    window_ = std::make_unique<MainWindow>(MainWindow::Setup{.gl = gl_, .atRest = Effort{}, .remember = false});
+    window_->resize(size);
+    window_->show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get()));
+    failOnQuestions();
+  }
+
+  SessionController& controller() { return window_->sessions().controller(); }
+  void save(const fs::path& file) {
+    controller().save(file);
+    ASSERT_TRUE(controller().waitUntilSaved());
+  }
+
+  /// Something of everything that a session keeps.
+  void work() {
+    Document& document = window_->document();
+    document.focusOn(marker);
+    document.setPreset("ct-soft-tissue");
+    document.setShift(-31.7);
+    Cutaway cutaway = document.scene().cutaway;
+    cutaway.openWidth = 17.3;
+    cutaway.unit = WidthUnit::Millimetre;
+    document.setCutaway(cutaway);
+    ContextLayer layer = document.scene().contextLayer;
+    layer.strength = 0.9;
+    document.setContextLayer(layer);
+    BrushStroke stroke;
+    stroke.anchors = {{10.0, -40.0, 10.0}, {20.0, -36.0, 10.1}};
+    stroke.radius = 9.1;
+    document.setStrokes({stroke}, QStringLiteral("Brush"));
+    document.setWindow({333.0, 22.0});
+    window_->cursor().moveTo({3.25, -7.5, 11.125});
+    window_->cameras().orbit(0, 0.4, 0.2);
+    window_->cameras().zoom(1, 1.3);
+    waitUntilDrawn();
+  }
+
+  std::vector<QImage> pictures() {
+    std::vector<QImage> made;
+    for (VolumeView* view : window_->views().volumeViews()) made.push_back(picture(view));
+    for (SliceView* view : window_->views().sliceViews()) made.push_back(picture(view));
+    return made;
+  }
+
+  fs::path folder_, file_;
+};
+
+TEST_F(SessionWindow, SavedAndReopenedShowsTheSamePictures) {
+  work();
+  const std::vector<QImage> before = pictures();
+  save(file_);
+  const Edits edits = window_->document().edits();
+  restart();
+  open(file_);
+  EXPECT_EQ(window_->document().edits(), edits);
+  EXPECT_FALSE(window_->isWindowModified());
+  EXPECT_TRUE(window_->notices().texts().isEmpty())
+      << window_->notices().texts().join(QStringLiteral("; ")).toStdString();
+  const std::vector<QImage> after = pictures();
+  for (std::size_t view = 0; view < before.size(); ++view) EXPECT_EQ(before[view], after[view]) << "view " << view;
+  save(folder_ / "again.fenestra");
+  EXPECT_EQ(readFile(file_), readFile(folder_ / "again.fenestra"));
+}
+
+TEST_F(SessionWindow, TheCommandLineAgreesWithTheWindow) {
+  work();
+  save(file_);
+  for (int index = 0; index < 2; ++index) {
+    const QString png = toQString(folder_ / "cli.png");
+    ASSERT_EQ(QProcess::execute(QStringLiteral(FENESTRA_CLI),
+                                {QStringLiteral("render"), toQString(file_), QStringLiteral("--view"),
+                                 QStringLiteral("C%1").arg(index + 1), QStringLiteral("-o"), png}),
+              0);
+    const QImage cli = QImage(png).convertToFormat(QImage::Format_RGB32);
+    window_->options().setText(false);
+    window_->options().setCrosshair(false);
+    waitUntilDrawn();
+    VolumeView* view = volume(static_cast<std::size_t>(index));
+    const QImage window = view->grabFramebuffer().convertToFormat(QImage::Format_RGB32);
+    ASSERT_EQ(cli.size(), window.size());
+    const double ratio = window_->devicePixelRatioF();
+    int greatest = 0;
+    for (int y = 0; y < cli.height(); ++y)
+      for (int x = 0; x < cli.width(); ++x) {
+        // What the window draws over the picture: the orientation cube, and a frame around the view in use.
+        const double fromLeft = x / ratio, fromBottom = (cli.height() - y) / ratio;
+        if (fromLeft < 80 && fromBottom < 80) continue;
+        if (std::min({x, y, cli.width() - 1 - x, cli.height() - 1 - y}) < 2 * ratio) continue;
+        const QColor a = cli.pixelColor(x, y), b = window.pixelColor(x, y);
+        greatest = std::max(
+            {greatest, std::abs(a.red() - b.red()), std::abs(a.green() - b.green()), std::abs(a.blue() - b.blue())});
+      }
+    // The one rounds once more, when it puts the picture over the background.
+    EXPECT_LE(greatest, 1) << "C" << index + 1;
+  }
+}
+
+TEST_F(SessionWindow, LinkedCamerasStayLinkedAndUnlinkedOnesDoNot) {
+  for (const bool linked : {false, true}) {
+    window_->cameras().setLinked(linked);
+    window_->cameras().orbit(0, 0.3, 0.1);
+    save(file_);
+    window_->cameras().setLinked(!linked);
+    open(file_);
+    EXPECT_EQ(window_->cameras().isLinked(), linked);
+    EXPECT_EQ(window_->findChild<QAction*>(QStringLiteral("link"))->isChecked(), linked);
+    PlacementSettings settings = window_->placement().settings();
+    settings.follow = false;
+    window_->placement().setSettings(settings);
+    const Camera partner = window_->cameras().camera(1);
+    drag(volume(0), {200, 150}, {260, 150});
+    EXPECT_EQ(window_->cameras().camera(1) != partner, linked);
+  }
+}
+
+TEST_F(SessionWindow, CamerasStandWhereTheyStood) {
+  window_->cameras().setProjection(Projection::Orthographic);
+  window_->cameras().orbit(0, 1.1, -0.6);
+  window_->cameras().pan(1, 13.7, -4.2);
+  window_->cameras().zoom(0, 1.7);
+  const ViewLink::Pose pose = window_->cameras().pose();
+  save(file_);
+  window_->cameras().place(Camera::standard(StandardView::Posterior, window_->document().scene().volume->grid));
+  ASSERT_NE(window_->cameras().pose(), pose);
+  open(file_);
+  EXPECT_EQ(window_->cameras().pose(), pose);
+  window_->cameras().reset();
+  EXPECT_EQ(window_->cameras().pose().cameras, pose.home);
+}
+
+TEST_F(SessionWindow, KeepsTheLayoutAndWhatIsDrawnOverThePictures) {
+  window_->views().toggleMaximised(slice(SlicePlane::Coronal));
+  window_->options().setText(false);
+  window_->options().setLabels(false);
+  PlacementSettings settings = window_->placement().settings();
+  settings.sampling.count = 48;
+  settings.options.weights.coverage = 2.5;
+  settings.options.region = placement::Region::Stream;
+  window_->placement().setSettings(settings);
+  save(file_);
+  window_->views().showAll();
+  window_->options().setText(true);
+  window_->placement().setSettings({});
+  open(file_);
+  EXPECT_TRUE(window_->views().isMaximised());
+  EXPECT_TRUE(slice(SlicePlane::Coronal)->isVisible());
+  EXPECT_FALSE(volume(0)->isVisible());
+  EXPECT_FALSE(window_->options().text());
+  EXPECT_TRUE(window_->options().crosshair());
+  EXPECT_EQ(window_->placement().settings(), settings);
+}
+
+TEST_F(SessionWindow, AsksBeforeWorkIsLost) {
+  using Answer = SessionQuestions::Answer;
+  EXPECT_FALSE(window_->isWindowModified());
+  EXPECT_TRUE(window_->sessions().mayGo());
+  window_->document().focusOn(marker);
+  EXPECT_TRUE(window_->isWindowModified());
+  window_->document().undoStack().undo();
+  EXPECT_FALSE(window_->isWindowModified()) << "undone, there is nothing to lose";
+  window_->document().focusOn(body);
+
+  int asked = 0;
+  Answer answer = Answer::Cancel;
+  window_->sessions().questions().saveChanges = [&] { return ++asked, answer; };
+  EXPECT_FALSE(window_->close());
+  window_->open({folder_ / "data" / "ball.nii.gz"});
+  QTest::qWait(50);
+  EXPECT_TRUE(window_->document().isFocused(body)) << "what was open stays";
+  EXPECT_EQ(asked, 2);
+
+  answer = Answer::Save;
+  std::optional<fs::path> where;
+  window_->sessions().questions().saveWhere = [&](const fs::path&) { return where; };
+  EXPECT_FALSE(window_->close()) << "no file was chosen";
+  where = folder_ / "no such folder" / "a";
+  EXPECT_FALSE(window_->close()) << "it could not be saved";
+  EXPECT_TRUE(window_->isWindowModified());
+  EXPECT_FALSE(window_->notices().texts().isEmpty());
+  where = folder_ / "kept";
+  EXPECT_TRUE(window_->close());
+  EXPECT_EQ(io::readSession(folder_ / "kept.fenestra").focus, Focus(LabelFocus{{body}})) << "the ending is added";
+  EXPECT_FALSE(window_->isWindowModified());
+  window_->document().focusOn(marker);
+  answer = Answer::Discard;
+  window_->show();
+  EXPECT_TRUE(window_->close());
+  EXPECT_EQ(io::readSession(folder_ / "kept.fenestra").focus, Focus(LabelFocus{{body}}));
+}
+
+TEST_F(SessionWindow, SavesByItsKeysAndOpensWhatIsDropped) {
+  window_->document().focusOn(marker);
+  window_->sessions().questions().saveWhere = [&](const fs::path& suggested) {
+    EXPECT_EQ(suggested, folder_ / "data" / "session.fenestra");
+    return std::optional(file_);
+  };
+  QTest::keyClick(window_.get(), Qt::Key_S, Qt::ControlModifier);
+  ASSERT_TRUE(controller().waitUntilSaved());
+  EXPECT_TRUE(fs::exists(file_));
+  window_->document().focusOn(body);
+  QTest::keyClick(window_.get(), Qt::Key_S, Qt::ControlModifier);
+  ASSERT_TRUE(controller().waitUntilSaved());
+  EXPECT_EQ(io::readSession(file_).focus, Focus(LabelFocus{{body}}));
+
+  window_->document().setFocus(std::monostate{});
+  window_->document().undoStack().undo();
+  QMimeData data;
+  data.setUrls({QUrl::fromLocalFile(toQString(file_))});
+  QDragEnterEvent enter(QPoint(200, 200), Qt::CopyAction, &data, Qt::LeftButton, {});
+  QApplication::sendEvent(window_.get(), &enter);
+  QDropEvent drop(QPointF(200, 200), Qt::CopyAction, &data, Qt::LeftButton, {});
+  QSignalSpy opened(window_.get(), &MainWindow::opened);
+  QApplication::sendEvent(window_.get(), &drop);
+  ASSERT_TRUE(opened.wait(patience));
+  EXPECT_EQ(window_->document().focus(), Focus(LabelFocus{{body}}));
+  EXPECT_EQ(controller().file(), file_);
+}
+
+TEST_F(SessionWindow, AsksWhereMovedDataIs) {
+  window_->document().focusOn(marker);
+  save(file_);
+  fs::create_directory(folder_ / "sessions");
+  fs::rename(file_, folder_ / "sessions" / "a.fenestra");
+  int asked = 0;
+  window_->sessions().questions().dataWhere = [&](const io::DataMissing& missing) {
+    ++asked;
+    return std::optional(folder_ / "data" /
+                         (missing.data() == io::DataMissing::Data::Labels ? "labels.nii.gz" : "ball.nii.gz"));
+  };
+  open(folder_ / "sessions" / "a.fenestra");
+  EXPECT_EQ(asked, 2);
+  EXPECT_TRUE(window_->document().isFocused(marker));
+  EXPECT_TRUE(window_->notices().texts().isEmpty()) << "it holds what it held";
+  save(folder_ / "sessions" / "a.fenestra");
+  open(folder_ / "sessions" / "a.fenestra");
+  EXPECT_EQ(asked, 2) << "saved again, it knows";
+}
+
+TEST_F(SessionWindow, OffersWhatACrashLeft) {
+  const fs::path kept = folder_ / "state";
+  const auto copies = [&] {
+    int found = 0;
+    for (const auto& entry : fs::directory_iterator(kept)) found += io::isSession(entry.path());
+    return found;
+  };
+  controller().startAutosave(kept, 3600000);
+  controller().autosave();
+  controller().waitUntilSaved();
+  EXPECT_EQ(copies(), 0) << "nothing was done yet";
+  save(file_);
+  work();
+  controller().autosave();
+  controller().waitUntilSaved();
+  ASSERT_EQ(copies(), 1);
+  EXPECT_TRUE(window_->isWindowModified()) << "a copy is no save";
+  EXPECT_TRUE(SessionController::abandonedIn(kept).empty()) << "its run is alive";
+  EXPECT_EQ(io::readSession(file_).focus, Focus()) << "the user's file is the user's";
+
+  // A crash: the copy stays, and so does the lock of a process that is no more.
+  const fs::path copy = fs::directory_iterator(kept)->path().parent_path() / "crashed.fenestra";
+  for (const auto& entry : fs::directory_iterator(kept))
+    if (io::isSession(entry.path())) fs::copy_file(entry.path(), copy);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    QLockFile lock(toQString(copy) + QStringLiteral(".lock"));
+    ::_exit(lock.tryLock(0) ? 0 : 1);  // without unlocking
+  }
+  int status = -1;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  ASSERT_EQ(status, 0);
+  ASSERT_TRUE(fs::exists(copy.string() + ".lock"));
+  const Edits edits = window_->document().edits();
+  const ViewLink::Pose pose = window_->cameras().pose();
+  restart();
+  EXPECT_EQ(copies(), 1) << "a run that ends in peace takes its copy along";
+
+  int asked = 0;
+  window_->sessions().questions().restoreWork = [&](const QDateTime& saved) {
+    ++asked;
+    EXPECT_LT(std::abs(saved.secsTo(QDateTime::currentDateTime())), 600);
+    return SessionQuestions::Answer::Save;
+  };
+  QSignalSpy opened(window_.get(), &MainWindow::opened);
+  ASSERT_TRUE(window_->sessions().startRecovery(kept));
+  ASSERT_TRUE(opened.wait(patience));
+  EXPECT_EQ(asked, 1);
+  EXPECT_EQ(window_->document().edits(), edits);
+  EXPECT_EQ(window_->cameras().pose(), pose);
+  EXPECT_EQ(controller().file(), file_) << "it is ahead of that one";
+  EXPECT_TRUE(window_->isWindowModified());
+  EXPECT_EQ(copies(), 1) << "until it is saved";
+  save(controller().file());
+  EXPECT_EQ(copies(), 0);
+  EXPECT_EQ(io::readSession(file_).focus, edits.focus);
+  EXPECT_TRUE(io::readSession(file_).autosaveOf.empty());
+}
+
+TEST_F(SessionWindow, ACopyDoesNotStopTheWindow) {
+  BrushStrokes strokes(2000);
+  for (BrushStroke& stroke : strokes) stroke.anchors.assign(50, markerCentre);
+  window_->document().setStrokes(strokes, QStringLiteral("Brush"));
+  controller().startAutosave(folder_ / "state", 3600000);
+  const auto cpu = [] {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+  };
+  const double before = cpu();
+  controller().autosave();
+  const double milliseconds = cpu() - before;
+  controller().waitUntilSaved();
+  RecordProperty("gather_ms", std::to_string(milliseconds));
+  // 2000 strokes of 50 points are hours of painting; a frame at 60 Hz is 16 ms.
+  EXPECT_LT(milliseconds, 16.0);
+}
+
+TEST_F(SessionWindow, ABrokenSessionIsOneNoticeAndNothingElse) {
+  window_->cameras().orbit(0, 0.1, 0.0);
+  tests::writeFile(file_, "{\"format\": \"fenestra-session\", ");
+  QSignalSpy failed(window_.get(), &MainWindow::failed);
+  window_->open({file_});
+  ASSERT_TRUE(failed.wait(patience));
+  EXPECT_EQ(window_->notices().texts().size(), 1);
+  EXPECT_TRUE(window_->document().hasVolume());
+  EXPECT_TRUE(controller().file().empty());
+}
+
+}  // namespace
+}  // namespace fenestra::viewer
