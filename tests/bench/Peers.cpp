@@ -35,8 +35,10 @@ Peers readPeers(const fs::path& folder, const Views& views) {
         continue;
       }
       const std::string program = json.at("program");
-      peers.programs.push_back(program + ": version " + json.at("version").get<std::string>() + ", on " +
-                               json.at("gl").get<std::string>());
+      const std::string described =
+          program + ": version " + json.at("version").get<std::string>() + ", on " + json.at("gl").get<std::string>();
+      if (std::find(peers.programs.begin(), peers.programs.end(), described) == peers.programs.end())
+        peers.programs.push_back(described);
       for (const auto& entry : json.at("runs")) {
         PeerRun run{program, entry.at("subject"), entry.at("lit"), entry.at("samplesPerVoxel"), {}, {}};
         for (const double frame : entry.at("frames_ms")) run.milliseconds.add(frame);

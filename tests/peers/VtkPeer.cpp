@@ -246,17 +246,18 @@ void measure(const Options& options, const Peer& peer) {
     first = false;
   }
   const bench::Views& views = options.views;
-  io::writeText(folder / (name + ".json"), Json{{"program", peer.title},
-                                                {"version", vtkVersion::GetVTKVersion()},
-                                                {"gl", gl},
-                                                {"size", {views.size.x, views.size.y}},
-                                                {"cameras", views.cameras},
-                                                {"compared", views.compared},
-                                                {"pixelBlock", views.pixelBlock},
-                                                {"phantomVoxels", views.phantomVoxels},
-                                                {"runs", runs}}
-                                                   .dump(1) +
-                                               "\n");
+  const std::string part = views.only.empty() ? "" : "-" + views.only;
+  io::writeText(folder / (name + part + ".json"), Json{{"program", peer.title},
+                                                       {"version", vtkVersion::GetVTKVersion()},
+                                                       {"gl", gl},
+                                                       {"size", {views.size.x, views.size.y}},
+                                                       {"cameras", views.cameras},
+                                                       {"compared", views.compared},
+                                                       {"pixelBlock", views.pixelBlock},
+                                                       {"phantomVoxels", views.phantomVoxels},
+                                                       {"runs", runs}}
+                                                          .dump(1) +
+                                                      "\n");
 }
 
 }  // namespace
