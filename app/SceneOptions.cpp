@@ -319,7 +319,7 @@ void addSceneOptions(CLI::App& command, SceneOptions& options, std::function<voi
   addChoice<Projection>(command, "--projection", "default perspective",
                         {{"perspective", Projection::Perspective}, {"orthographic", Projection::Orthographic}},
                         options.projection);
-  addChoice<int>(command, "--view", "of a session: whose camera and size, default C1", {{"C1", 0}, {"C2", 1}},
+  addChoice<int>(command, "--view", "of a session: whose camera, size and strokes, default C1", {{"C1", 0}, {"C2", 1}},
                  options.viewOfSession);
   addParsed(command, "--size", "WxH", "picture in pixels, up to 16384 a side", [&options](const std::string& text) {
     const auto size = parseNumbers<int, 2>(text, 'x');
@@ -400,7 +400,6 @@ LoadedScene loadScene(const SceneOptions& options, const io::Progress& progress)
   if (loaded.session) scene = io::sceneOf(*loaded.session);
   scene.volume = loaded.volume.volume;
   scene.labels = std::move(data.labels);
-  if (loaded.session) scene.strokes = strokesIn(options.viewOfSession, scene.strokes);
 
   if (!loaded.session || !options.transferFunction.empty()) {
     loaded.transferFunction =

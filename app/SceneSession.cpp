@@ -31,6 +31,7 @@ io::Session sessionOf(const SceneOptions& options, const LoadedScene& loaded) {
   session.focusAppearance = scene.focusAppearance;
   if (!loaded.session || !options.transferFunction.empty())
     session.context = io::sessionContext(loaded.transferFunction, scene.context);
+  session.strokes = scene.strokes;
   session.cutaway = scene.cutaway;
   session.contextLayer = scene.contextLayer;
   session.shading = scene.shading;

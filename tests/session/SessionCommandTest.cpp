@@ -155,6 +155,11 @@ TEST_F(SessionCommand, PaintsTheStrokesOfASession) {
   session.strokes[0].view = 1;
   io::writeSession(at("a.fenestra"), session);
   EXPECT_EQ(picture({"a.fenestra"}), plain) << "painted for C2 alone";
+  stroke.view = -1;
+  io::writeStrokes(at("strokes.json"), {stroke});
+  const std::string applied = picture({"a.fenestra", "--strokes", "strokes.json", "--save-session", "b.fenestra"});
+  EXPECT_NE(applied, plain);
+  EXPECT_EQ(picture({"b.fenestra"}), applied);
 }
 
 TEST_F(SessionCommand, OpensASessionWhereverAVolumeIsNamed) {
