@@ -30,6 +30,7 @@ TEST_F(Window, ABrokenFileIsToldAndTheOldStudyStays) {
   const std::filesystem::path broken = tests::scratchFolder() / "broken.nii";
   std::ofstream(broken) << "not a volume";
   window_->document().focusOn(marker);
+  window_->document().undoStack().setClean();  // nothing unsaved to ask about
   const auto volumeBefore = window_->document().scene().volume;
   QSignalSpy failed(window_.get(), &MainWindow::failed);
   window_->open(std::vector{broken});
