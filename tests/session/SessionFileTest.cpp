@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "io/ImageWriter.h"
 #include "io/session/SessionFile.h"
 #include "tests/io/IoTesting.h"
 #include "tests/session/SessionTesting.h"
@@ -361,11 +362,12 @@ TEST(SessionFile, IsWholeWheneverSavingIsKilled) {
     const pid_t child = ::fork();
     ASSERT_GE(child, 0);
     if (child == 0) {
-      io::writeSession(file, b);
+      // What writeSession does once the text is made; before that, the file is not touched.
+      io::writeText(file, textOfB);
       if (::write(ready[1], "", 1) != 1) ::_exit(1);
       for (;;) {
-        io::writeSession(file, a);
-        io::writeSession(file, b);
+        io::writeText(file, textOfA);
+        io::writeText(file, textOfB);
       }
     }
     // A process of a sanitizer takes its time to start: the moment counts from its first save on.
