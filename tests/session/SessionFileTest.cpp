@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "io/ImageWriter.h"
 #include "io/session/SessionFile.h"
 #include "tests/io/IoTesting.h"
 #include "tests/session/SessionTesting.h"
@@ -356,15 +357,25 @@ TEST(SessionFile, IsWholeWheneverSavingIsKilled) {
   int halfWritten = 0, sawA = 0, sawB = 0;
   constexpr int kills = 200;
   for (int kill = 0; kill < kills; ++kill) {
+    int ready[2];
+    ASSERT_EQ(::pipe(ready), 0);
     const pid_t child = ::fork();
     ASSERT_GE(child, 0);
     if (child == 0) {
+      // What writeSession does once the text is made; before that, the file is not touched.
+      io::writeText(file, textOfB);
+      if (::write(ready[1], "", 1) != 1) ::_exit(1);
       for (;;) {
-        io::writeSession(file, b);
-        io::writeSession(file, a);
+        io::writeText(file, textOfA);
+        io::writeText(file, textOfB);
       }
     }
-    ::usleep(std::uniform_int_distribution<useconds_t>(500, 9000)(random));
+    // A process of a sanitizer takes its time to start: the moment counts from its first save on.
+    char started = 0;
+    EXPECT_EQ(::read(ready[0], &started, 1), 1);
+    ::close(ready[0]);
+    ::close(ready[1]);
+    ::usleep(std::uniform_int_distribution<useconds_t>(0, 9000)(random));
     ASSERT_EQ(::kill(child, SIGKILL), 0);
     int status = 0;
     ASSERT_EQ(::waitpid(child, &status, 0), child);
