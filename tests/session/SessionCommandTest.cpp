@@ -179,7 +179,7 @@ TEST_F(SessionCommand, OpensASessionWhereverAVolumeIsNamed) {
   io::writeSession(at("a.fenestra"), session);
   const Json placed = Json::parse(run({"place", "a.fenestra"}).out);
   const Json same = Json::parse(run({"place", "head.nii.gz", "--focus-range", "300:3000", "--samples", "12",
-                                     "--weights", "-0.02,3,0.25", "--region", "stream"})
+                                     "--weights", "-0.02,3,0.5", "--region", "stream"})
                                     .out);
   EXPECT_EQ(placed["candidates"], 12);
   EXPECT_EQ(placed["c1"], same["c1"]);
