@@ -21,8 +21,9 @@ struct View {
   glm::ivec2 size{0};       ///< rendered pixels, at least 1×1
   double pixelScale = 1.0;  ///< rendered pixels per device-independent pixel; widths in pixels scale with it
   Quality quality = Quality::Normal;
-  /// Greatest error of a pixel's colour in 1/255 that sampling may leave: the renderer then chooses its steps itself
-  /// and `quality` is only where it starts from.
+  /// Greatest error of a pixel's colour in 1/255 that sampling may leave; used instead of `quality`. It is kept by
+  /// estimates: on the ten scenes of tests/bench/results by 99.9 % of the pixels, while single ones, where light turns
+  /// sharply at a surface, miss a bound of 1 or less by up to 1.4.
   std::optional<double> maxError = std::nullopt;
   bool operator==(const View&) const = default;
 };
