@@ -17,7 +17,6 @@ const vec2 UNLIT = vec2(1.0, 0.0);
 
 // What a ray finds between two faces of a cell.
 struct CellPath {
-  ivec3 cell;
   float sFrom, sTo;  // mm along the ray
   vec4 entries;      // table entries of the values, Bernstein coefficients
 #if FOCUS_KIND != 0
@@ -35,7 +34,6 @@ float highest(vec4 v) { return max(max(v.x, v.y), max(v.z, v.w)); }
 
 // False where nothing shows.
 bool lookInto(Ray ray, ivec3 cell, float s, float sNext, out CellPath path) {
-  path.cell = cell;
   path.sFrom = s;
   path.sTo = sNext;
   vec3 a = clamp(cellPosition(ray, s) - vec3(cell), 0.0, 1.0);
