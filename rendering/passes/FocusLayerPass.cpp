@@ -40,6 +40,9 @@ void FocusLayerPass::run(const GpuScene& gpu, const Scene& scene, const RayFrame
   bindTexture(program, "transferTable", unit++, gpu.transferTable());
   bindTexture(program, "transferIntegral", unit++, gpu.transferIntegral());
   program.set("transferMap", gpu.transferMap());
+  program.set("firstMaterial", gpu.firstMaterial());
+  program.set("lastMaterial", gpu.lastMaterial());
+  program.set("visibleEntries", gpu.visibleEntries());
   program.set("stepLength", static_cast<float>(sampling.step));
   program.set("leastTransmittance", static_cast<float>(leastTransmittance(sampling)));
   if (sampling.maxError) program.set("maxError", static_cast<float>(shareOfBound(shading) * *sampling.maxError));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "rendering/scene/Lighting.h"
 #include "rendering/scene/Parallel.h"
@@ -16,6 +17,20 @@ constexpr double contextThreshold = 1.0 / 255.0;
 /// Emission (colour · extinction) and extinction at each entry, and their integrals from the first entry on.
 struct TransferTables {
   std::vector<glm::vec4> properties, integrals;
+
+  /// Entries up to and from which nothing shows.
+  glm::vec2 visible() const {
+    const auto shows = [this](std::size_t i) {
+      return properties[i].a > 0.0f || (i + 1 < integrals.size() && integrals[i + 1].a > integrals[i].a);
+    };
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    std::size_t first = 0, last = properties.size();
+    while (first < last && !shows(first)) ++first;
+    while (last > first && !shows(last - 1)) --last;
+    if (first == last) return {infinity, -infinity};
+    return {first == 0 ? -infinity : static_cast<float>(first) - 1.0f,
+            last == properties.size() ? infinity : static_cast<float>(last)};
+  }
 };
 
 TransferTables transferTables(const TransferFunction& function, ValueRange span, int size) {
@@ -292,6 +307,9 @@ void GpuScene::updateTransfer(const Scene& scene) {
     if (!*texture) *texture = gl::Texture::make2D(gl::Format::RGBA32F, {tableSize, 1});
   transferTable_.upload(std::span<const glm::vec4>(tables.properties));
   transferIntegral_.upload(std::span<const glm::vec4>(tables.integrals));
+  firstMaterial_ = tables.properties.front();
+  lastMaterial_ = tables.properties.back();
+  visibleEntries_ = tables.visible();
   const double perReal = (tableSize - 1) / (span.high - span.low);
   transferMap_ = glm::vec2(volumeTexture_.slope * perReal, (volumeTexture_.offset - span.low) * perReal);
 

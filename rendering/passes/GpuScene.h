@@ -49,6 +49,9 @@ class GpuScene {
   const gl::Texture& transferTable() const { return transferTable_; }
   const gl::Texture& transferIntegral() const { return transferIntegral_; }
   glm::vec2 transferMap() const { return transferMap_; }
+  glm::vec4 firstMaterial() const { return firstMaterial_; }  ///< the tables' first entry
+  glm::vec4 lastMaterial() const { return lastMaterial_; }
+  glm::vec2 visibleEntries() const { return visibleEntries_; }  ///< nothing shows up to x nor from y on
   /// Chebyshev distances in bricks: to anything of the context; to anything at all; to the focus.
   const gl::Texture& contextSkip() const { return contextSkip_; }
   const gl::Texture& occupiedSkip() const { return focusSkip_ ? occupiedSkip_ : contextSkip_; }
@@ -95,7 +98,8 @@ class GpuScene {
   std::vector<glm::vec2> gaps_;
   gl::Buffer gapBuffer_;
   gl::Texture transferTable_, transferIntegral_;
-  glm::vec2 transferMap_{0.0f};
+  glm::vec2 transferMap_{0.0f}, visibleEntries_{0.0f};
+  glm::vec4 firstMaterial_{0.0f}, lastMaterial_{0.0f};
   std::vector<std::uint8_t> contextOccupied_;  ///< per brick
   gl::Texture contextSkip_, occupiedSkip_;
 

@@ -19,11 +19,12 @@ uniform sampler2D rayStart;
 uniform sampler2D hitPoints;
 #endif
 
-// The face that the opening cut into the volume where a ray starts, if it did.
+// Where a ray starts: perhaps on the face that the opening cut into the volume, or on the focus's surface.
 struct Cut {
   bool exists;
-  float start;  // mm along the ray
+  float start;   // mm along the ray
   vec2 light;
+  bool onFocus;  // whichever side of the surface rounding has put it on
 };
 
 #if SHADING
@@ -57,7 +58,10 @@ void main() {
   bool visible = ray.sIn <= ray.sOut;
 #endif
   if (visible) {
-    Cut cut = Cut(false, start, vec2(0.0));
+    Cut cut = Cut(false, start, vec2(0.0), false);
+#if HAS_RAY_START
+    cut.onFocus = start == texelFetch(hitPoints, pixel, 0).y;
+#endif
 #if SHADING && HAS_RAY_START
     vec3 wall = wallNormal(pixel, start);
     cut.exists = dot(wall, wall) > 0.0;

@@ -5,79 +5,92 @@
 uniform float maxError;  // of a pixel's colour
 
 const int MOST_PIECES = 64;
-// Cells that the focus's surface runs through, or an edge between its colours: between two points so near, the surface
-// is found by one secant.
-const int FOCUS_PIECES = 8;
-// At most so many for the light on the focus, whose normals turn within a cell where the focus is a voxel thin.
-const int MOST_LIGHT_PIECES = 32;
-// How many times smaller than allowed an error has to seem where only two coarse answers are compared, which may agree
-// by chance: of the integral, and of the light over it.
-const float INTEGRAL_SAFETY = 8.0, LIGHT_SAFETY = 8.0;
+// How many times smaller than allowed an error has to seem, because it is estimated by comparing two answers.
+const float SAFETY = 3.0;
 const vec2 UNLIT = vec2(1.0, 0.0);
 
-// What a ray finds between two faces of a cell.
+// What a ray finds between two faces of a cell. Vectors of four are Bernstein coefficients along it.
 struct CellPath {
+  ivec3 cell;
+  vec3 a, b;         // both ends within the cell, 0 to 1
   float sFrom, sTo;  // mm along the ray
-  vec4 entries;      // table entries of the values, Bernstein coefficients
+  vec4 entries;      // table entries of the values
 #if FOCUS_KIND != 0
   bool focus;        // some of it may be in the focus
-  bool focusAll;     // all of it is
-  vec4 focusAlong;   // in the focus where not negative (labels), Bernstein coefficients
-#if FOCUS_KIND == 2
-  float halfRange;   // the focus is where |focusAlong| ≤ halfRange
-#endif
+  vec4 focusAlong;   // in the focus from 0 to focusWidth
 #endif
 };
 
 float lowest(vec4 v) { return min(min(v.x, v.y), min(v.z, v.w)); }
 float highest(vec4 v) { return max(max(v.x, v.y), max(v.z, v.w)); }
 
+#if FOCUS_KIND == 1
+const float focusWidth = FAR;
+#elif FOCUS_KIND == 2
+float focusWidth = focusHigh - focusLow;
+#endif
+
 // False where nothing shows.
 bool lookInto(Ray ray, ivec3 cell, float s, float sNext, out CellPath path) {
+  path.cell = cell;
   path.sFrom = s;
   path.sTo = sNext;
-  vec3 a = clamp(cellPosition(ray, s) - vec3(cell), 0.0, 1.0);
-  vec3 b = clamp(cellPosition(ray, sNext) - vec3(cell), 0.0, 1.0);
+  path.a = clamp(cellPosition(ray, s) - vec3(cell), 0.0, 1.0);
+  path.b = clamp(cellPosition(ray, sNext) - vec3(cell), 0.0, 1.0);
   float f[8];
   cellCorners(cell, f);
-  vec4 stored = bernsteinAlong(f, a, b);
+  vec4 stored = bernsteinAlong(f, path.a, path.b);
   path.entries = stored * transferMap.x + transferMap.y;
 #if FOCUS_KIND != 0
   uint slot = focusSlot(cell);
 #if FOCUS_KIND == 1
   uint corners = focusCorners(slot, cell);
-  path.focus = corners != 0u;
-  if (path.focus) {
-    for (int i = 0; i < 8; ++i) f[i] = float((corners >> i) & 1u) - 0.5;
-    path.focusAlong = bernsteinAlong(f, a, b);
-    path.focus = highest(path.focusAlong) >= 0.0;
-    path.focusAll = lowest(path.focusAlong) >= 0.0;
-  }
+  for (int i = 0; i < 8; ++i) f[i] = float((corners >> i) & 1u) - 0.5;
+  path.focusAlong = bernsteinAlong(f, path.a, path.b);
+  path.focus = corners != 0u && highest(path.focusAlong) >= 0.0;
 #else
-  path.halfRange = 0.5 * (focusHigh - focusLow);
-  path.focusAlong = stored - 0.5 * (focusLow + focusHigh);
-  path.focus = focusCellKept(slot, cell) && lowest(path.focusAlong) <= path.halfRange
-               && highest(path.focusAlong) >= -path.halfRange;
-  path.focusAll = path.focus && highest(abs(path.focusAlong)) <= path.halfRange;
+  path.focusAlong = stored - focusLow;
+  path.focus = focusCellKept(slot, cell) && lowest(path.focusAlong) <= focusWidth && highest(path.focusAlong) >= 0.0;
 #endif
   if (path.focus) return true;
 #endif
-  return meanMaterial(boundAt(lowest(path.entries)), boundAt(highest(path.entries))).a > 0.0;
+  return highest(path.entries) > visibleEntries.x && lowest(path.entries) < visibleEntries.y;
 }
 
 #if FOCUS_KIND != 0
-// The part of a piece that is in the focus, 0 to 1 from end to end, where the field runs evenly from `front` to `back`;
-// x ≥ y where none of it is.
-vec2 insideFocus(CellPath path, float front, float back) {
-#if FOCUS_KIND == 2
-  float low = -path.halfRange, high = path.halfRange;
-#else
-  float low = 0.0, high = FAR;
-#endif
-  if (front == back) return front >= low && front <= high ? vec2(0.0, 1.0) : vec2(1.0, 0.0);
-  vec2 ends = (vec2(low, high) - front) / (back - front);
-  return vec2(max(min(ends.x, ends.y), 0.0), min(max(ends.x, ends.y), 1.0));
+// Below, in or above the focus's range: -1, 0, 1.
+float sideOf(float value) { return value < 0.0 ? -1.0 : value > focusWidth ? 1.0 : 0.0; }
+
+// Where after u, at most at 1, the focus begins or ends.
+float nextChange(vec4 along, float u) {
+  vec2 turns = turningPoints(along);
+  float from = u, to = 1.0, side = sideOf(bernstein(along, u));
+  bool changes = false;
+  for (int i = 0; i < 3; ++i) {
+    float end = i < 2 ? turns[i] : 1.0;
+    if (changes || end <= from) continue;
+    changes = sideOf(bernstein(along, end)) != side;
+    if (changes) to = end;
+    else from = end;
+  }
+  if (!changes) from = to;
+  // Bisection in a monotone piece, down to rounding.
+  for (int i = 0; i < 22 && from < to; ++i) {
+    float middle = 0.5 * (from + to);
+    if (sideOf(bernstein(along, middle)) != side) to = middle;
+    else from = middle;
+  }
+  return to;
 }
+
+#if FOCUS_KIND == 1 && FOCUS_PALETTE
+// Where after u, at most at 1, the nearest voxel changes, which tells the colour: half way between voxel centres.
+float nextColour(CellPath path, float u) {
+  vec3 at = (0.5 - path.a) / (path.b - path.a);
+  at = mix(vec3(1.0), at, greaterThan(at, vec3(u)));
+  return min(min(at.x, at.y), min(at.z, 1.0));
+}
+#endif
 #endif
 
 vec4 over(vec4 front, vec4 back) { return front + (1.0 - front.a) * back; }
@@ -88,143 +101,127 @@ float centreOfEmission(float depth) {
   return depth < 0.1 ? 0.5 - depth / 12.0 : 1.0 / depth - 1.0 / (exp(depth) - 1.0);
 }
 
-// Light along a cell's path: evenly from end to end, or found piece by piece.
-struct CellLight {
-  vec2 from, to;
-  bool pieceByPiece;
+// A part of a path that is all in the focus, of one material, or all in the context.
+struct Section {
+  float uFrom, uTo;  // of the path
+  float sFrom, sTo;  // mm along the ray
+  vec4 entries;
+  bool focus;
+  vec4 material;     // of the focus
+#if SHADING
+  CellNormals normals;
+#endif
 };
 
-// A cell's colour, and the same unlit and without the focus, which its error is estimated by.
-struct CellIntegral {
-  vec4 lit, plain;
-};
-
-// The context between two places u of a path.
-vec4 contextPiece(CellPath path, Ray ray, Cut cut, CellLight light, Bound front, Bound back, float uFront, float uBack) {
-  if (uFront >= uBack) return vec4(0.0);
-  float size = (uBack - uFront) * (path.sTo - path.sFrom);
+vec4 pieceIn(Section section, Ray ray, Cut cut, Bound front, Bound back, float from, float to) {
+  float size = (to - from) * (section.sTo - section.sFrom);
   vec4 material = meanMaterial(front, back);
-  float u = mix(uFront, uBack, centreOfEmission(material.a * size)), s = mix(path.sFrom, path.sTo, u);
-  vec2 here = mix(light.from, light.to, u);
-#if SHADING
-  if (light.pieceByPiece) here = lightAt(cellPosition(ray, s), ray.world, false);
-#endif
-  return pieceOf(material, size, behindCut(here, cut, s));
-}
-
 #if FOCUS_KIND != 0
-vec4 focusPiece(CellPath path, Ray ray, Cut cut, CellLight light, float uFront, float uBack) {
-  float size = (uBack - uFront) * (path.sTo - path.sFrom);
-  float u = mix(uFront, uBack, centreOfEmission(focusProperties.a * size)), s = mix(path.sFrom, path.sTo, u);
-  vec2 here = mix(light.from, light.to, u);
+  if (section.focus) material = section.material;
+#endif
+  vec2 light = UNLIT;
 #if SHADING
-  here = lightAt(cellPosition(ray, s), ray.world, true);
+  float x = mix(from, to, centreOfEmission(material.a * size));
+  light = behindCut(lightAlong(section.normals, mix(section.uFrom, section.uTo, x), ray.world, section.focus), cut,
+                    mix(section.sFrom, section.sTo, x));
 #endif
-  here = behindCut(here, cut, s);
-  vec3 from = cellPosition(ray, mix(path.sFrom, path.sTo, uFront));
-#if FOCUS_KIND == 1 && FOCUS_PALETTE
-  vec3 to = cellPosition(ray, mix(path.sFrom, path.sTo, uBack));
-  vec4 edges = colourEdges(from, to), result = vec4(0.0);
-  float begin = 0.0;
-  for (int i = 0; i < 4; ++i) {
-    if (edges[i] <= begin) continue;
-    vec4 material = focusMaterial(mix(from, to, 0.5 * (begin + edges[i])));
-    result = over(result, pieceOf(material, (edges[i] - begin) * size, here));
-    begin = edges[i];
-  }
-  return result;
-#else
-  return pieceOf(focusMaterial(from), size, here);
-#endif
+  return pieceOf(material, size, light);
 }
-#endif
 
-CellIntegral integrateInPieces(int count, CellPath path, Ray ray, Cut cut, CellLight light) {
-  CellIntegral result = CellIntegral(vec4(0.0), vec4(0.0));
-  Bound front = boundAt(path.entries.x);
-  float pieceLength = (path.sTo - path.sFrom) / float(count), uFront = 0.0;
+vec4 inPieces(int count, Section section, Ray ray, Cut cut) {
+  vec4 result = vec4(0.0);
+  Bound front = boundAt(section.entries.x);
+  float from = 0.0;
   for (int i = 1; i <= count; ++i) {
-    float uBack = float(i) / float(count);
-    Bound back = boundAt(bernstein(path.entries, uBack));
-    result.plain = over(result.plain, pieceOf(meanMaterial(front, back), pieceLength, UNLIT));
-    vec2 inside = vec2(1.0, 0.0);
-#if FOCUS_KIND != 0
-    if (path.focus) inside = insideFocus(path, bernstein(path.focusAlong, uFront), bernstein(path.focusAlong, uBack));
-    if (inside.x < inside.y) {
-      vec2 u = mix(vec2(uFront), vec2(uBack), inside);
-      Bound entry = boundAt(bernstein(path.entries, u.x)), exit = boundAt(bernstein(path.entries, u.y));
-      result.lit = over(result.lit, contextPiece(path, ray, cut, light, front, entry, uFront, u.x));
-      result.lit = over(result.lit, focusPiece(path, ray, cut, light, u.x, u.y));
-      result.lit = over(result.lit, contextPiece(path, ray, cut, light, exit, back, u.y, uBack));
-    } else
-#endif
-    {
-      result.lit = over(result.lit, contextPiece(path, ray, cut, light, front, back, uFront, uBack));
-    }
+    float to = float(i) / float(count);
+    Bound back = boundAt(bernstein(section.entries, to));
+    result = over(result, pieceIn(section, ray, cut, front, back, from, to));
     front = back;
-    uFront = uBack;
+    from = to;
   }
   return result;
 }
 
-// `transmittance` in front of the cell; `share` of the ray's length is in it.
-vec4 integrateCell(CellPath path, Ray ray, Cut cut, float transmittance, float share) {
+// `transmittance` in front of it; `share` of the ray's length is in it.
+vec4 integrateSection(Section section, Ray ray, Cut cut, float transmittance, float share) {
   // In one piece and in three: with the ends, two points inside tell all of a cubic.
-  float whole = path.sTo - path.sFrom, third = whole / 3.0;
-  Bound p0 = boundAt(path.entries.x), p1 = boundAt(bernstein(path.entries, 1.0 / 3.0));
-  Bound p2 = boundAt(bernstein(path.entries, 2.0 / 3.0)), p3 = boundAt(path.entries.w);
-  vec4 once = pieceOf(meanMaterial(p0, p3), whole, UNLIT);
-  vec4 before = over(over(pieceOf(meanMaterial(p0, p1), third, UNLIT), pieceOf(meanMaterial(p1, p2), third, UNLIT)),
-                     pieceOf(meanMaterial(p2, p3), third, UNLIT));
+  Bound p0 = boundAt(section.entries.x), p1 = boundAt(bernstein(section.entries, 1.0 / 3.0));
+  Bound p2 = boundAt(bernstein(section.entries, 2.0 / 3.0)), p3 = boundAt(section.entries.w);
+  vec4 coarse = pieceIn(section, ray, cut, p0, p3, 0.0, 1.0);
+  vec4 fine = over(over(pieceIn(section, ray, cut, p0, p1, 0.0, 1.0 / 3.0),
+                        pieceIn(section, ray, cut, p1, p2, 1.0 / 3.0, 2.0 / 3.0)),
+                   pieceIn(section, ray, cut, p2, p3, 2.0 / 3.0, 1.0));
   // A cell may be wrong by its share of the picture or of the ray: either sums to at most 1 over the ray.
-  float shown = transmittance * before.a;
-  float allowed = maxError * max(shown, share);
-  // Of second order: n pieces are wrong by 1/n² of what one is.
-  float wrong = transmittance * highest(abs(before - once));
+  float allowed = maxError * max(transmittance * fine.a, share);
+  // Of second order, n pieces are wrong by 1/n² of what one is; but where light dies within a piece, it is the surface's
+  // place in it that is not known, and that is of first order.
+  bool surface = !section.focus && fine.a > 0.99;
+  float order = surface ? 1.0 : 2.0, shown = transmittance * fine.a;
   int count = 3;
-  if (INTEGRAL_SAFETY * wrong > allowed) count = max(6, int(ceil(sqrt(wrong / allowed))));
-  // Where values turn around inside the cell, what they reach there may show at none of these points.
-  float low = min(p0.entry, p3.entry) - LEAST_SPAN, high = max(p0.entry, p3.entry) + LEAST_SPAN;
-  if (lowest(path.entries) < low || highest(path.entries) > high) count = max(count, 4);
-
-  CellLight light = CellLight(UNLIT, UNLIT, false);
-  bool focus = false;
-#if FOCUS_KIND != 0
-  focus = path.focus;
-  if (focus) count = path.focusAll && FOCUS_PALETTE == 0 ? 3 : max(count, FOCUS_PIECES);
-#endif
+  float ratio = pow(3.0, -order), wrong = transmittance * highest(abs(fine - coarse)) * ratio / (1.0 - ratio);
+  int wanted = SAFETY * wrong > allowed ? max(int(ceil(min(3.0 * pow(SAFETY * wrong / allowed, 1.0 / order), float(MOST_PIECES)))), 5) : 0;
 #if SHADING
-  vec3 from = cellPosition(ray, path.sFrom), to = cellPosition(ray, path.sTo);
-#if FOCUS_KIND != 0
-  if (focus) {
-    // Its own light, of labels by the smoothed indicator.
-    float seen = transmittance * (1.0 - exp(-focusProperties.a * whole));
-    vec2 bend = abs(lightAt(0.5 * (from + to), ray.world, true)
-                    - 0.5 * (lightAt(from, ray.world, true) + lightAt(to, ray.world, true)));
-    float wrongLight = LIGHT_SAFETY * seen * max(bend.x, bend.y) / (maxError * max(seen, share));
-    count = max(count, min(int(ceil(sqrt(wrongLight))), MOST_LIGHT_PIECES));
+  if (surface) {
+    vec2 change = abs(lightAlong(section.normals, section.uFrom, ray.world, false)
+                      - lightAlong(section.normals, section.uTo, ray.world, false));
+    wanted = max(wanted, int(ceil(min(shown * max(change.x, change.y) / allowed, float(MOST_PIECES)))));
   }
+  float kink = shown * kinkOfLight(section.normals, section.focus);
+  if (kink > 9.0 * allowed) wanted = max(wanted, int(ceil(min(sqrt(kink / allowed), float(MOST_PIECES)))));
 #endif
-  light = CellLight(lightAt(from, ray.world, false), lightAt(to, ray.world, false), focus);
-  if (!focus && shown > allowed) {
-    vec2 bend = abs(lightAt(0.5 * (from + to), ray.world, false) - 0.5 * (light.from + light.to));
-    float wrongLight = LIGHT_SAFETY * shown * max(bend.x, bend.y);
-    light.pieceByPiece = wrongLight > allowed;
-    if (light.pieceByPiece) count = max(count, int(ceil(sqrt(wrongLight / allowed))));
+  while (wanted > count && count < MOST_PIECES) {
+    int next = min(wanted, MOST_PIECES);
+    coarse = fine;
+    fine = inPieces(next, section, ray, cut);
+    ratio = pow(float(count) / float(next), order);
+    wrong = transmittance * highest(abs(fine - coarse)) * ratio / (1.0 - ratio);
+    count = next;
+    if (SAFETY * wrong > allowed) wanted = 2 * count;
   }
-#endif
+  return fine;
+}
 
-  int countBefore = 3;
-  for (;;) {
-    count = min(count, MOST_PIECES);
-    CellIntegral now = integrateInPieces(count, path, ray, cut, light);
-    if (focus || count == countBefore || count == MOST_PIECES) return now.lit;
-    float ratio = float(countBefore * countBefore) / float(count * count);
-    if (transmittance * highest(abs(now.plain - before)) * ratio <= allowed * (1.0 - ratio)) return now.lit;
-    before = now.plain;
-    countBefore = count;
-    count *= 2;
+vec4 integrateCell(CellPath path, Ray ray, Cut cut, float transmittance, float share) {
+  Section section;
+  section.uFrom = 0.0;
+  section.uTo = 1.0;
+  section.sFrom = path.sFrom;
+  section.sTo = path.sTo;
+  section.entries = path.entries;
+  section.focus = false;
+  section.material = vec4(0.0);
+#if SHADING
+  section.normals = normalsAlong(path.cell, path.a, path.b);
+#endif
+#if FOCUS_KIND == 0
+  return integrateSection(section, ray, cut, transmittance, share);
+#else
+#if FOCUS_KIND == 1 && SHADING
+  for (bool needed = path.focus; needed; needed = false)
+    focusNormalsAlong(path.cell, path.a, path.b, section.normals);
+#endif
+  vec4 result = vec4(0.0);
+  float u = 0.0;
+  // A cubic crosses the two ends of a range at most six times, and colours change at three places.
+  for (int left = 10; u < 1.0 && left > 0; --left) {
+    section.uFrom = u;
+    section.focus = path.focus && sideOf(bernstein(path.focusAlong, u)) == 0.0;
+    section.uTo = 1.0;
+    for (bool needed = path.focus; needed; needed = false) section.uTo = nextChange(path.focusAlong, u);
+#if FOCUS_KIND == 1 && FOCUS_PALETTE
+    if (section.focus) section.uTo = min(section.uTo, nextColour(path, u));
+#endif
+    u = section.uTo;
+    section.sFrom = mix(path.sFrom, path.sTo, section.uFrom);
+    section.sTo = mix(path.sFrom, path.sTo, section.uTo);
+    section.entries = bernsteinBetween(path.entries, section.uFrom, section.uTo);
+    float middle = 0.5 * (section.uFrom + section.uTo);
+    section.material = focusMaterial(vec3(path.cell) + mix(path.a, path.b, middle));
+    result = over(result, integrateSection(section, ray, cut, transmittance * (1.0 - result.a),
+                                           share * (section.uTo - section.uFrom)));
   }
+  return result;
+#endif
 }
 
 vec4 integrate(Ray ray, float start, Cut cut) {
@@ -254,6 +251,9 @@ vec4 integrate(Ray ray, float start, Cut cut) {
       s = sNext;
     }
     if (!shows) break;
+#if FOCUS_KIND != 0
+    if (cut.onFocus && path.sFrom == start) path.focusAlong.x = clamp(path.focusAlong.x, 0.0, focusWidth);
+#endif
     result = over(result, integrateCell(path, ray, cut, 1.0 - result.a, (path.sTo - path.sFrom) * perLength));
     if (1.0 - result.a < leastTransmittance) break;
   }

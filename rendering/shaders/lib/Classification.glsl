@@ -3,6 +3,8 @@
 uniform sampler2D transferTable;     // emission and extinction; TABLE_SIZE entries in a row
 uniform sampler2D transferIntegral;  // of both from the first entry on, in entries/mm
 uniform vec2 transferMap;            // entry = stored value · x + y
+uniform vec4 firstMaterial, lastMaterial;  // beyond the table's ends
+uniform vec2 visibleEntries;         // nothing shows up to the first or from the second on
 const float LAST_ENTRY = float(TABLE_SIZE - 1);
 
 // Both tables are read to the nearest entry.
@@ -35,8 +37,8 @@ vec4 meanMaterial(Bound a, Bound b) {
   vec4 sum = b.integral - a.integral;
   float below = min(b.entry, 0.0) - min(a.entry, 0.0);
   float above = max(b.entry, LAST_ENTRY) - max(a.entry, LAST_ENTRY);
-  if (below != 0.0) sum += below * materialAt(0.0);
-  if (above != 0.0) sum += above * materialAt(LAST_ENTRY);
+  sum += below * firstMaterial;
+  sum += above * lastMaterial;
   return max(sum / span, vec4(0.0));
 }
 
@@ -57,16 +59,6 @@ vec4 focusMaterial(vec3 at) {
   return vec4(colour, 1.0) * focusProperties.a;
 }
 
-#if FOCUS_KIND == 1 && FOCUS_PALETTE
-// Where on the way from one point of a cell to another the nearest voxel changes, which tells the colour: half way
-// between voxel centres. In order, 0 to 1, and 1.
-vec4 colourEdges(vec3 from, vec3 to) {
-  vec3 middle = floor(0.5 * (from + to)) + 0.5;
-  vec3 at = clamp(mix((middle - from) / (to - from), vec3(0.0), equal(from, to)), 0.0, 1.0);
-  float first = min(at.x, min(at.y, at.z)), last = max(at.x, max(at.y, at.z));
-  return vec4(first, at.x + at.y + at.z - first - last, last, 1.0);
-}
-#endif
 #endif
 
 // (1 - exp(-x)) / x, by its series where the difference would cancel.

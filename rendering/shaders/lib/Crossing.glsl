@@ -19,15 +19,25 @@ float bernstein(vec4 b, float u) {
   return mix(d.x, d.y, u);
 }
 
+vec3 bernstein(vec3 b[4], float u) {
+  return mix(mix(mix(b[0], b[1], u), mix(b[1], b[2], u), u), mix(mix(b[1], b[2], u), mix(b[2], b[3], u), u), u);
+}
+
 // Whether the hull reaches out of (low, high): necessary for a crossing, and nearly always sufficient.
 bool leavesHull(vec4 b, float low, float high) {
   return any(lessThanEqual(b, vec4(low))) || any(greaterThanEqual(b, vec4(high)));
 }
 
-// u in [0, 1] where the cubic first leaves (low, high); 2 when it never does.
-float firstExit(vec4 b, float low, float high) {
-  if (b.x <= low || b.x >= high) return 0.0;
-  // Extrema: roots of the derivative d0(1-u)² + 2 d1 u(1-u) + d2 u², by the formula that does not cancel.
+// The part from `from` to `to` of the cubic, by its blossom.
+vec4 bernsteinBetween(vec4 b, float from, float to) {
+  vec3 c = mix(b.xyz, b.yzw, from), d = mix(b.xyz, b.yzw, to);
+  vec2 cc = mix(c.xy, c.yz, from), dd = mix(d.xy, d.yz, to);
+  return vec4(mix(cc.x, cc.y, from), mix(cc.x, cc.y, to), mix(dd.x, dd.y, from), mix(dd.x, dd.y, to));
+}
+
+// The u between 0 and 1 where the cubic turns around, in order; 1 where it does not.
+vec2 turningPoints(vec4 b) {
+  // Roots of the derivative d0(1-u)² + 2 d1 u(1-u) + d2 u², by the formula that does not cancel.
   // Scaled to one, so that no value a float can hold overflows in the squares.
   vec3 d = b.yzw - b.xyz;
   d /= max(max(abs(d.x), max(abs(d.y), abs(d.z))), 1e-30);
@@ -41,7 +51,14 @@ float firstExit(vec4 b, float low, float high) {
     if (!(r1 > 0.0 && r1 < 1.0)) r1 = 1.0;
     if (!(r2 > 0.0 && r2 < 1.0)) r2 = 1.0;
   }
-  float ends[3] = float[3](min(r1, r2), max(r1, r2), 1.0);
+  return vec2(min(r1, r2), max(r1, r2));
+}
+
+// u in [0, 1] where the cubic first leaves (low, high); 2 when it never does.
+float firstExit(vec4 b, float low, float high) {
+  if (b.x <= low || b.x >= high) return 0.0;
+  vec2 turns = turningPoints(b);
+  float ends[3] = float[3](turns.x, turns.y, 1.0);
   float begin = 0.0;
   for (int piece = 0; piece < 3; ++piece) {
     float end = ends[piece];

@@ -10,6 +10,9 @@ uniform sampler3D focusSmooth;      // smoothed indicator around the focus
 uniform vec3 focusSmoothOrigin;     // cell frame position of its first texel's outer corner
 uniform mat3 worldFromIndexGradient;
 
+// Square of the gradient (1/mm) below which a point lies too deep in the focus to have its normal.
+const float FLAT_FOCUS = 1e-6;
+
 vec3 focusNormal(vec3 position) {
   vec3 size = vec3(textureSize(focusSmooth, 0));
   vec3 at = (position - focusSmoothOrigin) / size, e = 1.0 / size;
@@ -20,22 +23,107 @@ vec3 focusNormal(vec3 position) {
 }
 #endif
 
+// A gated normal's light, which fades in with its length.
+vec2 lightOfGated(vec3 normal, vec3 rayDirection) {
+  vec2 flatLight = vec2(lighting.x + meanIncidence * lighting.y, 0.0);
+  float size = dot(normal, normal);
+  if (!(size > 1e-6)) return flatLight;
+  return mix(flatLight, lightOf(normal * inversesqrt(size), rayDirection),
+             smoothstep(0.0, certainLength, sqrt(size)));
+}
+
+vec3 gatedNormal(vec3 texel) { return texel * (1023.0 / 511.0) - 1.0; }
+
 vec2 lightAt(vec3 at, vec3 rayDirection, bool focus) {
-  vec3 normal = texture(gradientTexture, (at - gradientOrigin) / vec3(textureSize(gradientTexture, 0))).xyz
-                * (1023.0 / 511.0) - 1.0;
-  float certainty = smoothstep(0.0, certainLength, length(normal));
 #if FOCUS_KIND == 1
   if (focus) {
     vec3 smoothed = focusNormal(at);
-    if (dot(smoothed, smoothed) > 1e-6) {
-      normal = smoothed;
-      certainty = 1.0;
-    }
+    if (dot(smoothed, smoothed) > FLAT_FOCUS) return lightOf(normalize(smoothed), rayDirection);
   }
 #endif
-  vec2 flatLight = vec2(lighting.x + meanIncidence * lighting.y, 0.0);
-  float size = dot(normal, normal);
-  return size > 1e-6 ? mix(flatLight, lightOf(normal * inversesqrt(size), rayDirection), certainty) : flatLight;
+  return lightOfGated(
+      gatedNormal(texture(gradientTexture, (at - gradientOrigin) / vec3(textureSize(gradientTexture, 0))).xyz),
+      rayDirection);
+}
+
+// Normals along a straight path through a cell: trilinear in it, so cubics, and known from its corners alone.
+// Bernstein coefficients.
+struct CellNormals {
+  vec3 gated[4];
+#if FOCUS_KIND == 1
+  vec3 focus[4];
+#endif
+};
+
+ivec3 cornerOf(int i) { return ivec3(i & 1, (i >> 1) & 1, i >> 2); }
+
+void bernsteinAlong(vec3 f[8], vec3 a, vec3 b, out vec3 along[4]) {
+  vec4 c[3];
+  for (int axis = 0; axis < 3; ++axis) {
+    float g[8];
+    for (int i = 0; i < 8; ++i) g[i] = f[i][axis];
+    c[axis] = bernsteinAlong(g, a, b);
+  }
+  for (int k = 0; k < 4; ++k) along[k] = vec3(c[0][k], c[1][k], c[2][k]);
+}
+
+// `a` and `b`: the path's ends within the cell.
+CellNormals normalsAlong(ivec3 cell, vec3 a, vec3 b) {
+  ivec3 first = cell - 1 - ivec3(floor(gradientOrigin)), last = textureSize(gradientTexture, 0) - 1;
+  vec3 f[8];
+  for (int i = 0; i < 8; ++i)
+    f[i] = texelFetch(gradientTexture, clamp(first + cornerOf(i), ivec3(0), last), 0).xyz;
+  CellNormals normals;
+  bernsteinAlong(f, a, b, normals.gated);
+  for (int k = 0; k < 4; ++k) normals.gated[k] = gatedNormal(normals.gated[k]);
+  return normals;
+}
+
+#if FOCUS_KIND == 1
+// What focusNormal() is between the cell's corners.
+void focusNormalsAlong(ivec3 cell, vec3 a, vec3 b, inout CellNormals normals) {
+  ivec3 first = cell - 1 - ivec3(floor(focusSmoothOrigin));
+  float inner[8];
+  for (int i = 0; i < 8; ++i) inner[i] = texelFetch(focusSmooth, first + cornerOf(i), 0).r;
+  vec3 f[8];
+  for (int i = 0; i < 8; ++i)
+    for (int axis = 0; axis < 3; ++axis) {
+      int across = i ^ (1 << axis);
+      ivec3 beyond = cornerOf(i);
+      beyond[axis] += across < i ? 1 : -1;
+      float outer = texelFetch(focusSmooth, first + beyond, 0).r;
+      f[i][axis] = across < i ? outer - inner[across] : inner[across] - outer;
+    }
+  bernsteinAlong(f, a, b, normals.focus);
+  for (int k = 0; k < 4; ++k) normals.focus[k] = worldFromIndexGradient * normals.focus[k];
+}
+#endif
+
+vec2 lightAlong(CellNormals normals, float u, vec3 rayDirection, bool focus) {
+#if FOCUS_KIND == 1
+  vec3 smoothed = bernstein(normals.focus, u);
+  if (focus && dot(smoothed, smoothed) > FLAT_FOCUS) return lightOf(normalize(smoothed), rayDirection);
+#endif
+  return lightOfGated(bernstein(normals.gated, u), rayDirection);
+}
+
+// Where normals turn from one side of the light to the other, |n·l| has a kink, which two points may not tell. By how
+// much a cell lit in one piece may be wrong for it, of its colour, at most: |x| runs from end to end through 0.
+float kinkOfLight(vec3 normals[4], float leastLength) {
+  vec4 towards = vec4(dot(normals[0], lightDirection), dot(normals[1], lightDirection),
+                      dot(normals[2], lightDirection), dot(normals[3], lightDirection));
+  float low = min(min(towards.x, towards.y), min(towards.z, towards.w));
+  float high = max(max(towards.x, towards.y), max(towards.z, towards.w));
+  if (low >= 0.0 || high <= 0.0) return 0.0;
+  return 0.25 * lighting.y * min((high - low) / max(length(bernstein(normals, 0.5)), leastLength), 2.0);
+}
+
+float kinkOfLight(CellNormals normals, bool focus) {
+#if FOCUS_KIND == 1
+  if (focus) return kinkOfLight(normals.focus, 1e-3);
+#endif
+  // Shorter ones count for less: certainty over length is at most 9/8 of 1 / certainLength.
+  return kinkOfLight(normals.gated, certainLength * 8.0 / 9.0);
 }
 
 #if HAS_RAY_START
