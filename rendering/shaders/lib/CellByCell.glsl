@@ -128,60 +128,54 @@ vec4 pieceIn(Section section, Ray ray, Cut cut, Bound front, Bound back, float f
   return pieceOf(material, size, light);
 }
 
-vec4 inPieces(int count, Section section, Ray ray, Cut cut) {
-  vec4 result = vec4(0.0);
-  Bound front = boundAt(section.entries.x);
-  float from = 0.0;
-  for (int i = 1; i <= count; ++i) {
-    float to = float(i) / float(count);
-    Bound back = boundAt(bernstein(section.entries, to));
-    result = over(result, pieceIn(section, ray, cut, front, back, from, to));
-    front = back;
-    from = to;
-  }
-  return result;
-}
+// So many pieces, up to what is worth it.
+int piecesFor(float count) { return int(ceil(min(count, float(MOST_PIECES)))); }
 
 // `transmittance` in front of it; `share` of the ray's length is in it.
 vec4 integrateSection(Section section, Ray ray, Cut cut, float transmittance, float share) {
-  // In one piece and in three: with the ends, two points inside tell all of a cubic.
-  Bound p0 = boundAt(section.entries.x), p1 = boundAt(bernstein(section.entries, 1.0 / 3.0));
-  Bound p2 = boundAt(bernstein(section.entries, 2.0 / 3.0)), p3 = boundAt(section.entries.w);
-  vec4 coarse = pieceIn(section, ray, cut, p0, p3, 0.0, 1.0);
-  vec4 fine = over(over(pieceIn(section, ray, cut, p0, p1, 0.0, 1.0 / 3.0),
-                        pieceIn(section, ray, cut, p1, p2, 1.0 / 3.0, 2.0 / 3.0)),
-                   pieceIn(section, ray, cut, p2, p3, 2.0 / 3.0, 1.0));
+  Bound first = boundAt(section.entries.x), last = boundAt(section.entries.w);
+  vec4 coarse = pieceIn(section, ray, cut, first, last, 0.0, 1.0);
   // A cell may be wrong by its share of the picture or of the ray: either sums to at most 1 over the ray.
-  float allowed = maxError * max(transmittance * fine.a, share);
-  // Of second order, n pieces are wrong by 1/n² of what one is; but where light dies within a piece, it is the surface's
-  // place in it that is not known, and that is of first order.
-  bool surface = !section.focus && fine.a > 0.99;
-  float order = surface ? 1.0 : 2.0, shown = transmittance * fine.a;
-  int count = 3;
-  float ratio = pow(3.0, -order), wrong = transmittance * highest(abs(fine - coarse)) * ratio / (1.0 - ratio);
-  int wanted = SAFETY * wrong > allowed ? max(int(ceil(min(3.0 * pow(SAFETY * wrong / allowed, 1.0 / order), float(MOST_PIECES)))), 5) : 0;
+  float shown = transmittance * coarse.a, allowed = maxError * max(shown, share);
+  // In three pieces next: with the ends, two points inside tell all of a cubic.
+  int countBefore = 1, count = 3;
+  // Where light dies within a piece, it is the surface's place in it that is not known.
+  bool surface = !section.focus && coarse.a > 0.99;
 #if SHADING
-  if (surface) {
-    vec2 change = abs(lightAlong(section.normals, section.uFrom, ray.world, false)
-                      - lightAlong(section.normals, section.uTo, ray.world, false));
-    wanted = max(wanted, int(ceil(min(shown * max(change.x, change.y) / allowed, float(MOST_PIECES)))));
-  }
-  float kink = shown * kinkOfLight(section.normals, section.focus);
-  if (kink > 9.0 * allowed) wanted = max(wanted, int(ceil(min(sqrt(kink / allowed), float(MOST_PIECES)))));
+  vec2 change = abs(lightAlong(section.normals, section.uFrom, ray.world, section.focus)
+                    - lightAlong(section.normals, section.uTo, ray.world, section.focus));
+  if (surface) count = max(count, piecesFor(shown * max(change.x, change.y) / allowed));
+  count = max(count, piecesFor(sqrt(shown * kinkOfLight(section.normals, section.focus) / allowed)));
 #endif
-  while (wanted > count && count < MOST_PIECES) {
-    int next = min(wanted, MOST_PIECES);
-    coarse = fine;
-    fine = inPieces(next, section, ray, cut);
-    ratio = pow(float(count) / float(next), order);
-    wrong = transmittance * highest(abs(fine - coarse)) * ratio / (1.0 - ratio);
-    count = next;
-    if (SAFETY * wrong > allowed) wanted = 2 * count;
-  }
+  // One loop over the pieces of all rounds: rays that run side by side wait for each other at its end alone.
+  vec4 fine = vec4(0.0);
+  Bound front = first;
+  float from = 0.0;
+  int i = 0;
+  do {
+    float to = float(++i) / float(count);
+    Bound back = boundAt(bernstein(section.entries, to));
+    fine = over(fine, pieceIn(section, ray, cut, front, back, from, to));
+    front = back;
+    from = to;
+    // Of second order: n pieces are wrong by 1/n² of what one is; of first order where a surface is looked for.
+    float ratio = float(countBefore) / float(count);
+    if (!surface) ratio *= ratio;
+    float wrong = SAFETY * transmittance * highest(abs(fine - coarse)) * ratio / (allowed * (1.0 - ratio));
+    if (i == count && wrong > 1.0 && count < MOST_PIECES) {
+      coarse = fine;
+      countBefore = count;
+      count = max(piecesFor(float(count) * (surface ? wrong : sqrt(wrong))), min(count + 2, MOST_PIECES));
+      fine = vec4(0.0);
+      front = first;
+      from = 0.0;
+      i = 0;
+    }
+  } while (i < count);
   return fine;
 }
 
-vec4 integrateCell(CellPath path, Ray ray, Cut cut, float transmittance, float share) {
+Section wholeOf(CellPath path) {
   Section section;
   section.uFrom = 0.0;
   section.uTo = 1.0;
@@ -193,25 +187,27 @@ vec4 integrateCell(CellPath path, Ray ray, Cut cut, float transmittance, float s
 #if SHADING
   section.normals = normalsAlong(path.cell, path.a, path.b);
 #endif
-#if FOCUS_KIND == 0
-  return integrateSection(section, ray, cut, transmittance, share);
-#else
+  return section;
+}
+
+#if FOCUS_KIND != 0
+// A cell with both, section by section.
+vec4 integrateFocusCell(CellPath path, Ray ray, Cut cut, float transmittance, float share) {
+  Section section = wholeOf(path);
 #if FOCUS_KIND == 1 && SHADING
-  for (bool needed = path.focus; needed; needed = false)
-    focusNormalsAlong(path.cell, path.a, path.b, section.normals);
+  focusNormalsAlong(path.cell, path.a, path.b, section.normals);
 #endif
   vec4 result = vec4(0.0);
-  float u = 0.0;
   // A cubic crosses the two ends of a range at most six times, and colours change at three places.
-  for (int left = 10; u < 1.0 && left > 0; --left) {
-    section.uFrom = u;
-    section.focus = path.focus && sideOf(bernstein(path.focusAlong, u)) == 0.0;
-    section.uTo = 1.0;
-    for (bool needed = path.focus; needed; needed = false) section.uTo = nextChange(path.focusAlong, u);
+  int left = 10;
+  section.uTo = 0.0;
+  do {
+    section.uFrom = section.uTo;
+    section.focus = sideOf(bernstein(path.focusAlong, section.uFrom)) == 0.0;
+    section.uTo = nextChange(path.focusAlong, section.uFrom);
 #if FOCUS_KIND == 1 && FOCUS_PALETTE
-    if (section.focus) section.uTo = min(section.uTo, nextColour(path, u));
+    if (section.focus) section.uTo = min(section.uTo, nextColour(path, section.uFrom));
 #endif
-    u = section.uTo;
     section.sFrom = mix(path.sFrom, path.sTo, section.uFrom);
     section.sTo = mix(path.sFrom, path.sTo, section.uTo);
     section.entries = bernsteinBetween(path.entries, section.uFrom, section.uTo);
@@ -219,11 +215,13 @@ vec4 integrateCell(CellPath path, Ray ray, Cut cut, float transmittance, float s
     section.material = focusMaterial(vec3(path.cell) + mix(path.a, path.b, middle));
     result = over(result, integrateSection(section, ray, cut, transmittance * (1.0 - result.a),
                                            share * (section.uTo - section.uFrom)));
-  }
+  } while (section.uTo < 1.0 && --left > 0);
   return result;
-#endif
 }
+#endif
 
+// Loops here are left at their ends: where rays that run side by side share their instructions, a loop left earlier runs
+// to its end all the same, for nobody.
 vec4 integrate(Ray ray, float start, Cut cut) {
   vec4 result = vec4(0.0);
   ivec3 cellCount = volumeDims + 1;
@@ -231,31 +229,45 @@ vec4 integrate(Ray ray, float start, Cut cut) {
   float s = start, perLength = 1.0 / max(ray.sOut - start, 1e-30);
   // A ray meets at most the sum of the three sides in cells, and as many bricks on top.
   int left = 2 * (cellCount.x + cellCount.y + cellCount.z);
-  while (left > 0) {
-    // Walk to the next cell that shows something, so that rays that run side by side integrate together.
-    bool shows = false;
+  bool more = true;
+  do {
     CellPath path;
-    for (; !shows && left > 0; --left) {
-      ivec3 brick = cell >> 3;
-      int empty = int(texelFetch(occupiedSkip, brick, 0).r);
-      ivec3 lower = empty > 0 ? (brick - (empty - 1)) * 8 : cell;
-      ivec3 upper = empty > 0 ? (brick + empty) * 8 : cell + 1;
-      int axis;
-      float sNext = max(blockExit(ray, lower, upper, axis), s);
-      if (empty == 0) shows = lookInto(ray, cell, s, min(sNext, ray.sOut), path);
-      // Rounding must not carry the other two axes out of the block that was just left.
-      ivec3 next = clamp(ivec3(floor(cellPosition(ray, sNext))), lower, upper - 1);
-      next[axis] = ray.direction[axis] > 0.0 ? upper[axis] : lower[axis] - 1;
-      if (sNext >= ray.sOut || any(lessThan(next, ivec3(0))) || any(greaterThanEqual(next, cellCount))) left = 0;
-      cell = next;
-      s = sNext;
-    }
-    if (!shows) break;
+    bool shows, inContext;
+    // Up to the next cell with focus in it, which costs more than one without.
+    do {
+      // Walk to the next cell that shows something, so that rays that run side by side integrate together.
+      do {
+        shows = false;
+        ivec3 brick = cell >> 3;
+        int empty = int(texelFetch(occupiedSkip, brick, 0).r);
+        ivec3 lower = empty > 0 ? (brick - (empty - 1)) * 8 : cell;
+        ivec3 upper = empty > 0 ? (brick + empty) * 8 : cell + 1;
+        int axis;
+        float sNext = max(blockExit(ray, lower, upper, axis), s);
+        if (empty == 0) shows = lookInto(ray, cell, s, min(sNext, ray.sOut), path);
+        // Rounding must not carry the other two axes out of the block that was just left.
+        ivec3 next = clamp(ivec3(floor(cellPosition(ray, sNext))), lower, upper - 1);
+        next[axis] = ray.direction[axis] > 0.0 ? upper[axis] : lower[axis] - 1;
+        if (sNext >= ray.sOut || any(lessThan(next, ivec3(0))) || any(greaterThanEqual(next, cellCount))) left = 0;
+        cell = next;
+        s = sNext;
+      } while (!shows && --left > 0);
+      inContext = shows;
 #if FOCUS_KIND != 0
-    if (cut.onFocus && path.sFrom == start) path.focusAlong.x = clamp(path.focusAlong.x, 0.0, focusWidth);
+      inContext = shows && !path.focus;
 #endif
-    result = over(result, integrateCell(path, ray, cut, 1.0 - result.a, (path.sTo - path.sFrom) * perLength));
-    if (1.0 - result.a < leastTransmittance) break;
-  }
+      if (inContext)
+        result = over(result, integrateSection(wholeOf(path), ray, cut, 1.0 - result.a,
+                                               (path.sTo - path.sFrom) * perLength));
+      more = left > 0 && 1.0 - result.a >= leastTransmittance;
+    } while (inContext && more);
+#if FOCUS_KIND != 0
+    if (shows && path.focus) {
+      if (cut.onFocus && path.sFrom == start) path.focusAlong.x = clamp(path.focusAlong.x, 0.0, focusWidth);
+      result = over(result, integrateFocusCell(path, ray, cut, 1.0 - result.a, (path.sTo - path.sFrom) * perLength));
+      more = left > 0 && 1.0 - result.a >= leastTransmittance;
+    }
+#endif
+  } while (more);
   return result;
 }
