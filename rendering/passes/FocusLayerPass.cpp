@@ -15,9 +15,9 @@ double leastTransmittance(const FocusLayerPass::Sampling& sampling) {
   return sampling.maxError ? *sampling.maxError / 4.0 : 1.0 / 512.0;
 }
 
-/// What the cells of a ray may seem to be wrong by together, of the bound: errors are estimated, light's (which turns
-/// sharply at surfaces) less surely than the integral's. Found by measuring ten scenes, see tests/bench/results.
-double shareOfBound(bool shading) { return shading ? 0.25 : 0.5; }
+/// What the cells of a ray may seem to be wrong by together, of the bound; the rest is for the ray's end, and for what is
+/// estimated too low.
+constexpr double shareOfBound = 0.4;
 
 }  // namespace
 
@@ -39,13 +39,14 @@ void FocusLayerPass::run(const GpuScene& gpu, const Scene& scene, const RayFrame
   bindTexture(program, "occupiedSkip", unit++, gpu.occupiedSkip());
   bindTexture(program, "transferTable", unit++, gpu.transferTable());
   bindTexture(program, "transferIntegral", unit++, gpu.transferIntegral());
+  bindTexture(program, "transferHidden", unit++, gpu.transferHidden());
   program.set("transferMap", gpu.transferMap());
   program.set("firstMaterial", gpu.firstMaterial());
   program.set("lastMaterial", gpu.lastMaterial());
   program.set("visibleEntries", gpu.visibleEntries());
   program.set("stepLength", static_cast<float>(sampling.step));
   program.set("leastTransmittance", static_cast<float>(leastTransmittance(sampling)));
-  if (sampling.maxError) program.set("maxError", static_cast<float>(shareOfBound(shading) * *sampling.maxError));
+  if (sampling.maxError) program.set("maxError", static_cast<float>(shareOfBound * *sampling.maxError));
   if (opening) {
     bindTexture(program, "rayStart", unit++, opening->rayStart);
     bindTexture(program, "hitPoints", unit++, opening->hitPoints);

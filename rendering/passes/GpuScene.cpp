@@ -14,9 +14,10 @@ namespace {
 /// Opacity of 1 mm above which the context counts as there (method: ε).
 constexpr double contextThreshold = 1.0 / 255.0;
 
-/// Emission (colour · extinction) and extinction at each entry, and their integrals from the first entry on.
+/// Emission (colour · extinction) and extinction at each entry, their integrals from the first entry on, and that of
+/// emission times the integral of extinction up to there.
 struct TransferTables {
-  std::vector<glm::vec4> properties, integrals;
+  std::vector<glm::vec4> properties, integrals, hidden;
 
   /// Entries up to and from which nothing shows.
   glm::vec2 visible() const {
@@ -38,20 +39,24 @@ TransferTables transferTables(const TransferFunction& function, ValueRange span,
   const double perEntry = (span.high - span.low) / (size - 1);
   const auto at = [&](double value) { return emission(function.evaluate(value)); };
   TransferTables tables;
-  glm::dvec4 integral(0.0);
+  glm::dvec4 integral(0.0), hidden(0.0);
   auto node = function.nodes.begin();
   for (int i = 0; i < size; ++i) {
     const double here = span.low + perEntry * i, next = span.low + perEntry * (i + 1);
     tables.properties.emplace_back(at(here));
     tables.integrals.emplace_back(integral);
+    tables.hidden.emplace_back(hidden);
     // Between nodes emission is a quadratic function of the value, so Simpson's rule is exact. Points a hair inside
     // tell the two sides of a step.
     double low = here;
     while (low < next) {
       while (node != function.nodes.end() && node->value <= low) ++node;
       const double high = node == function.nodes.end() ? next : std::min(next, node->value);
-      const double hair = 1e-9 * (high - low);
-      integral += (at(low + hair) + 4.0 * at(0.5 * (low + high)) + at(high - hair)) * ((high - low) / (6.0 * perEntry));
+      const double hair = 1e-9 * (high - low), entries = (high - low) / perEntry;
+      const glm::dvec4 first = at(low + hair), middle = at(0.5 * (low + high)), last = at(high - hair);
+      hidden += (first * integral.a + 4.0 * middle * (integral.a + 0.25 * entries * (first.a + middle.a)) +
+                 last * (integral.a + 0.5 * entries * (first.a + last.a))) * (entries / 6.0);
+      integral += (first + 4.0 * middle + last) * (entries / 6.0);
       low = high;
     }
   }
@@ -303,10 +308,11 @@ void GpuScene::updateTransfer(const Scene& scene) {
       context_.nodes.empty() ? volume_->range : ValueRange{context_.nodes.front().value, context_.nodes.back().value};
   if (!(span.high > span.low)) span = {span.low - 0.5, span.low + 0.5};
   const TransferTables tables = transferTables(context_, span, tableSize);
-  for (gl::Texture* texture : {&transferTable_, &transferIntegral_})
+  for (gl::Texture* texture : {&transferTable_, &transferIntegral_, &transferHidden_})
     if (!*texture) *texture = gl::Texture::make2D(gl::Format::RGBA32F, {tableSize, 1});
   transferTable_.upload(std::span<const glm::vec4>(tables.properties));
   transferIntegral_.upload(std::span<const glm::vec4>(tables.integrals));
+  transferHidden_.upload(std::span<const glm::vec4>(tables.hidden));
   firstMaterial_ = tables.properties.front();
   lastMaterial_ = tables.properties.back();
   visibleEntries_ = tables.visible();
@@ -341,7 +347,7 @@ std::vector<GpuScene::Resource> GpuScene::resources() const {
   add("volume", of(volumeTexture_.texture));
   add("gradient", of(gradient_));
   add("derivative volume", of(derivative_.texture));
-  add("transfer tables", of(transferTable_) + of(transferIntegral_));
+  add("transfer tables", of(transferTable_) + of(transferIntegral_) + of(transferHidden_));
   add("empty-space skipping", of(contextSkip_) + of(occupiedSkip_) + of(focusSkip_));
   add("focus index", of(focusBricks_) + focusCells_.bytes());
   add("focus palette", of(focusPaletteIndex_) + of(focusPalette_));

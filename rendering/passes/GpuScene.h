@@ -48,6 +48,8 @@ class GpuScene {
   static constexpr int tableSize = 16384;
   const gl::Texture& transferTable() const { return transferTable_; }
   const gl::Texture& transferIntegral() const { return transferIntegral_; }
+  /// Integral of emission times that of extinction up to there: what a stretch of values hides of itself.
+  const gl::Texture& transferHidden() const { return transferHidden_; }
   glm::vec2 transferMap() const { return transferMap_; }
   glm::vec4 firstMaterial() const { return firstMaterial_; }  ///< the tables' first entry
   glm::vec4 lastMaterial() const { return lastMaterial_; }
@@ -97,7 +99,7 @@ class GpuScene {
 
   std::vector<glm::vec2> gaps_;
   gl::Buffer gapBuffer_;
-  gl::Texture transferTable_, transferIntegral_;
+  gl::Texture transferTable_, transferIntegral_, transferHidden_;
   glm::vec2 transferMap_{0.0f}, visibleEntries_{0.0f};
   glm::vec4 firstMaterial_{0.0f}, lastMaterial_{0.0f};
   std::vector<std::uint8_t> contextOccupied_;  ///< per brick

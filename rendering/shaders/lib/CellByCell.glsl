@@ -5,8 +5,8 @@
 uniform float maxError;  // of a pixel's colour
 
 const int MOST_PIECES = 64;
-// How many times smaller than allowed an error has to seem, because it is estimated by comparing two answers.
-const float SAFETY = 3.0;
+// Between so many entries the table of what hides itself (float32) tells more than rounding.
+const float LEAST_HIDDEN = 256.0, MOST_HIDDEN = 1e6;
 const vec2 UNLIT = vec2(1.0, 0.0);
 
 // What a ray finds between two faces of a cell. Vectors of four are Bernstein coefficients along it.
@@ -113,11 +113,46 @@ struct Section {
 #endif
 };
 
-vec4 pieceIn(Section section, Ray ray, Cut cut, Bound front, Bound back, float from, float to) {
+uniform sampler2D transferHidden;  // integral of emission times that of extinction up to there
+
+// A bound with both integrals carried on beyond the table.
+struct End {
+  Bound bound;
+  float extinction;
+  vec3 hidden;
+};
+
+End endAt(float entry) {
+  End end;
+  end.bound = boundAt(entry);
+  float inside = clamp(end.bound.entry, 0.0, LAST_ENTRY), beyond = end.bound.entry - inside;
+  vec4 constant = beyond < 0.0 ? firstMaterial : lastMaterial;
+  vec3 hidden = texelFetch(transferHidden, ivec2(int(inside), 0), 0).rgb;
+  end.extinction = end.bound.integral.a + beyond * constant.a;
+  end.hidden = hidden + constant.rgb * (beyond * 0.5 * (end.bound.integral.a + end.extinction));
+  return end;
+}
+
+// What a stretch of values hides of itself more than if it were all of its mean material, for a length of 1: of second
+// order. Where values run evenly, ∫∫ emission(x) extinction(y) over y < x, y in front.
+vec3 hiddenBetween(End front, End back, vec4 material) {
+  float span = back.bound.entry - front.bound.entry;
+  float inside = clamp(back.bound.entry, 0.0, LAST_ENTRY) - clamp(front.bound.entry, 0.0, LAST_ENTRY);
+  if (abs(inside) < LEAST_HIDDEN || abs(span) > MOST_HIDDEN) return vec3(0.0);
+  return (back.hidden - front.hidden) / (span * span)
+         - material.rgb * (front.extinction / span + 0.5 * material.a);
+}
+
+// `doubt`: how wrong its colour may be, from what it hides of itself, which is right for light that hardly fades.
+vec4 pieceIn(Section section, Ray ray, Cut cut, End front, End back, float from, float to, out float doubt) {
   float size = (to - from) * (section.sTo - section.sFrom);
-  vec4 material = meanMaterial(front, back);
+  vec4 material = meanMaterial(front.bound, back.bound);
+  vec3 hidden = hiddenBetween(front, back, material);
 #if FOCUS_KIND != 0
-  if (section.focus) material = section.material;
+  if (section.focus) {
+    material = section.material;
+    hidden = vec3(0.0);
+  }
 #endif
   vec2 light = UNLIT;
 #if SHADING
@@ -125,7 +160,12 @@ vec4 pieceIn(Section section, Ray ray, Cut cut, Bound front, Bound back, float f
   light = behindCut(lightAlong(section.normals, mix(section.uFrom, section.uTo, x), ray.world, section.focus), cut,
                     mix(section.sFrom, section.sTo, x));
 #endif
-  return pieceOf(material, size, light);
+  vec4 piece = pieceOf(material, size, light);
+  float seen = size * relativeOpacity(material.a * size);
+  hidden *= light.x * seen * seen;
+  doubt = piece.a * max(max(abs(hidden.r), abs(hidden.g)), abs(hidden.b));
+  piece.rgb = max(piece.rgb - hidden, vec3(0.0));
+  return piece;
 }
 
 // So many pieces, up to what is worth it.
@@ -133,8 +173,9 @@ int piecesFor(float count) { return int(ceil(min(count, float(MOST_PIECES)))); }
 
 // `transmittance` in front of it; `share` of the ray's length is in it.
 vec4 integrateSection(Section section, Ray ray, Cut cut, float transmittance, float share) {
-  Bound first = boundAt(section.entries.x), last = boundAt(section.entries.w);
-  vec4 coarse = pieceIn(section, ray, cut, first, last, 0.0, 1.0);
+  End first = endAt(section.entries.x), last = endAt(section.entries.w);
+  float doubt;
+  vec4 coarse = pieceIn(section, ray, cut, first, last, 0.0, 1.0, doubt);
   // A cell may be wrong by its share of the picture or of the ray: either sums to at most 1 over the ray.
   float shown = transmittance * coarse.a, allowed = maxError * max(shown, share);
   // In three pieces next: with the ends, two points inside tell all of a cubic.
@@ -142,37 +183,40 @@ vec4 integrateSection(Section section, Ray ray, Cut cut, float transmittance, fl
   // Where light dies within a piece, it is the surface's place in it that is not known.
   bool surface = !section.focus && coarse.a > 0.99;
 #if SHADING
-  vec2 change = abs(lightAlong(section.normals, section.uFrom, ray.world, section.focus)
-                    - lightAlong(section.normals, section.uTo, ray.world, section.focus));
-  if (surface) count = max(count, piecesFor(shown * max(change.x, change.y) / allowed));
-  count = max(count, piecesFor(sqrt(shown * kinkOfLight(section.normals, section.focus) / allowed)));
+  count = max(count, piecesFor(piecesOfLight(section.normals, section.focus, ray.world, shown / allowed, surface)));
 #endif
   // One loop over the pieces of all rounds: rays that run side by side wait for each other at its end alone.
   vec4 fine = vec4(0.0);
-  Bound front = first;
-  float from = 0.0;
+  End front = first;
+  float from = 0.0, doubtful = 0.0;
   int i = 0;
   do {
     float to = float(++i) / float(count);
-    Bound back = boundAt(bernstein(section.entries, to));
-    fine = over(fine, pieceIn(section, ray, cut, front, back, from, to));
+    End back = endAt(bernstein(section.entries, to));
+    vec4 piece = pieceIn(section, ray, cut, front, back, from, to, doubt);
+    doubtful += (1.0 - fine.a) * doubt;
+    fine = over(fine, piece);
     front = back;
     from = to;
-    // Of second order: n pieces are wrong by 1/n² of what one is; of first order where a surface is looked for.
-    float ratio = float(countBefore) / float(count);
-    if (!surface) ratio *= ratio;
-    float wrong = SAFETY * transmittance * highest(abs(fine - coarse)) * ratio / (allowed * (1.0 - ratio));
-    if (i == count && wrong > 1.0 && count < MOST_PIECES) {
+    if (i == count) {
+      // Of second order: n pieces are wrong by 1/n² of what one is; of first order where a surface is looked for.
+      float ratio = float(countBefore) / float(count);
+      if (!surface) ratio *= ratio;
+      vec4 error = (fine - coarse) * (ratio / (1.0 - ratio));
+      float wrong = transmittance * (highest(abs(error)) + doubtful) / allowed;
       coarse = fine;
-      countBefore = count;
-      count = max(piecesFor(float(count) * (surface ? wrong : sqrt(wrong))), min(count + 2, MOST_PIECES));
-      fine = vec4(0.0);
-      front = first;
-      from = 0.0;
-      i = 0;
+      fine += error;
+      if (wrong > 1.0 && count < MOST_PIECES) {
+        countBefore = count;
+        count = max(piecesFor(float(count) * (surface ? wrong : sqrt(wrong))), min(count + 2, MOST_PIECES));
+        fine = vec4(0.0);
+        front = first;
+        from = doubtful = 0.0;
+        i = 0;
+      }
     }
   } while (i < count);
-  return fine;
+  return vec4(max(fine.rgb, 0.0), clamp(fine.a, 0.0, 1.0));
 }
 
 Section wholeOf(CellPath path) {

@@ -107,23 +107,39 @@ vec2 lightAlong(CellNormals normals, float u, vec3 rayDirection, bool focus) {
   return lightOfGated(bernstein(normals.gated, u), rayDirection);
 }
 
-// Where normals turn from one side of the light to the other, |n·l| has a kink, which two points may not tell. By how
-// much a cell lit in one piece may be wrong for it, of its colour, at most: |x| runs from end to end through 0.
-float kinkOfLight(vec3 normals[4], float leastLength) {
+// Into how many pieces a section has to be cut so that no two of them can agree on its light by chance. `weight`: how
+// many times what is allowed a light of 1 would be. `surface`: where in a piece light comes from is not known.
+float piecesOfLight(vec3 normals[4], float leastLength, vec3 rayDirection, float weight, bool surface) {
+  vec3 middle = bernstein(normals, 0.5);
+  float size = length(middle);
+  vec3 front = normalize(normals[0] + 1e-12), back = normalize(normals[3] + 1e-12), between = normalize(middle + 1e-12);
+  // Either side of a surface is lit alike.
+  float turn = sqrt(max(2.0 - 2.0 * abs(dot(front, between)), 0.0)) + sqrt(max(2.0 - 2.0 * abs(dot(between, back)), 0.0));
+
+  // A highlight between them: cos^shininess is much like a Gaussian of this standard deviation, and points that lie
+  // closer than that tell all of one.
+  float width = inversesqrt(lighting.w), cosine = abs(dot(between, normalize(lightDirection - rayDirection)));
+  float highlight = lighting.z * pow(min(cosine + 0.5 * turn, 1.0), lighting.w);
+  float pieces = weight * highlight > 1.0 ? turn / width : 0.0;
+
+  // Where normals turn from one side of the light to the other, |n·l| has a kink: |x| from end to end through 0 is in n
+  // pieces wrong by at most 1/(4 n²) of the change.
   vec4 towards = vec4(dot(normals[0], lightDirection), dot(normals[1], lightDirection),
                       dot(normals[2], lightDirection), dot(normals[3], lightDirection));
   float low = min(min(towards.x, towards.y), min(towards.z, towards.w));
   float high = max(max(towards.x, towards.y), max(towards.z, towards.w));
-  if (low >= 0.0 || high <= 0.0) return 0.0;
-  return 0.25 * lighting.y * min((high - low) / max(length(bernstein(normals, 0.5)), leastLength), 2.0);
+  float kink = low < 0.0 && high > 0.0 ? lighting.y * min((high - low) / max(size, leastLength), 2.0) : 0.0;
+  pieces = max(pieces, 0.5 * sqrt(weight * kink));
+
+  return surface ? max(pieces, weight * turn * (lighting.y + lighting.z / width)) : pieces;
 }
 
-float kinkOfLight(CellNormals normals, bool focus) {
+float piecesOfLight(CellNormals normals, bool focus, vec3 rayDirection, float weight, bool surface) {
 #if FOCUS_KIND == 1
-  if (focus) return kinkOfLight(normals.focus, 1e-3);
+  if (focus) return piecesOfLight(normals.focus, 1e-3, rayDirection, weight, surface);
 #endif
   // Shorter ones count for less: certainty over length is at most 9/8 of 1 / certainLength.
-  return kinkOfLight(normals.gated, certainLength * 8.0 / 9.0);
+  return piecesOfLight(normals.gated, certainLength * 8.0 / 9.0, rayDirection, weight, surface);
 }
 
 #if HAS_RAY_START
