@@ -58,24 +58,19 @@ vec2 turningPoints(vec4 b) {
 float firstExit(vec4 b, float low, float high) {
   if (b.x <= low || b.x >= high) return 0.0;
   vec2 turns = turningPoints(b);
-  float ends[3] = float[3](turns.x, turns.y, 1.0);
-  float begin = 0.0;
-  for (int piece = 0; piece < 3; ++piece) {
-    float end = ends[piece];
-    float value = bernstein(b, end);
-    if (value <= low || value >= high) {
-      bool down = value <= low;
-      float level = down ? low : high;
-      // Bisection in a monotone piece: 22 halvings of at most one cell, below float's own resolution of the position.
-      for (int i = 0; i < 22; ++i) {
-        float middle = 0.5 * (begin + end);
-        float v = bernstein(b, middle);
-        if (down ? v <= level : v >= level) end = middle;
-        else begin = middle;
-      }
-      return end;
-    }
-    begin = end;
+  float begin = 0.0, end = 2.0;
+  for (int i = 0; i < 3; ++i) {
+    float next = i < 2 ? turns[i] : 1.0, value = bernstein(b, next);
+    if (end <= 1.0) continue;
+    if (value <= low || value >= high) end = next;
+    else begin = next;
   }
-  return 2.0;
+  if (end > 1.0) return 2.0;
+  // Bisection in a monotone piece: 22 halvings of at most one cell, below float's own resolution of the position.
+  for (int i = 0; i < 22; ++i) {
+    float middle = 0.5 * (begin + end), value = bernstein(b, middle);
+    if (value <= low || value >= high) end = middle;
+    else begin = middle;
+  }
+  return end;
 }

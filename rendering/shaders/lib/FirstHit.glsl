@@ -46,13 +46,17 @@ float firstHit(const bool focus, Ray ray, float sBegin, float sEnd, vec2 gap) {
   float s = sBegin;
   // A ray meets at most the sum of the three sides in cells, and as many bricks on top.
   int left = 2 * (cellCount.x + cellCount.y + cellCount.z);
-  while (left > 0) {
+  // Loops are left at their ends: where rays that run side by side share their instructions, one left earlier runs to its
+  // end all the same, for nobody.
+  float hit = NONE;
+  do {
     // Walk to the next cell whose hull reaches out of the gap. Solving for the crossing waits until the walk is over, so
     // that rays that run side by side solve together.
-    bool candidate = false;
+    bool candidate;
     vec4 along = vec4(0.0);
     float sFrom = s, sTo = s;
-    for (; !candidate && left > 0; --left) {
+    do {
+      candidate = false;
       ivec3 brick = cell >> 3;
 #if FOCUS_KIND != 0
       int empty = int(focus ? texelFetch(focusSkip, brick, 0).r : texelFetch(contextSkip, brick, 0).r);
@@ -83,12 +87,11 @@ float firstHit(const bool focus, Ray ray, float sBegin, float sEnd, vec2 gap) {
       if (sNext >= sEnd || any(lessThan(next, ivec3(0))) || any(greaterThanEqual(next, cellCount))) left = 0;
       cell = next;
       s = sNext;
-    }
-    if (!candidate) return NONE;
+    } while (!candidate && --left > 0);
     float u = firstExit(along, gap.x, gap.y);
-    if (u <= 1.0) return mix(sFrom, sTo, u);
-  }
-  return NONE;
+    if (candidate && u <= 1.0) hit = mix(sFrom, sTo, u);
+  } while (left > 0 && isNone(hit));
+  return hit;
 }
 
 #if FOCUS_KIND != 0
@@ -100,7 +103,8 @@ float firstFocusHit(Ray ray) { return firstHit(true, ray, ray.sIn, ray.sOut, vec
 float firstContextHit(Ray ray, float sEnd) {
   if (ray.sIn > sEnd) return NONE;
   float value = storedExact(cellPosition(ray, ray.sIn));
+  vec2 around = vec2(FAR, -FAR);
   for (int i = 0; i < gapCount; ++i)
-    if (value > gaps[i].x && value < gaps[i].y) return firstHit(false, ray, ray.sIn, sEnd, gaps[i]);
-  return ray.sIn;
+    if (value > gaps[i].x && value < gaps[i].y) around = gaps[i];
+  return around.x < around.y ? firstHit(false, ray, ray.sIn, sEnd, around) : ray.sIn;
 }
