@@ -5,8 +5,6 @@
 uniform float maxError;  // of a pixel's colour
 
 const int MOST_PIECES = 64;
-// Between so many entries the table of what hides itself (float32) tells more than rounding.
-const float LEAST_HIDDEN = 256.0, MOST_HIDDEN = 1e6;
 const vec2 UNLIT = vec2(1.0, 0.0);
 
 // What a ray finds between two faces of a cell. Vectors of four are Bernstein coefficients along it.
@@ -113,34 +111,48 @@ struct Section {
 #endif
 };
 
+#if FINE
 uniform sampler2D transferHidden;  // integral of emission times that of extinction up to there
+// Between so many entries it tells more than rounding (float32).
+const float LEAST_HIDDEN = 256.0, MOST_HIDDEN = 1e6;
+const int FEWEST_PIECES = 3;
+#else
+const int FEWEST_PIECES = 2;
+#endif
 
 // A bound with both integrals carried on beyond the table.
 struct End {
   Bound bound;
+#if FINE
   float extinction;
   vec3 hidden;
+#endif
 };
 
 End endAt(float entry) {
   End end;
   end.bound = boundAt(entry);
+#if FINE
   float inside = clamp(end.bound.entry, 0.0, LAST_ENTRY), beyond = end.bound.entry - inside;
   vec4 constant = beyond < 0.0 ? firstMaterial : lastMaterial;
   vec3 hidden = texelFetch(transferHidden, ivec2(int(inside), 0), 0).rgb;
   end.extinction = end.bound.integral.a + beyond * constant.a;
   end.hidden = hidden + constant.rgb * (beyond * 0.5 * (end.bound.integral.a + end.extinction));
+#endif
   return end;
 }
 
 // What a stretch of values hides of itself more than if it were all of its mean material, for a length of 1: of second
 // order. Where values run evenly, ∫∫ emission(x) extinction(y) over y < x, y in front.
 vec3 hiddenBetween(End front, End back, vec4 material) {
+#if FINE
   float span = back.bound.entry - front.bound.entry;
   float inside = clamp(back.bound.entry, 0.0, LAST_ENTRY) - clamp(front.bound.entry, 0.0, LAST_ENTRY);
-  if (abs(inside) < LEAST_HIDDEN || abs(span) > MOST_HIDDEN) return vec3(0.0);
-  return (back.hidden - front.hidden) / (span * span)
-         - material.rgb * (front.extinction / span + 0.5 * material.a);
+  if (abs(inside) >= LEAST_HIDDEN && abs(span) <= MOST_HIDDEN)
+    return (back.hidden - front.hidden) / (span * span)
+           - material.rgb * (front.extinction / span + 0.5 * material.a);
+#endif
+  return vec3(0.0);
 }
 
 // `doubt`: how wrong its colour may be, from what it hides of itself, which is right for light that hardly fades.
@@ -178,8 +190,7 @@ vec4 integrateSection(Section section, Ray ray, Cut cut, float transmittance, fl
   vec4 coarse = pieceIn(section, ray, cut, first, last, 0.0, 1.0, doubt);
   // A cell may be wrong by its share of the picture or of the ray: either sums to at most 1 over the ray.
   float shown = transmittance * coarse.a, allowed = maxError * max(shown, share);
-  // In three pieces next: with the ends, two points inside tell all of a cubic.
-  int countBefore = 1, count = 3;
+  int countBefore = 1, count = FEWEST_PIECES;
   // Where light dies within a piece, it is the surface's place in it that is not known.
   bool surface = !section.focus && coarse.a > 0.99;
 #if SHADING
