@@ -324,5 +324,7 @@ vec4 integrate(Ray ray, float start, Cut cut) {
     }
 #endif
   } while (more);
+  // Of what the light that is left might still have met, half is taken for there, in the colour so far.
+  if (left > 0) result *= 1.0 + 0.5 * (1.0 - result.a) / max(result.a, 0.5);
   return result;
 }
