@@ -15,8 +15,8 @@ double leastTransmittance(const FocusLayerPass::Sampling& sampling) {
   return sampling.maxError ? *sampling.maxError / 4.0 : 1.0 / 512.0;
 }
 
-/// What the cells of a ray may seem to be wrong by together, of the bound; the rest is for the ray's end, and for what is
-/// estimated too low.
+/// What the cells of a ray may seem to be wrong by together, of the bound; the rest is for the ray's end, and for what
+/// is estimated too low.
 constexpr double shareOfBound = 0.4;
 
 /// From this bound on two pieces of a cell, each as if all of its mean material, are as good a beginning as three that

@@ -55,7 +55,8 @@ TransferTables transferTables(const TransferFunction& function, ValueRange span,
       const double hair = 1e-9 * (high - low), entries = (high - low) / perEntry;
       const glm::dvec4 first = at(low + hair), middle = at(0.5 * (low + high)), last = at(high - hair);
       hidden += (first * integral.a + 4.0 * middle * (integral.a + 0.25 * entries * (first.a + middle.a)) +
-                 last * (integral.a + 0.5 * entries * (first.a + last.a))) * (entries / 6.0);
+                 last * (integral.a + 0.5 * entries * (first.a + last.a))) *
+                (entries / 6.0);
       integral += (first + 4.0 * middle + last) * (entries / 6.0);
       low = high;
     }

