@@ -28,16 +28,30 @@ const float focusWidth = FAR;
 float focusWidth = focusHigh - focusLow;
 #endif
 
-// False where nothing shows.
-bool lookInto(Ray ray, ivec3 cell, float s, float sNext, out CellPath path) {
+// The corners of the cells along a ray are kept in a frame turned so that it runs upwards along every axis: then a step
+// along an axis leaves a cell by its upper face, whose corners are the next cell's lower ones.
+ivec3 turned(Ray ray) { return ivec3(lessThan(ray.direction, vec3(0.0))); }
+
+void stepInto(Ray ray, ivec3 cell, int axis, inout float f[8]) {
+  // Of the upper corners, 7 is one for each axis.
+  int upper[4] = int[4](1 << axis, axis < 2 ? 3 : 5, axis < 1 ? 5 : 6, 7);
+  float g[4];
+  for (int j = 0; j < 4; ++j)
+    g[j] = storedAt(cell - 1 + (ivec3(upper[j] & 1, (upper[j] >> 1) & 1, upper[j] >> 2) ^ turned(ray)));
+  bool x = axis == 0, y = axis == 1, z = axis == 2;
+  f = float[8](x ? f[1] : y ? f[2] : f[4], x ? g[0] : y ? f[3] : f[5], x ? f[3] : y ? g[0] : f[6], z ? f[7] : g[1],
+               x ? f[5] : y ? f[6] : g[0], x ? g[2] : y ? f[7] : g[1], x ? f[7] : g[2], g[3]);
+}
+
+// False where nothing shows. `f`: the cell's corners.
+bool lookInto(Ray ray, ivec3 cell, float s, float sNext, float f[8], out CellPath path) {
   path.cell = cell;
   path.sFrom = s;
   path.sTo = sNext;
   path.a = clamp(cellPosition(ray, s) - vec3(cell), 0.0, 1.0);
   path.b = clamp(cellPosition(ray, sNext) - vec3(cell), 0.0, 1.0);
-  float f[8];
-  cellCorners(cell, f);
-  vec4 stored = bernsteinAlong(f, path.a, path.b);
+  bvec3 downwards = bvec3(turned(ray));
+  vec4 stored = bernsteinAlong(f, mix(path.a, 1.0 - path.a, downwards), mix(path.b, 1.0 - path.b, downwards));
   path.entries = stored * transferMap.x + transferMap.y;
 #if FOCUS_KIND != 0
   uint slot = focusSlot(cell);
@@ -282,9 +296,11 @@ vec4 integrate(Ray ray, float start, Cut cut) {
   ivec3 cellCount = volumeDims + 1;
   ivec3 cell = clamp(ivec3(floor(cellPosition(ray, start))), ivec3(0), cellCount - 1);
   float s = start, perLength = 1.0 / max(ray.sOut - start, 1e-30);
-  // A ray meets at most the sum of the three sides in cells, and as many bricks on top.
-  int left = 2 * (cellCount.x + cellCount.y + cellCount.z);
-  bool more = true;
+  // A ray meets at most the sum of the three sides in cells, and as many bricks on top, behind each of which it takes the
+  // face by which it enters the next cell first.
+  int left = 3 * (cellCount.x + cellCount.y + cellCount.z), axis = 0;
+  float corners[8] = float[8](0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+  bool entered = false, more = true;
   do {
     CellPath path;
     bool shows, inContext;
@@ -295,17 +311,23 @@ vec4 integrate(Ray ray, float start, Cut cut) {
         shows = false;
         ivec3 brick = cell >> 3;
         int empty = int(texelFetch(occupiedSkip, brick, 0).r);
-        ivec3 lower = empty > 0 ? (brick - (empty - 1)) * 8 : cell;
-        ivec3 upper = empty > 0 ? (brick + empty) * 8 : cell + 1;
-        int axis;
-        float sNext = max(blockExit(ray, lower, upper, axis), s);
-        if (empty == 0) shows = lookInto(ray, cell, s, min(sNext, ray.sOut), path);
-        // Rounding must not carry the other two axes out of the block that was just left.
-        ivec3 next = clamp(ivec3(floor(cellPosition(ray, sNext))), lower, upper - 1);
-        next[axis] = ray.direction[axis] > 0.0 ? upper[axis] : lower[axis] - 1;
-        if (sNext >= ray.sOut || any(lessThan(next, ivec3(0))) || any(greaterThanEqual(next, cellCount))) left = 0;
-        cell = next;
-        s = sNext;
+        bool here = empty > 0 || entered;
+        ivec3 step = ivec3(0);
+        step[axis] = ray.direction[axis] > 0.0 ? 1 : -1;
+        stepInto(ray, here ? cell : cell - step, axis, corners);
+        entered = empty == 0;
+        if (here) {
+          ivec3 lower = empty > 0 ? (brick - (empty - 1)) * 8 : cell;
+          ivec3 upper = empty > 0 ? (brick + empty) * 8 : cell + 1;
+          float sNext = max(blockExit(ray, lower, upper, axis), s);
+          if (entered) shows = lookInto(ray, cell, s, min(sNext, ray.sOut), corners, path);
+          // Rounding must not carry the other two axes out of the block that was just left.
+          ivec3 next = clamp(ivec3(floor(cellPosition(ray, sNext))), lower, upper - 1);
+          next[axis] = ray.direction[axis] > 0.0 ? upper[axis] : lower[axis] - 1;
+          if (sNext >= ray.sOut || any(lessThan(next, ivec3(0))) || any(greaterThanEqual(next, cellCount))) left = 0;
+          cell = next;
+          s = sNext;
+        }
       } while (!shows && --left > 0);
       inContext = shows;
 #if FOCUS_KIND != 0
