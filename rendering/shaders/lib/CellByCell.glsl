@@ -30,7 +30,7 @@ float focusWidth = focusHigh - focusLow;
 
 // The corners of the cells along a ray are kept in a frame turned so that it runs upwards along every axis: then a step
 // along an axis leaves a cell by its upper face, whose corners are the next cell's lower ones.
-ivec3 turned(Ray ray) { return ivec3(lessThan(ray.direction, vec3(0.0))); }
+ivec3 turned(Ray ray) { return ivec3(lessThanEqual(ray.direction, vec3(0.0))); }
 
 void stepInto(Ray ray, ivec3 cell, int axis, inout float f[8]) {
   // Of the upper corners, 7 is one for each axis.
