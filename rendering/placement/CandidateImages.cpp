@@ -139,6 +139,10 @@ void CandidateImages::setSphere(const GpuScene& gpu, gl::ShaderProgram& program)
   program.set("volumeDims", grid.dims);
   program.set("sphereCentre", (glm::vec3(grid.dims) + 1.0f) * 0.5f);  // index (dims-1)/2 in the cell frame
   program.set("sphereRadius", static_cast<float>(grid.boundingRadius()));
+  // A voxel wider, in the volume: the 0.5 level reaches no farther than half of one.
+  const glm::vec3 low(gpu.focus().box->low), high(gpu.focus().box->high);
+  program.set("focusLower", glm::max(low, 0.5f));
+  program.set("focusUpper", glm::min(high + 2.0f, glm::vec3(grid.dims) + 0.5f));
 }
 
 void CandidateImages::measureImages(const GpuScene& gpu, std::vector<Candidate>& candidates, int side) {

@@ -62,7 +62,7 @@ float crossingOf(uint tile, uint edge) {
   for (int i = 0; i < halvings; ++i) {
     float middle = 0.5 * (low + high);
     Ray ray = candidateRay(tiles[tile].view, imagePosition(pixel + middle * vec2(along)));
-    bool hit = ray.sIn <= ray.sOut && !isNone(firstFocusHit(ray));
+    bool hit = meetsFocus(ray);
     if (hit == seen) low = middle;
     else high = middle;
   }

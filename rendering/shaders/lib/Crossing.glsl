@@ -24,9 +24,11 @@ bool leavesHull(vec4 b, float low, float high) {
   return any(lessThanEqual(b, vec4(low))) || any(greaterThanEqual(b, vec4(high)));
 }
 
-// u in [0, 1] where the cubic first leaves (low, high); 2 when it never does.
-float firstExit(vec4 b, float low, float high) {
-  if (b.x <= low || b.x >= high) return 0.0;
+// Whether the cubic leaves (low, high), and the monotone piece of it from `piece.x`, inside, to `piece.y`, outside, in
+// which it first does; both 0 when it starts outside.
+bool leaves(vec4 b, float low, float high, out vec2 piece) {
+  piece = vec2(0.0);
+  if (b.x <= low || b.x >= high) return true;
   // Extrema: roots of the derivative d0(1-u)² + 2 d1 u(1-u) + d2 u², by the formula that does not cancel.
   // Scaled to one, so that no value a float can hold overflows in the squares.
   vec3 d = b.yzw - b.xyz;
@@ -41,24 +43,34 @@ float firstExit(vec4 b, float low, float high) {
     if (!(r1 > 0.0 && r1 < 1.0)) r1 = 1.0;
     if (!(r2 > 0.0 && r2 < 1.0)) r2 = 1.0;
   }
-  float ends[3] = float[3](min(r1, r2), max(r1, r2), 1.0);
-  float begin = 0.0;
-  for (int piece = 0; piece < 3; ++piece) {
-    float end = ends[piece];
-    float value = bernstein(b, end);
-    if (value <= low || value >= high) {
-      bool down = value <= low;
-      float level = down ? low : high;
-      // Bisection in a monotone piece: 22 halvings of at most one cell, below float's own resolution of the position.
-      for (int i = 0; i < 22; ++i) {
-        float middle = 0.5 * (begin + end);
-        float v = bernstein(b, middle);
-        if (down ? v <= level : v >= level) end = middle;
-        else begin = middle;
-      }
-      return end;
-    }
-    begin = end;
+  vec3 ends = vec3(min(r1, r2), max(r1, r2), 1.0);
+  vec3 values = vec3(bernstein(b, ends.x), bernstein(b, ends.y), b.w);
+  bvec3 isOut = bvec3(uvec3(lessThanEqual(values, vec3(low))) | uvec3(greaterThanEqual(values, vec3(high))));
+  piece = isOut.x ? vec2(0.0, ends.x) : isOut.y ? ends.xy : ends.yz;
+  return any(isOut);
+}
+
+// u in [0, 1] where the cubic first leaves (low, high); 2 when it never does.
+float firstExit(vec4 b, float low, float high) {
+  vec2 piece;
+  if (!leaves(b, low, high, piece)) return 2.0;
+  float end = bernstein(b, piece.y);
+  bool down = end <= low;
+  float level = down ? low : high;
+  // Newton's method from where a straight line would cross, kept inside what is left of the piece; it ends with a step
+  // below float's own resolution of most positions. Where it converges slowly, at an extremum, it halves its error.
+  float u = mix(piece.x, piece.y, clamp((b.x - level) / (b.x - end), 0.0, 1.0));
+  for (int i = 0; i < 22; ++i) {
+    vec3 c = mix(b.xyz, b.yzw, u);
+    vec2 d = mix(c.xy, c.yz, u);
+    float value = mix(d.x, d.y, u);
+    if (down ? value <= level : value >= level) piece.y = u;
+    else piece.x = u;
+    float next = u - (value - level) / (3.0 * (d.y - d.x));
+    if (!(next >= piece.x && next <= piece.y)) next = 0.5 * (piece.x + piece.y);
+    float moved = abs(next - u);
+    u = next;
+    if (moved < 1e-5) break;
   }
-  return 2.0;
+  return u;
 }
