@@ -40,59 +40,60 @@ vec4 fieldAlong(const bool focus, Ray ray, ivec3 cell, float s, float sNext, ino
   return along;
 }
 
+// Carries a ray on from s in `cell`, through the faces of the block of cells [lower, upper) around it; false where it
+// ends in there, or the volume does.
+bool leaveBlock(Ray ray, ivec3 lower, ivec3 upper, float sEnd, inout ivec3 cell, inout float s) {
+  int axis;
+  s = max(blockExit(ray, lower, upper, axis), s);
+  // Rounding must not carry the other two axes out of the block that was just left.
+  cell = clamp(ivec3(floor(cellPosition(ray, s))), lower, upper - 1);
+  cell[axis] = ray.direction[axis] > 0.0 ? upper[axis] : lower[axis] - 1;
+  return s < sEnd && all(lessThan(uvec3(cell), uvec3(volumeDims + 1)));
+}
+
 // `focus` chooses the field; `gap` is the context's interval to leave. `exact`: where it leaves; else only whether it
 // does, and in which cell.
 float firstHit(const bool focus, const bool exact, Ray ray, float sBegin, float sEnd, vec2 gap) {
   if (sBegin > sEnd) return NONE;
-  ivec3 cellCount = volumeDims + 1;
-  ivec3 cell = clamp(ivec3(floor(cellPosition(ray, sBegin))), ivec3(0), cellCount - 1);
+  ivec3 cell = clamp(ivec3(floor(cellPosition(ray, sBegin))), ivec3(0), volumeDims);
   float s = sBegin;
   // A ray meets at most the sum of the three sides in cells, and as many bricks on top.
-  int left = 2 * (cellCount.x + cellCount.y + cellCount.z);
+  int left = 2 * (volumeDims.x + volumeDims.y + volumeDims.z + 3);
   // Rays that run side by side do so in step: what costs more waits, loop by loop, until all of them need it.
   while (left > 0) {
     // To the next cell whose hull reaches out of the gap.
     bool candidate = false;
     vec4 along = vec4(0.0);
-    float sFrom = s, sTo = s;
+    float sFrom = s;
     while (!candidate && left > 0) {
       // To the next cell that may hold any of it.
-      ivec3 held = cell;
       bool found = false;
-      for (; !found && left > 0; --left) {
+      while (left > 0) {
         ivec3 brick = cell >> 3;
 #if FOCUS_KIND != 0
         int empty = int(focus ? texelFetch(focusSkip, brick, 0).r : texelFetch(contextSkip, brick, 0).r);
+        found = empty == 0 && (!focus || holdsFocus(cell));
 #else
         int empty = int(texelFetch(contextSkip, brick, 0).r);
-#endif
         found = empty == 0;
-#if FOCUS_KIND != 0
-        if (focus && found) found = holdsFocus(cell);
 #endif
+        if (found) break;
         ivec3 lower = empty > 0 ? (brick - (empty - 1)) * 8 : cell;
         ivec3 upper = empty > 0 ? (brick + empty) * 8 : cell + 1;
-        int axis;
-        float sNext = max(blockExit(ray, lower, upper, axis), s);
-        held = cell;
-        sFrom = s;
-        sTo = min(sNext, sEnd);
-        // Rounding must not carry the other two axes out of the block that was just left.
-        ivec3 next = clamp(ivec3(floor(cellPosition(ray, sNext))), lower, upper - 1);
-        next[axis] = ray.direction[axis] > 0.0 ? upper[axis] : lower[axis] - 1;
-        if (sNext >= sEnd || any(lessThan(next, ivec3(0))) || any(greaterThanEqual(next, cellCount))) left = 0;
-        cell = next;
-        s = sNext;
+        left = leaveBlock(ray, lower, upper, sEnd, cell, s) ? left - 1 : 0;
       }
       if (found) {
-        along = fieldAlong(focus, ray, held, sFrom, sTo, gap);
+        ivec3 held = cell;
+        sFrom = s;
+        left = leaveBlock(ray, held, held + 1, sEnd, cell, s) ? left - 1 : 0;
+        along = fieldAlong(focus, ray, held, sFrom, min(s, sEnd), gap);
         candidate = leavesHull(along, gap.x, gap.y);
       }
     }
     if (!candidate) return NONE;
     vec2 piece;
     float u = exact ? firstExit(along, gap.x, gap.y) : leaves(along, gap.x, gap.y, piece) ? 0.0 : 2.0;
-    if (u <= 1.0) return mix(sFrom, sTo, u);
+    if (u <= 1.0) return mix(sFrom, min(s, sEnd), u);
   }
   return NONE;
 }
