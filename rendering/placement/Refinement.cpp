@@ -44,10 +44,13 @@ Refinement::Refinement(const Options& options, std::size_t points, int start, in
 
 void Refinement::add(const std::vector<Candidate>& measured) {
   for (std::size_t i = 0; i < wantedPixels_.size(); ++i) known_[wantedPixels_[i]] = measured.at(i);
-  std::vector<Candidate> all = candidates();
-  describeTogether(all, points_);
-  auto next = all.begin();
-  for (auto& [pixel, candidate] : known_) candidate.descriptors = (next++)->descriptors;
+  const Weights& weights = options_.weights;
+  if (weights.entropy != 0.0 || weights.mutualInformation != 0.0 || weights.stability != 0.0) {
+    std::vector<Candidate> all = candidates();
+    describeTogether(all, points_);
+    auto next = all.begin();
+    for (auto& [pixel, candidate] : known_) candidate.descriptors = (next++)->descriptors;
+  }
   plan();
 }
 

@@ -26,7 +26,8 @@ class Refinement {
   const std::vector<glm::dvec3>& wanted() const { return wanted_; }
   /// What is wanted only leads the way to finer levels: images of half the width tell enough.
   bool isLeading() const { return !wantedPixels_.empty() && 4 * wantedPixels_.front().nside <= finest_; }
-  /// What wanted() asked for, in its order. Descriptors that depend on all candidates are those of the known ones.
+  /// What wanted() asked for, in its order. Descriptors that depend on all candidates are found for the known ones,
+  /// where they have a weight.
   void add(const std::vector<Candidate>& measured);
   /// Share of the images that it takes at most.
   double progress() const;
