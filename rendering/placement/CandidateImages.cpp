@@ -46,9 +46,8 @@ constexpr int tileSide = 8;
 constexpr std::size_t pixelsPerTile = tileSide * tileSide, edgesPerTile = 2 * pixelsPerTile;
 /// Work groups in a row of a dispatch; the shaders count on it.
 constexpr int groupsPerRow = 1024;
-/// Of a pixel, to find where the outline crosses from one to the next: within 1/16 of it. More make an image no better:
-/// what its error is of is what pixels do not see between them.
-constexpr int outlineHalvings = 3;
+/// Of a pixel, to find where the outline crosses from one to the next: within 1/32 of it.
+constexpr int outlineHalvings = 4;
 /// Pixels that the focus's box spans at least, from corner to corner, and how much finer an image gets for that at
 /// most.
 constexpr double leastSpan = 48.0;

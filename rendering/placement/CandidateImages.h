@@ -13,7 +13,7 @@ namespace fenestra::placement {
 /// Needs the current context that `gpu` lives in.
 ///
 /// An image is side² rays of first focus hits, of which only those are traced that the focus's box projects onto. Where
-/// of two neighbours one meets the focus, its outline is found between them to 1/16 of a pixel, and areas, depths and
+/// of two neighbours one meets the focus, its outline is found between them to 1/32 of a pixel, and areas, depths and
 /// centroids are integrals over the polygons so found (marching squares; Lorensen, Cline 1987, in two dimensions): they
 /// change smoothly with the direction, where counted pixels jump. Opposite candidates have the same outline and share
 /// its rays.

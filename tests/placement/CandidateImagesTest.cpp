@@ -84,11 +84,11 @@ class CpuImage {
     const Camera camera = lookAt(target + direction_ * (2.0 * radius_), target, Projection::Orthographic, radius_);
     return !std::isnan(reference::hitPoints(scene_, camera, {1, 1}).tFocus.front());
   }
-  /// Between the pixels a, which sees the focus, and b, which does not: to an eighth of the way, and of that the
+  /// Between the pixels a, which sees the focus, and b, which does not: to a sixteenth of the way, and of that the
   /// middle.
   glm::dvec2 outline(glm::dvec2 a, glm::dvec2 b) const {
     double low = 0.0, high = 1.0;
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < 4; ++i) {
       const double middle = 0.5 * (low + high);
       (sees(glm::mix(a, b, middle)) ? low : high) = middle;
     }
@@ -134,7 +134,7 @@ class CpuImage {
 };
 
 /// float32 against double: 1e-4 of every descriptor. A crossing of the outline found on the other side of a ray that
-/// grazes moves it by a sixteenth of a pixel, of some hundreds.
+/// grazes moves it by a thirty-second of a pixel, of some hundreds.
 void expectSameAsOnCpu(const Scene& scene, const std::vector<Candidate>& candidates) {
   for (const Candidate& candidate : candidates) {
     const ImageSums truth = CpuImage(scene, candidate.direction, side).sums();
@@ -217,10 +217,10 @@ TEST_F(CandidateTest, AnEmptyFocusSeesNothingAndSaysSo) {
 }
 
 /// What an area may be off: chords cut 2π/12 of a square pixel off a convex outline (∮κ ds = 2π, a chord's segment is
-/// κ/12 of its length cubed); each crossing is known to 1/16 of a pixel, one independent of the next, three standard
+/// κ/12 of its length cubed); each crossing is known to 1/32 of a pixel, one independent of the next, three standard
 /// deviations; and what trilinear interpolation takes off a curved surface.
 double areaError(double outlinePixels, double fieldError) {
-  return 0.53 + 3.0 / 16.0 / std::sqrt(3.0) * std::sqrt(outlinePixels) + fieldError * outlinePixels;
+  return 0.53 + 3.0 / 32.0 / std::sqrt(3.0) * std::sqrt(outlinePixels) + fieldError * outlinePixels;
 }
 
 TEST_F(CandidateTest, ABallInClosedForm) {
