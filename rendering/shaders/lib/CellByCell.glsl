@@ -273,15 +273,15 @@ vec4 integrateFocusCell(CellPath path, Ray ray, Cut cut, float transmittance, fl
 }
 #endif
 
-// Loops here are left at their ends: where rays that run side by side share their instructions, a loop left earlier runs
-// to its end all the same, for nobody.
+// Loops here are left at their ends: where rays that run side by side share their instructions, a loop left earlier
+// runs to its end all the same, for nobody.
 vec4 integrate(Ray ray, float start, Cut cut) {
   vec4 result = vec4(0.0);
   ivec3 cellCount = volumeDims + 1;
   ivec3 cell = clamp(ivec3(floor(cellPosition(ray, start))), ivec3(0), cellCount - 1);
   float s = start, perLength = 1.0 / max(ray.sOut - start, 1e-30);
-  // A ray meets at most the sum of the three sides in cells, and as many bricks on top, behind each of which it takes the
-  // face by which it enters the next cell first.
+  // A ray meets at most the sum of the three sides in cells, and as many bricks on top, behind each of which it takes
+  // the face by which it enters the next cell first.
   int left = 3 * (cellCount.x + cellCount.y + cellCount.z), axis = 0;
   float corners[8] = float[8](0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
   bool entered = false, more = true;

@@ -22,7 +22,7 @@ void stepInto(Ray ray, ivec3 cell, int axis, inout float f[8]) {
   int upper[4] = int[4](1 << axis, axis < 2 ? 3 : 5, axis < 1 ? 5 : 6, 7);
   float g[4];
   for (int j = 0; j < 4; ++j)
-    g[j] = storedAt(cell - 1 + (ivec3(upper[j] & 1, (upper[j] >> 1) & 1, upper[j] >> 2) ^ turned(ray)));
+    g[j] = storedAt(cell - 1 + (cornerOf(upper[j]) ^ turned(ray)));
   bool x = axis == 0, y = axis == 1, z = axis == 2;
   f = float[8](x ? f[1] : y ? f[2] : f[4], x ? g[0] : y ? f[3] : f[5], x ? f[3] : y ? g[0] : f[6], z ? f[7] : g[1],
                x ? f[5] : y ? f[6] : g[0], x ? g[2] : y ? f[7] : g[1], x ? f[7] : g[2], g[3]);

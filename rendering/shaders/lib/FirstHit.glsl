@@ -33,14 +33,14 @@ float firstHit(const bool focus, Ray ray, float sBegin, float sEnd, vec2 gap) {
   ivec3 cellCount = volumeDims + 1;
   ivec3 cell = clamp(ivec3(floor(cellPosition(ray, sBegin))), ivec3(0), cellCount - 1);
   float s = sBegin;
-  // A ray meets at most the sum of the three sides in cells, and as many bricks on top, behind each of which it takes the
-  // face by which it enters the next cell first.
+  // A ray meets at most the sum of the three sides in cells, and as many bricks on top, behind each of which it takes
+  // the face by which it enters the next cell first.
   int left = 3 * (cellCount.x + cellCount.y + cellCount.z), axis = 0;
   const bool needsValues = !focus || FOCUS_KIND == 2;
   float corners[8] = float[8](0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
   bool entered = false;
-  // Loops are left at their ends: where rays that run side by side share their instructions, one left earlier runs to its
-  // end all the same, for nobody.
+  // Loops are left at their ends: where rays that run side by side share their instructions, one left earlier runs to
+  // its end all the same, for nobody.
   float hit = NONE;
   do {
     // Walk to the next cell whose hull reaches out of the gap. Solving for the crossing waits until the walk is over, so
