@@ -28,21 +28,6 @@ const float focusWidth = FAR;
 float focusWidth = focusHigh - focusLow;
 #endif
 
-// The corners of the cells along a ray are kept in a frame turned so that it runs upwards along every axis: then a step
-// along an axis leaves a cell by its upper face, whose corners are the next cell's lower ones.
-ivec3 turned(Ray ray) { return ivec3(lessThanEqual(ray.direction, vec3(0.0))); }
-
-void stepInto(Ray ray, ivec3 cell, int axis, inout float f[8]) {
-  // Of the upper corners, 7 is one for each axis.
-  int upper[4] = int[4](1 << axis, axis < 2 ? 3 : 5, axis < 1 ? 5 : 6, 7);
-  float g[4];
-  for (int j = 0; j < 4; ++j)
-    g[j] = storedAt(cell - 1 + (ivec3(upper[j] & 1, (upper[j] >> 1) & 1, upper[j] >> 2) ^ turned(ray)));
-  bool x = axis == 0, y = axis == 1, z = axis == 2;
-  f = float[8](x ? f[1] : y ? f[2] : f[4], x ? g[0] : y ? f[3] : f[5], x ? f[3] : y ? g[0] : f[6], z ? f[7] : g[1],
-               x ? f[5] : y ? f[6] : g[0], x ? g[2] : y ? f[7] : g[1], x ? f[7] : g[2], g[3]);
-}
-
 // False where nothing shows. `f`: the cell's corners.
 bool lookInto(Ray ray, ivec3 cell, float s, float sNext, float f[8], out CellPath path) {
   path.cell = cell;
@@ -50,8 +35,7 @@ bool lookInto(Ray ray, ivec3 cell, float s, float sNext, float f[8], out CellPat
   path.sTo = sNext;
   path.a = clamp(cellPosition(ray, s) - vec3(cell), 0.0, 1.0);
   path.b = clamp(cellPosition(ray, sNext) - vec3(cell), 0.0, 1.0);
-  bvec3 downwards = bvec3(turned(ray));
-  vec4 stored = bernsteinAlong(f, mix(path.a, 1.0 - path.a, downwards), mix(path.b, 1.0 - path.b, downwards));
+  vec4 stored = bernsteinTurned(ray, f, path.a, path.b);
   path.entries = stored * transferMap.x + transferMap.y;
 #if FOCUS_KIND != 0
   uint slot = focusSlot(cell);
@@ -289,15 +273,15 @@ vec4 integrateFocusCell(CellPath path, Ray ray, Cut cut, float transmittance, fl
 }
 #endif
 
-// Loops here are left at their ends: where rays that run side by side share their instructions, a loop left earlier runs
-// to its end all the same, for nobody.
+// Loops here are left at their ends: where rays that run side by side share their instructions, a loop left earlier
+// runs to its end all the same, for nobody.
 vec4 integrate(Ray ray, float start, Cut cut) {
   vec4 result = vec4(0.0);
   ivec3 cellCount = volumeDims + 1;
   ivec3 cell = clamp(ivec3(floor(cellPosition(ray, start))), ivec3(0), cellCount - 1);
   float s = start, perLength = 1.0 / max(ray.sOut - start, 1e-30);
-  // A ray meets at most the sum of the three sides in cells, and as many bricks on top, behind each of which it takes the
-  // face by which it enters the next cell first.
+  // A ray meets at most the sum of the three sides in cells, and as many bricks on top, behind each of which it takes
+  // the face by which it enters the next cell first.
   int left = 3 * (cellCount.x + cellCount.y + cellCount.z), axis = 0;
   float corners[8] = float[8](0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
   bool entered = false, more = true;
@@ -312,9 +296,7 @@ vec4 integrate(Ray ray, float start, Cut cut) {
         ivec3 brick = cell >> 3;
         int empty = int(texelFetch(occupiedSkip, brick, 0).r);
         bool here = empty > 0 || entered;
-        ivec3 step = ivec3(0);
-        step[axis] = ray.direction[axis] > 0.0 ? 1 : -1;
-        stepInto(ray, here ? cell : cell - step, axis, corners);
+        stepInto(ray, here ? cell : cellBefore(ray, cell, axis), axis, corners);
         entered = empty == 0;
         if (here) {
           ivec3 lower = empty > 0 ? (brick - (empty - 1)) * 8 : cell;

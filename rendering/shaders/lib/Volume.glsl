@@ -9,9 +9,11 @@ float storedAt(ivec3 index) {
   return integerTexels ? floor(texel + 0.5) : texel;
 }
 
-// Corners of a cell (cell frame), x fastest.
+// Corners of a cell (cell frame) are counted x fastest.
+ivec3 cornerOf(int i) { return ivec3(i & 1, (i >> 1) & 1, i >> 2); }
+
 void cellCorners(ivec3 cell, out float f[8]) {
-  for (int i = 0; i < 8; ++i) f[i] = storedAt(cell - 1 + ivec3(i & 1, (i >> 1) & 1, i >> 2));
+  for (int i = 0; i < 8; ++i) f[i] = storedAt(cell - 1 + cornerOf(i));
 }
 
 // Trilinear, with full float weights: hardware filters have 8-bit ones.

@@ -55,8 +55,6 @@ struct CellNormals {
 #endif
 };
 
-ivec3 cornerOf(int i) { return ivec3(i & 1, (i >> 1) & 1, i >> 2); }
-
 void bernsteinAlong(vec3 f[8], vec3 a, vec3 b, out vec3 along[4]) {
   vec4 c[3];
   for (int axis = 0; axis < 3; ++axis) {
@@ -114,14 +112,15 @@ float piecesOfLight(vec3 normals[4], float leastLength, vec3 rayDirection, float
   float size = length(middle);
   vec3 front = normalize(normals[0] + 1e-12), back = normalize(normals[3] + 1e-12), between = normalize(middle + 1e-12);
   // Either side of a surface is lit alike.
-  float turn = sqrt(max(2.0 - 2.0 * abs(dot(front, between)), 0.0)) + sqrt(max(2.0 - 2.0 * abs(dot(between, back)), 0.0));
+  vec2 cosines = abs(vec2(dot(front, between), dot(between, back))), chords = sqrt(max(2.0 - 2.0 * cosines, 0.0));
+  float turn = chords.x + chords.y;
 
-  // The midpoint rule in n pieces is wrong by 1/(24 n²) of the change in slope. Diffuse light's slope changes by no more
-  // than the normals turn.
+  // The midpoint rule in n pieces is wrong by 1/(24 n²) of the change in slope. Diffuse light's slope changes by no
+  // more than the normals turn.
   float pieces = turn * sqrt(weight * lighting.y / 24.0);
 
-  // cos^shininess is much like a Gaussian of this standard deviation: where a highlight may lie between two points, they
-  // lie closer than that; its slope reaches 0.6 of its height over it.
+  // cos^shininess is much like a Gaussian of this standard deviation: where a highlight may lie between two points,
+  // they lie closer than that; its slope reaches 0.6 of its height over it.
   float width = inversesqrt(lighting.w), cosine = abs(dot(between, normalize(lightDirection - rayDirection)));
   float highlight = weight * lighting.z * pow(min(cosine + 0.5 * turn, 1.0), lighting.w);
   if (highlight > 1.0) pieces = max(pieces, max(turn / width, sqrt(highlight * turn * (1.2 / 24.0) / width)));
