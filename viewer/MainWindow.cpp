@@ -154,8 +154,12 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
     restoreState(preferences_.windowState(), layoutVersion);
     views_->restoreLayout(preferences_.viewLayout());
     placement_.setSettings(preferences_.placement());
-    connect(&placement_, &PlacementController::settingsChanged, this,
-            [this] { preferences_.setPlacement(placement_.settings()); });
+    // What a session brings with it is that session's, not the user's habit.
+    connect(camerasPanel_, &CamerasPanel::edited, this, [this](const auto& change) {
+      PlacementSettings habit = preferences_.placement();
+      change(habit);
+      preferences_.setPlacement(habit);
+    });
   }
 }
 

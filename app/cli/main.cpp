@@ -113,13 +113,7 @@ void useAsDefaults(const io::Session& session, PlaceOptions& options) {
   const io::SessionPlacement& saved = session.placement;
   options.sampling.count = saved.samples;
   options.sampling.refined = saved.refined;
-  options.placement.weights = {.visibility = saved.weights.visibility,
-                               .coverage = saved.weights.coverage,
-                               .location = saved.weights.location,
-                               .entropy = saved.weights.entropy,
-                               .mutualInformation = saved.weights.mutualInformation,
-                               .stability = saved.weights.stability,
-                               .orientation = saved.weights.orientation};
+  options.placement.weights = saved.weights;
   options.placement.region = saved.inStream ? placement::Region::Stream : placement::Region::SemiSphere;
   options.placement.streamHalfWidth = saved.streamHalfWidth;
   options.placement.shareWeight = saved.shareWeight;

@@ -13,6 +13,7 @@
 
 #include "io/VolumeReader.h"
 #include "io/session/Contents.h"
+#include "rendering/scene/PlacementOptions.h"
 #include "rendering/scene/Quality.h"
 #include "rendering/scene/Scene.h"
 
@@ -63,14 +64,10 @@ struct SessionContext {
 struct SessionPlacement {
   int samples = 192;
   bool refined = false;
-  struct Weights {
-    double visibility = -0.02, coverage = 16.0, location = 0.5;
-    double entropy = 0.0, mutualInformation = 0.0, stability = 0.0, orientation = 0.0;
-    bool operator==(const Weights&) const = default;
-  } weights;
+  placement::Weights weights;
   bool inStream = false;  ///< C2 in the band around C1's great circle, not in the half sphere
-  double streamHalfWidth = 15.0;
-  double shareWeight = 1.0;
+  double streamHalfWidth = placement::Options().streamHalfWidth;
+  double shareWeight = placement::Options().shareWeight;
   bool joint = false;
   bool follow = true;
   bool automatic = true;

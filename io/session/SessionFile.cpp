@@ -20,6 +20,20 @@ void members(auto& io, Is<ValueFocus> auto& focus) {
   io("minimum_component", focus.minimumComponent, io::json::nonNegative);
 }
 
+namespace placement {
+
+void members(auto& io, Is<Weights> auto& weights) {
+  io("visibility", weights.visibility);
+  io("coverage", weights.coverage);
+  io("location", weights.location);
+  io("entropy", weights.entropy);
+  io("mutual_information", weights.mutualInformation);
+  io("stability", weights.stability);
+  io("orientation", weights.orientation);
+}
+
+}  // namespace placement
+
 namespace io {
 namespace {
 
@@ -99,16 +113,6 @@ void members(auto& io, Is<SessionContext> auto& context) {
   optional(io, "file", context.file, !context.file.empty());
   io.required("nodes", context.function.nodes);
   io("shift", context.shift);
-}
-
-void members(auto& io, Is<SessionPlacement::Weights> auto& weights) {
-  io("visibility", weights.visibility);
-  io("coverage", weights.coverage);
-  io("location", weights.location);
-  io("entropy", weights.entropy);
-  io("mutual_information", weights.mutualInformation);
-  io("stability", weights.stability);
-  io("orientation", weights.orientation);
 }
 
 void members(auto& io, Is<SessionPlacement> auto& placement) {

@@ -202,47 +202,53 @@ void indexValues(FocusIndex& index, std::span<const T> scalars, const Volume& vo
           static_cast<std::uint64_t>(runs[row][i].end - runs[row][i].begin);
   const double voxel = volume.grid.voxelVolume();
 
-  // Per brick: how many active cells, how many of them kept; bits only where some are dropped.
-  std::vector<std::uint32_t> active(index.slots.size(), 0), kept(index.slots.size(), 0);
+  // Per brick: how many cells are kept; bits only where not all of them are.
+  std::vector<std::uint32_t> kept(index.slots.size(), 0);
   const auto eachRun =
-      [&](auto&& visit) {  // visits (first cell-frame x, last + 1, y, z, kept), border half cells included
+      [&](auto&& visit) {  // visits kept ones, (first cell-frame x, last + 1, y, z), border half cells included
         for (int z = 0; z <= dims.z; ++z)
           for (int y = 0; y <= dims.y; ++y) {
             const std::size_t row = rowAt(std::clamp(y - 1, 0, cells.y - 1), std::clamp(z - 1, 0, cells.z - 1));
             for (std::size_t i = 0; i < runs[row].size(); ++i) {
               const Run& run = runs[row][i];
               const std::uint64_t count = size[components.find(firstRun[row] + static_cast<std::uint32_t>(i))];
-              visit(run.begin == 0 ? 0 : run.begin + 1, run.end == cells.x ? dims.x + 1 : run.end + 1, y, z,
-                    static_cast<double>(count) * voxel >= focus.minimumComponent);
+              if (static_cast<double>(count) * voxel >= focus.minimumComponent)
+                visit(run.begin == 0 ? 0 : run.begin + 1, run.end == cells.x ? dims.x + 1 : run.end + 1, y, z);
             }
           }
       };
-  eachRun([&](int begin, int end, int y, int z, bool keep) {
-    for (int x = begin; x < end;) {
-      const int next = std::min(end, (x / brickSide + 1) * brickSide);
-      const std::size_t brick = brickOffset(index.bricks, {x / brickSide, y / brickSide, z / brickSide});
-      active[brick] += static_cast<std::uint32_t>(next - x);
-      if (keep) kept[brick] += static_cast<std::uint32_t>(next - x);
-      x = next;
-    }
-    if (keep)
-      grow(index.box, glm::clamp(glm::ivec3(begin - 1, y - 1, z - 1), glm::ivec3(0), dims - 1),
-           glm::clamp(glm::ivec3(end - 1, y, z), glm::ivec3(0), dims - 1));
+  // Cuts a run where one brick ends and the next begins.
+  const auto eachPart = [&](auto&& visit) {  // visits (brick, first cell, last + 1, y, z)
+    eachRun([&](int begin, int end, int y, int z) {
+      for (int x = begin; x < end;) {
+        const int next = std::min(end, (x / brickSide + 1) * brickSide);
+        visit(brickOffset(index.bricks, {x / brickSide, y / brickSide, z / brickSide}), x, next, y, z);
+        x = next;
+      }
+    });
+  };
+  eachRun([&](int begin, int end, int y, int z) {
+    grow(index.box, glm::clamp(glm::ivec3(begin - 1, y - 1, z - 1), glm::ivec3(0), dims - 1),
+         glm::clamp(glm::ivec3(end - 1, y, z), glm::ivec3(0), dims - 1));
   });
+  eachPart(
+      [&](std::size_t brick, int begin, int end, int, int) { kept[brick] += static_cast<std::uint32_t>(end - begin); });
   constexpr std::uint32_t wordsPerBrick = cellsPerBrick / 32;
   std::uint32_t mixed = 0;
-  for (std::size_t brick = 0; brick < index.slots.size(); ++brick)
-    if (kept[brick] > 0) index.slots[brick] = kept[brick] == active[brick] ? 1 : 2 + mixed++;
+  for (int z = 0; z < index.bricks.z; ++z)
+    for (int y = 0; y < index.bricks.y; ++y)
+      for (int x = 0; x < index.bricks.x; ++x) {
+        const std::size_t brick = brickOffset(index.bricks, {x, y, z});
+        const glm::ivec3 all = glm::min(dims + 1 - glm::ivec3(x, y, z) * brickSide, brickSide);
+        if (kept[brick] > 0)
+          index.slots[brick] = kept[brick] == static_cast<std::uint32_t>(all.x * all.y * all.z) ? 1 : 2 + mixed++;
+      }
   index.cells.assign(static_cast<std::size_t>(mixed) * wordsPerBrick, 0);
-  if (mixed == 0) return;
-  eachRun([&](int begin, int end, int y, int z, bool keep) {
-    if (!keep) return;
-    for (int x = begin; x < end; ++x) {
-      const std::uint32_t slot = index.slots[brickOffset(index.bricks, {x / brickSide, y / brickSide, z / brickSide})];
-      if (slot < 2) continue;
-      const std::size_t bit = cellInBrick({x, y, z});
-      index.cells[(slot - 2) * wordsPerBrick + bit / 32] |= 1u << (bit % 32);
-    }
+  eachPart([&](std::size_t brick, int begin, int end, int y, int z) {
+    const std::uint32_t slot = index.slots[brick];
+    if (slot < 2) return;
+    const std::size_t bit = cellInBrick({begin, y, z});
+    index.cells[(slot - 2) * wordsPerBrick + bit / 32] |= ((1u << (end - begin)) - 1u) << (bit % 32);
   });
 }
 

@@ -19,7 +19,7 @@ struct FocusIndex {
   /// Per brick: 0 none of the focus, 1 all cells, n ≥ 2 slot n - 2 of `cells`.
   std::vector<std::uint32_t> slots;
   /// Labels: 512 bytes a slot, one a cell, bit i set when corner i (x fastest) has a label of the focus.
-  /// Values: 512 bits a slot, one a cell, set when the cell's component is kept.
+  /// Values: 512 bits a slot, one a cell, set when the cell reaches into the range and its component is kept.
   std::vector<std::uint32_t> cells;
   /// Box of the focus in index coordinates: labelled voxels, or the corners of kept cells. Empty when nothing is in
   /// focus.

@@ -17,7 +17,9 @@ enum Block : unsigned {
   pointsBlock = 3,
   rangesBlock = 3,
   partialsBlock = 4,
-  sumsBlock = 5
+  sumsBlock = 5,
+  crossedBlock = 6,
+  crossingsBlock = 7
 };
 
 /// As the shaders declare them (std430).
@@ -37,10 +39,11 @@ struct SurfacePoint {
   glm::vec4 position, facing;
 };
 
-/// Tiles traced in one go: 512 bytes of hits each, and no dispatch so long that a window manager takes the GPU for
-/// hung.
+/// Tiles traced in one go: 1.5 KiB of hits and edges each, and no dispatch so long that a window manager takes the GPU
+/// for hung.
 constexpr std::size_t tilesPerBatch = 1 << 15;
 constexpr int tileSide = 8;
+constexpr std::size_t pixelsPerTile = tileSide * tileSide, edgesPerTile = 2 * pixelsPerTile;
 /// Work groups in a row of a dispatch; the shaders count on it.
 constexpr int groupsPerRow = 1024;
 /// Of a pixel, to find where the outline crosses from one to the next: within 1/32 of it.
@@ -139,6 +142,10 @@ void CandidateImages::setSphere(const GpuScene& gpu, gl::ShaderProgram& program)
   program.set("volumeDims", grid.dims);
   program.set("sphereCentre", (glm::vec3(grid.dims) + 1.0f) * 0.5f);  // index (dims-1)/2 in the cell frame
   program.set("sphereRadius", static_cast<float>(grid.boundingRadius()));
+  // A voxel wider, in the volume: the 0.5 level reaches no farther than half of one.
+  const glm::vec3 low(gpu.focus().box->low), high(gpu.focus().box->high);
+  program.set("focusLower", glm::max(low, 0.5f));
+  program.set("focusUpper", glm::min(high + 2.0f, glm::vec3(grid.dims) + 0.5f));
 }
 
 void CandidateImages::measureImages(const GpuScene& gpu, std::vector<Candidate>& candidates, int side) {
@@ -146,9 +153,11 @@ void CandidateImages::measureImages(const GpuScene& gpu, std::vector<Candidate>&
   std::vector<glm::dvec3> directions;
   for (const Candidate& candidate : candidates) directions.push_back(candidate.direction);
   const std::vector<std::optional<std::size_t>> opposites = oppositesOf(directions);
-  std::vector<std::size_t> traced;
+  // Software rasterisers give each core one half of a dispatch: of neighbours, which cost about the same, one to each.
+  std::vector<std::size_t> traced, others;
   for (std::size_t i = 0; i < candidates.size(); ++i)
-    if (!opposites[i] || *opposites[i] > i) traced.push_back(i);
+    if (!opposites[i] || *opposites[i] > i) (traced.size() > others.size() ? others : traced).push_back(i);
+  traced.insert(traced.end(), others.begin(), others.end());
 
   for (std::size_t begin = 0; begin < traced.size();) {
     // Whole images, until a batch is full.
@@ -164,9 +173,11 @@ void CandidateImages::measureImages(const GpuScene& gpu, std::vector<Candidate>&
       views.push_back(viewOf(gpu.grid(), direction, opposites[traced[i]].has_value()));
     }
     const gl::Buffer viewList = bufferOf(views), tileList = bufferOf(tiles);
-    const gl::Buffer hits = gl::Buffer::zeroed(tiles.size() * tileSide * tileSide * sizeof(glm::vec2));
+    const gl::Buffer hits = gl::Buffer::zeroed(tiles.size() * pixelsPerTile * sizeof(glm::vec2));
+    const gl::Buffer crossed = gl::Buffer::zeroed((1 + tiles.size() * edgesPerTile) * sizeof(unsigned));
+    const gl::Buffer crossings = gl::Buffer::zeroed(tiles.size() * edgesPerTile * sizeof(float));
     const gl::Buffer partials = gl::Buffer::zeroed(tiles.size() * sizeof(Sums));
-    const auto dispatchTiles = [&](gl::ShaderProgram& program) {
+    const auto dispatch = [&](gl::ShaderProgram& program, glm::ivec2 groups) {
       setSphere(gpu, program);
       bindVolume(gpu, program);
       bindFocus(gpu, program);
@@ -174,13 +185,20 @@ void CandidateImages::measureImages(const GpuScene& gpu, std::vector<Candidate>&
       tileList.bind(tilesBlock);
       hits.bind(hitsBlock);
       partials.bind(sumsBlock);
+      crossed.bind(crossedBlock);
+      crossings.bind(crossingsBlock);
       program.set("tileCount", static_cast<int>(tiles.size()));
       program.set("side", side);
       program.set("halvings", outlineHalvings);
-      program.dispatch(groupsFor(tiles.size()), {1, 1});
+      program.dispatch(groups, {1, 1});
     };
-    dispatchTiles(hits_.get({focusDefine(gpu)}));
-    dispatchTiles(outlines_.get({focusDefine(gpu)}));
+    const glm::ivec2 groupPerTile = groupsFor(tiles.size());
+    dispatch(hits_.get({focusDefine(gpu)}), groupPerTile);
+    dispatch(edges_.get(), groupPerTile);
+    unsigned count = 0;
+    crossed.read(std::as_writable_bytes(std::span(&count, 1)));
+    dispatch(outlines_.get({focusDefine(gpu)}), groupsFor((count + pixelsPerTile - 1) / pixelsPerTile));
+    dispatch(areas_.get(), groupsFor((tiles.size() + tileSide - 1) / tileSide));
 
     std::vector<Sums> totals(ranges.size());
     const gl::Buffer rangeList = bufferOf(ranges), result = gl::Buffer::zeroed(totals.size() * sizeof(Sums));

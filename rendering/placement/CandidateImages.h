@@ -34,8 +34,8 @@ class CandidateImages {
   void measureImages(const GpuScene& gpu, std::vector<Candidate>& candidates, int side);
   void measureVisibility(const GpuScene& gpu, const FocusSurface& surface, std::vector<Candidate>& candidates);
 
-  gl::ShaderVariants hits_{"CandidateHits.comp"}, outlines_{"CandidateOutlines.comp"}, sums_{"CandidateSums.comp"},
-      visibility_{"CandidateVisibility.comp"};
+  gl::ShaderVariants hits_{"CandidateHits.comp"}, edges_{"CandidateEdges.comp"}, outlines_{"CandidateOutlines.comp"},
+      areas_{"CandidateAreas.comp"}, sums_{"CandidateSums.comp"}, visibility_{"CandidateVisibility.comp"};
 };
 
 }  // namespace fenestra::placement

@@ -10,6 +10,7 @@
 #include <glm/glm.hpp>
 
 #include "rendering/scene/Camera.h"
+#include "rendering/scene/PlacementOptions.h"
 
 namespace fenestra::placement {
 
@@ -33,30 +34,6 @@ struct Descriptors {
       0.0;                   ///< Σ p(o|v) log(p(o|v) / p(o)) (Viola et al. 2006), 1 where it is least: a typical view
   double stability = 0.0;    ///< 1 - Jensen–Shannon divergence to the nearest candidates (Bordoloi, Shen 2005)
   double orientation = 0.0;  ///< cosine to the nearest of the six anatomical directions
-};
-
-/// Quality = Σ weight · descriptor. The paper's depth term prefers views through more context when its weight is positive.
-/// The defaults are among those with which the pair sees most of the surface of the structures that tests/bench/results
-/// measures: a heavy depth weight of either sign draws both cameras to one side of the focus. What is left of it decides
-/// between opposite views, whose outlines are the same, for the nearer side: less is cut away. A little the other way C1
-/// would see some more.
-struct Weights {
-  double visibility = -0.02, coverage = 16.0, location = 0.5;
-  double entropy = 0.0, mutualInformation = 0.0, stability = 0.0, orientation = 0.0;
-  bool operator==(const Weights&) const = default;
-};
-
-enum class Region : std::uint8_t {
-  Stream,      ///< the band |c·c1| ≤ sin δ
-  SemiSphere,  ///< the half sphere c·a ≥ 0 around C1's right axis a, without the caps within 45° of ±c1
-};
-
-struct Options {
-  Weights weights;
-  Region region = Region::SemiSphere;
-  double streamHalfWidth = 15.0;  ///< δ, degrees
-  double shareWeight = 1.0;       ///< joint search: 1 for the share of the surface alone, 0 for the mean quality alone
-  bool operator==(const Options&) const = default;
 };
 
 /// One viewpoint: where it is, what it measures, which surface points it sees.

@@ -11,10 +11,10 @@
 
 namespace fenestra::placement {
 
-/// Pixels of the NESTED sphere, level by level: from all 12·start² (start = 2^k) the children of the best, and the best
-/// one's neighbours, down to those of 12·finest²; first for C1 anywhere and on the opposite side, then for C2 in C1's
-/// region. Tells what to measure next, so that who measures may pause in between; deterministic. A focus that is not
-/// seen from any coarse direction ends it.
+/// Pixels of the NESTED sphere, level by level: from all 12·start² (start = 2^k) the children that promise most by what
+/// is known around them, and the best one's neighbours, down to those of 12·finest²; first for C1 anywhere and on the
+/// opposite side, then for C2 in C1's region. Tells what to measure next, so that who measures may pause in between;
+/// deterministic. A focus that is not seen from any coarse direction ends it.
 class Refinement {
  public:
   static constexpr std::size_t mostImages = 299;
@@ -26,7 +26,8 @@ class Refinement {
   const std::vector<glm::dvec3>& wanted() const { return wanted_; }
   /// What is wanted only leads the way to finer levels: images of half the width tell enough.
   bool isLeading() const { return !wantedPixels_.empty() && 4 * wantedPixels_.front().nside <= finest_; }
-  /// What wanted() asked for, in its order. Descriptors that depend on all candidates are those of the known ones.
+  /// What wanted() asked for, in its order. Descriptors that depend on all candidates are found for the known ones,
+  /// where they have a weight.
   void add(const std::vector<Candidate>& measured);
   /// Share of the images that it takes at most.
   double progress() const;
@@ -46,6 +47,12 @@ class Refinement {
   bool have(int nside, const std::vector<long>& pixels);
   /// Down to the finest level for C1 (no `c1`) or for C2; false when something is to be measured first.
   bool descend(const std::optional<glm::dvec3>& c1);
+  /// Of the children of a level's known pixels those that promise the best qualities.
+  std::vector<long> promising(int nside, const std::optional<glm::dvec3>& c1) const;
+  /// The quality that the coarser level lets expect of a pixel.
+  double promiseOf(Pixel pixel, const std::optional<glm::dvec3>& c1) const;
+  /// A pixel's middle; for C2 the place in the region that is nearest to it.
+  glm::dvec3 placeOf(Pixel pixel, const std::optional<glm::dvec3>& c1) const;
   bool climb(int nside, const std::optional<glm::dvec3>& c1);
   /// Known pixels of a level that see the focus, and for C2 may hold directions of the region: best first.
   std::vector<long> ranked(int nside, const std::optional<glm::dvec3>& c1) const;

@@ -9,26 +9,23 @@
 #include "lib/CandidateTiles.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(std430, binding = 4) writeonly buffer Hits { vec2 hits[]; };  // 64 a tile: depth seen from the front, from behind
+layout(std430, binding = 4) writeonly buffer Hits { vec2 hits[]; };  // a pixel's depth from the front, from behind
 
 void main() {
   uint tile = tileOfGroup();
   if (tile >= uint(tileCount)) return;
   uint view = tiles[tile].view;
-  vec2 position = imagePosition(vec2(tiles[tile].x, tiles[tile].y) + vec2(gl_LocalInvocationID.xy));
+  uint pixel = pixelOf(tile, ivec2(gl_LocalInvocationID.xy));
   vec2 depth = vec2(NONE);
-  Ray ray = candidateRay(view, position);
-  if (ray.sIn <= ray.sOut) {
-    float front = firstFocusHit(ray);
-    if (!isNone(front)) {
-      depth = vec2(0.5 + 0.5 * front / sphereRadius, 0.0);
-      if (views[view].right.w != 0.0) {
-        Ray opposite = reversed(ray);
-        float back = firstFocusHit(opposite);
-        // A ray that grazes may be met from one end alone; seen from the other, its point is where this end met it.
-        depth.y = isNone(back) ? 1.0 - depth.x : 0.5 + 0.5 * back / sphereRadius;
-      }
+  Ray ray = candidateRay(view, imagePosition(vec2(placeOf(pixel))));
+  float front = firstFocusHit(ray);
+  if (!isNone(front)) {
+    depth = vec2(0.5 + 0.5 * front / sphereRadius, 0.0);
+    if (views[view].right.w != 0.0) {
+      float back = firstFocusHit(reversed(ray));
+      // A ray that grazes may be met from one end alone; seen from the other, its point is where this end met it.
+      depth.y = isNone(back) ? 1.0 - depth.x : 0.5 + 0.5 * back / sphereRadius;
     }
   }
-  hits[64u * tile + gl_LocalInvocationIndex] = depth;
+  hits[pixel] = depth;
 }

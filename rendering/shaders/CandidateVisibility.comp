@@ -35,8 +35,8 @@ void main() {
     ray.direction = towards;
     ray.base = points[at.x].position.xyz + clearance * towards;
     ray.world = ray.worldBase = vec3(0.0);
-    clipToBox(ray, 0.0);
-    visible = ray.sIn > ray.sOut || isNone(firstFocusHit(ray)) ? 1u : 0u;
+    clipTo(ray, focusLower, focusUpper, 0.0);
+    visible = meetsFocus(ray) ? 0u : 1u;
   }
   imageStore(seen, at, uvec4(visible));
 }

@@ -26,6 +26,13 @@
 namespace fenestra::viewer {
 namespace {
 
+void useScratchSettings() {
+  QSettings::setDefaultFormat(QSettings::IniFormat);
+  QSettings::setPath(QSettings::IniFormat, QSettings::UserScope,
+                     QString::fromStdString(tests::scratchFolder().string()));
+  QCoreApplication::setOrganizationName(QStringLiteral("Fenestra tests"));
+}
+
 TEST_F(Window, ABrokenFileIsToldAndTheOldStudyStays) {
   const std::filesystem::path broken = tests::scratchFolder() / "broken.nii";
   std::ofstream(broken) << "not a volume";
@@ -86,10 +93,7 @@ TEST_F(Window, LabelsAreOpenedOverTheStudy) {
 }
 
 TEST_F(Window, RemembersLayoutAndRecentFilesOnlyWhenAsked) {
-  QSettings::setDefaultFormat(QSettings::IniFormat);
-  QSettings::setPath(QSettings::IniFormat, QSettings::UserScope,
-                     QString::fromStdString(tests::scratchFolder().string()));
-  QCoreApplication::setOrganizationName(QStringLiteral("Fenestra tests"));
+  useScratchSettings();
   const auto cutawayDock = [](MainWindow& window) {
     return window.findChild<QDockWidget*>(QStringLiteral("cutawayDock"));
   };
@@ -116,6 +120,21 @@ TEST_F(Window, RemembersLayoutAndRecentFilesOnlyWhenAsked) {
   MainWindow again(setup);
   again.show();
   EXPECT_FALSE(cutawayDock(again)->isVisible());
+}
+
+TEST_F(Window, RemembersHowTheUserPlacesCamerasNotHowASessionDoes) {
+  useScratchSettings();
+  QSettings().remove(QStringLiteral("placement"));
+  MainWindow window({.gl = {.problem = QStringLiteral("slices are enough here")}});
+  PlacementSettings settings;
+  settings.options.weights.coverage = 3.0;
+  window.placement().setSettings(settings);
+  EXPECT_EQ(Preferences().placement(), PlacementSettings());
+  window.findChild<CamerasPanel*>()->joint()->click();
+  PlacementSettings expected;
+  expected.joint = settings.joint = true;
+  EXPECT_EQ(Preferences().placement(), expected);
+  EXPECT_EQ(window.placement().settings(), settings);
 }
 
 TEST_F(Window, WarningsAreShownOnceEach) {

@@ -65,7 +65,6 @@ void PlacementController::setSettings(const PlacementSettings& settings) {
     choose(false, false);
   else if (measured() && settings.follow && !before.follow)
     follow();
-  Q_EMIT settingsChanged();
   Q_EMIT changed();
 }
 

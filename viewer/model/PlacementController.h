@@ -86,7 +86,6 @@ class PlacementController : public QObject {
  Q_SIGNALS:
   /// Settings, what is measured, the answer or the note.
   void changed();
-  void settingsChanged();
   void progressed(double fraction);
   /// Candidates were rendered.
   void measuredFocus();

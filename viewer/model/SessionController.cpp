@@ -23,16 +23,9 @@ namespace {
 namespace fs = std::filesystem;
 
 io::SessionPlacement sessionFrom(const PlacementSettings& settings) {
-  const placement::Weights& weights = settings.options.weights;
   return {.samples = settings.sampling.count,
           .refined = settings.sampling.refined,
-          .weights = {.visibility = weights.visibility,
-                      .coverage = weights.coverage,
-                      .location = weights.location,
-                      .entropy = weights.entropy,
-                      .mutualInformation = weights.mutualInformation,
-                      .stability = weights.stability,
-                      .orientation = weights.orientation},
+          .weights = settings.options.weights,
           .inStream = settings.options.region == placement::Region::Stream,
           .streamHalfWidth = settings.options.streamHalfWidth,
           .shareWeight = settings.options.shareWeight,
@@ -44,14 +37,7 @@ io::SessionPlacement sessionFrom(const PlacementSettings& settings) {
 PlacementSettings settingsFrom(const io::SessionPlacement& saved, PlacementSettings settings) {
   settings.sampling.count = saved.samples;
   settings.sampling.refined = saved.refined;
-  const io::SessionPlacement::Weights& weights = saved.weights;
-  settings.options.weights = {.visibility = weights.visibility,
-                              .coverage = weights.coverage,
-                              .location = weights.location,
-                              .entropy = weights.entropy,
-                              .mutualInformation = weights.mutualInformation,
-                              .stability = weights.stability,
-                              .orientation = weights.orientation};
+  settings.options.weights = saved.weights;
   settings.options.region = saved.inStream ? placement::Region::Stream : placement::Region::SemiSphere;
   settings.options.streamHalfWidth = saved.streamHalfWidth;
   settings.options.shareWeight = saved.shareWeight;

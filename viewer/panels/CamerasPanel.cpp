@@ -137,6 +137,7 @@ CamerasPanel::CamerasPanel(Document& document, ViewLink& cameras, PlacementContr
     PlacementSettings settings = placement_.settings();
     change(settings);
     placement_.setSettings(settings);
+    Q_EMIT edited(change);
   };
   connect(place_, &QPushButton::clicked, &placement, &PlacementController::place);
   connect(cancel_, &QPushButton::clicked, &placement, &PlacementController::cancel);

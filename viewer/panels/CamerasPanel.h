@@ -3,6 +3,7 @@
 // them.
 
 #include <array>
+#include <functional>
 #include <vector>
 
 #include <QCheckBox>
@@ -19,6 +20,7 @@ namespace fenestra::viewer {
 
 class Document;
 class PlacementController;
+struct PlacementSettings;
 class SliderSpin;
 class SphereMap;
 class ViewLink;
@@ -46,6 +48,10 @@ class CamerasPanel : public ScrollingPanel {
 
   /// Thumbnails are still to be drawn.
   bool isDrawing() const { return drawing_.isActive(); }
+
+ Q_SIGNALS:
+  /// The user changed this of the settings, here.
+  void edited(const std::function<void(PlacementSettings&)>& change);
 
  protected:
   void showEvent(QShowEvent* event) override;

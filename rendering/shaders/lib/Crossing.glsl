@@ -81,23 +81,39 @@ vec2 turningPoints(vec4 b) {
   return vec2(min(r1, r2), max(r1, r2));
 }
 
+// Whether the cubic leaves (low, high), and the monotone piece of it from `piece.x`, inside, to `piece.y`, outside, in
+// which it first does; both 0 when it starts outside.
+bool leaves(vec4 b, float low, float high, out vec2 piece) {
+  piece = vec2(0.0);
+  if (b.x <= low || b.x >= high) return true;
+  vec2 turns = turningPoints(b);
+  vec3 values = vec3(bernstein(b, turns.x), bernstein(b, turns.y), b.w);
+  bvec3 isOut = bvec3(uvec3(lessThanEqual(values, vec3(low))) | uvec3(greaterThanEqual(values, vec3(high))));
+  piece = isOut.x ? vec2(0.0, turns.x) : isOut.y ? turns : vec2(turns.y, 1.0);
+  return any(isOut);
+}
+
 // u in [0, 1] where the cubic first leaves (low, high); 2 when it never does.
 float firstExit(vec4 b, float low, float high) {
-  if (b.x <= low || b.x >= high) return 0.0;
-  vec2 turns = turningPoints(b);
-  float begin = 0.0, end = 2.0;
-  for (int i = 0; i < 3; ++i) {
-    float next = i < 2 ? turns[i] : 1.0, value = bernstein(b, next);
-    if (end <= 1.0) continue;
-    if (value <= low || value >= high) end = next;
-    else begin = next;
-  }
-  if (end > 1.0) return 2.0;
-  // Bisection in a monotone piece: 22 halvings of at most one cell, below float's own resolution of the position.
+  vec2 piece;
+  if (!leaves(b, low, high, piece)) return 2.0;
+  float end = bernstein(b, piece.y);
+  bool down = end <= low;
+  float level = down ? low : high;
+  // Newton's method from where a straight line would cross, kept inside what is left of the piece; it ends with a step
+  // below float's own resolution of most positions. Where it converges slowly, at an extremum, it halves its error.
+  float u = mix(piece.x, piece.y, clamp((b.x - level) / (b.x - end), 0.0, 1.0));
   for (int i = 0; i < 22; ++i) {
-    float middle = 0.5 * (begin + end), value = bernstein(b, middle);
-    if (value <= low || value >= high) end = middle;
-    else begin = middle;
+    vec3 c = mix(b.xyz, b.yzw, u);
+    vec2 d = mix(c.xy, c.yz, u);
+    float value = mix(d.x, d.y, u);
+    if (down ? value <= level : value >= level) piece.y = u;
+    else piece.x = u;
+    float next = u - (value - level) / (3.0 * (d.y - d.x));
+    if (!(next >= piece.x && next <= piece.y)) next = 0.5 * (piece.x + piece.y);
+    float moved = abs(next - u);
+    u = next;
+    if (moved < 1e-5) break;
   }
-  return end;
+  return u;
 }

@@ -34,7 +34,7 @@ float focusIndicator(uint corners, vec3 w) {
 #elif FOCUS_KIND == 2
 uniform float focusLow, focusHigh;  // stored values, closed interval
 
-// Values: one bit a cell, set when the cell belongs to a component that is kept.
+// Values: one bit a cell, set when it reaches into the range and belongs to a component that is kept.
 bool focusCellKept(uint slot, ivec3 cell) {
   if (slot < 2u) return slot == 1u;
   int bit = int(slot - 2u) * CELLS_PER_BRICK + cellInBrick(cell);

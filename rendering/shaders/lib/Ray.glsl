@@ -27,11 +27,10 @@ struct Ray {
   float sIn, sOut;  // inside the box and in front of the eye; sIn > sOut: the box is missed
 };
 
-// Fills in the inverse and the part of the ray inside the box, from s = sFirst on.
-void clipToBox(inout Ray ray, float sFirst) {
+// Fills in the inverse and the part of the ray inside a box of the cell frame, from s = sFirst on.
+void clipTo(inout Ray ray, vec3 lower, vec3 upper, float sFirst) {
   bvec3 parallel = lessThan(abs(ray.direction), vec3(1e-7 * length(ray.direction)));
   ray.inverse = mix(1.0 / ray.direction, vec3(0.0), parallel);
-  vec3 lower = vec3(0.5), upper = vec3(volumeDims) + 0.5;
   vec3 a = (lower - ray.base) * ray.inverse, b = (upper - ray.base) * ray.inverse;
   bvec3 outside = bvec3(uvec3(lessThan(ray.base, lower)) | uvec3(greaterThan(ray.base, upper)));
   vec3 near = mix(min(a, b), mix(vec3(-FAR), vec3(FAR), outside), parallel);
@@ -39,6 +38,8 @@ void clipToBox(inout Ray ray, float sFirst) {
   ray.sIn = max(max(near.x, near.y), max(near.z, sFirst));
   ray.sOut = min(far.x, min(far.y, far.z));
 }
+
+void clipToBox(inout Ray ray, float sFirst) { clipTo(ray, vec3(0.5), vec3(volumeDims) + 0.5, sFirst); }
 
 Ray pixelRay(ivec2 pixel) {
   vec2 ndc = 2.0 * (vec2(pixel) + 0.5) / vec2(pictureSize) - 1.0;

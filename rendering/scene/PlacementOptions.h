@@ -1,0 +1,32 @@
+#pragma once
+// How the best view and its complement are chosen: the user's weights, and where the second camera may be.
+
+#include <cstdint>
+
+namespace fenestra::placement {
+
+/// Quality = Σ weight · descriptor. The paper's depth term prefers views through more context when its weight is
+/// positive. The defaults are among those with which the pair sees most of the surface of the structures that
+/// tests/bench/results measures: a heavy depth weight of either sign draws both cameras to one side of the focus. What
+/// is left of it decides between opposite views, whose outlines are the same, for the nearer side: less is cut away. A
+/// little the other way C1 would see some more.
+struct Weights {
+  double visibility = -0.02, coverage = 16.0, location = 0.5;
+  double entropy = 0.0, mutualInformation = 0.0, stability = 0.0, orientation = 0.0;
+  bool operator==(const Weights&) const = default;
+};
+
+enum class Region : std::uint8_t {
+  Stream,      ///< the band |c·c1| ≤ sin δ
+  SemiSphere,  ///< the half sphere c·a ≥ 0 around C1's right axis a, without the caps within 45° of ±c1
+};
+
+struct Options {
+  Weights weights;
+  Region region = Region::SemiSphere;
+  double streamHalfWidth = 15.0;  ///< δ, degrees
+  double shareWeight = 1.0;       ///< joint search: 1 for the share of the surface alone, 0 for the mean quality alone
+  bool operator==(const Options&) const = default;
+};
+
+}  // namespace fenestra::placement
