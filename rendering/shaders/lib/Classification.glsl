@@ -62,7 +62,7 @@ vec4 focusMaterial(vec3 at) {
 #endif
 
 // (1 - exp(-x)) / x, by its series where the difference would cancel.
-float relativeOpacity(float x) { return x < 1e-2 ? 1.0 - x * (0.5 - x / 6.0) : (1.0 - exp(-x)) / x; }
+float relativeOpacity(float x) { return x < 1e-2 ? 1.0 - x * (0.5 - x * (1.0 / 6.0)) : (1.0 - exp(-x)) / x; }
 
 // Premultiplied colour and opacity of a piece of ray of one material. Shaded colour = colour · light.x + light.y.
 vec4 pieceOf(vec4 material, float lengthOfPiece, vec2 light) {

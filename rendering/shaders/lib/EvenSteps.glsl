@@ -13,27 +13,32 @@ bool inFocus(uint slot, ivec3 cell, vec3 position, float stored) {
 }
 #endif
 
+// Loops here are left at their ends: where rays that run side by side share their instructions, a loop left earlier
+// runs to its end all the same, for nobody.
 vec4 integrate(Ray ray, float start, Cut cut) {
   vec4 result = vec4(0.0);
   vec3 perCell = 1.0 / vec3(volumeDims);
-  int count = int(ceil((ray.sOut - start) / stepLength - 0.5));
-  for (int k = 0; k < count;) {
-    vec3 position = cellPosition(ray, start + (float(k) + 0.5) * stepLength);
-    ivec3 brick = clamp(ivec3(position), ivec3(0), volumeDims) >> 3;
-    int empty = int(texelFetch(occupiedSkip, brick, 0).r);
-    int reach = max(empty, 1);
-    int axis;
-    float leave = blockExit(ray, (brick - (reach - 1)) * 8, (brick + reach) * 8, axis);
-    // Samples keep their places whatever is skipped, so that skipping never changes the picture.
-    int kEnd = clamp(int(ceil((leave - start) / stepLength - 0.5)), k + 1, count);
-    if (empty > 0) {
-      k = kEnd;
-      continue;
-    }
+  int count = int(ceil((ray.sOut - start) / stepLength - 0.5)), k = 0;
+  if (count <= 0) return result;
+  do {
+    // To the next brick that shows something, and the sample behind its last one.
+    ivec3 brick;
+    int empty, kEnd;
+    do {
+      brick = clamp(ivec3(cellPosition(ray, start + (float(k) + 0.5) * stepLength)), ivec3(0), volumeDims) >> 3;
+      empty = int(texelFetch(occupiedSkip, brick, 0).r);
+      int reach = max(empty, 1);
+      int axis;
+      float leave = blockExit(ray, (brick - (reach - 1)) * 8, (brick + reach) * 8, axis);
+      // Samples keep their places whatever is skipped, so that skipping never changes the picture.
+      kEnd = clamp(int(ceil((leave - start) / stepLength - 0.5)), k + 1, count);
+      if (empty > 0) k = kEnd;
+    } while (empty > 0 && k < count);
+    if (k == count) break;
 #if FOCUS_KIND != 0
     uint slot = texelFetch(focusBricks, brick, 0).r;
 #endif
-    for (; k < kEnd; ++k) {
+    do {
       float s = start + (float(k) + 0.5) * stepLength;
       vec3 at = cellPosition(ray, s);
       float stored = texture(volumeTexture, (at - 0.5) * perCell).r * texelScale;
@@ -47,14 +52,15 @@ vec4 integrate(Ray ray, float start, Cut cut) {
       else
 #endif
         material = materialAt(stored * transferMap.x + transferMap.y);
-      if (material.a <= 0.0) continue;
-      vec2 light = vec2(1.0, 0.0);
+      if (material.a > 0.0) {
+        vec2 light = vec2(1.0, 0.0);
 #if SHADING
-      light = behindCut(lightAt(at, ray.world, focus), cut, s);
+        light = behindCut(lightAt(at, ray.world, focus), cut, s);
 #endif
-      result += (1.0 - result.a) * pieceOf(material, stepLength, light);
-      if (1.0 - result.a < leastTransmittance) return result;
-    }
-  }
+        result += (1.0 - result.a) * pieceOf(material, stepLength, light);
+      }
+      ++k;
+    } while (k < kEnd && 1.0 - result.a >= leastTransmittance);
+  } while (k < count && 1.0 - result.a >= leastTransmittance);
   return result;
 }

@@ -59,16 +59,18 @@ float firstHit(const bool focus, const bool exact, Ray ray, float sBegin, float 
   float s = sBegin;
   // A ray meets at most the sum of the three sides in cells, and as many bricks on top.
   int left = 2 * (volumeDims.x + volumeDims.y + volumeDims.z + 3);
-  // Rays that run side by side do so in step: what costs more waits, loop by loop, until all of them need it.
-  while (left > 0) {
+  // Rays that run side by side do so in step: what costs more waits, loop by loop, until all of them need it, and loops
+  // are left at their ends, since one left earlier runs to its end all the same, for nobody.
+  float hit = NONE;
+  do {
     // To the next cell whose hull reaches out of the gap.
     bool candidate = false;
     vec4 along = vec4(0.0);
     float sFrom = s;
-    while (!candidate && left > 0) {
+    do {
       // To the next cell that may hold any of it.
       bool found = false;
-      while (left > 0) {
+      do {
         ivec3 brick = cell >> 3;
 #if FOCUS_KIND != 0
         int empty = int(focus ? texelFetch(focusSkip, brick, 0).r : texelFetch(contextSkip, brick, 0).r);
@@ -77,11 +79,12 @@ float firstHit(const bool focus, const bool exact, Ray ray, float sBegin, float 
         int empty = int(texelFetch(contextSkip, brick, 0).r);
         found = empty == 0;
 #endif
-        if (found) break;
-        ivec3 lower = empty > 0 ? (brick - (empty - 1)) * 8 : cell;
-        ivec3 upper = empty > 0 ? (brick + empty) * 8 : cell + 1;
-        left = leaveBlock(ray, lower, upper, sEnd, cell, s) ? left - 1 : 0;
-      }
+        if (!found) {
+          ivec3 lower = empty > 0 ? (brick - (empty - 1)) * 8 : cell;
+          ivec3 upper = empty > 0 ? (brick + empty) * 8 : cell + 1;
+          left = leaveBlock(ray, lower, upper, sEnd, cell, s) ? left - 1 : 0;
+        }
+      } while (!found && left > 0);
       if (found) {
         ivec3 held = cell;
         sFrom = s;
@@ -89,13 +92,13 @@ float firstHit(const bool focus, const bool exact, Ray ray, float sBegin, float 
         along = fieldAlong(focus, ray, held, sFrom, min(s, sEnd), gap);
         candidate = leavesHull(along, gap.x, gap.y);
       }
-    }
-    if (!candidate) return NONE;
+    } while (!candidate && left > 0);
     vec2 piece;
-    float u = exact ? firstExit(along, gap.x, gap.y) : leaves(along, gap.x, gap.y, piece) ? 0.0 : 2.0;
-    if (u <= 1.0) return mix(sFrom, min(s, sEnd), u);
-  }
-  return NONE;
+    float u = 2.0;
+    if (candidate) u = exact ? firstExit(along, gap.x, gap.y) : leaves(along, gap.x, gap.y, piece) ? 0.0 : 2.0;
+    if (u <= 1.0) hit = mix(sFrom, min(s, sEnd), u);
+  } while (isNone(hit) && left > 0);
+  return hit;
 }
 
 #if FOCUS_KIND != 0
