@@ -29,11 +29,11 @@ Measured measure(Renderer& renderer, const Measurable& what, const Setting& sett
   View view;
   view.quality = setting.quality;
   view.maxError = setting.maxError;
-  // A small picture uploads and compiles what this setting needs.
-  view.camera = what.cameras.front();
-  view.size = glm::min(options.views.size, 64);
-  timed([&] { renderer.render(what.scene, view); });
   view.size = options.views.size;
+  // A picture from elsewhere uploads, allocates and compiles what this setting needs, as the peers' first one does. One
+  // of another size would not do: llvmpipe compiles apart for sizes that are powers of two.
+  view.camera = cameraPath(what.scene, 2 * options.views.cameras).back();
+  timed([&] { renderer.render(what.scene, view); });
   Measured result;
   for (std::size_t i = 0; i < what.cameras.size(); ++i) {
     view.camera = what.cameras[i];
