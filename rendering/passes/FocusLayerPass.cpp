@@ -34,6 +34,7 @@ void FocusLayerPass::run(const GpuScene& gpu, const Scene& scene, const RayFrame
                                               {"SHADING", shading},
                                               {"FOCUS_PALETTE", palette},
                                               {"HAS_RAY_START", opening.has_value()},
+                                              {"HAS_PREVIOUS_START", opening && opening->previousStart},
                                               {"CELL_BY_CELL", sampling.maxError.has_value()},
                                               {"FINE", sampling.maxError && *sampling.maxError < coarseBound},
                                               {"TABLE_SIZE", GpuScene::tableSize}});
@@ -55,6 +56,7 @@ void FocusLayerPass::run(const GpuScene& gpu, const Scene& scene, const RayFrame
   if (opening) {
     bindTexture(program, "rayStart", unit++, opening->rayStart);
     bindTexture(program, "hitPoints", unit++, opening->hitPoints);
+    if (opening->previousStart) bindTexture(program, "previousStart", unit++, *opening->previousStart);
     const glm::dvec3 spacing = gpu.grid().spacing;
     program.set("wallDepth",
                 static_cast<float>(lighting::wallDepthVoxels * std::min({spacing.x, spacing.y, spacing.z})));

@@ -17,6 +17,9 @@ class FocusLayerPass {
   struct Opening {
     const gl::Texture& hitPoints;
     const gl::Texture& rayStart;
+    /// That `focusLayer` was drawn for last, all else being the same, or null: pixels whose start is as before are
+    /// kept.
+    const gl::Texture* previousStart = nullptr;
   };
   struct Sampling {
     double step = 1.0;               ///< mm between samples, where no bound is set

@@ -30,6 +30,7 @@ class Memo {
     ++version_;
   }
   void forget() { key_.reset(); }
+  const std::optional<Key>& key() const { return key_; }  ///< of the last run, unless forgotten
   std::uint64_t version() const { return version_; }
 
  private:
@@ -131,6 +132,8 @@ struct Renderer::State {
 
   gl::Texture hitPoints, focusFilled, distances, editMap, rayStart, focusLayer, contextLayer, silhouette, picture;
   gl::Texture pickedHit;
+  /// The ray starts that the focus layer was last drawn for, while the opening moves and nothing else does.
+  gl::Texture previousStart;
 
   Memo<HitKey> hits;
   Memo<FillKey> fill;
@@ -241,6 +244,8 @@ void Renderer::render(const Scene& scene, const View& view) {
   const std::vector<gl::Region> changed =
       before ? changedRegions(*before, strokes, view.size, FocusLayerPass::reach) : std::vector<gl::Region>();
 
+  const std::uint64_t startBefore = s.start.version();
+  bool openingMoved = false;
   if (cutaway) {
     s.runIfStale(Pass::HitPoints, s.hits, HitKey{version.volume, version.focus, version.gaps, view.camera, view.size},
                  {}, [&](Regions) { s.hitPointPass.run(gpu, rays, sized(s.hitPoints, gl::Format::RG32F, view.size)); });
@@ -258,13 +263,19 @@ void Renderer::render(const Scene& scene, const View& view) {
       s.runIfStale(Pass::EditMap, s.edits, startKey, changed, [&](Regions regions) {
         s.editMapPass.run(rays, inputs, strokes, regions, sized(s.editMap, gl::Format::RG32F, view.size));
       });
+    openingMoved = s.start.isStale(startKey) && s.start.key() && s.start.key()->hits == startKey.hits;
+    if (openingMoved)
+      std::swap(s.rayStart, s.previousStart);
+    else
+      s.previousStart = {};
     s.runIfStale(Pass::RayStart, s.start, startKey, changed, [&](Regions regions) {
       s.rayStartPass.run(rays, inputs, s.editMap ? &s.editMap : nullptr, regions,
                          sized(s.rayStart, gl::Format::R32F, view.size));
     });
   } else {
     // A plain volume rendering keeps none of the cutaway's images.
-    for (gl::Texture* texture : {&s.hitPoints, &s.focusFilled, &s.distances, &s.rayStart}) *texture = {};
+    for (gl::Texture* texture : {&s.hitPoints, &s.focusFilled, &s.distances, &s.rayStart, &s.previousStart})
+      *texture = {};
     s.pullPushPass.release();
     s.distanceMapPass.release();
     s.releaseEdits();
@@ -286,9 +297,13 @@ void Renderer::render(const Scene& scene, const View& view) {
                                view.camera,
                                view.size,
                                sampling};
+  // Where nothing but the opening moved, the rays that start where they did show what they did.
+  FocusLayerKey keyBefore = focusKey;
+  keyBefore.rayStart = startBefore;
+  const gl::Texture* previousStart = openingMoved && !s.focus.isStale(keyBefore) ? &s.previousStart : nullptr;
   s.runIfStale(Pass::FocusLayer, s.focus, focusKey, changed, [&](Regions regions) {
     std::optional<FocusLayerPass::Opening> opening;
-    if (cutaway) opening.emplace(FocusLayerPass::Opening{s.hitPoints, s.rayStart});
+    if (cutaway) opening.emplace(FocusLayerPass::Opening{s.hitPoints, s.rayStart, previousStart});
     s.focusLayerPass.run(gpu, scene, rays, opening, sampling, regions,
                          sized(s.focusLayer, gl::Format::RGBA32F, view.size));
   });
@@ -451,8 +466,9 @@ const std::array<PassStats, passCount>& Renderer::stats() const { return state_-
 std::size_t Renderer::imageBytes() const {
   const State& s = *state_;
   std::size_t sum = s.pullPushPass.bytes() + s.distanceMapPass.bytes() + s.editMapPass.bytes();
-  for (const gl::Texture* texture : {&s.hitPoints, &s.focusFilled, &s.distances, &s.editMap, &s.rayStart, &s.focusLayer,
-                                     &s.contextLayer, &s.silhouette, &s.picture, &s.pickedHit})
+  for (const gl::Texture* texture :
+       {&s.hitPoints, &s.focusFilled, &s.distances, &s.editMap, &s.rayStart, &s.previousStart, &s.focusLayer,
+        &s.contextLayer, &s.silhouette, &s.picture, &s.pickedHit})
     if (*texture) sum += texture->bytes();
   return sum;
 }

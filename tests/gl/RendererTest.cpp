@@ -97,6 +97,30 @@ TEST_F(Passes, SameAnswerWhetherPassesWereReusedOrNot) {
   }
 }
 
+TEST_F(Passes, MovingTheOpeningKeepsOnlyWhatStaysTheSame) {
+  for (const bool shading : {true, false}) {
+    Scene scene = ballScene();
+    scene.shading.enabled = shading;
+    const View view = viewOf(scene);
+    Renderer reused(std::make_shared<GpuScene>());
+    reused.render(scene, view);
+    const std::size_t still = reused.imageBytes();
+    // Wider, narrower, closed, beyond the distance map's first range, and together with something else.
+    for (const double width : {14.0, 6.0, 0.0, 8.0, 90.0, 12.0}) {
+      scene.cutaway.openWidth = width;
+      if (width == 12.0) scene.focusAppearance.extinction *= 0.5;
+      reused.render(scene, view);
+      Renderer fresh(std::make_shared<GpuScene>());
+      fresh.render(scene, view);
+      EXPECT_EQ(reused.readLayers().focusLayer, fresh.readLayers().focusLayer) << width;
+      EXPECT_EQ(reused.readPicture(), fresh.readPicture()) << width;
+    }
+    scene.background = glm::dvec3(0.5);
+    reused.render(scene, view);
+    EXPECT_EQ(reused.imageBytes(), still) << "what a moving opening needs is given back";
+  }
+}
+
 TEST_F(Passes, TwoRenderersShareOneScene) {
   const Scene scene = ballScene();
   const auto gpu = std::make_shared<GpuScene>();
