@@ -28,7 +28,34 @@ const float focusWidth = FAR;
 float focusWidth = focusHigh - focusLow;
 #endif
 
-// False where nothing shows. `f`: the cell's corners.
+// The corners of the cells along a ray are kept in a frame turned so that it runs upwards along every axis: then a step
+// along an axis leaves a cell by its upper face, whose corners are the next cell's lower ones.
+ivec3 turned(Ray ray) { return ivec3(lessThanEqual(ray.direction, vec3(0.0))); }
+
+void stepInto(Ray ray, ivec3 cell, int axis, inout float f[8]) {
+  // Of the upper corners, 7 is one for each axis.
+  int upper[4] = int[4](1 << axis, axis < 2 ? 3 : 5, axis < 1 ? 5 : 6, 7);
+  float g[4];
+  for (int j = 0; j < 4; ++j)
+    g[j] = storedAt(cell - 1 + (cornerOf(upper[j]) ^ turned(ray)));
+  bool x = axis == 0, y = axis == 1, z = axis == 2;
+  f = float[8](x ? f[1] : y ? f[2] : f[4], x ? g[0] : y ? f[3] : f[5], x ? f[3] : y ? g[0] : f[6], z ? f[7] : g[1],
+               x ? f[5] : y ? f[6] : g[0], x ? g[2] : y ? f[7] : g[1], x ? f[7] : g[2], g[3]);
+}
+
+// Where a ray comes from that enters a cell along `axis`.
+ivec3 cellBefore(Ray ray, ivec3 cell, int axis) {
+  cell[axis] -= ray.direction[axis] > 0.0 ? 1 : -1;
+  return cell;
+}
+
+// `a` and `b`: ends within the cell, not turned.
+vec4 bernsteinTurned(Ray ray, float f[8], vec3 a, vec3 b) {
+  bvec3 downwards = bvec3(turned(ray));
+  return bernsteinAlong(f, mix(a, 1.0 - a, downwards), mix(b, 1.0 - b, downwards));
+}
+
+// False where nothing shows. `f`: the cell's corners, turned.
 bool lookInto(Ray ray, ivec3 cell, float s, float sNext, float f[8], out CellPath path) {
   path.cell = cell;
   path.sFrom = s;
