@@ -20,6 +20,11 @@ std::size_t brickOffset(glm::ivec3 bricks, glm::ivec3 brick) {
                                                static_cast<std::size_t>(bricks.y) * static_cast<std::size_t>(brick.z));
 }
 
+std::size_t cellInBrick(glm::ivec3 cell) {
+  const glm::ivec3 local = cell % brickSide;
+  return static_cast<std::size_t>(local.x + brickSide * (local.y + brickSide * local.z));
+}
+
 BrickRanges brickRanges(const Volume& volume) {
   const glm::ivec3 dims = volume.grid.dims;
   BrickRanges result;
@@ -38,13 +43,15 @@ BrickRanges brickRanges(const Volume& volume) {
         for (int by = 0; by < result.dims.y; ++by) {
           std::fill(least.begin(), least.end(), std::numeric_limits<T>::max());
           std::fill(greatest.begin(), greatest.end(), std::numeric_limits<T>::lowest());
-          // Corners of cells 8b … 8b+7 are voxels 8b-1 … 8b+7, clamped to the volume.
-          for (int z = std::max(bz * brickSide - 1, 0); z <= std::min(bz * brickSide + 7, dims.z - 1); ++z)
-            for (int y = std::max(by * brickSide - 1, 0); y <= std::min(by * brickSide + 7, dims.y - 1); ++y) {
+          // Corners of a brick's cells are the voxels from one before them on, clamped to the volume.
+          for (int z = std::max(bz * brickSide - 1, 0); z <= std::min(bz * brickSide + brickSide - 1, dims.z - 1); ++z)
+            for (int y = std::max(by * brickSide - 1, 0); y <= std::min(by * brickSide + brickSide - 1, dims.y - 1);
+                 ++y) {
               const T* row = scalars.data() + volume.grid.offset({0, y, z});
               for (int bx = 0; bx < result.dims.x; ++bx) {
                 T minimum = least[static_cast<std::size_t>(bx)], maximum = greatest[static_cast<std::size_t>(bx)];
-                for (int x = std::max(bx * brickSide - 1, 0); x <= std::min(bx * brickSide + 7, dims.x - 1); ++x) {
+                for (int x = std::max(bx * brickSide - 1, 0); x <= std::min(bx * brickSide + brickSide - 1, dims.x - 1);
+                     ++x) {
                   T scalar = row[x];
                   if constexpr (std::is_floating_point_v<T>)
                     scalar = std::isnan(scalar) ? standIn : std::clamp(scalar, lowest, highest);

@@ -24,7 +24,7 @@ void CompositePass::run(const Inputs& inputs, const Scene& scene, std::span<cons
     program.set("contextColour", glm::vec3(look.colour));
     program.set("contextWeights", glm::vec3(look.strength, look.curvatureWeight, look.silhouetteWeight));
     program.set("contextShade", glm::vec2(look.illuminationWeight, look.valueWeight));
-    bindTexture(program, "transferTable", 6, inputs.gpu->transferTable());
+    bindImage(program, "transferTables", 1, inputs.gpu->transferTables());
     program.set("transferMap", inputs.gpu->transferMap());
     // Curvature times the scale of the derivatives has no dimension.
     program.set("curvatureScale", static_cast<float>(inputs.gpu->derivative().spacing));

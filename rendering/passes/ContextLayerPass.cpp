@@ -8,12 +8,14 @@ namespace fenestra {
 
 void ContextLayerPass::run(const GpuScene& gpu, const Shading& shading, const RayFrame& rays,
                            const gl::Texture& hitPoints, gl::Texture& contextLayer, gl::Texture& silhouette) {
-  gl::ShaderProgram& program = programs_.get();
+  gl::ShaderProgram& program =
+      programs_.get({volumeDefine(gpu),
+                     {"DERIVATIVE_BYTES", static_cast<int>(gl::bytesPerTexel(gpu.derivative().texture.format()))}});
   rays.setUniforms(program);
   bindVolume(gpu, program);
-  bindTexture(program, "hitPoints", firstFreeUnit, hitPoints);
+  bindTexture(program, "hitPoints", 0, hitPoints);
   const DerivativeVolume& derivative = gpu.derivative();
-  bindTexture(program, "derivativeVolume", firstFreeUnit + 1, derivative.texture);
+  bindImage(program, "derivativeVolume", firstFreeImage, derivative.texture);
   const glm::dvec3 factor(derivative.factor);
   program.set("derivativeFactor", glm::vec3(factor));
   program.set("derivativeScale", static_cast<float>(derivative.texelScale * gpu.volume().slope));

@@ -12,12 +12,6 @@
 namespace fenestra {
 namespace {
 
-constexpr std::size_t cellsPerBrick = brickSide * brickSide * brickSide;
-
-std::size_t cellInBrick(glm::ivec3 cell) {
-  return static_cast<std::size_t>((cell.x & 7) + 8 * ((cell.y & 7) + 8 * (cell.z & 7)));
-}
-
 // --- labels ---------------------------------------------------------------------------------------------------------
 
 template <class T>
@@ -54,15 +48,16 @@ void indexLabels(FocusIndex& index, std::span<const T> labels, const Grid& grid,
   const glm::ivec3 firstBrick = index.box->low / brickSide;
   const glm::ivec3 lastBrick = glm::min((index.box->high + 1) / brickSide, index.bricks - 1);
   std::array<std::uint8_t, cellsPerBrick> masks{};
-  std::array<std::uint8_t, 9 * 9 * 9> inside{};
+  constexpr int corners = brickSide + 1;
+  std::array<std::uint8_t, static_cast<std::size_t>(corners * corners * corners)> inside{};
   for (int bz = firstBrick.z; bz <= lastBrick.z; ++bz)
     for (int by = firstBrick.y; by <= lastBrick.y; ++by)
       for (int bx = firstBrick.x; bx <= lastBrick.x; ++bx) {
         const glm::ivec3 base = glm::ivec3(bx, by, bz) * brickSide - 1;  // index of the brick's first corner
         bool any = false, all = true;
-        for (int z = 0, at = 0; z < 9; ++z)
-          for (int y = 0; y < 9; ++y)
-            for (int x = 0; x < 9; ++x, ++at) {
+        for (int z = 0, at = 0; z < corners; ++z)
+          for (int y = 0; y < corners; ++y)
+            for (int x = 0; x < corners; ++x, ++at) {
               const glm::ivec3 voxel = glm::clamp(base + glm::ivec3(x, y, z), glm::ivec3(0), grid.dims - 1);
               const std::uint8_t in = wanted[labels[grid.offset(voxel)]];
               inside[static_cast<std::size_t>(at)] = in;
@@ -75,12 +70,13 @@ void indexLabels(FocusIndex& index, std::span<const T> labels, const Grid& grid,
           slot = 1;
           continue;
         }
-        for (int z = 0; z < 8; ++z)
-          for (int y = 0; y < 8; ++y)
-            for (int x = 0; x < 8; ++x) {
+        for (int z = 0; z < brickSide; ++z)
+          for (int y = 0; y < brickSide; ++y)
+            for (int x = 0; x < brickSide; ++x) {
               unsigned mask = 0;
               for (int corner = 0; corner < 8; ++corner) {
-                const int at = (x + (corner & 1)) + 9 * ((y + ((corner >> 1) & 1)) + 9 * (z + (corner >> 2)));
+                const int at =
+                    (x + (corner & 1)) + corners * ((y + ((corner >> 1) & 1)) + corners * (z + (corner >> 2)));
                 mask |= static_cast<unsigned>(inside[static_cast<std::size_t>(at)]) << corner;
               }
               masks[cellInBrick({x, y, z})] = static_cast<std::uint8_t>(mask);

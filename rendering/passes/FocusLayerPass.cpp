@@ -30,7 +30,8 @@ void FocusLayerPass::run(const GpuScene& gpu, const Scene& scene, const RayFrame
                          std::span<const gl::Region> regions, gl::Texture& focusLayer) {
   const bool shading = scene.shading.enabled;
   const bool palette = static_cast<bool>(gpu.focusPaletteIndex());
-  gl::ShaderProgram& program = programs_.get({focusDefine(gpu),
+  gl::ShaderProgram& program = programs_.get({volumeDefine(gpu),
+                                              focusDefine(gpu),
                                               {"SHADING", shading},
                                               {"FOCUS_PALETTE", palette},
                                               {"HAS_RAY_START", opening.has_value()},
@@ -41,11 +42,10 @@ void FocusLayerPass::run(const GpuScene& gpu, const Scene& scene, const RayFrame
   rays.setUniforms(program);
   bindVolume(gpu, program);
   bindFocus(gpu, program);
-  unsigned unit = firstFreeUnit;
-  bindTexture(program, "occupiedSkip", unit++, gpu.occupiedSkip());
-  bindTexture(program, "transferTable", unit++, gpu.transferTable());
-  bindTexture(program, "transferIntegral", unit++, gpu.transferIntegral());
-  if (sampling.maxError) bindTexture(program, "transferHidden", unit++, gpu.transferHidden());
+  unsigned image = firstFreeImage, unit = 0;
+  bindImage(program, "occupiedSkip", image++, gpu.occupiedSkip());
+  bindImage(program, "transferTables", image++, gpu.transferTables());
+  bindTexture(program, "volumeTexture", unit++, gpu.volume().texture);
   program.set("transferMap", gpu.transferMap());
   program.set("firstMaterial", gpu.firstMaterial());
   program.set("lastMaterial", gpu.lastMaterial());
@@ -72,11 +72,13 @@ void FocusLayerPass::run(const GpuScene& gpu, const Scene& scene, const RayFrame
   setLight(program, rays.axes(), scene.shading);
   if (shading) {
     bindTexture(program, "gradientTexture", unit++, gpu.gradient());
+    if (sampling.maxError) bindImage(program, "gradientTexels", image++, gpu.gradient());
     program.set("gradientOrigin", glm::vec3(gpu.gradientOrigin()) + 0.5f);
     program.set("certainLength", static_cast<float>(lighting::certainLength));
     program.set("meanIncidence", static_cast<float>(lighting::meanIncidence));
     if (gpu.focusSmooth()) {
       bindTexture(program, "focusSmooth", unit++, gpu.focusSmooth());
+      if (sampling.maxError) bindImage(program, "focusSmoothTexels", image++, gpu.focusSmooth());
       // A texel spans half a voxel around its centre, and the cell frame is index + 1.
       program.set("focusSmoothOrigin", glm::vec3(gpu.focusSmoothOrigin()) + 0.5f);
       program.set("worldFromIndexGradient", glm::mat3(glm::transpose(glm::dmat3(gpu.grid().indexFromWorld()))));

@@ -34,7 +34,7 @@ struct TransferTables {
   }
 };
 
-TransferTables transferTables(const TransferFunction& function, ValueRange span, int size) {
+TransferTables makeTransferTables(const TransferFunction& function, ValueRange span, int size) {
   const auto emission = [](const OpticalProperties& p) { return glm::dvec4(p.colour * p.extinction, p.extinction); };
   const double perEntry = (span.high - span.low) / (size - 1);
   const auto at = [&](double value) { return emission(function.evaluate(value)); };
@@ -308,12 +308,12 @@ void GpuScene::updateTransfer(const Scene& scene) {
   ValueRange span =
       context_.nodes.empty() ? volume_->range : ValueRange{context_.nodes.front().value, context_.nodes.back().value};
   if (!(span.high > span.low)) span = {span.low - 0.5, span.low + 0.5};
-  const TransferTables tables = transferTables(context_, span, tableSize);
-  for (gl::Texture* texture : {&transferTable_, &transferIntegral_, &transferHidden_})
-    if (!*texture) *texture = gl::Texture::make2D(gl::Format::RGBA32F, {tableSize, 1});
-  transferTable_.upload(std::span<const glm::vec4>(tables.properties));
-  transferIntegral_.upload(std::span<const glm::vec4>(tables.integrals));
-  transferHidden_.upload(std::span<const glm::vec4>(tables.hidden));
+  const TransferTables tables = makeTransferTables(context_, span, tableSize);
+  if (!transferTables_) transferTables_ = gl::Texture::make2D(gl::Format::RGBA32F, {tableSize, 3});
+  std::vector<glm::vec4> rows;
+  for (const auto* row : {&tables.properties, &tables.integrals, &tables.hidden})
+    rows.insert(rows.end(), row->begin(), row->end());
+  transferTables_.upload(std::span<const glm::vec4>(rows));
   firstMaterial_ = tables.properties.front();
   lastMaterial_ = tables.properties.back();
   visibleEntries_ = tables.visible();
@@ -348,7 +348,7 @@ std::vector<GpuScene::Resource> GpuScene::resources() const {
   add("volume", of(volumeTexture_.texture));
   add("gradient", of(gradient_));
   add("derivative volume", of(derivative_.texture));
-  add("transfer tables", of(transferTable_) + of(transferIntegral_) + of(transferHidden_));
+  add("transfer tables", of(transferTables_));
   add("empty-space skipping", of(contextSkip_) + of(occupiedSkip_) + of(focusSkip_));
   add("focus index", of(focusBricks_) + focusCells_.bytes());
   add("focus palette", of(focusPaletteIndex_) + of(focusPalette_));

@@ -43,13 +43,11 @@ class GpuScene {
   /// Transparent gaps of the context in coded values, clipped to float's range: gapCount() vec2.
   const gl::Buffer& gaps() const { return gapBuffer_; }
   int gapCount() const { return static_cast<int>(gaps_.size()); }
-  /// Emission (colour · extinction) and extinction (1/mm), tableSize entries, and their integrals from the first entry
-  /// on (entries/mm); entry = coded value · map.x + map.y.
+  /// Rows of tableSize entries: emission (colour · extinction) and extinction (1/mm); their integrals from the first
+  /// entry on (entries/mm); the integral of emission times that of extinction up to there: what a stretch of values
+  /// hides of itself. Entry = coded value · map.x + map.y.
   static constexpr int tableSize = 16384;
-  const gl::Texture& transferTable() const { return transferTable_; }
-  const gl::Texture& transferIntegral() const { return transferIntegral_; }
-  /// Integral of emission times that of extinction up to there: what a stretch of values hides of itself.
-  const gl::Texture& transferHidden() const { return transferHidden_; }
+  const gl::Texture& transferTables() const { return transferTables_; }
   glm::vec2 transferMap() const { return transferMap_; }
   glm::vec4 firstMaterial() const { return firstMaterial_; }  ///< the tables' first entry
   glm::vec4 lastMaterial() const { return lastMaterial_; }
@@ -99,7 +97,7 @@ class GpuScene {
 
   std::vector<glm::vec2> gaps_;
   gl::Buffer gapBuffer_;
-  gl::Texture transferTable_, transferIntegral_, transferHidden_;
+  gl::Texture transferTables_;
   glm::vec2 transferMap_{0.0f}, visibleEntries_{0.0f};
   glm::vec4 firstMaterial_{0.0f}, lastMaterial_{0.0f};
   std::vector<std::uint8_t> contextOccupied_;  ///< per brick

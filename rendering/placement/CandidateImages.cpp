@@ -181,6 +181,7 @@ void CandidateImages::measureImages(const GpuScene& gpu, std::vector<Candidate>&
       setSphere(gpu, program);
       bindVolume(gpu, program);
       bindFocus(gpu, program);
+      bindImage(program, "focusSkip", firstFreeImage, gpu.focusSkip());
       viewList.bind(viewsBlock);
       tileList.bind(tilesBlock);
       hits.bind(hitsBlock);
@@ -193,11 +194,12 @@ void CandidateImages::measureImages(const GpuScene& gpu, std::vector<Candidate>&
       program.dispatch(groups, {1, 1});
     };
     const glm::ivec2 groupPerTile = groupsFor(tiles.size());
-    dispatch(hits_.get({focusDefine(gpu)}), groupPerTile);
+    dispatch(hits_.get({volumeDefine(gpu), focusDefine(gpu)}), groupPerTile);
     dispatch(edges_.get(), groupPerTile);
     unsigned count = 0;
     crossed.read(std::as_writable_bytes(std::span(&count, 1)));
-    dispatch(outlines_.get({focusDefine(gpu)}), groupsFor((count + pixelsPerTile - 1) / pixelsPerTile));
+    dispatch(outlines_.get({volumeDefine(gpu), focusDefine(gpu)}),
+             groupsFor((count + pixelsPerTile - 1) / pixelsPerTile));
     dispatch(areas_.get(), groupsFor((tiles.size() + tileSide - 1) / tileSide));
 
     std::vector<Sums> totals(ranges.size());
@@ -242,10 +244,11 @@ void CandidateImages::measureVisibility(const GpuScene& gpu, const FocusSurface&
   }
   std::vector<View> views;
   for (const Candidate& candidate : candidates) views.push_back(viewOf(grid, candidate.direction, false));
-  gl::ShaderProgram& program = visibility_.get({focusDefine(gpu)});
+  gl::ShaderProgram& program = visibility_.get({volumeDefine(gpu), focusDefine(gpu)});
   setSphere(gpu, program);
   bindVolume(gpu, program);
   bindFocus(gpu, program);
+  bindImage(program, "focusSkip", firstFreeImage, gpu.focusSkip());
   const gl::Buffer viewList = bufferOf(views), list = bufferOf(points);
   viewList.bind(viewsBlock);
   list.bind(pointsBlock);

@@ -29,14 +29,14 @@ class Corners {
     const glm::ivec3 framed = cell + 1;
     const std::uint32_t slot = index_.slots[brickOffset(index_.bricks, framed / brickSide)];
     if (slot == 0) return 0;
-    const std::size_t local = static_cast<std::size_t>((framed.x & 7) + 8 * ((framed.y & 7) + 8 * (framed.z & 7)));
+    const std::size_t local = cellInBrick(framed);
     if (index_.kind == FocusIndex::Kind::Labels) {
       if (slot == 1) return 255;
-      const std::size_t byte = (slot - 2) * std::size_t{512} + local;
+      const std::size_t byte = (slot - 2) * cellsPerBrick + local;
       return (index_.cells[byte / 4] >> (8 * (byte % 4))) & 255u;
     }
     if (slot >= 2) {
-      const std::size_t bit = (slot - 2) * std::size_t{512} + local;
+      const std::size_t bit = (slot - 2) * cellsPerBrick + local;
       if (((index_.cells[bit / 32] >> (bit % 32)) & 1u) == 0) return 0;
     }
     return scene_.volume->voxels.visit([&](auto scalars) {

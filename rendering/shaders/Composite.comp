@@ -19,7 +19,7 @@ uniform sampler2D silhouette;
 uniform vec3 contextColour;
 uniform vec3 contextWeights;  // strength, curvature, silhouette
 uniform vec2 contextShade;     // weights of illumination and of the context's own colour
-uniform sampler2D transferTable;  // emission and extinction, one row
+layout(rgba32f) uniform readonly image2D transferTables;  // first row: emission and extinction
 uniform vec2 transferMap;      // entry = stored value · x + y
 uniform float curvatureScale; // mm: length that makes curvature dimensionless, the derivative volume's spacing
 #endif
@@ -42,10 +42,10 @@ void main() {
     opacity = min(opacity * texelFetch(editMap, pixel, 0).g, 1.0);
 #endif
     // A surface lies where opacity begins: what is opaque next to its value gives the colour.
-    int last = textureSize(transferTable, 0).x - 1;
+    int last = imageSize(transferTables).x - 1;
     int entry = int(clamp(context.w * transferMap.x + transferMap.y + 0.5, 0.0, float(last)));
     vec4 own = vec4(0.0);
-    for (int k = -1; k <= 1; ++k) own += texelFetch(transferTable, ivec2(clamp(entry + k, 0, last), 0), 0);
+    for (int k = -1; k <= 1; ++k) own += imageLoad(transferTables, ivec2(clamp(entry + k, 0, last), 0));
     vec3 colour = own.a > 0.0 ? mix(contextColour, own.rgb / own.a, contextShade.y) : contextColour;
     colour *= mix(1.0, context.z, contextShade.x);
     result = vec4(colour, 1.0) * opacity + result * (1.0 - opacity);

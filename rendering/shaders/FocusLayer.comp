@@ -11,7 +11,8 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(rgba32f, binding = 0) uniform writeonly image2D focusLayer;
 
-uniform usampler3D occupiedSkip;   // Chebyshev distance in bricks to the nearest one that shows anything
+// Chebyshev distance in bricks to the nearest one that shows anything.
+layout(r8ui) uniform readonly uimage3D occupiedSkip;
 uniform float leastTransmittance;  // what is behind that little of it does not show
 
 #if HAS_RAY_START

@@ -137,8 +137,7 @@ struct Section {
 };
 
 #if FINE
-uniform sampler2D transferHidden;  // integral of emission times that of extinction up to there
-// Between so many entries it tells more than rounding (float32).
+// Between so many entries what is hidden tells more than rounding (float32).
 const float LEAST_HIDDEN = 256.0, MOST_HIDDEN = 1e6;
 const int FEWEST_PIECES = 3;
 #else
@@ -160,7 +159,7 @@ End endAt(float entry) {
 #if FINE
   float inside = clamp(end.bound.entry, 0.0, LAST_ENTRY), beyond = end.bound.entry - inside;
   vec4 constant = beyond < 0.0 ? firstMaterial : lastMaterial;
-  vec3 hidden = texelFetch(transferHidden, ivec2(int(inside), 0), 0).rgb;
+  vec3 hidden = imageLoad(transferTables, ivec2(int(inside), 2)).rgb;
   end.extinction = end.bound.integral.a + beyond * constant.a;
   end.hidden = hidden + constant.rgb * (beyond * 0.5 * (end.bound.integral.a + end.extinction));
 #endif
@@ -320,14 +319,14 @@ vec4 integrate(Ray ray, float start, Cut cut) {
       // Walk to the next cell that shows something, so that rays that run side by side integrate together.
       do {
         shows = false;
-        ivec3 brick = cell >> 3;
-        int empty = int(texelFetch(occupiedSkip, brick, 0).r);
+        ivec3 brick = cell >> BRICK_SHIFT;
+        int empty = int(imageLoad(occupiedSkip, brick).r);
         bool here = empty > 0 || entered;
         stepInto(ray, here ? cell : cellBefore(ray, cell, axis), axis, corners);
         entered = empty == 0;
         if (here) {
-          ivec3 lower = empty > 0 ? (brick - (empty - 1)) * 8 : cell;
-          ivec3 upper = empty > 0 ? (brick + empty) * 8 : cell + 1;
+          ivec3 lower = empty > 0 ? (brick - (empty - 1)) * BRICK_SIDE : cell;
+          ivec3 upper = empty > 0 ? (brick + empty) * BRICK_SIDE : cell + 1;
           float sNext = max(blockExit(ray, lower, upper, axis), s);
           if (entered) shows = lookInto(ray, cell, s, min(sNext, ray.sOut), corners, path);
           // Rounding must not carry the other two axes out of the block that was just left.

@@ -1,15 +1,16 @@
 // The transfer function of the context, and the material of the focus. Emission is colour · extinction (1/mm).
 
-uniform sampler2D transferTable;     // emission and extinction; TABLE_SIZE entries in a row
-uniform sampler2D transferIntegral;  // of both from the first entry on, in entries/mm
+// Rows of TABLE_SIZE entries: emission and extinction; the integral of both from the first entry on (entries/mm); the
+// integral of emission times that of extinction up to there.
+layout(rgba32f) uniform readonly image2D transferTables;
 uniform vec2 transferMap;            // entry = stored value · x + y
 uniform vec4 firstMaterial, lastMaterial;  // beyond the table's ends
 uniform vec2 visibleEntries;         // nothing shows up to the first or from the second on
 const float LAST_ENTRY = float(TABLE_SIZE - 1);
 
-// Both tables are read to the nearest entry.
+// The tables are read to the nearest entry.
 vec4 materialAt(float entry) {
-  return texelFetch(transferTable, ivec2(int(clamp(entry, 0.0, LAST_ENTRY) + 0.5), 0), 0);
+  return imageLoad(transferTables, ivec2(int(clamp(entry, 0.0, LAST_ENTRY) + 0.5), 0));
 }
 
 // An entry, whole and not clamped, and the tables' integral up to there inside them.
@@ -21,7 +22,7 @@ struct Bound {
 Bound boundAt(float entry) {
   Bound bound;
   bound.entry = floor(entry + 0.5);
-  bound.integral = texelFetch(transferIntegral, ivec2(int(clamp(bound.entry, 0.0, LAST_ENTRY)), 0), 0);
+  bound.integral = imageLoad(transferTables, ivec2(int(clamp(bound.entry, 0.0, LAST_ENTRY)), 1));
   return bound;
 }
 

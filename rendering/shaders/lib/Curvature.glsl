@@ -1,7 +1,12 @@
 // Principal curvatures of the level set through a point, from first and second derivatives of a C² reconstruction: the
 // cubic B-spline over the derivative volume (Kindlmann, Whitaker, Tasdizen, Möller, Vis 2003, section 3).
 
-uniform sampler3D derivativeVolume;   // smoothed field, coarser where the scan is fine
+// Smoothed field, coarser where the scan is fine.
+#if DERIVATIVE_BYTES == 2
+layout(r16) uniform readonly image3D derivativeVolume;
+#else
+layout(r32f) uniform readonly image3D derivativeVolume;
+#endif
 uniform vec3 derivativeFactor;        // volume voxels per derivative voxel
 uniform float derivativeScale;        // stored value per texel unit
 uniform mat3 worldFromDerivative;     // gradient: world (1/mm) from derivative index (the inverse transpose)
@@ -27,14 +32,14 @@ LevelSet levelSetAt(vec3 position) {
   splineWeights(index.x - base.x, wx, dx, ddx);
   splineWeights(index.y - base.y, wy, dy, ddy);
   splineWeights(index.z - base.z, wz, dz, ddz);
-  ivec3 last = textureSize(derivativeVolume, 0) - 1;
+  ivec3 last = imageSize(derivativeVolume) - 1;
   vec3 g = vec3(0.0), diagonal = vec3(0.0), mixed = vec3(0.0);  // mixed: xy, xz, yz
   for (int z = 0; z < 4; ++z)
     for (int y = 0; y < 4; ++y) {
       ivec3 row = ivec3(base) + ivec3(-1, y - 1, z - 1);
       vec4 v;
       for (int x = 0; x < 4; ++x)
-        v[x] = texelFetch(derivativeVolume, clamp(row + ivec3(x, 0, 0), ivec3(0), last), 0).r;
+        v[x] = imageLoad(derivativeVolume, clamp(row + ivec3(x, 0, 0), ivec3(0), last)).r;
       vec3 along = vec3(dot(v, wx), dot(v, dx), dot(v, ddx));
       g += vec3(along.y * wy[y] * wz[z], along.x * dy[y] * wz[z], along.x * wy[y] * dz[z]);
       diagonal += vec3(along.z * wy[y] * wz[z], along.x * ddy[y] * wz[z], along.x * wy[y] * ddz[z]);

@@ -2,6 +2,7 @@
 // as small as the step.
 
 uniform float stepLength;  // mm
+uniform sampler3D volumeTexture;
 
 #if FOCUS_KIND == 1
 bool inFocus(uint slot, ivec3 cell, vec3 position, float stored) {
@@ -25,18 +26,18 @@ vec4 integrate(Ray ray, float start, Cut cut) {
     ivec3 brick;
     int empty, kEnd;
     do {
-      brick = clamp(ivec3(cellPosition(ray, start + (float(k) + 0.5) * stepLength)), ivec3(0), volumeDims) >> 3;
-      empty = int(texelFetch(occupiedSkip, brick, 0).r);
+      brick = clamp(ivec3(cellPosition(ray, start + (float(k) + 0.5) * stepLength)), ivec3(0), volumeDims) >> BRICK_SHIFT;
+      empty = int(imageLoad(occupiedSkip, brick).r);
       int reach = max(empty, 1);
       int axis;
-      float leave = blockExit(ray, (brick - (reach - 1)) * 8, (brick + reach) * 8, axis);
+      float leave = blockExit(ray, (brick - (reach - 1)) * BRICK_SIDE, (brick + reach) * BRICK_SIDE, axis);
       // Samples keep their places whatever is skipped, so that skipping never changes the picture.
       kEnd = clamp(int(ceil((leave - start) / stepLength - 0.5)), k + 1, count);
       if (empty > 0) k = kEnd;
     } while (empty > 0 && k < count);
     if (k == count) break;
 #if FOCUS_KIND != 0
-    uint slot = texelFetch(focusBricks, brick, 0).r;
+    uint slot = imageLoad(focusBricks, brick).r;
 #endif
     do {
       float s = start + (float(k) + 0.5) * stepLength;
@@ -46,7 +47,7 @@ vec4 integrate(Ray ray, float start, Cut cut) {
       bool focus = false;
 #if FOCUS_KIND != 0
       // A sample on the brick's face is kept from reading the neighbour's cells under this brick's slot.
-      focus = slot != 0u && inFocus(slot, clamp(ivec3(at), brick * 8, brick * 8 + 7), at, stored);
+      focus = slot != 0u && inFocus(slot, clamp(ivec3(at), brick * BRICK_SIDE, (brick + 1) * BRICK_SIDE - 1), at, stored);
       if (focus)
         material = focusMaterial(at);
       else

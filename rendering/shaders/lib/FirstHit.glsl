@@ -1,6 +1,10 @@
 // First hit of the focus, or of the context, along a ray: cell by cell, leaping over empty bricks.
 
-uniform usampler3D contextSkip;   // Chebyshev distance in bricks to the nearest one that is not transparent
+// Chebyshev distances in bricks: to the nearest one that is not transparent, and to the nearest one with focus.
+layout(r8ui) uniform readonly uimage3D contextSkip;
+#if FOCUS_KIND != 0
+layout(r8ui) uniform readonly uimage3D focusSkip;
+#endif
 
 uniform int gapCount;             // open intervals of stored values in which the context is transparent
 layout(std430, binding = 1) readonly buffer Gaps { vec2 gaps[]; };
@@ -71,17 +75,17 @@ float firstHit(const bool focus, const bool exact, Ray ray, float sBegin, float 
       // To the next cell that may hold any of it.
       bool found = false;
       do {
-        ivec3 brick = cell >> 3;
+        ivec3 brick = cell >> BRICK_SHIFT;
 #if FOCUS_KIND != 0
-        int empty = int(focus ? texelFetch(focusSkip, brick, 0).r : texelFetch(contextSkip, brick, 0).r);
+        int empty = int(focus ? imageLoad(focusSkip, brick).r : imageLoad(contextSkip, brick).r);
         found = empty == 0 && (!focus || holdsFocus(cell));
 #else
-        int empty = int(texelFetch(contextSkip, brick, 0).r);
+        int empty = int(imageLoad(contextSkip, brick).r);
         found = empty == 0;
 #endif
         if (!found) {
-          ivec3 lower = empty > 0 ? (brick - (empty - 1)) * 8 : cell;
-          ivec3 upper = empty > 0 ? (brick + empty) * 8 : cell + 1;
+          ivec3 lower = empty > 0 ? (brick - (empty - 1)) * BRICK_SIDE : cell;
+          ivec3 upper = empty > 0 ? (brick + empty) * BRICK_SIDE : cell + 1;
           left = leaveBlock(ray, lower, upper, sEnd, cell, s) ? left - 1 : 0;
         }
       } while (!found && left > 0);

@@ -1,17 +1,16 @@
-// Where the focus is: a sparse index by bricks of 8³ cells. See rendering/passes/FocusIndex.h.
+// Where the focus is: a sparse index by bricks of cells. See rendering/passes/FocusIndex.h.
 
 #if FOCUS_KIND != 0
-uniform usampler3D focusBricks;   // 0: none of it, 1: all of the brick, n ≥ 2: slot n - 2 of focusCells
-uniform usampler3D focusSkip;     // Chebyshev distance in bricks to the nearest one with focus
+layout(r32ui) uniform readonly uimage3D focusBricks;   // 0: none of it, 1: all of the brick, n ≥ 2: slot n - 2 of focusCells
 layout(std430, binding = 0) readonly buffer FocusCells { uint focusCells[]; };
 
-const int CELLS_PER_BRICK = 512;
+const int CELLS_PER_BRICK = BRICK_SIDE * BRICK_SIDE * BRICK_SIDE;
 
-uint focusSlot(ivec3 cell) { return texelFetch(focusBricks, cell >> 3, 0).r; }
+uint focusSlot(ivec3 cell) { return imageLoad(focusBricks, cell >> BRICK_SHIFT).r; }
 
 int cellInBrick(ivec3 cell) {
-  ivec3 local = cell & 7;
-  return local.x + 8 * (local.y + 8 * local.z);
+  ivec3 local = cell & (BRICK_SIDE - 1);
+  return local.x + BRICK_SIDE * (local.y + BRICK_SIDE * local.z);
 }
 #endif
 

@@ -1,11 +1,22 @@
 // Stored values of the volume. The texture holds integers as normalised texels (exact: they are rounded back) or floats.
 
-uniform sampler3D volumeTexture;
+// What is read texel by texel is bound as an image: llvmpipe looks up a sampler's level of detail lane by lane.
+#if VOLUME_BYTES == 1
+#define VOLUME_FORMAT r8
+#elif VOLUME_BYTES == 2
+#define VOLUME_FORMAT r16
+#else
+#define VOLUME_FORMAT r32f
+#endif
+layout(VOLUME_FORMAT) uniform readonly image3D volumeTexels;
 uniform float texelScale;      // stored value per texel unit: 255, 65535 or 1
 uniform bool integerTexels;
 
+// Bricks of cells: what is skipped at once. The side is that of rendering/passes/Bricks.h.
+const int BRICK_SHIFT = 2, BRICK_SIDE = 1 << BRICK_SHIFT;
+
 float storedAt(ivec3 index) {
-  float texel = texelFetch(volumeTexture, clamp(index, ivec3(0), volumeDims - 1), 0).r * texelScale;
+  float texel = imageLoad(volumeTexels, clamp(index, ivec3(0), volumeDims - 1)).r * texelScale;
   return integerTexels ? floor(texel + 0.5) : texel;
 }
 

@@ -1,12 +1,18 @@
 // The lighting model (rendering/scene/Lighting.h): light at points of the volume, and on the face that the opening cut.
 
 uniform sampler3D gradientTexture;  // gated normals, zero at 511/1023
+#if CELL_BY_CELL
+layout(rgb10_a2) uniform readonly image3D gradientTexels;  // the same
+#endif
 uniform vec3 gradientOrigin;        // cell frame position of its first texel's outer corner; beyond it all is flat
 uniform float certainLength;        // of a gated normal, from which on it is lit in full
 uniform float meanIncidence;        // |n·l| where there is no normal
 
 #if FOCUS_KIND == 1
 uniform sampler3D focusSmooth;      // smoothed indicator around the focus
+#if CELL_BY_CELL
+layout(r16) uniform readonly image3D focusSmoothTexels;  // the same
+#endif
 uniform vec3 focusSmoothOrigin;     // cell frame position of its first texel's outer corner
 uniform mat3 worldFromIndexGradient;
 
@@ -46,6 +52,7 @@ vec2 lightAt(vec3 at, vec3 rayDirection, bool focus) {
       rayDirection);
 }
 
+#if CELL_BY_CELL
 // Normals along a straight path through a cell: trilinear in it, so cubics, and known from its corners alone.
 // Bernstein coefficients.
 struct CellNormals {
@@ -67,10 +74,10 @@ void bernsteinAlong(vec3 f[8], vec3 a, vec3 b, out vec3 along[4]) {
 
 // `a` and `b`: the path's ends within the cell.
 CellNormals normalsAlong(ivec3 cell, vec3 a, vec3 b) {
-  ivec3 first = cell - 1 - ivec3(floor(gradientOrigin)), last = textureSize(gradientTexture, 0) - 1;
+  ivec3 first = cell - 1 - ivec3(floor(gradientOrigin)), last = imageSize(gradientTexels) - 1;
   vec3 f[8];
   for (int i = 0; i < 8; ++i)
-    f[i] = texelFetch(gradientTexture, clamp(first + cornerOf(i), ivec3(0), last), 0).xyz;
+    f[i] = imageLoad(gradientTexels, clamp(first + cornerOf(i), ivec3(0), last)).xyz;
   CellNormals normals;
   bernsteinAlong(f, a, b, normals.gated);
   for (int k = 0; k < 4; ++k) normals.gated[k] = gatedNormal(normals.gated[k]);
@@ -82,14 +89,14 @@ CellNormals normalsAlong(ivec3 cell, vec3 a, vec3 b) {
 void focusNormalsAlong(ivec3 cell, vec3 a, vec3 b, inout CellNormals normals) {
   ivec3 first = cell - 1 - ivec3(floor(focusSmoothOrigin));
   float inner[8];
-  for (int i = 0; i < 8; ++i) inner[i] = texelFetch(focusSmooth, first + cornerOf(i), 0).r;
+  for (int i = 0; i < 8; ++i) inner[i] = imageLoad(focusSmoothTexels, first + cornerOf(i)).r;
   vec3 f[8];
   for (int i = 0; i < 8; ++i)
     for (int axis = 0; axis < 3; ++axis) {
       int across = i ^ (1 << axis);
       ivec3 beyond = cornerOf(i);
       beyond[axis] += across < i ? 1 : -1;
-      float outer = texelFetch(focusSmooth, first + beyond, 0).r;
+      float outer = imageLoad(focusSmoothTexels, first + beyond).r;
       f[i][axis] = across < i ? outer - inner[across] : inner[across] - outer;
     }
   bernsteinAlong(f, a, b, normals.focus);
@@ -144,6 +151,7 @@ float piecesOfLight(CellNormals normals, bool focus, vec3 rayDirection, float we
   // Shorter ones count for less: certainty over length is at most 9/8 of 1 / certainLength.
   return piecesOfLight(normals.gated, certainLength * 8.0 / 9.0, rayDirection, weight, surface);
 }
+#endif
 
 #if HAS_RAY_START
 uniform float wallDepth;  // mm behind a cut face over which its own light gives way to the volume's
