@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <regex>
 #include <sstream>
+#include <string>
 #include <utility>
 
 #include <epoxy/gl.h>
@@ -11,6 +13,28 @@
 
 namespace fenestra::gl {
 namespace {
+
+/// What a uniform is called where it is stored.
+std::string storedName(std::string_view uniform) { return std::string(uniform) + "Stored[1]"; }
+std::string elementName(std::string_view uniform) { return std::string(uniform) + "Stored[0]"; }
+
+/// "uniform vec2 a, b;" as stored arrays of one and variables with their values at the start of main(); any other line
+/// as it is. llvmpipe reads a uniform that is named in a loop or a branch lane by lane, at each pass of the loop, and
+/// compilers put a copy of a uniform back to where it is used, unless it is one of an array's element.
+std::string withUniformsReadOnce(const std::string& line) {
+  static const std::regex plain(R"(uniform ((?:float|int|uint|bool|[iu]?vec[234]|mat[234])) ([\w, ]+);(.*))");
+  std::smatch match;
+  if (!std::regex_match(line, match, plain)) return line;
+  std::string stored, copies;
+  std::istringstream names(match[2]);
+  for (std::string name; names >> name;) {
+    if (name.back() == ',') name.pop_back();
+    stored += (stored.empty() ? "" : ", ") + storedName(name);
+    copies += (copies.empty() ? "" : ", ") + name + " = " + elementName(name);
+  }
+  const std::string type = match[1];
+  return "uniform " + type + ' ' + stored + "; " + type + ' ' + copies + ';' + match[3].str();
+}
 
 /// Appends the file with its includes; line directives carry an index into `files`, which errors are translated with.
 void expand(std::string_view path, std::vector<std::string>& files, std::ostringstream& out) {
@@ -28,7 +52,7 @@ void expand(std::string_view path, std::vector<std::string>& files, std::ostring
       expand(line.substr(include.size(), line.rfind('"') - include.size()), files, out);
       out << "#line " << number + 1 << ' ' << file << '\n';
     } else {
-      out << line << '\n';
+      out << withUniformsReadOnce(line) << '\n';
     }
   }
 }
@@ -103,7 +127,8 @@ ShaderProgram& ShaderProgram::operator=(ShaderProgram&& other) noexcept {
 
 int ShaderProgram::location(const char* uniform) {
   const auto [at, isNew] = locations_.try_emplace(uniform, -1);
-  if (isNew) at->second = glGetUniformLocation(name_, uniform);
+  if (isNew) at->second = glGetUniformLocation(name_, elementName(uniform).c_str());
+  if (isNew && at->second < 0) at->second = glGetUniformLocation(name_, uniform);  // samplers and images
   return at->second;
 }
 

@@ -37,6 +37,7 @@ void FocusLayerPass::run(const GpuScene& gpu, const Scene& scene, const RayFrame
                                               {"HAS_RAY_START", opening.has_value()},
                                               {"HAS_PREVIOUS_START", opening && opening->previousStart},
                                               {"CELL_BY_CELL", sampling.maxError.has_value()},
+                                              {"EVEN_STEPS", sampling.step && !sampling.maxError},
                                               {"FINE", sampling.maxError && *sampling.maxError < coarseBound},
                                               {"TABLE_SIZE", GpuScene::tableSize}});
   rays.setUniforms(program);
@@ -45,12 +46,12 @@ void FocusLayerPass::run(const GpuScene& gpu, const Scene& scene, const RayFrame
   unsigned image = firstFreeImage, unit = 0;
   bindImage(program, "occupiedSkip", image++, gpu.occupiedSkip());
   bindImage(program, "transferTables", image++, gpu.transferTables());
-  bindTexture(program, "volumeTexture", unit++, gpu.volume().texture);
+  if (sampling.step) bindTexture(program, "volumeTexture", unit++, gpu.volume().texture);
   program.set("transferMap", gpu.transferMap());
   program.set("firstMaterial", gpu.firstMaterial());
   program.set("lastMaterial", gpu.lastMaterial());
   program.set("visibleEntries", gpu.visibleEntries());
-  program.set("stepLength", static_cast<float>(sampling.step));
+  if (sampling.step) program.set("stepLength", static_cast<float>(*sampling.step));
   program.set("leastTransmittance", static_cast<float>(leastTransmittance(sampling)));
   if (sampling.maxError) program.set("maxError", static_cast<float>(shareOfBound * *sampling.maxError));
   if (opening) {

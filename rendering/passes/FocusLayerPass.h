@@ -21,9 +21,10 @@ class FocusLayerPass {
     /// kept.
     const gl::Texture* previousStart = nullptr;
   };
+  /// How the integral is found. With a bound (of a pixel's colour, 0..1) cell by cell; else at even steps of so many
+  /// mm, or, without either, from face to face of the cells.
   struct Sampling {
-    double step = 1.0;               ///< mm between samples, where no bound is set
-    std::optional<double> maxError;  ///< of a pixel's colour, 0..1: the integral is then found cell by cell
+    std::optional<double> step{}, maxError{};
     bool operator==(const Sampling&) const = default;
   };
   /// A pixel's result depends on the ray starts this many pixels around it: a cut face's normal takes its neighbours'.

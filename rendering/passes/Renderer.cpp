@@ -91,10 +91,10 @@ gl::Texture& sized(gl::Texture& texture, gl::Format format, glm::ivec2 size, gl:
 }
 
 FocusLayerPass::Sampling samplingOf(const View& view, const Grid& grid) {
-  const double finest = std::min({grid.spacing.x, grid.spacing.y, grid.spacing.z});
-  if (view.maxError) return {finest, *view.maxError / 255.0};
-  if (view.quality == Quality::High) return {finest, highQualityError / 255.0};
-  return {view.quality == Quality::Draft ? finest : 0.5 * finest, std::nullopt};
+  if (view.maxError) return {.maxError = *view.maxError / 255.0};
+  if (view.quality == Quality::High) return {.maxError = highQualityError / 255.0};
+  if (view.quality == Quality::Draft) return {.step = std::min({grid.spacing.x, grid.spacing.y, grid.spacing.z})};
+  return {};
 }
 
 /// Distance maps reach this far (rendered pixels) or the next power of two beyond what the widths need: a slider that

@@ -20,7 +20,6 @@ void bindImage(gl::ShaderProgram& program, const char* name, unsigned unit, cons
 void bindVolume(const GpuScene& scene, gl::ShaderProgram& program) {
   bindImage(program, "volumeTexels", volumeUnit, scene.volume().texture);
   program.set("texelScale", scene.volume().texelScale);
-  program.set("integerTexels", static_cast<int>(scene.volume().integers));
 }
 
 void bindFocus(const GpuScene& scene, gl::ShaderProgram& program) {

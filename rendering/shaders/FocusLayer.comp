@@ -58,8 +58,10 @@ vec2 behindCut(vec2 light, Cut cut, float s) {
 
 #if CELL_BY_CELL
 #include "lib/CellByCell.glsl"
-#else
+#elif EVEN_STEPS
 #include "lib/EvenSteps.glsl"
+#else
+#include "lib/FaceToFace.glsl"
 #endif
 
 void main() {

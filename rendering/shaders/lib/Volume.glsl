@@ -1,4 +1,5 @@
-// Stored values of the volume. The texture holds integers as normalised texels (exact: they are rounded back) or floats.
+// Stored values of the volume. Texels of one and two bytes are integers, normalised (exact: they are rounded back); those
+// of four are floats.
 
 // What is read texel by texel is bound as an image: llvmpipe looks up a sampler's level of detail lane by lane.
 #if VOLUME_BYTES == 1
@@ -10,14 +11,20 @@
 #endif
 layout(VOLUME_FORMAT) uniform readonly image3D volumeTexels;
 uniform float texelScale;      // stored value per texel unit: 255, 65535 or 1
-uniform bool integerTexels;
 
 // Bricks of cells: what is skipped at once. The side is that of rendering/passes/Bricks.h.
 const int BRICK_SHIFT = 2, BRICK_SIDE = 1 << BRICK_SHIFT;
 
+vec4 storedFrom(vec4 texels) {
+#if VOLUME_BYTES == 4
+  return texels;
+#else
+  return floor(texels * texelScale + 0.5);
+#endif
+}
+
 float storedAt(ivec3 index) {
-  float texel = imageLoad(volumeTexels, clamp(index, ivec3(0), volumeDims - 1)).r * texelScale;
-  return integerTexels ? floor(texel + 0.5) : texel;
+  return storedFrom(imageLoad(volumeTexels, clamp(index, ivec3(0), volumeDims - 1))).r;
 }
 
 // Corners of a cell (cell frame) are counted x fastest.
