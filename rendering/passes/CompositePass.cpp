@@ -6,17 +6,14 @@ namespace fenestra {
 
 void CompositePass::run(const Inputs& inputs, const Scene& scene, std::span<const gl::Region> regions,
                         gl::Texture& picture) {
-  const bool cutaway = inputs.distances != nullptr, layer = inputs.contextLayer != nullptr;
-  gl::ShaderProgram& program =
-      programs_.get({{"CUTAWAY", cutaway}, {"CONTEXT_LAYER", layer}, {"EDITED", inputs.editMap != nullptr}});
-  bindTexture(program, "focusLayer", 0, *inputs.focusLayer);
-  if (cutaway) {
-    bindTexture(program, "hitPoints", 1, *inputs.hitPoints);
-    bindTexture(program, "distances", 2, *inputs.distances);
-    if (inputs.editMap) bindTexture(program, "editMap", 5, *inputs.editMap);
-    program.set("widths", glm::vec2(inputs.widths));
-    program.set("borderColour", glm::vec3(scene.cutaway.borderColour));
-  }
+  const bool layer = inputs.contextLayer != nullptr;
+  gl::ShaderProgram& program = programs_.get({{"CONTEXT_LAYER", layer}, {"EDITED", inputs.editMap != nullptr}});
+  bindTexture(program, "focusLayer", 0, inputs.focusLayer);
+  bindTexture(program, "hitPoints", 1, inputs.hitPoints);
+  bindTexture(program, "distances", 2, inputs.distances);
+  if (inputs.editMap) bindTexture(program, "editMap", 5, *inputs.editMap);
+  program.set("widths", glm::vec2(inputs.widths));
+  program.set("borderColour", glm::vec3(scene.cutaway.borderColour));
   if (layer) {
     bindTexture(program, "contextLayer", 3, *inputs.contextLayer);
     bindTexture(program, "silhouette", 4, *inputs.silhouette);

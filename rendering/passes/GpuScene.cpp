@@ -304,10 +304,12 @@ void GpuScene::updateTransfer(const Scene& scene) {
     ++versions_.gaps;
   }
 
-  // The table spans the nodes: outside them the transfer function is constant.
+  // The table spans the nodes and an entry more at either end, which stands for all that lies beyond: there the
+  // transfer function is constant, though it may begin or end with a step.
   ValueRange span =
       context_.nodes.empty() ? volume_->range : ValueRange{context_.nodes.front().value, context_.nodes.back().value};
-  if (!(span.high > span.low)) span = {span.low - 0.5, span.low + 0.5};
+  const double margin = span.high > span.low ? (span.high - span.low) / (tableSize - 3) : 0.5;
+  span = {span.low - margin, span.high + margin};
   const TransferTables tables = makeTransferTables(context_, span, tableSize);
   if (!transferTables_) transferTables_ = gl::Texture::make2D(gl::Format::RGBA32F, {tableSize, 3});
   std::vector<glm::vec4> rows;

@@ -75,7 +75,8 @@ struct ContextLayerKey {
 };
 struct CompositeKey {
   std::uint64_t focusLayer;
-  std::optional<std::uint64_t> distance, contextLayer, ownColours;
+  std::uint64_t distance;
+  std::optional<std::uint64_t> contextLayer, ownColours;
   glm::dvec2 widths;
   glm::dvec3 borderColour;
   ContextLayer look;
@@ -83,6 +84,9 @@ struct CompositeKey {
 };
 
 using Regions = std::span<const gl::Region>;
+
+/// Of images that may be presented: a draft is smaller than the rectangle it fills.
+constexpr gl::Filter presented = gl::Filter::Linear;
 
 /// A picture-sized image that lasts until the size changes or it is no longer used.
 gl::Texture& sized(gl::Texture& texture, gl::Format format, glm::ivec2 size, gl::Filter filter = gl::Filter::Nearest) {
@@ -130,7 +134,7 @@ struct Renderer::State {
   CompositePass compositePass;
   gl::ShaderProgram presentProgram;
 
-  gl::Texture hitPoints, focusFilled, distances, editMap, rayStart, focusLayer, contextLayer, silhouette, picture;
+  gl::Texture hitPoints, focusFilled, distances, editMap, rayStart, focusLayer, contextLayer, silhouette, composed;
   gl::Texture pickedHit;
   /// The ray starts that the focus layer was last drawn for, while the opening moves and nothing else does.
   gl::Texture previousStart;
@@ -188,6 +192,8 @@ struct Renderer::State {
   }
 
   glm::dvec2 widthsInPixels(const Scene& scene) const;
+  /// What is seen, without the background; a plain volume rendering has nothing laid over it.
+  const gl::Texture& picture() const { return composed ? composed : focusLayer; }
   bool shows(glm::ivec2 pixel) const;
   /// First hits (context or focus, focus) on the ray of a pixel of the picture.
   glm::vec2 hitAt(glm::ivec2 pixel);
@@ -196,8 +202,8 @@ struct Renderer::State {
 };
 
 bool Renderer::State::shows(glm::ivec2 pixel) const {
-  return picture && glm::all(glm::greaterThanEqual(pixel, glm::ivec2(0))) &&
-         glm::all(glm::lessThan(pixel, glm::ivec2(picture.size())));
+  return picture() && glm::all(glm::greaterThanEqual(pixel, glm::ivec2(0))) &&
+         glm::all(glm::lessThan(pixel, glm::ivec2(picture().size())));
 }
 
 glm::vec2 Renderer::State::hitAt(glm::ivec2 pixel) {
@@ -305,7 +311,7 @@ void Renderer::render(const Scene& scene, const View& view) {
     std::optional<FocusLayerPass::Opening> opening;
     if (cutaway) opening.emplace(FocusLayerPass::Opening{s.hitPoints, s.rayStart, previousStart});
     s.focusLayerPass.run(gpu, scene, rays, opening, sampling, regions,
-                         sized(s.focusLayer, gl::Format::RGBA32F, view.size));
+                         sized(s.focusLayer, gl::Format::RGBA32F, view.size, presented));
   });
 
   if (contextLayer) {
@@ -321,49 +327,47 @@ void Renderer::render(const Scene& scene, const View& view) {
     s.context.forget();
   }
 
-  const CompositeKey compositeKey{s.focus.version(),
-                                  cutaway ? std::optional(s.distance.version()) : std::nullopt,
-                                  contextLayer ? std::optional(s.context.version()) : std::nullopt,
-                                  contextLayer ? std::optional(version.transfer) : std::nullopt,
-                                  s.widths,
-                                  scene.cutaway.borderColour,
-                                  scene.contextLayer};
-  s.runIfStale(Pass::Composite, s.composite, compositeKey, changed, [&](Regions regions) {
-    CompositePass::Inputs inputs;
-    inputs.focusLayer = &s.focusLayer;
-    if (cutaway) {
-      inputs.hitPoints = &s.hitPoints;
-      inputs.distances = &s.distances;
-      inputs.widths = s.widths;
+  if (cutaway) {
+    const CompositeKey compositeKey{s.focus.version(),
+                                    s.distance.version(),
+                                    contextLayer ? std::optional(s.context.version()) : std::nullopt,
+                                    contextLayer ? std::optional(version.transfer) : std::nullopt,
+                                    s.widths,
+                                    scene.cutaway.borderColour,
+                                    scene.contextLayer};
+    s.runIfStale(Pass::Composite, s.composite, compositeKey, changed, [&](Regions regions) {
+      CompositePass::Inputs inputs{s.focusLayer, s.hitPoints, s.distances, s.widths};
       if (s.editMap) inputs.editMap = &s.editMap;
-    }
-    if (contextLayer) {
-      inputs.contextLayer = &s.contextLayer;
-      inputs.silhouette = &s.silhouette;
-      inputs.gpu = &gpu;
-    }
-    // Filtered when presented: a draft is smaller than the rectangle it fills.
-    s.compositePass.run(inputs, scene, regions, sized(s.picture, gl::Format::RGBA32F, view.size, gl::Filter::Linear));
-  });
+      if (contextLayer) {
+        inputs.contextLayer = &s.contextLayer;
+        inputs.silhouette = &s.silhouette;
+        inputs.gpu = &gpu;
+      }
+      s.compositePass.run(inputs, scene, regions, sized(s.composed, gl::Format::RGBA32F, view.size, presented));
+    });
+  } else {
+    s.composed = {};
+    s.composite.forget();
+  }
   s.strokes = strokes;
 }
 
 void Renderer::present(std::uint32_t framebuffer, glm::ivec4 rectangle) {
   State& s = *state_;
-  if (!s.picture) return;
+  if (!s.picture()) return;
   if (!s.presentProgram) s.presentProgram = gl::ShaderProgram::graphics("Present.vert", "Present.frag");
   const gl::DrawTarget target(framebuffer, rectangle);
-  bindTexture(s.presentProgram, "picture", 0, s.picture);
+  bindTexture(s.presentProgram, "picture", 0, s.picture());
   s.presentProgram.set("background", s.background);
   s.presentProgram.drawFullScreen();
 }
 
 std::vector<std::uint8_t> Renderer::readPicture() {
   State& s = *state_;
-  if (!s.picture) return {};
-  std::vector<glm::vec4> values(static_cast<std::size_t>(s.picture.size().x) *
-                                static_cast<std::size_t>(s.picture.size().y));
-  s.picture.readInto(std::span(values));
+  if (!s.picture()) return {};
+  std::vector<glm::vec4> values(static_cast<std::size_t>(s.picture().size().x) *
+                                static_cast<std::size_t>(s.picture().size().y));
+  s.picture().readInto(std::span(values));
   std::vector<std::uint8_t> bytes;
   bytes.reserve(values.size() * 4);
   for (const glm::vec4& front : values) {
@@ -378,8 +382,8 @@ std::vector<std::uint8_t> Renderer::readPicture() {
 Layers Renderer::readLayers() {
   State& s = *state_;
   Layers layers;
-  if (!s.picture) return layers;
-  layers.size = glm::ivec2(s.picture.size());
+  if (!s.picture()) return layers;
+  layers.size = glm::ivec2(s.picture().size());
   const std::size_t count = static_cast<std::size_t>(layers.size.x) * static_cast<std::size_t>(layers.size.y);
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();
   const auto time = [&](float position) {
@@ -419,8 +423,8 @@ Layers Renderer::readLayers() {
   }
   layers.focusLayer.resize(count);
   s.focusLayer.readInto(std::span(layers.focusLayer));
-  layers.final.resize(count);
-  s.picture.readInto(std::span(layers.final));
+  layers.final = layers.focusLayer;
+  if (s.composed) s.composed.readInto(std::span(layers.final));
   return layers;
 }
 
@@ -468,7 +472,7 @@ std::size_t Renderer::imageBytes() const {
   std::size_t sum = s.pullPushPass.bytes() + s.distanceMapPass.bytes() + s.editMapPass.bytes();
   for (const gl::Texture* texture :
        {&s.hitPoints, &s.focusFilled, &s.distances, &s.editMap, &s.rayStart, &s.previousStart, &s.focusLayer,
-        &s.contextLayer, &s.silhouette, &s.picture, &s.pickedHit})
+        &s.contextLayer, &s.silhouette, &s.composed, &s.pickedHit})
     if (*texture) sum += texture->bytes();
   return sum;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// How finely rays are sampled.
+// How the integral along rays is found.
 
 #include <cstdint>
 
@@ -7,8 +7,8 @@ namespace fenestra {
 
 enum class Quality : std::uint8_t {
   Draft,   ///< one sample per finest voxel: while dragging
-  Normal,  ///< two
-  High,    ///< as many as an error of at most highQualityError asks for
+  Normal,  ///< from face to face of the cells, the transfer function integrated between
+  High,    ///< with an error of at most highQualityError
 };
 /// Of a pixel's colour, in 1/255.
 inline constexpr double highQualityError = 0.5;

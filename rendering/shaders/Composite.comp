@@ -4,14 +4,12 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(rgba32f, binding = 0) uniform writeonly image2D picture;
 uniform sampler2D focusLayer;
-#if CUTAWAY
 uniform sampler2D hitPoints;
 uniform sampler2D distances;
 uniform vec2 widths;          // w_open, w_border in rendered pixels
 uniform vec3 borderColour;
 #if EDITED
 uniform sampler2D editMap;
-#endif
 #endif
 #if CONTEXT_LAYER
 uniform sampler2D contextLayer;
@@ -28,7 +26,6 @@ void main() {
   ivec2 pixel = regionPixel();
   if (any(greaterThanEqual(pixel, imageSize(picture)))) return;
   vec4 result = texelFetch(focusLayer, pixel, 0);
-#if CUTAWAY
   vec2 hit = texelFetch(hitPoints, pixel, 0).xy;
 #if CONTEXT_LAYER
   vec4 context = texelFetch(contextLayer, pixel, 0);
@@ -61,6 +58,5 @@ void main() {
 #endif
     result = mix(result, vec4(borderColour, 1.0), border);
   }
-#endif
   imageStore(picture, pixel, result);
 }

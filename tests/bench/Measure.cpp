@@ -4,7 +4,7 @@
 
 namespace fenestra::bench {
 
-std::vector<Setting> fixedSettings() { return {{"draft", Quality::Draft}, {"normal", Quality::Normal}}; }
+std::vector<Setting> unboundedSettings() { return {{"draft", Quality::Draft}, {"normal", Quality::Normal}}; }
 
 std::vector<Setting> boundSettings(const std::vector<double>& bounds) {
   std::vector<Setting> settings;

@@ -26,7 +26,7 @@ struct Setting {
   std::optional<double> maxError = std::nullopt;  ///< 1/255
 };
 /// Draft and normal; high is an error bound.
-std::vector<Setting> fixedSettings();
+std::vector<Setting> unboundedSettings();
 std::vector<Setting> boundSettings(const std::vector<double>& bounds);
 
 /// A subject loaded, its views and what they should show.

@@ -69,8 +69,8 @@ TEST_F(Cost, EveryKindOfSceneTakesItsOwnPassesAndResourcesAndNoOthers) {
     names.insert(more.begin(), more.end());
     return names;
   };
-  const Names plainPasses{"focus layer", "composite"};
-  const Names cutPasses = with(plainPasses, {"hit points", "pull-push", "distance map", "ray start"});
+  const Names plainPasses{"focus layer"};
+  const Names cutPasses = with(plainPasses, {"hit points", "pull-push", "distance map", "ray start", "composite"});
   const Names lit = with(always, {"gradient"}), byValue = with(lit, {"focus index"});
   const Names byLabel = with(byValue, {"focus normals"});
   const Names withLayer = with(byLabel, {"derivative volume"}), layerPasses = with(cutPasses, {"context layer"});
@@ -104,7 +104,7 @@ TEST_F(Cost, AFeatureAddsItsOwnBytesAndNoOthers) {
 
   const Memory& unlit = memory["plain, unlit"];
   EXPECT_EQ(unlit.at("volume"), voxels * 2);
-  EXPECT_EQ(unlit.at("images"), pixels * (16 + 16));  // focus layer and picture, RGBA32F
+  EXPECT_EQ(unlit.at("images"), pixels * 16);  // the focus layer, which is the picture, RGBA32F
 
   Memory plain = memory["plain"];
   EXPECT_EQ(plain.erase("gradient"), 1u);

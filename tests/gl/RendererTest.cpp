@@ -168,11 +168,12 @@ TEST_F(Passes, AFeatureThatIsOffCostsNoMemoryAndNoPass) {
   scene.focus = {};
   memory = memoryOf(scene);
   EXPECT_EQ(memory.count("focus index"), 0u);
-  EXPECT_EQ(memory["images"], pixels * (16 + 16));  // the layer and the picture
+  EXPECT_EQ(memory["images"], pixels * 16);  // the layer, which is the picture
 
   Renderer renderer(std::make_shared<GpuScene>());
   renderer.render(scene, viewOf(scene));
-  for (const Pass pass : {Pass::HitPoints, Pass::PullPush, Pass::DistanceMap, Pass::RayStart, Pass::ContextLayer})
+  for (const Pass pass :
+       {Pass::HitPoints, Pass::PullPush, Pass::DistanceMap, Pass::RayStart, Pass::ContextLayer, Pass::Composite})
     EXPECT_EQ(renderer.stats()[static_cast<std::size_t>(pass)].runs, 0u) << nameOf(pass);
 
   // Switched off again, a feature gives back what it took.

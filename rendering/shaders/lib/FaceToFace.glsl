@@ -72,9 +72,9 @@ vec4 throughFocus(Ray ray, Cut cut, FacePoint front, FacePoint back, vec2 part) 
                             : meanMaterial(here.bound, there.bound);
       result += (1.0 - result.a)
                 * pieceOf(material, there.s - here.s, lightBetween(ray, cut, here.s, there.s, focus));
+      here = there;
+      from = to;
     }
-    here = there;
-    from = to;
   } while (++k < 3);
   return result;
 }

@@ -1,0 +1,127 @@
+// What draft and normal quality promise: the order of their errors, what they must not step over, and where the focus
+// begins and ends in them. High quality is a bound on the error, which the hard cases hold.
+
+#include "rendering/reference/Picture.h"
+#include "tests/gl/GlTest.h"
+
+namespace fenestra::tests {
+namespace {
+
+constexpr glm::ivec2 size{64, 48};
+
+using QualityErrors = GlTest;
+
+/// Root mean square and greatest error of the focus layer, in 1/255 of the worst channel. Rays start where the
+/// renderer's do.
+struct Errors {
+  double rms = 0.0, worst = 0.0;
+};
+
+Errors errorsOf(const Scene& scene, const Camera& camera, Quality quality) {
+  const Layers layers = renderOnce(scene, camera, size, quality).layers;
+  reference::Stages stages;
+  if (hasCutaway(scene)) {
+    stages = reference::geometricStages(scene, camera, size);
+    const auto widened = [](const std::vector<float>& values) {
+      return reference::Image(values.begin(), values.end());
+    };
+    stages.hits.tContext = widened(layers.tContext);
+    stages.hits.tFocus = widened(layers.tFocus);
+    stages.tStart = widened(layers.tStart);
+  }
+  const reference::Picture truth = reference::picture(scene, camera, size, stages, {});
+  Errors errors;
+  for (std::size_t i = 0; i < truth.focusLayer.size(); ++i) {
+    double worst = 0.0;
+    for (int channel = 0; channel < 4; ++channel)
+      worst = std::max(worst, 255.0 * std::abs(layers.focusLayer[i][channel] - truth.focusLayer[i][channel]));
+    errors.rms += worst * worst;
+    errors.worst = std::max(errors.worst, worst);
+  }
+  errors.rms = std::sqrt(errors.rms / static_cast<double>(truth.focusLayer.size()));
+  return errors;
+}
+
+/// Waves that `across` voxels of 60 mm show, smooth at that scale.
+Scene waves(int across) {
+  const Grid grid = gridOf({across, across, across}, glm::dvec3(60.0 / across));
+  Scene scene;
+  scene.volume = volumeOf<float>(grid, [&](glm::ivec3 i) {
+    const glm::dvec3 p = (glm::dvec3(i) + 0.5) / double(across) * 6.0;
+    return 500.0 + 400.0 * std::sin(p.x + 0.7 * p.z) * std::cos(p.y - 0.4 * p.x);
+  });
+  scene.context = {
+      {{100.0, {{1.0, 0.2, 0.1}, 0.0}}, {500.0, {{0.8, 0.7, 0.3}, 0.02}}, {900.0, {{0.2, 0.4, 1.0}, 0.05}}}};
+  scene.shading.enabled = false;
+  return scene;
+}
+
+Camera aside(const Scene& scene) { return Camera::fromAngles(33, 21, scene.volume->grid, Projection::Perspective); }
+
+TEST_F(QualityErrors, NormalIsOfSecondOrder) {
+  const Scene coarse = waves(24), fine = waves(48);
+  const double one = errorsOf(coarse, aside(coarse), Quality::Normal).rms;
+  const double half = errorsOf(fine, aside(fine), Quality::Normal).rms;
+  EXPECT_GT(one, 0.01) << "too little to tell";
+  // Half the voxels, a quarter of the error; a finer grid's trilinear field is another one, hence not quite.
+  EXPECT_GT(one / half, 3.0) << one << " and " << half;
+}
+
+TEST_F(QualityErrors, NormalStepsOverNoThinLayer) {
+  // Values that run evenly, and a layer a fifth of a voxel thick, nearly transparent: from face to face it is exact but
+  // for what it hides of itself.
+  const Grid grid = gridOf({40, 40, 40});
+  Scene scene;
+  scene.volume = volumeOf<std::int16_t>(grid, [](glm::ivec3 i) { return 100 * i.x + 60 * i.y; });
+  scene.context = {{{3390.0, {glm::dvec3(1.0), 0.0}},
+                    {3390.0, {glm::dvec3(1.0), 0.5}},
+                    {3410.0, {glm::dvec3(1.0), 0.5}},
+                    {3410.0, {glm::dvec3(1.0), 0.0}}}};
+  scene.shading.enabled = false;
+  const Errors normal = errorsOf(scene, aside(scene), Quality::Normal);
+  EXPECT_LE(normal.worst, 0.5);
+  EXPECT_GT(errorsOf(scene, aside(scene), Quality::Draft).worst, 10.0 * normal.worst) << "even steps miss it";
+}
+
+TEST_F(QualityErrors, TheFocusEndsBetweenFacesInNormal) {
+  // A focus of values in values that run evenly ends where they do, to float32; a label's surface is a cubic along a
+  // ray, of which the chord is taken.
+  Scene values;
+  const Grid grid = gridOf({32, 32, 32});
+  values.volume = volumeOf<std::int16_t>(grid, [](glm::ivec3 i) { return 50 * i.x + 20 * i.z; });
+  values.focus = ValueFocus{{800.0, 1037.0}, 0.0};
+  values.focusAppearance.extinction = 0.02;
+  values.context = {{{0.0, {{0.2, 0.6, 1.0}, 0.01}}}};
+  values.cutaway.enabled = false;
+  values.shading.enabled = false;
+  EXPECT_LE(errorsOf(values, aside(values), Quality::Normal).worst, 0.05);
+
+  Scene labels = values;
+  // Two labels, of two colours by their default.
+  labels.labels =
+      labelsOf(grid, [](glm::ivec3 i) { return glm::length(glm::dvec3(i) - 15.5) < 9.0 ? (i.x < 16 ? 1 : 2) : 0; });
+  labels.focus = LabelFocus{{1, 2}};
+  for (const bool cut : {false, true}) {
+    labels.cutaway.enabled = cut;
+    labels.cutaway.openWidth = 6.0;
+    const Errors normal = errorsOf(labels, aside(labels), Quality::Normal);
+    const Errors draft = errorsOf(labels, aside(labels), Quality::Draft);
+    EXPECT_LT(normal.rms, 0.5 * draft.rms);
+  }
+}
+
+TEST_F(QualityErrors, RaysEndAtTheBordersAndAnywhereInside) {
+  // Values at the border matter as much as any: from every side, and from an eye inside the volume.
+  const Scene scene = waves(24);
+  const Grid& grid = scene.volume->grid;
+  for (const glm::dvec2 angles : {glm::dvec2(0, 0), glm::dvec2(90, 0), glm::dvec2(45, 35), glm::dvec2(200, -60)})
+    for (const Projection projection : {Projection::Perspective, Projection::Orthographic}) {
+      const Camera camera = Camera::fromAngles(angles.x, angles.y, grid, projection);
+      EXPECT_LE(errorsOf(scene, camera, Quality::Normal).worst, 2.0) << angles.x << ' ' << angles.y;
+    }
+  const Camera inside = lookAt(grid.centre(), grid.centre() + glm::dvec3(3.0, 20.0, 5.0));
+  EXPECT_LE(errorsOf(scene, inside, Quality::Normal).worst, 2.0);
+}
+
+}  // namespace
+}  // namespace fenestra::tests
