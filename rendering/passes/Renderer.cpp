@@ -81,6 +81,11 @@ struct CompositeKey {
   glm::dvec3 borderColour;
   ContextLayer look;
   bool operator==(const CompositeKey&) const = default;
+  /// Whether both lay something over the same picture.
+  bool sameBelow(const CompositeKey& other) const {
+    return focusLayer == other.focusLayer && distance == other.distance && contextLayer == other.contextLayer;
+  }
+  double reach() const { return widths.x + widths.y + 1.0; }  ///< rendered pixels around the focus, its rim included
 };
 
 using Regions = std::span<const gl::Region>;
@@ -104,6 +109,24 @@ FocusLayerPass::Sampling samplingOf(const View& view, const Grid& grid) {
 /// Distance maps reach this far (rendered pixels) or the next power of two beyond what the widths need: a slider that
 /// moves within it leaves the map as it is.
 constexpr int leastDistanceRange = 64;
+
+/// What of the picture lies within `reach` pixels of a box of voxels.
+gl::Region around(const IndexBox& box, double reach, const RayFrame& rays, const Grid& grid) {
+  const glm::dvec3 low = glm::dvec3(box.low) - 1.0, high = glm::dvec3(box.high) + 1.0;
+  const glm::dmat4 worldFromIndex = grid.worldFromIndex();
+  const glm::dvec2 size(rays.size());
+  glm::dvec2 first(size), last(0.0);
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::dvec3 world(worldFromIndex * glm::dvec4(corner & 1 ? high.x : low.x, corner & 2 ? high.y : low.y,
+                                                       corner & 4 ? high.z : low.z, 1.0));
+    if (!(rays.depthOf(world) > 0.0)) return {glm::ivec2(0), rays.size()};  // it reaches behind the eye
+    const glm::dvec2 pixel = rays.pixelOf(world);
+    first = glm::min(first, pixel - reach);
+    last = glm::max(last, pixel + reach);
+  }
+  const glm::ivec2 origin(glm::clamp(glm::floor(first), glm::dvec2(0.0), size));
+  return {origin, glm::max(glm::ivec2(glm::clamp(glm::ceil(last), glm::dvec2(0.0), size)) - origin, 0)};
+}
 
 int distanceRange(glm::dvec2 widths, glm::ivec2 size) {
   // Half a pixel more than the border's rim, which is anti-aliased.
@@ -157,13 +180,16 @@ struct Renderer::State {
   bool timing = false;
   std::array<PassStats, passCount> stats{};
 
-  /// Runs body(regions) over the whole picture when the key changed, otherwise over `changed`, where strokes changed.
+  /// Runs body(regions) over the whole picture, or the part of it that depends on what the key is known to have changed
+  /// in, when the key changed; and over `changed`, where strokes changed.
   template <class Key, class Body>
-  void runIfStale(Pass pass, Memo<Key>& memo, Key key, Regions changed, const Body& body) {
+  void runIfStale(Pass pass, Memo<Key>& memo, Key key, Regions changed, const Body& body,
+                  const std::optional<gl::Region>& part = std::nullopt) {
     const bool stale = memo.isStale(key);
     if (!stale && changed.empty()) return;
-    const gl::Region whole{glm::ivec2(0), rays->size()};
-    const Regions regions = stale ? Regions(&whole, 1) : changed;
+    std::vector<gl::Region> regions;
+    if (stale) regions.push_back(part.value_or(gl::Region{glm::ivec2(0), rays->size()}));
+    if (!stale || part) regions.insert(regions.end(), changed.begin(), changed.end());
     PassStats& mine = stats[static_cast<std::size_t>(pass)];
     if (timing) {
       gl::TimerQuery timer;
@@ -335,7 +361,11 @@ void Renderer::render(const Scene& scene, const View& view) {
                                     s.widths,
                                     scene.cutaway.borderColour,
                                     scene.contextLayer};
-    s.runIfStale(Pass::Composite, s.composite, compositeKey, changed, [&](Regions regions) {
+    // What lies over the focus layer lies near the focus.
+    std::optional<gl::Region> part;
+    if (const auto& last = s.composite.key(); last && last->sameBelow(compositeKey) && gpu.focus().box)
+      part = around(*gpu.focus().box, std::max(last->reach(), compositeKey.reach()), rays, grid);
+    const auto compose = [&](Regions regions) {
       CompositePass::Inputs inputs{s.focusLayer, s.hitPoints, s.distances, s.widths};
       if (s.editMap) inputs.editMap = &s.editMap;
       if (contextLayer) {
@@ -344,7 +374,8 @@ void Renderer::render(const Scene& scene, const View& view) {
         inputs.gpu = &gpu;
       }
       s.compositePass.run(inputs, scene, regions, sized(s.composed, gl::Format::RGBA32F, view.size, presented));
-    });
+    };
+    s.runIfStale(Pass::Composite, s.composite, compositeKey, changed, compose, part);
   } else {
     s.composed = {};
     s.composite.forget();

@@ -3,17 +3,17 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(rgba32f, binding = 0) uniform writeonly image2D picture;
-uniform sampler2D focusLayer;
-uniform sampler2D hitPoints;
-uniform sampler2D distances;
+layout(rgba32f) uniform readonly image2D focusLayer;
+layout(rg32f) uniform readonly image2D hitPoints;
+layout(r32f) uniform readonly image2D distances;
 uniform vec2 widths;          // w_open, w_border in rendered pixels
 uniform vec3 borderColour;
 #if EDITED
-uniform sampler2D editMap;
+layout(rg32f) uniform readonly image2D editMap;
 #endif
 #if CONTEXT_LAYER
-uniform sampler2D contextLayer;
-uniform sampler2D silhouette;
+layout(rgba32f) uniform readonly image2D contextLayer;
+layout(r32f) uniform readonly image2D silhouette;
 uniform vec3 contextColour;
 uniform vec3 contextWeights;  // strength, curvature, silhouette
 uniform vec2 contextShade;     // weights of illumination and of the context's own colour
@@ -25,18 +25,18 @@ uniform float curvatureScale; // mm: length that makes curvature dimensionless, 
 void main() {
   ivec2 pixel = regionPixel();
   if (any(greaterThanEqual(pixel, imageSize(picture)))) return;
-  vec4 result = texelFetch(focusLayer, pixel, 0);
-  vec2 hit = texelFetch(hitPoints, pixel, 0).xy;
+  vec4 result = imageLoad(focusLayer, pixel);
+  vec2 hit = imageLoad(hitPoints, pixel).xy;
 #if CONTEXT_LAYER
-  vec4 context = texelFetch(contextLayer, pixel, 0);
+  vec4 context = imageLoad(contextLayer, pixel);
   if (hit.y > -1e29 && context.x > -1e29) {
     float bend = sqrt(0.5 * dot(context.xy, context.xy)) * curvatureScale;
-    float rim = texelFetch(silhouette, pixel, 0).r;
+    float rim = imageLoad(silhouette, pixel).r;
     // Edges come out as lines: both terms rise steeply.
     float opacity = contextWeights.y * smoothstep(0.10, 0.40, bend) + contextWeights.z * smoothstep(0.30, 0.85, rim);
     opacity = contextWeights.x * clamp(opacity, 0.0, 1.0);
 #if EDITED
-    opacity = min(opacity * texelFetch(editMap, pixel, 0).g, 1.0);
+    opacity = min(opacity * imageLoad(editMap, pixel).g, 1.0);
 #endif
     // A surface lies where opacity begins: what is opaque next to its value gives the colour.
     int last = imageSize(transferTables).x - 1;
@@ -50,11 +50,11 @@ void main() {
 #endif
   if (widths.y > 0.0 && hit.x > -1e29) {
     // Share of this pixel, a box one pixel wide across the rim, that w_open < DM ≤ w_open + w_border covers.
-    float distance = texelFetch(distances, pixel, 0).r;
+    float distance = imageLoad(distances, pixel).r;
     float border = clamp(min(distance + 0.5, widths.x + widths.y) - max(distance - 0.5, widths.x), 0.0, 1.0);
     if (distance <= 0.0) border = 0.0;
 #if EDITED
-    border *= texelFetch(editMap, pixel, 0).g;
+    border *= imageLoad(editMap, pixel).g;
 #endif
     result = mix(result, vec4(borderColour, 1.0), border);
   }

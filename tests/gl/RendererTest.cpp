@@ -1,5 +1,6 @@
 // The chain of passes: what re-runs when, what a scene costs, and what the later stages make of known fields.
 
+#include <functional>
 #include <initializer_list>
 #include <map>
 
@@ -356,6 +357,34 @@ TEST_F(Passes, BorderLiesBetweenItsWidthsOnTheContextAlone) {
   scene.cutaway.borderWidth = 0.0;
   for (const glm::vec4& pixel : renderOnce(scene, viewOf(scene).camera, size).layers.final)
     EXPECT_FALSE(pixel == glm::vec4(0.0f, 1.0f, 0.0f, 1.0f));
+}
+
+TEST_F(Passes, WhatLiesOverTheFocusLayerIsRedrawnAsInANewPicture) {
+  // Only around the focus; a narrower border gives back what the wider one covered.
+  Scene small = ballScene();
+  small.labels = labelsOf(small.volume->grid, [](glm::ivec3 i) { return glm::length(glm::dvec3(i) - 12.0) < 3.0; });
+  Scene byValue = ballScene();
+  byValue.focus = ValueFocus{{700.0, infinity}, 0.0};
+  const std::vector<std::function<void(Scene&)>> changes{
+      [](Scene& s) { s.cutaway.borderWidth = 12.0; }, [](Scene& s) { s.cutaway.borderColour = {0.2, 0.9, 0.4}; },
+      [](Scene& s) { s.cutaway.borderWidth = 1.5; },  [](Scene& s) { s.contextLayer.strength = 0.4; },
+      [](Scene& s) { s.cutaway.borderWidth = 0.0; },  [](Scene& s) { s.cutaway.borderWidth = 50.0; },
+  };
+  for (const Scene& start : {ballScene(), small, byValue})
+    for (const Camera& camera :
+         {viewOf(start).camera, viewOf(start, Projection::Orthographic).camera,
+          lookAt(start.volume->grid.centre() + glm::dvec3(3.0, 6.0, 2.0), start.volume->grid.centre())}) {
+      Scene scene = start;
+      const View view{camera, size, 1.0, Quality::Draft};
+      Renderer kept(std::make_shared<GpuScene>());
+      kept.render(scene, view);
+      for (std::size_t i = 0; i < changes.size(); ++i) {
+        changes[i](scene);
+        kept.render(scene, view);
+        const std::vector<glm::vec4> picture = kept.readLayers().final;
+        EXPECT_TRUE(picture == renderOnce(scene, camera, size, Quality::Draft).layers.final) << "change " << i;
+      }
+    }
 }
 
 TEST_F(Passes, PictureIsTheRightWayUp) {
