@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <regex>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -22,18 +21,18 @@ std::string elementName(std::string_view uniform) { return std::string(uniform) 
 /// as it is. llvmpipe reads a uniform that is named in a loop or a branch lane by lane, at each pass of the loop, and
 /// compilers put a copy of a uniform back to where it is used, unless it is one of an array's element.
 std::string withUniformsReadOnce(const std::string& line) {
-  static const std::regex plain(R"(uniform ((?:float|int|uint|bool|[iu]?vec[234]|mat[234])) ([\w, ]+);(.*))");
-  std::smatch match;
-  if (!std::regex_match(line, match, plain)) return line;
-  std::string stored, copies;
-  std::istringstream names(match[2]);
-  for (std::string name; names >> name;) {
-    if (name.back() == ',') name.pop_back();
+  constexpr std::array plain{"float", "int", "bool", "vec2", "vec3", "vec4", "ivec2", "ivec3", "ivec4", "mat3", "mat4"};
+  std::istringstream words(line);
+  std::string keyword, type, name, stored, copies;
+  words >> keyword >> type;
+  const std::size_t end = line.find(';');
+  if (keyword != "uniform" || end == std::string::npos || std::ranges::find(plain, type) == plain.end()) return line;
+  const std::size_t begin = line.find(type) + type.size();
+  for (std::istringstream names(line.substr(begin, end - begin)); std::getline(names >> std::ws, name, ',');) {
     stored += (stored.empty() ? "" : ", ") + storedName(name);
     copies += (copies.empty() ? "" : ", ") + name + " = " + elementName(name);
   }
-  const std::string type = match[1];
-  return "uniform " + type + ' ' + stored + "; " + type + ' ' + copies + ';' + match[3].str();
+  return "uniform " + type + ' ' + stored + "; " + type + ' ' + copies + line.substr(end);
 }
 
 /// Appends the file with its includes; line directives carry an index into `files`, which errors are translated with.

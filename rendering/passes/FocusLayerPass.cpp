@@ -72,8 +72,8 @@ void FocusLayerPass::run(const GpuScene& gpu, const Scene& scene, const RayFrame
   }
   setLight(program, rays.axes(), scene.shading);
   if (shading) {
-    bindTexture(program, "gradientTexture", unit++, gpu.gradient());
-    if (sampling.maxError) bindImage(program, "gradientTexels", image++, gpu.gradient());
+    if (sampling.step) bindTexture(program, "gradientTexture", unit++, gpu.gradient());
+    if (!sampling.step) bindImage(program, "gradientTexels", image++, gpu.gradient());
     program.set("gradientOrigin", glm::vec3(gpu.gradientOrigin()) + 0.5f);
     program.set("certainLength", static_cast<float>(lighting::certainLength));
     program.set("meanIncidence", static_cast<float>(lighting::meanIncidence));

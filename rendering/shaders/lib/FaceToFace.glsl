@@ -7,36 +7,86 @@ struct FacePoint {
   float s;  // mm along the ray
   float stored;
   Bound bound;
+#if SHADING
+  vec3 gated;  // normal
+#endif
 };
 
-FacePoint facePoint(float s, float stored) {
-  return FacePoint(s, stored, boundAt(stored * transferMap.x + transferMap.y));
+void classify(inout FacePoint point) { point.bound = boundAt(point.stored * transferMap.x + transferMap.y); }
+
+// The axis of the nearest of three planes, the first of those equally near.
+bvec3 firstOf(vec3 sides) {
+  return bvec3(sides.x <= sides.y && sides.x <= sides.z, sides.y < sides.x && sides.y <= sides.z,
+               sides.z < sides.x && sides.z < sides.y);
 }
 
-// The stored value where the ray meets the face of `cell` across one axis, the one with the higher index on axes where
-// `upper`.
-float storedOnFace(Ray ray, ivec3 cell, float s, bvec3 across, bvec3 upper) {
+// Where the ray meets the face of `cell` across one axis, the one with the higher index on axes where `upper`.
+FacePoint pointOnFace(Ray ray, ivec3 cell, float s, bvec3 across, bvec3 upper) {
   vec3 w = clamp(cellPosition(ray, s) - vec3(cell), 0.0, 1.0);
   ivec3 low = max(cell - 1, ivec3(0)), high = min(cell, volumeDims - 1), face = mix(low, high, upper);
   low = mix(low, face, across);
   high = mix(high, face, across);
   // The face's own axes are the first and the last of those that the ray does not cross.
-  ivec3 alongFirst = ivec3(high.x, across.x ? high.y : low.y, low.z);
-  ivec3 alongLast = ivec3(low.x, across.z ? high.y : low.y, high.z);
-  vec4 texels = vec4(imageLoad(volumeTexels, low).r, imageLoad(volumeTexels, alongFirst).r,
-                     imageLoad(volumeTexels, alongLast).r, imageLoad(volumeTexels, high).r);
-  vec4 corners = storedFrom(texels);
-  vec2 edges = mix(corners.xz, corners.yw, across.x ? w.y : w.x);
-  return mix(edges.x, edges.y, across.z ? w.y : w.z);
+  float along = across.x ? w.y : w.x, aside = across.z ? w.y : w.z;
+  ivec3 voxels[4] = ivec3[4](low, ivec3(high.x, across.x ? high.y : low.y, low.z),
+                             ivec3(low.x, across.z ? high.y : low.y, high.z), high);
+  FacePoint point;
+  point.s = s;
+  vec4 corners = storedFrom(vec4(imageLoad(volumeTexels, voxels[0]).r, imageLoad(volumeTexels, voxels[1]).r,
+                                 imageLoad(volumeTexels, voxels[2]).r, imageLoad(volumeTexels, voxels[3]).r));
+  vec2 edges = mix(corners.xz, corners.yw, along);
+  point.stored = mix(edges.x, edges.y, aside);
+  classify(point);
+#if SHADING
+  point.gated = mix(mix(gatedAt(voxels[0]), gatedAt(voxels[1]), along),
+                    mix(gatedAt(voxels[2]), gatedAt(voxels[3]), along), aside);
+#endif
+  return point;
 }
 
-vec2 lightBetween(Ray ray, Cut cut, float sFrom, float sTo, bool focus) {
-  vec2 light = vec2(1.0, 0.0);
+// Anywhere in a cell.
+FacePoint pointInside(Ray ray, ivec3 cell, float s) {
+  FacePoint point;
+  point.s = s;
+  point.stored = storedExact(cellPosition(ray, s));
+  classify(point);
 #if SHADING
-  float middle = 0.5 * (sFrom + sTo);
-  light = behindCut(lightAt(cellPosition(ray, middle), ray.world, focus), cut, middle);
+  vec3 w = clamp(cellPosition(ray, s) - vec3(cell), 0.0, 1.0);
+  point.gated = vec3(0.0);
+  for (int i = 0; i < 8; ++i) {
+    vec3 weights = mix(1.0 - w, w, bvec3(cornerOf(i)));
+    point.gated += weights.x * weights.y * weights.z * gatedAt(cell - 1 + cornerOf(i));
+  }
 #endif
-  return light;
+  return point;
+}
+
+// Part of the way from one to another.
+FacePoint between(FacePoint front, FacePoint back, float u) {
+  FacePoint point;
+  point.s = mix(front.s, back.s, u);
+  point.stored = mix(front.stored, back.stored, u);
+  classify(point);
+#if SHADING
+  point.gated = mix(front.gated, back.gated, u);
+#endif
+  return point;
+}
+
+vec2 lightBetween(Ray ray, Cut cut, FacePoint front, FacePoint back, bool focus) {
+#if SHADING
+  float middle = 0.5 * (front.s + back.s);
+  vec2 light = lightOfGated(0.5 * (front.gated + back.gated), ray.world);
+#if FOCUS_KIND == 1
+  if (focus) {
+    vec3 smoothed = focusNormal(cellPosition(ray, middle));
+    if (dot(smoothed, smoothed) > FLAT_FOCUS) light = lightOf(normalize(smoothed), ray.world);
+  }
+#endif
+  return behindCut(light, cut, middle);
+#else
+  return vec2(1.0, 0.0);
+#endif
 }
 
 #if FOCUS_KIND != 0
@@ -65,13 +115,13 @@ vec4 throughFocus(Ray ray, Cut cut, FacePoint front, FacePoint back, vec2 part) 
   int k = 0;
   do {
     float to = k == 0 ? part.x : k == 1 ? part.y : 1.0;
-    FacePoint there = facePoint(mix(front.s, back.s, to), mix(front.stored, back.stored, to));
+    FacePoint there = between(front, back, to);
     if (to > from) {
       bool focus = k == 1;
       vec4 material = focus ? focusMaterial(cellPosition(ray, 0.5 * (here.s + there.s)))
                             : meanMaterial(here.bound, there.bound);
       result += (1.0 - result.a)
-                * pieceOf(material, there.s - here.s, lightBetween(ray, cut, here.s, there.s, focus));
+                * pieceOf(material, there.s - here.s, lightBetween(ray, cut, here, there, focus));
       here = there;
       from = to;
     }
@@ -86,57 +136,62 @@ vec4 integrate(Ray ray, float start, Cut cut) {
   vec4 result = vec4(0.0);
   ivec3 cellCount = volumeDims + 1;
   bvec3 up = greaterThan(ray.direction, vec3(0.0)), parallel = equal(ray.inverse, vec3(0.0));
+  ivec3 upwards = ivec3(up), stride = 2 * upwards - 1;
   ivec3 cell = clamp(ivec3(floor(cellPosition(ray, start))), ivec3(0), cellCount - 1);
-  FacePoint back = facePoint(start, storedExact(cellPosition(ray, start))), front = back;
+  FacePoint back = pointInside(ray, cell, start), front = back;
   // A ray meets at most the sum of the three sides in cells, and as many bricks on top, behind each of which it takes
   // the face by which it enters the next cell first.
   int left = 3 * (cellCount.x + cellCount.y + cellCount.z);
   bool entered = true, more = true;
   bvec3 across = bvec3(false);
   do {
-    bool shows, inContext;
     ivec3 met;
     uint slot = 0u;
+    bool inContext;
     // Up to the next cell where the focus may be, which costs more than one without.
     do {
-      // Up to the next cell that shows something, so that rays that run side by side classify together.
+      // To the next brick that shows something.
+      ivec3 brick;
+      int empty;
       do {
-        ivec3 brick = cell >> BRICK_SHIFT;
-        int empty = int(imageLoad(occupiedSkip, brick).r);
-        bool leave = empty > 0 || entered;
-        ivec3 lower = empty > 0 ? (brick - (empty - 1)) * BRICK_SIDE : cell;
-        ivec3 upper = empty > 0 ? (brick + empty) * BRICK_SIDE : cell + 1;
-        vec3 planes = clamp(vec3(mix(lower, upper, up)), vec3(0.5), vec3(volumeDims) + 0.5);
-        vec3 sides = mix((planes - ray.base) * ray.inverse, vec3(FAR), parallel);
-        float s = back.s;
-        if (leave) {
-          s = max(min(sides.x, min(sides.y, sides.z)), s);
-          across = bvec3(sides.x <= sides.y && sides.x <= sides.z, sides.y < sides.x && sides.y <= sides.z,
-                         sides.z < sides.x && sides.z < sides.y);
-        }
-        front = back;
-        back = facePoint(s, storedOnFace(ray, cell, s, across, leave ? up : not(up)));
-        shows = empty == 0 && entered && max(front.bound.entry, back.bound.entry) > visibleEntries.x
-                && min(front.bound.entry, back.bound.entry) < visibleEntries.y;
-#if FOCUS_KIND != 0
-        slot = empty == 0 && entered ? imageLoad(focusBricks, brick).r : 0u;
-        shows = shows || slot != 0u;
-#endif
-        entered = empty == 0;
-        met = cell;
-        if (leave) {
+        brick = cell >> BRICK_SHIFT;
+        empty = int(imageLoad(occupiedSkip, brick).r);
+        if (empty > 0) {
+          ivec3 lower = (brick - (empty - 1)) * BRICK_SIDE, upper = (brick + empty) * BRICK_SIDE;
+          vec3 sides = mix((vec3(mix(lower, upper, up)) - ray.base) * ray.inverse, vec3(FAR), parallel);
+          back.s = max(min(sides.x, min(sides.y, sides.z)), back.s);
+          across = firstOf(sides);
           // Rounding must not carry the other two axes out of the block that was just left.
-          ivec3 next = clamp(ivec3(floor(cellPosition(ray, s))), lower, upper - 1);
+          ivec3 next = clamp(ivec3(floor(cellPosition(ray, back.s))), lower, upper - 1);
           cell = mix(next, mix(lower - 1, upper, up), across);
-          if (any(greaterThanEqual(uvec3(cell), uvec3(cellCount)))) left = 0;
+          entered = false;
+          left = all(lessThan(uvec3(cell), uvec3(cellCount))) ? left - 1 : 0;
         }
-      } while (!shows && --left > 0);
-      inContext = shows && slot == 0u;
+      } while (empty > 0 && left > 0);
+      // Behind a skipped block first the face by which it was left, then on to the next one.
+      vec3 planes = clamp(vec3(cell + upwards), vec3(0.5), vec3(volumeDims) + 0.5);
+      vec3 sides = mix((planes - ray.base) * ray.inverse, vec3(FAR), parallel);
+      float s = back.s;
+      if (entered) {
+        s = max(min(sides.x, min(sides.y, sides.z)), s);
+        across = firstOf(sides);
+      }
+      front = back;
+      back = pointOnFace(ray, cell, s, across, entered ? up : not(up));
+      met = cell;
+      inContext = entered && left > 0;
+#if FOCUS_KIND != 0
+      slot = inContext ? imageLoad(focusBricks, brick).r : 0u;
+      inContext = inContext && slot == 0u;
+#endif
+      if (entered) cell += mix(ivec3(0), stride, across);
+      entered = true;
+      if (any(greaterThanEqual(uvec3(cell), uvec3(cellCount)))) left = 0;
       if (inContext)
         result += (1.0 - result.a) * pieceOf(meanMaterial(front.bound, back.bound), back.s - front.s,
-                                             lightBetween(ray, cut, front.s, back.s, false));
-      more = left > 0 && 1.0 - result.a >= leastTransmittance;
-    } while (inContext && more);
+                                             lightBetween(ray, cut, front, back, false));
+      more = --left > 0 && 1.0 - result.a >= leastTransmittance;
+    } while (slot == 0u && more);
 #if FOCUS_KIND != 0
     if (slot != 0u) {
       vec2 part = focusPart(ray, met, slot, front, back, cut.onFocus && front.s == start);

@@ -1,8 +1,10 @@
 // The lighting model (rendering/scene/Lighting.h): light at points of the volume, and on the face that the opening cut.
 
-uniform sampler3D gradientTexture;  // gated normals, zero at 511/1023
-#if CELL_BY_CELL
-layout(rgb10_a2) uniform readonly image3D gradientTexels;  // the same
+// Gated normals, zero at 511/1023.
+#if EVEN_STEPS
+uniform sampler3D gradientTexture;
+#else
+layout(rgb10_a2) uniform readonly image3D gradientTexels;
 #endif
 uniform vec3 gradientOrigin;        // cell frame position of its first texel's outer corner; beyond it all is flat
 uniform float certainLength;        // of a gated normal, from which on it is lit in full
@@ -40,6 +42,7 @@ vec2 lightOfGated(vec3 normal, vec3 rayDirection) {
 
 vec3 gatedNormal(vec3 texel) { return texel * (1023.0 / 511.0) - 1.0; }
 
+#if EVEN_STEPS
 vec2 lightAt(vec3 at, vec3 rayDirection, bool focus) {
 #if FOCUS_KIND == 1
   if (focus) {
@@ -51,6 +54,13 @@ vec2 lightAt(vec3 at, vec3 rayDirection, bool focus) {
       gatedNormal(texture(gradientTexture, (at - gradientOrigin) / vec3(textureSize(gradientTexture, 0))).xyz),
       rayDirection);
 }
+#else
+// At a voxel's centre.
+vec3 gatedAt(ivec3 voxel) {
+  ivec3 last = imageSize(gradientTexels) - 1;
+  return gatedNormal(imageLoad(gradientTexels, clamp(voxel - ivec3(floor(gradientOrigin)), ivec3(0), last)).xyz);
+}
+#endif
 
 #if CELL_BY_CELL
 // Normals along a straight path through a cell: trilinear in it, so cubics, and known from its corners alone.
@@ -74,13 +84,10 @@ void bernsteinAlong(vec3 f[8], vec3 a, vec3 b, out vec3 along[4]) {
 
 // `a` and `b`: the path's ends within the cell.
 CellNormals normalsAlong(ivec3 cell, vec3 a, vec3 b) {
-  ivec3 first = cell - 1 - ivec3(floor(gradientOrigin)), last = imageSize(gradientTexels) - 1;
   vec3 f[8];
-  for (int i = 0; i < 8; ++i)
-    f[i] = imageLoad(gradientTexels, clamp(first + cornerOf(i), ivec3(0), last)).xyz;
+  for (int i = 0; i < 8; ++i) f[i] = gatedAt(cell - 1 + cornerOf(i));
   CellNormals normals;
   bernsteinAlong(f, a, b, normals.gated);
-  for (int k = 0; k < 4; ++k) normals.gated[k] = gatedNormal(normals.gated[k]);
   return normals;
 }
 
