@@ -319,23 +319,26 @@ vec4 integrate(Ray ray, float start, Cut cut) {
       // Walk to the next cell that shows something, so that rays that run side by side integrate together.
       do {
         shows = false;
-        ivec3 brick = cell >> BRICK_SHIFT;
-        int empty = int(imageLoad(occupiedSkip, brick).r);
-        bool here = empty > 0 || entered;
-        stepInto(ray, here ? cell : cellBefore(ray, cell, axis), axis, corners);
-        entered = empty == 0;
-        if (here) {
-          ivec3 lower = empty > 0 ? (brick - (empty - 1)) * BRICK_SIDE : cell;
-          ivec3 upper = empty > 0 ? (brick + empty) * BRICK_SIDE : cell + 1;
-          float sNext = max(blockExit(ray, lower, upper, axis), s);
-          if (entered) shows = lookInto(ray, cell, s, min(sNext, ray.sOut), corners, path);
-          // Rounding must not carry the other two axes out of the block that was just left.
-          ivec3 next = clamp(ivec3(floor(cellPosition(ray, sNext))), lower, upper - 1);
-          next[axis] = ray.direction[axis] > 0.0 ? upper[axis] : lower[axis] - 1;
-          if (sNext >= ray.sOut || any(lessThan(next, ivec3(0))) || any(greaterThanEqual(next, cellCount))) left = 0;
-          cell = next;
-          s = sNext;
+        int empty;
+        do {
+          ivec3 brick = cell >> BRICK_SHIFT;
+          empty = int(imageLoad(occupiedSkip, brick).r);
+          if (empty > 0) {
+            ivec3 lower = (brick - (empty - 1)) * BRICK_SIDE, upper = (brick + empty) * BRICK_SIDE;
+            left = leaveBlock(ray, lower, upper, ray.sOut, cell, s, axis) ? left - 1 : 0;
+            entered = false;
+          }
+        } while (empty > 0 && left > 0);
+        // Behind a skipped block first the face by which it was left, then the one beyond.
+        stepInto(ray, entered ? cell : cellBefore(ray, cell, axis), axis, corners);
+        if (entered) {
+          ivec3 held = cell;
+          float sFrom = s;
+          bool goesOn = leaveBlock(ray, held, held + 1, ray.sOut, cell, s, axis);
+          shows = lookInto(ray, held, sFrom, min(s, ray.sOut), corners, path);
+          if (!goesOn) left = 0;
         }
+        entered = true;
       } while (!shows && --left > 0);
       inContext = shows;
 #if FOCUS_KIND != 0

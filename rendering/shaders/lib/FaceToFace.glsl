@@ -14,12 +14,6 @@ struct FacePoint {
 
 void classify(inout FacePoint point) { point.bound = boundAt(point.stored * transferMap.x + transferMap.y); }
 
-// The axis of the nearest of three planes, the first of those equally near.
-bvec3 firstOf(vec3 sides) {
-  return bvec3(sides.x <= sides.y && sides.x <= sides.z, sides.y < sides.x && sides.y <= sides.z,
-               sides.z < sides.x && sides.z < sides.y);
-}
-
 // Where the ray meets the face of `cell` across one axis, the one with the higher index on axes where `upper`.
 FacePoint pointOnFace(Ray ray, ivec3 cell, float s, bvec3 across, bvec3 upper) {
   vec3 w = clamp(cellPosition(ray, s) - vec3(cell), 0.0, 1.0);
@@ -158,14 +152,10 @@ vec4 integrate(Ray ray, float start, Cut cut) {
         empty = int(imageLoad(occupiedSkip, brick).r);
         if (empty > 0) {
           ivec3 lower = (brick - (empty - 1)) * BRICK_SIDE, upper = (brick + empty) * BRICK_SIDE;
-          vec3 sides = mix((vec3(mix(lower, upper, up)) - ray.base) * ray.inverse, vec3(FAR), parallel);
-          back.s = max(min(sides.x, min(sides.y, sides.z)), back.s);
-          across = firstOf(sides);
-          // Rounding must not carry the other two axes out of the block that was just left.
-          ivec3 next = clamp(ivec3(floor(cellPosition(ray, back.s))), lower, upper - 1);
-          cell = mix(next, mix(lower - 1, upper, up), across);
+          int axis;
+          left = leaveBlock(ray, lower, upper, ray.sOut, cell, back.s, axis) ? left - 1 : 0;
+          across = equal(ivec3(0, 1, 2), ivec3(axis));
           entered = false;
-          left = all(lessThan(uvec3(cell), uvec3(cellCount))) ? left - 1 : 0;
         }
       } while (empty > 0 && left > 0);
       // Behind a skipped block first the face by which it was left, then on to the next one.
@@ -174,7 +164,8 @@ vec4 integrate(Ray ray, float start, Cut cut) {
       float s = back.s;
       if (entered) {
         s = max(min(sides.x, min(sides.y, sides.z)), s);
-        across = firstOf(sides);
+        across = bvec3(sides.x <= sides.y && sides.x <= sides.z, sides.y < sides.x && sides.y <= sides.z,
+                       sides.z < sides.x && sides.z < sides.y);
       }
       front = back;
       back = pointOnFace(ray, cell, s, across, entered ? up : not(up));

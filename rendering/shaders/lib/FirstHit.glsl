@@ -44,17 +44,6 @@ vec4 fieldAlong(const bool focus, Ray ray, ivec3 cell, float s, float sNext, ino
   return along;
 }
 
-// Carries a ray on from s in `cell`, through the faces of the block of cells [lower, upper) around it; false where it
-// ends in there, or the volume does.
-bool leaveBlock(Ray ray, ivec3 lower, ivec3 upper, float sEnd, inout ivec3 cell, inout float s) {
-  int axis;
-  s = max(blockExit(ray, lower, upper, axis), s);
-  // Rounding must not carry the other two axes out of the block that was just left.
-  cell = clamp(ivec3(floor(cellPosition(ray, s))), lower, upper - 1);
-  cell[axis] = ray.direction[axis] > 0.0 ? upper[axis] : lower[axis] - 1;
-  return s < sEnd && all(lessThan(uvec3(cell), uvec3(volumeDims + 1)));
-}
-
 // `focus` chooses the field; `gap` is the context's interval to leave. `exact`: where it leaves; else only whether it
 // does, and in which cell.
 float firstHit(const bool focus, const bool exact, Ray ray, float sBegin, float sEnd, vec2 gap) {
@@ -62,7 +51,7 @@ float firstHit(const bool focus, const bool exact, Ray ray, float sBegin, float 
   ivec3 cell = clamp(ivec3(floor(cellPosition(ray, sBegin))), ivec3(0), volumeDims);
   float s = sBegin;
   // A ray meets at most the sum of the three sides in cells, and as many bricks on top.
-  int left = 2 * (volumeDims.x + volumeDims.y + volumeDims.z + 3);
+  int left = 2 * (volumeDims.x + volumeDims.y + volumeDims.z + 3), axis;
   // Rays that run side by side do so in step: what costs more waits, loop by loop, until all of them need it, and loops
   // are left at their ends, since one left earlier runs to its end all the same, for nobody.
   float hit = NONE;
@@ -86,13 +75,13 @@ float firstHit(const bool focus, const bool exact, Ray ray, float sBegin, float 
         if (!found) {
           ivec3 lower = empty > 0 ? (brick - (empty - 1)) * BRICK_SIDE : cell;
           ivec3 upper = empty > 0 ? (brick + empty) * BRICK_SIDE : cell + 1;
-          left = leaveBlock(ray, lower, upper, sEnd, cell, s) ? left - 1 : 0;
+          left = leaveBlock(ray, lower, upper, sEnd, cell, s, axis) ? left - 1 : 0;
         }
       } while (!found && left > 0);
       if (found) {
         ivec3 held = cell;
         sFrom = s;
-        left = leaveBlock(ray, held, held + 1, sEnd, cell, s) ? left - 1 : 0;
+        left = leaveBlock(ray, held, held + 1, sEnd, cell, s, axis) ? left - 1 : 0;
         along = fieldAlong(focus, ray, held, sFrom, min(s, sEnd), gap);
         candidate = leavesHull(along, gap.x, gap.y);
       }

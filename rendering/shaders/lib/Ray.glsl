@@ -80,3 +80,13 @@ float blockExit(Ray ray, ivec3 lower, ivec3 upper, out int axis) {
   axis = s.x <= s.y && s.x <= s.z ? 0 : s.y <= s.z ? 1 : 2;
   return s[axis];
 }
+
+// Carries a ray on from s in `cell`, through the faces of the block of cells [lower, upper) around it; false where it
+// ends in there, or the volume does. `axis`: of the face by which it left.
+bool leaveBlock(Ray ray, ivec3 lower, ivec3 upper, float sEnd, inout ivec3 cell, inout float s, out int axis) {
+  s = max(blockExit(ray, lower, upper, axis), s);
+  // Rounding must not carry the other two axes out of the block that was just left.
+  cell = clamp(ivec3(floor(cellPosition(ray, s))), lower, upper - 1);
+  cell[axis] = ray.direction[axis] > 0.0 ? upper[axis] : lower[axis] - 1;
+  return s < sEnd && all(lessThan(uvec3(cell), uvec3(volumeDims + 1)));
+}
