@@ -67,6 +67,16 @@ TEST_F(QualityErrors, NormalIsOfSecondOrder) {
   EXPECT_GT(one / half, 3.0) << one << " and " << half;
 }
 
+TEST_F(QualityErrors, NormalLightsTheSideThatIsSeen) {
+  // Surfaces that turn opaque within a voxel: lit where light comes from, not in the middle of what is behind it.
+  Scene scene = waves(32);
+  scene.context = {{{480.0, {{1.0, 0.7, 0.5}, 0.0}}, {520.0, {{1.0, 0.7, 0.5}, 4.0}}}};
+  scene.shading.enabled = true;
+  const double normal = errorsOf(scene, aside(scene), Quality::Normal).rms;
+  const double draft = errorsOf(scene, aside(scene), Quality::Draft).rms;
+  EXPECT_LT(normal, 0.4 * draft) << normal << " and " << draft;
+}
+
 TEST_F(QualityErrors, NormalStepsOverNoThinLayer) {
   // Values that run evenly, and a layer a fifth of a voxel thick, nearly transparent: from face to face it is exact but
   // for what it hides of itself.

@@ -118,12 +118,6 @@ float nextColour(CellPath path, float u) {
 
 vec4 over(vec4 front, vec4 back) { return front + (1.0 - front.a) * back; }
 
-// Where in a piece of one material what is seen of it comes from on average, 0 to 1 from its front: ∫ x exp(-depth·x) dx
-// over ∫ exp(-depth·x) dx. Light that changes evenly along a piece is there what it is on average.
-float centreOfEmission(float depth) {
-  return depth < 0.1 ? 0.5 - depth / 12.0 : 1.0 / depth - 1.0 / (exp(depth) - 1.0);
-}
-
 // A part of a path that is all in the focus, of one material, or all in the context.
 struct Section {
   float uFrom, uTo;  // of the path

@@ -67,19 +67,33 @@ FacePoint between(FacePoint front, FacePoint back, float u) {
   return point;
 }
 
-vec2 lightBetween(Ray ray, Cut cut, FacePoint front, FacePoint back, bool focus) {
+// Premultiplied colour and opacity of one material from one point to another, lit as where it is seen on average.
+vec4 pieceBetween(Ray ray, Cut cut, FacePoint front, FacePoint back, vec4 material, bool focus) {
+  float size = back.s - front.s;
+  vec2 light = vec2(1.0, 0.0);
 #if SHADING
-  float middle = 0.5 * (front.s + back.s);
-  vec2 light = lightOfGated(0.5 * (front.gated + back.gated), ray.world);
+  float u = centreOfEmission(material.a * size), s = front.s + u * size;
+  light = lightOfGated(mix(front.gated, back.gated, u), ray.world);
 #if FOCUS_KIND == 1
   if (focus) {
-    vec3 smoothed = focusNormal(cellPosition(ray, middle));
+    vec3 smoothed = focusNormal(cellPosition(ray, s));
     if (dot(smoothed, smoothed) > FLAT_FOCUS) light = lightOf(normalize(smoothed), ray.world);
   }
 #endif
-  return behindCut(light, cut, middle);
+  light = behindCut(light, cut, s);
+#endif
+  return pieceOf(material, size, light);
+}
+
+// The same of the context. Lit, in two halves: it is the half that light comes from that has to be lit.
+vec4 contextBetween(Ray ray, Cut cut, FacePoint front, FacePoint back) {
+#if SHADING
+  FacePoint middle = between(front, back, 0.5);
+  vec4 first = pieceBetween(ray, cut, front, middle, meanMaterial(front.bound, middle.bound), false);
+  vec4 second = pieceBetween(ray, cut, middle, back, meanMaterial(middle.bound, back.bound), false);
+  return first + (1.0 - first.a) * second;
 #else
-  return vec2(1.0, 0.0);
+  return pieceBetween(ray, cut, front, back, meanMaterial(front.bound, back.bound), false);
 #endif
 }
 
@@ -111,11 +125,9 @@ vec4 throughFocus(Ray ray, Cut cut, FacePoint front, FacePoint back, vec2 part) 
     float to = k == 0 ? part.x : k == 1 ? part.y : 1.0;
     FacePoint there = between(front, back, to);
     if (to > from) {
-      bool focus = k == 1;
-      vec4 material = focus ? focusMaterial(cellPosition(ray, 0.5 * (here.s + there.s)))
-                            : meanMaterial(here.bound, there.bound);
-      result += (1.0 - result.a)
-                * pieceOf(material, there.s - here.s, lightBetween(ray, cut, here, there, focus));
+      vec4 material = focusMaterial(cellPosition(ray, 0.5 * (here.s + there.s)));
+      result += (1.0 - result.a) * (k == 1 ? pieceBetween(ray, cut, here, there, material, true)
+                                           : contextBetween(ray, cut, here, there));
       here = there;
       from = to;
     }
@@ -179,8 +191,7 @@ vec4 integrate(Ray ray, float start, Cut cut) {
       entered = true;
       if (any(greaterThanEqual(uvec3(cell), uvec3(cellCount)))) left = 0;
       if (inContext)
-        result += (1.0 - result.a) * pieceOf(meanMaterial(front.bound, back.bound), back.s - front.s,
-                                             lightBetween(ray, cut, front, back, false));
+        result += (1.0 - result.a) * contextBetween(ray, cut, front, back);
       more = --left > 0 && 1.0 - result.a >= leastTransmittance;
     } while (slot == 0u && more);
 #if FOCUS_KIND != 0
