@@ -11,7 +11,7 @@ Buffer::Buffer(std::span<const std::byte> bytes) : bytes_(bytes.size()) {
   constexpr std::uint32_t word = 0;
   glCreateBuffers(1, &name_);
   if (bytes.size() >= sizeof word)
-    glNamedBufferStorage(name_, static_cast<GLsizeiptr>(bytes.size()), bytes.data(), 0);
+    glNamedBufferStorage(name_, static_cast<GLsizeiptr>(bytes.size()), bytes.data(), GL_DYNAMIC_STORAGE_BIT);
   else
     glNamedBufferStorage(name_, sizeof word, &word, 0);
 }
@@ -37,6 +37,10 @@ Buffer& Buffer::operator=(Buffer&& other) noexcept {
   std::swap(name_, other.name_);
   std::swap(bytes_, other.bytes_);
   return *this;
+}
+
+void Buffer::write(std::span<const std::uint32_t> words) {
+  glNamedBufferSubData(name_, 0, static_cast<GLsizeiptr>(words.size_bytes()), words.data());
 }
 
 void Buffer::bind(unsigned binding) const { glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, name_); }

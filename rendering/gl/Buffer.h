@@ -22,8 +22,13 @@ class Buffer {
   static Buffer zeroed(std::size_t bytes);
   /// Copies the first bytes back; waits for what is written.
   void read(std::span<std::byte> bytes) const;
+  /// Replaces the first words.
+  void write(std::span<const std::uint32_t> words);
   /// As the shader storage block at `binding`.
   void bind(unsigned binding) const;
+
+  /// For gl's own classes.
+  std::uint32_t name() const { return name_; }
 
  private:
   std::uint32_t name_ = 0;

@@ -182,6 +182,16 @@ void ShaderProgram::dispatch(std::span<const Region> regions) {
   glUseProgram(0);
 }
 
+void ShaderProgram::dispatchIndirect(const Buffer& groups) const {
+  glUseProgram(name_);
+  glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
+  glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, groups.name());
+  glDispatchComputeIndirect(0);
+  glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, 0);
+  makeWritesVisible();
+  glUseProgram(0);
+}
+
 void ShaderProgram::drawFullScreen() const {
   GLuint vertexArray = 0;
   glCreateVertexArrays(1, &vertexArray);  // core profile wants one bound; vertex arrays are not shared between contexts

@@ -12,6 +12,8 @@
 
 #include <glm/glm.hpp>
 
+#include "rendering/gl/Buffer.h"
+
 namespace fenestra::gl {
 
 /// A shader that does not compile or link: a programmer's error or a driver's; what() is the log with file names.
@@ -59,6 +61,8 @@ class ShaderProgram {
   void dispatch(glm::ivec2 size, glm::ivec2 groupSize = {8, 8}) const;
   /// The same over each region of a picture in groups of 8×8; the shader takes its pixels from lib/Region.glsl.
   void dispatch(std::span<const Region> regions);
+  /// As many groups as a shader has written into the buffer's first three words.
+  void dispatchIndirect(const Buffer& groups) const;
   /// Draws one triangle that covers the viewport.
   void drawFullScreen() const;
 

@@ -1,7 +1,10 @@
 #include "rendering/passes/FocusLayerPass.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <vector>
 
 #include "rendering/passes/SceneBinding.h"
 #include "rendering/scene/Lighting.h"
@@ -23,11 +26,35 @@ constexpr double shareOfBound = 0.4;
 /// know what they hide of themselves: on the ten scenes of tests/bench/results their errors stay below it.
 constexpr double coarseBound = 4.0 / 255.0;
 
+/// What pixels may vary by from what interpolation takes them for and still be interpolated: about what face to face
+/// pictures are wrong by in the worst percent of their pixels. Lit ones are twice as wrong.
+constexpr double tolerance = 1.0 / 255.0, litTolerance = 2.0 * tolerance;
+
+// shaders/lib/PixelList.glsl.
+constexpr unsigned listBlock = 2;
+constexpr std::array<std::uint32_t, 4> emptyList{16, 0, 1, 0};
+
+/// Squares of `side` pixels, counted from the picture's top left, that the regions lie in.
+std::vector<gl::Region> inSquares(std::span<const gl::Region> regions, int side) {
+  std::vector<gl::Region> squares;
+  for (const gl::Region& region : regions) {
+    const glm::ivec2 first = region.origin / side, end = (region.origin + region.size + side - 1) / side;
+    squares.push_back({first, end - first});
+  }
+  return squares;
+}
+
+/// With room for two pixels of each square of two.
+std::size_t bytesOfList(std::span<const gl::Region> squares) {
+  std::size_t pixels = 0;
+  for (const gl::Region& region : squares) pixels += 2 * std::size_t(region.size.x) * std::size_t(region.size.y);
+  return sizeof emptyList + pixels * sizeof(std::uint32_t);
+}
+
 }  // namespace
 
-void FocusLayerPass::run(const GpuScene& gpu, const Scene& scene, const RayFrame& rays,
-                         const std::optional<Opening>& opening, const Sampling& sampling,
-                         std::span<const gl::Region> regions, gl::Texture& focusLayer) {
+gl::ShaderProgram& FocusLayerPass::prepared(bool listed, const GpuScene& gpu, const Scene& scene, const RayFrame& rays,
+                                            const std::optional<Opening>& opening, const Sampling& sampling) {
   const bool shading = scene.shading.enabled;
   const bool palette = static_cast<bool>(gpu.focusPaletteIndex());
   gl::ShaderProgram& program = programs_.get({volumeDefine(gpu),
@@ -38,6 +65,7 @@ void FocusLayerPass::run(const GpuScene& gpu, const Scene& scene, const RayFrame
                                               {"HAS_PREVIOUS_START", opening && opening->previousStart},
                                               {"CELL_BY_CELL", sampling.maxError.has_value()},
                                               {"EVEN_STEPS", sampling.step && !sampling.maxError},
+                                              {"LISTED", listed},
                                               {"FINE", sampling.maxError && *sampling.maxError < coarseBound},
                                               {"TABLE_SIZE", GpuScene::tableSize}});
   rays.setUniforms(program);
@@ -85,8 +113,36 @@ void FocusLayerPass::run(const GpuScene& gpu, const Scene& scene, const RayFrame
       program.set("worldFromIndexGradient", glm::mat3(glm::transpose(glm::dmat3(gpu.grid().indexFromWorld()))));
     }
   }
+  program.set("pitch", sampling.pitch);
+  return program;
+}
+
+void FocusLayerPass::run(const GpuScene& gpu, const Scene& scene, const RayFrame& rays,
+                         const std::optional<Opening>& opening, const Sampling& sampling,
+                         std::span<const gl::Region> regions, gl::Texture& focusLayer) {
+  gl::ShaderProgram& lattice = prepared(false, gpu, scene, rays, opening, sampling);
   focusLayer.bindImage(0, gl::Access::Write);
-  program.dispatch(regions);
+  lattice.dispatch(inSquares(regions, sampling.pitch));
+  if (sampling.pitch == 1) {
+    list_ = {};
+    return;
+  }
+  const std::size_t needed = bytesOfList(inSquares(regions, 2));
+  if (list_.bytes() < needed) list_ = gl::Buffer::zeroed(needed);
+  list_.bind(listBlock);
+  gl::ShaderProgram& rest = prepared(true, gpu, scene, rays, opening, sampling);
+  for (int halfSide = sampling.pitch / 2; halfSide > 0; halfSide /= 2)
+    for (const bool centres : {true, false}) {
+      list_.write(emptyList);
+      gl::ShaderProgram& between = between_.get({{"CENTRES", centres}});
+      between.set("pictureSize", rays.size());
+      between.set("halfSide", halfSide);
+      between.set("tolerance", static_cast<float>(scene.shading.enabled ? litTolerance : tolerance));
+      focusLayer.bindImage(0, gl::Access::ReadWrite);
+      between.dispatch(inSquares(regions, 2 * halfSide));
+      focusLayer.bindImage(0, gl::Access::Write);
+      rest.dispatchIndirect(list_);
+    }
 }
 
 }  // namespace fenestra

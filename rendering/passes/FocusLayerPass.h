@@ -18,23 +18,31 @@ class FocusLayerPass {
     const gl::Texture& hitPoints;
     const gl::Texture& rayStart;
     /// That `focusLayer` was drawn for last, all else being the same, or null: pixels whose start is as before are
-    /// kept.
+    /// kept. With a pitch of 1 alone: others depend on more than their own start.
     const gl::Texture* previousStart = nullptr;
   };
   /// How the integral is found. With a bound (of a pixel's colour, 0..1) cell by cell; else at even steps of so many
-  /// mm, or, without either, from face to face of the cells.
+  /// mm, or, without either, from face to face of the cells. Rays are followed on every pitch-th row and column of
+  /// pixels (a power of two), and between them where the picture does not vary smoothly.
   struct Sampling {
     std::optional<double> step{}, maxError{};
+    int pitch = 1;
     bool operator==(const Sampling&) const = default;
   };
-  /// A pixel's result depends on the ray starts this many pixels around it: a cut face's normal takes its neighbours'.
-  static constexpr int reach = 1;
+  /// A pixel's result depends on the ray starts this many pixels around it: interpolation takes those up to twice the
+  /// pitch away, from ones interpolated in turn, and a cut face's normal its neighbours'.
+  static int reach(const Sampling& sampling) { return 4 * (sampling.pitch - 1) + 1; }
   /// Writes premultiplied RGBA32F. Without an opening rays start where they enter the volume.
   void run(const GpuScene& gpu, const Scene& scene, const RayFrame& rays, const std::optional<Opening>& opening,
            const Sampling& sampling, std::span<const gl::Region> regions, gl::Texture& focusLayer);
+  std::size_t bytes() const { return list_.bytes(); }
 
  private:
-  gl::ShaderVariants programs_{"FocusLayer.comp"};
+  gl::ShaderProgram& prepared(bool listed, const GpuScene& gpu, const Scene& scene, const RayFrame& rays,
+                              const std::optional<Opening>& opening, const Sampling& sampling);
+
+  gl::ShaderVariants programs_{"FocusLayer.comp"}, between_{"PixelsBetween.comp"};
+  gl::Buffer list_;  // of pixels between those of the lattice, while there are any
 };
 
 }  // namespace fenestra

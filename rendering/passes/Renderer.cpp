@@ -99,11 +99,22 @@ gl::Texture& sized(gl::Texture& texture, gl::Format format, glm::ivec2 size, gl:
   return texture;
 }
 
-FocusLayerPass::Sampling samplingOf(const View& view, const Grid& grid) {
+/// Every how many pixels a ray is followed at least: no more rays than voxels have to be, for the eye to find in the
+/// picture what the volume holds.
+int pitchOf(const Grid& grid, double finest, const RayFrame& rays) {
+  constexpr int widest = 2;
+  const double depth = rays.depthOf(grid.centre());
+  const double voxel = depth > 0.0 ? finest / rays.pixelSize(depth) : 0.0;  // pixels
+  return voxel >= widest ? widest : 1;
+}
+
+FocusLayerPass::Sampling samplingOf(const View& view, const Grid& grid, const RayFrame& rays) {
   if (view.maxError) return {.maxError = *view.maxError / 255.0};
   if (view.quality == Quality::High) return {.maxError = highQualityError / 255.0};
-  if (view.quality == Quality::Draft) return {.step = std::min({grid.spacing.x, grid.spacing.y, grid.spacing.z})};
-  return {};
+  const double finest = std::min({grid.spacing.x, grid.spacing.y, grid.spacing.z});
+  FocusLayerPass::Sampling sampling{.pitch = pitchOf(grid, finest, rays)};
+  if (view.quality == Quality::Draft) sampling.step = finest;
+  return sampling;
 }
 
 /// Distance maps reach this far (rendered pixels) or the next power of two beyond what the widths need: a slider that
@@ -269,12 +280,13 @@ void Renderer::render(const Scene& scene, const View& view) {
   const bool contextLayer = cutaway && scene.contextLayer.strength > 0.0;
   s.widths = cutaway ? s.widthsInPixels(scene) : glm::dvec2(0.0);
 
+  const FocusLayerPass::Sampling sampling = samplingOf(view, grid, rays);
   // Strokes are in no pass's key: all that depends on them is patched together, or not at all.
   const std::optional<ProjectedStrokes> before = std::exchange(s.strokes, std::nullopt);
   if (!before) s.forgetEdited();
   const ProjectedStrokes strokes = cutaway ? project(scene.strokes, rays) : ProjectedStrokes();
   const std::vector<gl::Region> changed =
-      before ? changedRegions(*before, strokes, view.size, FocusLayerPass::reach) : std::vector<gl::Region>();
+      before ? changedRegions(*before, strokes, view.size, FocusLayerPass::reach(sampling)) : std::vector<gl::Region>();
 
   const std::uint64_t startBefore = s.start.version();
   bool openingMoved = false;
@@ -295,7 +307,8 @@ void Renderer::render(const Scene& scene, const View& view) {
       s.runIfStale(Pass::EditMap, s.edits, startKey, changed, [&](Regions regions) {
         s.editMapPass.run(rays, inputs, strokes, regions, sized(s.editMap, gl::Format::RG32F, view.size));
       });
-    openingMoved = s.start.isStale(startKey) && s.start.key() && s.start.key()->hits == startKey.hits;
+    openingMoved = sampling.pitch == 1 && s.start.isStale(startKey) && s.start.key() &&
+                   s.start.key()->hits == startKey.hits;
     if (openingMoved)
       std::swap(s.rayStart, s.previousStart);
     else
@@ -317,7 +330,6 @@ void Renderer::render(const Scene& scene, const View& view) {
     s.start.forget();
   }
 
-  const FocusLayerPass::Sampling sampling = samplingOf(view, grid);
   const FocusLayerKey focusKey{cutaway ? std::optional(s.start.version()) : std::nullopt,
                                version.volume,
                                version.focus,
@@ -500,7 +512,7 @@ const std::array<PassStats, passCount>& Renderer::stats() const { return state_-
 
 std::size_t Renderer::imageBytes() const {
   const State& s = *state_;
-  std::size_t sum = s.pullPushPass.bytes() + s.distanceMapPass.bytes() + s.editMapPass.bytes();
+  std::size_t sum = s.pullPushPass.bytes() + s.distanceMapPass.bytes() + s.editMapPass.bytes() + s.focusLayerPass.bytes();
   for (const gl::Texture* texture :
        {&s.hitPoints, &s.focusFilled, &s.distances, &s.editMap, &s.rayStart, &s.previousStart, &s.focusLayer,
         &s.contextLayer, &s.silhouette, &s.composed, &s.pickedHit})

@@ -8,6 +8,12 @@
 #include "lib/Lighting.glsl"
 #include "lib/Classification.glsl"
 
+#if LISTED
+#include "lib/PixelList.glsl"
+#else
+uniform int pitch;  // pixels from one ray to the next
+#endif
+
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(rgba32f, binding = 0) uniform writeonly image2D focusLayer;
 
@@ -65,7 +71,11 @@ vec2 behindCut(vec2 light, Cut cut, float s) {
 #endif
 
 void main() {
-  ivec2 pixel = regionPixel();
+#if LISTED
+  ivec2 pixel = listedPixel();
+#else
+  ivec2 pixel = pitch * regionPixel();
+#endif
   if (any(greaterThanEqual(pixel, pictureSize))) return;
 #if HAS_PREVIOUS_START
   if (!startMoved(pixel)) return;

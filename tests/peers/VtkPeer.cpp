@@ -223,7 +223,10 @@ void measure(const Options& options, const Peer& peer) {
     for (const bool lit : {false, true}) {
       Stage stage(scene, options.views.size, lit, peer);
       std::vector<double> ladder = lit ? bench::litLadder : bench::stepLadder;
-      if (!lit && first) ladder.insert(ladder.end(), bench::limitLadder.begin(), bench::limitLadder.end());
+      if (lit)
+        ladder.push_back(bench::limitLadder.back());
+      else if (first)
+        ladder.insert(ladder.end(), bench::limitLadder.begin(), bench::limitLadder.end());
       stage.setStep(ladder.front());
       stage.draw(cameras.back());  // uploads and compiles
       for (const double samples : ladder) {
@@ -232,8 +235,8 @@ void measure(const Options& options, const Peer& peer) {
         const std::size_t count = samples > bench::stepLadder.back() ? 1 : cameras.size();
         for (std::size_t i = 0; i < count; ++i) {
           run["frames_ms"].push_back(stage.draw(cameras[i]));
-          if (lit || i >= static_cast<std::size_t>(options.views.compared)) continue;
-          const std::string file = name + "-" + subject.id + "-" + std::to_string(i) + "-" +
+          if (i >= static_cast<std::size_t>(options.views.compared)) continue;
+          const std::string file = name + "-" + subject.id + (lit ? "-lit-" : "-") + std::to_string(i) + "-" +
                                    std::to_string(static_cast<int>(samples * 10.0)) + ".mha";
           io::writeLayer(folder / file, {static_cast<int>(pixels.size()), 1}, 4, stage.read(pixels));
           run["pictures"].push_back(file);

@@ -74,5 +74,6 @@ vec4 pieceOf(vec4 material, float lengthOfPiece, vec2 light) {
 // Where in a piece of one material what is seen of it comes from on average, 0 to 1 from its front: ∫ x exp(-depth·x) dx
 // over ∫ exp(-depth·x) dx. Light that changes evenly along a piece is there what it is on average.
 float centreOfEmission(float depth) {
-  return depth < 0.1 ? 0.5 - depth / 12.0 : 1.0 / depth - 1.0 / (exp(depth) - 1.0);
+  float passed = exp(-depth);  // as relativeOpacity() has it: one exponential for both
+  return depth < 0.1 ? 0.5 - depth / 12.0 : 1.0 / depth - passed / (1.0 - passed);
 }

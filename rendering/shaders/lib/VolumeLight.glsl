@@ -36,8 +36,8 @@ vec2 lightOfGated(vec3 normal, vec3 rayDirection) {
   vec2 flatLight = vec2(lighting.x + meanIncidence * lighting.y, 0.0);
   float size = dot(normal, normal);
   if (!(size > 1e-6)) return flatLight;
-  return mix(flatLight, lightOf(normal * inversesqrt(size), rayDirection),
-             smoothstep(0.0, certainLength, sqrt(size)));
+  float inverse = inversesqrt(size);
+  return mix(flatLight, lightOf(normal * inverse, rayDirection), smoothstep(0.0, certainLength, size * inverse));
 }
 
 vec3 gatedNormal(vec3 texel) { return texel * (1023.0 / 511.0) - 1.0; }

@@ -1,0 +1,73 @@
+// Adaptive sampling of the picture (after Levoy, "Volume rendering by adaptive refinement", 1990). Rays are followed on
+// a lattice of pixels first. Between points that vary smoothly pixels are interpolated; the others are listed, for their
+// own rays to be followed: first the centres of the lattice's squares, then the middles of the squares' sides, which
+// have a known pixel on every side by then.
+#include "lib/Region.glsl"
+#include "lib/PixelList.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(rgba32f, binding = 0) uniform image2D focusLayer;
+uniform ivec2 pictureSize;
+uniform int halfSide;     // of the lattice's squares, in pixels
+uniform float tolerance;  // of a colour, 0 … 1
+
+float most(vec4 v) { return max(max(v.x, v.y), max(v.z, v.w)); }
+vec4 known(ivec2 pixel) { return imageLoad(focusLayer, min(pixel, pictureSize - 1)); }
+
+#if CENTRES
+
+void main() {
+  ivec2 square = regionPixel(), last = (pictureSize - 1) / (2 * halfSide);
+  ivec2 pixel = (2 * square + 1) * halfSide;
+  if (any(greaterThanEqual(pixel, pictureSize))) return;
+  // From the lattice's point before the square to the one behind it, along each axis.
+  ivec2 at[4];
+  for (int i = 0; i < 4; ++i) at[i] = 2 * halfSide * clamp(square + i - 1, ivec2(0), last);
+  vec4 corners[4];
+  for (int i = 0; i < 4; ++i) corners[i] = known(ivec2(at[1 + (i & 1)].x, at[1 + (i >> 1)].y));
+  // Eight times what interpolation between two points is off by is the second difference; so is half the twist.
+  vec4 bend = 0.5 * abs(corners[0] - corners[1] - corners[2] + corners[3]), beyond = vec4(0.0);
+  for (int side = 0; side < 4; ++side) {
+    int which = side & 1;
+    bool down = side > 1;
+    vec4 from = corners[down ? which : 2 * which], to = corners[down ? 2 + which : 2 * which + 1];
+    vec4 ahead = known(down ? ivec2(at[1 + which].x, at[0].y) : ivec2(at[0].x, at[1 + which].y));
+    vec4 past = known(down ? ivec2(at[1 + which].x, at[3].y) : ivec2(at[3].x, at[1 + which].y));
+    bend = max(bend, max(abs(ahead - 2.0 * from + to), abs(from - 2.0 * to + past)));
+    beyond += ahead + past;
+  }
+  bool varies = any(equal(square, last)) || most(bend) > 8.0 * tolerance;
+  // Coons's patch between the cubics through four points along each side.
+  vec4 sum = corners[0] + corners[1] + corners[2] + corners[3];
+  if (!varies) imageStore(focusLayer, pixel, (5.0 / 16.0) * sum - (1.0 / 32.0) * beyond);
+  enlist(bvec2(varies, false), pixel, pixel);
+}
+
+#else
+
+// Across a step neighbours' means may agree by chance: where neighbours differ by this many tolerances, one may lie.
+const float MOST_CONTRAST = 12.0;
+
+// Whether the ray of a pixel between four known ones has to be followed. If not, the pixel is their mean.
+bool varies(ivec2 pixel, vec4 left, vec4 right, vec4 above, vec4 below) {
+  if (any(greaterThanEqual(pixel, pictureSize))) return false;
+  vec4 contrast = max(max(left, right), max(above, below)) - min(min(left, right), min(above, below));
+  if (any(equal(pixel, ivec2(0))) || any(greaterThanEqual(pixel + halfSide, pictureSize)) ||
+      most(abs(left + right - above - below)) > 2.0 * tolerance || most(contrast) > MOST_CONTRAST * tolerance)
+    return true;
+  imageStore(focusLayer, pixel, 0.25 * (left + right + above + below));
+  return false;
+}
+
+void main() {
+  ivec2 corner = 2 * halfSide * regionPixel(), centre = corner + halfSide;
+  if (any(greaterThanEqual(corner, pictureSize))) return;
+  vec4 cornerColour = known(corner), centreColour = known(centre);
+  ivec2 top = ivec2(centre.x, corner.y), side = ivec2(corner.x, centre.y);
+  ivec2 across = ivec2(halfSide, 0), down = ivec2(0, halfSide);
+  bool topVaries = varies(top, cornerColour, known(top + across), known(max(top - down, ivec2(0))), centreColour);
+  bool sideVaries = varies(side, known(max(side - across, ivec2(0))), centreColour, cornerColour, known(side + down));
+  enlist(bvec2(topVaries, sideVaries), top, side);
+}
+
+#endif

@@ -1,0 +1,25 @@
+// Pixels whose rays are still to be followed, in rows of groups as glDispatchComputeIndirect takes them.
+
+const uint GROUP_SIZE = 64u, ROW_SIZE = 16u * GROUP_SIZE;  // pixels
+
+layout(std430, binding = 2) buffer PixelList {
+  uint groups[3];  // in a row; rows; 1
+  uint count;
+  uint pixels[];   // y in the upper half
+};
+
+void enlist(bvec2 which, ivec2 first, ivec2 second) {
+  uint added = uint(which.x) + uint(which.y);
+  if (added == 0u) return;
+  uint at = atomicAdd(count, added);
+  uint rows = (at + added + ROW_SIZE - 1u) / ROW_SIZE - (at + ROW_SIZE - 1u) / ROW_SIZE;
+  if (rows > 0u) atomicAdd(groups[1], rows);
+  if (which.x) pixels[at++] = uint(first.x | first.y << 16);
+  if (which.y) pixels[at] = uint(second.x | second.y << 16);
+}
+
+// Of this invocation; outside of every picture where there are more invocations than pixels.
+ivec2 listedPixel() {
+  uint at = gl_WorkGroupID.y * ROW_SIZE + gl_WorkGroupID.x * GROUP_SIZE + gl_LocalInvocationIndex;
+  return at < count ? ivec2(pixels[at] & 0xffffu, pixels[at] >> 16) : ivec2(0xffff);
+}
