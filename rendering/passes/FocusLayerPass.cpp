@@ -26,9 +26,12 @@ constexpr double shareOfBound = 0.4;
 /// know what they hide of themselves: on the ten scenes of tests/bench/results their errors stay below it.
 constexpr double coarseBound = 4.0 / 255.0;
 
-/// What pixels may vary by from what interpolation takes them for and still be interpolated: about what face to face
-/// pictures are wrong by in the worst percent of their pixels. Lit ones are twice as wrong.
-constexpr double tolerance = 1.0 / 255.0, litTolerance = 2.0 * tolerance;
+/// What interpolated pixels may seem to be off by: about what pictures from face to face are wrong by in the worst
+/// percent of their pixels; lit ones and drafts are each twice as wrong. Where less is known, less is trusted: over
+/// squares of more than two pixels it is as much less.
+double toleranceOf(const FocusLayerPass::Sampling& sampling, bool lit, int halfSide) {
+  return (sampling.step ? 2.0 : 1.0) * (lit ? 2.0 : 1.0) / 255.0 / halfSide;
+}
 
 // shaders/lib/PixelList.glsl.
 constexpr unsigned listBlock = 2;
@@ -137,7 +140,7 @@ void FocusLayerPass::run(const GpuScene& gpu, const Scene& scene, const RayFrame
       gl::ShaderProgram& between = between_.get({{"CENTRES", centres}});
       between.set("pictureSize", rays.size());
       between.set("halfSide", halfSide);
-      between.set("tolerance", static_cast<float>(scene.shading.enabled ? litTolerance : tolerance));
+      between.set("tolerance", static_cast<float>(toleranceOf(sampling, scene.shading.enabled, halfSide)));
       focusLayer.bindImage(0, gl::Access::ReadWrite);
       between.dispatch(inSquares(regions, 2 * halfSide));
       focusLayer.bindImage(0, gl::Access::Write);

@@ -29,8 +29,8 @@ class FocusLayerPass {
     int pitch = 1;
     bool operator==(const Sampling&) const = default;
   };
-  /// A pixel's result depends on the ray starts this many pixels around it: interpolation takes those up to twice the
-  /// pitch away, from ones interpolated in turn, and a cut face's normal its neighbours'.
+  /// A pixel's result depends on the ray starts this many pixels around it: interpolated ones on those up to four half
+  /// sides of the lattice's squares away, at each of its sizes; a cut face's normal on its neighbours.
   static int reach(const Sampling& sampling) { return 4 * (sampling.pitch - 1) + 1; }
   /// Writes premultiplied RGBA32F. Without an opening rays start where they enter the volume.
   void run(const GpuScene& gpu, const Scene& scene, const RayFrame& rays, const std::optional<Opening>& opening,

@@ -99,20 +99,22 @@ gl::Texture& sized(gl::Texture& texture, gl::Format format, glm::ivec2 size, gl:
   return texture;
 }
 
-/// Every how many pixels a ray is followed at least: no more rays than voxels have to be, for the eye to find in the
-/// picture what the volume holds.
-int pitchOf(const Grid& grid, double finest, const RayFrame& rays) {
-  constexpr int widest = 2;
+/// Pixels from one ray that has to be followed to the next: a power of two, no more than a voxel is wide, so that what
+/// the volume holds does not slip through.
+int pitchOf(double finestSpacing, const Grid& grid, const RayFrame& rays) {
+  constexpr int widest = 4;
   const double depth = rays.depthOf(grid.centre());
-  const double voxel = depth > 0.0 ? finest / rays.pixelSize(depth) : 0.0;  // pixels
-  return voxel >= widest ? widest : 1;
+  const double voxel = depth > 0.0 ? finestSpacing / rays.pixelSize(depth) : 0.0;  // pixels
+  int pitch = widest;
+  while (pitch > std::max(voxel, 1.0)) pitch /= 2;
+  return pitch;
 }
 
 FocusLayerPass::Sampling samplingOf(const View& view, const Grid& grid, const RayFrame& rays) {
   if (view.maxError) return {.maxError = *view.maxError / 255.0};
   if (view.quality == Quality::High) return {.maxError = highQualityError / 255.0};
   const double finest = std::min({grid.spacing.x, grid.spacing.y, grid.spacing.z});
-  FocusLayerPass::Sampling sampling{.pitch = pitchOf(grid, finest, rays)};
+  FocusLayerPass::Sampling sampling{.pitch = pitchOf(finest, grid, rays)};
   if (view.quality == Quality::Draft) sampling.step = finest;
   return sampling;
 }
@@ -307,8 +309,8 @@ void Renderer::render(const Scene& scene, const View& view) {
       s.runIfStale(Pass::EditMap, s.edits, startKey, changed, [&](Regions regions) {
         s.editMapPass.run(rays, inputs, strokes, regions, sized(s.editMap, gl::Format::RG32F, view.size));
       });
-    openingMoved = sampling.pitch == 1 && s.start.isStale(startKey) && s.start.key() &&
-                   s.start.key()->hits == startKey.hits;
+    openingMoved =
+        sampling.pitch == 1 && s.start.isStale(startKey) && s.start.key() && s.start.key()->hits == startKey.hits;
     if (openingMoved)
       std::swap(s.rayStart, s.previousStart);
     else
@@ -512,7 +514,8 @@ const std::array<PassStats, passCount>& Renderer::stats() const { return state_-
 
 std::size_t Renderer::imageBytes() const {
   const State& s = *state_;
-  std::size_t sum = s.pullPushPass.bytes() + s.distanceMapPass.bytes() + s.editMapPass.bytes() + s.focusLayerPass.bytes();
+  std::size_t sum =
+      s.pullPushPass.bytes() + s.distanceMapPass.bytes() + s.editMapPass.bytes() + s.focusLayerPass.bytes();
   for (const gl::Texture* texture :
        {&s.hitPoints, &s.focusFilled, &s.distances, &s.editMap, &s.rayStart, &s.previousStart, &s.focusLayer,
         &s.contextLayer, &s.silhouette, &s.composed, &s.pickedHit})

@@ -12,7 +12,7 @@ uniform int halfSide;     // of the lattice's squares, in pixels
 uniform float tolerance;  // of a colour, 0 … 1
 
 float most(vec4 v) { return max(max(v.x, v.y), max(v.z, v.w)); }
-vec4 known(ivec2 pixel) { return imageLoad(focusLayer, min(pixel, pictureSize - 1)); }
+vec4 known(ivec2 pixel) { return imageLoad(focusLayer, pixel); }
 
 #if CENTRES
 
@@ -45,29 +45,26 @@ void main() {
 
 #else
 
-// Across a step neighbours' means may agree by chance: where neighbours differ by this many tolerances, one may lie.
-const float MOST_CONTRAST = 12.0;
-
-// Whether the ray of a pixel between four known ones has to be followed. If not, the pixel is their mean.
-bool varies(ivec2 pixel, vec4 left, vec4 right, vec4 above, vec4 below) {
+// Whether the ray of a pixel in the middle of a side has to be followed. If not, the pixel is interpolated. `along`: from
+// it to the side's end; `aside`: to the square's centre.
+bool varies(ivec2 pixel, ivec2 along, ivec2 aside) {
   if (any(greaterThanEqual(pixel, pictureSize))) return false;
-  vec4 contrast = max(max(left, right), max(above, below)) - min(min(left, right), min(above, below));
-  if (any(equal(pixel, ivec2(0))) || any(greaterThanEqual(pixel + halfSide, pictureSize)) ||
-      most(abs(left + right - above - below)) > 2.0 * tolerance || most(contrast) > MOST_CONTRAST * tolerance)
-    return true;
-  imageStore(focusLayer, pixel, 0.25 * (left + right + above + below));
+  if (any(lessThan(pixel, aside)) || any(greaterThanEqual(pixel + along + aside, pictureSize))) return true;
+  ivec2 last = (pictureSize - 1) / (2 * halfSide) * (2 * halfSide);
+  vec4 from = known(pixel - along), to = known(pixel + along), centres = known(pixel - aside) + known(pixel + aside);
+  vec4 before = known(max(pixel - 3 * along, ivec2(0))), behind = known(min(pixel + 3 * along, last));
+  vec4 bend = max(abs(before - 2.0 * from + to), abs(from - 2.0 * to + behind));
+  if (most(max(bend, 2.0 * abs(from + to - centres))) > 8.0 * tolerance) return true;
+  // Half from the cubic along the side, half from the four pixels around.
+  imageStore(focusLayer, pixel, (13.0 / 32.0) * (from + to) - (1.0 / 32.0) * (before + behind) + 0.125 * centres);
   return false;
 }
 
 void main() {
-  ivec2 corner = 2 * halfSide * regionPixel(), centre = corner + halfSide;
+  ivec2 corner = 2 * halfSide * regionPixel();
   if (any(greaterThanEqual(corner, pictureSize))) return;
-  vec4 cornerColour = known(corner), centreColour = known(centre);
-  ivec2 top = ivec2(centre.x, corner.y), side = ivec2(corner.x, centre.y);
   ivec2 across = ivec2(halfSide, 0), down = ivec2(0, halfSide);
-  bool topVaries = varies(top, cornerColour, known(top + across), known(max(top - down, ivec2(0))), centreColour);
-  bool sideVaries = varies(side, known(max(side - across, ivec2(0))), centreColour, cornerColour, known(side + down));
-  enlist(bvec2(topVaries, sideVaries), top, side);
+  enlist(bvec2(varies(corner + across, across, down), varies(corner + down, down, across)), corner + across, corner + down);
 }
 
 #endif
