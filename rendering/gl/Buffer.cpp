@@ -40,6 +40,7 @@ Buffer& Buffer::operator=(Buffer&& other) noexcept {
 }
 
 void Buffer::write(std::span<const std::uint32_t> words) {
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   glNamedBufferSubData(name_, 0, static_cast<GLsizeiptr>(words.size_bytes()), words.data());
 }
 

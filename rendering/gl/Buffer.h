@@ -22,7 +22,7 @@ class Buffer {
   static Buffer zeroed(std::size_t bytes);
   /// Copies the first bytes back; waits for what is written.
   void read(std::span<std::byte> bytes) const;
-  /// Replaces the first words.
+  /// Replaces the first words, after what shaders have done with them.
   void write(std::span<const std::uint32_t> words);
   /// As the shader storage block at `binding`.
   void bind(unsigned binding) const;

@@ -27,10 +27,10 @@ constexpr double shareOfBound = 0.4;
 constexpr double coarseBound = 4.0 / 255.0;
 
 /// What interpolated pixels may seem to be off by: about what pictures from face to face are wrong by in the worst
-/// percent of their pixels; lit ones and drafts are each twice as wrong. Where less is known, less is trusted: over
-/// squares of more than two pixels it is as much less.
+/// percent of their pixels. Lit pictures and drafts are more so. Where less is known, less is trusted: over squares of
+/// more than two pixels it is as much less.
 double toleranceOf(const FocusLayerPass::Sampling& sampling, bool lit, int halfSide) {
-  return (sampling.step ? 2.0 : 1.0) * (lit ? 2.0 : 1.0) / 255.0 / halfSide;
+  return (sampling.step ? 2.0 : 1.0) * (lit ? 1.5 : 1.0) / 255.0 / halfSide;
 }
 
 // shaders/lib/PixelList.glsl.
@@ -47,11 +47,12 @@ std::vector<gl::Region> inSquares(std::span<const gl::Region> regions, int side)
   return squares;
 }
 
-/// With room for two pixels of each square of two.
+/// With room for two pixels of each square of two, in whole groups of 8×8 squares.
 std::size_t bytesOfList(std::span<const gl::Region> squares) {
-  std::size_t pixels = 0;
-  for (const gl::Region& region : squares) pixels += 2 * std::size_t(region.size.x) * std::size_t(region.size.y);
-  return sizeof emptyList + pixels * sizeof(std::uint32_t);
+  std::size_t groups = 0;
+  for (const gl::Region& region : squares)
+    groups += std::size_t(region.size.x + 7) / 8 * (std::size_t(region.size.y + 7) / 8);
+  return sizeof emptyList + groups * 64 * 2 * sizeof(std::uint32_t);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 namespace fenestra {
 
+/// Draft and normal interpolate between rays where voxels are larger than pixels and the picture is smooth.
 enum class Quality : std::uint8_t {
   Draft,   ///< one sample per finest voxel: while dragging
   Normal,  ///< from face to face of the cells, the transfer function integrated between

@@ -1,7 +1,7 @@
 // Adaptive sampling of the picture (after Levoy, "Volume rendering by adaptive refinement", 1990). Rays are followed on
-// a lattice of pixels first. Between points that vary smoothly pixels are interpolated; the others are listed, for their
-// own rays to be followed: first the centres of the lattice's squares, then the middles of the squares' sides, which
-// have a known pixel on every side by then.
+// a lattice of pixels first. Between points that vary smoothly pixels are interpolated; the others are listed, for
+// their own rays to be followed: first the centres of the lattice's squares, then the middles of the squares' sides,
+// which have a known pixel on every side by then.
 #include "lib/Region.glsl"
 #include "lib/PixelList.glsl"
 
@@ -45,8 +45,8 @@ void main() {
 
 #else
 
-// Whether the ray of a pixel in the middle of a side has to be followed. If not, the pixel is interpolated. `along`: from
-// it to the side's end; `aside`: to the square's centre.
+// Whether the ray of a pixel in the middle of a side has to be followed. If not, the pixel is interpolated. `along`:
+// from it to the side's end; `aside`: to the square's centre.
 bool varies(ivec2 pixel, ivec2 along, ivec2 aside) {
   if (any(greaterThanEqual(pixel, pictureSize))) return false;
   if (any(lessThan(pixel, aside)) || any(greaterThanEqual(pixel + along + aside, pictureSize))) return true;
@@ -64,7 +64,8 @@ void main() {
   ivec2 corner = 2 * halfSide * regionPixel();
   if (any(greaterThanEqual(corner, pictureSize))) return;
   ivec2 across = ivec2(halfSide, 0), down = ivec2(0, halfSide);
-  enlist(bvec2(varies(corner + across, across, down), varies(corner + down, down, across)), corner + across, corner + down);
+  ivec2 top = corner + across, left = corner + down;
+  enlist(bvec2(varies(top, across, down), varies(left, down, across)), top, left);
 }
 
 #endif

@@ -24,15 +24,9 @@ Section boundsSection(const Options& options, const TruthStore& truths) {
   for (const Subject& subject : subjects.here) {
     const app::LoadedScene loaded = app::loadScene(subject.options);
     const Measurable what = prepare(subject.name, loaded.scene, oneView, truths);
-    const Measurable timesAlone = prepareTimes(subject.name, loaded.scene, oneView);
     Renderer renderer(std::make_shared<GpuScene>());
     const std::vector<Setting> settings = boundSettings({4.0, 2.0, 1.0, 0.5});
-    std::vector<Measured> measured;
-    for (const Setting& setting : settings) measured.push_back(measure(renderer, what, setting, oneView));
-    // In turns, so that a machine that is slower for a while is so for all of them.
-    for (int round = 1; round < rounds; ++round)
-      for (std::size_t i = 0; i < settings.size(); ++i)
-        measured[i].milliseconds.add(measure(renderer, timesAlone, settings[i], oneView).milliseconds.median());
+    const std::vector<Measured> measured = measure(renderer, what, settings, rounds, oneView);
     const std::size_t first = table.rows.size();
     for (std::size_t i = 0; i < settings.size(); ++i) {
       const Distribution& errors = measured[i].errors.channel;

@@ -38,15 +38,15 @@ struct Measurable {
   std::vector<std::vector<glm::dvec4>> truths;  ///< of the first cameras, premultiplied RGBA of `pixels`
 };
 Measurable prepare(const std::string& name, const Scene& scene, const Options& options, const TruthStore& truths);
-/// The same without truths: for times alone.
-Measurable prepareTimes(const std::string& name, const Scene& scene, const Options& options);
 
 struct Measured {
   Distribution milliseconds;  ///< one a frame, from the call until the picture is in the graphics memory
   ColourErrors errors;        ///< over all cameras
 };
-/// Draws along the path, each view once, after a small picture that uploads and compiles. Needs a current context.
-Measured measure(Renderer& renderer, const Measurable& what, const Setting& setting, const Options& options);
+/// Draws along the path with each setting in turn, `rounds` times, so that a machine that is slower for a while is so for
+/// all of them; each time after a view from elsewhere. Needs a current context.
+std::vector<Measured> measure(Renderer& renderer, const Measurable& what, const std::vector<Setting>& settings,
+                              int rounds, const Options& options);
 
 /// The compared pixels of a layer of `size` against their truth.
 ColourErrors errorsOf(const std::vector<glm::vec4>& here, const std::vector<glm::dvec4>& truth, const Measurable& what,

@@ -53,18 +53,42 @@ Peers readPeers(const fs::path& folder, const Views& views) {
   return peers;
 }
 
+namespace {
+
+/// RGBA of the compared pixels.
+std::vector<float> valuesOf(const fs::path& path, std::size_t pixels) {
+  io::Picture picture = io::readPicture(path);
+  if (picture.values.size() != 4 * pixels)
+    throw io::Error(path, "has another number of pixels", "measure this peer again");
+  return std::move(picture.values);
+}
+
+/// Peers draw on black and keep no opacity.
+glm::dvec4 colourOf(const std::vector<float>& values, std::size_t pixel, double opacity) {
+  return {values[4 * pixel], values[4 * pixel + 1], values[4 * pixel + 2], opacity};
+}
+
+}  // namespace
+
 ColourErrors errorsOf(const PeerRun& run, const Measurable& what) {
   ColourErrors errors;
   for (std::size_t i = 0; i < run.pictures.size(); ++i) {
-    const io::Picture picture = io::readPicture(run.pictures[i]);
-    if (picture.values.size() != 4 * what.pixels.size())
-      throw io::Error(run.pictures[i], "has another number of pixels", "measure this peer again");
+    const std::vector<float> values = valuesOf(run.pictures[i], what.pixels.size());
     for (std::size_t k = 0; k < what.pixels.size(); ++k) {
-      // Peers draw on black and keep no opacity.
       const glm::dvec4 truth = what.truths.at(i)[k];
-      errors.add({picture.values[4 * k], picture.values[4 * k + 1], picture.values[4 * k + 2], truth.a}, truth,
-                 glm::dvec3(0.0));
+      errors.add(colourOf(values, k, truth.a), truth, glm::dvec3(0.0));
     }
+  }
+  return errors;
+}
+
+ColourErrors errorsOf(const PeerRun& run, const PeerRun& limit) {
+  ColourErrors errors;
+  for (std::size_t i = 0; i < run.pictures.size(); ++i) {
+    const std::vector<float> truth = io::readPicture(limit.pictures.at(i)).values;
+    const std::vector<float> values = valuesOf(run.pictures[i], truth.size() / 4);
+    for (std::size_t k = 0; k < truth.size() / 4; ++k)
+      errors.add(colourOf(values, k, 0.0), colourOf(truth, k, 0.0), glm::dvec3(0.0));
   }
   return errors;
 }

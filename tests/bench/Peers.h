@@ -15,7 +15,7 @@ struct PeerRun {
   bool lit = false;
   double samplesPerVoxel = 0.0;
   Distribution milliseconds;                    ///< one a frame
-  std::vector<std::filesystem::path> pictures;  ///< of the compared pixels, one a camera; none when lit
+  std::vector<std::filesystem::path> pictures;  ///< of the compared pixels, one a camera
 };
 
 /// Everything in `folder` that was measured with the same views; what was not is said in `left`.
@@ -28,5 +28,7 @@ Peers readPeers(const std::filesystem::path& folder, const Views& views);
 
 /// A run's pictures against the truths of `what`, which is the same subject. Throws io::Error.
 ColourErrors errorsOf(const PeerRun& run, const Measurable& what);
+/// A lit run's pictures against what the same program's converge to. Throws io::Error.
+ColourErrors errorsOf(const PeerRun& run, const PeerRun& limit);
 
 }  // namespace fenestra::bench

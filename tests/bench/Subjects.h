@@ -56,6 +56,10 @@ std::vector<glm::ivec2> sampledPixels(glm::ivec2 size, int side);
 inline const std::vector<double> stepLadder{0.5, 1.0, 2.0, 4.0}, litLadder{2.0};
 /// And those at which one view of the first subject shows what a peer's picture converges to.
 inline const std::vector<double> limitLadder{8.0, 16.0};
+/// With lighting, whose models differ, a peer's picture is compared with its own at this many samples per voxel.
+inline constexpr double litLimit = 16.0;
+/// How often the path is gone along, for the times' median.
+inline constexpr int pathRounds = 3;
 
 /// Millimetres between samples, of so many per voxel at the finest spacing.
 double stepLength(const Grid& grid, double samplesPerVoxel);

@@ -22,15 +22,14 @@ const std::string unbounded = "Fenestra", bounded = "Fenestra, error bound";
 std::vector<Row> measureAll(const Measurable& what, const std::vector<double>& bounds, const Options& options) {
   std::vector<Row> rows;
   Renderer renderer(std::make_shared<GpuScene>());
-  for (const Setting& setting : unboundedSettings()) {
-    Measured measured = measure(renderer, what, setting, options);
-    rows.push_back({unbounded, setting.name, std::move(measured.milliseconds), std::move(measured.errors)});
-  }
-  for (const Setting& setting : boundSettings(bounds)) {
-    Measured measured = measure(renderer, what, setting, options);
-    const bool high = *setting.maxError == highQualityError;
-    rows.push_back({bounded, "≤ " + setting.name + (high ? " (high)" : ""), std::move(measured.milliseconds),
-                    std::move(measured.errors)});
+  std::vector<Setting> settings = unboundedSettings();
+  for (const Setting& setting : boundSettings(bounds)) settings.push_back(setting);
+  std::vector<Measured> measured = measure(renderer, what, settings, pathRounds, options);
+  for (std::size_t i = 0; i < settings.size(); ++i) {
+    const auto& [name, quality, maxError] = settings[i];
+    const bool high = maxError == highQualityError;
+    rows.push_back({maxError ? bounded : unbounded, maxError ? "≤ " + name + (high ? " (high)" : "") : name,
+                    std::move(measured[i].milliseconds), std::move(measured[i].errors)});
   }
   return rows;
 }
@@ -74,6 +73,10 @@ Table sweepTable(const std::string& name) {
   return table;
 }
 
+Table comparisonTable(const std::string& name) {
+  return {name, {"subject", "peer", "RMS", "99.99 %", "ms", "ours", "RMS", "99.99 %", "ms", "speed"}, {}};
+}
+
 /// The fastest of our rows whose errors are at most those given.
 const Row* fastestBelow(const std::vector<Row>& rows, double rms, double nearly) {
   const Row* fastest = nullptr;
@@ -98,6 +101,17 @@ std::vector<std::string> comparison(const std::string& subject, const Row& peer,
   return cells;
 }
 
+/// What the peers made of a subject with lighting, with errors against their own limits.
+std::vector<Row> litPeers(const std::string& subject, const Peers& peers) {
+  std::vector<Row> rows;
+  for (const PeerRun& run : peers.runs)
+    for (const PeerRun& limit : peers.runs)
+      if (run.lit && limit.lit && run.subject == subject && limit.subject == subject && run.program == limit.program &&
+          run.samplesPerVoxel < litLimit && limit.samplesPerVoxel == litLimit)
+        rows.push_back({run.program, stepName(run.samplesPerVoxel), run.milliseconds, errorsOf(run, limit)});
+  return rows;
+}
+
 }  // namespace
 
 Section sweepSection(const Options& options, const TruthStore& truths) {
@@ -109,24 +123,26 @@ Section sweepSection(const Options& options, const TruthStore& truths) {
       "of the worst channel, and as ΔE*ab (CIE 1976), against the converged reference in double precision, over the "
       "pixels that show anything. Times until the picture is in the graphics memory. Reading it as a speed: the first "
       "table sets each peer against the fastest setting of ours whose RMS and 99.99th percentile are both no greater. "
-      "Draft takes a sample a voxel; normal goes from face to face of the cells."
+      "Draft takes a sample a voxel; normal goes from face to face of the cells; both interpolate between rays where "
+      "voxels are larger than pixels and the picture is smooth."
       "\n\nThe peers have VTK's defaults but for jitter and the automatic choice of steps, which are off; opacities "
       "are "
       "those of 1 mm, in tables of 4096 entries. Their own limits show how far their pictures are the same: VTK's "
       "OpenGL "
-      "mapper ends a ray at an opacity of 254/255, and its CPU mapper computes in 15 bits. With lighting, the models "
-      "differ and only times are given. No pre-integrating CPU renderer of regular grids could be had from Debian: "
-      "VTK's "
-      "works on tetrahedra, whose interpolation is another field.";
+      "mapper ends a ray at an opacity of 254/255, and its CPU mapper computes in 15 bits. With lighting the models "
+      "differ, and with them what a picture converges to: each program's errors are those against its own limit, ours "
+      "against the reference, a peer's against its picture at " +
+      stepName(litLimit) +
+      ". No pre-integrating CPU renderer of regular grids could be had from Debian: VTK's works on tetrahedra, whose "
+      "interpolation is another field.";
   const Peers peers = readPeers(options.peers, options.views);
   for (const std::string& program : peers.programs) section.text += "\n\n" + program;
   for (const std::string& left : peers.left) section.text += "\n\n" + left;
   const Subjects subjects = reportSubjects(options.views);
   for (const std::string& missing : subjects.missing) section.text += "\n\n" + missing;
 
-  Table against{"peers", {"subject", "peer", "RMS", "99.99 %", "ms", "ours", "RMS", "99.99 %", "ms", "speed"}, {}};
-  Table lit{"lit", {"subject", "program", "step", "least ms", "median ms", "most ms"}, {}};
-  Table plainTable = sweepTable("plain"), ownTable = sweepTable("scenes");
+  Table against = comparisonTable("peers"), litAgainst = comparisonTable("lit-peers");
+  Table plainTable = sweepTable("plain"), litTable = sweepTable("lit"), ownTable = sweepTable("scenes");
   Table limit{"limits", {"program", "step", "RMS", "99.9 %", "99.99 %", "maximum"}, {}};
   for (const Subject& subject : subjects.here) {
     std::cerr << "sweep: " << subject.name << '\n';
@@ -137,13 +153,7 @@ Section sweepSection(const Options& options, const TruthStore& truths) {
     const std::size_t ours = rows.size();
     std::map<std::string, Row> floors;
     for (const PeerRun& run : peers.runs) {
-      if (run.subject != subject.id) continue;
-      if (run.lit) {
-        lit.rows.push_back({subject.name, run.program, stepName(run.samplesPerVoxel),
-                            fixed(run.milliseconds.percentile(0.0), 1), fixed(run.milliseconds.median(), 1),
-                            fixed(run.milliseconds.max(), 1)});
-        continue;
-      }
+      if (run.subject != subject.id || run.lit) continue;
       Row row{run.program, stepName(run.samplesPerVoxel), run.milliseconds, errorsOf(run, plain)};
       if (!limitLadder.empty() && subject.id == subjects.here.front().id)
         limit.rows.push_back({row.program, row.setting, number(rootMeanSquare(row.errors)),
@@ -168,21 +178,22 @@ Section sweepSection(const Options& options, const TruthStore& truths) {
 
     Scene plainLit = plainUnlit;
     plainLit.shading.enabled = true;
-    Renderer renderer(std::make_shared<GpuScene>());
-    for (const Setting& setting : unboundedSettings()) {
-      const Measured measured = measure(renderer, prepareTimes(subject.name, plainLit, options), setting, options);
-      lit.rows.push_back({subject.name, "Fenestra", setting.quality == Quality::Draft ? stepName(1.0) : "face to face",
-                          fixed(measured.milliseconds.percentile(0.0), 1), fixed(measured.milliseconds.median(), 1),
-                          fixed(measured.milliseconds.max(), 1)});
+    std::vector<Row> litRows = measureAll(prepare(subject.name, plainLit, options, truths), {8.0, 2.0}, options);
+    for (Row& row : litPeers(subject.id, peers)) {
+      litAgainst.rows.push_back(comparison(subject.name, row, litRows));
+      litRows.push_back(std::move(row));
     }
+    append(litTable, subject.name, litRows);
 
     const std::vector<Row> own = measureAll(prepare(subject.name, loaded.scene, options, truths), {2.0, 0.5}, options);
     append(ownTable, subject.name, own);
     section.charts.push_back(timeAgainstError(subject.id + "-scene", subject.name + ", with cutaway and lighting",
                                               "99.99th percentile of the error, 1/255", own, nearlyMax));
   }
-  std::cerr << plainText(against) << plainText(lit) << plainText(plainTable) << plainText(ownTable) << plainText(limit);
-  section.tables = {std::move(against), std::move(lit), std::move(limit), std::move(plainTable), std::move(ownTable)};
+  std::cerr << plainText(against) << plainText(litAgainst) << plainText(plainTable) << plainText(litTable)
+            << plainText(ownTable) << plainText(limit);
+  section.tables = {std::move(against),    std::move(litAgainst), std::move(limit),
+                    std::move(plainTable), std::move(litTable),   std::move(ownTable)};
   return section;
 }
 

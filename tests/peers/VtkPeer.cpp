@@ -224,7 +224,7 @@ void measure(const Options& options, const Peer& peer) {
       Stage stage(scene, options.views.size, lit, peer);
       std::vector<double> ladder = lit ? bench::litLadder : bench::stepLadder;
       if (lit)
-        ladder.push_back(bench::limitLadder.back());
+        ladder.push_back(bench::litLimit);
       else if (first)
         ladder.insert(ladder.end(), bench::limitLadder.begin(), bench::limitLadder.end());
       stage.setStep(ladder.front());
@@ -232,15 +232,17 @@ void measure(const Options& options, const Peer& peer) {
       for (const double samples : ladder) {
         Json run{{"subject", subject.id}, {"lit", lit}, {"samplesPerVoxel", samples}};
         stage.setStep(samples);
-        const std::size_t count = samples > bench::stepLadder.back() ? 1 : cameras.size();
-        for (std::size_t i = 0; i < count; ++i) {
-          run["frames_ms"].push_back(stage.draw(cameras[i]));
-          if (i >= static_cast<std::size_t>(options.views.compared)) continue;
-          const std::string file = name + "-" + subject.id + (lit ? "-lit-" : "-") + std::to_string(i) + "-" +
-                                   std::to_string(static_cast<int>(samples * 10.0)) + ".mha";
-          io::writeLayer(folder / file, {static_cast<int>(pixels.size()), 1}, 4, stage.read(pixels));
-          run["pictures"].push_back(file);
-        }
+        const bool limit = samples > bench::stepLadder.back();
+        const std::size_t count = limit ? 1 : cameras.size();
+        for (int round = 0; round < (limit ? 1 : bench::pathRounds); ++round)
+          for (std::size_t i = 0; i < count; ++i) {
+            run["frames_ms"].push_back(stage.draw(cameras[i]));
+            if (round > 0 || i >= static_cast<std::size_t>(options.views.compared)) continue;
+            const std::string file = name + "-" + subject.id + (lit ? "-lit-" : "-") + std::to_string(i) + "-" +
+                                     std::to_string(static_cast<int>(samples * 10.0)) + ".mha";
+            io::writeLayer(folder / file, {static_cast<int>(pixels.size()), 1}, 4, stage.read(pixels));
+            run["pictures"].push_back(file);
+          }
         std::cerr << name << ' ' << run.dump() << '\n';
         runs.push_back(std::move(run));
       }
