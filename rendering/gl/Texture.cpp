@@ -146,6 +146,13 @@ glm::vec4 Texture::readTexel(glm::ivec2 pixel) const {
 
 void Texture::bind(unsigned unit) const { glBindTextureUnit(unit, name_); }
 
+void Texture::copy(const Texture& from) {
+  GLint target = 0;
+  glGetTextureParameteriv(name_, GL_TEXTURE_TARGET, &target);
+  const auto kind = static_cast<GLenum>(target);
+  glCopyImageSubData(from.name_, kind, 0, 0, 0, 0, name_, kind, 0, 0, 0, 0, size_.x, size_.y, size_.z);
+}
+
 void Texture::bindImage(unsigned unit, Access access) const {
   const GLenum mode = access == Access::Read ? GL_READ_ONLY : access == Access::Write ? GL_WRITE_ONLY : GL_READ_WRITE;
   glBindImageTexture(unit, name_, 0, GL_TRUE, 0, mode, traits(format_).internal);

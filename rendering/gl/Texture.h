@@ -52,6 +52,8 @@ class Texture {
   void readInto(std::span<T> texels) const {
     read(std::as_writable_bytes(texels));
   }
+  /// Takes the texels of another one of the same size and format.
+  void copy(const Texture& from);
   /// One texel, as floats (missing components 0).
   glm::vec4 readTexel(glm::ivec2 pixel) const;
 

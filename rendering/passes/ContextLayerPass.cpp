@@ -7,13 +7,14 @@
 namespace fenestra {
 
 void ContextLayerPass::run(const GpuScene& gpu, const Shading& shading, const RayFrame& rays,
-                           const gl::Texture& hitPoints, gl::Texture& contextLayer, gl::Texture& silhouette) {
+                           const gl::Texture& hitPoints, std::span<const gl::Region> regions, gl::Texture& contextLayer,
+                           gl::Texture& silhouette) {
   gl::ShaderProgram& program =
       programs_.get({volumeDefine(gpu),
                      {"DERIVATIVE_BYTES", static_cast<int>(gl::bytesPerTexel(gpu.derivative().texture.format()))}});
   rays.setUniforms(program);
   bindVolume(gpu, program);
-  bindTexture(program, "hitPoints", 0, hitPoints);
+  bindImage(program, "hitPoints", firstFreeImage + 1, hitPoints);
   const DerivativeVolume& derivative = gpu.derivative();
   bindImage(program, "derivativeVolume", firstFreeImage, derivative.texture);
   const glm::dvec3 factor(derivative.factor);
@@ -30,7 +31,7 @@ void ContextLayerPass::run(const GpuScene& gpu, const Shading& shading, const Ra
   setLight(program, rays.axes(), shading);
   contextLayer.bindImage(0, gl::Access::Write);
   silhouette.bindImage(1, gl::Access::Write);
-  program.dispatch(rays.size());
+  program.dispatch(regions);
 }
 
 }  // namespace fenestra

@@ -1,6 +1,8 @@
 #pragma once
 // Stage 6: curvature, illumination and value of the context's first surface over the focus.
 
+#include <span>
+
 #include "rendering/gl/ShaderProgram.h"
 #include "rendering/gl/Texture.h"
 #include "rendering/passes/GpuScene.h"
@@ -11,9 +13,9 @@ namespace fenestra {
 class ContextLayerPass {
  public:
   /// Writes `contextLayer` (RGBA32F: κ1, κ2 in 1/mm, illumination, coded value; `nothing` in κ1 where there is no such
-  /// surface) and `silhouette` (R32F: 1 - |n·v|).
+  /// surface) and `silhouette` (R32F: 1 - |n·v|). `regions` hold the focus projection; beyond it nothing is meant.
   void run(const GpuScene& gpu, const Shading& shading, const RayFrame& rays, const gl::Texture& hitPoints,
-           gl::Texture& contextLayer, gl::Texture& silhouette);
+           std::span<const gl::Region> regions, gl::Texture& contextLayer, gl::Texture& silhouette);
 
  private:
   gl::ShaderVariants programs_{"ContextLayer.comp"};

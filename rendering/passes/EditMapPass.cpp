@@ -75,7 +75,7 @@ void EditMapPass::run(const RayFrame& rays, const RayStartPass::Inputs& inputs, 
 
   gl::ShaderProgram& program = programs_.get();
   rays.setUniforms(program);
-  inputs.bind(program, 0);
+  inputs.bind(program, 1);
   strokes_.bind(strokesBlock);
   lines_.bind(linesBlock);
   tiles_.bind(tilesBlock);

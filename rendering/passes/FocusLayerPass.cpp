@@ -66,7 +66,6 @@ gl::ShaderProgram& FocusLayerPass::prepared(bool listed, const GpuScene& gpu, co
                                               {"SHADING", shading},
                                               {"FOCUS_PALETTE", palette},
                                               {"HAS_RAY_START", opening.has_value()},
-                                              {"HAS_PREVIOUS_START", opening && opening->previousStart},
                                               {"CELL_BY_CELL", sampling.maxError.has_value()},
                                               {"EVEN_STEPS", sampling.step && !sampling.maxError},
                                               {"LISTED", listed},
@@ -87,9 +86,8 @@ gl::ShaderProgram& FocusLayerPass::prepared(bool listed, const GpuScene& gpu, co
   program.set("leastTransmittance", static_cast<float>(leastTransmittance(sampling)));
   if (sampling.maxError) program.set("maxError", static_cast<float>(shareOfBound * *sampling.maxError));
   if (opening) {
-    bindTexture(program, "rayStart", unit++, opening->rayStart);
+    bindImage(program, "rayStart", 1, opening->rayStart);
     bindTexture(program, "hitPoints", unit++, opening->hitPoints);
-    if (opening->previousStart) bindTexture(program, "previousStart", unit++, *opening->previousStart);
     const glm::dvec3 spacing = gpu.grid().spacing;
     program.set("wallDepth",
                 static_cast<float>(lighting::wallDepthVoxels * std::min({spacing.x, spacing.y, spacing.z})));

@@ -17,9 +17,6 @@ class FocusLayerPass {
   struct Opening {
     const gl::Texture& hitPoints;
     const gl::Texture& rayStart;
-    /// That `focusLayer` was drawn for last, all else being the same, or null: pixels whose start is as before are
-    /// kept. With a pitch of 1 alone: others depend on more than their own start.
-    const gl::Texture* previousStart = nullptr;
   };
   /// How the integral is found. With a bound (of a pixel's colour, 0..1) cell by cell; else at even steps of so many
   /// mm, or, without either, from face to face of the cells. Rays are followed on every pitch-th row and column of

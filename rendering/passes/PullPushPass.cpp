@@ -16,21 +16,19 @@ void PullPushPass::run(const gl::Texture& hitPoints, gl::Texture& filled) {
       filled_.push_back(gl::Texture::make2D(gl::Format::R32F, size));
     } while (size != glm::ivec2(1));
   }
-  gl::ShaderProgram& up = analysis_.get();
   for (std::size_t level = 0; level < known_.size(); ++level) {
-    bindTexture(up, "fine", 0, level == 0 ? hitPoints : known_[level - 1]);
-    up.set("fineComponent", level == 0 ? 1 : 0);
+    gl::ShaderProgram& up = analysis_.get({{"FINEST", level == 0}});
+    bindImage(up, "fine", 1, level == 0 ? hitPoints : known_[level - 1]);
     known_[level].bindImage(0, gl::Access::Write);
     up.dispatch(glm::ivec2(known_[level].size()));
   }
-  gl::ShaderProgram& down = synthesis_.get();
   for (std::size_t level = known_.size(); level-- > 0;) {
     // The coarsest level is one pixel: known, or there is nothing to fill with.
     const gl::Texture& coarse = level + 1 == known_.size() ? known_.back() : filled_[level];
     gl::Texture& target = level == 0 ? filled : filled_[level - 1];
-    bindTexture(down, "fine", 0, level == 0 ? hitPoints : known_[level - 1]);
-    down.set("fineComponent", level == 0 ? 1 : 0);
-    bindTexture(down, "coarse", 1, coarse);
+    gl::ShaderProgram& down = synthesis_.get({{"FINEST", level == 0}});
+    bindImage(down, "fine", 1, level == 0 ? hitPoints : known_[level - 1]);
+    bindImage(down, "coarse", 2, coarse);
     target.bindImage(0, gl::Access::Write);
     down.dispatch(glm::ivec2(target.size()));
   }

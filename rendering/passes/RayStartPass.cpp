@@ -5,9 +5,9 @@
 namespace fenestra {
 
 void RayStartPass::Inputs::bind(gl::ShaderProgram& program, unsigned unit) const {
-  bindTexture(program, "hitPoints", unit, hitPoints);
-  bindTexture(program, "focusFilled", unit + 1, focusFilled);
-  bindTexture(program, "distances", unit + 2, distances);
+  bindImage(program, "hitPoints", unit, hitPoints);
+  bindImage(program, "focusFilled", unit + 1, focusFilled);
+  bindImage(program, "distances", unit + 2, distances);
   program.set("openWidth", static_cast<float>(openWidth));
 }
 
@@ -15,8 +15,8 @@ void RayStartPass::run(const RayFrame& rays, const Inputs& inputs, const gl::Tex
                        std::span<const gl::Region> regions, gl::Texture& rayStart) {
   gl::ShaderProgram& program = programs_.get({{"EDITED", editMap != nullptr}});
   rays.setUniforms(program);
-  inputs.bind(program, 0);
-  if (editMap) bindTexture(program, "editMap", 3, *editMap);
+  inputs.bind(program, 1);
+  if (editMap) bindImage(program, "editMap", 4, *editMap);
   rayStart.bindImage(0, gl::Access::Write);
   program.dispatch(regions);
 }

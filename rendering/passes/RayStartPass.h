@@ -20,7 +20,7 @@ class RayStartPass {
     const gl::Texture& distances;
     double openWidth;  ///< rendered pixels
 
-    /// For shaders/lib/RayStart.glsl, in three texture units from `unit` on.
+    /// For shaders/lib/RayStart.glsl, at three image units from `unit` on.
     void bind(gl::ShaderProgram& program, unsigned unit) const;
   };
   /// `editMap` is EditMapPass's, or null without strokes. Writes R32F.

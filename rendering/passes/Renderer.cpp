@@ -172,8 +172,6 @@ struct Renderer::State {
 
   gl::Texture hitPoints, focusFilled, distances, editMap, rayStart, focusLayer, contextLayer, silhouette, composed;
   gl::Texture pickedHit;
-  /// The ray starts that the focus layer was last drawn for, while the opening moves and nothing else does.
-  gl::Texture previousStart;
 
   Memo<HitKey> hits;
   Memo<FillKey> fill;
@@ -290,8 +288,14 @@ void Renderer::render(const Scene& scene, const View& view) {
   const std::vector<gl::Region> changed =
       before ? changedRegions(*before, strokes, view.size, FocusLayerPass::reach(sampling)) : std::vector<gl::Region>();
 
+  // What of the picture lies within so many pixels of the focus, where it is known to end.
+  const auto nearFocus = [&](double reach) {
+    return gpu.focus().box ? std::optional(around(*gpu.focus().box, reach, rays, grid)) : std::nullopt;
+  };
+
   const std::uint64_t startBefore = s.start.version();
-  bool openingMoved = false;
+  // How far from the focus rays start elsewhere than before, where nothing but the opening moved.
+  std::optional<double> moved;
   if (cutaway) {
     s.runIfStale(Pass::HitPoints, s.hits, HitKey{version.volume, version.focus, version.gaps, view.camera, view.size},
                  {}, [&](Regions) { s.hitPointPass.run(gpu, rays, sized(s.hitPoints, gl::Format::RG32F, view.size)); });
@@ -309,20 +313,18 @@ void Renderer::render(const Scene& scene, const View& view) {
       s.runIfStale(Pass::EditMap, s.edits, startKey, changed, [&](Regions regions) {
         s.editMapPass.run(rays, inputs, strokes, regions, sized(s.editMap, gl::Format::RG32F, view.size));
       });
-    openingMoved =
-        sampling.pitch == 1 && s.start.isStale(startKey) && s.start.key() && s.start.key()->hits == startKey.hits;
-    if (openingMoved)
-      std::swap(s.rayStart, s.previousStart);
-    else
-      s.previousStart = {};
-    s.runIfStale(Pass::RayStart, s.start, startKey, changed, [&](Regions regions) {
-      s.rayStartPass.run(rays, inputs, s.editMap ? &s.editMap : nullptr, regions,
-                         sized(s.rayStart, gl::Format::R32F, view.size));
-    });
+    if (const auto& last = s.start.key(); last && last->hits == startKey.hits)
+      moved = std::max(last->openWidth, startKey.openWidth) + 1.0;
+    s.runIfStale(
+        Pass::RayStart, s.start, startKey, changed,
+        [&](Regions regions) {
+          s.rayStartPass.run(rays, inputs, s.editMap ? &s.editMap : nullptr, regions,
+                             sized(s.rayStart, gl::Format::R32F, view.size));
+        },
+        moved ? nearFocus(*moved) : std::nullopt);
   } else {
     // A plain volume rendering keeps none of the cutaway's images.
-    for (gl::Texture* texture : {&s.hitPoints, &s.focusFilled, &s.distances, &s.rayStart, &s.previousStart})
-      *texture = {};
+    for (gl::Texture* texture : {&s.hitPoints, &s.focusFilled, &s.distances, &s.rayStart}) *texture = {};
     s.pullPushPass.release();
     s.distanceMapPass.release();
     s.releaseEdits();
@@ -343,24 +345,28 @@ void Renderer::render(const Scene& scene, const View& view) {
                                view.camera,
                                view.size,
                                sampling};
-  // Where nothing but the opening moved, the rays that start where they did show what they did.
   FocusLayerKey keyBefore = focusKey;
   keyBefore.rayStart = startBefore;
-  const gl::Texture* previousStart = openingMoved && !s.focus.isStale(keyBefore) ? &s.previousStart : nullptr;
-  s.runIfStale(Pass::FocusLayer, s.focus, focusKey, changed, [&](Regions regions) {
-    std::optional<FocusLayerPass::Opening> opening;
-    if (cutaway) opening.emplace(FocusLayerPass::Opening{s.hitPoints, s.rayStart, previousStart});
-    s.focusLayerPass.run(gpu, scene, rays, opening, sampling, regions,
-                         sized(s.focusLayer, gl::Format::RGBA32F, view.size, presented));
-  });
+  const bool onlyMoved = moved && !s.focus.isStale(keyBefore);
+  s.runIfStale(
+      Pass::FocusLayer, s.focus, focusKey, changed,
+      [&](Regions regions) {
+        std::optional<FocusLayerPass::Opening> opening;
+        if (cutaway) opening.emplace(FocusLayerPass::Opening{s.hitPoints, s.rayStart});
+        s.focusLayerPass.run(gpu, scene, rays, opening, sampling, regions,
+                             sized(s.focusLayer, gl::Format::RGBA32F, view.size, presented));
+      },
+      onlyMoved ? nearFocus(*moved + FocusLayerPass::reach(sampling)) : std::nullopt);
 
   if (contextLayer) {
-    s.runIfStale(Pass::ContextLayer, s.context, ContextLayerKey{s.hits.version(), version.derivative, scene.shading},
-                 {}, [&](Regions) {
-                   s.contextLayerPass.run(gpu, scene.shading, rays, s.hitPoints,
-                                          sized(s.contextLayer, gl::Format::RGBA32F, view.size),
-                                          sized(s.silhouette, gl::Format::R32F, view.size));
-                 });
+    s.runIfStale(
+        Pass::ContextLayer, s.context, ContextLayerKey{s.hits.version(), version.derivative, scene.shading}, {},
+        [&](Regions regions) {
+          s.contextLayerPass.run(gpu, scene.shading, rays, s.hitPoints, regions,
+                                 sized(s.contextLayer, gl::Format::RGBA32F, view.size),
+                                 sized(s.silhouette, gl::Format::R32F, view.size));
+        },
+        nearFocus(1.0));
   } else {
     s.contextLayer = {};
     s.silhouette = {};
@@ -375,11 +381,14 @@ void Renderer::render(const Scene& scene, const View& view) {
                                     s.widths,
                                     scene.cutaway.borderColour,
                                     scene.contextLayer};
-    // What lies over the focus layer lies near the focus.
-    std::optional<gl::Region> part;
-    if (const auto& last = s.composite.key(); last && last->sameBelow(compositeKey) && gpu.focus().box)
-      part = around(*gpu.focus().box, std::max(last->reach(), compositeKey.reach()), rays, grid);
+    // What lies over the focus layer lies near the focus; elsewhere the picture is the focus layer.
+    const auto& last = s.composite.key();
+    const bool sameBelow = last && last->sameBelow(compositeKey);
+    const auto part = nearFocus(std::max(sameBelow ? last->reach() : 0.0, compositeKey.reach()));
+    const bool stale = s.composite.isStale(compositeKey);
     const auto compose = [&](Regions regions) {
+      gl::Texture& composed = sized(s.composed, gl::Format::RGBA32F, view.size, presented);
+      if (stale && !sameBelow && part) composed.copy(s.focusLayer);
       CompositePass::Inputs inputs{s.focusLayer, s.hitPoints, s.distances, s.widths};
       if (s.editMap) inputs.editMap = &s.editMap;
       if (contextLayer) {
@@ -387,7 +396,7 @@ void Renderer::render(const Scene& scene, const View& view) {
         inputs.silhouette = &s.silhouette;
         inputs.gpu = &gpu;
       }
-      s.compositePass.run(inputs, scene, regions, sized(s.composed, gl::Format::RGBA32F, view.size, presented));
+      s.compositePass.run(inputs, scene, regions, composed);
     };
     s.runIfStale(Pass::Composite, s.composite, compositeKey, changed, compose, part);
   } else {
@@ -461,10 +470,13 @@ Layers Renderer::readLayers() {
     layers.contextLayer.resize(count);
     s.contextLayer.readInto(std::span(layers.contextLayer));
     const VolumeTexture& coding = s.gpu->volume();
-    for (glm::vec4& texel : layers.contextLayer)
-      texel = isSomething(texel.x)
+    for (std::size_t i = 0; i < count; ++i) {
+      glm::vec4& texel = layers.contextLayer[i];
+      const bool written = !std::isnan(layers.tFocus[i]);
+      texel = written && isSomething(texel.x)
                   ? glm::vec4(glm::vec3(texel), static_cast<float>(coding.slope * texel.w + coding.offset))
                   : glm::vec4(nan);
+    }
   }
   layers.focusLayer.resize(count);
   s.focusLayer.readInto(std::span(layers.focusLayer));
@@ -516,9 +528,8 @@ std::size_t Renderer::imageBytes() const {
   const State& s = *state_;
   std::size_t sum =
       s.pullPushPass.bytes() + s.distanceMapPass.bytes() + s.editMapPass.bytes() + s.focusLayerPass.bytes();
-  for (const gl::Texture* texture :
-       {&s.hitPoints, &s.focusFilled, &s.distances, &s.editMap, &s.rayStart, &s.previousStart, &s.focusLayer,
-        &s.contextLayer, &s.silhouette, &s.composed, &s.pickedHit})
+  for (const gl::Texture* texture : {&s.hitPoints, &s.focusFilled, &s.distances, &s.editMap, &s.rayStart, &s.focusLayer,
+                                     &s.contextLayer, &s.silhouette, &s.composed, &s.pickedHit})
     if (*texture) sum += texture->bytes();
   return sum;
 }

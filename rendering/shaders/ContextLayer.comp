@@ -1,6 +1,7 @@
 // Stage 6: curvature, illumination and value of the context's first surface, inside the focus projection.
 // Output: κ1, κ2 (1/mm), illumination, stored value, and the silhouette term 1 - |n·v| beside them; NONE in the first
 // component where there is no such surface: the scan begins inside it, or the focus lies bare.
+#include "lib/Region.glsl"
 #include "lib/Ray.glsl"
 #include "lib/Volume.glsl"
 #include "lib/Lighting.glsl"
@@ -9,13 +10,13 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(rgba32f, binding = 0) uniform writeonly image2D contextLayer;
 layout(r32f, binding = 1) uniform writeonly image2D silhouette;
-uniform sampler2D hitPoints;
+layout(rg32f) uniform readonly image2D hitPoints;
 uniform float contextMargin;  // mm: hits nearer than this to the box's entry or to the focus are no surface of their own
 
 void main() {
-  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  ivec2 pixel = regionPixel();
   if (any(greaterThanEqual(pixel, pictureSize))) return;
-  vec2 hit = texelFetch(hitPoints, pixel, 0).xy;
+  vec2 hit = imageLoad(hitPoints, pixel).xy;
   vec4 layer = vec4(NONE, NONE, 0.0, 0.0);
   float rim = 0.0;
   if (!isNone(hit.y)) {

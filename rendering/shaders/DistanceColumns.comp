@@ -1,8 +1,8 @@
 // Stage 3, last step: exact Euclidean distance, the minimum over rows of the row distance and the row's own offset.
 // Rows are visited outwards and the search ends once the offset alone is no nearer. FAR beyond `range`.
 layout(local_size_x = 8, local_size_y = 8) in;
-uniform usampler2D rowDistance;
-uniform usampler2D focusTiles;
+layout(r16ui) uniform readonly uimage2D rowDistance;
+layout(r8ui) uniform readonly uimage2D focusTiles;
 uniform int range;
 layout(r32f, binding = 0) uniform writeonly image2D distances;
 
@@ -10,7 +10,7 @@ void main() {
   ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
   ivec2 size = imageSize(distances);
   if (any(greaterThanEqual(pixel, size))) return;
-  if (texelFetch(focusTiles, pixel >> 5, 0).r == 0u) {
+  if (imageLoad(focusTiles, pixel >> 5).r == 0u) {
     imageStore(distances, pixel, vec4(1e30));
     return;
   }
@@ -21,7 +21,7 @@ void main() {
     for (int side = -1; side <= 1; side += 2) {
       int y = pixel.y + side * offset;
       if (y < 0 || y >= size.y) continue;
-      uint across = texelFetch(rowDistance, ivec2(pixel.x, y), 0).r;
+      uint across = imageLoad(rowDistance, ivec2(pixel.x, y)).r;
       if (across <= uint(range)) best = min(best, across * across + uint(offset * offset));
     }
   }

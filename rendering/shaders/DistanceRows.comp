@@ -1,7 +1,7 @@
 // Stage 3, third step: distance in pixels to the nearest focus pixel of the same row, FAR_ROW beyond `range`.
 layout(local_size_x = 8, local_size_y = 8) in;
-uniform usampler2D focusMask;
-uniform usampler2D focusTiles;
+layout(r32ui) uniform readonly uimage2D focusMask;
+layout(r8ui) uniform readonly uimage2D focusTiles;
 uniform int range;
 layout(r16ui, binding = 0) uniform writeonly uimage2D rowDistance;
 
@@ -10,15 +10,15 @@ const int FAR_ROW = 65535;
 void main() {
   ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
   if (any(greaterThanEqual(pixel, imageSize(rowDistance)))) return;
-  if (texelFetch(focusTiles, pixel >> 5, 0).r == 0u) {
+  if (imageLoad(focusTiles, pixel >> 5).r == 0u) {
     imageStore(rowDistance, pixel, uvec4(FAR_ROW));
     return;
   }
-  int words = textureSize(focusMask, 0).x;
+  int words = imageSize(focusMask).x;
   int best = FAR_ROW;
   int first = max((pixel.x - range) >> 5, 0), last = min((pixel.x + range) >> 5, words - 1);
   for (int word = first; word <= last; ++word) {
-    uint bits = texelFetch(focusMask, ivec2(word, pixel.y), 0).r;
+    uint bits = imageLoad(focusMask, ivec2(word, pixel.y)).r;
     int begin = word * 32;
     // Nearest set bit at or left of the pixel, and at or right of it.
     int local = pixel.x - begin;

@@ -42,7 +42,7 @@ float profile(float d, float softness) {
 void main() {
   ivec2 pixel = regionPixel();
   if (any(greaterThanEqual(pixel, pictureSize))) return;
-  vec2 hit = texelFetch(hitPoints, pixel, 0).xy;
+  vec2 hit = imageLoad(hitPoints, pixel).xy;
   float offset = 0.0, share = 1.0;
   if (!isNone(hit.x)) {
     bool meetsFocus = !isNone(hit.y);

@@ -22,24 +22,8 @@ layout(r8ui) uniform readonly uimage3D occupiedSkip;
 uniform float leastTransmittance;  // what is behind that little of it does not show
 
 #if HAS_RAY_START
-uniform sampler2D rayStart;
+layout(r32f) uniform readonly image2D rayStart;
 uniform sampler2D hitPoints;
-#endif
-
-#if HAS_PREVIOUS_START
-uniform sampler2D previousStart;
-
-// Whether a pixel shows something else than before: its ray starts elsewhere, or a neighbour's, which the normal of a
-// cut face is taken from.
-bool startMoved(ivec2 pixel) {
-  const ivec2 around[5] = ivec2[5](ivec2(0, 0), ivec2(-1, 0), ivec2(1, 0), ivec2(0, -1), ivec2(0, 1));
-  bool moved = false;
-  for (int i = 0; i < 5; ++i) {
-    ivec2 at = clamp(pixel + around[i], ivec2(0), pictureSize - 1);
-    moved = moved || texelFetch(rayStart, at, 0).r != texelFetch(previousStart, at, 0).r;
-  }
-  return moved;
-}
 #endif
 
 // Where a ray starts: perhaps on the face that the opening cut into the volume, or on the focus's surface.
@@ -77,13 +61,10 @@ void main() {
   ivec2 pixel = pitch * regionPixel();
 #endif
   if (any(greaterThanEqual(pixel, pictureSize))) return;
-#if HAS_PREVIOUS_START
-  if (!startMoved(pixel)) return;
-#endif
   Ray ray = pixelRay(pixel);
   vec4 result = vec4(0.0);
 #if HAS_RAY_START
-  float start = texelFetch(rayStart, pixel, 0).r;
+  float start = imageLoad(rayStart, pixel).r;
   bool visible = !isNone(start);
 #else
   float start = ray.sIn;

@@ -193,6 +193,8 @@ TEST_F(AdaptiveSampling, PartsAreRedrawnAsInANewPicture) {
           scene.strokes = {stroke};
           expectAsNew("stroke");
         }
+      scene.cutaway.openWidth = 8.0;
+      expectAsNew("opening under a stroke");
       scene.strokes.clear();
       expectAsNew("strokes gone");
     }

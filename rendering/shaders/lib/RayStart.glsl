@@ -1,18 +1,18 @@
 // Stage 4 without the brush: where a ray starts to see.
 
-uniform sampler2D hitPoints;
-uniform sampler2D focusFilled;
-uniform sampler2D distances;
+layout(rg32f) uniform readonly image2D hitPoints;
+layout(r32f) uniform readonly image2D focusFilled;
+layout(r32f) uniform readonly image2D distances;
 uniform float openWidth;  // rendered pixels
 
 // `hit`: context and focus hit of the pixel, the first not NONE. sOut: where its ray leaves the box.
 float uneditedStart(ivec2 pixel, vec2 hit, float sOut) {
   float start = hit.x;
-  float distance = texelFetch(distances, pixel, 0).r;
+  float distance = imageLoad(distances, pixel).r;
   if (!isNone(hit.y)) {
     start = hit.y;
   } else if (openWidth > 0.0 && distance <= openWidth) {
-    start = mix(texelFetch(focusFilled, pixel, 0).r, hit.x, distance / openWidth);
+    start = mix(imageLoad(focusFilled, pixel).r, hit.x, distance / openWidth);
   }
   return clamp(start, hit.x, max(hit.x, sOut));
 }

@@ -172,7 +172,7 @@ vec3 wallNormal(ivec2 pixel, float start) {
   for (int axis = 0; axis < 2; ++axis) {
     ivec2 step = ivec2(1 - axis, axis);
     ivec2 a = max(pixel - step, ivec2(0)), b = min(pixel + step, pictureSize - 1);
-    float sa = texelFetch(rayStart, a, 0).r, sb = texelFetch(rayStart, b, 0).r;
+    float sa = imageLoad(rayStart, a).r, sb = imageLoad(rayStart, b).r;
     if (isNone(sa) || isNone(sb)) return vec3(0.0);
     tangent[axis] = worldPosition(pixelRay(b), sb) - worldPosition(pixelRay(a), sa);
   }
