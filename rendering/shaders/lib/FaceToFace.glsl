@@ -115,24 +115,14 @@ vec2 focusPart(Ray ray, ivec3 cell, uint slot, FacePoint front, FacePoint back, 
   return clamp(vec2(min(at.x, at.y), max(at.x, at.y)), 0.0, 1.0);
 }
 
-// A cell some of which is in the focus: what lies before, in and behind it.
+// A cell some of which is in the focus: what lies before, in and behind it, each seen as one piece.
 vec4 throughFocus(Ray ray, Cut cut, FacePoint front, FacePoint back, vec2 part) {
-  vec4 result = vec4(0.0);
-  float from = 0.0;
-  FacePoint here = front;
-  int k = 0;
-  do {
-    float to = k == 0 ? part.x : k == 1 ? part.y : 1.0;
-    FacePoint there = between(front, back, to);
-    if (to > from) {
-      vec4 material = focusMaterial(cellPosition(ray, 0.5 * (here.s + there.s)));
-      result += (1.0 - result.a) * (k == 1 ? pieceBetween(ray, cut, here, there, material, true)
-                                           : contextBetween(ray, cut, here, there));
-      here = there;
-      from = to;
-    }
-  } while (++k < 3);
-  return result;
+  FacePoint enters = between(front, back, part.x), leaves = between(front, back, max(part.x, part.y));
+  vec4 inside = focusMaterial(cellPosition(ray, 0.5 * (enters.s + leaves.s)));
+  vec4 result = pieceBetween(ray, cut, front, enters, meanMaterial(front.bound, enters.bound), false);
+  result += (1.0 - result.a) * pieceBetween(ray, cut, enters, leaves, inside, true);
+  vec4 behind = pieceBetween(ray, cut, leaves, back, meanMaterial(leaves.bound, back.bound), false);
+  return result + (1.0 - result.a) * behind;
 }
 #endif
 
