@@ -43,8 +43,8 @@ struct Measured {
   Distribution milliseconds;  ///< one a frame, from the call until the picture is in the graphics memory
   ColourErrors errors;        ///< over all cameras
 };
-/// Draws along the path with each setting in turn, `rounds` times, so that a machine that is slower for a while is so for
-/// all of them; each time after a view from elsewhere. Needs a current context.
+/// Draws along the path with each setting in turn, `rounds` times, so that a machine that is slower for a while is so
+/// for all of them; each time after a view from elsewhere. Needs a current context.
 std::vector<Measured> measure(Renderer& renderer, const Measurable& what, const std::vector<Setting>& settings,
                               int rounds, const Options& options);
 

@@ -126,12 +126,10 @@ Section sweepSection(const Options& options, const TruthStore& truths) {
       "Draft takes a sample a voxel; normal goes from face to face of the cells; both interpolate between rays where "
       "voxels are larger than pixels and the picture is smooth."
       "\n\nThe peers have VTK's defaults but for jitter and the automatic choice of steps, which are off; opacities "
-      "are "
-      "those of 1 mm, in tables of 4096 entries. Their own limits show how far their pictures are the same: VTK's "
-      "OpenGL "
-      "mapper ends a ray at an opacity of 254/255, and its CPU mapper computes in 15 bits. With lighting the models "
-      "differ, and with them what a picture converges to: each program's errors are those against its own limit, ours "
-      "against the reference, a peer's against its picture at " +
+      "are those of 1 mm, in tables of 4096 entries. Their own limits show how far their pictures are the same: VTK's "
+      "OpenGL mapper ends a ray at an opacity of 254/255, and its CPU mapper computes in 15 bits. With lighting the "
+      "models differ, and with them what a picture converges to: each program's errors are those against its own "
+      "limit, ours against the reference, a peer's against its picture at " +
       stepName(litLimit) +
       ". No pre-integrating CPU renderer of regular grids could be had from Debian: VTK's works on tetrahedra, whose "
       "interpolation is another field.";
