@@ -28,7 +28,7 @@ Peers readPeers(const std::filesystem::path& folder, const Views& views);
 
 /// A run's pictures against the truths of `what`, which is the same subject. Throws io::Error.
 ColourErrors errorsOf(const PeerRun& run, const Measurable& what);
-/// A lit run's pictures against what the same program's converge to. Throws io::Error.
+/// A lit run's pictures against what the same program's converge to, of the views that both have. Throws io::Error.
 ColourErrors errorsOf(const PeerRun& run, const PeerRun& limit);
 
 }  // namespace fenestra::bench

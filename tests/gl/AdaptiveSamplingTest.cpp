@@ -11,14 +11,13 @@ namespace fenestra::tests {
 namespace {
 
 /// The focus layer of a scene without cutaway with rays on every pitch-th row and column at least.
-std::vector<glm::vec4> drawn(const Scene& scene, const Camera& camera, glm::ivec2 size, int pitch,
-                             std::optional<double> step = std::nullopt) {
+std::vector<glm::vec4> drawn(const Scene& scene, const Camera& camera, glm::ivec2 size, int pitch) {
   GpuScene gpu;
   gpu.update(scene);
   gl::Texture layer = gl::Texture::make2D(gl::Format::RGBA32F, size);
   const gl::Region whole{glm::ivec2(0), size};
-  FocusLayerPass().run(gpu, scene, RayFrame(camera, size, scene.volume->grid), std::nullopt,
-                       {.step = step, .pitch = pitch}, std::span(&whole, 1), layer);
+  FocusLayerPass().run(gpu, scene, RayFrame(camera, size, scene.volume->grid), std::nullopt, {.pitch = pitch},
+                       std::span(&whole, 1), layer);
   std::vector<glm::vec4> pixels(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
   layer.readInto(std::span(pixels));
   return pixels;
@@ -31,10 +30,8 @@ struct Differences {
   double at(double share) const { return sorted[static_cast<std::size_t>(share * double(sorted.size() - 1))]; }
 };
 
-Differences differencesBy(int pitch, const Scene& scene, const Camera& camera, glm::ivec2 size,
-                          std::optional<double> step = std::nullopt) {
-  const std::vector<glm::vec4> every = drawn(scene, camera, size, 1, step),
-                               some = drawn(scene, camera, size, pitch, step);
+Differences differencesBy(int pitch, const Scene& scene, const Camera& camera, glm::ivec2 size) {
+  const std::vector<glm::vec4> every = drawn(scene, camera, size, 1), some = drawn(scene, camera, size, pitch);
   Differences result;
   for (int j = 0; j < size.y; ++j)
     for (int i = 0; i < size.x; ++i) {
