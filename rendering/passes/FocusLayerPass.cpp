@@ -13,9 +13,10 @@ namespace fenestra {
 
 namespace {
 
-/// What is left behind this much does not show: half a step of 8 bits, or a quarter of the bound.
+/// A ray ends where less than this is left of its light, and is then wrong by half of it at most: half a step of 8
+/// bits, or an eighth of the bound.
 double leastTransmittance(const FocusLayerPass::Sampling& sampling) {
-  return sampling.maxError ? *sampling.maxError / 4.0 : 1.0 / 512.0;
+  return sampling.maxError ? *sampling.maxError / 4.0 : 1.0 / 256.0;
 }
 
 /// What the cells of a ray may seem to be wrong by together, of the bound; the rest is for the ray's end, and for what
@@ -33,18 +34,24 @@ double toleranceOf(const FocusLayerPass::Sampling& sampling, bool lit, int halfS
   return (sampling.step ? 2.0 : 1.0) * (lit ? 1.5 : 1.0) / 255.0 / halfSide;
 }
 
+/// Rays that one invocation follows side by side: what one waits for, from voxel to colour, leaves a processor time for
+/// another. With lighting one has enough to do, and two have too much to keep at hand.
+int raysTogether(const FocusLayerPass::Sampling& sampling, bool lit) {
+  return sampling.step || sampling.maxError || lit ? 1 : 2;
+}
+
 // shaders/lib/PixelList.glsl.
 constexpr unsigned listBlock = 2;
 constexpr std::array<std::uint32_t, 4> emptyList{16, 0, 1, 0};
 
-/// Squares of `side` pixels, counted from the picture's top left, that the regions lie in.
-std::vector<gl::Region> inSquares(std::span<const gl::Region> regions, int side) {
-  std::vector<gl::Region> squares;
+/// Boxes of so many pixels, counted from the picture's top left, that the regions lie in.
+std::vector<gl::Region> inBoxes(std::span<const gl::Region> regions, glm::ivec2 sides) {
+  std::vector<gl::Region> boxes;
   for (const gl::Region& region : regions) {
-    const glm::ivec2 first = region.origin / side, end = (region.origin + region.size + side - 1) / side;
-    squares.push_back({first, end - first});
+    const glm::ivec2 first = region.origin / sides, end = (region.origin + region.size + sides - 1) / sides;
+    boxes.push_back({first, end - first});
   }
-  return squares;
+  return boxes;
 }
 
 /// With room for two pixels of each square of two, in whole groups of 8×8 squares.
@@ -69,6 +76,7 @@ gl::ShaderProgram& FocusLayerPass::prepared(bool listed, const GpuScene& gpu, co
                                               {"CELL_BY_CELL", sampling.maxError.has_value()},
                                               {"EVEN_STEPS", sampling.step && !sampling.maxError},
                                               {"LISTED", listed},
+                                              {"RAYS", raysTogether(sampling, shading)},
                                               {"FINE", sampling.maxError && *sampling.maxError < coarseBound},
                                               {"TABLE_SIZE", GpuScene::tableSize}});
   rays.setUniforms(program);
@@ -122,26 +130,28 @@ gl::ShaderProgram& FocusLayerPass::prepared(bool listed, const GpuScene& gpu, co
 void FocusLayerPass::run(const GpuScene& gpu, const Scene& scene, const RayFrame& rays,
                          const std::optional<Opening>& opening, const Sampling& sampling,
                          std::span<const gl::Region> regions, gl::Texture& focusLayer) {
+  const bool lit = scene.shading.enabled;
+  const int together = raysTogether(sampling, lit);
   gl::ShaderProgram& lattice = prepared(false, gpu, scene, rays, opening, sampling);
   focusLayer.bindImage(0, gl::Access::Write);
-  lattice.dispatch(inSquares(regions, sampling.pitch));
+  lattice.dispatch(inBoxes(regions, sampling.pitch * glm::ivec2(1, together)));
   if (sampling.pitch == 1) {
     list_ = {};
     return;
   }
-  const std::size_t needed = bytesOfList(inSquares(regions, 2));
+  const std::size_t needed = bytesOfList(inBoxes(regions, glm::ivec2(2)));
   if (list_.bytes() < needed) list_ = gl::Buffer::zeroed(needed);
   list_.bind(listBlock);
   gl::ShaderProgram& rest = prepared(true, gpu, scene, rays, opening, sampling);
   for (int halfSide = sampling.pitch / 2; halfSide > 0; halfSide /= 2)
     for (const bool centres : {true, false}) {
       list_.write(emptyList);
-      gl::ShaderProgram& between = between_.get({{"CENTRES", centres}});
+      gl::ShaderProgram& between = between_.get({{"CENTRES", centres}, {"RAYS", together}});
       between.set("pictureSize", rays.size());
       between.set("halfSide", halfSide);
-      between.set("tolerance", static_cast<float>(toleranceOf(sampling, scene.shading.enabled, halfSide)));
+      between.set("tolerance", static_cast<float>(toleranceOf(sampling, lit, halfSide)));
       focusLayer.bindImage(0, gl::Access::ReadWrite);
-      between.dispatch(inSquares(regions, 2 * halfSide));
+      between.dispatch(inBoxes(regions, glm::ivec2(2 * halfSide)));
       focusLayer.bindImage(0, gl::Access::Write);
       rest.dispatchIndirect(list_);
     }

@@ -54,33 +54,46 @@ vec2 behindCut(vec2 light, Cut cut, float s) {
 #include "lib/FaceToFace.glsl"
 #endif
 
+#define EACH for (int i = 0; i < RAYS; ++i)
+
 void main() {
+  ivec2 pixels[RAYS];
+  Ray rays[RAYS];
+  float starts[RAYS];
+  Cut cuts[RAYS];
+  bool visible[RAYS];
+  EACH {
 #if LISTED
-  ivec2 pixel = listedPixel();
+    pixels[i] = listedPixel(i);
 #else
-  ivec2 pixel = pitch * regionPixel();
+    pixels[i] = pitch * regionPixel(i);
 #endif
-  if (any(greaterThanEqual(pixel, pictureSize))) return;
-  Ray ray = pixelRay(pixel);
-  vec4 result = vec4(0.0);
+    rays[i] = pixelRay(pixels[i]);
 #if HAS_RAY_START
-  float start = imageLoad(rayStart, pixel).r;
-  bool visible = !isNone(start);
+    starts[i] = imageLoad(rayStart, pixels[i]).r;
+    visible[i] = !isNone(starts[i]);
 #else
-  float start = ray.sIn;
-  bool visible = ray.sIn <= ray.sOut;
+    starts[i] = rays[i].sIn;
+    visible[i] = rays[i].sIn <= rays[i].sOut;
 #endif
-  if (visible) {
-    Cut cut = Cut(false, start, vec2(0.0), false);
+    visible[i] = visible[i] && all(lessThan(pixels[i], pictureSize));
+    cuts[i] = Cut(false, starts[i], vec2(0.0), false);
 #if HAS_RAY_START
-    cut.onFocus = start == texelFetch(hitPoints, pixel, 0).y;
+    if (visible[i]) {
+      cuts[i].onFocus = starts[i] == texelFetch(hitPoints, pixels[i], 0).y;
+#if SHADING
+      vec3 wall = wallNormal(pixels[i], starts[i]);
+      cuts[i].exists = dot(wall, wall) > 0.0;
+      cuts[i].light = lightOf(wall, rays[i].world);
 #endif
-#if SHADING && HAS_RAY_START
-    vec3 wall = wallNormal(pixel, start);
-    cut.exists = dot(wall, wall) > 0.0;
-    cut.light = lightOf(wall, ray.world);
+    }
 #endif
-    result = integrate(ray, start, cut);
   }
-  imageStore(focusLayer, pixel, result);
+  vec4 results[RAYS];
+  integrate(rays, starts, cuts, visible, results);
+#if !CELL_BY_CELL
+  // Of what the light that is left might still have met, half is taken for there, in the colour so far.
+  EACH if (1.0 - results[i].a < leastTransmittance) results[i] *= 0.5 + 0.5 / results[i].a;
+#endif
+  EACH imageStore(focusLayer, pixels[i], results[i]);
 }

@@ -355,3 +355,8 @@ vec4 integrate(Ray ray, float start, Cut cut) {
   if (left > 0) result *= 1.0 + 0.5 * (1.0 - result.a) / max(result.a, 0.5);
   return result;
 }
+
+void integrate(Ray rays[RAYS], float starts[RAYS], Cut cuts[RAYS], bool visible[RAYS], out vec4 results[RAYS]) {
+  results[0] = vec4(0.0);
+  if (visible[0]) results[0] = integrate(rays[0], starts[0], cuts[0]);
+}

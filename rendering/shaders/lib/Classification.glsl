@@ -30,6 +30,14 @@ Bound boundAt(float entry) {
 // one entry stands for all.
 const float LEAST_SPAN = 8.0;
 
+// The one of the entries phase + 2 n LEAST_SPAN that is nearest: those of two phases are LEAST_SPAN apart.
+Bound boundNear(float entry, float phase) {
+  Bound bound;
+  bound.entry = 2.0 * LEAST_SPAN * floor(entry / (2.0 * LEAST_SPAN) + (0.5 - phase / (2.0 * LEAST_SPAN))) + phase;
+  bound.integral = imageLoad(transferTables, ivec2(int(clamp(bound.entry, 0.0, LAST_ENTRY)), 1));
+  return bound;
+}
+
 // Mean material where values run evenly from one bound to the other (pre-integrated classification: Engel, Kraus, Ertl
 // 2001, without attenuation inside).
 vec4 meanMaterial(Bound a, Bound b) {
@@ -61,6 +69,16 @@ vec4 focusMaterial(vec3 at) {
 }
 
 #endif
+
+// Premultiplied colour and opacity of a piece of ray over which values run evenly from one bound to another, at least
+// LEAST_SPAN away: meanMaterial() and pieceOf() in one.
+vec4 pieceOver(Bound a, Bound b, float lengthOfPiece) {
+  vec4 sum = b.integral - a.integral;
+  sum += (min(b.entry, 0.0) - min(a.entry, 0.0)) * firstMaterial;
+  sum += (max(b.entry, LAST_ENTRY) - max(a.entry, LAST_ENTRY)) * lastMaterial;
+  float perEntry = lengthOfPiece / (b.entry - a.entry), depth = sum.a * perEntry;
+  return sum * (depth < 1e-2 ? perEntry * (1.0 - depth * (0.5 - depth * (1.0 / 6.0))) : (1.0 - exp(-depth)) / sum.a);
+}
 
 // (1 - exp(-x)) / x, by its series where the difference would cancel.
 float relativeOpacity(float x) { return x < 1e-2 ? 1.0 - x * (0.5 - x * (1.0 / 6.0)) : (1.0 - exp(-x)) / x; }

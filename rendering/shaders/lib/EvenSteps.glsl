@@ -65,3 +65,8 @@ vec4 integrate(Ray ray, float start, Cut cut) {
   } while (k < count && 1.0 - result.a >= leastTransmittance);
   return result;
 }
+
+void integrate(Ray rays[RAYS], float starts[RAYS], Cut cuts[RAYS], bool visible[RAYS], out vec4 results[RAYS]) {
+  results[0] = vec4(0.0);
+  if (visible[0]) results[0] = integrate(rays[0], starts[0], cuts[0]);
+}

@@ -1,6 +1,7 @@
-// Pixels whose rays are still to be followed, in rows of groups as glDispatchComputeIndirect takes them.
+// Pixels whose rays are still to be followed, in rows of groups as glDispatchComputeIndirect takes them. Each of the
+// 64 invocations of a group has RAYS of them.
 
-const uint GROUP_SIZE = 64u, ROW_SIZE = 16u * GROUP_SIZE;  // pixels
+const uint GROUP_SIZE = 64u * uint(RAYS), ROW_SIZE = 16u * GROUP_SIZE;  // pixels
 
 layout(std430, binding = 2) buffer PixelList {
   uint groups[3];  // in a row; rows; 1
@@ -18,8 +19,9 @@ void enlist(bvec2 which, ivec2 first, ivec2 second) {
   if (which.y) pixels[at] = uint(second.x | second.y << 16);
 }
 
-// Of this invocation; outside of every picture where there are more invocations than pixels.
-ivec2 listedPixel() {
-  uint at = gl_WorkGroupID.y * ROW_SIZE + gl_WorkGroupID.x * GROUP_SIZE + gl_LocalInvocationIndex;
+// Of this invocation; outside of every picture where there are more of them than pixels.
+ivec2 listedPixel(int i) {
+  uint at = gl_WorkGroupID.y * ROW_SIZE + gl_WorkGroupID.x * GROUP_SIZE;
+  at += gl_LocalInvocationIndex * uint(RAYS) + uint(i);
   return at < count ? ivec2(pixels[at] & 0xffffu, pixels[at] >> 16) : ivec2(0xffff);
 }

@@ -9,3 +9,8 @@ ivec2 regionPixel() {
   ivec2 within = ivec2((i & 3) | ((i >> 1) & 4), ((i >> 2) & 1) | ((i >> 3) & 6));
   return pixelOrigin + 8 * ivec2(gl_WorkGroupID.xy) + within;
 }
+
+#ifdef RAYS
+// Of RAYS pixels one below the other.
+ivec2 regionPixel(int i) { return regionPixel() * ivec2(1, RAYS) + ivec2(0, i); }
+#endif
