@@ -146,6 +146,11 @@ glm::vec4 Texture::readTexel(glm::ivec2 pixel) const {
 
 void Texture::bind(unsigned unit) const { glBindTextureUnit(unit, name_); }
 
+void Texture::clear(glm::ivec2 offset, glm::ivec2 extent) {
+  const Traits t = traits(format_);
+  glClearTexSubImage(name_, 0, offset.x, offset.y, 0, extent.x, extent.y, 1, t.external, t.type, nullptr);
+}
+
 void Texture::copy(const Texture& from) {
   GLint target = 0;
   glGetTextureParameteriv(name_, GL_TEXTURE_TARGET, &target);

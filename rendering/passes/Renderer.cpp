@@ -141,6 +141,15 @@ gl::Region around(const IndexBox& box, double reach, const RayFrame& rays, const
   return {origin, glm::max(glm::ivec2(glm::clamp(glm::ceil(last), glm::dvec2(0.0), size)) - origin, 0)};
 }
 
+/// Fills with zeros all of a picture but one region.
+void clearAround(const gl::Region& region, gl::Texture& picture) {
+  const glm::ivec2 size(picture.size()), first = region.origin, end = first + region.size;
+  picture.clear({0, 0}, {size.x, first.y});
+  picture.clear({0, end.y}, {size.x, size.y - end.y});
+  picture.clear({0, first.y}, {first.x, region.size.y});
+  picture.clear({end.x, first.y}, {size.x - end.x, region.size.y});
+}
+
 int distanceRange(glm::dvec2 widths, glm::ivec2 size) {
   // Half a pixel more than the border's rim, which is anti-aliased.
   const double needed = std::min(widths.x + widths.y + 1.0, std::hypot(size.x, size.y));
@@ -347,16 +356,20 @@ void Renderer::render(const Scene& scene, const View& view) {
                                sampling};
   FocusLayerKey keyBefore = focusKey;
   keyBefore.rayStart = startBefore;
-  const bool onlyMoved = moved && !s.focus.isStale(keyBefore);
+  const bool onlyMoved = moved && !s.focus.isStale(keyBefore), anew = !onlyMoved && s.focus.isStale(focusKey);
+  // Elsewhere rays miss the volume.
+  const IndexBox all{glm::ivec3(0), grid.dims - 1};
+  const gl::Region nearVolume = around(all, FocusLayerPass::reach(sampling), rays, grid);
   s.runIfStale(
       Pass::FocusLayer, s.focus, focusKey, changed,
       [&](Regions regions) {
         std::optional<FocusLayerPass::Opening> opening;
         if (cutaway) opening.emplace(FocusLayerPass::Opening{s.hitPoints, s.rayStart});
-        s.focusLayerPass.run(gpu, scene, rays, opening, sampling, regions,
-                             sized(s.focusLayer, gl::Format::RGBA32F, view.size, presented));
+        gl::Texture& focusLayer = sized(s.focusLayer, gl::Format::RGBA32F, view.size, presented);
+        if (anew) clearAround(nearVolume, focusLayer);
+        s.focusLayerPass.run(gpu, scene, rays, opening, sampling, regions, focusLayer);
       },
-      onlyMoved ? nearFocus(*moved + FocusLayerPass::reach(sampling)) : std::nullopt);
+      onlyMoved ? nearFocus(*moved + FocusLayerPass::reach(sampling)) : nearVolume);
 
   if (contextLayer) {
     s.runIfStale(
