@@ -13,10 +13,9 @@ namespace fenestra {
 
 namespace {
 
-/// A ray ends where less than this is left of its light, and is then wrong by half of it at most: half a step of 8
-/// bits, or an eighth of the bound.
+/// A ray ends where less than this is left of its light, and is then off by half of it at most.
 double leastTransmittance(const FocusLayerPass::Sampling& sampling) {
-  return sampling.maxError ? *sampling.maxError / 4.0 : 1.0 / 256.0;
+  return sampling.maxError ? *sampling.maxError / 4.0 : sampling.tolerance;
 }
 
 /// What the cells of a ray may seem to be wrong by together, of the bound; the rest is for the ray's end, and for what
@@ -27,18 +26,15 @@ constexpr double shareOfBound = 0.4;
 /// know what they hide of themselves: on the ten scenes of tests/bench/results their errors stay below it.
 constexpr double coarseBound = 4.0 / 255.0;
 
-/// What interpolated pixels may seem to be off by: about what pictures from face to face are wrong by in the worst
-/// percent of their pixels. Lit pictures and drafts are more so. Where less is known, less is trusted: over squares of
-/// more than two pixels it is as much less.
+/// What interpolated pixels may seem to be off by. Lit pictures are wrong by more from face to face. Where less is
+/// known, less is trusted: over squares of more than two pixels it is as much less.
 double toleranceOf(const FocusLayerPass::Sampling& sampling, bool lit, int halfSide) {
-  return (sampling.step ? 2.0 : 1.0) * (lit ? 1.5 : 1.0) / 255.0 / halfSide;
+  return sampling.tolerance * (lit ? 1.5 : 1.0) / halfSide;
 }
 
 /// Rays that one invocation follows side by side: what one waits for, from voxel to colour, leaves a processor time for
 /// another. With lighting one has enough to do, and two have too much to keep at hand.
-int raysTogether(const FocusLayerPass::Sampling& sampling, bool lit) {
-  return sampling.step || sampling.maxError || lit ? 1 : 2;
-}
+int raysTogether(const FocusLayerPass::Sampling& sampling, bool lit) { return sampling.maxError || lit ? 1 : 2; }
 
 // shaders/lib/PixelList.glsl.
 constexpr unsigned listBlock = 2;
@@ -74,7 +70,6 @@ gl::ShaderProgram& FocusLayerPass::prepared(bool listed, const GpuScene& gpu, co
                                               {"FOCUS_PALETTE", palette},
                                               {"HAS_RAY_START", opening.has_value()},
                                               {"CELL_BY_CELL", sampling.maxError.has_value()},
-                                              {"EVEN_STEPS", sampling.step && !sampling.maxError},
                                               {"LISTED", listed},
                                               {"RAYS", raysTogether(sampling, shading)},
                                               {"FINE", sampling.maxError && *sampling.maxError < coarseBound},
@@ -85,12 +80,10 @@ gl::ShaderProgram& FocusLayerPass::prepared(bool listed, const GpuScene& gpu, co
   unsigned image = firstFreeImage, unit = 0;
   bindImage(program, "occupiedSkip", image++, gpu.occupiedSkip());
   bindImage(program, "transferTables", image++, gpu.transferTables());
-  if (sampling.step) bindTexture(program, "volumeTexture", unit++, gpu.volume().texture);
   program.set("transferMap", gpu.transferMap());
   program.set("firstMaterial", gpu.firstMaterial());
   program.set("lastMaterial", gpu.lastMaterial());
   program.set("visibleEntries", gpu.visibleEntries());
-  if (sampling.step) program.set("stepLength", static_cast<float>(*sampling.step));
   program.set("leastTransmittance", static_cast<float>(leastTransmittance(sampling)));
   if (sampling.maxError) program.set("maxError", static_cast<float>(shareOfBound * *sampling.maxError));
   if (opening) {
@@ -110,9 +103,8 @@ gl::ShaderProgram& FocusLayerPass::prepared(bool listed, const GpuScene& gpu, co
   }
   setLight(program, rays.axes(), scene.shading);
   if (shading) {
-    if (sampling.step) bindTexture(program, "gradientTexture", unit++, gpu.gradient());
-    if (!sampling.step) bindImage(program, "gradientTexels", image++, gpu.gradient());
-    program.set("gradientOrigin", glm::vec3(gpu.gradientOrigin()) + 0.5f);
+    bindImage(program, "gradientTexels", image++, gpu.gradient());
+    program.set("gradientOrigin", gpu.gradientOrigin());
     program.set("certainLength", static_cast<float>(lighting::certainLength));
     program.set("meanIncidence", static_cast<float>(lighting::meanIncidence));
     if (gpu.focusSmooth()) {

@@ -18,12 +18,13 @@ class FocusLayerPass {
     const gl::Texture& hitPoints;
     const gl::Texture& rayStart;
   };
-  /// How the integral is found. With a bound (of a pixel's colour, 0..1) cell by cell; else at even steps of so many
-  /// mm, or, without either, from face to face of the cells. Rays are followed on every pitch-th row and column of
-  /// pixels (a power of two), and between them where the picture does not vary smoothly.
+  /// How the integral is found: with a bound (of a pixel's colour, 0..1) cell by cell, else from face to face of the
+  /// cells. Rays are followed on every pitch-th row and column of pixels (a power of two), and between them where
+  /// interpolated pixels may be off by more than a tolerance. Half of it is what ends of rays may be off by.
   struct Sampling {
-    std::optional<double> step{}, maxError{};
+    std::optional<double> maxError{};
     int pitch = 1;
+    double tolerance = 1.0 / 256.0;
     bool operator==(const Sampling&) const = default;
   };
   /// A pixel's result depends on the ray starts this many pixels around it: interpolated ones on those up to four half

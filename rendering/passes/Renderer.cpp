@@ -99,24 +99,23 @@ gl::Texture& sized(gl::Texture& texture, gl::Format format, glm::ivec2 size, gl:
   return texture;
 }
 
-/// Pixels from one ray that has to be followed to the next: a power of two, no more than a voxel is wide, so that what
-/// the volume holds does not slip through.
-int pitchOf(double finestSpacing, const Grid& grid, const RayFrame& rays) {
+/// Pixels from one ray that has to be followed to the next: a power of two, no more than `least` or than a voxel is
+/// wide, so that what the volume holds does not slip through.
+int pitchOf(const Grid& grid, const RayFrame& rays, double least) {
   constexpr int widest = 4;
+  const double finestSpacing = std::min({grid.spacing.x, grid.spacing.y, grid.spacing.z});
   const double depth = rays.depthOf(grid.centre());
   const double voxel = depth > 0.0 ? finestSpacing / rays.pixelSize(depth) : 0.0;  // pixels
   int pitch = widest;
-  while (pitch > std::max(voxel, 1.0)) pitch /= 2;
+  while (pitch > std::max(voxel, least)) pitch /= 2;
   return pitch;
 }
 
 FocusLayerPass::Sampling samplingOf(const View& view, const Grid& grid, const RayFrame& rays) {
   if (view.maxError) return {.maxError = *view.maxError / 255.0};
   if (view.quality == Quality::High) return {.maxError = highQualityError / 255.0};
-  const double finest = std::min({grid.spacing.x, grid.spacing.y, grid.spacing.z});
-  FocusLayerPass::Sampling sampling{.pitch = pitchOf(finest, grid, rays)};
-  if (view.quality == Quality::Draft) sampling.step = finest;
-  return sampling;
+  if (view.quality == Quality::Draft) return {.pitch = pitchOf(grid, rays, 2.0), .tolerance = 3.0 / 256.0};
+  return {.pitch = pitchOf(grid, rays, 1.0)};
 }
 
 /// Distance maps reach this far (rendered pixels) or the next power of two beyond what the widths need: a slider that

@@ -48,8 +48,6 @@ vec2 behindCut(vec2 light, Cut cut, float s) {
 
 #if CELL_BY_CELL
 #include "lib/CellByCell.glsl"
-#elif EVEN_STEPS
-#include "lib/EvenSteps.glsl"
 #else
 #include "lib/FaceToFace.glsl"
 #endif

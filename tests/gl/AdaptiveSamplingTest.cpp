@@ -205,8 +205,9 @@ TEST_F(AdaptiveSampling, TakesNoMemoryWhereEveryRayIsFollowed) {
   renderer.render(scene, {far, size});
   const std::size_t every = renderer.imageBytes();
   renderer.render(scene, {close, size});
-  // Two pixels of 4 bytes for each 2×2, in whole groups of 8×8 of these, and the list's head.
-  EXPECT_EQ(renderer.imageBytes(), every + 2 * 4 * 104 * 96 + 16);
+  // Two pixels of 4 bytes for each 2×2 where the volume is, in whole groups of 8×8 of these, and the list's head.
+  EXPECT_GT(renderer.imageBytes(), every);
+  EXPECT_LE(renderer.imageBytes(), every + 2 * 4 * 104 * 96 + 16);
   renderer.render(scene, {close, size, 1.0, Quality::High});
   EXPECT_EQ(renderer.imageBytes(), every);
 }

@@ -73,8 +73,7 @@ TEST_F(QualityErrors, NormalLightsTheSideThatIsSeen) {
   scene.context = {{{480.0, {{1.0, 0.7, 0.5}, 0.0}}, {520.0, {{1.0, 0.7, 0.5}, 4.0}}}};
   scene.shading.enabled = true;
   const double normal = errorsOf(scene, aside(scene), Quality::Normal).rms;
-  const double draft = errorsOf(scene, aside(scene), Quality::Draft).rms;
-  EXPECT_LT(normal, 0.4 * draft) << normal << " and " << draft;
+  EXPECT_LT(normal, 1.2) << "lit half way through each piece they would be off by 1.5";
 }
 
 TEST_F(QualityErrors, NormalStepsOverNoThinLayer) {
@@ -88,9 +87,7 @@ TEST_F(QualityErrors, NormalStepsOverNoThinLayer) {
                     {3410.0, {glm::dvec3(1.0), 0.5}},
                     {3410.0, {glm::dvec3(1.0), 0.0}}}};
   scene.shading.enabled = false;
-  const Errors normal = errorsOf(scene, aside(scene), Quality::Normal);
-  EXPECT_LE(normal.worst, 0.5);
-  EXPECT_GT(errorsOf(scene, aside(scene), Quality::Draft).worst, 10.0 * normal.worst) << "even steps miss it";
+  EXPECT_LE(errorsOf(scene, aside(scene), Quality::Normal).worst, 0.5);
 }
 
 TEST_F(QualityErrors, TheFocusEndsBetweenFacesInNormal) {
@@ -114,9 +111,7 @@ TEST_F(QualityErrors, TheFocusEndsBetweenFacesInNormal) {
   for (const bool cut : {false, true}) {
     labels.cutaway.enabled = cut;
     labels.cutaway.openWidth = 6.0;
-    const Errors normal = errorsOf(labels, aside(labels), Quality::Normal);
-    const Errors draft = errorsOf(labels, aside(labels), Quality::Draft);
-    EXPECT_LT(normal.rms, 0.5 * draft.rms);
+    EXPECT_LT(errorsOf(labels, aside(labels), Quality::Normal).rms, 0.24) << cut;
   }
 }
 

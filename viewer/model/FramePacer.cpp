@@ -34,7 +34,7 @@ QString nameOf(const Effort& effort) {
 Effort FramePacer::moving(int views) const {
   if (restCost_ && *restCost_ * views <= budget) return rest_;
   if (!draftCost_ && !restCost_) return {0.5, Quality::Draft};
-  // Before the first draft: one takes half the samples of a picture at rest.
+  // Before the first draft a guess: half the time of a picture at rest.
   const double cost = draftCost_ ? *draftCost_ : 0.5 * *restCost_;
   const double scale = std::sqrt(budget / (std::max(cost, 1e-3) * views));
   // In steps of a sixteenth, so that the picture's size (and with it the renderer's images) changes seldom.

@@ -1,12 +1,8 @@
 // The lighting model (rendering/scene/Lighting.h): light at points of the volume, and on the face that the opening cut.
 
 // Gated normals, zero at 511/1023.
-#if EVEN_STEPS
-uniform sampler3D gradientTexture;
-#else
 layout(rgb10_a2) uniform readonly image3D gradientTexels;
-#endif
-uniform vec3 gradientOrigin;        // cell frame position of its first texel's outer corner; beyond it all is flat
+uniform ivec3 gradientOrigin;       // index of its first texel's voxel; beyond them all is flat
 uniform float certainLength;        // of a gated normal, from which on it is lit in full
 uniform float meanIncidence;        // |n·l| where there is no normal
 
@@ -42,25 +38,11 @@ vec2 lightOfGated(vec3 normal, vec3 rayDirection) {
 
 vec3 gatedNormal(vec3 texel) { return texel * (1023.0 / 511.0) - 1.0; }
 
-#if EVEN_STEPS
-vec2 lightAt(vec3 at, vec3 rayDirection, bool focus) {
-#if FOCUS_KIND == 1
-  if (focus) {
-    vec3 smoothed = focusNormal(at);
-    if (dot(smoothed, smoothed) > FLAT_FOCUS) return lightOf(normalize(smoothed), rayDirection);
-  }
-#endif
-  return lightOfGated(
-      gatedNormal(texture(gradientTexture, (at - gradientOrigin) / vec3(textureSize(gradientTexture, 0))).xyz),
-      rayDirection);
-}
-#else
 // At a voxel's centre.
 vec3 gatedAt(ivec3 voxel) {
   ivec3 last = imageSize(gradientTexels) - 1;
-  return gatedNormal(imageLoad(gradientTexels, clamp(voxel - ivec3(floor(gradientOrigin)), ivec3(0), last)).xyz);
+  return gatedNormal(imageLoad(gradientTexels, clamp(voxel - gradientOrigin, ivec3(0), last)).xyz);
 }
-#endif
 
 #if CELL_BY_CELL
 // Normals along a straight path through a cell: trilinear in it, so cubics, and known from its corners alone.
