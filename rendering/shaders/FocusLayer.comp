@@ -14,6 +14,9 @@
 uniform int pitch;  // pixels from one ray to the next
 #endif
 
+// Of the rays that an invocation follows.
+#define EACH for (int i = 0; i < RAYS; ++i)
+
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(rgba32f, binding = 0) uniform writeonly image2D focusLayer;
 
@@ -51,8 +54,6 @@ vec2 behindCut(vec2 light, Cut cut, float s) {
 #else
 #include "lib/FaceToFace.glsl"
 #endif
-
-#define EACH for (int i = 0; i < RAYS; ++i)
 
 void main() {
   ivec2 pixels[RAYS];

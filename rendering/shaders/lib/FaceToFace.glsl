@@ -198,8 +198,6 @@ Face faceBehind(Walk walk) {
 
 ivec3 cellBehind(Walk walk, Face face) { return face.cell + mix(ivec3(0), 2 * walk.upwards - 1, face.across); }
 
-#define EACH for (int i = 0; i < RAYS; ++i)
-
 Walk walkFrom(Ray ray, float start, Cut cut, bool visible) {
   Walk walk;
   walk.ray = ray;
