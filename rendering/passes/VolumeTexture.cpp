@@ -87,21 +87,20 @@ VolumeTexture makeVolumeTexture(const Volume& volume) {
       };
       result.integers = span <= 65535.0;
       if (asIs) {
-        result.texture =
-            gl::Texture::make3D(sizeof(T) == 1 ? gl::Format::R8 : gl::Format::R16, dims, gl::Filter::Linear);
+        result.texture = gl::Texture::make3D(sizeof(T) == 1 ? gl::Format::R8 : gl::Format::R16, dims);
         result.texture.upload(scalars);
       } else if (span <= 255.0) {
-        result.texture = gl::Texture::make3D(gl::Format::R8, dims, gl::Filter::Linear);
+        result.texture = gl::Texture::make3D(gl::Format::R8, dims);
         fill(std::uint8_t{});
       } else if (span <= 65535.0) {
-        result.texture = gl::Texture::make3D(gl::Format::R16, dims, gl::Filter::Linear);
+        result.texture = gl::Texture::make3D(gl::Format::R16, dims);
         fill(std::uint16_t{});
       } else {
-        result.texture = gl::Texture::make3D(gl::Format::R32F, dims, gl::Filter::Linear);
+        result.texture = gl::Texture::make3D(gl::Format::R32F, dims);
         fill(float{});
       }
     } else {
-      result.texture = gl::Texture::make3D(gl::Format::R32F, dims, gl::Filter::Linear);
+      result.texture = gl::Texture::make3D(gl::Format::R32F, dims);
       const Sanitizer<T> sanitize(volume);
       uploadBySlabs<float>(result.texture, planeSize(dims), [&](int z, float* plane) {
         const T* from = scalars.data() + volume.grid.offset({0, 0, z});
@@ -118,7 +117,7 @@ VolumeTexture makeVolumeTexture(const Volume& volume) {
 
 gl::Texture makeGradientTexture(const Volume& volume, glm::ivec3 low, glm::ivec3 high) {
   const glm::ivec3 dims = volume.grid.dims, size = high - low + 1;
-  gl::Texture texture = gl::Texture::make3D(gl::Format::RGB10A2, size, gl::Filter::Linear);
+  gl::Texture texture = gl::Texture::make3D(gl::Format::RGB10A2, size);
   const glm::dvec3 spacing = volume.grid.spacing;
   const double unit =
       std::max(volume.range.high - volume.range.low, 1e-30) / std::min({spacing.x, spacing.y, spacing.z});

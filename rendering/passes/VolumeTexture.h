@@ -9,7 +9,7 @@ namespace fenestra {
 /// The shaders compute in coded values: coded = (real - intercept) / slope - base, which are small non-negative
 /// integers wherever the data are integers, and so exact in float32.
 struct VolumeTexture {
-  gl::Texture texture;               ///< R8, R16 or R32F; linear filter
+  gl::Texture texture;               ///< R8, R16 or R32F
   float texelScale = 1.0f;           ///< coded value per texel unit: 255, 65535 or 1
   bool integers = false;             ///< coded values are integers
   double slope = 1.0, offset = 0.0;  ///< real = slope · coded + offset
@@ -23,7 +23,7 @@ struct VolumeTexture {
 /// the machine's 3-D textures.
 VolumeTexture makeVolumeTexture(const Volume& volume);
 
-/// Gated normals for lighting over a box of voxels (rendering/scene/Lighting.h), RGB10A2, linear filter: a component v
+/// Gated normals for lighting over a box of voxels (rendering/scene/Lighting.h), RGB10A2: a component v
 /// in -1..1 is stored as round(511·v) + 511. `low` and `high` are the box's first and last voxel.
 gl::Texture makeGradientTexture(const Volume& volume, glm::ivec3 low, glm::ivec3 high);
 

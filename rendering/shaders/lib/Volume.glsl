@@ -15,16 +15,13 @@ uniform float texelScale;      // stored value per texel unit: 255, 65535 or 1
 // Bricks of cells: what is skipped at once. The side is that of rendering/passes/Bricks.h.
 const int BRICK_SHIFT = 2, BRICK_SIDE = 1 << BRICK_SHIFT;
 
-vec4 storedFrom(vec4 texels) {
-#if VOLUME_BYTES == 4
-  return texels;
-#else
-  return floor(texels * texelScale + 0.5);
-#endif
-}
-
 float storedAt(ivec3 index) {
-  return storedFrom(imageLoad(volumeTexels, clamp(index, ivec3(0), volumeDims - 1))).r;
+  float texel = imageLoad(volumeTexels, clamp(index, ivec3(0), volumeDims - 1)).r;
+#if VOLUME_BYTES == 4
+  return texel;
+#else
+  return floor(texel * texelScale + 0.5);
+#endif
 }
 
 // Corners of a cell (cell frame) are counted x fastest.
