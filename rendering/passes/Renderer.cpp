@@ -99,8 +99,8 @@ gl::Texture& sized(gl::Texture& texture, gl::Format format, glm::ivec2 size, gl:
   return texture;
 }
 
-/// Pixels from one ray that has to be followed to the next: a power of two, no more than `least` or than a voxel is
-/// wide, so that what the volume holds does not slip through.
+/// Pixels from one ray that has to be followed to the next: a power of two, no more than a voxel is wide, so that what
+/// the volume holds does not slip through; or else `least`.
 int pitchOf(const Grid& grid, const RayFrame& rays, double least) {
   constexpr int widest = 4;
   const double finestSpacing = std::min({grid.spacing.x, grid.spacing.y, grid.spacing.z});
@@ -360,7 +360,7 @@ void Renderer::render(const Scene& scene, const View& view) {
   const IndexBox all{glm::ivec3(0), grid.dims - 1};
   const gl::Region nearVolume = around(all, FocusLayerPass::reach(sampling), rays, grid);
   s.runIfStale(
-      Pass::FocusLayer, s.focus, focusKey, changed,
+      Pass::FocusLayer, s.focus, focusKey, anew ? Regions() : Regions(changed),
       [&](Regions regions) {
         std::optional<FocusLayerPass::Opening> opening;
         if (cutaway) opening.emplace(FocusLayerPass::Opening{s.hitPoints, s.rayStart});

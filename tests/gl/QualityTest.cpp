@@ -73,7 +73,7 @@ TEST_F(QualityErrors, NormalLightsTheSideThatIsSeen) {
   scene.context = {{{480.0, {{1.0, 0.7, 0.5}, 0.0}}, {520.0, {{1.0, 0.7, 0.5}, 4.0}}}};
   scene.shading.enabled = true;
   const double normal = errorsOf(scene, aside(scene), Quality::Normal).rms;
-  EXPECT_LT(normal, 1.2) << "lit half way through each piece they would be off by 1.5";
+  EXPECT_LT(normal, 1.0) << "lit half way through each piece they would be off by 1.5";
 }
 
 TEST_F(QualityErrors, NormalStepsOverNoThinLayer) {
@@ -88,6 +88,10 @@ TEST_F(QualityErrors, NormalStepsOverNoThinLayer) {
                     {3410.0, {glm::dvec3(1.0), 0.0}}}};
   scene.shading.enabled = false;
   EXPECT_LE(errorsOf(scene, aside(scene), Quality::Normal).worst, 0.5);
+  float most = 0.0f;
+  for (const glm::vec4 pixel : renderOnce(scene, aside(scene), size, Quality::Normal).layers.final)
+    most = std::max(most, pixel.a);
+  EXPECT_GT(most, 10.0f / 255.0f) << "too little to miss";
 }
 
 TEST_F(QualityErrors, TheFocusEndsBetweenFacesInNormal) {
