@@ -13,7 +13,7 @@
 
 #include "io/VolumeReader.h"
 #include "io/session/Session.h"
-#include "rendering/passes/Renderer.h"
+#include "rendering/Renderer.h"
 #include "rendering/scene/Scene.h"
 
 namespace CLI {

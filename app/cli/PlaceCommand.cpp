@@ -7,7 +7,7 @@
 #include "app/cli/QualityMap.h"
 #include "app/cli/Report.h"
 #include "rendering/egl/EglContext.h"
-#include "rendering/passes/GpuScene.h"
+#include "rendering/gpu/GpuScene.h"
 
 namespace fenestra::cli {
 namespace {

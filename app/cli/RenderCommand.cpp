@@ -16,7 +16,7 @@
 #include "io/session/OpenSession.h"
 #include "io/session/SessionFile.h"
 #include "rendering/egl/EglContext.h"
-#include "rendering/passes/GpuScene.h"
+#include "rendering/gpu/GpuScene.h"
 #include "rendering/placement/Placer.h"
 #include "rendering/reference/Picture.h"
 

@@ -17,7 +17,7 @@
 #include "app/cli/Commands.h"
 #include "app/cli/Report.h"
 #include "rendering/egl/EglContext.h"
-#include "rendering/passes/RenderError.h"
+#include "rendering/gpu/RenderError.h"
 #include "rendering/placement/Sphere.h"
 
 namespace fenestra::cli {

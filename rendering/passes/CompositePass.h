@@ -5,7 +5,7 @@
 
 #include "rendering/gl/ShaderProgram.h"
 #include "rendering/gl/Texture.h"
-#include "rendering/passes/GpuScene.h"
+#include "rendering/gpu/GpuScene.h"
 #include "rendering/scene/Scene.h"
 
 namespace fenestra {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "rendering/passes/SceneBinding.h"
+#include "rendering/gpu/SceneBinding.h"
 
 namespace fenestra {
 

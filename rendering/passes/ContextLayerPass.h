@@ -5,8 +5,8 @@
 
 #include "rendering/gl/ShaderProgram.h"
 #include "rendering/gl/Texture.h"
-#include "rendering/passes/GpuScene.h"
-#include "rendering/passes/RayFrame.h"
+#include "rendering/gpu/GpuScene.h"
+#include "rendering/gpu/RayFrame.h"
 
 namespace fenestra {
 

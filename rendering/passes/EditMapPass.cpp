@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-#include "rendering/passes/SceneBinding.h"
+#include "rendering/gpu/SceneBinding.h"
 
 namespace fenestra {
 namespace {

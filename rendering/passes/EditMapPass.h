@@ -4,8 +4,8 @@
 #include "rendering/gl/Buffer.h"
 #include "rendering/gl/ShaderProgram.h"
 #include "rendering/gl/Texture.h"
+#include "rendering/gpu/StrokeLines.h"
 #include "rendering/passes/RayStartPass.h"
-#include "rendering/passes/StrokeLines.h"
 
 namespace fenestra {
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "rendering/passes/SceneBinding.h"
+#include "rendering/gpu/SceneBinding.h"
 #include "rendering/scene/Lighting.h"
 
 namespace fenestra {

@@ -1,6 +1,6 @@
 #include "rendering/passes/PullPushPass.h"
 
-#include "rendering/passes/SceneBinding.h"
+#include "rendering/gpu/SceneBinding.h"
 
 namespace fenestra {
 

@@ -5,7 +5,7 @@
 
 #include "rendering/gl/ShaderProgram.h"
 #include "rendering/gl/Texture.h"
-#include "rendering/passes/RayFrame.h"
+#include "rendering/gpu/RayFrame.h"
 
 namespace fenestra {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "rendering/passes/SceneBinding.h"
+#include "rendering/gpu/SceneBinding.h"
 #include "rendering/placement/Sphere.h"
 
 namespace fenestra::placement {

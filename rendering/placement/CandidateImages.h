@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "rendering/gl/ShaderProgram.h"
-#include "rendering/passes/GpuScene.h"
+#include "rendering/gpu/GpuScene.h"
 #include "rendering/placement/FocusSurface.h"
 #include "rendering/placement/Placement.h"
 

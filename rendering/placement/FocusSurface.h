@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "rendering/passes/FocusIndex.h"
+#include "rendering/gpu/FocusIndex.h"
 #include "rendering/scene/Scene.h"
 
 namespace fenestra::placement {

@@ -2,7 +2,7 @@
 
 #include <iostream>
 
-#include "rendering/passes/GpuScene.h"
+#include "rendering/gpu/GpuScene.h"
 #include "tests/bench/Text.h"
 
 namespace fenestra::bench {

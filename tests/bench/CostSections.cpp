@@ -5,7 +5,7 @@
 #include <iostream>
 #include <optional>
 
-#include "rendering/passes/GpuScene.h"
+#include "rendering/gpu/GpuScene.h"
 #include "tests/bench/Text.h"
 #include "tests/support/FeatureScenes.h"
 

@@ -12,9 +12,9 @@
 
 #include "app/SceneOptions.h"
 #include "io/ImageWriter.h"
+#include "rendering/Renderer.h"
 #include "rendering/egl/EglContext.h"
-#include "rendering/passes/GpuScene.h"
-#include "rendering/passes/Renderer.h"
+#include "rendering/gpu/GpuScene.h"
 #include "tests/support/TestData.h"
 
 namespace fenestra {

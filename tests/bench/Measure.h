@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "rendering/Renderer.h"
 #include "rendering/gl/Context.h"
-#include "rendering/passes/Renderer.h"
 #include "tests/bench/ColourError.h"
 #include "tests/bench/Subjects.h"
 #include "tests/bench/TruthStore.h"

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <iostream>
 
-#include "rendering/passes/GpuScene.h"
+#include "rendering/gpu/GpuScene.h"
 #include "tests/bench/Text.h"
 
 namespace fenestra::bench {

@@ -4,7 +4,7 @@
 #include <limits>
 #include <map>
 
-#include "rendering/passes/GpuScene.h"
+#include "rendering/gpu/GpuScene.h"
 #include "tests/bench/Peers.h"
 #include "tests/bench/Text.h"
 

@@ -11,10 +11,10 @@
 
 #include <gtest/gtest.h>
 
+#include "rendering/Renderer.h"
 #include "rendering/egl/EglContext.h"
 #include "rendering/gl/Context.h"
-#include "rendering/passes/GpuScene.h"
-#include "rendering/passes/Renderer.h"
+#include "rendering/gpu/GpuScene.h"
 #include "rendering/reference/Reference.h"
 #include "tests/support/Scenes.h"
 

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "rendering/passes/Bricks.h"
+#include "rendering/gpu/Bricks.h"
 
 namespace fenestra::tests {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <QString>
 
-#include "rendering/passes/Renderer.h"
+#include "rendering/Renderer.h"
 
 namespace fenestra::viewer {
 

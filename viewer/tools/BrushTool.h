@@ -11,7 +11,7 @@
 #include <QPainter>
 #include <QPointF>
 
-#include "rendering/passes/Renderer.h"
+#include "rendering/Renderer.h"
 
 class QMouseEvent;
 class QWheelEvent;

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "rendering/passes/Renderer.h"
+#include "rendering/Renderer.h"
 #include "viewer/model/PlacementController.h"
 
 namespace fenestra::viewer {

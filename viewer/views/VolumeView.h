@@ -14,8 +14,8 @@
 #include <QOpenGLWidget>
 #include <QTimer>
 
-#include "rendering/passes/GpuScene.h"
-#include "rendering/passes/Renderer.h"
+#include "rendering/Renderer.h"
+#include "rendering/gpu/GpuScene.h"
 #include "viewer/model/FramePacer.h"
 #include "viewer/tools/BrushTool.h"
 

@@ -1,4 +1,4 @@
-// Where the focus is: a sparse index by bricks of cells. See rendering/passes/FocusIndex.h.
+// Where the focus is: a sparse index by bricks of cells. See rendering/gpu/FocusIndex.h.
 
 #if FOCUS_KIND != 0
 layout(r32ui) uniform readonly uimage3D focusBricks;   // 0: none of it, 1: all of the brick, n ≥ 2: slot n - 2 of focusCells

@@ -12,7 +12,7 @@
 layout(VOLUME_FORMAT) uniform readonly image3D volumeTexels;
 uniform float texelScale;      // stored value per texel unit: 255, 65535 or 1
 
-// Bricks of cells: what is skipped at once. The side is that of rendering/passes/Bricks.h.
+// Bricks of cells: what is skipped at once. The side is that of rendering/gpu/Bricks.h.
 const int BRICK_SHIFT = 2, BRICK_SIDE = 1 << BRICK_SHIFT;
 
 float storedAt(ivec3 index) {

@@ -1,4 +1,4 @@
-#include "rendering/passes/GpuScene.h"
+#include "rendering/gpu/GpuScene.h"
 
 #include <algorithm>
 #include <array>

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "rendering/passes/Bricks.h"
+#include "rendering/gpu/Bricks.h"
 #include "rendering/scene/Scene.h"
 
 namespace fenestra {

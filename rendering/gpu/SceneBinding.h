@@ -2,7 +2,7 @@
 // Binds what several passes read of a GpuScene; the units and names are those of shaders/lib.
 
 #include "rendering/gl/ShaderProgram.h"
-#include "rendering/passes/GpuScene.h"
+#include "rendering/gpu/GpuScene.h"
 
 namespace fenestra {
 

@@ -9,9 +9,9 @@
 
 #include "rendering/gl/Buffer.h"
 #include "rendering/gl/Texture.h"
-#include "rendering/passes/Bricks.h"
-#include "rendering/passes/FocusIndex.h"
-#include "rendering/passes/VolumeTexture.h"
+#include "rendering/gpu/Bricks.h"
+#include "rendering/gpu/FocusIndex.h"
+#include "rendering/gpu/VolumeTexture.h"
 #include "rendering/scene/Scene.h"
 
 namespace fenestra {

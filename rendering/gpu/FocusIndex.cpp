@@ -1,4 +1,4 @@
-#include "rendering/passes/FocusIndex.h"
+#include "rendering/gpu/FocusIndex.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "rendering/passes/Bricks.h"
+#include "rendering/gpu/Bricks.h"
 
 #include <algorithm>
 #include <cmath>

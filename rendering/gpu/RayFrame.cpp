@@ -1,4 +1,4 @@
-#include "rendering/passes/RayFrame.h"
+#include "rendering/gpu/RayFrame.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "rendering/gl/ShaderProgram.h"
-#include "rendering/passes/RayFrame.h"
+#include "rendering/gpu/RayFrame.h"
 #include "rendering/scene/BrushStroke.h"
 
 namespace fenestra {

@@ -1,11 +1,11 @@
-#include "rendering/passes/VolumeTexture.h"
+#include "rendering/gpu/VolumeTexture.h"
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "rendering/gl/Context.h"
-#include "rendering/passes/RenderError.h"
+#include "rendering/gpu/RenderError.h"
 #include "rendering/scene/Lighting.h"
 #include "rendering/scene/Parallel.h"
 

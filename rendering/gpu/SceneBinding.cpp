@@ -1,4 +1,4 @@
-#include "rendering/passes/SceneBinding.h"
+#include "rendering/gpu/SceneBinding.h"
 
 namespace fenestra {
 namespace {

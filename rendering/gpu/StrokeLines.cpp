@@ -1,4 +1,4 @@
-#include "rendering/passes/StrokeLines.h"
+#include "rendering/gpu/StrokeLines.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "rendering/passes/Renderer.h"
+#include "rendering/Renderer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,16 +6,16 @@
 #include <optional>
 
 #include "rendering/gl/Context.h"
+#include "rendering/gpu/GpuScene.h"
+#include "rendering/gpu/SceneBinding.h"
 #include "rendering/passes/CompositePass.h"
 #include "rendering/passes/ContextLayerPass.h"
 #include "rendering/passes/DistanceMapPass.h"
 #include "rendering/passes/EditMapPass.h"
 #include "rendering/passes/FocusLayerPass.h"
-#include "rendering/passes/GpuScene.h"
 #include "rendering/passes/HitPointPass.h"
 #include "rendering/passes/PullPushPass.h"
 #include "rendering/passes/RayStartPass.h"
-#include "rendering/passes/SceneBinding.h"
 
 namespace fenestra {
 namespace {
