@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <set>
 
 #include "rendering/placement/Sphere.h"
@@ -17,20 +18,12 @@ constexpr std::size_t promisingCount = 24;
 /// may be the better one from there.
 constexpr std::size_t turned = 4;
 
-/// The pixels around one: those met up to `reach` pixels' widths away from its middle.
-std::vector<long> pixelsAround(int nside, long pixel, int reach) {
-  constexpr int stepsPerWidth = 16;
-  const glm::dvec3 centre = nestedDirection(nside, pixel);
-  const Camera::Axes axes = axesAt(centre);
-  std::set<long> around;
-  for (int ring = 1; ring <= reach; ++ring) {
-    const double away = ring * std::sqrt(std::numbers::pi / 3.0) / nside;
-    for (int i = 0; i < ring * stepsPerWidth; ++i) {
-      const double angle = 2.0 * std::numbers::pi * i / (ring * stepsPerWidth);
-      const glm::dvec3 aside = std::cos(angle) * axes.right + std::sin(angle) * axes.up;
-      around.insert(nestedPixel(nside, std::cos(away) * centre + std::sin(away) * aside));
-    }
-  }
+/// The pixels at most `steps` steps from neighbour to neighbour away from one, without itself; in ascending order.
+std::vector<int> pixelsAround(int nside, int pixel, int steps) {
+  std::set<int> around{pixel};
+  for (int step = 0; step < steps; ++step)
+    for (const int inner : std::vector(around.begin(), around.end()))
+      for (const int neighbour : nestedNeighbours(nside, inner)) around.insert(neighbour);
   around.erase(pixel);
   return {around.begin(), around.end()};
 }
@@ -72,19 +65,19 @@ std::size_t Refinement::coarser() const {
 void Refinement::plan() {
   wantedPixels_.clear();
   wanted_.clear();
-  std::vector<long> all(static_cast<std::size_t>(12 * start_ * start_));
-  for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<long>(i);
+  std::vector<int> all(static_cast<std::size_t>(12 * start_ * start_));
+  std::iota(all.begin(), all.end(), 0);
   if (!have(start_, all) || !descend({})) return;
-  std::vector<long> opposites = ranked(finest_, {});
+  std::vector<int> opposites = ranked(finest_, {});
   if (opposites.empty()) return;
   opposites.resize(std::min(opposites.size(), turned));
-  for (long& pixel : opposites) pixel = nestedPixel(finest_, -nestedDirection(finest_, pixel));
+  for (int& pixel : opposites) pixel = nestedPixel(finest_, -nestedDirection(finest_, pixel));
   if (!have(finest_, opposites) || !climb(finest_, {})) return;
   descend(nestedDirection(finest_, ranked(finest_, {}).front()));
 }
 
-bool Refinement::have(int nside, const std::vector<long>& pixels) {
-  for (const long index : pixels)
+bool Refinement::have(int nside, const std::vector<int>& pixels) {
+  for (const int index : pixels)
     if (!known_.contains({nside, index}) && known_.size() + wanted_.size() < mostImages) {
       wantedPixels_.push_back({nside, index});
       wanted_.push_back(nestedDirection(nside, index));
@@ -98,10 +91,10 @@ bool Refinement::descend(const std::optional<glm::dvec3>& c1) {
   return true;
 }
 
-std::vector<long> Refinement::promising(int nside, const std::optional<glm::dvec3>& c1) const {
-  std::vector<std::pair<double, long>> promises;
-  for (const long parent : ranked(nside / 2, c1))
-    for (long pixel = 4 * parent; pixel < 4 * parent + 4; ++pixel) {
+std::vector<int> Refinement::promising(int nside, const std::optional<glm::dvec3>& c1) const {
+  std::vector<std::pair<double, int>> promises;
+  for (const int parent : ranked(nside / 2, c1))
+    for (int pixel = 4 * parent; pixel < 4 * parent + 4; ++pixel) {
       if (c1 && !mayHold({nside, pixel}, *c1)) continue;
       const double promise = promiseOf({nside, pixel}, c1);
       // In parallel projection the opposite view has the same outline: of two sides the better one leads the way for
@@ -112,7 +105,7 @@ std::vector<long> Refinement::promising(int nside, const std::optional<glm::dvec
     }
   std::stable_sort(promises.begin(), promises.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
   promises.resize(std::min(promises.size(), promisingCount));
-  std::vector<long> pixels;
+  std::vector<int> pixels;
   for (const auto& [promise, pixel] : promises) pixels.push_back(pixel);
   return pixels;
 }
@@ -141,8 +134,8 @@ glm::dvec3 Refinement::placeOf(Pixel pixel, const std::optional<glm::dvec3>& c1)
   if (!c1 || inRegion(*c1, middle, options_)) return middle;
   glm::dvec3 nearest = middle;
   double cosine = -1.0;
-  const long finer = static_cast<long>(finest_ / pixel.nside) * (finest_ / pixel.nside);
-  for (long fine = finer * pixel.index; fine < finer * (pixel.index + 1); ++fine) {
+  const int finer = (finest_ / pixel.nside) * (finest_ / pixel.nside);
+  for (int fine = finer * pixel.index; fine < finer * (pixel.index + 1); ++fine) {
     const glm::dvec3 direction = nestedDirection(finest_, fine);
     if (glm::dot(direction, middle) <= cosine || !inRegion(*c1, direction, options_)) continue;
     nearest = direction;
@@ -152,24 +145,24 @@ glm::dvec3 Refinement::placeOf(Pixel pixel, const std::optional<glm::dvec3>& c1)
 }
 
 bool Refinement::climb(int nside, const std::optional<glm::dvec3>& c1) {
-  const std::vector<long> best = ranked(nside, c1);
+  const std::vector<int> best = ranked(nside, c1);
   if (best.empty()) return true;
-  const auto outside = [&](long pixel) { return c1 && !mayHold({nside, pixel}, *c1); };
-  std::vector<long> around = pixelsAround(nside, best.front(), 1);
+  const auto outside = [&](int pixel) { return c1 && !mayHold({nside, pixel}, *c1); };
+  std::vector<int> around = pixelsAround(nside, best.front(), 1);
   // Along the region's rim it also matters how near to that a pixel's middle happens to lie: look farther.
-  constexpr int rimReach = 3;
+  constexpr int rimSteps = 3;
   if (nside == finest_ && std::any_of(around.begin(), around.end(), outside))
-    around = pixelsAround(nside, best.front(), rimReach);
+    around = pixelsAround(nside, best.front(), rimSteps);
   std::erase_if(around, outside);
   return have(nside, around);
 }
 
-std::vector<long> Refinement::ranked(int nside, const std::optional<glm::dvec3>& c1) const {
-  std::vector<long> pixels;
+std::vector<int> Refinement::ranked(int nside, const std::optional<glm::dvec3>& c1) const {
+  std::vector<int> pixels;
   const auto end = known_.lower_bound({nside + 1, 0});
   for (auto at = known_.lower_bound({nside, 0}); at != end; ++at)
     if (at->second.sums.count > 0.0 && (!c1 || mayHold(at->first, *c1))) pixels.push_back(at->first.index);
-  std::stable_sort(pixels.begin(), pixels.end(), [&](long a, long b) {
+  std::stable_sort(pixels.begin(), pixels.end(), [&](int a, int b) {
     return qualityAt({nside, a}) > qualityAt({nside, b});
   });
   return pixels;
@@ -177,7 +170,7 @@ std::vector<long> Refinement::ranked(int nside, const std::optional<glm::dvec3>&
 
 bool Refinement::mayHold(Pixel pixel, glm::dvec3 c1) const {
   if (pixel.nside >= finest_) return inRegion(c1, nestedDirection(pixel.nside, pixel.index), options_);
-  for (long child = 4 * pixel.index; child < 4 * pixel.index + 4; ++child)
+  for (int child = 4 * pixel.index; child < 4 * pixel.index + 4; ++child)
     if (mayHold({2 * pixel.nside, child}, c1)) return true;
   return false;
 }

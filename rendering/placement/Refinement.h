@@ -39,23 +39,23 @@ class Refinement {
  private:
   struct Pixel {
     int nside = 0;
-    long index = 0;
+    int index = 0;
     auto operator<=>(const Pixel&) const = default;
   };
   void plan();
   /// Asks for what is not known; false when there is any.
-  bool have(int nside, const std::vector<long>& pixels);
+  bool have(int nside, const std::vector<int>& pixels);
   /// Down to the finest level for C1 (no `c1`) or for C2; false when something is to be measured first.
   bool descend(const std::optional<glm::dvec3>& c1);
   /// Of the children of a level's known pixels those that promise the best qualities.
-  std::vector<long> promising(int nside, const std::optional<glm::dvec3>& c1) const;
+  std::vector<int> promising(int nside, const std::optional<glm::dvec3>& c1) const;
   /// The quality that the coarser level lets expect of a pixel.
   double promiseOf(Pixel pixel, const std::optional<glm::dvec3>& c1) const;
   /// A pixel's middle; for C2 the place in the region that is nearest to it.
   glm::dvec3 placeOf(Pixel pixel, const std::optional<glm::dvec3>& c1) const;
   bool climb(int nside, const std::optional<glm::dvec3>& c1);
   /// Known pixels of a level that see the focus, and for C2 may hold directions of the region: best first.
-  std::vector<long> ranked(int nside, const std::optional<glm::dvec3>& c1) const;
+  std::vector<int> ranked(int nside, const std::optional<glm::dvec3>& c1) const;
   bool mayHold(Pixel pixel, glm::dvec3 c1) const;
   double qualityAt(Pixel pixel) const;
 

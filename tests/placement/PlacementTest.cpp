@@ -264,7 +264,7 @@ TEST(Placement, RefinementReachesTheFinestMaximumOfASmoothQuality) {
       return measured;
     };
     std::vector<glm::dvec3> finest;
-    for (long pixel = 0; pixel < 12 * 32 * 32; ++pixel) finest.push_back(nestedDirection(32, pixel));
+    for (int pixel = 0; pixel < 12 * 32 * 32; ++pixel) finest.push_back(nestedDirection(32, pixel));
     const std::vector<Candidate> brute = evaluate(finest);
     images = 0;
     const Options options = locationOnly(round % 2 == 0 ? Region::SemiSphere : Region::Stream);
