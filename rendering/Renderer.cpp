@@ -262,7 +262,7 @@ glm::dvec2 Renderer::State::widthsInPixels(const Scene& scene) const {
   const glm::dvec2 wanted = glm::max(glm::dvec2(scene.cutaway.openWidth, scene.cutaway.borderWidth), glm::dvec2(0.0));
   if (scene.cutaway.unit == WidthUnit::Pixel) return wanted * pixelScale;
   const Grid& grid = scene.volume->grid;
-  double depth = rays->depthOf(gpu->focusCentre().value_or(grid.centre()));
+  double depth = rays->depthOf(gpu->focus().centre(grid).value_or(grid.centre()));
   if (!(depth > 0.0)) depth = rays->depthOf(grid.centre());
   return wanted / rays->pixelSize(std::max(depth, 1e-3 * grid.boundingRadius()));
 }

@@ -22,6 +22,7 @@
 #include <QVBoxLayout>
 
 #include "io/session/SessionFile.h"
+#include "rendering/gpu/FocusIndex.h"
 #include "viewer/Actions.h"
 #include "viewer/Dialogs.h"
 #include "viewer/NoticeBar.h"
@@ -91,7 +92,8 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
     const Study& study = document_.study();
     const Grid& grid = study.scene.volume->grid;
     cursor_.setGrid(grid);
-    goToFocus();
+    focusSearch_.cancel();
+    if (study.focusCentre) cursor_.moveTo(*study.focusCentre);
     cameras_.place(study.camera.value_or(Camera::standard(StandardView::Anterior, grid, cameras_.projection())));
   });
 
@@ -285,6 +287,7 @@ void MainWindow::open(Reader read, std::function<void(const io::DataMissing&)> m
         try {
           // Shared, because what is handed to the GUI thread must be copyable.
           auto study = std::make_shared<Study>(read(progress));
+          study->focusCentre = focusCentre(study->scene);
           return [this, study] { showStudy(std::move(*study)); };
         } catch (const io::DataMissing& error) {
           if (!missing) throw;
@@ -437,7 +440,11 @@ void MainWindow::showMenu(glm::dvec3 world, QPoint globalPosition) {
 }
 
 void MainWindow::goToFocus() {
-  if (const std::optional<glm::dvec3> centre = document_.focusCentre()) cursor_.moveTo(*centre);
+  focusSearch_.start([this, scene = document_.scene()](const io::Progress&) -> LoadJob::Show {
+    return [this, centre = focusCentre(scene)] {
+      if (centre) cursor_.moveTo(*centre);
+    };
+  });
 }
 
 void MainWindow::stop() {
@@ -479,8 +486,8 @@ void MainWindow::resetAllViews() {
 void MainWindow::whenDrawn(std::function<void()> done) {
   auto* poll = new QTimer(this);
   connect(poll, &QTimer::timeout, this, [this, poll, done = std::move(done)] {
-    if (job_.isRunning() || loadingBar_->isVisible() || placement_.isBusy() || cameras_.isFlying() ||
-        camerasPanel_->isDrawing() || !views_->isSettled())
+    if (job_.isRunning() || focusSearch_.isRunning() || loadingBar_->isVisible() || placement_.isBusy() ||
+        cameras_.isFlying() || camerasPanel_->isDrawing() || !views_->isSettled())
       return;
     poll->stop();
     poll->deleteLater();
