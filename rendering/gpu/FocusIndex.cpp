@@ -304,7 +304,7 @@ void indexValues(FocusIndex& index, const Volume& volume, const ValueFocus& focu
 FocusIndex buildFocusIndex(const Scene& scene, const BrickRanges& bricks) {
   FocusIndex index;
   index.bricks = bricks.dims;
-  if (const auto* labels = std::get_if<LabelFocus>(&scene.focus); labels && scene.labels) {
+  if (const auto* labels = std::get_if<LabelFocus>(&scene.look.focus); labels && scene.labels) {
     index.kind = FocusIndex::Kind::Labels;
     index.slots.assign(bricks.ranges.size(), 0);
     std::vector<std::uint8_t> wanted(std::numeric_limits<std::uint16_t>::max() + 1, 0);
@@ -313,7 +313,7 @@ FocusIndex buildFocusIndex(const Scene& scene, const BrickRanges& bricks) {
       indexLabels(index, scene.labels->voxels.as<std::uint8_t>(), scene.labels->grid, wanted);
     else
       indexLabels(index, scene.labels->voxels.as<std::uint16_t>(), scene.labels->grid, wanted);
-  } else if (const auto* values = std::get_if<ValueFocus>(&scene.focus)) {
+  } else if (const auto* values = std::get_if<ValueFocus>(&scene.look.focus)) {
     index.kind = FocusIndex::Kind::Values;
     index.slots.assign(bricks.ranges.size(), 0);
     indexValues(index, *scene.volume, *values, bricks);
@@ -328,7 +328,7 @@ std::optional<glm::dvec3> FocusIndex::centre(const Grid& grid) const {
 }
 
 std::optional<glm::dvec3> focusCentre(const Scene& scene) {
-  if (std::holds_alternative<std::monostate>(scene.focus)) return std::nullopt;
+  if (std::holds_alternative<std::monostate>(scene.look.focus)) return std::nullopt;
   return buildFocusIndex(scene, brickRanges(*scene.volume)).centre(scene.volume->grid);
 }
 

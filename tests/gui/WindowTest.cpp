@@ -61,18 +61,19 @@ TEST_F(Window, OpeningSliderChangesThePicture) {
   waitUntilDrawn();
   const QImage before = picture(volume(0));
   QSlider* slider = window_->cutawayPanel().openWidth()->slider();
-  const double width = window_->document().scene().cutaway.openWidth;
+  const double width = window_->document().scene().look.cutaway.openWidth;
   const int handle = slider->width() * slider->value() / slider->maximum();
   const int steps = window_->document().undoStack().count();
   drag(slider, {handle, slider->height() / 2}, {slider->width() * 3 / 4, slider->height() / 2});
-  EXPECT_GT(window_->document().scene().cutaway.openWidth, width + 20.0);
-  EXPECT_DOUBLE_EQ(window_->cutawayPanel().openWidth()->box()->value(), window_->document().scene().cutaway.openWidth);
+  EXPECT_GT(window_->document().scene().look.cutaway.openWidth, width + 20.0);
+  EXPECT_DOUBLE_EQ(window_->cutawayPanel().openWidth()->box()->value(),
+                   window_->document().scene().look.cutaway.openWidth);
   waitUntilDrawn();
   EXPECT_NE(picture(volume(0)), before);
 
   EXPECT_EQ(window_->document().undoStack().count(), steps + 1) << "a drag is one step";
   QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
-  EXPECT_EQ(window_->document().scene().cutaway.openWidth, width);
+  EXPECT_EQ(window_->document().scene().look.cutaway.openWidth, width);
   EXPECT_EQ(window_->cutawayPanel().openWidth()->box()->value(), width);
   waitUntilDrawn();
   EXPECT_EQ(picture(volume(0)), before);
@@ -224,7 +225,7 @@ TEST_F(Window, CrosshairGoesToAFocusThatIsChosenByNameOrOpened) {
   EXPECT_TRUE(QTest::qWaitFor(atMarker, patience));
 
   Study focused = markedBall();
-  focused.scene.focus = ValueFocus{.values = {500.0, 1000.0}};  // reaches a voxel around the marker
+  focused.scene.look.focus = ValueFocus{.values = {500.0, 1000.0}};  // reaches a voxel around the marker
   open(focused);
   EXPECT_TRUE(atMarker());
   open(markedBall());

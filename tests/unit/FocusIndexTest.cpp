@@ -126,7 +126,7 @@ TEST(FocusIndex, LabelsAreThoseOfEveryCellsCorners) {
       Scene scene = labelScene(obliqueGrid(dims), [&](glm::ivec3) {
         return std::bernoulli_distribution(share)(random) ? (random() % 2 ? 1 : 300) : 2;
       });
-      scene.focus = LabelFocus{{1, 300}};
+      scene.look.focus = LabelFocus{{1, 300}};
       expectIndex(indexOf(scene), dims, labelsByHand(*scene.labels, {1, 300}));
     }
 }
@@ -139,7 +139,7 @@ TEST(FocusIndex, LabelsOfOneByteAreReadToo) {
   labels->voxels = Voxels(ScalarType::UInt8, labels->grid.voxelCount());
   for (std::size_t i = 0; i < labels->voxels.count(); i += 7) labels->voxels.as<std::uint8_t>()[i] = 255;
   scene.labels = labels;
-  scene.focus = LabelFocus{{255}};
+  scene.look.focus = LabelFocus{{255}};
   expectIndex(indexOf(scene), dims, labelsByHand(*labels, {255}));
 }
 
@@ -169,9 +169,26 @@ TEST(FocusIndex, ValuesAreCellsThatMeetTheRangeInComponentsThatAreLargeEnough) {
         Scene scene;
         scene.volume = volume;
         const ValueFocus focus{{-100.0, -60.0}, cells * grid.voxelVolume()};
-        scene.focus = focus;
+        scene.look.focus = focus;
         expectIndex(indexOf(scene), dims, valuesByHand(*volume, focus));
       }
+}
+
+TEST(FocusIndex, ComponentsAreConnectedOver26Neighbours) {
+  const glm::ivec3 dims(9), middle(4);
+  forEachVoxel(glm::ivec3(7), [&](glm::ivec3 step) {
+    // Each of two voxels lies in 2×2×2 cells; those of voxels two apart touch at a face, an edge or a corner.
+    const glm::ivec3 offset = step - 3;
+    if (offset == glm::ivec3(0)) return;
+    Scene scene = valueScene(
+        gridOf(dims), [&](glm::ivec3 v) { return v == middle || v == middle + offset ? 1.0 : 0.0; }, 0.5);
+    ValueFocus& focus = std::get<ValueFocus>(scene.look.focus);
+    focus.minimumComponent = 9.0;
+    const glm::ivec3 apart = glm::abs(offset);
+    EXPECT_EQ(indexOf(scene).box.has_value(), std::max({apart.x, apart.y, apart.z}) <= 2)
+        << offset.x << ' ' << offset.y << ' ' << offset.z;
+    expectIndex(indexOf(scene), dims, valuesByHand(*scene.volume, focus));
+  });
 }
 
 TEST(FocusIndex, ACellWhoseCornersLieOnBothSidesOfTheRangeIsKept) {
@@ -181,7 +198,7 @@ TEST(FocusIndex, ACellWhoseCornersLieOnBothSidesOfTheRangeIsKept) {
   const FocusIndex index = indexOf(scene);
   EXPECT_EQ(bitsAt(index, {3, 2, 2}), 255u);
   EXPECT_EQ(bitsAt(index, {2, 2, 2}), 0u);
-  expectIndex(index, dims, valuesByHand(*scene.volume, std::get<ValueFocus>(scene.focus)));
+  expectIndex(index, dims, valuesByHand(*scene.volume, std::get<ValueFocus>(scene.look.focus)));
 }
 
 TEST(FocusIndex, NonFiniteValuesCountAsTheEndsOfTheRange) {
@@ -191,14 +208,17 @@ TEST(FocusIndex, NonFiniteValuesCountAsTheEndsOfTheRange) {
     const Scene scene = valueScene(
         gridOf(dims),
         [&](glm::ivec3 index) {
-          const double finite = index == glm::ivec3(0) ? 0.0 : index == glm::ivec3(6, 5, 4) ? 20.0 : 10.0;
+          if (index == glm::ivec3(0)) return 0.0;
+          if (index == glm::ivec3(6, 5, 4)) return 20.0;
+          // Cells with all eight corners at one of them, and mixed ones.
+          if (index.x >= 4) return index.y < 2 ? nan : index.y < 4 ? -infinity : infinity;
           const unsigned kind = random() % 20;
-          return finite != 10.0 ? finite : kind == 0 ? nan : kind == 1 ? -infinity : kind == 2 ? infinity : finite;
+          return kind == 0 ? nan : kind == 1 ? -infinity : kind == 2 ? infinity : 10.0;
         },
         range.low, range.high);
     ASSERT_EQ(scene.volume->range.low, 0.0);
     ASSERT_EQ(scene.volume->range.high, 20.0);
-    expectIndex(indexOf(scene), dims, valuesByHand(*scene.volume, std::get<ValueFocus>(scene.focus)));
+    expectIndex(indexOf(scene), dims, valuesByHand(*scene.volume, std::get<ValueFocus>(scene.look.focus)));
   }
 }
 
@@ -225,17 +245,17 @@ TEST(FocusIndex, CentreIsThatOfTheBoxWithoutDroppedIslands) {
   };
   // Cells reach a voxel beyond the block. The lone voxel lies in eight cells.
   expectCentre({0.5 * (1 + 21), 0.5 * (1 + 8), 0.5 * (1 + 7)});
-  std::get<ValueFocus>(scene.focus).minimumComponent = 9.0 * grid.voxelVolume();
+  std::get<ValueFocus>(scene.look.focus).minimumComponent = 9.0 * grid.voxelVolume();
   expectCentre({3.5, 3.0, 2.5});
-  std::get<ValueFocus>(scene.focus).minimumComponent = 1e6;
+  std::get<ValueFocus>(scene.look.focus).minimumComponent = 1e6;
   EXPECT_FALSE(focusCentre(scene));
 
   scene.labels = labelsOf(grid, isBlock);
-  scene.focus = LabelFocus{{1}};
+  scene.look.focus = LabelFocus{{1}};
   expectCentre({3.5, 3.0, 2.5});
-  scene.focus = LabelFocus{{2}};
+  scene.look.focus = LabelFocus{{2}};
   EXPECT_FALSE(focusCentre(scene));
-  scene.focus = std::monostate{};
+  scene.look.focus = std::monostate{};
   EXPECT_FALSE(focusCentre(scene));
 }
 

@@ -70,13 +70,14 @@ class Document::EditsChange : public Change {
 void Document::open(Study study) {
   study_ = std::move(study);
   Scene& scene = study_.scene;
-  edits_ = {.focus = scene.focus,
-            .focusAppearance = scene.focusAppearance,
+  edits_ = {.focus = scene.look.focus,
+            .focusAppearance = scene.look.focusAppearance,
             .preset = study_.transferFunction,
-            .context = scene.context,
-            .cutaway = scene.cutaway,
-            .contextLayer = scene.contextLayer,
-            .strokes = scene.strokes};
+            .context = scene.look.context.function,
+            .shift = scene.look.context.shift,
+            .cutaway = scene.look.cutaway,
+            .contextLayer = scene.look.contextLayer,
+            .strokes = scene.look.strokes};
   window_ = scene.volume->defaultWindow();
   history_.clear();
   Q_EMIT volumeChanged();
@@ -98,18 +99,18 @@ void Document::show(Edits edits) {
   const bool cutaway = edits_.cutaway != before.cutaway || edits_.contextLayer != before.contextLayer;
   const bool strokes = edits_.strokes != before.strokes;
   if (focus) {
-    scene.focus = edits_.focus;
-    scene.focusAppearance = edits_.focusAppearance;
+    scene.look.focus = edits_.focus;
+    scene.look.focusAppearance = edits_.focusAppearance;
   }
   if (context) {
-    scene.context = edits_.context;
-    for (TransferFunction::Node& node : scene.context.nodes) node.value += edits_.shift;
+    scene.look.context.function = edits_.context;
+    scene.look.context.shift = edits_.shift;
   }
   if (cutaway) {
-    scene.cutaway = edits_.cutaway;
-    scene.contextLayer = edits_.contextLayer;
+    scene.look.cutaway = edits_.cutaway;
+    scene.look.contextLayer = edits_.contextLayer;
   }
-  if (strokes) scene.strokes = edits_.strokes;
+  if (strokes) scene.look.strokes = edits_.strokes;
   if (focus) Q_EMIT focusChanged();
   if (context) Q_EMIT transferFunctionChanged();
   if (cutaway) Q_EMIT cutawayChanged();
