@@ -11,8 +11,8 @@
 #include "io/Dcmtk.h"
 #include "io/Dicom.h"
 #include "io/Error.h"
-#include "io/HeaderText.h"
 #include "io/ImageFile.h"
+#include "io/Text.h"
 
 namespace fenestra::io {
 namespace fs = std::filesystem;

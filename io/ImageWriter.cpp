@@ -15,7 +15,7 @@
 
 #include "io/ByteStream.h"
 #include "io/Error.h"
-#include "io/HeaderText.h"
+#include "io/Text.h"
 
 namespace fenestra::io {
 namespace fs = std::filesystem;

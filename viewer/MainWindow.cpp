@@ -72,6 +72,14 @@ QString sentence(const std::string& clause) {
   return text.endsWith(QLatin1Char('.')) ? text : text + QLatin1Char('.');
 }
 
+/// The single-file formats in a file dialog's filter.
+QString volumePatterns() {
+  QStringList patterns;
+  for (const std::string_view ending : io::volumeEndings)
+    patterns << QStringLiteral("*") + QLatin1String(ending.data(), static_cast<qsizetype>(ending.size()));
+  return patterns.join(QLatin1Char(' '));
+}
+
 std::vector<std::filesystem::path> localPaths(const QMimeData& data) {
   std::vector<std::filesystem::path> paths;
   for (const QUrl& url : data.urls())
@@ -382,9 +390,8 @@ void MainWindow::rememberRecent(const std::filesystem::path& path) {
 void MainWindow::showError(const QString& message) { notices_->add(NoticeBar::Kind::Error, message); }
 
 void MainWindow::chooseFile() {
-  const QString file = QFileDialog::getOpenFileName(
-      this, tr("Open a volume"), {},
-      tr("Volumes (*.dcm *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.hdr *.img);;All files (*)"));
+  const QString file = QFileDialog::getOpenFileName(this, tr("Open a volume"), {},
+                                                    tr("Volumes (*.dcm %1);;All files (*)").arg(volumePatterns()));
   if (!file.isEmpty()) open({toPath(file)});
 }
 
@@ -394,8 +401,8 @@ void MainWindow::chooseFolder() {
 }
 
 void MainWindow::chooseLabels() {
-  const QString file = QFileDialog::getOpenFileName(
-      this, tr("Open a label map"), {}, tr("Label maps (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd);;All files (*)"));
+  const QString file = QFileDialog::getOpenFileName(this, tr("Open a label map"), {},
+                                                    tr("Label maps (%1);;All files (*)").arg(volumePatterns()));
   if (!file.isEmpty()) openLabels(toPath(file));
 }
 
