@@ -76,7 +76,7 @@ struct SeriesInfo {
   std::vector<std::filesystem::path> files;
 };
 
-/// A name for a series that says nothing to who does not have it: a hash of its id.
+/// A name for a series that gives nothing of it away: a hash of its id.
 std::string seriesKey(const std::string& id);
 
 struct OpenedVolume {

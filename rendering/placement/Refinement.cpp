@@ -11,11 +11,11 @@
 namespace fenestra::placement {
 namespace {
 
-/// How many pixels of a level are looked at because they promise most. So many find the C1 that trying all finds for 23
-/// structures by seven choices of weights and region, and but for three of these 161 the C2.
+/// Pixels of a level that are measured for their predicted quality. On 23 structures with seven choices of weights and
+/// region each, this many find the C1 of an exhaustive search in all 161 cases and its C2 in all but three.
 constexpr std::size_t promisingCount = 24;
-/// Of the finest level's best, how many are looked at from the opposite side too: of two nearly equal outlines either
-/// may be the better one from there.
+/// How many of the finest level's best views are measured from the opposite side, too: of nearly equal views the second
+/// may have the better opposite.
 constexpr std::size_t turned = 4;
 
 /// The pixels at most `steps` steps from neighbour to neighbour away from one, without itself; in ascending order.
@@ -61,7 +61,7 @@ std::size_t Refinement::coarser() const {
   return static_cast<std::size_t>(std::distance(known_.begin(), known_.lower_bound({finest_, 0})));
 }
 
-/// Goes through the whole search with what is known, up to where something is missing: quick, and no state to keep.
+/// Repeats the search on the measured pixels until it needs another one. That is quick, and no state is kept.
 void Refinement::plan() {
   wantedPixels_.clear();
   wanted_.clear();
@@ -97,8 +97,7 @@ std::vector<int> Refinement::promising(int nside, const std::optional<glm::dvec3
     for (int pixel = 4 * parent; pixel < 4 * parent + 4; ++pixel) {
       if (c1 && !mayHold({nside, pixel}, *c1)) continue;
       const double promise = promiseOf({nside, pixel}, c1);
-      // In parallel projection the opposite view has the same outline: of two sides the better one leads the way for
-      // C1.
+      // Opposite views have the same outline in parallel projection: for C1 only the better side is followed.
       const Pixel opposite{nside, nestedPixel(nside, -nestedDirection(nside, pixel))};
       if (!c1 && known_.contains({nside / 2, opposite.index / 4}) && promiseOf(opposite, c1) > promise) continue;
       promises.emplace_back(promise, pixel);
@@ -113,10 +112,10 @@ std::vector<int> Refinement::promising(int nside, const std::optional<glm::dvec3
 double Refinement::promiseOf(Pixel pixel, const std::optional<glm::dvec3>& c1) const {
   const glm::dvec3 place = placeOf(pixel, c1);
   const int coarser = pixel.nside / 2;
-  // Quality around there as a linear function of the direction, by weighted least squares; a pixel's width away a known
-  // one counts 1/e.
+  // Fits the quality around `place` as a linear function of the direction by weighted least squares. A measured pixel's
+  // weight is 1/e at the distance of one pixel's width.
   const double width = std::sqrt(std::numbers::pi / 3.0) / coarser;
-  glm::dmat4 normal(1e-9);  // where too few are known to tell a slope there is none
+  glm::dmat4 normal(1e-9);  // regularises: a slope that too few pixels determine is 0
   glm::dvec4 right(0.0);
   const auto end = known_.lower_bound({coarser + 1, 0});
   for (auto known = known_.lower_bound({coarser, 0}); known != end; ++known) {
@@ -149,7 +148,7 @@ bool Refinement::climb(int nside, const std::optional<glm::dvec3>& c1) {
   if (best.empty()) return true;
   const auto outside = [&](int pixel) { return c1 && !mayHold({nside, pixel}, *c1); };
   std::vector<int> around = pixelsAround(nside, best.front(), 1);
-  // Along the region's rim it also matters how near to that a pixel's middle happens to lie: look farther.
+  // On the region's rim qualities also vary with how near to it a pixel's centre lies: search farther.
   constexpr int rimSteps = 3;
   if (nside == finest_ && std::any_of(around.begin(), around.end(), outside))
     around = pixelsAround(nside, best.front(), rimSteps);
