@@ -22,6 +22,7 @@
 #include <QVBoxLayout>
 
 #include "io/session/SessionFile.h"
+#include "rendering/gpu/FocusIndex.h"
 #include "viewer/Actions.h"
 #include "viewer/Dialogs.h"
 #include "viewer/NoticeBar.h"
@@ -71,6 +72,14 @@ QString sentence(const std::string& clause) {
   return text.endsWith(QLatin1Char('.')) ? text : text + QLatin1Char('.');
 }
 
+/// The single-file formats in a file dialog's filter.
+QString volumePatterns() {
+  QStringList patterns;
+  for (const std::string_view ending : io::volumeEndings)
+    patterns << QStringLiteral("*") + QLatin1String(ending.data(), static_cast<qsizetype>(ending.size()));
+  return patterns.join(QLatin1Char(' '));
+}
+
 std::vector<std::filesystem::path> localPaths(const QMimeData& data) {
   std::vector<std::filesystem::path> paths;
   for (const QUrl& url : data.urls())
@@ -91,7 +100,8 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
     const Study& study = document_.study();
     const Grid& grid = study.scene.volume->grid;
     cursor_.setGrid(grid);
-    goToFocus();
+    focusSearch_.cancel();
+    if (study.focusCentre) cursor_.moveTo(*study.focusCentre);
     cameras_.place(study.camera.value_or(Camera::standard(StandardView::Anterior, grid, cameras_.projection())));
   });
 
@@ -285,6 +295,7 @@ void MainWindow::open(Reader read, std::function<void(const io::DataMissing&)> m
         try {
           // Shared, because what is handed to the GUI thread must be copyable.
           auto study = std::make_shared<Study>(read(progress));
+          study->focusCentre = focusCentre(study->scene);
           return [this, study] { showStudy(std::move(*study)); };
         } catch (const io::DataMissing& error) {
           if (!missing) throw;
@@ -379,9 +390,8 @@ void MainWindow::rememberRecent(const std::filesystem::path& path) {
 void MainWindow::showError(const QString& message) { notices_->add(NoticeBar::Kind::Error, message); }
 
 void MainWindow::chooseFile() {
-  const QString file = QFileDialog::getOpenFileName(
-      this, tr("Open a volume"), {},
-      tr("Volumes (*.dcm *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.hdr *.img);;All files (*)"));
+  const QString file = QFileDialog::getOpenFileName(this, tr("Open a volume"), {},
+                                                    tr("Volumes (*.dcm %1);;All files (*)").arg(volumePatterns()));
   if (!file.isEmpty()) open({toPath(file)});
 }
 
@@ -391,8 +401,8 @@ void MainWindow::chooseFolder() {
 }
 
 void MainWindow::chooseLabels() {
-  const QString file = QFileDialog::getOpenFileName(
-      this, tr("Open a label map"), {}, tr("Label maps (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd);;All files (*)"));
+  const QString file = QFileDialog::getOpenFileName(this, tr("Open a label map"), {},
+                                                    tr("Label maps (%1);;All files (*)").arg(volumePatterns()));
   if (!file.isEmpty()) openLabels(toPath(file));
 }
 
@@ -437,7 +447,11 @@ void MainWindow::showMenu(glm::dvec3 world, QPoint globalPosition) {
 }
 
 void MainWindow::goToFocus() {
-  if (const std::optional<glm::dvec3> centre = document_.focusCentre()) cursor_.moveTo(*centre);
+  focusSearch_.start([this, scene = document_.scene()](const io::Progress&) -> LoadJob::Show {
+    return [this, centre = focusCentre(scene)] {
+      if (centre) cursor_.moveTo(*centre);
+    };
+  });
 }
 
 void MainWindow::stop() {
@@ -479,8 +493,8 @@ void MainWindow::resetAllViews() {
 void MainWindow::whenDrawn(std::function<void()> done) {
   auto* poll = new QTimer(this);
   connect(poll, &QTimer::timeout, this, [this, poll, done = std::move(done)] {
-    if (job_.isRunning() || loadingBar_->isVisible() || placement_.isBusy() || cameras_.isFlying() ||
-        camerasPanel_->isDrawing() || !views_->isSettled())
+    if (job_.isRunning() || focusSearch_.isRunning() || loadingBar_->isVisible() || placement_.isBusy() ||
+        cameras_.isFlying() || camerasPanel_->isDrawing() || !views_->isSettled())
       return;
     poll->stop();
     poll->deleteLater();

@@ -120,7 +120,7 @@ class MainWindow : public QMainWindow {
   void showMenu(glm::dvec3 world, QPoint globalPosition);
   /// Of the last picture: time and quality.
   void showFrame();
-  /// The crosshair goes to the middle of the focus.
+  /// Moves the crosshair to the centre of the focus once another thread has found it.
   void goToFocus();
   /// Moves the cameras as a step that can be undone.
   void moveCameras(const QString& step, const std::function<void()>& move);
@@ -134,6 +134,7 @@ class MainWindow : public QMainWindow {
   Brush brush_;
   Preferences preferences_;
   LoadJob job_;
+  LoadJob focusSearch_;  ///< goToFocus()'s
 
   Sessions* sessions_ = nullptr;
   Actions* actions_ = nullptr;

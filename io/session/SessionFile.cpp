@@ -4,8 +4,8 @@
 #include <functional>
 #include <system_error>
 
-#include "io/HeaderText.h"
 #include "io/ImageWriter.h"
+#include "io/Text.h"
 #include "io/session/SceneJson.h"
 
 namespace fenestra {

@@ -14,7 +14,7 @@ namespace {
 const std::array<glm::dvec3, 6> standardDirections{glm::dvec3(0, -1, 0), glm::dvec3(0, 1, 0), glm::dvec3(1, 0, 0),
                                                    glm::dvec3(-1, 0, 0), glm::dvec3(0, 0, 1), glm::dvec3(0, 0, -1)};
 
-/// Qualities closer than this, relative to their size, come from the candidates' pixels and say nothing.
+/// Relative differences of quality below this are noise of the images' pixels.
 constexpr double indistinct = 1e-3;
 
 /// The spread candidates from `first` on.
@@ -123,7 +123,7 @@ bool Placer::advance(const GpuScene& gpu, std::size_t count) {
   const std::size_t first = batch.done;
   for (; !batch.isDone(); ++batch.done) {
     const glm::dvec3 next = batch.directions[batch.order[batch.done]];
-    // A pair is measured together, however the work is cut, so that the answer is the same to the bit.
+    // Opposite directions stay together however the work is sliced, so that results are bit-identical.
     if (directions.size() >= count && glm::dot(next, directions.back()) > -1.0 + 1e-12) break;
     directions.push_back(next);
   }

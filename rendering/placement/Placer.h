@@ -1,5 +1,6 @@
 #pragma once
-// Places both cameras for a scene's focus. What was rendered is kept: another weight, region or C1 renders nothing.
+// Places both cameras for a scene's focus. Measurements are kept, so that another weight, region or C1 needs no
+// rendering.
 
 #include <optional>
 #include <string>
@@ -13,9 +14,9 @@ namespace fenestra::placement {
 /// How candidates are spread.
 struct Sampling {
   int count = 192;                          ///< 12·nside²
-  bool refined = false;                     ///< instead: hierarchically from 48 to the resolution of 12 288
+  bool refined = false;                     ///< refine 48 directions to the resolution of 12 288 instead
   int side = CandidateImages::defaultSide;  ///< pixels across the model in a candidate's image, at least
-  int surfacePoints = 1024;                 ///< shares are known to about a hundredth by so many
+  int surfacePoints = 1024;                 ///< gives shares to about a hundredth
   bool operator==(const Sampling&) const = default;
 };
 
@@ -29,16 +30,17 @@ struct Placement {
 /// The measured candidates of one focus: the spread ones, then the six standard views.
 struct Measured {
   std::vector<Candidate> candidates;
-  std::size_t coarser = 0;  ///< refined: the first ones, which only led the way
-  /// Refined for these: by them choose() takes finest ones, as trying all would; by others, whatever is best.
+  std::size_t coarser = 0;  ///< refined: how many at the front are of coarser levels
+  /// The options that guided a refinement. By these choose() considers the finest level alone, as an exhaustive search
+  /// would; by others, all candidates.
   std::optional<Options> refinedFor;
-  std::size_t spread = 0;  ///< how many of them are spread; the standard views serve comparisons and the joint search
+  std::size_t spread = 0;  ///< number of spread candidates; the standard views serve comparisons and the joint search
   std::size_t surfacePoints = 0;
   double surfaceArea = 0.0;  ///< mm²
 };
 
-/// The paper's order: the best view, then the best of its region. `joint`: both at once (jointSearch), the standard
-/// views among the candidates. Costs no rendering. A focus that looks the same from everywhere gets the first direction
+/// In the paper's order: the best view, then the best view of its region. With `joint` both at once (jointSearch), the
+/// standard views included. Needs no rendering. A focus that looks the same from everywhere gets the first direction
 /// and a note.
 Placement choose(const Measured& measured, const Options& options, bool joint);
 /// C2 for a C1 anywhere on the sphere.
@@ -52,12 +54,13 @@ class Placer {
   /// The next measure() measures anew.
   void forget() { key_.reset(); }
 
-  /// The same in slices, for a window that must answer in between: begin(), then advance() until it is true, then
-  /// measured(). Another begin() drops what was under way; `gpu`'s volume and focus stay as they are meanwhile.
+  /// The same in slices, so that a window stays responsive: begin(), then advance() until it returns true, then
+  /// measured(). Another begin() cancels the one before. `gpu`'s volume and focus must not change in between.
   void begin(GpuScene& gpu, const Scene& scene, const Sampling& sampling, const Options& options);
-  /// Measures `count` candidates more, or one beyond that shares its image. True when all are measured.
+  /// Measures `count` more candidates, and the opposite of the last one with it, as they share an image. True when all
+  /// are measured.
   bool advance(const GpuScene& gpu, std::size_t count);
-  /// Share of the candidates that are measured; of a refinement, of those that it takes at most.
+  /// Share of the candidates that are measured; a refinement counts against the most candidates it may take.
   double progress() const;
   const Measured& measured() const { return measured_; }
 
@@ -68,7 +71,7 @@ class Placer {
     std::optional<Options> options;  ///< a refinement follows them
     bool operator==(const Key&) const = default;
   };
-  /// Directions to be measured, each next to its opposite where that is among them.
+  /// Directions to measure; `order` puts opposite ones next to each other.
   struct Batch {
     std::vector<glm::dvec3> directions;
     std::vector<std::size_t> order;
@@ -78,7 +81,7 @@ class Placer {
     explicit Batch(std::vector<glm::dvec3> wanted = {});
     bool isDone() const { return done == order.size(); }
   };
-  /// What begin() began.
+  /// A measurement under way.
   struct Task {
     Key key;
     FocusSurface surface;
