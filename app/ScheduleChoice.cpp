@@ -55,22 +55,24 @@ void keepAnswer(const fs::path& file, const std::string& key, const ScheduleTime
 }  // namespace
 
 void addScheduleOption(CLI::App& command, std::optional<Schedule>& schedule) {
-  addParsed(command, "--schedule", "plain|llvmpipe",
-            "how shaders lay out their work; the same picture, faster or slower. Default: what is faster on this machine",
-            [&schedule](const std::string& text) {
-              schedule = scheduleNamed(text);
-              return schedule.has_value();
-            });
+  addParsed(
+      command, "--schedule", "plain|llvmpipe",
+      "how shaders lay out their work; the same picture, faster or slower. Default: what is faster on this machine",
+      [&schedule](const std::string& text) {
+        schedule = scheduleNamed(text);
+        return schedule.has_value();
+      });
+}
+
+std::optional<Schedule> knownSchedule(std::optional<Schedule> asked, const Volume& volume) {
+  return asked ? asked : keptAnswer(readAnswers(answersFile()), scheduleKey(volume));
 }
 
 void chooseSchedule(std::optional<Schedule> asked, const std::shared_ptr<GpuScene>& gpuScene, const Scene& scene,
                     const View& view) {
-  if (asked) return gpuScene->setSchedule(*asked);
-  const fs::path file = answersFile();
-  const std::string key = scheduleKey(*scene.volume);
-  if (const auto kept = keptAnswer(readAnswers(file), key)) return gpuScene->setSchedule(*kept);
+  if (const auto known = knownSchedule(asked, *scene.volume)) return gpuScene->setSchedule(*known);
   const ScheduleTimes times = tryBothSchedules(gpuScene, scene, view);
-  if (!file.empty()) keepAnswer(file, key, times);
+  if (const fs::path file = answersFile(); !file.empty()) keepAnswer(file, scheduleKey(*scene.volume), times);
 }
 
 }  // namespace fenestra::app

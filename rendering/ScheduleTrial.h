@@ -16,8 +16,8 @@ struct ScheduleTimes {
   Schedule faster() const { return plain <= llvmpipe ? Schedule::Plain : Schedule::Llvmpipe; }
 };
 
-/// Draws the view, made small, with both schedules; the scene's schedule is then the faster one. Compiles the programs of
-/// both. Needs a current context. Throws RenderError, gl::ShaderError.
+/// Draws the view, made small, with both schedules; the scene's schedule is then the faster one. Compiles the programs
+/// of both. Needs a current context. Throws RenderError, gl::ShaderError.
 ScheduleTimes tryBothSchedules(const std::shared_ptr<GpuScene>& gpuScene, const Scene& scene, const View& view);
 
 /// What the answer depends on: renderer, driver version and voxel type, for an application that keeps answers.
