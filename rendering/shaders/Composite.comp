@@ -48,8 +48,8 @@ void main() {
     float bend = sqrt(0.5 * dot(context.xy, context.xy)) * look.curvatureScale;
     float rim = texelOf(silhouette, pixel).r;
     // Edges come out as lines: both terms rise steeply.
-    float opacity = look.curvatureWeight * smoothstep(0.10, 0.40, bend) + look.silhouetteWeight * smoothstep(0.30, 0.85, rim);
-    opacity = look.strength * clamp(opacity, 0.0, 1.0);
+    float opacity = look.curvatureWeight * smoothstep(0.10, 0.40, bend);
+    opacity = look.strength * clamp(opacity + look.silhouetteWeight * smoothstep(0.30, 0.85, rim), 0.0, 1.0);
 #if EDITED
     opacity = min(opacity * texelOf(editMap, pixel).g, 1.0);
 #endif
@@ -61,10 +61,10 @@ void main() {
     result = vec4(colour, 1.0) * opacity + result * (1.0 - opacity);
   }
 #endif
-  if (cutaway.widths.y > 0.0 && !isNone(hit.x)) {
+  if (!isNone(hit.x)) {
     // Share of this pixel, a box one pixel wide across the rim, that w_open < DM ≤ w_open + w_border covers.
-    float distance = texelOf(distances, pixel).r;
-    float border = clamp(min(distance + 0.5, cutaway.widths.x + cutaway.widths.y) - max(distance - 0.5, cutaway.widths.x), 0.0, 1.0);
+    float distance = texelOf(distances, pixel).r, inner = cutaway.widths.x, outer = inner + cutaway.widths.y;
+    float border = clamp(min(distance + 0.5, outer) - max(distance - 0.5, inner), 0.0, 1.0);
     if (distance <= 0.0) border = 0.0;
 #if EDITED
     border *= texelOf(editMap, pixel).g;

@@ -22,15 +22,17 @@ vec2 offsetOf(ivec2 pixel) {
   return vec2(ndc.x, -ndc.y) * rays.halfSize;
 }
 
+// From the eye to where the pixel's ray meets the anchor plane, in the view's axes, mm; of length 1 where rays are parallel.
+vec3 towardsAnchor(vec2 offset) { return rays.perspective != 0u ? vec3(offset, rays.distance) : vec3(0.0, 0.0, 1.0); }
+
+// Length of that vector less its depth, without cancellation.
+float beyondPlane(vec3 towards, float along) { return dot(towards.xy, towards.xy) / (along + towards.z); }
+
 Ray pixelRay(ivec2 pixel) {
   vec2 offset = offsetOf(pixel);
-  vec3 view = vec3(0.0, 0.0, 1.0);
-  float sAnchor = 0.0;
-  if (rays.perspective != 0u) {
-    float along = length(vec3(offset, rays.distance));
-    view = vec3(offset, rays.distance) / along;
-    sAnchor = dot(offset, offset) / (along + rays.distance);  // = along - distance, without cancellation
-  }
+  vec3 towards = towardsAnchor(offset);
+  float along = length(towards), sAnchor = beyondPlane(towards, along);
+  vec3 view = towards / along;
   Ray ray;
   ray.direction = rays.cellsFromView * view;
   ray.world = rays.worldFromView * view;
@@ -42,8 +44,7 @@ Ray pixelRay(ivec2 pixel) {
 
 // Where the pixel's ray crosses the plane parallel to the picture `depth` mm behind the anchor plane.
 float positionAtDepth(ivec2 pixel, float depth) {
-  if (rays.perspective == 0u) return depth;
-  vec2 offset = offsetOf(pixel);
-  float along = length(vec3(offset, rays.distance));
-  return depth * (along / rays.distance) + dot(offset, offset) / (along + rays.distance);
+  vec3 towards = towardsAnchor(offsetOf(pixel));
+  float along = length(towards);
+  return depth * (along / towards.z) + beyondPlane(towards, along);
 }

@@ -74,14 +74,18 @@ struct CellNormals {
 #endif
 };
 
+// bernsteinAlong() of lib/Crossing.glsl for vectors. Indices are constants: some drivers mishandle others.
+vec3 bilinear(vec3 f0, vec3 f1, vec3 f2, vec3 f3, vec2 w) { return mix(mix(f0, f1, w.x), mix(f2, f3, w.x), w.y); }
+
 void bernsteinAlong(vec3 f[8], vec3 a, vec3 b, out vec3 along[4]) {
-  vec4 c[3];
-  for (int axis = 0; axis < 3; ++axis) {
-    float g[8];
-    for (int i = 0; i < 8; ++i) g[i] = f[i][axis];
-    c[axis] = bernsteinAlong(g, a, b);
-  }
-  for (int k = 0; k < 4; ++k) along[k] = vec3(c[0][k], c[1][k], c[2][k]);
+  vec3 xa[4] = vec3[4](mix(f[0], f[1], a.x), mix(f[2], f[3], a.x), mix(f[4], f[5], a.x), mix(f[6], f[7], a.x));
+  vec3 xb[4] = vec3[4](mix(f[0], f[1], b.x), mix(f[2], f[3], b.x), mix(f[4], f[5], b.x), mix(f[6], f[7], b.x));
+  along[0] = bilinear(xa[0], xa[1], xa[2], xa[3], a.yz);
+  along[1] = (bilinear(xb[0], xb[1], xb[2], xb[3], a.yz) + bilinear(xa[0], xa[1], xa[2], xa[3], vec2(b.y, a.z)) +
+              bilinear(xa[0], xa[1], xa[2], xa[3], vec2(a.y, b.z))) / 3.0;
+  along[2] = (bilinear(xb[0], xb[1], xb[2], xb[3], vec2(b.y, a.z)) +
+              bilinear(xb[0], xb[1], xb[2], xb[3], vec2(a.y, b.z)) + bilinear(xa[0], xa[1], xa[2], xa[3], b.yz)) / 3.0;
+  along[3] = bilinear(xb[0], xb[1], xb[2], xb[3], b.yz);
 }
 
 // `a` and `b`: the path's ends within the cell.
@@ -94,6 +98,16 @@ CellNormals normalsAlong(ivec3 cell, vec3 a, vec3 b) {
 }
 
 #if FOCUS_SMOOTH
+// Central difference of the smoothed indicator along an axis at corner i of a cell, from the cell's corners and the voxel
+// beyond. `first`: the texel of corner 0.
+float smoothedDifference(float inner[8], ivec3 first, int i, int axis) {
+  int across = i ^ (1 << axis);
+  bool isUpper = across < i;
+  ivec3 step = ivec3(axis == 0, axis == 1, axis == 2);
+  float outer = texelOf(focusSmoothTexels, first + cornerOf(i) + (isUpper ? step : -step)).r;
+  return isUpper ? outer - inner[across] : inner[across] - outer;
+}
+
 // What focusNormal() is between the cell's corners.
 void addFocusNormals(inout CellNormals normals, ivec3 cell, vec3 a, vec3 b) {
   ivec3 first = cell - 1 - ivec3(floor(focus.smoothOrigin));
@@ -101,13 +115,8 @@ void addFocusNormals(inout CellNormals normals, ivec3 cell, vec3 a, vec3 b) {
   for (int i = 0; i < 8; ++i) inner[i] = texelOf(focusSmoothTexels, first + cornerOf(i)).r;
   vec3 f[8];
   for (int i = 0; i < 8; ++i)
-    for (int axis = 0; axis < 3; ++axis) {
-      int across = i ^ (1 << axis);
-      ivec3 beyond = cornerOf(i);
-      beyond[axis] += across < i ? 1 : -1;
-      float outer = texelOf(focusSmoothTexels, first + beyond).r;
-      f[i][axis] = across < i ? outer - inner[across] : inner[across] - outer;
-    }
+    f[i] = vec3(smoothedDifference(inner, first, i, 0), smoothedDifference(inner, first, i, 1),
+                smoothedDifference(inner, first, i, 2));
   bernsteinAlong(f, a, b, normals.focus);
   for (int k = 0; k < 4; ++k) normals.focus[k] = focus.worldFromIndexGradient * normals.focus[k];
 }
