@@ -28,7 +28,8 @@ void RayFrame::setBlocks(gl::ShaderProgram& program) const {
   const glm::dvec3 anchor = glm::dvec3(indexFromWorld * glm::dvec4(camera_.eye + axes_.forward * distance_, 1.0)) + 1.0;
   program.set(RayBlock{Std140Mat3(glm::mat3(glm::dmat3(indexFromWorld) * worldFromView)),
                        Std140Mat3(glm::mat3(worldFromView)), glm::vec3(anchor), static_cast<float>(distance_),
-                       glm::vec2(halfSize_), size_, perspective()});
+                       glm::vec2(halfSize_), perspective() ? glm::vec2(halfSize_) : glm::vec2(0.0f),
+                       perspective() ? static_cast<float>(distance_) : 1.0f, size_});
   program.set(VolumeBlock{grid_.dims});
 }
 

@@ -2,8 +2,6 @@
 // The uniform blocks of the shaders, in std140 layout: a member here is the one of the same name and place in the GLSL
 // struct that the block holds. tests/gl/ShaderProgramTest compares the offsets.
 
-#include <cstdint>
-
 #include <glm/glm.hpp>
 
 namespace fenestra {
@@ -17,9 +15,9 @@ struct alignas(16) RayBlock {
   Std140Mat3 cellsFromView, worldFromView;
   glm::vec3 anchor;
   float distance;
-  glm::vec2 halfSize;
-  glm::ivec2 pictureSize;
-  std::uint32_t perspective;
+  glm::vec2 halfSize, spread;
+  float depth;
+  alignas(8) glm::ivec2 pictureSize;
 };
 
 /// shaders/lib/Grid.glsl.

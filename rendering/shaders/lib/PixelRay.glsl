@@ -11,26 +11,27 @@ struct RaySettings {
   vec3 anchor;         // cell frame: where the view axis meets the anchor plane
   float distance;      // mm from the eye (or the plane through it) to the anchor plane
   vec2 halfSize;       // mm on the anchor plane at the picture's right and top edge
+  vec2 spread;         // the same for the rays' directions; 0 where rays are parallel
+  float depth;         // mm, the distance again; 1 where rays are parallel
   ivec2 pictureSize;
-  uint perspective;
 };
 UNIFORM_BLOCK(RayBlock, storedRays, RaySettings, rays);
 
-// mm on the anchor plane, from its middle to where the pixel's ray meets it.
-vec2 offsetOf(ivec2 pixel) {
+// -1 … 1 across the picture, upwards.
+vec2 deviceCoordinates(ivec2 pixel) {
   vec2 ndc = 2.0 * (vec2(pixel) + 0.5) / vec2(rays.pictureSize) - 1.0;
-  return vec2(ndc.x, -ndc.y) * rays.halfSize;
+  return vec2(ndc.x, -ndc.y);
 }
 
-// From the eye to where the pixel's ray meets the anchor plane, in the view's axes, mm; of length 1 where rays are parallel.
-vec3 towardsAnchor(vec2 offset) { return rays.perspective != 0u ? vec3(offset, rays.distance) : vec3(0.0, 0.0, 1.0); }
+// The ray's direction in the view's axes: from the eye to the anchor plane, mm; (0, 0, 1) where rays are parallel.
+vec3 towardsAnchor(ivec2 pixel) { return vec3(deviceCoordinates(pixel) * rays.spread, rays.depth); }
 
 // Length of that vector less its depth, without cancellation.
 float beyondPlane(vec3 towards, float along) { return dot(towards.xy, towards.xy) / (along + towards.z); }
 
 Ray pixelRay(ivec2 pixel) {
-  vec2 offset = offsetOf(pixel);
-  vec3 towards = towardsAnchor(offset);
+  vec2 offset = deviceCoordinates(pixel) * rays.halfSize;
+  vec3 towards = towardsAnchor(pixel);
   float along = length(towards), sAnchor = beyondPlane(towards, along);
   vec3 view = towards / along;
   Ray ray;
@@ -44,7 +45,7 @@ Ray pixelRay(ivec2 pixel) {
 
 // Where the pixel's ray crosses the plane parallel to the picture `depth` mm behind the anchor plane.
 float positionAtDepth(ivec2 pixel, float depth) {
-  vec3 towards = towardsAnchor(offsetOf(pixel));
+  vec3 towards = towardsAnchor(pixel);
   float along = length(towards);
   return depth * (along / towards.z) + beyondPlane(towards, along);
 }
