@@ -13,8 +13,8 @@
 
 #include "io/VolumeReader.h"
 #include "io/session/Session.h"
-#include "rendering/Renderer.h"
 #include "rendering/scene/Scene.h"
+#include "rendering/scene/View.h"
 
 namespace CLI {
 class App;

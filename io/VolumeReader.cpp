@@ -8,7 +8,7 @@
 #include "io/HeaderText.h"
 #include "io/ImageFile.h"
 #include "io/Probe.h"
-#include "io/session/Contents.h"
+#include "io/Contents.h"
 
 namespace fenestra::io {
 namespace fs = std::filesystem;

@@ -3,8 +3,11 @@
 // stops the work; a notice stays until it is dismissed or replaced. Beyond a few, the rest is folded away.
 
 #include <functional>
+#include <vector>
 
 #include <QWidget>
+
+#include "io/VolumeReader.h"
 
 class QPushButton;
 class QVBoxLayout;
@@ -20,6 +23,8 @@ class NoticeBar : public QWidget {
 
   /// A notice that is already shown is not repeated. `action` makes a button called `actionName`.
   void add(Kind kind, const QString& text, const QString& actionName = {}, std::function<void()> action = {});
+  /// A reader's warnings, each with the files that it concerns.
+  void addWarnings(const std::vector<io::Warning>& warnings);
   void clear();
   /// The texts shown, from the top.
   QStringList texts() const;

@@ -5,15 +5,18 @@
 #include <memory>
 #include <optional>
 
-#include <QMainWindow>
 #include <QObject>
 
 #include "io/session/OpenSession.h"
 #include "viewer/model/SessionController.h"
 
+class QWidget;
+
 namespace fenestra::viewer {
 
-class MainWindow;
+class NoticeBar;
+class StudyLoader;
+struct Workspace;
 
 /// What the user is asked, as dialogs unless replaced.
 struct SessionQuestions {
@@ -36,7 +39,9 @@ class Sessions : public QObject {
   /// Reads a session's study on another thread; asked again with other places when its data were not found.
   using Reader = std::function<Study(const io::SessionPlaces&, const io::Progress&)>;
 
-  Sessions(MainWindow& window, SessionController::WindowPart part);
+  /// `window` is the dialogs' parent, shows the title, and owns this; all others outlive it.
+  Sessions(QWidget& window, Workspace& workspace, StudyLoader& loader, NoticeBar& notices,
+           SessionController::WindowPart part);
 
   SessionController& controller() { return controller_; }
   SessionQuestions& questions() { return questions_; }
@@ -63,7 +68,10 @@ class Sessions : public QObject {
   void open(Reader read, io::SessionPlaces places);
   void showTitle();
 
-  MainWindow& window_;
+  QWidget& window_;
+  Workspace& workspace_;
+  StudyLoader& loader_;
+  NoticeBar& notices_;
   SessionController controller_;
   SessionQuestions questions_;
   std::optional<AbandonedSession> restoring_;  ///< being opened

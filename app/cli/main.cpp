@@ -18,7 +18,7 @@
 #include "app/cli/Report.h"
 #include "rendering/egl/EglContext.h"
 #include "rendering/gpu/RenderError.h"
-#include "rendering/placement/Sphere.h"
+#include "rendering/viewpoints/Sphere.h"
 
 namespace fenestra::cli {
 namespace {

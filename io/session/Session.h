@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "io/VolumeReader.h"
-#include "io/session/Contents.h"
+#include "io/Contents.h"
 #include "rendering/scene/PlacementOptions.h"
 #include "rendering/scene/Quality.h"
 #include "rendering/scene/Scene.h"

@@ -4,7 +4,6 @@
 #include <functional>
 #include <system_error>
 
-#include "io/HeaderText.h"
 #include "io/ImageWriter.h"
 #include "io/session/SceneJson.h"
 
@@ -248,8 +247,6 @@ void check(const Session& session, const json::Reader& top) {
 }
 
 }  // namespace
-
-bool isSession(const fs::path& path) { return lowered(path.extension().string()) == sessionEnding; }
 
 Session readSession(const fs::path& file) {
   Value root = json::parse(file, json::readBounded(file, largest));

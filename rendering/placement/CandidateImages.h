@@ -6,7 +6,7 @@
 #include "rendering/gl/ShaderProgram.h"
 #include "rendering/gpu/GpuScene.h"
 #include "rendering/placement/FocusSurface.h"
-#include "rendering/placement/Placement.h"
+#include "rendering/viewpoints/Choice.h"
 
 namespace fenestra::placement {
 
@@ -19,9 +19,8 @@ namespace fenestra::placement {
 /// its rays.
 class CandidateImages {
  public:
-  static constexpr int defaultSide = 128;
   /// A multiple of `least`, so that the focus spans some 50 pixels at least, from corner to corner of its box.
-  static int sideFor(const GpuScene& gpu, int least = defaultSide);
+  static int sideFor(const GpuScene& gpu, int least = defaultImageSide);
 
   /// Sums over the images, one a direction; descriptors filled in but for those of describeTogether(). `surface` may be
   /// empty; else each candidate's seen points are found. `gpu` is up to date. The same call gives the same answer to

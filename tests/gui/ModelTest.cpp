@@ -11,7 +11,6 @@
 #include <QSignalSpy>
 
 #include "tests/support/TestData.h"
-#include "viewer/jobs/ReadStudy.h"
 #include "viewer/model/Document.h"
 #include "viewer/model/FramePacer.h"
 #include "viewer/model/Preferences.h"
@@ -272,21 +271,6 @@ TEST(FramePacer, IgnoresFramesOfMixedEffort) {
   pacer.begin({0.5, Quality::Draft}, 1.0);
   pacer.end(5.0);
   EXPECT_EQ(pacer.moving(1), before);
-}
-
-TEST(Interpret, OnePathIsTheVolume) { EXPECT_EQ(interpret({"/a/b"}).volume, "/a/b"); }
-
-TEST(Interpret, FilesOfOneFolderAreSlices) {
-  const PathsToOpen opened = interpret({"/a/1.dcm", "/a/2.dcm", "/a/IM0003"});
-  EXPECT_EQ(opened.volume, "/a");
-  EXPECT_TRUE(opened.labels.empty());
-}
-
-TEST(Interpret, TwoVolumeFilesAreAVolumeAndItsLabels) {
-  const PathsToOpen opened = interpret({"/a/ct.nii.gz", "/a/labels.NRRD"});
-  EXPECT_EQ(opened.volume, "/a/ct.nii.gz");
-  EXPECT_EQ(opened.labels, "/a/labels.NRRD");
-  EXPECT_THROW(interpret({"/a/ct.nii", "/a/b.nii", "/a/c.nii"}), io::Error);
 }
 
 TEST(Preferences, RecentPathsAreLatestFirstOnceEachAndFew) {

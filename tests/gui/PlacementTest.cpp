@@ -9,12 +9,12 @@
 #include <QSignalSpy>
 #include <QTest>
 
-#include "rendering/placement/Sphere.h"
+#include "rendering/viewpoints/Sphere.h"
 #include "tests/support/TestData.h"
 #include "viewer/model/Document.h"
+#include "viewer/model/Mollweide.h"
 #include "viewer/model/PlacementController.h"
 #include "viewer/model/Preferences.h"
-#include "viewer/panels/SphereMap.h"
 
 namespace fenestra::viewer {
 namespace {
@@ -299,7 +299,7 @@ TEST(Flight, TurnsEvenlyEndsExactlyAndStopsAtATouch) {
   EXPECT_NE(link.camera(0), from);
 }
 
-TEST(SphereMap, ShowsDirectionsWhereTheyAreReadBack) {
+TEST(Mollweide, ShowsDirectionsWhereTheyAreReadBack) {
   for (const glm::dvec3 direction : placement::ringDirections(5)) {
     const std::optional<glm::dvec3> back = directionFromMap(mapFromDirection(direction));
     ASSERT_TRUE(back);

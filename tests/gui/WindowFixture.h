@@ -10,6 +10,7 @@
 #include <QPointF>
 
 #include "viewer/MainWindow.h"
+#include "viewer/views/ViewArea.h"
 
 namespace fenestra::viewer {
 
@@ -32,8 +33,20 @@ class Window : public testing::Test {
   /// Whether a chosen focus moves the cameras: only where that is what is tested.
   void setAutomatic(bool on);
 
-  VolumeView* volume(std::size_t index) { return window_->views().volumeViews().at(index); }
-  SliceView* slice(SlicePlane plane) { return window_->views().sliceViews().at(static_cast<std::size_t>(plane)); }
+  Document& document() { return window_->workspace().document; }
+  SliceCursor& cursor() { return window_->workspace().cursor; }
+  ViewLink& cameras() { return window_->workspace().cameras; }
+  PlacementController& placement() { return window_->workspace().placement; }
+  ViewOptions& options() { return window_->workspace().options; }
+  Brush& brush() { return window_->workspace().brush; }
+  ViewArea& views() { return window_->views(); }
+  /// The window's only panel of that class.
+  template <class Panel>
+  Panel& panel() {
+    return *window_->findChild<Panel*>();
+  }
+  VolumeView* volume(std::size_t index) { return views().volumeViews().at(index); }
+  SliceView* slice(SlicePlane plane) { return views().sliceViews().at(static_cast<std::size_t>(plane)); }
 
   void drag(QWidget* widget, QPoint from, QPoint to, Qt::MouseButton button = Qt::LeftButton,
             Qt::KeyboardModifiers modifiers = {});

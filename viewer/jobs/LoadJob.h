@@ -25,7 +25,8 @@ class LoadJob : public QObject {
 
   void start(Read read);
   void cancel();
-  bool isRunning() const { return watcher_.isRunning(); }
+  /// From started() until just before ended().
+  bool isRunning() const { return running_; }
 
  Q_SIGNALS:
   void started();
@@ -44,6 +45,7 @@ class LoadJob : public QObject {
   void finish();
 
   QFutureWatcher<Outcome> watcher_;
+  bool running_ = false;
 };
 
 }  // namespace fenestra::viewer

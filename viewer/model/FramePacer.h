@@ -6,7 +6,7 @@
 
 #include <QString>
 
-#include "rendering/Renderer.h"
+#include "rendering/scene/Quality.h"
 
 namespace fenestra::viewer {
 

@@ -12,7 +12,8 @@
 #include <QString>
 #include <QTimer>
 
-#include "rendering/placement/Placer.h"
+#include "rendering/scene/Scene.h"
+#include "rendering/viewpoints/Choice.h"
 #include "viewer/model/ViewLink.h"
 
 namespace fenestra::viewer {

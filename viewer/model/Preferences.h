@@ -2,11 +2,14 @@
 // What is remembered between two runs. Nothing that the data says about a patient is stored: the recent list holds
 // paths as the user chose them.
 
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include <QByteArray>
 #include <QSettings>
+#include <QVariant>
 
 #include "viewer/model/FramePacer.h"
 #include "viewer/model/PlacementController.h"
@@ -15,7 +18,11 @@ namespace fenestra::viewer {
 
 class Preferences {
  public:
+  /// Transient: all preferences have their defaults, and none is stored.
+  enum class Mode : std::uint8_t { Stored, Transient };
   static constexpr int recentCount = 8;
+
+  explicit Preferences(Mode mode = Mode::Stored);
 
   /// Latest first; paths that are gone are kept, they may lie on a disk that is away.
   std::vector<std::filesystem::path> recent() const;
@@ -36,7 +43,11 @@ class Preferences {
   void setPlacement(const PlacementSettings& placement);
 
  private:
-  QSettings settings_;
+  QVariant value(const QString& key, const QVariant& otherwise = {}) const;
+  void store(const QString& key, const QVariant& value);
+  void remove(const QString& key);
+
+  std::optional<QSettings> settings_;  ///< empty when transient
 };
 
 }  // namespace fenestra::viewer

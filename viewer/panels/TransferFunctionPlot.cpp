@@ -7,7 +7,7 @@
 #include <QPainterPath>
 
 #include "viewer/model/Document.h"
-#include "viewer/views/Overlay.h"
+#include "viewer/style/Overlay.h"
 
 namespace fenestra::viewer {
 namespace {

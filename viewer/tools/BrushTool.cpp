@@ -8,7 +8,7 @@
 
 #include "viewer/model/Brush.h"
 #include "viewer/model/Document.h"
-#include "viewer/views/Overlay.h"
+#include "viewer/style/Overlay.h"
 
 namespace fenestra::viewer {
 namespace {

@@ -11,7 +11,7 @@
 #include <QPainter>
 #include <QPointF>
 
-#include "rendering/Renderer.h"
+#include "rendering/scene/BrushStroke.h"
 
 class QMouseEvent;
 class QWheelEvent;

@@ -10,7 +10,7 @@
 #include "viewer/model/Document.h"
 #include "viewer/model/SliceCursor.h"
 #include "viewer/model/ViewOptions.h"
-#include "viewer/views/Overlay.h"
+#include "viewer/style/Overlay.h"
 
 namespace fenestra::viewer {
 namespace {

@@ -16,7 +16,8 @@
 #include "viewer/model/SliceCursor.h"
 #include "viewer/model/ViewLink.h"
 #include "viewer/model/ViewOptions.h"
-#include "viewer/views/Overlay.h"
+#include "viewer/style/Overlay.h"
+#include "viewer/views/RenderProblem.h"
 
 namespace fenestra::viewer {
 namespace {
@@ -79,7 +80,8 @@ VolumeView::~VolumeView() {
 bool VolumeView::inContext(const std::function<void(const std::shared_ptr<GpuScene>&)>& work) {
   if (!isValid()) return false;
   makeCurrent();
-  // Whatever `work` throws, the context is no longer current for others.
+  if (QOpenGLContext::currentContext() != context()) return false;
+  // The context is released whatever `work` throws.
   const std::unique_ptr<VolumeView, void (*)(VolumeView*)> done(this, [](VolumeView* view) { view->doneCurrent(); });
   work(shared_.gpuScene);
   return true;
@@ -120,12 +122,7 @@ void VolumeView::resizeEvent(QResizeEvent* event) {
 }
 
 void VolumeView::initializeGL() {
-  try {
-    renderer_.emplace(shared_.gpuScene);
-  } catch (const std::exception& error) {
-    problem_ = QString::fromUtf8(error.what());
-    Q_EMIT failed(problem_);
-  }
+  attempt([this] { renderer_.emplace(shared_.gpuScene); });
 }
 
 Camera VolumeView::shownCamera() const {
@@ -136,9 +133,15 @@ void VolumeView::attempt(const std::function<void()>& work) {
   try {
     work();
   } catch (const std::exception& error) {
-    problem_ = tr("This view cannot be drawn: %1").arg(QString::fromUtf8(error.what()));
+    problem_ = tr("The 3-D views cannot be drawn. %1").arg(describeRenderProblem(error));
     Q_EMIT failed(problem_);
+    update();
   }
+}
+
+void VolumeView::attemptOnPicture(const std::function<void()>& work) {
+  if (!renderer_ || !problem_.isEmpty() || shown_.size.x == 0 || !document_.hasVolume()) return;
+  attempt([&] { inContext([&](const std::shared_ptr<GpuScene>&) { work(); }); });
 }
 
 void VolumeView::paintGL() {
@@ -214,10 +217,6 @@ std::optional<QPointF> VolumeView::widgetFromWorld(glm::dvec3 world) const {
   return QPointF(0.5 * (clip.x / clip.w + 1.0) * width(), 0.5 * (1.0 - clip.y / clip.w) * height());
 }
 
-bool VolumeView::canPick() const {
-  return renderer_ && problem_.isEmpty() && shown_.size.x > 0 && document_.hasVolume();
-}
-
 glm::dvec2 VolumeView::pixelAt(QPointF position) const {
   return {position.x() / width() * shown_.size.x, position.y() / height() * shown_.size.y};
 }
@@ -226,23 +225,17 @@ BrushTool::Canvas VolumeView::canvas() {
   return {
       .view = index_,
       .pick = [this](QPointF position, BrushMode mode, std::optional<glm::dvec3> before) -> std::optional<BrushPoint> {
-        if (!canPick()) return std::nullopt;
-        makeCurrent();
         std::optional<BrushPoint> point;
-        attempt([&] { point = renderer_->pickBrush(pixelAt(position), mode, before); });
-        doneCurrent();
+        attemptOnPicture([&] { point = renderer_->pickBrush(pixelAt(position), mode, before); });
         return point;
       },
       .picture = [this]() -> std::vector<std::uint8_t> {
-        if (!canPick()) return {};
-        makeCurrent();
         std::vector<std::uint8_t> picture;
-        attempt([&] {
+        attemptOnPicture([&] {
           shown_ = viewFor(shared_.pacer->atRest());
           renderer_->render(shownScene(), shown_);
           picture = renderer_->readPicture();
         });
-        doneCurrent();
         return picture;
       },
       .redraw = [this] { update(); },
@@ -250,10 +243,8 @@ BrushTool::Canvas VolumeView::canvas() {
 }
 
 std::optional<glm::dvec3> VolumeView::pick(QPointF position) {
-  if (!canPick()) return std::nullopt;
-  makeCurrent();
-  const std::optional<glm::dvec3> hit = renderer_->pick(pixelAt(position));
-  doneCurrent();
+  std::optional<glm::dvec3> hit;
+  attemptOnPicture([&] { hit = renderer_->pick(pixelAt(position)); });
   if (!hit) return std::nullopt;
   // The hit lies on a surface, half the time on its outer side: half a voxel on lies what is seen.
   const Camera& camera = shown_.camera;

@@ -43,7 +43,7 @@ class VolumeView : public QOpenGLWidget {
   int index() const { return index_; }
   /// While held, the view stays at what it draws while something moves: the machine has other work first.
   void hold(bool on) { held_ = on; }
-  /// What is on screen is the scene at full quality, or why it cannot be is said there.
+  /// The view shows the scene at full quality, or says why it cannot.
   bool isSettled() const;
   /// Draws anew as the pacer now says.
   void redraw();
@@ -55,7 +55,8 @@ class VolumeView : public QOpenGLWidget {
   /// fits.
   Camera shownCamera() const;
   std::optional<QPointF> widgetFromWorld(glm::dvec3 world) const;
-  /// Runs `work` with this view's OpenGL context current. False, and nothing run, before the view was first shown.
+  /// Runs `work` with this view's OpenGL context current. False, and nothing run, where there is none: before the view
+  /// was first shown, or when the driver has taken it away.
   bool inContext(const std::function<void(const std::shared_ptr<GpuScene>&)>& work);
 
   QSize sizeHint() const override { return {480, 380}; }
@@ -89,8 +90,10 @@ class VolumeView : public QOpenGLWidget {
   void settle();
   /// At full quality, at once.
   void refresh();
-  /// Does what needs the renderer; when that fails the view says so from now on.
+  /// Does what needs the renderer, in its context. When that fails, the view shows the problem from now on.
   void attempt(const std::function<void()>& work);
+  /// As attempt(), outside of paintGL(); nothing is done where there is no picture.
+  void attemptOnPicture(const std::function<void()>& work);
   /// The scene as this view shows it, and how it is to be drawn.
   Scene shownScene() const;
   View viewFor(Effort effort) const;
@@ -99,7 +102,6 @@ class VolumeView : public QOpenGLWidget {
   void zoom(double factor);
   /// World position of what the widget shows there; empty on the background.
   std::optional<glm::dvec3> pick(QPointF position);
-  bool canPick() const;
   glm::dvec2 pixelAt(QPointF position) const;
   BrushTool::Canvas canvas();
   double mmPerPixel() const;

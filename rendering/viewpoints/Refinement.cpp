@@ -1,11 +1,11 @@
-#include "rendering/placement/Refinement.h"
+#include "rendering/viewpoints/Refinement.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <set>
 
-#include "rendering/placement/Sphere.h"
+#include "rendering/viewpoints/Sphere.h"
 
 namespace fenestra::placement {
 namespace {
