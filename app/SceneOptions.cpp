@@ -145,13 +145,13 @@ void setFocus(const SceneOptions& options, LoadedScene& loaded) {
   std::vector<std::string> wanted = options.focusLabels;
   if (!options.phantom.empty() && wanted.empty() && !options.focusRange) wanted = phantomView(options.phantom).focus;
   if (options.focusRange) {
-    scene.focus = ValueFocus{*options.focusRange, options.focusMinimumSize};
+    scene.look.focus = ValueFocus{*options.focusRange, options.focusMinimumSize};
   } else if (!wanted.empty()) {
     const fs::path file = options.labels.empty() ? fs::path(options.source()) : options.labels;
     if (!scene.labels) throw io::Error(file, "has no labels to focus on", "name a label map with --labels");
-    scene.focus = LabelFocus{resolveLabels(*scene.labels, wanted, file)};
+    scene.look.focus = LabelFocus{resolveLabels(*scene.labels, wanted, file)};
   }
-  const auto* labels = std::get_if<LabelFocus>(&scene.focus);
+  const auto* labels = std::get_if<LabelFocus>(&scene.look.focus);
   if (labels && countVoxels(*scene.labels, labels->labels) == 0)
     loaded.warnings.push_back({io::Warning::Kind::Other,
                                "the focus has no voxels in this volume",
@@ -191,7 +191,7 @@ void setView(const SceneOptions& options, LoadedScene& loaded) {
       loaded.placed = *placed;
       choice = StandardView::Anterior;
     }
-    view.camera = makeCamera(options, *choice, visibleGrid(*loaded.scene.volume, loaded.scene.context));
+    view.camera = makeCamera(options, *choice, visibleGrid(*loaded.scene.volume, loaded.scene.look.context.shifted()));
   }
   view.size = options.size.value_or(view.size);
 }
@@ -404,14 +404,15 @@ LoadedScene loadScene(const SceneOptions& options, const io::Progress& progress)
   if (!loaded.session || !options.transferFunction.empty()) {
     loaded.transferFunction =
         options.transferFunction.empty() ? io::defaultPreset(*scene.volume) : options.transferFunction;
-    scene.context = io::loadTransferFunction(loaded.transferFunction, *scene.volume);
+    scene.look.context =
+        io::sessionContext(loaded.transferFunction, io::loadTransferFunction(loaded.transferFunction, *scene.volume));
   }
   setFocus(options, loaded);
-  scene.cutaway = options.cutaway;
-  scene.contextLayer = options.contextLayer;
-  if (!options.strokes.empty()) scene.strokes = io::readStrokes(options.strokes);
-  scene.shading = options.shading;
-  scene.background = options.background;
+  scene.look.cutaway = options.cutaway;
+  scene.look.contextLayer = options.contextLayer;
+  if (!options.strokes.empty()) scene.look.strokes = io::readStrokes(options.strokes);
+  scene.look.shading = options.shading;
+  scene.look.background = options.background;
   setView(options, loaded);
   return loaded;
 }

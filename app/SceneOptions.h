@@ -61,7 +61,7 @@ struct SceneOptions : VolumeOptions {
   Shading shading;
   Quality quality = Quality::Normal;
   std::optional<double> maxError;  ///< in 1/255; see View
-  glm::dvec3 background = Scene{}.background;
+  glm::dvec3 background = Look().background;
   int viewOfSession = 0;  ///< whose camera and picture size are taken from a session: 0 is C1, 1 is C2
 };
 

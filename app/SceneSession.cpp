@@ -27,15 +27,14 @@ io::Session sessionOf(const SceneOptions& options, const LoadedScene& loaded) {
   }
   if (!options.labels.empty()) session.labels = io::sessionLabels(options.labels);
   const Scene& scene = loaded.scene;
-  session.focus = scene.focus;
-  session.focusAppearance = scene.focusAppearance;
-  if (!loaded.session || !options.transferFunction.empty())
-    session.context = io::sessionContext(loaded.transferFunction, scene.context);
-  session.strokes = scene.strokes;
-  session.cutaway = scene.cutaway;
-  session.contextLayer = scene.contextLayer;
-  session.shading = scene.shading;
-  session.background = scene.background;
+  session.focus = scene.look.focus;
+  session.focusAppearance = scene.look.focusAppearance;
+  if (!loaded.session || !options.transferFunction.empty()) session.context = scene.look.context;
+  session.strokes = scene.look.strokes;
+  session.cutaway = scene.look.cutaway;
+  session.contextLayer = scene.look.contextLayer;
+  session.shading = scene.look.shading;
+  session.background = scene.look.background;
   session.quality = loaded.view.quality;
   session.maxError = loaded.view.maxError;
 

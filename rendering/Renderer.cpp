@@ -259,8 +259,9 @@ glm::vec2 Renderer::State::hitAt(glm::ivec2 pixel) {
 }
 
 glm::dvec2 Renderer::State::widthsInPixels(const Scene& scene) const {
-  const glm::dvec2 wanted = glm::max(glm::dvec2(scene.cutaway.openWidth, scene.cutaway.borderWidth), glm::dvec2(0.0));
-  if (scene.cutaway.unit == WidthUnit::Pixel) return wanted * pixelScale;
+  const glm::dvec2 wanted =
+      glm::max(glm::dvec2(scene.look.cutaway.openWidth, scene.look.cutaway.borderWidth), glm::dvec2(0.0));
+  if (scene.look.cutaway.unit == WidthUnit::Pixel) return wanted * pixelScale;
   const Grid& grid = scene.volume->grid;
   double depth = rays->depthOf(gpu->focusCentre().value_or(grid.centre()));
   if (!(depth > 0.0)) depth = rays->depthOf(grid.centre());
@@ -283,16 +284,16 @@ void Renderer::render(const Scene& scene, const View& view) {
   s.rays.emplace(view.camera, view.size, grid);
   const RayFrame& rays = *s.rays;
   s.pixelScale = view.pixelScale;
-  s.background = glm::vec3(scene.background);
+  s.background = glm::vec3(scene.look.background);
   const bool cutaway = hasCutaway(scene);
-  const bool contextLayer = cutaway && scene.contextLayer.strength > 0.0;
+  const bool contextLayer = cutaway && scene.look.contextLayer.strength > 0.0;
   s.widths = cutaway ? s.widthsInPixels(scene) : glm::dvec2(0.0);
 
   const FocusLayerPass::Sampling sampling = samplingOf(view, grid, rays);
   // Strokes are in no pass's key: all that depends on them is patched together, or not at all.
   const std::optional<ProjectedStrokes> before = std::exchange(s.strokes, std::nullopt);
   if (!before) s.forgetEdited();
-  const ProjectedStrokes strokes = cutaway ? project(scene.strokes, rays) : ProjectedStrokes();
+  const ProjectedStrokes strokes = cutaway ? project(scene.look.strokes, rays) : ProjectedStrokes();
   const std::vector<gl::Region> changed =
       before ? changedRegions(*before, strokes, view.size, FocusLayerPass::reach(sampling)) : std::vector<gl::Region>();
 
@@ -348,8 +349,8 @@ void Renderer::render(const Scene& scene, const View& view) {
                                version.transfer,
                                version.gradient,
                                version.palette,
-                               scene.focusAppearance.extinction,
-                               scene.shading,
+                               scene.look.focusAppearance.extinction,
+                               scene.look.shading,
                                view.camera,
                                view.size,
                                sampling};
@@ -372,9 +373,9 @@ void Renderer::render(const Scene& scene, const View& view) {
 
   if (contextLayer) {
     s.runIfStale(
-        Pass::ContextLayer, s.context, ContextLayerKey{s.hits.version(), version.derivative, scene.shading}, {},
+        Pass::ContextLayer, s.context, ContextLayerKey{s.hits.version(), version.derivative, scene.look.shading}, {},
         [&](Regions regions) {
-          s.contextLayerPass.run(gpu, scene.shading, rays, s.hitPoints, regions,
+          s.contextLayerPass.run(gpu, scene.look.shading, rays, s.hitPoints, regions,
                                  sized(s.contextLayer, gl::Format::RGBA32F, view.size),
                                  sized(s.silhouette, gl::Format::R32F, view.size));
         },
@@ -391,8 +392,8 @@ void Renderer::render(const Scene& scene, const View& view) {
                                     contextLayer ? std::optional(s.context.version()) : std::nullopt,
                                     contextLayer ? std::optional(version.transfer) : std::nullopt,
                                     s.widths,
-                                    scene.cutaway.borderColour,
-                                    scene.contextLayer};
+                                    scene.look.cutaway.borderColour,
+                                    scene.look.contextLayer};
     // What lies over the focus layer lies near the focus; elsewhere the picture is the focus layer.
     const auto& last = s.composite.key();
     const bool sameBelow = last && last->sameBelow(compositeKey);

@@ -144,7 +144,7 @@ Camera placedCamera(const fs::path& source, const app::LoadedScene& loaded, GpuS
   const placement::Placement placement = placement::choose(measured, {}, false);
   const std::optional<std::size_t> chosen = *loaded.placed == app::PlacedView::Best ? placement.c1 : placement.c2;
   if (!chosen) throw io::Error(source, placement.note, placementHint);
-  const Grid framed = visibleGrid(*loaded.scene.volume, loaded.scene.context);
+  const Grid framed = visibleGrid(*loaded.scene.volume, loaded.scene.look.context.shifted());
   return Camera::fromDirection(measured.candidates[*chosen].direction, framed, loaded.view.camera.projection);
 }
 
@@ -167,12 +167,12 @@ void render(const RenderOptions& options) {
   if (loaded.placed) view.camera = placedCamera(options.scene.source(), loaded, *gpuScene);
   if (!options.session.empty()) saveSession(options.session, options.scene, loaded);
   const bool second = loaded.placed == app::PlacedView::Dual;
-  loaded.scene.strokes = strokesIn(second ? 1 : options.scene.viewOfSession, loaded.scene.strokes);
+  loaded.scene.look.strokes = strokesIn(second ? 1 : options.scene.viewOfSession, loaded.scene.look.strokes);
   if (options.reference) {
     const Layers layers = referenceLayers(scene, view);
     if (!options.layers.empty()) writeLayers(options.layers, layers, view, scene.volume->grid);
     if (!options.output.empty())
-      io::writePng(options.output, view.size, 3, overBackground(layers.final, scene.background));
+      io::writePng(options.output, view.size, 3, overBackground(layers.final, scene.look.background));
     return;
   }
 
@@ -188,7 +188,7 @@ void render(const RenderOptions& options) {
     picture = renderer.readPicture();
     frames.push_back(millisecondsSince(start));
   }
-  io::writePng(options.output, view.size, 3, overBackground(picture, scene.background));
+  io::writePng(options.output, view.size, 3, overBackground(picture, scene.look.background));
   if (!options.layers.empty()) writeLayers(options.layers, renderer.readLayers(), view, scene.volume->grid);
   if (!options.stats.empty())
     io::writeText(options.stats, statistics(context->description(), view, renderer, *gpuScene, frames).dump(2) + "\n");

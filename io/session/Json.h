@@ -150,6 +150,16 @@ class Writer {
   Value& object_;
 };
 
+/// A member that is written only where there is something.
+template <class T>
+void optional(Writer& io, const char* key, const T& value, bool there, Range = {}) {
+  if (there) io(key, value);
+}
+template <class T>
+void optional(const Reader& io, const char* key, T& value, bool, Range range = {}) {
+  io(key, value, range);
+}
+
 template <class T>
 void read(const Place& place, const Value& json, T& value, Range range) {
   if constexpr (std::same_as<T, bool>) {

@@ -81,6 +81,13 @@ void members(auto& io, io::json::Is<TransferFunction::Node> auto& node) {
   io("extinction", node.properties.extinction, io::json::nonNegative);
 }
 
+void members(auto& io, io::json::Is<ContextFunction> auto& context) {
+  io::json::optional(io, "preset", context.preset, !context.preset.empty());
+  io::json::optional(io, "file", context.file, !context.file.empty());
+  io.required("nodes", context.function.nodes);
+  io("shift", context.shift);
+}
+
 void members(auto& io, io::json::Is<WindowLevel> auto& window) {
   io("width", window.width, io::json::positive);
   io("level", window.level);

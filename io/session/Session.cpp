@@ -9,20 +9,19 @@ namespace fenestra::io {
 
 Scene sceneOf(const Session& session) {
   Scene scene;
-  scene.context = session.context.function;
-  for (TransferFunction::Node& node : scene.context.nodes) node.value += session.context.shift;
-  scene.focus = session.focus;
-  scene.focusAppearance = session.focusAppearance;
-  scene.cutaway = session.cutaway;
-  scene.contextLayer = session.contextLayer;
-  scene.strokes = session.strokes;
-  scene.shading = session.shading;
-  scene.background = session.background;
+  scene.look.context = session.context;
+  scene.look.focus = session.focus;
+  scene.look.focusAppearance = session.focusAppearance;
+  scene.look.cutaway = session.cutaway;
+  scene.look.contextLayer = session.contextLayer;
+  scene.look.strokes = session.strokes;
+  scene.look.shading = session.shading;
+  scene.look.background = session.background;
   return scene;
 }
 
-SessionContext sessionContext(const std::string& presetOrPath, TransferFunction function, double shift) {
-  SessionContext context;
+ContextFunction sessionContext(const std::string& presetOrPath, TransferFunction function, double shift) {
+  ContextFunction context;
   const std::vector<TransferFunctionPreset> presets = transferFunctionPresets();
   const bool builtIn = std::any_of(presets.begin(), presets.end(),
                                    [&](const TransferFunctionPreset& preset) { return preset.id == presetOrPath; });

@@ -50,16 +50,6 @@ struct SessionView {
   bool operator==(const SessionView&) const = default;
 };
 
-/// The transfer function of everything but the focus. Its nodes are kept, so a preset or file that changes later
-/// changes no session.
-struct SessionContext {
-  std::string preset;          ///< the built-in preset that it was made from, or empty
-  std::filesystem::path file;  ///< the file that it was made from, absolute, or empty
-  TransferFunction function;   ///< before the shift
-  double shift = 0.0;          ///< added to the nodes' values
-  bool operator==(const SessionContext&) const = default;
-};
-
 /// How cameras are placed; see rendering/placement.
 struct SessionPlacement {
   int samples = 192;
@@ -87,11 +77,11 @@ struct Session {
 
   Focus focus;
   FocusAppearance focusAppearance;
-  SessionContext context;
+  ContextFunction context;
   Cutaway cutaway;
   ContextLayer contextLayer;
   Shading shading;
-  glm::dvec3 background = Scene{}.background;
+  glm::dvec3 background = Look().background;
   BrushStrokes strokes;
 
   Quality quality = Quality::Normal;
@@ -117,7 +107,7 @@ struct Session {
 /// What a session shows, but for the volume and its labels.
 Scene sceneOf(const Session& session);
 /// A transfer function by the preset or file that made it.
-SessionContext sessionContext(const std::string& presetOrPath, TransferFunction function, double shift = 0.0);
+ContextFunction sessionContext(const std::string& presetOrPath, TransferFunction function, double shift = 0.0);
 /// The camera that makes a view's picture of that size.
 Camera shownCamera(const SessionView& view, glm::ivec2 size);
 

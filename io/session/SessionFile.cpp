@@ -58,19 +58,6 @@ json::Words<ScalarType> scalarTypes() {
 inline io::json::Words<ScalarType> wordsOf(ScalarType) { return io::scalarTypes(); }
 
 namespace io {
-namespace {
-
-/// A member that is written only where there is something.
-template <class T>
-void optional(json::Writer& io, const char* key, const T& value, bool there, json::Range = {}) {
-  if (there) io(key, value);
-}
-template <class T>
-void optional(const json::Reader& io, const char* key, T& value, bool, json::Range range = {}) {
-  io(key, value, range);
-}
-
-}  // namespace
 
 void members(auto& io, Is<RawDescription> auto& raw) {
   io.required("dims", raw.dims, {1.0, 1e6});
@@ -83,16 +70,16 @@ void members(auto& io, Is<RawDescription> auto& raw) {
 void members(auto& io, Is<SessionData> auto& data) {
   io.required("path", data.path);
   const bool known = !data.contents.hash.empty();
-  optional(io, "contents", data.contents.hash, known);
-  optional(io, "bytes", data.contents.bytes, known);
-  optional(io, "files", data.contents.files, known);
+  json::optional(io, "contents", data.contents.hash, known);
+  json::optional(io, "bytes", data.contents.bytes, known);
+  json::optional(io, "files", data.contents.files, known);
 }
 
 void members(auto& io, Is<SessionVolume> auto& volume) {
   members(io, static_cast<std::conditional_t<std::is_const_v<std::remove_reference_t<decltype(volume)>>,
                                              const SessionData, SessionData>&>(volume));
-  optional(io, "series", volume.series, !volume.series.empty());
-  optional(io, "raw", volume.raw, volume.raw.has_value());
+  json::optional(io, "series", volume.series, !volume.series.empty());
+  json::optional(io, "raw", volume.raw, volume.raw.has_value());
 }
 
 void members(auto& io, Is<SessionPhantom> auto& phantom) {
@@ -105,13 +92,6 @@ void members(auto& io, Is<SessionView> auto& view) {
   io("size", view.size, {1.0, largestPicture});
   io("pixel_scale", view.pixelScale, {0.01, 100.0});
   io("fits_width", view.fitsWidth);
-}
-
-void members(auto& io, Is<SessionContext> auto& context) {
-  optional(io, "preset", context.preset, !context.preset.empty());
-  optional(io, "file", context.file, !context.file.empty());
-  io.required("nodes", context.function.nodes);
-  io("shift", context.shift);
 }
 
 void members(auto& io, Is<SessionPlacement> auto& placement) {
@@ -151,9 +131,9 @@ void focusMember(const json::Reader& io, Focus& focus) {
 }  // namespace
 
 void members(auto& io, Is<Session> auto& session) {
-  optional(io, "volume", session.volume, !session.volume.path.empty());
-  optional(io, "phantom", session.phantom, session.phantom.has_value());
-  optional(io, "labels", session.labels, !session.labels.path.empty());
+  json::optional(io, "volume", session.volume, !session.volume.path.empty());
+  json::optional(io, "phantom", session.phantom, session.phantom.has_value());
+  json::optional(io, "labels", session.labels, !session.labels.path.empty());
   focusMember(io, session.focus);
   io("focus_appearance", session.focusAppearance);
   io.required("context", session.context);
@@ -162,18 +142,18 @@ void members(auto& io, Is<Session> auto& session) {
   io("shading", session.shading);
   io("background", session.background, json::fraction);
   io("quality", session.quality);
-  optional(io, "max_error", session.maxError, session.maxError.has_value(), {0.05, 255.0});
+  json::optional(io, "max_error", session.maxError, session.maxError.has_value(), {0.05, 255.0});
   io.required("views", session.views);
   io("home", session.home);
   io("linked", session.linked);
-  optional(io, "window", session.window, session.window.has_value());
-  optional(io, "crosshair", session.crosshair, session.crosshair.has_value());
+  json::optional(io, "window", session.window, session.window.has_value());
+  json::optional(io, "crosshair", session.crosshair, session.crosshair.has_value());
   io("overlays", session.overlays);
-  optional(io, "maximised", session.maximised, !session.maximised.empty());
-  optional(io, "layout", session.layout, !session.layout.empty());
+  json::optional(io, "maximised", session.maximised, !session.maximised.empty());
+  json::optional(io, "layout", session.layout, !session.layout.empty());
   io("placement", session.placement);
   io("strokes", session.strokes);
-  optional(io, "autosave_of", session.autosaveOf, !session.autosaveOf.empty());
+  json::optional(io, "autosave_of", session.autosaveOf, !session.autosaveOf.empty());
 }
 
 namespace {

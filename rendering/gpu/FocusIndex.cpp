@@ -253,7 +253,7 @@ void indexValues(FocusIndex& index, std::span<const T> scalars, const Volume& vo
 FocusIndex buildFocusIndex(const Scene& scene, const BrickRanges& ranges) {
   FocusIndex index;
   index.bricks = ranges.dims;
-  if (const auto* labels = std::get_if<LabelFocus>(&scene.focus); labels && scene.labels) {
+  if (const auto* labels = std::get_if<LabelFocus>(&scene.look.focus); labels && scene.labels) {
     index.kind = FocusIndex::Kind::Labels;
     index.slots.assign(ranges.ranges.size(), 0);
     std::vector<std::uint8_t> wanted(std::numeric_limits<std::uint16_t>::max() + 1, 0);
@@ -262,7 +262,7 @@ FocusIndex buildFocusIndex(const Scene& scene, const BrickRanges& ranges) {
       indexLabels(index, scene.labels->voxels.as<std::uint8_t>(), scene.labels->grid, wanted);
     else
       indexLabels(index, scene.labels->voxels.as<std::uint16_t>(), scene.labels->grid, wanted);
-  } else if (const auto* values = std::get_if<ValueFocus>(&scene.focus)) {
+  } else if (const auto* values = std::get_if<ValueFocus>(&scene.look.focus)) {
     index.kind = FocusIndex::Kind::Values;
     index.slots.assign(ranges.ranges.size(), 0);
     scene.volume->voxels.visit([&](auto scalars) { indexValues(index, scalars, *scene.volume, *values, ranges); });

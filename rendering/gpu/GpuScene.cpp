@@ -84,15 +84,16 @@ void GpuScene::update(const Scene& scene) {
   if (volumeChanged) updateVolume(scene);
 
   // A label map matters only while its labels are in focus.
-  const bool usesLabels = std::holds_alternative<LabelFocus>(scene.focus);
-  const bool focusChanged = volumeChanged || scene.focus != focusWanted_ || (usesLabels && scene.labels != labels_);
-  const bool coloursChanged = focusChanged || scene.focusAppearance != appearance_;
+  const bool usesLabels = std::holds_alternative<LabelFocus>(scene.look.focus);
+  const bool focusChanged =
+      volumeChanged || scene.look.focus != focusWanted_ || (usesLabels && scene.labels != labels_);
+  const bool coloursChanged = focusChanged || scene.look.focusAppearance != appearance_;
   labels_ = usesLabels ? scene.labels : nullptr;
   if (focusChanged) updateFocus(scene);
   if (coloursChanged) updateFocusColours(scene);
-  appearance_ = scene.focusAppearance;
+  appearance_ = scene.look.focusAppearance;
 
-  const bool transferChanged = volumeChanged || scene.context != context_;
+  const bool transferChanged = volumeChanged || scene.look.context != contextWanted_;
   if (transferChanged) updateTransfer(scene);
   if ((transferChanged || focusChanged) && focus_.kind != FocusIndex::Kind::None) {
     std::vector<std::uint8_t> occupied = focusOccupied(focus_);
@@ -100,14 +101,14 @@ void GpuScene::update(const Scene& scene) {
     occupiedSkip_ = skipTexture(bricks_.dims, occupied);
   }
 
-  const bool wantsGradient = scene.shading.enabled;
+  const bool wantsGradient = scene.look.shading.enabled;
   if (!wantsGradient) gradient_ = {};
   if (wantsGradient && (!gradient_ || transferChanged || focusChanged)) updateGradient();
   const bool wantsSmooth = wantsGradient && focus_.kind == FocusIndex::Kind::Labels && focus_.box;
   if (!wantsSmooth) focusSmooth_ = {};
   if (wantsSmooth && !focusSmooth_) updateFocusSmooth(scene);
 
-  const bool wantsDerivative = hasCutaway(scene) && scene.contextLayer.strength > 0.0;
+  const bool wantsDerivative = hasCutaway(scene) && scene.look.contextLayer.strength > 0.0;
   if (!wantsDerivative) derivative_ = {};
   if (wantsDerivative && !derivative_.texture) {
     derivative_ = makeDerivativeVolume(*volume_, volumeTexture_);
@@ -162,7 +163,7 @@ void GpuScene::updateGradient() {
 }
 
 void GpuScene::updateFocus(const Scene& scene) {
-  focusWanted_ = scene.focus;
+  focusWanted_ = scene.look.focus;
   focus_ = buildFocusIndex(scene, bricks_);
   for (gl::Texture* texture : {&focusBricks_, &focusSkip_, &occupiedSkip_, &focusSmooth_}) *texture = {};
   focusCells_ = {};
@@ -178,8 +179,8 @@ void GpuScene::updateFocusColours(const Scene& scene) {
   ++versions_.palette;
   focusPaletteIndex_ = {};
   focusPalette_ = {};
-  focusColour_ = scene.focusAppearance.colour;
-  const auto* focus = std::get_if<LabelFocus>(&scene.focus);
+  focusColour_ = scene.look.focusAppearance.colour;
+  const auto* focus = std::get_if<LabelFocus>(&scene.look.focus);
   if (!focus || !scene.labels) return;
 
   // Palette entry per label value; one colour needs no texture.
@@ -245,7 +246,7 @@ void GpuScene::updateFocusSmooth(const Scene& scene) {
   };
   // Sixteen bits: the steps of eight show as facets in the normals.
   std::vector<std::uint16_t> wanted(1 << 16, 0);
-  for (const std::uint16_t label : std::get<LabelFocus>(scene.focus).labels) wanted[label] = 65535;
+  for (const std::uint16_t label : std::get<LabelFocus>(scene.look.focus).labels) wanted[label] = 65535;
   std::vector<std::uint16_t> field(offset(0, 0, size.z));
   labels.voxels.visit([&](auto values) {
     if constexpr (std::is_unsigned_v<typename decltype(values)::value_type>)
@@ -288,7 +289,8 @@ void GpuScene::updateFocusSmooth(const Scene& scene) {
 }
 
 void GpuScene::updateTransfer(const Scene& scene) {
-  context_ = scene.context;
+  contextWanted_ = scene.look.context;
+  context_ = contextWanted_.shifted();
   ++versions_.transfer;
 
   // Gaps in coded values; hit points depend on these alone, so a change of colour leaves them valid.

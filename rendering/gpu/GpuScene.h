@@ -85,7 +85,8 @@ class GpuScene {
   std::shared_ptr<const Volume> volume_;
   std::shared_ptr<const LabelMap> labels_;
   Focus focusWanted_;
-  TransferFunction context_;
+  ContextFunction contextWanted_;
+  TransferFunction context_;  ///< contextWanted_, shifted
   FocusAppearance appearance_;
   Versions versions_;
 

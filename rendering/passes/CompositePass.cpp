@@ -13,11 +13,11 @@ void CompositePass::run(const Inputs& inputs, const Scene& scene, std::span<cons
   bindImage(program, "distances", 3, inputs.distances);
   if (inputs.editMap) bindImage(program, "editMap", 4, *inputs.editMap);
   program.set("widths", glm::vec2(inputs.widths));
-  program.set("borderColour", glm::vec3(scene.cutaway.borderColour));
+  program.set("borderColour", glm::vec3(scene.look.cutaway.borderColour));
   if (layer) {
     bindImage(program, "contextLayer", 5, *inputs.contextLayer);
     bindImage(program, "silhouette", 6, *inputs.silhouette);
-    const ContextLayer& look = scene.contextLayer;
+    const ContextLayer& look = scene.look.contextLayer;
     program.set("contextColour", glm::vec3(look.colour));
     program.set("contextWeights", glm::vec3(look.strength, look.curvatureWeight, look.silhouetteWeight));
     program.set("contextShade", glm::vec2(look.illuminationWeight, look.valueWeight));

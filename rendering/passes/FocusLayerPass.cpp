@@ -62,7 +62,7 @@ std::size_t bytesOfList(std::span<const gl::Region> squares) {
 
 gl::ShaderProgram& FocusLayerPass::prepared(bool listed, const GpuScene& gpu, const Scene& scene, const RayFrame& rays,
                                             const std::optional<Opening>& opening, const Sampling& sampling) {
-  const bool shading = scene.shading.enabled;
+  const bool shading = scene.look.shading.enabled;
   const bool palette = static_cast<bool>(gpu.focusPaletteIndex());
   gl::ShaderProgram& program = programs_.get({volumeDefine(gpu),
                                               focusDefine(gpu),
@@ -95,13 +95,13 @@ gl::ShaderProgram& FocusLayerPass::prepared(bool listed, const GpuScene& gpu, co
     program.set("wallShare", static_cast<float>(lighting::wallShare));
   }
   program.set("focusProperties",
-              glm::vec4(glm::vec3(gpu.focusColour()), static_cast<float>(scene.focusAppearance.extinction)));
+              glm::vec4(glm::vec3(gpu.focusColour()), static_cast<float>(scene.look.focusAppearance.extinction)));
   if (palette) {
     bindTexture(program, "focusPaletteIndex", unit++, gpu.focusPaletteIndex());
     bindTexture(program, "focusPalette", unit++, gpu.focusPalette());
     program.set("focusOrigin", gpu.focusOrigin());
   }
-  setLight(program, rays.axes(), scene.shading);
+  setLight(program, rays.axes(), scene.look.shading);
   if (shading) {
     bindImage(program, "gradientTexels", image++, gpu.gradient());
     program.set("gradientOrigin", gpu.gradientOrigin());
@@ -122,7 +122,7 @@ gl::ShaderProgram& FocusLayerPass::prepared(bool listed, const GpuScene& gpu, co
 void FocusLayerPass::run(const GpuScene& gpu, const Scene& scene, const RayFrame& rays,
                          const std::optional<Opening>& opening, const Sampling& sampling,
                          std::span<const gl::Region> regions, gl::Texture& focusLayer) {
-  const bool lit = scene.shading.enabled;
+  const bool lit = scene.look.shading.enabled;
   const int together = raysTogether(sampling, lit);
   gl::ShaderProgram& lattice = prepared(false, gpu, scene, rays, opening, sampling);
   focusLayer.bindImage(0, gl::Access::Write);

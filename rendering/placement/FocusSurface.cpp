@@ -22,7 +22,7 @@ struct Element {
 class Corners {
  public:
   Corners(const Scene& scene, const FocusIndex& index) : scene_(scene), index_(index) {
-    if (index.kind == FocusIndex::Kind::Values) range_ = std::get<ValueFocus>(scene.focus).values;
+    if (index.kind == FocusIndex::Kind::Values) range_ = std::get<ValueFocus>(scene.look.focus).values;
   }
 
   unsigned operator()(glm::ivec3 cell) const {

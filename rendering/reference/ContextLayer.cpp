@@ -101,7 +101,7 @@ std::vector<std::optional<ContextPoint>> contextLayer(const Scene& scene, const 
   const Grid& grid = scene.volume->grid;
   const glm::ivec3 factor = thinning(grid);
   const double margin = 0.5 * finestSpacing(grid);
-  const Light light(camera, scene.shading);
+  const Light light(camera, scene.look.shading);
   const glm::dmat3 indexFromWorld(grid.indexFromWorld()), worldFromGradient = glm::transpose(indexFromWorld);
   std::vector<std::optional<ContextPoint>> layer(rays.size());
 

@@ -78,11 +78,11 @@ IndexBox boxOf(glm::ivec3 dims, const Contains& contains) {
 
 IndexBox focusBox(const Scene& scene) {
   const glm::ivec3 dims = scene.volume->grid.dims;
-  if (const auto* focus = std::get_if<LabelFocus>(&scene.focus); focus && scene.labels)
+  if (const auto* focus = std::get_if<LabelFocus>(&scene.look.focus); focus && scene.labels)
     return boxOf(dims, [&](glm::ivec3 index) {
       return std::binary_search(focus->labels.begin(), focus->labels.end(), scene.labels->value(index));
     });
-  if (const auto* focus = std::get_if<ValueFocus>(&scene.focus)) {
+  if (const auto* focus = std::get_if<ValueFocus>(&scene.look.focus)) {
     const FocusCells cells = focusCells(*scene.volume, *focus);
     IndexBox box = boxOf(cells.dims, [&](glm::ivec3 cell) { return cells.contains(cell); });
     if (!box.empty()) box.high = glm::min(box.high + 1, dims - 1);  // a cell ends at its upper corners
@@ -162,8 +162,9 @@ Image rayStart(const HitPoints& hits, const Image& tFocusFilled, const Image& di
 }
 
 Widths widthsInPixels(const Scene& scene, const Camera& camera, glm::ivec2 size, double pixelScale) {
-  const double scale = scene.cutaway.unit == WidthUnit::Pixel ? pixelScale : pixelsPerMillimetre(scene, camera, size);
-  return {scene.cutaway.openWidth * scale, scene.cutaway.borderWidth * scale};
+  const double scale =
+      scene.look.cutaway.unit == WidthUnit::Pixel ? pixelScale : pixelsPerMillimetre(scene, camera, size);
+  return {scene.look.cutaway.openWidth * scale, scene.look.cutaway.borderWidth * scale};
 }
 
 Stages geometricStages(const Scene& scene, const Camera& camera, glm::ivec2 size, double pixelScale) {
@@ -175,8 +176,8 @@ Stages geometricStages(const Scene& scene, const Camera& camera, glm::ivec2 size
   stages.tFocusFilled = fill(stages.hits.tFocus, size);
   stages.distance = distanceMap(stages.hits.tFocus, size, widths.open + widths.border);
   stages.tStart = rayStart(stages.hits, stages.tFocusFilled, stages.distance, widths.open);
-  if (std::any_of(scene.strokes.begin(), scene.strokes.end(), isEffective)) {
-    Edits made = edits(scene.strokes, camera, size, stages.hits, stages.tStart);
+  if (std::any_of(scene.look.strokes.begin(), scene.look.strokes.end(), isEffective)) {
+    Edits made = edits(scene.look.strokes, camera, size, stages.hits, stages.tStart);
     stages.tStart = std::move(made.tStart);
     stages.editOffset = std::move(made.offset);
     stages.editFactor = std::move(made.factor);

@@ -6,7 +6,7 @@ namespace fenestra::reference {
 
 FocusField::FocusField(const Scene& scene) : grid_(scene.volume->grid) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  if (const auto* focus = std::get_if<LabelFocus>(&scene.focus); focus && scene.labels) {
+  if (const auto* focus = std::get_if<LabelFocus>(&scene.look.focus); focus && scene.labels) {
     range_ = {0.5, infinity};
     std::vector<std::uint8_t> isFocus(std::numeric_limits<std::uint16_t>::max() + 1, 0);
     for (const std::uint16_t label : focus->labels) isFocus[label] = 1;
@@ -16,7 +16,7 @@ FocusField::FocusField(const Scene& scene) : grid_(scene.volume->grid) {
         for (std::size_t i = begin; i < end; ++i) indicator_[i] = isFocus[static_cast<std::uint16_t>(labels[i])];
       });
     });
-  } else if (const auto* values = std::get_if<ValueFocus>(&scene.focus)) {
+  } else if (const auto* values = std::get_if<ValueFocus>(&scene.look.focus)) {
     range_ = values->values;
     cells_ = focusCells(*scene.volume, *values);
   }

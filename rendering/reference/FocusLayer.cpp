@@ -13,8 +13,8 @@ namespace {
 /// first one around it that does (x fastest, from the lowest index).
 class FocusColours {
  public:
-  explicit FocusColours(const Scene& scene) : labels_(scene.labels.get()), first_(scene.focusAppearance.colour) {
-    const auto* focus = std::get_if<LabelFocus>(&scene.focus);
+  explicit FocusColours(const Scene& scene) : labels_(scene.labels.get()), first_(scene.look.focusAppearance.colour) {
+    const auto* focus = std::get_if<LabelFocus>(&scene.look.focus);
     if (!focus || !labels_ || focus->labels.empty()) return;
     entryOf_.resize(std::numeric_limits<std::uint16_t>::max() + 1, none);
     for (const std::uint16_t value : focus->labels) {
@@ -57,6 +57,7 @@ struct Medium {
   Light light;
   VoxelNormals normals;
   std::optional<FocusNormals> focusNormals;
+  TransferFunction context;
   std::vector<ValueGap> clear;  ///< values without any extinction
   double wallDepth;             ///< mm
 
@@ -64,11 +65,12 @@ struct Medium {
       : scene(what),
         focus(what),
         focusColours(what),
-        light(camera, what.shading),
+        light(camera, what.look.shading),
         normals(*what.volume),
-        clear(what.context.transparentGaps(0.0)) {
+        context(what.look.context.shifted()),
+        clear(context.transparentGaps(0.0)) {
     const Grid& grid = scene.volume->grid;
-    if (scene.shading.enabled && focus.hasLabels()) focusNormals.emplace(grid, focus);
+    if (scene.look.shading.enabled && focus.hasLabels()) focusNormals.emplace(grid, focus);
     wallDepth = lighting::wallDepthVoxels * std::min({grid.spacing.x, grid.spacing.y, grid.spacing.z});
   }
 
@@ -183,7 +185,7 @@ class Integrator {
     const ValueRange& focusRange = medium_.focus.range();
     places_.assign({0.0, 1.0});
     const Stops stops = monotoneStops(value);
-    for (const TransferFunction::Node& node : medium_.scene.context.nodes)
+    for (const TransferFunction::Node& node : medium_.context.nodes)
       if (*least <= node.value && node.value <= *greatest) appendCrossings(value, stops, node.value, places_);
     if (field) {
       const Stops focusStops = monotoneStops(focusValue);
@@ -191,7 +193,7 @@ class Integrator {
         appendCrossings(focusValue, focusStops, level, places_);
       if (medium_.focusColours.differ()) appendMiddles(piece);
     }
-    if (medium_.scene.shading.enabled) {
+    if (medium_.scene.look.shading.enabled) {
       for (int i = 0; i < 8; ++i) {
         const glm::ivec3 corner = piece.cell + glm::ivec3(i & 1, (i >> 1) & 1, i >> 2);
         normals_[static_cast<std::size_t>(i)] =
@@ -209,9 +211,9 @@ class Integrator {
       Part part;
       if (inFocus_) {
         const glm::dvec3 at = glm::mix(piece.begin, piece.end, middle) + glm::dvec3(piece.cell);
-        part.from = {medium_.focusColours.at(at), medium_.scene.focusAppearance.extinction};
+        part.from = {medium_.focusColours.at(at), medium_.scene.look.focusAppearance.extinction};
       } else {
-        part = contextPart(medium_.scene.context, value, begin, end);
+        part = contextPart(medium_.context, value, begin, end);
       }
       part.begin = begin;
       part.end = end;
@@ -268,7 +270,7 @@ class Integrator {
 
   glm::dvec3 shade(const Part& part, double u) {
     const glm::dvec3 colour = part.colour(u);
-    if (!medium_.scene.shading.enabled) return colour;
+    if (!medium_.scene.look.shading.enabled) return colour;
     const double s = glm::mix(part.begin, part.end, u);
     const glm::dvec3 at = glm::mix(piece_->begin, piece_->end, s), world = ray_.ray.direction;
     glm::dvec3 shaded = medium_.light.shade(colour, normalAt(at), world);

@@ -47,7 +47,7 @@ struct Hit {
 
 HitPoints hitPoints(const Scene& scene, const Camera& camera, glm::ivec2 size) {
   const Grid& grid = scene.volume->grid;
-  const Gaps transparent = scene.context.transparentGaps(1.0 / 255.0);
+  const Gaps transparent = scene.look.context.shifted().transparentGaps(1.0 / 255.0);
   const std::size_t count = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
   HitPoints result{Image(count, nothing), Image(count, nothing), Image(count, nothing)};
 

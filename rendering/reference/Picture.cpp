@@ -102,9 +102,8 @@ double contextOpacity(const ContextLayer& look, const ContextPoint& point, doubl
   return std::min(look.strength * std::clamp(opacity, 0.0, 1.0) * factor, 1.0);
 }
 
-glm::dvec3 contextColour(const Scene& scene, const ContextPoint& point) {
-  const ContextLayer& look = scene.contextLayer;
-  return glm::mix(look.colour, scene.context.evaluate(point.value).colour, look.valueWeight) *
+glm::dvec3 contextColour(const ContextLayer& look, const TransferFunction& context, const ContextPoint& point) {
+  return glm::mix(look.colour, context.evaluate(point.value).colour, look.valueWeight) *
          glm::mix(1.0, point.illumination, look.illuminationWeight);
 }
 
@@ -125,7 +124,7 @@ Picture picture(const Scene& scene, const Camera& camera, glm::ivec2 size, const
 
 Picture picture(const Scene& scene, const Camera& camera, glm::ivec2 size, const Stages& stages,
                 const PictureOptions& options) {
-  const bool cutaway = hasCutaway(scene), hasContext = cutaway && scene.contextLayer.strength > 0.0;
+  const bool cutaway = hasCutaway(scene), hasContext = cutaway && scene.look.contextLayer.strength > 0.0;
   const std::vector<glm::ivec2> pixels = pixelsOf(size, options);
   const std::vector<CutRay> cut = cutRays(scene, camera, size, cutaway ? &stages : nullptr, pixels);
   FocusLayer layer = focusLayer(scene, camera, cut, options.tolerance);
@@ -145,25 +144,26 @@ Picture picture(const Scene& scene, const Camera& camera, glm::ivec2 size, const
       tFocus.push_back(stages.hits.tFocus[offset(size, pixels[i])]);
     }
     const double scale = derivativeSpacing(scene.volume->grid);
+    const TransferFunction context = scene.look.context.shifted();
     for (const auto& point : contextLayer(scene, camera, rays, tContext, tFocus)) {
       const std::size_t i = result.contextLayer.size();
       result.contextLayer.push_back(point ? glm::dvec4(point->k1, point->k2, point->illumination, point->value)
                                           : glm::dvec4(nothing));
       result.silhouette.push_back(point ? point->silhouette : nothing);
       if (!point) continue;
-      const glm::dvec4 surface(contextColour(scene, *point), 1.0);
-      const double opacity = contextOpacity(scene.contextLayer, *point, scale, factor(pixels[i]));
+      const glm::dvec4 surface(contextColour(scene.look.contextLayer, context, *point), 1.0);
+      const double opacity = contextOpacity(scene.look.contextLayer, *point, scale, factor(pixels[i]));
       result.final[i] = over(surface * opacity, result.final[i]);
     }
   }
-  if (cutaway && scene.cutaway.borderWidth > 0.0) {
+  if (cutaway && scene.look.cutaway.borderWidth > 0.0) {
     const Widths widths = widthsInPixels(scene, camera, size, options.pixelScale);
     // Half a pixel beyond the border its rim still shows.
     const Image distance = distanceMap(stages.hits.tFocus, size, widths.open + widths.border + 1.0);
     for (std::size_t i = 0; i < pixels.size(); ++i) {
       const std::size_t at = offset(size, pixels[i]);
       if (std::isnan(stages.hits.tContext[at])) continue;
-      const glm::dvec4 border(scene.cutaway.borderColour, 1.0);
+      const glm::dvec4 border(scene.look.cutaway.borderColour, 1.0);
       result.final[i] = glm::mix(result.final[i], border, borderCoverage(distance[at], widths) * factor(pixels[i]));
     }
   }

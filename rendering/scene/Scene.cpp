@@ -9,7 +9,7 @@
 namespace fenestra {
 
 bool hasCutaway(const Scene& scene) {
-  return scene.cutaway.enabled && !std::holds_alternative<std::monostate>(scene.focus);
+  return scene.look.cutaway.enabled && !std::holds_alternative<std::monostate>(scene.look.focus);
 }
 
 Grid visibleGrid(const Volume& volume, const TransferFunction& context) {

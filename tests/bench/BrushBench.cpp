@@ -49,14 +49,14 @@ void measure(BrushMode mode, const std::string& name) {
   std::vector<double> dabs, frames;
   BrushStroke stroke;
   stroke.mode = mode;
-  scene.strokes = {stroke};
+  scene.look.strokes = {stroke};
   View moved = view;
   for (int k = 0; k < points; ++k) {
     // Once around the heart, over the opening, its rim and the focus.
     const glm::dvec2 pixel(365.0 + 90.0 * std::cos(0.126 * k), 285.0 + 90.0 * std::sin(0.126 * k));
     const auto at = painting.pickBrush(pixel, mode);
     if (!at) continue;
-    BrushStroke& painted = scene.strokes[0];
+    BrushStroke& painted = scene.look.strokes[0];
     if (painted.anchors.empty()) painted.radius = radius * at->pixelSize;
     if (!extend(painted, at->anchor)) continue;
     dabs.push_back(timed(painting, scene, view));

@@ -113,20 +113,20 @@ Section updateSection(const Options& options, const TruthStore&) {
     renderer.render(scene, view);
   };
   add("camera: full frame", [](Scene&, View& v, int i) { v.camera = v.camera.orbited(0.002 * (i + 1), 0.0); });
-  add("w_open", [](Scene& s, View&, int i) { s.cutaway.openWidth += 0.5 * (i + 1); });
-  add("w_border", [](Scene& s, View&, int i) { s.cutaway.borderWidth += 0.25 * (i + 1); });
-  add("border colour", [](Scene& s, View&, int i) { s.cutaway.borderColour = glm::dvec3(0.05 * i); });
-  add("context layer's strength", [](Scene& s, View&, int i) { s.contextLayer.strength = 0.05 * (i + 1); });
+  add("w_open", [](Scene& s, View&, int i) { s.look.cutaway.openWidth += 0.5 * (i + 1); });
+  add("w_border", [](Scene& s, View&, int i) { s.look.cutaway.borderWidth += 0.25 * (i + 1); });
+  add("border colour", [](Scene& s, View&, int i) { s.look.cutaway.borderColour = glm::dvec3(0.05 * i); });
+  add("context layer's strength", [](Scene& s, View&, int i) { s.look.contextLayer.strength = 0.05 * (i + 1); });
   BrushStroke dab;
   dab.anchors = {renderer.pick(glm::dvec2(view.size) * 0.5).value_or(scene.volume->grid.centre())};
   add("brush: a dab of 5 mm", [&dab](Scene& s, View&, int i) {
     // Away from where the one before was, within the same centimetre.
     dab.anchors.front().z += i % 2 ? 2.0 : -2.0;
-    s.strokes = {dab};
+    s.look.strokes = {dab};
   });
   const auto drag = [](Scene& s, View&, int i) {
     // Every node wanders by a few HU and shows a little more or less.
-    for (TransferFunction::Node& node : s.context.nodes) {
+    for (TransferFunction::Node& node : s.look.context.function.nodes) {
       node.value += 2.0 * (i + 1);
       node.properties.extinction *= 1.0 + 0.01 * (i + 1);
     }
@@ -134,7 +134,7 @@ Section updateSection(const Options& options, const TruthStore&) {
   add("transfer function: skipping rebuilt", drag, true);
   add("transfer function: frame", drag);
   add("transfer function: colour", [](Scene& s, View&, int i) {
-    for (TransferFunction::Node& node : s.context.nodes) node.properties.colour *= 1.0 - 0.02 * (i + 1);
+    for (TransferFunction::Node& node : s.look.context.function.nodes) node.properties.colour *= 1.0 - 0.02 * (i + 1);
   });
   std::cerr << plainText(table);
   section.tables.push_back(std::move(table));

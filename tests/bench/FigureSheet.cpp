@@ -89,10 +89,10 @@ Scene sceneOf(const Scene& row, const Column& column) {
   const auto looks = openingLooks();
   std::find_if(looks.begin(), looks.end(), [&](const OpeningLook& look) {
     return look.id == column.look;
-  })->applyTo(scene.cutaway, scene.contextLayer);
-  scene.cutaway.enabled = column.cutaway;
-  scene.cutaway.openWidth = column.openWidth;
-  if (!column.brushed) scene.strokes.clear();
+  })->applyTo(scene.look.cutaway, scene.look.contextLayer);
+  scene.look.cutaway.enabled = column.cutaway;
+  scene.look.cutaway.openWidth = column.openWidth;
+  if (!column.brushed) scene.look.strokes.clear();
   return scene;
 }
 

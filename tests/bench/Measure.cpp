@@ -52,7 +52,7 @@ ColourErrors errorsOf(const std::vector<glm::vec4>& here, const std::vector<glm:
   for (std::size_t k = 0; k < what.pixels.size(); ++k) {
     const std::size_t at = static_cast<std::size_t>(what.pixels[k].y) * static_cast<std::size_t>(size.x) +
                            static_cast<std::size_t>(what.pixels[k].x);
-    errors.add(glm::dvec4(here[at]), truth[k], what.scene.background);
+    errors.add(glm::dvec4(here[at]), truth[k], what.scene.look.background);
   }
   return errors;
 }

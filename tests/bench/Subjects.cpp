@@ -119,13 +119,13 @@ Scene plainScene(const Scene& scene) {
   Scene plain = scene;
   plain.volume = std::move(volume);
   plain.labels = nullptr;
-  plain.focus = {};
-  plain.shading.enabled = false;
+  plain.look.focus = {};
+  plain.look.shading.enabled = false;
   return plain;
 }
 
 std::vector<Camera> cameraPath(const Scene& scene, int count) {
-  const Grid framed = visibleGrid(*scene.volume, scene.context);
+  const Grid framed = visibleGrid(*scene.volume, scene.look.context.shifted());
   std::vector<Camera> path;
   for (int i = 0; i < count; ++i) {
     // Off the axes, where rays would run along the voxels' planes and flatter everybody.

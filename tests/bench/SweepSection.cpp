@@ -181,7 +181,7 @@ Section sweepSection(const Options& options, const TruthStore& truths) {
                                               "RMS error, 1/255", rows, rootMeanSquare));
 
     Scene plainLit = plainUnlit;
-    plainLit.shading.enabled = true;
+    plainLit.look.shading.enabled = true;
     std::vector<Row> litRows = measureAll(prepare(subject.name, plainLit, options, truths), {8.0, 2.0}, options);
     for (Row& row : litPeers(subject.id, peers)) {
       litAgainst.rows.push_back(comparison(subject.name, row, litRows));

@@ -38,26 +38,26 @@ void addGeometry(Digest& digest, const Scene& scene, const Camera& camera, glm::
   addGrid(digest, volume.grid);
   digest.add(volume.voxels.type(), volume.slope, volume.intercept);
   digest.add(std::span(volume.voxels.data(), volume.voxels.byteCount()));
-  for (const TransferFunction::Node& node : scene.context.nodes)
+  for (const TransferFunction::Node& node : scene.look.context.shifted().nodes)
     digest.add(node.value, node.properties.colour, node.properties.extinction);
-  if (const auto* focus = std::get_if<LabelFocus>(&scene.focus); focus && scene.labels) {
+  if (const auto* focus = std::get_if<LabelFocus>(&scene.look.focus); focus && scene.labels) {
     digest.add(std::as_bytes(std::span(focus->labels)));
     digest.add(std::span(scene.labels->voxels.data(), scene.labels->voxels.byteCount()));
     for (const Label& label : scene.labels->labels) digest.add(label.value, label.colour);
   }
-  if (const auto* focus = std::get_if<ValueFocus>(&scene.focus))
+  if (const auto* focus = std::get_if<ValueFocus>(&scene.look.focus))
     digest.add(focus->values.low, focus->values.high, focus->minimumComponent);
   digest.add(camera.projection, camera.eye, camera.target, camera.up, camera.verticalFov, camera.orthographicHeight);
   digest.add(size);
 }
 
 void addAppearance(Digest& digest, const Scene& scene) {
-  digest.add(scene.focusAppearance.colour, scene.focusAppearance.extinction);
-  const Cutaway& cutaway = scene.cutaway;
+  digest.add(scene.look.focusAppearance.colour, scene.look.focusAppearance.extinction);
+  const Cutaway& cutaway = scene.look.cutaway;
   digest.add(cutaway.enabled, cutaway.openWidth, cutaway.borderWidth, cutaway.unit, cutaway.borderColour);
-  const ContextLayer& layer = scene.contextLayer;
+  const ContextLayer& layer = scene.look.contextLayer;
   digest.add(layer.strength, layer.curvatureWeight, layer.silhouetteWeight, layer.colour);
-  const Shading& shading = scene.shading;
+  const Shading& shading = scene.look.shading;
   digest.add(shading.enabled, shading.ambient, shading.diffuse, shading.specular, shading.shininess);
 }
 

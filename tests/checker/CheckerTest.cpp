@@ -8,8 +8,8 @@
 
 #include "io/PhantomFile.h"
 #include "tests/checker/LayerFiles.h"
-#include "tests/support/TestData.h"
 #include "tests/support/Scenes.h"
+#include "tests/support/TestData.h"
 
 namespace fenestra {
 namespace {
@@ -30,7 +30,7 @@ Picture phantomPicture(const std::string& name, const std::vector<std::string>& 
   const Phantom::Rasterised raster = io::loadPhantom(name).rasterise(voxels);
   picture.scene.volume = raster.volume;
   picture.scene.labels = raster.labels;
-  picture.scene.context = opaqueFrom(-300.0);
+  picture.scene.look.context.function = opaqueFrom(-300.0);
   LabelFocus focus;
   for (const Label& label : raster.labels->labels)
     for (const std::string& structure : structures)
@@ -40,7 +40,7 @@ Picture phantomPicture(const std::string& name, const std::vector<std::string>& 
         picture.labels += std::to_string(label.value);
       }
   EXPECT_EQ(focus.labels.size(), structures.size());
-  picture.scene.focus = focus;
+  picture.scene.look.focus = focus;
   picture.camera = Camera::fromAngles(azimuth, elevation, raster.volume->grid, projection);
   picture.size = {150, 130};
   return picture;
@@ -74,10 +74,10 @@ TEST(Checker, confirmsObliqueGridsAndOtherWidths) {
   std::mt19937 random(4);
   std::bernoulli_distribution inside(0.02);
   picture.scene = labelScene(obliqueGrid({20, 18, 16}), [&](glm::ivec3) { return inside(random) ? 7 : 0; });
-  picture.scene.focus = LabelFocus{{7}};
-  picture.scene.context = opaqueFrom(-1.0);
-  picture.scene.cutaway.openWidth = 7.5;
-  picture.scene.cutaway.borderWidth = 0.0;
+  picture.scene.look.focus = LabelFocus{{7}};
+  picture.scene.look.context.function = opaqueFrom(-1.0);
+  picture.scene.look.cutaway.openWidth = 7.5;
+  picture.scene.look.cutaway.borderWidth = 0.0;
   picture.labels = std::to_string(7);
   picture.size = {121, 77};
   picture.camera = Camera::fromAngles(-50.0, 40.0, picture.scene.volume->grid);

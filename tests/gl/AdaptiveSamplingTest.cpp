@@ -61,8 +61,8 @@ Camera closeUp(const Grid& grid, double pixels, int height, Projection projectio
 Scene plain(std::shared_ptr<Volume> volume, const TransferFunction& context) {
   Scene scene;
   scene.volume = std::move(volume);
-  scene.context = context;
-  scene.shading.enabled = false;
+  scene.look.context.function = context;
+  scene.look.shading.enabled = false;
   return scene;
 }
 
@@ -77,13 +77,13 @@ Scene softAndHard() {
   });
   scene.labels = labelsOf(
       grid, [](glm::ivec3 i) { return glm::length(glm::dvec3(i) - glm::dvec3(22.0, 16.0, 20.0)) < 6.0 ? 1 : 0; });
-  scene.focus = LabelFocus{{1}};
-  scene.context = {{{200.0, {{0.9, 0.3, 0.2}, 0.0}},
-                    {400.0, {{0.9, 0.6, 0.3}, 0.03}},
-                    {650.0, {{0.9, 0.6, 0.3}, 0.03}},
-                    {650.0, {{0.9, 0.9, 0.8}, 1.5}}}};
-  scene.cutaway.openWidth = 6.0;
-  scene.cutaway.borderWidth = 2.0;
+  scene.look.focus = LabelFocus{{1}};
+  scene.look.context.function = {{{200.0, {{0.9, 0.3, 0.2}, 0.0}},
+                                  {400.0, {{0.9, 0.6, 0.3}, 0.03}},
+                                  {650.0, {{0.9, 0.6, 0.3}, 0.03}},
+                                  {650.0, {{0.9, 0.9, 0.8}, 1.5}}}};
+  scene.look.cutaway.openWidth = 6.0;
+  scene.look.cutaway.borderWidth = 2.0;
   return scene;
 }
 
@@ -95,7 +95,7 @@ TEST_F(AdaptiveSampling, IsOffByAboutItsTolerance) {
     for (const Projection projection : {Projection::Perspective, Projection::Orthographic})
       for (const int pitch : {2, 4}) {
         Scene scene = softAndHard();
-        scene.shading.enabled = lit;
+        scene.look.shading.enabled = lit;
         const Camera camera = closeUp(scene.volume->grid, pitch + 0.1, size.y, projection);
         const Differences off = differencesBy(pitch, scene, camera, size);
         const double tolerance = lit ? 1.5 : 1.0;
@@ -152,7 +152,7 @@ TEST_F(AdaptiveSampling, EdgesStayWhereTheyAre) {
 
 TEST_F(AdaptiveSampling, PicturesOfAnySize) {
   Scene scene = softAndHard();
-  scene.shading.enabled = false;
+  scene.look.shading.enabled = false;
   for (const glm::ivec2 size : {glm::ivec2(1, 1), glm::ivec2(2, 1), glm::ivec2(1, 7), glm::ivec2(3, 3),
                                 glm::ivec2(4, 5), glm::ivec2(33, 17), glm::ivec2(50, 51), glm::ivec2(131, 66)})
     for (const int pitch : {2, 4}) {
@@ -176,7 +176,7 @@ TEST_F(AdaptiveSampling, PartsAreRedrawnAsInANewPicture) {
         EXPECT_TRUE(kept.readLayers().final == fresh.readLayers().final) << what << ", " << voxel;
       };
       for (const double width : {9.0, 3.0, 0.0, 6.0}) {
-        scene.cutaway.openWidth = width;
+        scene.look.cutaway.openWidth = width;
         expectAsNew("opening");
       }
       BrushStroke stroke;
@@ -187,12 +187,12 @@ TEST_F(AdaptiveSampling, PartsAreRedrawnAsInANewPicture) {
           const auto point = kept.pickBrush(pixel, mode);
           ASSERT_TRUE(point);
           extend(stroke, point->anchor);
-          scene.strokes = {stroke};
+          scene.look.strokes = {stroke};
           expectAsNew("stroke");
         }
-      scene.cutaway.openWidth = 8.0;
+      scene.look.cutaway.openWidth = 8.0;
       expectAsNew("opening under a stroke");
-      scene.strokes.clear();
+      scene.look.strokes.clear();
       expectAsNew("strokes gone");
     }
 }

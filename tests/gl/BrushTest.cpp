@@ -19,10 +19,10 @@ Scene ballScene() {
   Scene scene;
   scene.volume = volumeOf<std::int16_t>(grid, [&](glm::ivec3 i) { return 1000.0 - 60.0 * from(i, glm::dvec3(19.5)); });
   scene.labels = labelsOf(grid, [&](glm::ivec3 i) { return from(i, {19.5, 17.0, 21.0}) < 6.0 ? 1 : 0; });
-  scene.focus = LabelFocus{{1}};
-  scene.context = opaqueFrom(100.0);
-  scene.cutaway.openWidth = 12.0;
-  scene.cutaway.borderWidth = 3.0;
+  scene.look.focus = LabelFocus{{1}};
+  scene.look.context.function = opaqueFrom(100.0);
+  scene.look.cutaway.openWidth = 12.0;
+  scene.look.cutaway.borderWidth = 3.0;
   return scene;
 }
 
@@ -67,7 +67,7 @@ reference::Edits truthOf(const Scene& scene, const View& view, const Layers& lay
   const reference::Widths widths = reference::widthsInPixels(scene, view.camera, view.size, view.pixelScale);
   const reference::Image unedited =
       reference::rayStart(hits, widened(layers.tFocusFilled), widened(layers.distance), widths.open);
-  return reference::edits(scene.strokes, view.camera, view.size, hits, unedited);
+  return reference::edits(scene.look.strokes, view.camera, view.size, hits, unedited);
 }
 
 /// Largest share of the strokes' effect by which the picture may miss the reference: float32 in positions on the
@@ -77,7 +77,7 @@ double tolerance(const Scene& scene, const Layers& layers) {
   double farthest = 0.0, smallest = 1e30;
   for (const float t : layers.tContext)
     if (std::isfinite(t)) farthest = std::max(farthest, static_cast<double>(t));
-  for (const BrushStroke& stroke : scene.strokes) smallest = std::min(smallest, stroke.radius);
+  for (const BrushStroke& stroke : scene.look.strokes) smallest = std::min(smallest, stroke.radius);
   return 1e-4 + 6e-7 * farthest / smallest;
 }
 
@@ -90,7 +90,7 @@ std::size_t expectEditsMatch(const Scene& scene, const View& view) {
     return 0;
   }
   double effect = 0.0;
-  for (const BrushStroke& stroke : scene.strokes) effect += stroke.depth;
+  for (const BrushStroke& stroke : scene.look.strokes) effect += stroke.depth;
   const double allowed = tolerance(scene, layers);
   std::size_t changed = 0;
   for (std::size_t i = 0; i < layers.edits.size(); ++i) {
@@ -112,7 +112,7 @@ TEST_F(Brush, EditsMatchTheReferenceInBothProjectionsAndAtBothScales) {
   Scene scene = ballScene();
   for (const Projection projection : {Projection::Perspective, Projection::Orthographic})
     for (const double pixelScale : {1.0, 2.0}) {
-      scene.strokes.clear();
+      scene.look.strokes.clear();
       View view = viewOf(scene, projection);
       view.pixelScale = pixelScale;
       // Crossing strokes of every mode over opening, focus and bare context.
@@ -122,7 +122,7 @@ TEST_F(Brush, EditsMatchTheReferenceInBothProjectionsAndAtBothScales) {
         stroke.softness = softness;
         stroke.depth = depth;
         stroke.coversFocus = covers;
-        scene.strokes.push_back(stroke);
+        scene.look.strokes.push_back(stroke);
       };
       add(BrushMode::Restore, 0.5, 50.0, false, {{50, 38}, {62, 40}, {70, 52}});
       add(BrushMode::Restore, 1.0, 4.0, true, {{58, 50}, {66, 47}});
@@ -142,8 +142,8 @@ TEST_F(Brush, EditsMatchTheReferenceInBothProjectionsAndAtBothScales) {
 TEST_F(Brush, HardEdgesMissNoMoreThanTheirRim) {
   Scene scene = ballScene();
   const View view = viewOf(scene);
-  scene.strokes = {painted(scene, view, BrushMode::Restore, {{50, 40}, {70, 44}})};
-  scene.strokes[0].softness = 0.0;
+  scene.look.strokes = {painted(scene, view, BrushMode::Restore, {{50, 40}, {70, 44}})};
+  scene.look.strokes[0].softness = 0.0;
   const Layers layers = layersOf(scene, view);
   const reference::Edits truth = truthOf(scene, view, layers);
   std::size_t changed = 0, missed = 0;
@@ -162,7 +162,7 @@ TEST_F(Brush, HardCases) {
     const View view = viewOf(plain, projection);
     const auto changedBy = [&](const BrushStroke& stroke, const View& seen) {
       Scene scene = plain;
-      scene.strokes = {stroke};
+      scene.look.strokes = {stroke};
       return expectEditsMatch(scene, seen);
     };
     const BrushStroke line = painted(plain, view, BrushMode::Restore, {{48, 42}, {70, 40}});
@@ -216,11 +216,11 @@ TEST_F(Brush, CameraInsideTheVolume) {
   View view = viewOf(scene);
   view.camera = lookAt(glm::dvec3(19.5, 3.0, 19.5), glm::dvec3(19.5, 17.0, 21.0));
   view.camera.verticalFov = 60.0;
-  scene.strokes = {painted(scene, view, BrushMode::Open, {{30, 30}, {20, 60}, {30, 80}}, 2.0)};
-  scene.strokes[0].depth = 3.0;
-  BrushStroke around = scene.strokes[0];
+  scene.look.strokes = {painted(scene, view, BrushMode::Open, {{30, 30}, {20, 60}, {30, 80}}, 2.0)};
+  scene.look.strokes[0].depth = 3.0;
+  BrushStroke around = scene.look.strokes[0];
   around.anchors = {view.camera.eye + glm::dvec3(0.5, 0.5, 0.5), view.camera.eye - glm::dvec3(3.0, 3.0, 3.0)};
-  scene.strokes.push_back(around);
+  scene.look.strokes.push_back(around);
   expectEditsMatch(scene, view);
 }
 
@@ -229,7 +229,7 @@ TEST_F(Brush, StrokesWithoutEffectCostNothing) {
   const View view = viewOf(plain);
   const auto render = [&](const BrushStrokes& strokes) {
     Scene scene = plain;
-    scene.strokes = strokes;
+    scene.look.strokes = strokes;
     Renderer renderer(std::make_shared<GpuScene>());
     renderer.render(scene, view);
     EXPECT_EQ(renderer.stats()[static_cast<std::size_t>(Pass::EditMap)].runs, 0u);
@@ -248,9 +248,9 @@ TEST_F(Brush, StrokesWithoutEffectCostNothing) {
   EXPECT_EQ(render({hidden, notANumber, infinite, flat, shallow, empty}), none);
   // Without a cutaway there is no ray start to move.
   Scene closed = plain;
-  closed.cutaway.enabled = false;
+  closed.look.cutaway.enabled = false;
   const auto before = layersOf(closed, view).final;
-  closed.strokes = {good};
+  closed.look.strokes = {good};
   EXPECT_EQ(layersOf(closed, view).final, before);
 }
 
@@ -263,7 +263,7 @@ TEST_F(Brush, NeverHidesTheFocusUnlessAsked) {
   stroke.softness = 0.0;
   for (const bool covers : {false, true}) {
     stroke.coversFocus = covers;
-    scene.strokes = {stroke};
+    scene.look.strokes = {stroke};
     const Layers edited = layersOf(scene, view);
     std::size_t restored = 0, focus = 0;
     for (std::size_t i = 0; i < edited.tStart.size(); ++i) {
@@ -282,7 +282,7 @@ TEST_F(Brush, NeverHidesTheFocusUnlessAsked) {
   }
   // Opening stops at the focus and at the volume's end.
   stroke.mode = BrushMode::Open;
-  scene.strokes = {stroke};
+  scene.look.strokes = {stroke};
   const Layers opened = layersOf(scene, view);
   for (std::size_t i = 0; i < opened.tStart.size(); ++i)
     if (!std::isnan(opened.tFocus[i])) {
@@ -292,16 +292,16 @@ TEST_F(Brush, NeverHidesTheFocusUnlessAsked) {
 
 TEST_F(Brush, ActsOnWhatItWasPaintedOnAlone) {
   Scene scene = ballScene();
-  scene.cutaway.openWidth = 5.0;
+  scene.look.cutaway.openWidth = 5.0;
   const View view = viewOf(scene);
   for (const BrushMode mode : {BrushMode::Restore, BrushMode::Open, BrushMode::Fade, BrushMode::Strengthen}) {
-    scene.strokes.clear();
+    scene.look.strokes.clear();
     // Over focus and cut faces; Open where the cut begins, since at the focus's rim the cuts of both sides meet.
     const std::vector<glm::dvec2> across{{48, 42}, {60, 36}, {74, 42}}, rim{{46, 42}, {60, 33}, {74, 42}};
     BrushStroke stroke = painted(scene, view, mode, mode == BrushMode::Open ? rim : across);
     stroke.coversFocus = true;
     stroke.depth = 100.0;
-    scene.strokes = {stroke};
+    scene.look.strokes = {stroke};
     const auto changed = [&](const Camera& camera) {
       View seen = view;
       seen.camera = camera;
@@ -332,7 +332,7 @@ TEST_F(Brush, RestoresNothingBehindAnotherSurface) {
   scene.labels = labelsOf(grid, [&](glm::ivec3 i) {
     return glm::length(glm::dvec3(i) - 20.0 - glm::dvec3(19.5, 17.0, 21.0)) < 6.0 ? 1 : 0;
   });
-  scene.strokes = {stroke};
+  scene.look.strokes = {stroke};
   const Layers layers = layersOf(scene, view);
   ASSERT_FALSE(layers.edits.empty());
   for (const glm::vec2 edit : layers.edits) EXPECT_EQ(edit.x, 0.0f);
@@ -340,23 +340,23 @@ TEST_F(Brush, RestoresNothingBehindAnotherSurface) {
 
 TEST_F(Brush, GraduatesTheContextLayer) {
   Scene scene = ballScene();
-  scene.contextLayer.strength = 0.5;
+  scene.look.contextLayer.strength = 0.5;
   const View view = viewOf(scene);
   const Layers plain = layersOf(scene, view);
-  scene.contextLayer.strength = 0.0;
+  scene.look.contextLayer.strength = 0.0;
   const Layers bare = layersOf(scene, view);
-  scene.contextLayer.strength = 0.5;
+  scene.look.contextLayer.strength = 0.5;
   BrushStroke stroke = painted(scene, view, BrushMode::Fade, {{40, 50}, {80, 50}}, 30.0);
   stroke.softness = 0.0;
   stroke.amount = 1.0;
-  scene.strokes = {stroke};
+  scene.look.strokes = {stroke};
   EXPECT_EQ(layersOf(scene, view).final, bare.final) << "faded away";
   const auto share = [&](const Layers& layers) {
     double sum = 0.0;
     for (std::size_t i = 0; i < bare.final.size(); ++i) sum += glm::distance(layers.final[i], bare.final[i]);
     return sum;
   };
-  scene.strokes[0].mode = BrushMode::Strengthen;
+  scene.look.strokes[0].mode = BrushMode::Strengthen;
   const Layers strong = layersOf(scene, view);
   ASSERT_GT(share(plain), 1.0);
   // The layer's opacity doubles, and is added over the same picture below it.
@@ -365,20 +365,20 @@ TEST_F(Brush, GraduatesTheContextLayer) {
 
 TEST_F(Brush, PictureMatchesTheReference) {
   Scene scene = ballScene();
-  scene.contextLayer.illuminationWeight = 0.6;
-  scene.contextLayer.valueWeight = 0.4;
+  scene.look.contextLayer.illuminationWeight = 0.6;
+  scene.look.contextLayer.valueWeight = 0.4;
   View view = viewOf(scene);
   view.maxError = 0.25;
   const BrushStrokes strokes{painted(scene, view, BrushMode::Restore, {{50, 38}, {70, 52}}),
                              painted(scene, view, BrushMode::Open, {{48, 60}, {72, 60}}),
                              painted(scene, view, BrushMode::Fade, {{55, 45}, {60, 48}}),
                              painted(scene, view, BrushMode::Strengthen, {{64, 50}, {60, 55}})};
-  scene.strokes = strokes;
-  scene.strokes[0].coversFocus = true;
+  scene.look.strokes = strokes;
+  scene.look.strokes[0].coversFocus = true;
   const Layers layers = layersOf(scene, view);
   const Layers plain = [&] {
     Scene without = scene;
-    without.strokes.clear();
+    without.look.strokes.clear();
     return layersOf(without, view);
   }();
 
@@ -445,34 +445,34 @@ void expectPaintingGivesTheSameBits(Quality quality) {
     for (const Pass pass : {Pass::HitPoints, Pass::PullPush, Pass::DistanceMap, Pass::ContextLayer})
       EXPECT_EQ(renderer.stats()[static_cast<std::size_t>(pass)].runs, 1u) << what << ", " << nameOf(pass);
   };
-  scene.strokes.emplace_back(along).anchors.clear();
+  scene.look.strokes.emplace_back(along).anchors.clear();
   for (const glm::dvec3& anchor : along.anchors) {
-    scene.strokes.back().anchors.push_back(anchor);
+    scene.look.strokes.back().anchors.push_back(anchor);
     step("a point more");
   }
-  scene.strokes.push_back(cut);
+  scene.look.strokes.push_back(cut);
   step("a stroke more");
-  scene.strokes.push_back(fade);
+  scene.look.strokes.push_back(fade);
   step("a fading stroke");
-  scene.strokes[1].hidden = true;
+  scene.look.strokes[1].hidden = true;
   step("hidden");
-  scene.strokes[1].hidden = false;
+  scene.look.strokes[1].hidden = false;
   step("shown");
-  scene.strokes[0].depth = 3.0;
+  scene.look.strokes[0].depth = 3.0;
   step("another depth");
-  std::swap(scene.strokes[0], scene.strokes[1]);
+  std::swap(scene.look.strokes[0], scene.look.strokes[1]);
   step("another order");
-  scene.strokes.pop_back();
+  scene.look.strokes.pop_back();
   step("undone");
-  scene.strokes[1].anchors.resize(2);
+  scene.look.strokes[1].anchors.resize(2);
   step("shortened");
-  scene.strokes[0] = fade;
-  scene.strokes[1] = fade;
+  scene.look.strokes[0] = fade;
+  scene.look.strokes[1] = fade;
   step("all changed");
-  scene.cutaway.openWidth = 16.0;
-  scene.strokes[1] = cut;
+  scene.look.cutaway.openWidth = 16.0;
+  scene.look.strokes[1] = cut;
   step("another width as well");
-  scene.strokes.clear();
+  scene.look.strokes.clear();
   step("cleared");
 }
 
@@ -483,14 +483,14 @@ TEST_F(Brush, PaintingGivesTheSameBitsAsAFullRunWithinABound) { expectPaintingGi
 TEST_F(Brush, NothingRunsForUnchangedOrInvisibleStrokes) {
   Scene scene = ballScene();
   const View view = viewOf(scene);
-  scene.strokes = {painted(scene, view, BrushMode::Open, {{50, 50}})};
+  scene.look.strokes = {painted(scene, view, BrushMode::Open, {{50, 50}})};
   Renderer renderer(std::make_shared<GpuScene>());
   renderer.render(scene, view);
   const auto before = renderer.stats();
   renderer.render(scene, view);
-  BrushStroke elsewhere = scene.strokes[0];
+  BrushStroke elsewhere = scene.look.strokes[0];
   elsewhere.anchors[0] += 500.0 * view.camera.axes().right;
-  scene.strokes.push_back(elsewhere);
+  scene.look.strokes.push_back(elsewhere);
   renderer.render(scene, view);
   for (std::size_t pass = 0; pass < passCount; ++pass)
     EXPECT_EQ(renderer.stats()[pass].runs, before[pass].runs) << nameOf(static_cast<Pass>(pass));
@@ -508,13 +508,13 @@ TEST_F(Brush, AStrokeCostsATenthOfAFrameAtMost) {
   std::vector<double> shares;
   BrushStroke stroke;
   stroke.radius = 0.0;
-  scene.strokes = {stroke};
+  scene.look.strokes = {stroke};
   for (int k = 0; k < points; ++k) {
     const glm::dvec2 pixel(350.0 + 90.0 * std::cos(0.12 * k), 325.0 + 90.0 * std::sin(0.12 * k));
     const auto point = renderer.pickBrush(pixel, BrushMode::Restore);
     ASSERT_TRUE(point.has_value());
-    if (k == 0) scene.strokes[0].radius = brush * point->pixelSize;
-    ASSERT_TRUE(extend(scene.strokes[0], point->anchor));
+    if (k == 0) scene.look.strokes[0].radius = brush * point->pixelSize;
+    ASSERT_TRUE(extend(scene.look.strokes[0], point->anchor));
     renderer.render(scene, view);
     double most = 0.0;
     for (const Pass pass : {Pass::RayStart, Pass::FocusLayer, Pass::Composite})

@@ -25,8 +25,9 @@ Scene ballScene() {
   const auto labels = labelsOf(grid, [&](glm::ivec3 i) { return radius(i) < 5.0 ? 1 : radius(i) < 9.0 ? 2 : 0; });
   labels->labels = {{1, "inner", glm::dvec3(0.9, 0.2, 0.2)}, {2, "outer", glm::dvec3(0.2, 0.2, 0.9)}};
   scene.labels = labels;
-  scene.focus = LabelFocus{{1, 2}};
-  scene.context = {{{100.0, {glm::dvec3(0.8, 0.5, 0.4), 0.0}}, {100.0, {glm::dvec3(0.8, 0.5, 0.4), 0.5}}}};
+  scene.look.focus = LabelFocus{{1, 2}};
+  scene.look.context.function = {
+      {{100.0, {glm::dvec3(0.8, 0.5, 0.4), 0.0}}, {100.0, {glm::dvec3(0.8, 0.5, 0.4), 0.5}}}};
   return scene;
 }
 

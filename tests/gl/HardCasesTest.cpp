@@ -50,9 +50,9 @@ Scene ballInBody(const Grid& grid, double radius = 6.0) {
     const glm::dvec3 p = glm::dvec3(i) - (glm::dvec3(grid.dims) - 1.0) * 0.5;
     return glm::length(p) < radius ? 1 : 0;
   });
-  scene.focus = LabelFocus{{1}};
-  scene.context = layered();
-  scene.cutaway.openWidth = 9.0;
+  scene.look.focus = LabelFocus{{1}};
+  scene.look.context.function = layered();
+  scene.look.cutaway.openWidth = 9.0;
   return scene;
 }
 
@@ -82,7 +82,7 @@ HardCase withValues(const char* name, double (*valueAt)(glm::ivec3), const Trans
   return {name, [=] {
             Shot shot = ordinary(gridOf({20, 20, 20}), 4.0);
             shot.scene.volume = volumeOf<T>(shot.scene.volume->grid, valueAt);
-            shot.scene.context = transfer;
+            shot.scene.look.context.function = transfer;
             return shot;
           }};
 }
@@ -97,9 +97,9 @@ HardCase withLabels(const char* name, int (*labelAt)(glm::ivec3)) {
 
 HardCase withWidths(const char* name, double open, double border, WidthUnit unit = WidthUnit::Pixel) {
   return with(name, [=](Shot& shot) {
-    shot.scene.cutaway.openWidth = open;
-    shot.scene.cutaway.borderWidth = border;
-    shot.scene.cutaway.unit = unit;
+    shot.scene.look.cutaway.openWidth = open;
+    shot.scene.look.cutaway.borderWidth = border;
+    shot.scene.look.cutaway.unit = unit;
   });
 }
 
@@ -203,7 +203,7 @@ std::vector<HardCase> hardCases() {
                const glm::dvec3 p = glm::dvec3(i) - 15.5;
                return glm::length(p) >= 6.0 ? 0 : p.x < 0.3 ? 1 : 2;
              });
-             shot.scene.focus = LabelFocus{{1, 2}};
+             shot.scene.look.focus = LabelFocus{{1, 2}};
            }),
       withLabels("focusSymmetric",
                  [](glm::ivec3 i) {
@@ -221,28 +221,29 @@ std::vector<HardCase> hardCases() {
       missing(10.0, with("spikeNarrowerThanAVoxelsValues",
                          [=](Shot& shot) {
                            const OpticalProperties spike{{0.2, 0.8, 0.3}, 40.0};
-                           shot.scene.context = {{{399.0, clear}, {400.0, spike}, {401.0, clear}}};
+                           shot.scene.look.context.function = {{{399.0, clear}, {400.0, spike}, {401.0, clear}}};
                          })),
       with("opacityOneAtTinySteps",
-           [](Shot& shot) { shot.scene.context = steepFrom(200.0, extinctionFromOpacity(1.0)); }),
-      with("opaqueWithinAThousandthOfAVoxel", [](Shot& shot) { shot.scene.context = steepFrom(200.0, 1e4); }),
-      with("hazeThatHardlyShows", [](Shot& shot) { shot.scene.context = steepFrom(200.0, 0.005); }),
+           [](Shot& shot) { shot.scene.look.context.function = steepFrom(200.0, extinctionFromOpacity(1.0)); }),
+      with("opaqueWithinAThousandthOfAVoxel",
+           [](Shot& shot) { shot.scene.look.context.function = steepFrom(200.0, 1e4); }),
+      with("hazeThatHardlyShows", [](Shot& shot) { shot.scene.look.context.function = steepFrom(200.0, 0.005); }),
       with("contextInItsOwnColour",
            [](Shot& shot) {
-             shot.scene.contextLayer.valueWeight = 1.0;
-             shot.scene.contextLayer.illuminationWeight = 0.4;
+             shot.scene.look.contextLayer.valueWeight = 1.0;
+             shot.scene.look.contextLayer.illuminationWeight = 0.4;
            }),
-      with("unlit", [](Shot& shot) { shot.scene.shading.enabled = false; }),
+      with("unlit", [](Shot& shot) { shot.scene.look.shading.enabled = false; }),
       with("valueFocus",
            [](Shot& shot) {
-             shot.scene.focus = ValueFocus{{600.0, 900.0}, 0.0};
+             shot.scene.look.focus = ValueFocus{{600.0, 900.0}, 0.0};
            }),
       with("valueFocusThinnerThanAStep",
            [](Shot& shot) {
-             shot.scene.focus = ValueFocus{{600.0, 600.5}, 0.0};
+             shot.scene.look.focus = ValueFocus{{600.0, 600.5}, 0.0};
            }),
-      with("withoutACutaway", [](Shot& shot) { shot.scene.cutaway.enabled = false; }),
-      with("withoutAFocus", [](Shot& shot) { shot.scene.focus = {}; }),
+      with("withoutACutaway", [](Shot& shot) { shot.scene.look.cutaway.enabled = false; }),
+      with("withoutAFocus", [](Shot& shot) { shot.scene.look.focus = {}; }),
       with("onePixel", [](Shot& shot) { shot.size = glm::ivec2(1); }),
       with("onePixelWide",
            [](Shot& shot) {

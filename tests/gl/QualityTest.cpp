@@ -50,9 +50,9 @@ Scene waves(int across) {
     const glm::dvec3 p = (glm::dvec3(i) + 0.5) / double(across) * 6.0;
     return 500.0 + 400.0 * std::sin(p.x + 0.7 * p.z) * std::cos(p.y - 0.4 * p.x);
   });
-  scene.context = {
+  scene.look.context.function = {
       {{100.0, {{1.0, 0.2, 0.1}, 0.0}}, {500.0, {{0.8, 0.7, 0.3}, 0.02}}, {900.0, {{0.2, 0.4, 1.0}, 0.05}}}};
-  scene.shading.enabled = false;
+  scene.look.shading.enabled = false;
   return scene;
 }
 
@@ -70,8 +70,8 @@ TEST_F(QualityErrors, NormalIsOfSecondOrder) {
 TEST_F(QualityErrors, NormalLightsTheSideThatIsSeen) {
   // Surfaces that turn opaque within a voxel: lit where light comes from, not in the middle of what is behind it.
   Scene scene = waves(32);
-  scene.context = {{{480.0, {{1.0, 0.7, 0.5}, 0.0}}, {520.0, {{1.0, 0.7, 0.5}, 4.0}}}};
-  scene.shading.enabled = true;
+  scene.look.context.function = {{{480.0, {{1.0, 0.7, 0.5}, 0.0}}, {520.0, {{1.0, 0.7, 0.5}, 4.0}}}};
+  scene.look.shading.enabled = true;
   const double normal = errorsOf(scene, aside(scene), Quality::Normal).rms;
   EXPECT_LT(normal, 1.0) << "lit half way through each piece they would be off by 1.5";
 }
@@ -82,11 +82,11 @@ TEST_F(QualityErrors, NormalStepsOverNoThinLayer) {
   const Grid grid = gridOf({40, 40, 40});
   Scene scene;
   scene.volume = volumeOf<std::int16_t>(grid, [](glm::ivec3 i) { return 100 * i.x + 60 * i.y; });
-  scene.context = {{{3390.0, {glm::dvec3(1.0), 0.0}},
-                    {3390.0, {glm::dvec3(1.0), 0.5}},
-                    {3410.0, {glm::dvec3(1.0), 0.5}},
-                    {3410.0, {glm::dvec3(1.0), 0.0}}}};
-  scene.shading.enabled = false;
+  scene.look.context.function = {{{3390.0, {glm::dvec3(1.0), 0.0}},
+                                  {3390.0, {glm::dvec3(1.0), 0.5}},
+                                  {3410.0, {glm::dvec3(1.0), 0.5}},
+                                  {3410.0, {glm::dvec3(1.0), 0.0}}}};
+  scene.look.shading.enabled = false;
   EXPECT_LE(errorsOf(scene, aside(scene), Quality::Normal).worst, 0.5);
   float most = 0.0f;
   for (const glm::vec4 pixel : renderOnce(scene, aside(scene), size, Quality::Normal).layers.final)
@@ -100,21 +100,21 @@ TEST_F(QualityErrors, TheFocusEndsBetweenFacesInNormal) {
   Scene values;
   const Grid grid = gridOf({32, 32, 32});
   values.volume = volumeOf<std::int16_t>(grid, [](glm::ivec3 i) { return 50 * i.x + 20 * i.z; });
-  values.focus = ValueFocus{{800.0, 1037.0}, 0.0};
-  values.focusAppearance.extinction = 0.02;
-  values.context = {{{0.0, {{0.2, 0.6, 1.0}, 0.01}}}};
-  values.cutaway.enabled = false;
-  values.shading.enabled = false;
+  values.look.focus = ValueFocus{{800.0, 1037.0}, 0.0};
+  values.look.focusAppearance.extinction = 0.02;
+  values.look.context.function = {{{0.0, {{0.2, 0.6, 1.0}, 0.01}}}};
+  values.look.cutaway.enabled = false;
+  values.look.shading.enabled = false;
   EXPECT_LE(errorsOf(values, aside(values), Quality::Normal).worst, 0.05);
 
   Scene labels = values;
   // Two labels, of two colours by their default.
   labels.labels =
       labelsOf(grid, [](glm::ivec3 i) { return glm::length(glm::dvec3(i) - 15.5) < 9.0 ? (i.x < 16 ? 1 : 2) : 0; });
-  labels.focus = LabelFocus{{1, 2}};
+  labels.look.focus = LabelFocus{{1, 2}};
   for (const bool cut : {false, true}) {
-    labels.cutaway.enabled = cut;
-    labels.cutaway.openWidth = 6.0;
+    labels.look.cutaway.enabled = cut;
+    labels.look.cutaway.openWidth = 6.0;
     EXPECT_LT(errorsOf(labels, aside(labels), Quality::Normal).rms, 0.24) << cut;
   }
 }

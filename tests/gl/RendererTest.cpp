@@ -18,10 +18,11 @@ Scene ballScene() {
   Scene scene;
   scene.volume = volumeOf<std::int16_t>(grid, [&](glm::ivec3 i) { return 1000.0 - 60.0 * radius(i); });
   scene.labels = labelsOf(grid, [&](glm::ivec3 i) { return radius(i) < 5.0 ? 1 : radius(i) < 9.0 ? 2 : 0; });
-  scene.focus = LabelFocus{{1}};
-  scene.context = {{{100.0, {glm::dvec3(0.8, 0.5, 0.4), 0.0}}, {100.0, {glm::dvec3(0.8, 0.5, 0.4), 0.5}}}};
-  scene.cutaway.openWidth = 10.0;
-  scene.cutaway.borderWidth = 3.0;
+  scene.look.focus = LabelFocus{{1}};
+  scene.look.context.function = {
+      {{100.0, {glm::dvec3(0.8, 0.5, 0.4), 0.0}}, {100.0, {glm::dvec3(0.8, 0.5, 0.4), 0.5}}}};
+  scene.look.cutaway.openWidth = 10.0;
+  scene.look.cutaway.borderWidth = 3.0;
   return scene;
 }
 
@@ -54,17 +55,20 @@ TEST_F(Passes, ReRunOnlyWhatAChangeReaches) {
   };
   const std::string all = "hit points, pull-push, distance map, ray start, focus layer, context layer, composite";
   EXPECT_EQ(after([](Scene&) {}), "");
-  EXPECT_EQ(after([](Scene& s) { s.cutaway.openWidth = 14.0; }), "ray start, focus layer, composite");
-  EXPECT_EQ(after([](Scene& s) { s.cutaway.borderWidth = 5.0; }), "composite");
-  EXPECT_EQ(after([](Scene& s) { s.cutaway.borderColour = glm::dvec3(1.0); }), "composite");
-  EXPECT_EQ(after([](Scene& s) { s.contextLayer.strength = 0.3; }), "composite");
-  EXPECT_EQ(after([](Scene& s) { s.contextLayer.colour = glm::dvec3(0.2); }), "composite");
-  EXPECT_EQ(after([](Scene& s) { s.background = glm::dvec3(0.2); }), "");
-  EXPECT_EQ(after([](Scene& s) { s.focusAppearance.extinction = 1.0; }), "focus layer, composite");
+  EXPECT_EQ(after([](Scene& s) { s.look.cutaway.openWidth = 14.0; }), "ray start, focus layer, composite");
+  EXPECT_EQ(after([](Scene& s) { s.look.cutaway.borderWidth = 5.0; }), "composite");
+  EXPECT_EQ(after([](Scene& s) { s.look.cutaway.borderColour = glm::dvec3(1.0); }), "composite");
+  EXPECT_EQ(after([](Scene& s) { s.look.contextLayer.strength = 0.3; }), "composite");
+  EXPECT_EQ(after([](Scene& s) { s.look.contextLayer.colour = glm::dvec3(0.2); }), "composite");
+  EXPECT_EQ(after([](Scene& s) { s.look.background = glm::dvec3(0.2); }), "");
+  EXPECT_EQ(after([](Scene& s) { s.look.focusAppearance.extinction = 1.0; }), "focus layer, composite");
   // A colour moves no surface; the value at which the context begins does.
-  EXPECT_EQ(after([](Scene& s) { s.context.nodes[1].properties.colour = glm::dvec3(0.1); }), "focus layer, composite");
-  EXPECT_EQ(after([](Scene& s) { s.context.nodes[0].value = s.context.nodes[1].value = 150.0; }), all);
-  EXPECT_EQ(after([](Scene& s) { s.focus = LabelFocus{{1, 2}}; }), all);
+  EXPECT_EQ(after([](Scene& s) { s.look.context.function.nodes[1].properties.colour = glm::dvec3(0.1); }),
+            "focus layer, composite");
+  EXPECT_EQ(
+      after([](Scene& s) { s.look.context.function.nodes[0].value = s.look.context.function.nodes[1].value = 150.0; }),
+      all);
+  EXPECT_EQ(after([](Scene& s) { s.look.focus = LabelFocus{{1, 2}}; }), all);
   View turned = view;
   turned.camera = view.camera.orbited(0.3, 0.1);
   EXPECT_EQ(runsCausedBy(scene, view, scene, turned), all);
@@ -81,14 +85,15 @@ TEST_F(Passes, SameAnswerWhetherPassesWereReusedOrNot) {
   const View view = viewOf(scene);
   Renderer reused(std::make_shared<GpuScene>());
   reused.render(scene, view);
-  const std::array<void (*)(Scene&), 6> changes{[](Scene& s) { s.cutaway.openWidth = 4.0; },
-                                                [](Scene& s) { s.contextLayer.strength = 0.0; },
-                                                [](Scene& s) {
-                                                  s.focus = ValueFocus{{800.0, 2000.0}, 0.0};
-                                                },
-                                                [](Scene& s) { s.cutaway.enabled = false; },
-                                                [](Scene& s) { s.shading.enabled = false; },
-                                                [](Scene& s) { s.cutaway.enabled = s.shading.enabled = true; }};
+  const std::array<void (*)(Scene&), 6> changes{
+      [](Scene& s) { s.look.cutaway.openWidth = 4.0; },
+      [](Scene& s) { s.look.contextLayer.strength = 0.0; },
+      [](Scene& s) {
+        s.look.focus = ValueFocus{{800.0, 2000.0}, 0.0};
+      },
+      [](Scene& s) { s.look.cutaway.enabled = false; },
+      [](Scene& s) { s.look.shading.enabled = false; },
+      [](Scene& s) { s.look.cutaway.enabled = s.look.shading.enabled = true; }};
   for (const auto change : changes) {
     change(scene);
     reused.render(scene, view);
@@ -101,22 +106,22 @@ TEST_F(Passes, SameAnswerWhetherPassesWereReusedOrNot) {
 TEST_F(Passes, MovingTheOpeningKeepsOnlyWhatStaysTheSame) {
   for (const bool shading : {true, false}) {
     Scene scene = ballScene();
-    scene.shading.enabled = shading;
+    scene.look.shading.enabled = shading;
     const View view = viewOf(scene);
     Renderer reused(std::make_shared<GpuScene>());
     reused.render(scene, view);
     const std::size_t still = reused.imageBytes();
     // Wider, narrower, closed, beyond the distance map's first range, and together with something else.
     for (const double width : {14.0, 6.0, 0.0, 8.0, 90.0, 12.0}) {
-      scene.cutaway.openWidth = width;
-      if (width == 12.0) scene.focusAppearance.extinction *= 0.5;
+      scene.look.cutaway.openWidth = width;
+      if (width == 12.0) scene.look.focusAppearance.extinction *= 0.5;
       reused.render(scene, view);
       Renderer fresh(std::make_shared<GpuScene>());
       fresh.render(scene, view);
       EXPECT_EQ(reused.readLayers().focusLayer, fresh.readLayers().focusLayer) << width;
       EXPECT_EQ(reused.readPicture(), fresh.readPicture()) << width;
     }
-    scene.background = glm::dvec3(0.5);
+    scene.look.background = glm::dvec3(0.5);
     reused.render(scene, view);
     EXPECT_EQ(reused.imageBytes(), still) << "what a moving opening needs is given back";
   }
@@ -157,16 +162,16 @@ TEST_F(Passes, AFeatureThatIsOffCostsNoMemoryAndNoPass) {
     EXPECT_EQ(full.count(name), 1u) << name;
   EXPECT_EQ(full.count("focus palette"), 0u) << "one label has one colour";
 
-  scene.contextLayer.strength = 0.0;
+  scene.look.contextLayer.strength = 0.0;
   auto memory = memoryOf(scene);
   EXPECT_EQ(memory.count("derivative volume"), 0u);
   EXPECT_EQ(full.at("images") - memory["images"], pixels * (16 + 4));  // the layer and its silhouette
 
-  scene.shading.enabled = false;
+  scene.look.shading.enabled = false;
   memory = memoryOf(scene);
   EXPECT_EQ(memory.count("gradient") + memory.count("focus normals"), 0u);
 
-  scene.focus = {};
+  scene.look.focus = {};
   memory = memoryOf(scene);
   EXPECT_EQ(memory.count("focus index"), 0u);
   EXPECT_EQ(memory["images"], pixels * 16);  // the layer, which is the picture
@@ -191,8 +196,8 @@ TEST_F(Passes, AFeatureThatIsOffCostsNoMemoryAndNoPass) {
 
 TEST_F(Passes, VolumeTakesTheNarrowestTextureThatHoldsItExactly) {
   Scene scene = ballScene();
-  scene.focus = {};
-  scene.shading.enabled = false;
+  scene.look.focus = {};
+  scene.look.shading.enabled = false;
   const std::size_t voxels = scene.volume->grid.voxelCount();
   const auto bytesPerVoxel = [&]<class T>(T low, T high) {
     scene.volume = volumeOf<T>(scene.volume->grid, [&](glm::ivec3 i) { return i.x % 2 ? low : high; });
@@ -212,8 +217,8 @@ Layers homogeneous(double extinction, Quality quality) {
   const Grid grid = gridOf({16, 32, 16});
   Scene scene;
   scene.volume = volumeOf<std::int16_t>(grid, [](glm::ivec3) { return 100; });
-  scene.context = {{{0.0, {glm::dvec3(0.25, 0.5, 1.0), extinction}}}};
-  scene.shading.enabled = false;
+  scene.look.context.function = {{{0.0, {glm::dvec3(0.25, 0.5, 1.0), extinction}}}};
+  scene.look.shading.enabled = false;
   return renderOnce(scene, Camera::standard(StandardView::Anterior, grid, Projection::Orthographic), {8, 8}, quality)
       .layers;
 }
@@ -240,15 +245,15 @@ TEST_F(Passes, EarlyTerminationLeavesLessThanHalfAStepOfEightBits) {
 TEST_F(Passes, SkippingEmptySpaceNeverChangesThePicture) {
   Scene scene = ballScene();
   for (const auto& [cut, lit] : {std::pair{true, true}, {true, false}, {false, true}, {false, false}}) {
-    scene.cutaway.enabled = cut;
-    scene.shading.enabled = lit;
+    scene.look.cutaway.enabled = cut;
+    scene.look.shading.enabled = lit;
     // Gradients are kept in a box around what shows, and read at positions rounded in its frame: half of 2^-23 times 64
     // texels, over each of which light changes by up to a quarter.
     const double tolerance = lit ? 1e-6 : 1e-20;
     const Layers skipped = renderOnce(scene, viewOf(scene).camera, size, Quality::Normal).layers;
     // An extinction that nothing can be seen of makes every brick count as occupied.
     Scene everywhere = scene;
-    for (TransferFunction::Node& node : everywhere.context.nodes)
+    for (TransferFunction::Node& node : everywhere.look.context.function.nodes)
       node.properties.extinction = std::max(node.properties.extinction, 1e-30);
     const Layers visited = renderOnce(everywhere, viewOf(scene).camera, size, Quality::Normal).layers;
     ASSERT_EQ(skipped.final.size(), visited.final.size());
@@ -265,8 +270,8 @@ std::vector<glm::vec2> curvaturesOf(F&& field, double level, glm::dvec3 labelled
   Scene scene;
   scene.volume = volumeOf<float>(grid, [&](glm::ivec3 i) { return field(glm::dvec3(i) - 31.5); });
   scene.labels = labelsOf(grid, [&](glm::ivec3 i) { return glm::length(glm::dvec3(i) - 31.5 - labelled) < 3.0; });
-  scene.focus = LabelFocus{{1}};
-  scene.context = opaqueFrom(level);
+  scene.look.focus = LabelFocus{{1}};
+  scene.look.context.function = opaqueFrom(level);
   Camera camera = Camera::standard(StandardView::Anterior, grid, Projection::Orthographic);
   const Layers layers = renderOnce(scene, camera, {64, 64}).layers;
   std::vector<glm::vec2> found;
@@ -329,11 +334,11 @@ TEST_F(Passes, NoContextLayerWhereTheScanBeginsInsideIt) {
 
 TEST_F(Passes, BorderLiesBetweenItsWidthsOnTheContextAlone) {
   Scene scene = ballScene();
-  scene.contextLayer.strength = 0.0;
-  scene.cutaway.borderColour = {0.0, 1.0, 0.0};
+  scene.look.contextLayer.strength = 0.0;
+  scene.look.cutaway.borderColour = {0.0, 1.0, 0.0};
   // Wide enough for the border to run off the body into empty pixels.
-  scene.cutaway.openWidth = 10.0;
-  scene.cutaway.borderWidth = 30.0;
+  scene.look.cutaway.openWidth = 10.0;
+  scene.look.cutaway.borderWidth = 30.0;
   const Layers layers = renderOnce(scene, viewOf(scene).camera, size, Quality::Normal).layers;
   int inside = 0, empty = 0;
   for (std::size_t i = 0; i < layers.final.size(); ++i) {
@@ -354,7 +359,7 @@ TEST_F(Passes, BorderLiesBetweenItsWidthsOnTheContextAlone) {
   EXPECT_GT(inside, 100);
   EXPECT_GT(empty, 100);
 
-  scene.cutaway.borderWidth = 0.0;
+  scene.look.cutaway.borderWidth = 0.0;
   for (const glm::vec4& pixel : renderOnce(scene, viewOf(scene).camera, size).layers.final)
     EXPECT_FALSE(pixel == glm::vec4(0.0f, 1.0f, 0.0f, 1.0f));
 }
@@ -364,11 +369,14 @@ TEST_F(Passes, WhatLiesOverTheFocusLayerIsRedrawnAsInANewPicture) {
   Scene small = ballScene();
   small.labels = labelsOf(small.volume->grid, [](glm::ivec3 i) { return glm::length(glm::dvec3(i) - 12.0) < 3.0; });
   Scene byValue = ballScene();
-  byValue.focus = ValueFocus{{700.0, infinity}, 0.0};
+  byValue.look.focus = ValueFocus{{700.0, infinity}, 0.0};
   const std::vector<std::function<void(Scene&)>> changes{
-      [](Scene& s) { s.cutaway.borderWidth = 12.0; }, [](Scene& s) { s.cutaway.borderColour = {0.2, 0.9, 0.4}; },
-      [](Scene& s) { s.cutaway.borderWidth = 1.5; },  [](Scene& s) { s.contextLayer.strength = 0.4; },
-      [](Scene& s) { s.cutaway.borderWidth = 0.0; },  [](Scene& s) { s.cutaway.borderWidth = 50.0; },
+      [](Scene& s) { s.look.cutaway.borderWidth = 12.0; },
+      [](Scene& s) { s.look.cutaway.borderColour = {0.2, 0.9, 0.4}; },
+      [](Scene& s) { s.look.cutaway.borderWidth = 1.5; },
+      [](Scene& s) { s.look.contextLayer.strength = 0.4; },
+      [](Scene& s) { s.look.cutaway.borderWidth = 0.0; },
+      [](Scene& s) { s.look.cutaway.borderWidth = 50.0; },
   };
   for (const Scene& start : {ballScene(), small, byValue})
     for (const Camera& camera :
@@ -392,7 +400,7 @@ TEST_F(Passes, PictureIsTheRightWayUp) {
   const Grid grid = gridOf({24, 24, 24});
   Scene scene;
   scene.volume = volumeOf<std::uint8_t>(grid, [](glm::ivec3 i) { return i.x > 14 && i.y < 9 && i.z > 14 ? 200 : 0; });
-  scene.context = opaqueFrom(100.0);
+  scene.look.context.function = opaqueFrom(100.0);
   Renderer renderer(std::make_shared<GpuScene>());
   renderer.render(scene, {Camera::standard(StandardView::Anterior, grid), size, 1.0, Quality::Normal});
   const std::vector<std::uint8_t> picture = renderer.readPicture();
@@ -415,7 +423,7 @@ TEST_F(Passes, PickingFindsWhatAPixelShows) {
   Renderer renderer(std::make_shared<GpuScene>());
   const glm::dvec3 centre = scene.volume->grid.centre();
   for (const bool cut : {true, false}) {
-    scene.cutaway.enabled = cut;
+    scene.look.cutaway.enabled = cut;
     renderer.render(scene, view);
     const auto hit = renderer.pick(glm::dvec2(size) * 0.5);
     ASSERT_TRUE(hit.has_value());

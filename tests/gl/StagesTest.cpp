@@ -23,9 +23,9 @@ Scene ballInBody(const Grid& grid, double radius = 6.0) {
   Scene scene;
   scene.volume = volumeOf<std::int16_t>(grid, [&](glm::ivec3 i) { return bumps(i, grid.dims); });
   scene.labels = labelsOf(grid, [&](glm::ivec3 i) { return ballLabel(i, grid.dims, radius); });
-  scene.focus = LabelFocus{{1}};
-  scene.context = opaqueFrom(200.0);
-  scene.cutaway.openWidth = 9.0;
+  scene.look.focus = LabelFocus{{1}};
+  scene.look.context.function = opaqueFrom(200.0);
+  scene.look.cutaway.openWidth = 9.0;
   return scene;
 }
 
@@ -62,7 +62,7 @@ TEST_F(Stages, ValueFocusWithIslandsDropped) {
     const glm::ivec3 speck = (i + glm::ivec3(2, 5, 7)) % 16;
     return speck.x < 2 && speck.y < 2 && speck.z < 2 ? 1900.0 : bumps(i, grid.dims);
   });
-  scene.focus = ValueFocus{{700.0, 2000.0}, 60.0};
+  scene.look.focus = ValueFocus{{700.0, 2000.0}, 60.0};
   expectStagesMatch(scene, from(20, 30, grid), small);
   // With none dropped there are more hits: the test above would notice if dropping did nothing.
   const auto known = [&](const Scene& s) {
@@ -70,7 +70,7 @@ TEST_F(Stages, ValueFocusWithIslandsDropped) {
     return std::count_if(t.begin(), t.end(), [](float v) { return !std::isnan(v); });
   };
   const auto withDropped = known(scene);
-  scene.focus = ValueFocus{{700.0, 2000.0}, 0.0};
+  scene.look.focus = ValueFocus{{700.0, 2000.0}, 0.0};
   expectStagesMatch(scene, from(20, 30, grid), small);
   EXPECT_GT(known(scene), withDropped + 20);
 }
@@ -90,7 +90,7 @@ TEST_F(Stages, SeveralTransparentGaps) {
   Scene scene = ballInBody(grid);
   // Visible in a thin shell of values, then transparent, then visible again.
   const OpticalProperties seen{glm::dvec3(1.0), 3.0}, clear{glm::dvec3(1.0), 0.0};
-  scene.context = {{{100.0, clear}, {130.0, seen}, {160.0, clear}, {500.0, clear}, {501.0, seen}}};
+  scene.look.context.function = {{{100.0, clear}, {130.0, seen}, {160.0, clear}, {500.0, clear}, {501.0, seen}}};
   expectStagesMatch(scene, from(40, -20, grid), small);
 }
 
@@ -103,8 +103,8 @@ TEST_F(Stages, EveryVoxelType) {
     volume->intercept = intercept;
     volume->computeRange();
     const double level = slope * (200.0 * scale + shift) + intercept;
-    scene.context = opaqueFrom(level);
-    if (slope < 0.0) scene.context = {{{level, {glm::dvec3(1.0), 5.0}}, {level, {glm::dvec3(1.0), 0.0}}}};
+    scene.look.context.function = opaqueFrom(level);
+    if (slope < 0.0) scene.look.context.function = {{{level, {glm::dvec3(1.0), 5.0}}, {level, {glm::dvec3(1.0), 0.0}}}};
     scene.volume = volume;
     expectStagesMatch(scene, from(25, 15, grid), small);
   };

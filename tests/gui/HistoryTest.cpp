@@ -25,7 +25,7 @@ Study study() {
   Study made;
   made.scene.volume = volume;
   made.scene.labels = labels;
-  made.scene.context.nodes = {{100.0, {{1, 1, 1}, 0.0}}, {200.0, {{1, 1, 1}, 1.0}}};
+  made.scene.look.context.function.nodes = {{100.0, {{1, 1, 1}, 0.0}}, {200.0, {{1, 1, 1}, 1.0}}};
   made.transferFunction = "ct-bone";
   return made;
 }
@@ -48,13 +48,13 @@ class RandomEdits {
       case 3:
         return document_.setPreset(std::array{"ct-bone", "ct-angio", "mr"}[below(3)]);
       case 4: {
-        Cutaway cutaway = document_.scene().cutaway;
+        Cutaway cutaway = document_.scene().look.cutaway;
         cutaway.openWidth = number();
         cutaway.enabled = below(2) == 0;
         return document_.setCutaway(cutaway);
       }
       case 5: {
-        ContextLayer layer = document_.scene().contextLayer;
+        ContextLayer layer = document_.scene().look.contextLayer;
         layer.strength = number();
         return document_.setContextLayer(layer);
       }
@@ -175,7 +175,7 @@ TEST(History, AGestureThatEndsWhereItBeganIsNoStep) {
   document.history().endGesture();
   EXPECT_EQ(document.undoStack().count(), 0);
   document.setShift(0.0);
-  document.setCutaway(document.scene().cutaway);
+  document.setCutaway(document.scene().look.cutaway);
   document.setFocus(document.focus());
   EXPECT_EQ(document.undoStack().count(), 0) << "what changes nothing is no step";
 }

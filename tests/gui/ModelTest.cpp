@@ -60,7 +60,7 @@ Study study() {
   Study made;
   made.scene.volume = volume;
   made.scene.labels = labels;
-  made.scene.context.nodes = {{100.0, {{1, 1, 1}, 0.0}}, {200.0, {{1, 1, 1}, 1.0}}};
+  made.scene.look.context.function.nodes = {{100.0, {{1, 1, 1}, 0.0}}, {200.0, {{1, 1, 1}, 1.0}}};
   return made;
 }
 
@@ -214,16 +214,16 @@ TEST(Document, ShiftMovesTheTransferFunctionWithoutAdding) {
   document.open(study());
   document.setShift(50.0);
   document.setShift(-20.0);
-  EXPECT_DOUBLE_EQ(document.scene().context.nodes[0].value, 80.0);
-  EXPECT_DOUBLE_EQ(document.scene().context.nodes[1].value, 180.0);
+  EXPECT_DOUBLE_EQ(document.scene().look.context.shifted().nodes[0].value, 80.0);
+  EXPECT_DOUBLE_EQ(document.scene().look.context.shifted().nodes[1].value, 180.0);
 }
 
 TEST(Document, KeepsTheTransferFunctionWhenAnotherCannotBeRead) {
   Document document;
   document.open(study());
-  const TransferFunction before = document.scene().context;
+  const TransferFunction before = document.scene().look.context.shifted();
   EXPECT_THROW(document.setPreset("no-such-preset.json"), io::Error);
-  EXPECT_EQ(document.scene().context, before);
+  EXPECT_EQ(document.scene().look.context.shifted(), before);
 }
 
 TEST(Document, LooksUpVoxelsAndLabelsByPlace) {

@@ -79,7 +79,7 @@ Study study() {
   Study made;
   made.scene.volume = volume;
   made.scene.labels = labels;
-  made.scene.context.nodes = {{100.0, {{1, 1, 1}, 1.0}}};
+  made.scene.look.context.function.nodes = {{100.0, {{1, 1, 1}, 1.0}}};
   return made;
 }
 
@@ -128,7 +128,7 @@ TEST_F(Placement, AChosenFocusIsMeasuredAndBothCamerasFlyToTheAnswer) {
 
 TEST_F(Placement, OpeningAStudyLeavesItsCameras) {
   Study focused = study();
-  focused.scene.focus = LabelFocus{{1}};
+  focused.scene.look.focus = LabelFocus{{1}};
   document_.open(focused);
   EXPECT_FALSE(placement_.isBusy());
   EXPECT_TRUE(placement_.canPlace());

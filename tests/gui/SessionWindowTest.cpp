@@ -90,11 +90,11 @@ class SessionWindow : public Window {
     document().focusOn(marker);
     document().setPreset("ct-soft-tissue");
     document().setShift(-31.7);
-    Cutaway cutaway = document().scene().cutaway;
+    Cutaway cutaway = document().scene().look.cutaway;
     cutaway.openWidth = 17.3;
     cutaway.unit = WidthUnit::Millimetre;
     document().setCutaway(cutaway);
-    ContextLayer layer = document().scene().contextLayer;
+    ContextLayer layer = document().scene().look.contextLayer;
     layer.strength = 0.9;
     document().setContextLayer(layer);
     BrushStroke stroke;

@@ -36,7 +36,7 @@ Study markedBall() {
   Study study;
   study.scene.volume = volume;
   study.scene.labels = labels;
-  study.scene.context.nodes = {{-200.0, {{0.9, 0.6, 0.5}, 0.0}}, {0.0, {{0.9, 0.6, 0.5}, 1.0}}};
+  study.scene.look.context.function.nodes = {{-200.0, {{0.9, 0.6, 0.5}, 0.0}}, {0.0, {{0.9, 0.6, 0.5}, 1.0}}};
   return study;
 }
 

@@ -61,18 +61,18 @@ TEST_F(Window, OpeningSliderChangesThePicture) {
   waitUntilDrawn();
   const QImage before = picture(volume(0));
   QSlider* slider = panel<CutawayPanel>().openWidth()->slider();
-  const double width = document().scene().cutaway.openWidth;
+  const double width = document().scene().look.cutaway.openWidth;
   const int handle = slider->width() * slider->value() / slider->maximum();
   const int steps = document().undoStack().count();
   drag(slider, {handle, slider->height() / 2}, {slider->width() * 3 / 4, slider->height() / 2});
-  EXPECT_GT(document().scene().cutaway.openWidth, width + 20.0);
-  EXPECT_DOUBLE_EQ(panel<CutawayPanel>().openWidth()->box()->value(), document().scene().cutaway.openWidth);
+  EXPECT_GT(document().scene().look.cutaway.openWidth, width + 20.0);
+  EXPECT_DOUBLE_EQ(panel<CutawayPanel>().openWidth()->box()->value(), document().scene().look.cutaway.openWidth);
   waitUntilDrawn();
   EXPECT_NE(picture(volume(0)), before);
 
   EXPECT_EQ(document().undoStack().count(), steps + 1) << "a drag is one step";
   QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
-  EXPECT_EQ(document().scene().cutaway.openWidth, width);
+  EXPECT_EQ(document().scene().look.cutaway.openWidth, width);
   EXPECT_EQ(panel<CutawayPanel>().openWidth()->box()->value(), width);
   waitUntilDrawn();
   EXPECT_EQ(picture(volume(0)), before);

@@ -90,11 +90,12 @@ vtkSmartPointer<vtkVolumeProperty> makeProperty(const Scene& scene, bool lit) {
   const Volume& volume = *scene.volume;
   vtkNew<vtkColorTransferFunction> colour;
   vtkNew<vtkPiecewiseFunction> opacity;
+  const TransferFunction context = scene.look.context.shifted();
   constexpr int points = 4096;
   for (int i = 0; i < points; ++i) {
     const double value = std::lerp(volume.range.low, volume.range.high, i / (points - 1.0));
     const double stored = (value - volume.intercept) / volume.slope;
-    const OpticalProperties optics = scene.context.evaluate(value);
+    const OpticalProperties optics = context.evaluate(value);
     colour->AddRGBPoint(stored, optics.colour.r, optics.colour.g, optics.colour.b);
     opacity->AddPoint(stored, opacityFromExtinction(optics.extinction));
   }
@@ -104,10 +105,10 @@ vtkSmartPointer<vtkVolumeProperty> makeProperty(const Scene& scene, bool lit) {
   property->SetScalarOpacityUnitDistance(1.0);  // opacities are those of 1 mm
   property->SetInterpolationTypeToLinear();
   property->SetShade(lit);
-  property->SetAmbient(scene.shading.ambient);
-  property->SetDiffuse(scene.shading.diffuse);
-  property->SetSpecular(scene.shading.specular);
-  property->SetSpecularPower(scene.shading.shininess);
+  property->SetAmbient(scene.look.shading.ambient);
+  property->SetDiffuse(scene.look.shading.diffuse);
+  property->SetSpecular(scene.look.shading.specular);
+  property->SetSpecularPower(scene.look.shading.shininess);
   return property;
 }
 

@@ -17,50 +17,50 @@ struct FeatureScene {
 /// `base` has a focus of two labels or more, of different colours; `values` is one for the kinds that have it by value.
 inline std::vector<FeatureScene> featureScenes(const Scene& base, const ValueFocus& values) {
   const auto firstLabels = [&](std::ptrdiff_t count) {
-    const std::vector<std::uint16_t>& all = std::get<LabelFocus>(base.focus).labels;
+    const std::vector<std::uint16_t>& all = std::get<LabelFocus>(base.look.focus).labels;
     return LabelFocus{{all.begin(), all.begin() + count}};
   };
   std::vector<FeatureScene> kinds;
   const auto add = [&](const std::string& name, auto&& change) {
     Scene scene = base;
-    scene.focus = firstLabels(1);
-    scene.strokes.clear();
-    scene.contextLayer.strength = 0.0;
-    scene.cutaway.borderWidth = 0.0;
-    scene.cutaway.enabled = true;
-    scene.shading.enabled = true;
+    scene.look.focus = firstLabels(1);
+    scene.look.strokes.clear();
+    scene.look.contextLayer.strength = 0.0;
+    scene.look.cutaway.borderWidth = 0.0;
+    scene.look.cutaway.enabled = true;
+    scene.look.shading.enabled = true;
     change(scene);
     kinds.push_back({name, std::move(scene)});
   };
   const auto plain = [](Scene& scene) {
-    scene.focus = {};
+    scene.look.focus = {};
     scene.labels = nullptr;
   };
   add("plain, unlit", [&](Scene& scene) {
     plain(scene);
-    scene.shading.enabled = false;
+    scene.look.shading.enabled = false;
   });
   add("plain", plain);
-  add("labels, no cutaway", [](Scene& scene) { scene.cutaway.enabled = false; });
+  add("labels, no cutaway", [](Scene& scene) { scene.look.cutaway.enabled = false; });
   add("cutaway by value", [&](Scene& scene) {
-    scene.focus = values;
+    scene.look.focus = values;
     scene.labels = nullptr;
   });
   add("cutaway by a label", [](Scene&) {});
-  add("cutaway by two labels", [&](Scene& scene) { scene.focus = firstLabels(2); });
-  add("with a border", [](Scene& scene) { scene.cutaway.borderWidth = 2.0; });
+  add("cutaway by two labels", [&](Scene& scene) { scene.look.focus = firstLabels(2); });
+  add("with a border", [](Scene& scene) { scene.look.cutaway.borderWidth = 2.0; });
   add("with the context layer", [](Scene& scene) {
-    scene.cutaway.borderWidth = 2.0;
-    scene.contextLayer.strength = 0.7;
+    scene.look.cutaway.borderWidth = 2.0;
+    scene.look.contextLayer.strength = 0.7;
   });
   add("with a brush stroke", [](Scene& scene) {
     const Grid& grid = scene.volume->grid;
     BrushStroke stroke;
     stroke.anchors = {grid.centre()};
     stroke.radius = 0.1 * grid.boundingRadius();
-    scene.cutaway.borderWidth = 2.0;
-    scene.contextLayer.strength = 0.7;
-    scene.strokes = {stroke};
+    scene.look.cutaway.borderWidth = 2.0;
+    scene.look.contextLayer.strength = 0.7;
+    scene.look.strokes = {stroke};
   });
   return kinds;
 }

@@ -71,7 +71,7 @@ Scene labelScene(const Grid& grid, F&& labelAt) {
   Scene scene;
   scene.volume = volumeOf<std::uint8_t>(grid, [](glm::ivec3) { return 0; });
   scene.labels = labelsOf(grid, labelAt);
-  scene.focus = LabelFocus{{1}};
+  scene.look.focus = LabelFocus{{1}};
   return scene;
 }
 
@@ -80,7 +80,7 @@ template <class F>
 Scene valueScene(const Grid& grid, F&& valueAt, double low, double high = infinity) {
   Scene scene;
   scene.volume = volumeOf(grid, valueAt);
-  scene.focus = ValueFocus{{low, high}, 0.0};
+  scene.look.focus = ValueFocus{{low, high}, 0.0};
   return scene;
 }
 

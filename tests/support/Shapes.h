@@ -30,8 +30,8 @@ inline KnownShape knownShape(int half, const std::function<double(glm::dvec3)>& 
   const auto at = [&](glm::ivec3 i) { return distance(glm::dvec3(i) - shape.centre); };
   shape.scene.volume = volumeOf<float>(grid, [&](glm::ivec3 i) { return -at(i); });
   shape.scene.labels = labelsOf(grid, [&](glm::ivec3 i) { return at(i) < labelled; });
-  shape.scene.focus = LabelFocus{{1}};
-  shape.scene.context = opaqueFrom(0.0);
+  shape.scene.look.focus = LabelFocus{{1}};
+  shape.scene.look.context.function = opaqueFrom(0.0);
   return shape;
 }
 

@@ -132,8 +132,8 @@ TEST(ReferenceRayStart, withoutAnOpeningCutsTheProjectionOnly) {
 
 TEST(ReferenceWidths, pixelsScaleWithTheScreen) {
   Scene scene = labelScene(gridOf({10, 10, 10}), [](glm::ivec3) { return 1; });
-  scene.cutaway.openWidth = 24.0;
-  scene.cutaway.borderWidth = 2.0;
+  scene.look.cutaway.openWidth = 24.0;
+  scene.look.cutaway.borderWidth = 2.0;
   const Widths widths = widthsInPixels(scene, Camera::standard(StandardView::Left, scene.volume->grid), {64, 48}, 2.0);
   EXPECT_EQ(widths.open, 48.0);
   EXPECT_EQ(widths.border, 4.0);
@@ -143,9 +143,9 @@ TEST(ReferenceWidths, millimetresAreMeasuredAtTheFocus) {
   // The focus is the voxels x 2 … 4, y 6, z 1 … 3: its centre is (3, 6, 2) in index space.
   const Grid grid = gridOf({10, 10, 10}, {1.0, 2.0, 1.0});
   Scene scene = labelScene(grid, [](glm::ivec3 i) { return i.x >= 2 && i.x <= 4 && i.y == 6 && i.z >= 1 && i.z <= 3; });
-  scene.cutaway.unit = WidthUnit::Millimetre;
-  scene.cutaway.openWidth = 5.0;
-  scene.cutaway.borderWidth = 1.0;
+  scene.look.cutaway.unit = WidthUnit::Millimetre;
+  scene.look.cutaway.openWidth = 5.0;
+  scene.look.cutaway.borderWidth = 1.0;
   Camera camera = lookAt({0.0, -100.0, 0.0}, {0.0, 0.0, 0.0});
   const double pixelsPerMm = 0.5 * 480 / (std::tan(glm::radians(15.0)) * 112.0);
   EXPECT_NEAR(widthsInPixels(scene, camera, {640, 480}, 2.0).open, 5.0 * pixelsPerMm, 1e-12 * 480);
@@ -159,8 +159,8 @@ TEST(ReferenceWidths, valueFocusIsTheBoxOfItsCells) {
   const Grid grid = gridOf({20, 20, 20});
   Scene scene = valueScene(
       grid, [](glm::ivec3 i) { return i == glm::ivec3(9, 12, 9) ? 1.0 : 0.0; }, 0.5);
-  scene.cutaway.unit = WidthUnit::Millimetre;
-  scene.cutaway.openWidth = 1.0;
+  scene.look.cutaway.unit = WidthUnit::Millimetre;
+  scene.look.cutaway.openWidth = 1.0;
   const Camera camera = lookAt({9.0, -100.0, 9.0}, {9.0, 0.0, 9.0});
   // Cells 11 … 12 along y span index 11 … 13.
   EXPECT_NEAR(widthsInPixels(scene, camera, {100, 100}, 1.0).open, 50.0 / (std::tan(glm::radians(15.0)) * 112.0),
@@ -170,8 +170,8 @@ TEST(ReferenceWidths, valueFocusIsTheBoxOfItsCells) {
 TEST(ReferenceWidths, stayFiniteWithTheFocusBehindTheCamera) {
   const Grid grid = gridOf({20, 20, 20});
   Scene scene = labelScene(grid, [](glm::ivec3 i) { return i.y == 0; });
-  scene.cutaway.unit = WidthUnit::Millimetre;
-  scene.cutaway.openWidth = 1.0;
+  scene.look.cutaway.unit = WidthUnit::Millimetre;
+  scene.look.cutaway.openWidth = 1.0;
   // Between the focus and the volume's centre, looking away from the focus: the centre's depth counts, 4.5 mm.
   Camera camera = lookAt({10.0, 5.0, 10.0}, {10.0, 50.0, 10.0});
   EXPECT_NEAR(widthsInPixels(scene, camera, {100, 100}, 1.0).open, 50.0 / (std::tan(glm::radians(15.0)) * 4.5), 1e-10);
@@ -183,8 +183,8 @@ TEST(ReferenceWidths, stayFiniteWithTheFocusBehindTheCamera) {
 
 TEST(ReferenceStages, withoutACutawayRaysStartAtTheContext) {
   Scene scene = labelScene(gridOf({9, 9, 9}), [](glm::ivec3 i) { return i == glm::ivec3(4); });
-  scene.context = opaqueFrom(-1.0);
-  scene.cutaway.enabled = false;
+  scene.look.context.function = opaqueFrom(-1.0);
+  scene.look.cutaway.enabled = false;
   const Camera camera = Camera::standard(StandardView::Left, scene.volume->grid);
   const Stages stages = geometricStages(scene, camera, {8, 8});
   EXPECT_TRUE(stages.tFocusFilled.empty());
@@ -197,9 +197,9 @@ TEST(ReferenceStages, withoutACutawayRaysStartAtTheContext) {
 TEST(ReferenceStages, theOpeningIsACone) {
   // A small focus in the middle of an opaque block, seen along an axis: the start rises linearly to the surface.
   Scene scene = labelScene(gridOf({41, 41, 41}), [](glm::ivec3 i) { return i == glm::ivec3(20); });
-  scene.context = opaqueFrom(-1.0);
-  scene.cutaway.openWidth = 10.0;
-  scene.cutaway.borderWidth = 0.0;
+  scene.look.context.function = opaqueFrom(-1.0);
+  scene.look.cutaway.openWidth = 10.0;
+  scene.look.cutaway.borderWidth = 0.0;
   const Camera camera = lookAt({20.0, -100.0, 20.0}, {20.0, 0.0, 20.0}, Projection::Orthographic, 41.0);
   const Stages stages = geometricStages(scene, camera, {41, 41});
   const double surface = 99.5, focus = 119.5;

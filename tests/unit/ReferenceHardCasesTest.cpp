@@ -70,7 +70,7 @@ TEST(ReferenceHardCases, raysAlongTheLevelItself) {
 TEST(ReferenceHardCases, cameraInsideTheVolumeAndInsideTheFocus) {
   const Grid grid = obliqueGrid({20, 20, 20});
   Scene scene = labelScene(grid, [](glm::ivec3 i) { return glm::distance(glm::dvec3(i), glm::dvec3(10.0)) < 5.0; });
-  scene.context = opaqueFrom(-1.0);
+  scene.look.context.function = opaqueFrom(-1.0);
   const Camera inside = lookAt(worldAt(grid, {2.0, 10.0, 10.0}), worldAt(grid, glm::dvec3(10.0)));
   const Stages stages = geometricStages(scene, inside, {33, 31});
   expectSound(stages);
@@ -104,7 +104,7 @@ TEST(ReferenceHardCases, thinVoxelsFarFromTheOrigin) {
     const Grid grid = gridOf({64, 64, 5}, {0.05, 0.05, 10.0}, origin);
     Scene scene = labelScene(
         grid, [](glm::ivec3 i) { return glm::distance(glm::dvec2(i), glm::dvec2(31.5)) < 20.0 && i.z == 2; });
-    scene.context = opaqueFrom(-1.0);
+    scene.look.context.function = opaqueFrom(-1.0);
     return geometricStages(scene, Camera::fromAngles(20.0, 85.0, grid), {90, 90});
   };
   const Stages near = picture(glm::dvec3(0.0)), distant = picture({1e6, -1e6, 1e6});
@@ -131,7 +131,7 @@ TEST(ReferenceHardCases, volumesOfOneVoxelOrOneSlice) {
       // Every voxel is focus, and so the whole box to its outer faces.
       for (std::size_t i = 0; i < labels.hits.tFocus.size(); ++i)
         EXPECT_EQ(std::isnan(labels.hits.tFocus[i]), std::isnan(labels.hits.tOut[i]));
-      scene.focus = ValueFocus{{-1.0, 1.0}, 0.0};
+      scene.look.focus = ValueFocus{{-1.0, 1.0}, 0.0};
       const Stages values = geometricStages(scene, camera, {25, 25});
       expectSound(values);
       EXPECT_EQ(knownCount(values.hits.tFocus), knownCount(labels.hits.tFocus));
@@ -149,8 +149,8 @@ TEST(ReferenceHardCases, valuesThatAreNoNumbersMakeNoSurface) {
     if (i.y == 4) return i.x < 5 ? -infinity : infinity;
     return ramp(i);
   });
-  scene.context = opaqueFrom(5.5);
-  scene.focus = ValueFocus{{7.5, infinity}, 0.0};
+  scene.look.context.function = opaqueFrom(5.5);
+  scene.look.focus = ValueFocus{{7.5, infinity}, 0.0};
   const auto at = [&](double y) {
     return hitPoints(scene, lookAt({-10.0, y, 2.0}, {0.0, y, 2.0}, Projection::Orthographic, 1.0), {1, 1});
   };
@@ -170,12 +170,12 @@ TEST(ReferenceHardCases, hugeValuesKeepTheirSurfaces) {
 
 TEST(ReferenceHardCases, full16BitRanges) {
   Scene scene;
-  scene.focus = ValueFocus{{0.0, infinity}, 0.0};
+  scene.look.focus = ValueFocus{{0.0, infinity}, 0.0};
   const Camera camera = lookAt({-10.0, 1.0, 1.0}, {0.0, 1.0, 1.0}, Projection::Orthographic, 1.0);
   scene.volume = volumeOf<std::int16_t>(gridOf({6, 3, 3}), [](glm::ivec3 i) { return i.x >= 3 ? 32767 : -32768; });
   EXPECT_NEAR(hitPoints(scene, camera, {1, 1}).tFocus[0], 12.0 + 32768.0 / 65535.0, 1e-12);
   scene.volume = volumeOf<std::uint16_t>(gridOf({6, 3, 3}), [](glm::ivec3 i) { return i.x >= 3 ? 65535 : 0; });
-  scene.focus = ValueFocus{{32768.0, 65535.0}, 0.0};
+  scene.look.focus = ValueFocus{{32768.0, 65535.0}, 0.0};
   EXPECT_NEAR(hitPoints(scene, camera, {1, 1}).tFocus[0], 12.0 + 32768.0 / 65535.0, 1e-12);
 }
 
@@ -187,7 +187,7 @@ TEST(ReferenceHardCases, constantVolumes) {
   const Stages all = geometricStages(scene, camera, {21, 21});
   expectSound(all);
   EXPECT_EQ(knownCount(all.hits.tFocus), knownCount(all.hits.tOut));
-  scene.focus = ValueFocus{{5.1, 6.0}, 0.0};
+  scene.look.focus = ValueFocus{{5.1, 6.0}, 0.0};
   EXPECT_EQ(knownCount(geometricStages(scene, camera, {21, 21}).hits.tContext), 0);
 }
 
@@ -208,7 +208,7 @@ TEST(ReferenceHardCases, focusOfOneVoxel) {
 TEST(ReferenceHardCases, emptyFocusAndFocusOutOfView) {
   const Grid grid = gridOf({9, 9, 9});
   Scene scene = labelScene(grid, [](glm::ivec3) { return 0; });
-  scene.context = opaqueFrom(-1.0);
+  scene.look.context.function = opaqueFrom(-1.0);
   const Camera camera = Camera::standard(StandardView::Left, grid);
   const Stages empty = geometricStages(scene, camera, {20, 20});
   expectSound(empty);
@@ -256,7 +256,7 @@ TEST(ReferenceHardCases, opacitySpikesNarrowerThanAVoxelsValues) {
   Scene scene;
   scene.volume = volumeOf(gridOf({6, 3, 3}), [](glm::ivec3 i) { return 2000.0 * i.x; });
   const OpticalProperties clear{glm::dvec3(1.0), 0.0}, opaque{glm::dvec3(1.0), 1e6};
-  scene.context.nodes = {{5000.0, clear}, {5000.5, opaque}, {5001.0, clear}};
+  scene.look.context.function.nodes = {{5000.0, clear}, {5000.5, opaque}, {5001.0, clear}};
   const Camera camera = lookAt({-10.0, 1.0, 1.0}, {0.0, 1.0, 1.0}, Projection::Orthographic, 1.0);
   EXPECT_NEAR(hitPoints(scene, camera, {1, 1}).tContext[0], 12.5, 1e-9);
 }
@@ -267,14 +267,14 @@ TEST(ReferenceHardCases, valuesAtTheBorderReachTheFacesOfTheBox) {
   Scene scene = valueScene(
       gridOf({6, 3, 3}), [](glm::ivec3 i) { return i.x == 0 ? 1.0 : 0.0; }, 0.5);
   EXPECT_DOUBLE_EQ(hitPoints(scene, camera, {1, 1}).tFocus[0], 9.5);
-  std::get<ValueFocus>(scene.focus).minimumComponent = 1e6;
+  std::get<ValueFocus>(scene.look.focus).minimumComponent = 1e6;
   EXPECT_TRUE(std::isnan(hitPoints(scene, camera, {1, 1}).tFocus[0]));
 }
 
 TEST(ReferenceHardCases, everyViewportSize) {
   const Grid grid = gridOf({12, 12, 12});
   Scene scene = labelScene(grid, [](glm::ivec3 i) { return i.x == 6; });
-  scene.context = opaqueFrom(-1.0);
+  scene.look.context.function = opaqueFrom(-1.0);
   const Camera camera = Camera::fromAngles(70.0, 10.0, grid);
   for (const glm::ivec2 size : {glm::ivec2(1), glm::ivec2(1, 64), glm::ivec2(64, 1), glm::ivec2(701, 649)}) {
     const Stages stages = geometricStages(scene, camera, size);
@@ -286,10 +286,10 @@ TEST(ReferenceHardCases, everyViewportSize) {
 TEST(ReferenceHardCases, widthsBeyondThePictureAndZero) {
   const Grid grid = gridOf({12, 12, 12});
   Scene scene = labelScene(grid, [](glm::ivec3 i) { return i == glm::ivec3(6); });
-  scene.context = opaqueFrom(-1.0);
+  scene.look.context.function = opaqueFrom(-1.0);
   const Camera camera = Camera::fromAngles(70.0, 10.0, grid);
   for (const double width : {0.0, 1e6}) {
-    scene.cutaway.openWidth = scene.cutaway.borderWidth = width;
+    scene.look.cutaway.openWidth = scene.look.cutaway.borderWidth = width;
     expectSound(geometricStages(scene, camera, {50, 40}));
   }
 }
@@ -310,7 +310,7 @@ TEST(ReferenceHardCases, theSamePictureTwice) {
   const Grid grid = obliqueGrid({15, 15, 15});
   Scene scene = valueScene(
       grid, [&](glm::ivec3) { return value(random); }, 0.9);
-  scene.context = opaqueFrom(0.7);
+  scene.look.context.function = opaqueFrom(0.7);
   const Camera camera = Camera::fromAngles(10.0, 10.0, grid);
   const Stages a = geometricStages(scene, camera, {60, 50}), b = geometricStages(scene, camera, {60, 50});
   for (std::size_t i = 0; i < a.tStart.size(); ++i)

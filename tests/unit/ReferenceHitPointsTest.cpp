@@ -113,7 +113,7 @@ TEST(ReferenceHitPoints, levelPlanesOfARampAreExact) {
   const auto ramp = [&](glm::ivec3 i) { return glm::dot(slope, glm::dvec3(i)); };
   const double low = ramp(glm::ivec3(10)), high = low + 1.5;
   Scene scene = valueScene(grid, ramp, low, high);
-  scene.context = opaqueFrom(low - 2.0);
+  scene.look.context.function = opaqueFrom(low - 2.0);
   const Camera camera = lookAt(worldAt(grid, {-60.0, -20.0, 30.0}), worldAt(grid, glm::dvec3(9.0)));
   const glm::ivec2 size(31, 29);
   const HitPoints hits = hitPoints(scene, camera, size);
@@ -157,7 +157,7 @@ TEST(ReferenceHitPoints, firstCrossingsInNoiseAgreeWithFineMarching) {
     const auto noise = [&](glm::ivec3) { return value(random); };
     const double low = 0.72, high = 0.75;
     Scene scene = valueScene(grid, noise, low, high);
-    scene.context = opaqueFrom(0.85);
+    scene.look.context.function = opaqueFrom(0.85);
     const Camera camera = Camera::fromAngles(40.0 * trial, 15.0, grid);
     const glm::ivec2 size(35, 33);
     const HitPoints hits = hitPoints(scene, camera, size);
@@ -201,10 +201,10 @@ TEST(ReferenceHitPoints, contextInsideAGapLeavesByEitherEnd) {
   const double profile[] = {15, 12, 18, 25, 15, 5};
   Scene scene;
   scene.volume = volumeOf(gridOf({6, 3, 3}), [&](glm::ivec3 i) { return profile[i.x]; });
-  scene.context.nodes = {{10.0, {glm::dvec3(1.0), 5.0}},
-                         {10.0, {glm::dvec3(1.0), 0.0}},
-                         {20.0, {glm::dvec3(1.0), 0.0}},
-                         {20.0, {glm::dvec3(1.0), 5.0}}};
+  scene.look.context.function.nodes = {{10.0, {glm::dvec3(1.0), 5.0}},
+                                       {10.0, {glm::dvec3(1.0), 0.0}},
+                                       {20.0, {glm::dvec3(1.0), 0.0}},
+                                       {20.0, {glm::dvec3(1.0), 5.0}}};
   Camera camera = lookAt({-10.0, 1.0, 1.0}, {0.0, 1.0, 1.0}, Projection::Orthographic, 1.0);
   EXPECT_NEAR(hitPoints(scene, camera, {1, 1}).tContext[0], 10.0 + 2.0 + 2.0 / 7.0, 1e-12);
   camera = lookAt({20.0, 1.0, 1.0}, {0.0, 1.0, 1.0}, Projection::Orthographic, 1.0);
@@ -223,7 +223,7 @@ TEST(ReferenceHitPoints, labelsOfABallConvergeToTheBall) {
     Scene scene;
     scene.volume = raster.volume;
     scene.labels = raster.labels;
-    scene.focus = LabelFocus{{1}};
+    scene.look.focus = LabelFocus{{1}};
     const Camera camera = Camera::fromAngles(25.0, 35.0, raster.volume->grid);
     const HitPoints hits = hitPoints(scene, camera, size);
     const double voxel = raster.volume->grid.spacing.x;
@@ -255,7 +255,7 @@ TEST(ReferenceHitPoints, levelHalfwayBetweenMaterialsIsTheBallsSurface) {
   const Phantom::Rasterised raster = phantom.rasterise(64);
   Scene scene;
   scene.volume = raster.volume;
-  scene.focus = ValueFocus{{500.0, infinity}, 0.0};
+  scene.look.focus = ValueFocus{{500.0, infinity}, 0.0};
   const glm::ivec2 size(31, 31);
   const Camera camera = Camera::fromAngles(10.0, 20.0, raster.volume->grid);
   const HitPoints hits = hitPoints(scene, camera, size);
@@ -308,14 +308,14 @@ TEST(ReferenceHitPoints, droppedComponentsAreNotHit) {
   Scene scene = valueScene(grid, twoBlobs, 0.5);
   const Camera camera = lookAt({-10.0, 4.0, 4.0}, {0.0, 4.0, 4.0}, Projection::Orthographic, 1.0);
   EXPECT_DOUBLE_EQ(hitPoints(scene, camera, {1, 1}).tFocus[0], 14.5);
-  std::get<ValueFocus>(scene.focus).minimumComponent = 20.0;
+  std::get<ValueFocus>(scene.look.focus).minimumComponent = 20.0;
   EXPECT_DOUBLE_EQ(hitPoints(scene, camera, {1, 1}).tFocus[0], 24.5);
 }
 
 TEST(ReferenceHitPoints, withoutAFocusThereIsContextOnly) {
   Scene scene;
   scene.volume = volumeOf(gridOf({5, 5, 5}), [](glm::ivec3 i) { return i.x; });
-  scene.context = opaqueFrom(1.75);
+  scene.look.context.function = opaqueFrom(1.75);
   const Camera camera = lookAt({-10.0, 2.0, 2.0}, {0.0, 2.0, 2.0}, Projection::Orthographic, 1.0);
   const HitPoints hits = hitPoints(scene, camera, {1, 1});
   EXPECT_DOUBLE_EQ(hits.tContext[0], 11.75);

@@ -23,9 +23,10 @@ Scene ballScene(const Grid& grid, double radius) {
   Scene scene;
   scene.volume = volumeOf<float>(grid, [&](glm::ivec3 i) { return 1000.0 * (1.0 - distance(i) / radius); });
   scene.labels = labelsOf(grid, [&](glm::ivec3 i) { return distance(i) < 0.4 * radius ? 1 : 0; });
-  scene.focus = LabelFocus{{1}};
-  scene.context = {{{100.0, {skin, 0.0}}, {200.0, {skin, 0.4}}, {500.0, {glm::dvec3(0.7, 0.2, 0.2), 0.1}}}};
-  scene.cutaway.openWidth = 4.0;
+  scene.look.focus = LabelFocus{{1}};
+  scene.look.context.function = {
+      {{100.0, {skin, 0.0}}, {200.0, {skin, 0.4}}, {500.0, {glm::dvec3(0.7, 0.2, 0.2), 0.1}}}};
+  scene.look.cutaway.openWidth = 4.0;
   return scene;
 }
 
@@ -75,15 +76,15 @@ TEST(ReferencePictureHardCases, spacingIsAUnitLikeAnyOther) {
   auto volume =
       volumeOf<float>(gridOf({20, 20, 20}, glm::dvec3(0.05)), [&](glm::ivec3 i) { return large.volume->value(i); });
   small.volume = volume;
-  for (TransferFunction::Node& node : small.context.nodes) node.properties.extinction *= 20.0;
-  small.focusAppearance.extinction *= 20.0;
+  for (TransferFunction::Node& node : small.look.context.function.nodes) node.properties.extinction *= 20.0;
+  small.look.focusAppearance.extinction *= 20.0;
   const auto shot = [](const Scene& scene, double scale) {
     const glm::dvec3 centre = scene.volume->grid.centre();
     const Camera camera =
         lookAt(centre + scale * glm::dvec3(12.0, -30.0, 9.0), centre, Projection::Orthographic, 20.0 * scale);
     Scene plain = scene;
     // What is context is told by the opacity of a mm; without a cutaway nothing depends on it.
-    plain.cutaway.enabled = false;
+    plain.look.cutaway.enabled = false;
     return picture(plain, camera, {25, 25});
   };
   const Picture a = shot(large, 1.0), b = shot(small, 0.05);
@@ -110,8 +111,8 @@ double opacityAlong(const std::vector<double>& values, const TransferFunction& t
   Scene scene;
   scene.volume = volumeOf<T>(gridOf({static_cast<int>(values.size()), 1, 1}),
                              [&](glm::ivec3 i) { return values[static_cast<std::size_t>(i.x)]; });
-  scene.context = transfer;
-  scene.shading.enabled = false;
+  scene.look.context.function = transfer;
+  scene.look.shading.enabled = false;
   const Camera camera = lookAt({-10.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, Projection::Orthographic, 0.5);
   PictureOptions options;
   options.tolerance = 1e-11;
@@ -157,7 +158,7 @@ TEST(ReferencePictureHardCases, opacityFromNearlyNothingToOne) {
 TEST(ReferencePictureHardCases, homogeneousRegionsHaveTheLightOfAnAverageSurface) {
   Scene scene;
   scene.volume = volumeOf(gridOf({9, 9, 9}), [](glm::ivec3) { return 5.0; });
-  scene.context = {{{0.0, {skin, 0.5}}}};
+  scene.look.context.function = {{{0.0, {skin, 0.5}}}};
   const Picture result = fromAfar(scene, 50.0);
   for (const glm::dvec4& pixel : result.final)
     for (int channel = 0; channel < 3; ++channel)
@@ -168,7 +169,7 @@ TEST(ReferencePictureHardCases, theEyeInsideSeesWhatLiesBeforeIt) {
   // A constant block: from the middle half of it is left, and looking out of it nothing but that half.
   Scene scene;
   scene.volume = volumeOf(gridOf({9, 9, 9}), [](glm::ivec3) { return 5.0; });
-  scene.context = {{{0.0, {skin, 0.2}}}};
+  scene.look.context.function = {{{0.0, {skin, 0.2}}}};
   const Camera inside = lookAt({4.0, 4.0, 4.0}, {4.0, 90.0, 4.0}, Projection::Orthographic, 1.0);
   EXPECT_NEAR(picture(scene, inside, {1, 1}).final[0].a, -std::expm1(-0.2 * 4.5), 1e-9);
   const Camera behind = lookAt({4.0, 20.0, 4.0}, {4.0, 90.0, 4.0}, Projection::Orthographic, 1.0);
@@ -183,7 +184,7 @@ TEST(ReferencePictureHardCases, theEyeInsideSeesWhatLiesBeforeIt) {
 TEST(ReferencePictureHardCases, emptyFocusAndFocusOutOfViewCutNothing) {
   Scene scene = ballScene(gridOf({20, 20, 20}), 9.0);
   Scene plain = scene;
-  plain.focus = {};
+  plain.look.focus = {};
   scene.labels = labelsOf(scene.volume->grid, [](glm::ivec3) { return 0; });
   // With a cutaway rays start where opacity exceeds 1/255 a mm: over at most 2 mm of less that makes 1/255.
   EXPECT_LT(greatestDifference(fromAfar(scene, 50.0), fromAfar(plain, 50.0)), 2.0 / 255.0);
@@ -196,8 +197,8 @@ TEST(ReferencePictureHardCases, aSymmetricFocusMakesASymmetricPicture) {
   scene.labels = labelsOf(scene.volume->grid, [](glm::ivec3 i) {
     return glm::length(glm::abs(glm::dvec3(i) - 9.5) - glm::dvec3(4.0, 0.0, 0.0)) < 2.0 ? 1 : 0;
   });
-  scene.shading.enabled = false;
-  scene.contextLayer.strength = 0.0;
+  scene.look.shading.enabled = false;
+  scene.look.contextLayer.strength = 0.0;
   const glm::dvec3 centre = scene.volume->grid.centre();
   const Camera camera = lookAt(centre - glm::dvec3(0.0, 40.0, 0.0), centre, Projection::Orthographic, 20.0);
   // A power of two: halving an odd row of pixels pairs them up from the left.
@@ -217,7 +218,7 @@ TEST(ReferencePictureHardCases, everyViewportAndWidth) {
   camera.up = {0.0, 0.0, 1.0};  // along the view
   for (const glm::ivec2 size : {glm::ivec2(1), glm::ivec2(1, 23), glm::ivec2(19, 1), glm::ivec2(31, 17)})
     for (const double width : {0.0, 0.3, 1e6}) {
-      scene.cutaway.openWidth = scene.cutaway.borderWidth = width;
+      scene.look.cutaway.openWidth = scene.look.cutaway.borderWidth = width;
       const Picture result = picture(scene, camera, size);
       EXPECT_EQ(result.final.size(), static_cast<std::size_t>(size.x * size.y));
       for (const glm::dvec4& pixel : result.final) EXPECT_TRUE(pixel.a >= 0.0 && pixel.a <= 1.0);

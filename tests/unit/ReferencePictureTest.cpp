@@ -21,8 +21,8 @@ template <class F>
 Scene profile(int count, F&& valueAt, TransferFunction transfer, double spacing = 1.0) {
   Scene scene;
   scene.volume = volumeOf(gridOf({count, 3, 3}, glm::dvec3(spacing)), [&](glm::ivec3 i) { return valueAt(i.x); });
-  scene.context = std::move(transfer);
-  scene.shading.enabled = false;
+  scene.look.context.function = std::move(transfer);
+  scene.look.shading.enabled = false;
   return scene;
 }
 
@@ -99,8 +99,8 @@ TEST(ReferenceIntegral, obliqueRaysThroughObliqueGrids) {
   const Grid grid = obliqueGrid({9, 12, 7});
   Scene scene;
   scene.volume = volumeOf(grid, [](glm::ivec3) { return 1.0; });
-  scene.context = {{{0.0, {red, 0.03}}}};
-  scene.shading.enabled = false;
+  scene.look.context.function = {{{0.0, {red, 0.03}}}};
+  scene.look.shading.enabled = false;
   const Camera camera = Camera::fromAngles(33.0, 24.0, grid);
   const glm::ivec2 size(23, 19);
   PictureOptions options;
@@ -128,8 +128,8 @@ TEST(ReferenceIntegral, ballConvergesWithTheSquareOfTheVoxel) {
     Scene scene;
     scene.volume =
         volumeOf(grid, [&](glm::ivec3 i) { return -glm::length((glm::dvec3(i) - 0.5 * (voxels - 1)) * spacing); });
-    scene.context = {{{-radius, {red, 0.0}}, {-radius, {red, extinction}}}};
-    scene.shading.enabled = false;
+    scene.look.context.function = {{{-radius, {red, 0.0}}, {-radius, {red, extinction}}}};
+    scene.look.shading.enabled = false;
     const glm::dvec3 centre = grid.centre();
     const glm::dvec3 eye = centre + glm::dvec3(-60.0, -35.0, 22.0);
     const glm::ivec2 size(21, 21);
@@ -161,10 +161,10 @@ Scene roughScene() {
   Scene scene;
   scene.volume = volumeOf<float>(grid, [&](glm::ivec3) { return value(random); });
   scene.labels = labelsOf(grid, [](glm::ivec3 i) { return i.x > 8 && i.y > 3 ? (i.z < 5 ? 1 : 2) : 0; });
-  scene.focus = LabelFocus{{1, 2}};
-  scene.focusAppearance.extinction = 0.4;
-  scene.context = {{{0.2, {red, 0.0}}, {0.5, {blue, 0.3}}, {0.5, {red, 0.05}}, {0.9, {red, 2.0}}}};
-  scene.cutaway.openWidth = 8.0;
+  scene.look.focus = LabelFocus{{1, 2}};
+  scene.look.focusAppearance.extinction = 0.4;
+  scene.look.context.function = {{{0.2, {red, 0.0}}, {0.5, {blue, 0.3}}, {0.5, {red, 0.05}}, {0.9, {red, 2.0}}}};
+  scene.look.cutaway.openWidth = 8.0;
   return scene;
 }
 
@@ -264,7 +264,7 @@ class SmoothRay {
     const double corners[] = {0.0, 5.0, 3.0, 9.0, 2.0, 8.0, 11.0, 20.0};
     scene_.volume =
         volumeOf(gridOf({2, 2, 2}, glm::dvec3(20.0)), [&](glm::ivec3 i) { return corners[i.x + 2 * i.y + 4 * i.z]; });
-    scene_.shading.enabled = false;
+    scene_.look.shading.enabled = false;
   }
 
   double length() const { return glm::distance(begin_, end_); }
@@ -272,7 +272,7 @@ class SmoothRay {
 
   /// The reference's integral over the stretch: of the whole ray, less what a second ray sees from the end on.
   glm::dvec4 integral(const TransferFunction& transfer) {
-    scene_.context = transfer;
+    scene_.look.context.function = transfer;
     const glm::dvec4 whole = from(begin_), rest = from(end_);
     const double through = (1.0 - whole.a) / (1.0 - rest.a);
     return {glm::dvec3(whole) - through * glm::dvec3(rest), 1.0 - through};
@@ -339,16 +339,16 @@ TEST(ReferenceFocusLayer, labelsShowTheirColoursFromTheLevelOn) {
   auto labels = labelsOf(scene.volume->grid, [](glm::ivec3 i) { return i.x < 7 ? 0 : i.x < 10 ? 1 : 2; });
   labels->labels = {{1, "one", red}, {2, "two", {0.2, 0.9, 0.4}}};
   scene.labels = labels;
-  scene.focus = LabelFocus{{1, 2}};
-  scene.focusAppearance.extinction = 0.3;
-  scene.cutaway.enabled = false;
+  scene.look.focus = LabelFocus{{1, 2}};
+  scene.look.focusAppearance.extinction = 0.3;
+  scene.look.cutaway.enabled = false;
   const double front = std::exp(-0.02 * 7.0), first = std::exp(-0.3 * 3.0), second = std::exp(-0.3 * 4.0);
   const glm::dvec3 colour =
       blue * (1.0 - front) + front * (red * (1.0 - first) + first * glm::dvec3(0.2, 0.9, 0.4) * (1.0 - second));
   expectNear(onePixel(scene, 1e-12), {colour, 1.0 - front * first * second}, 1e-12);
   // With the cutaway the ray starts on the focus.
-  scene.cutaway.enabled = true;
-  scene.contextLayer.strength = 0.0;
+  scene.look.cutaway.enabled = true;
+  scene.look.contextLayer.strength = 0.0;
   expectNear(onePixel(scene, 1e-12),
              {red * (1.0 - first) + first * glm::dvec3(0.2, 0.9, 0.4) * (1.0 - second), 1.0 - first * second}, 1e-12);
 }
@@ -356,9 +356,9 @@ TEST(ReferenceFocusLayer, labelsShowTheirColoursFromTheLevelOn) {
 TEST(ReferenceFocusLayer, valuesShowTheFocusesColourInsideTheirRange) {
   // The value is the index: focus between 4 and 8, context before and after.
   Scene scene = profile(12, [](int x) { return x; }, {{{0.0, {blue, 0.05}}}});
-  scene.focus = ValueFocus{{4.0, 8.0}, 0.0};
-  scene.focusAppearance = {red, 0.2};
-  scene.cutaway.enabled = false;
+  scene.look.focus = ValueFocus{{4.0, 8.0}, 0.0};
+  scene.look.focusAppearance = {red, 0.2};
+  scene.look.cutaway.enabled = false;
   const double front = std::exp(-0.05 * 4.5), focus = std::exp(-0.2 * 4.0), back = std::exp(-0.05 * 3.5);
   const glm::dvec3 colour = blue * (1.0 - front) + front * (red * (1.0 - focus) + focus * blue * (1.0 - back));
   expectNear(onePixel(scene, 1e-12), {colour, 1.0 - front * focus * back}, 1e-12);
@@ -388,15 +388,15 @@ TEST(ReferenceLighting, followsTheGradientAsFarAsItIsCertain) {
       if (i == glm::ivec3(23)) return 0.5 * range;
       return glm::dot(slope, glm::dvec3(worldFromIndex * glm::dvec4(i, 1.0)));
     });
-    scene.context = {{{0.0, {red, 0.5}}}};
+    scene.look.context.function = {{{0.0, {red, 0.5}}}};
     const glm::dvec3 centre = grid.centre();
     // Along the index z axis: the ray keeps to the middle of the other two.
     const Camera camera = lookAt(centre - 80.0 * grid.direction[2], centre, Projection::Orthographic, 1.0);
     PictureOptions options;
     options.tolerance = 1e-11;
     const glm::dvec4 found = picture(scene, camera, {1, 1}, options).focusLayer[0];
-    const glm::dvec3 flat = red * (scene.shading.ambient + 0.7 * scene.shading.diffuse);
-    const glm::dvec3 full = phong(red, glm::normalize(slope), camera, scene.shading);
+    const glm::dvec3 flat = red * (scene.look.shading.ambient + 0.7 * scene.look.shading.diffuse);
+    const glm::dvec3 full = phong(red, glm::normalize(slope), camera, scene.look.shading);
     return std::array<glm::dvec3, 3>{glm::dvec3(found) / found.a, flat, full};
   };
   const auto expectMix = [](const std::array<glm::dvec3, 3>& colours, double certainty) {
@@ -417,9 +417,9 @@ TEST(ReferenceLighting, cutFacesFadeIntoTheirStrata) {
   const Grid grid = gridOf({20, 20, 20});
   Scene scene = labelScene(grid, [](glm::ivec3 i) { return i == glm::ivec3(0); });
   const double extinction = 0.3;
-  scene.context = {{{-1.0, {red, extinction}}}};
-  scene.contextLayer.strength = 0.0;
-  scene.cutaway.borderWidth = 0.0;
+  scene.look.context.function = {{{-1.0, {red, extinction}}}};
+  scene.look.contextLayer.strength = 0.0;
+  scene.look.cutaway.borderWidth = 0.0;
   const Camera camera = lookAt({-50.0, 9.5, 9.5}, {9.5, 9.5, 9.5}, Projection::Orthographic, 3.0);
   const Camera::Axes axes = camera.axes();
   Stages stages;
@@ -436,8 +436,8 @@ TEST(ReferenceLighting, cutFacesFadeIntoTheirStrata) {
   const glm::dvec4 found = picture(scene, camera, {3, 3}, stages, options).focusLayer[0];
 
   const glm::dvec3 normal = glm::normalize(-axes.forward + 0.5 * axes.right - 0.25 * axes.up);
-  const glm::dvec3 wall = phong(red, normal, camera, scene.shading);
-  const glm::dvec3 strata = red * (scene.shading.ambient + 0.7 * scene.shading.diffuse);
+  const glm::dvec3 wall = phong(red, normal, camera, scene.look.shading);
+  const glm::dvec3 strata = red * (scene.look.shading.ambient + 0.7 * scene.look.shading.diffuse);
   const double length = 19.5 + 50.0 - 56.0, faster = extinction + 1.0 / 2.0;
   const double opacity = -std::expm1(-extinction * length);
   const double wallPart = 0.75 * extinction / faster * -std::expm1(-faster * length);
@@ -461,12 +461,12 @@ TEST(ReferenceLighting, labelsTakeTheirNormalsFromTheSmoothedIndicator) {
   const glm::dvec3 n = glm::normalize(glm::dvec3(1.0, 0.4, 0.3));
   Scene scene =
       labelScene(grid, [&](glm::ivec3 i) { return glm::dot(n, (glm::dvec3(i) - 14.3) * grid.spacing) > 0.0; });
-  scene.focusAppearance.extinction = 50.0;
-  scene.contextLayer.strength = 0.0;
+  scene.look.focusAppearance.extinction = 50.0;
+  scene.look.contextLayer.strength = 0.0;
   const glm::dvec3 centre = grid.centre();
   const Camera camera = lookAt(centre - glm::dvec3(90.0, 0.0, 0.0), centre, Projection::Orthographic, 8.0);
   const Picture result = picture(scene, camera, {16, 16});
-  const glm::dvec3 expected = phong(defaultLabelColour(1), n, camera, scene.shading);
+  const glm::dvec3 expected = phong(defaultLabelColour(1), n, camera, scene.look.shading);
   for (const glm::dvec4& pixel : result.final) {
     EXPECT_NEAR(pixel.a, 1.0, 1e-6);
     // The slope of light over normal is below 5 (specular, shininess 24), normals within a degree.
@@ -479,10 +479,10 @@ TEST(ReferenceLighting, labelsTakeTheirNormalsFromTheSmoothedIndicator) {
 TEST(ReferenceComposite, borderCoversItsShareOfAPixel) {
   const Grid grid = gridOf({16, 16, 16});
   Scene scene = labelScene(grid, [](glm::ivec3 i) { return i == glm::ivec3(8); });
-  scene.context = {{{-1.0, {red, 0.5}}}};
-  scene.contextLayer.strength = 0.0;
-  scene.cutaway.openWidth = 3.25;
-  scene.cutaway.borderWidth = 2.5;
+  scene.look.context.function = {{{-1.0, {red, 0.5}}}};
+  scene.look.contextLayer.strength = 0.0;
+  scene.look.cutaway.openWidth = 3.25;
+  scene.look.cutaway.borderWidth = 2.5;
   const Camera camera = lookAt({8.0, -50.0, 8.0}, {8.0, 8.0, 8.0}, Projection::Orthographic, 16.0);
   const glm::ivec2 size(17, 17);
   const Stages stages = geometricStages(scene, camera, size);
@@ -493,7 +493,7 @@ TEST(ReferenceComposite, borderCoversItsShareOfAPixel) {
   ASSERT_EQ(stages.distance[middle + 1], 1.0);
   const double expected[] = {0.0, 0.0, 0.0, 0.25, 1.0, 1.0, 0.25, 0.0};
   for (std::size_t d = 0; d < 8; ++d) {
-    const glm::dvec4 own = result.focusLayer[middle + d], border(scene.cutaway.borderColour, 1.0);
+    const glm::dvec4 own = result.focusLayer[middle + d], border(scene.look.cutaway.borderColour, 1.0);
     expectNear(result.final[middle + d], glm::mix(own, border, expected[d]), 1e-12);
   }
 }
@@ -505,10 +505,10 @@ TEST(ReferenceComposite, contextLayerLiesOverTheFocus) {
   Scene scene;
   scene.volume = volumeOf<float>(grid, [&](glm::ivec3 i) { return -radiusAt(i); });
   scene.labels = labelsOf(grid, [&](glm::ivec3 i) { return radiusAt(i) < 12.0; });
-  scene.focus = LabelFocus{{1}};
-  scene.context = opaqueFrom(-16.0);
-  scene.cutaway.openWidth = 0.0;
-  scene.cutaway.borderWidth = 0.0;
+  scene.look.focus = LabelFocus{{1}};
+  scene.look.context.function = opaqueFrom(-16.0);
+  scene.look.cutaway.openWidth = 0.0;
+  scene.look.cutaway.borderWidth = 0.0;
   const Camera camera = lookAt({23.5, -60.0, 23.5}, glm::dvec3(23.5), Projection::Orthographic, 48.0);
   const glm::ivec2 size(48, 48);
   const Stages stages = geometricStages(scene, camera, size);
@@ -532,8 +532,8 @@ TEST(ReferenceComposite, contextLayerLiesOverTheFocus) {
     EXPECT_NEAR(rim, 1.0 - std::sqrt(1.0 - across * across / 256.0), 0.01);
     EXPECT_NEAR(layer.w, -16.0, 1e-9);
     const double opacity =
-        scene.contextLayer.strength * std::clamp(step(0.10, 0.40, bend) + step(0.30, 0.85, rim), 0.0, 1.0);
-    const glm::dvec4 front(scene.contextLayer.colour * layer.z, 1.0);
+        scene.look.contextLayer.strength * std::clamp(step(0.10, 0.40, bend) + step(0.30, 0.85, rim), 0.0, 1.0);
+    const glm::dvec4 front(scene.look.contextLayer.colour * layer.z, 1.0);
     expectNear(result.final[i], front * opacity + result.focusLayer[i] * (1.0 - opacity), 1e-12);
     ++seen;
   }

@@ -28,10 +28,11 @@ Study readStudy(const PathsToOpen& paths, const Scene& looks, const io::Progress
   study.scene = looks;
   study.scene.volume = opened.volume;
   study.scene.labels = nullptr;
-  study.scene.focus = std::monostate{};
-  study.scene.strokes.clear();
+  study.scene.look.focus = std::monostate{};
+  study.scene.look.strokes.clear();
   study.transferFunction = io::defaultPreset(*opened.volume);
-  study.scene.context = io::loadTransferFunction(study.transferFunction, *opened.volume);
+  study.scene.look.context =
+      io::sessionContext(study.transferFunction, io::loadTransferFunction(study.transferFunction, *opened.volume));
   study.path = paths.volume;
   study.session.volume = io::sessionVolume(paths.volume, opened);
   study.series = std::move(opened.series);

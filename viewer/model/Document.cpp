@@ -106,13 +106,14 @@ class Document::EditsChange : public Change {
 void Document::open(Study study) {
   study_ = std::move(study);
   Scene& scene = study_.scene;
-  edits_ = {.focus = scene.focus,
-            .focusAppearance = scene.focusAppearance,
+  edits_ = {.focus = scene.look.focus,
+            .focusAppearance = scene.look.focusAppearance,
             .preset = study_.transferFunction,
-            .context = scene.context,
-            .cutaway = scene.cutaway,
-            .contextLayer = scene.contextLayer,
-            .strokes = scene.strokes};
+            .context = scene.look.context.function,
+            .shift = scene.look.context.shift,
+            .cutaway = scene.look.cutaway,
+            .contextLayer = scene.look.contextLayer,
+            .strokes = scene.look.strokes};
   window_ = scene.volume->defaultWindow();
   history_.clear();
   Q_EMIT volumeChanged();
@@ -134,18 +135,18 @@ void Document::show(Edits edits) {
   const bool cutaway = edits_.cutaway != before.cutaway || edits_.contextLayer != before.contextLayer;
   const bool strokes = edits_.strokes != before.strokes;
   if (focus) {
-    scene.focus = edits_.focus;
-    scene.focusAppearance = edits_.focusAppearance;
+    scene.look.focus = edits_.focus;
+    scene.look.focusAppearance = edits_.focusAppearance;
   }
   if (context) {
-    scene.context = edits_.context;
-    for (TransferFunction::Node& node : scene.context.nodes) node.value += edits_.shift;
+    scene.look.context.function = edits_.context;
+    scene.look.context.shift = edits_.shift;
   }
   if (cutaway) {
-    scene.cutaway = edits_.cutaway;
-    scene.contextLayer = edits_.contextLayer;
+    scene.look.cutaway = edits_.cutaway;
+    scene.look.contextLayer = edits_.contextLayer;
   }
-  if (strokes) scene.strokes = edits_.strokes;
+  if (strokes) scene.look.strokes = edits_.strokes;
   if (focus) Q_EMIT focusChanged();
   if (context) Q_EMIT transferFunctionChanged();
   if (cutaway) Q_EMIT cutawayChanged();
@@ -239,13 +240,13 @@ bool Document::isFocused(std::uint16_t label) const {
 
 std::optional<glm::dvec3> Document::focusCentre() const {
   if (!hasVolume()) return std::nullopt;
-  if (const auto* labels = std::get_if<LabelFocus>(&scene().focus)) {
+  if (const auto* labels = std::get_if<LabelFocus>(&scene().look.focus)) {
     std::vector<bool> wanted(std::numeric_limits<std::uint16_t>::max() + std::size_t{1}, false);
     for (const std::uint16_t label : labels->labels) wanted[label] = true;
     return middle(scene().labels->grid, scene().labels->voxels,
                   [&](auto scalar) { return wanted[static_cast<std::uint16_t>(scalar)]; });
   }
-  const auto* range = std::get_if<ValueFocus>(&scene().focus);
+  const auto* range = std::get_if<ValueFocus>(&scene().look.focus);
   if (!range) return std::nullopt;
   const Volume& volume = *scene().volume;
   return middle(volume.grid, volume.voxels, [&](auto scalar) {

@@ -21,7 +21,7 @@ namespace fenestra::viewer {
 /// A data set as read, ready to be shown.
 struct Study {
   Scene scene;
-  std::string transferFunction;  ///< preset or file that made scene.context
+  std::string transferFunction;  ///< preset or file that made scene.look.context.function
   std::optional<Camera> camera;  ///< where to look from first; unset: from anterior
   bool placeCameras = false;     ///< place both for the focus once the study is open
   std::filesystem::path path;    ///< what the user opened; empty for a phantom

@@ -49,7 +49,7 @@ bool PlacementController::canPlace() const {
 
 PlacementController::Subject PlacementController::subject() const {
   const Scene& scene = document_.scene();
-  return {scene.volume, scene.labels, scene.focus};
+  return {scene.volume, scene.labels, scene.look.focus};
 }
 
 const placement::Measured* PlacementController::measured() const {
@@ -167,7 +167,7 @@ void PlacementController::fly(glm::dvec3 c1, std::optional<glm::dvec3> c2, bool 
 }
 
 Camera PlacementController::framing(glm::dvec3 direction) {
-  if (!visible_) visible_ = visibleGrid(*document_.scene().volume, document_.scene().context);
+  if (!visible_) visible_ = visibleGrid(*document_.scene().volume, document_.scene().look.context.shifted());
   return Camera::fromDirection(direction, *visible_, cameras_.projection());
 }
 

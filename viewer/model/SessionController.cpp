@@ -81,8 +81,8 @@ io::Session SessionController::session() const {
   session.cutaway = edits.cutaway;
   session.contextLayer = edits.contextLayer;
   session.strokes = edits.strokes;
-  session.shading = document.scene().shading;
-  session.background = document.scene().background;
+  session.shading = document.scene().look.shading;
+  session.background = document.scene().look.background;
   const ViewLink::Pose pose = parts_.cameras.pose();
   for (std::size_t view = 0; view < session.views.size(); ++view) {
     session.views[view].camera = pose.cameras[view];

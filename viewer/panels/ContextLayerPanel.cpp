@@ -19,7 +19,7 @@ ContextLayerPanel::ContextLayerPanel(Document& document, QWidget* parent)
     terms_.push_back({slider, value});
     makeDragsSteps(*slider, document.history());
     connect(slider, &SliderSpin::edited, this, [this, name, value](double edited) {
-      ContextLayer layer = document_.scene().contextLayer;
+      ContextLayer layer = document_.scene().look.contextLayer;
       layer.*value = edited;
       document_.setContextLayer(layer, tr("Context edges: %1").arg(name.toLower()));
     });
@@ -39,7 +39,7 @@ ContextLayerPanel::ContextLayerPanel(Document& document, QWidget* parent)
   form->addRow(tr("Colour"), colour_);
   setBody(body);
   connect(colour_, &ColourButton::edited, this, [this](glm::dvec3 colour) {
-    ContextLayer layer = document_.scene().contextLayer;
+    ContextLayer layer = document_.scene().look.contextLayer;
     layer.colour = colour;
     document_.setContextLayer(layer, tr("Context edges: colour"));
   });
@@ -49,8 +49,8 @@ ContextLayerPanel::ContextLayerPanel(Document& document, QWidget* parent)
 }
 
 void ContextLayerPanel::show() {
-  setEnabled(document_.hasVolume() && document_.scene().cutaway.enabled);
-  const ContextLayer& layer = document_.scene().contextLayer;
+  setEnabled(document_.hasVolume() && document_.scene().look.cutaway.enabled);
+  const ContextLayer& layer = document_.scene().look.contextLayer;
   for (const Term& term : terms_) {
     term.slider->setValue(layer.*term.value);
     term.slider->setEnabled(term.slider == strength() || layer.strength > 0.0);

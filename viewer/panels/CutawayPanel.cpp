@@ -58,7 +58,7 @@ CutawayPanel::CutawayPanel(Document& document, QWidget* parent)
   setBody(body);
 
   const auto edit = [this](const QString& step, auto change) {
-    Cutaway cutaway = document_.scene().cutaway;
+    Cutaway cutaway = document_.scene().look.cutaway;
     change(cutaway);
     document_.setCutaway(cutaway, step);
   };
@@ -89,7 +89,7 @@ CutawayPanel::CutawayPanel(Document& document, QWidget* parent)
 
 void CutawayPanel::show() {
   setEnabled(document_.hasVolume());
-  const Cutaway& cutaway = document_.scene().cutaway;
+  const Cutaway& cutaway = document_.scene().look.cutaway;
   enabled_->setChecked(cutaway.enabled);
   look_->setCurrentIndex(lookOf(document_.edits()));
   openWidth_->setValue(cutaway.openWidth);

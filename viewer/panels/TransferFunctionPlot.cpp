@@ -56,7 +56,7 @@ void TransferFunctionPlot::paintEvent(QPaintEvent*) {
   counts.lineTo(area.bottomRight());
   painter.fillPath(counts, QColor(62, 68, 76));
 
-  const TransferFunction& function = document_.scene().context;
+  const TransferFunction function = document_.scene().look.context.shifted();
   const auto at = [&](double x) { return shown_.low + (x - area.left()) / area.width() * (shown_.high - shown_.low); };
   QPointF last;
   for (double x = area.left(); x <= area.right(); x += 1.0) {

@@ -103,7 +103,7 @@ void SliceView::makeImage() {
       tints[label.value] = {label.colour, focused ? focusTintPercent : tintPercent, focused};
     }
   }
-  const auto* valueFocus = std::get_if<ValueFocus>(&scene.focus);
+  const auto* valueFocus = std::get_if<ValueFocus>(&scene.look.focus);
   std::vector<char> focused(values_.size(), 0);
 
   image_ = QImage(geometry_.width, geometry_.height, QImage::Format_RGB32);
@@ -114,7 +114,7 @@ void SliceView::makeImage() {
           static_cast<std::size_t>(row) * static_cast<std::size_t>(geometry_.width) + static_cast<std::size_t>(column);
       Tint tint;
       if (valueFocus && values_[at] >= valueFocus->values.low && values_[at] <= valueFocus->values.high)
-        tint = {scene.focusAppearance.colour, focusTintPercent, true};
+        tint = {scene.look.focusAppearance.colour, focusTintPercent, true};
       else if (!tints.empty())
         tint = tints[labels_[at]];
       focused[at] = tint.focused;

@@ -153,7 +153,7 @@ void VolumeView::paintGL() {
 
 Scene VolumeView::shownScene() const {
   Scene scene = document_.scene();
-  scene.strokes = strokesIn(index_, scene.strokes);
+  scene.look.strokes = strokesIn(index_, scene.look.strokes);
   return scene;
 }
 
@@ -183,7 +183,8 @@ void VolumeView::renderScene() {
 void VolumeView::drawOverlay() {
   QPainter painter(this);
   const QRectF view = rect();
-  if (!problem_.isEmpty() || !document_.hasVolume()) painter.fillRect(rect(), toColour(document_.scene().background));
+  if (!problem_.isEmpty() || !document_.hasVolume())
+    painter.fillRect(rect(), toColour(document_.scene().look.background));
   if (!problem_.isEmpty()) {
     painter.setPen(QColor(220, 222, 226));
     painter.drawText(view.adjusted(24, 24, -24, -24), Qt::AlignCenter | Qt::TextWordWrap, problem_);

@@ -1,0 +1,56 @@
+#pragma once
+// How a volume is looked at: everything in a picture but the data and the camera. Plain data.
+
+#include <filesystem>
+#include <string>
+
+#include <glm/glm.hpp>
+
+#include "rendering/scene/BrushStroke.h"
+#include "rendering/scene/Cutaway.h"
+#include "rendering/scene/Focus.h"
+#include "rendering/scene/TransferFunction.h"
+
+namespace fenestra {
+
+/// How the focus looks. A label focus takes its labels' colours; a value focus takes `colour`. `extinction` is in 1/mm.
+struct FocusAppearance {
+  glm::dvec3 colour{0.93, 0.87, 0.75};
+  double extinction = 2.0;
+  bool operator==(const FocusAppearance&) const = default;
+};
+
+/// The optical properties of everything that is not focus, and what they were made from.
+struct ContextFunction {
+  std::string preset;          ///< id of the built-in preset that `function` is, or empty
+  std::filesystem::path file;  ///< the file that `function` was read from, absolute, or empty
+  TransferFunction function;   ///< before the shift
+  double shift = 0.0;          ///< added to the values of the nodes, in the volume's unit
+
+  /// What pictures show.
+  TransferFunction shifted() const;
+  bool operator==(const ContextFunction&) const = default;
+};
+
+struct Shading {
+  bool enabled = true;  ///< off: no gradient texture is made
+  double ambient = 0.3;
+  double diffuse = 0.7;
+  double specular = 0.2;
+  double shininess = 24.0;
+  bool operator==(const Shading&) const = default;
+};
+
+struct Look {
+  Focus focus;
+  FocusAppearance focusAppearance;
+  ContextFunction context;
+  Cutaway cutaway;
+  ContextLayer contextLayer;
+  Shading shading;
+  glm::dvec3 background{0.0};  ///< display RGB 0..1
+  BrushStrokes strokes;        ///< edits of the opening; without any, nothing is kept or run for them
+  bool operator==(const Look&) const = default;
+};
+
+}  // namespace fenestra
