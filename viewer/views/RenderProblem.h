@@ -7,7 +7,7 @@
 
 namespace fenestra::viewer {
 
-/// A sentence or two: what failed and what would help. A driver's log of a shader is left out but for its first line.
+/// One line: what failed and what would help. Of a shader that the driver refuses only the name is given, not the log.
 QString describeRenderProblem(const std::exception& error);
 
 }  // namespace fenestra::viewer

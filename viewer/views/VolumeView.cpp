@@ -49,7 +49,10 @@ VolumeView::VolumeView(int index, Document& document, SliceCursor& cursor, ViewL
   setObjectName(QStringLiteral("volume%1").arg(index));
   rest_.setSingleShot(true);
   connect(&rest_, &QTimer::timeout, this, &VolumeView::settle);
-  connect(&document, &Document::volumeChanged, this, [this] { cold_ = true; });
+  connect(&document, &Document::volumeChanged, this, [this] {
+    cold_ = true;
+    problem_.clear();  // another volume may fit where the last one did not
+  });
   connect(&document, &Document::sceneChanged, this, [this] { disturb(ViewLink::count); });
   connect(&document, &Document::strokesChanged, this, &VolumeView::refresh);
   connect(&brush, &Brush::changed, this, [this] {
@@ -121,10 +124,6 @@ void VolumeView::resizeEvent(QResizeEvent* event) {
   disturb(ViewLink::count);
 }
 
-void VolumeView::initializeGL() {
-  attempt([this] { renderer_.emplace(shared_.gpuScene); });
-}
-
 Camera VolumeView::shownCamera() const {
   return cameras_.camera(index_).fittedTo(static_cast<double>(width()) / std::max(1, height()));
 }
@@ -133,6 +132,7 @@ void VolumeView::attempt(const std::function<void()>& work) {
   try {
     work();
   } catch (const std::exception& error) {
+    renderer_.reset();
     problem_ = tr("The 3-D views cannot be drawn. %1").arg(describeRenderProblem(error));
     Q_EMIT failed(problem_);
     update();
@@ -140,13 +140,12 @@ void VolumeView::attempt(const std::function<void()>& work) {
 }
 
 void VolumeView::attemptOnPicture(const std::function<void()>& work) {
-  if (!renderer_ || !problem_.isEmpty() || shown_.size.x == 0 || !document_.hasVolume()) return;
-  attempt([&] { inContext([&](const std::shared_ptr<GpuScene>&) { work(); }); });
+  if (!renderer_ || shown_.size.x == 0 || !document_.hasVolume()) return;
+  inContext([&](const std::shared_ptr<GpuScene>&) { attempt(work); });
 }
 
 void VolumeView::paintGL() {
-  const bool drawn = renderer_ && problem_.isEmpty() && document_.hasVolume();
-  if (drawn) attempt([this] { renderScene(); });
+  if (problem_.isEmpty() && document_.hasVolume()) attempt([this] { renderScene(); });
   drawOverlay();
   if (isSettled()) Q_EMIT settled();
 }
@@ -173,6 +172,7 @@ void VolumeView::renderScene() {
   const QSize device(static_cast<int>(std::lround(width() * ratio)), static_cast<int>(std::lround(height() * ratio)));
   const View view = viewFor(effort_);
   if (!cold_ && !settled_ && !partial_) shared_.pacer->begin(effort_, now());
+  if (!renderer_) renderer_.emplace(shared_.gpuScene);
   renderer_->render(shownScene(), view);
   renderer_->present(defaultFramebufferObject(), {0, 0, device.width(), device.height()});
   shown_ = view;

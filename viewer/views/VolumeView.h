@@ -73,7 +73,6 @@ class VolumeView : public QOpenGLWidget {
   void maximiseRequested();
 
  protected:
-  void initializeGL() override;
   void paintGL() override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
@@ -90,7 +89,8 @@ class VolumeView : public QOpenGLWidget {
   void settle();
   /// At full quality, at once.
   void refresh();
-  /// Does what needs the renderer, in its context. When that fails, the view shows the problem from now on.
+  /// Does what needs the renderer; its context is current. When that fails, the view shows the problem, and draws
+  /// nothing until another volume is opened.
   void attempt(const std::function<void()>& work);
   /// As attempt(), outside of paintGL(); nothing is done where there is no picture.
   void attemptOnPicture(const std::function<void()>& work);
@@ -115,7 +115,7 @@ class VolumeView : public QOpenGLWidget {
   BrushTool brushTool_;
   Shared shared_;
 
-  std::optional<Renderer> renderer_;
+  std::optional<Renderer> renderer_;  ///< empty before the first picture, and where there is a problem
   QString problem_;
   View shown_;     ///< of the last picture; size 0 before the first
   Effort effort_;  ///< to draw the next picture with
