@@ -17,6 +17,7 @@ class FailingWindow : public Window {
  protected:
   /// Each view shows the same problem in one line, and the window tells it once.
   void expectOneMessage(const QString& part) {
+    QApplication::processEvents();  // the window is told after the picture
     ASSERT_EQ(window_->notices().texts().size(), 1) << window_->notices().texts().join(QLatin1Char('\n')).toStdString();
     const QString message = window_->notices().texts().front();
     EXPECT_TRUE(message.contains(part)) << message.toStdString();
@@ -83,7 +84,7 @@ TEST_F(RefusedWindow, SaysThatCamerasCannotBePlaced) {
 TEST_F(FailingWindow, RefusesShadersOfALaterPicture) {
   {
     const RefusingDriver driver;
-    views().setAtRest(Quality::High, {});  // other shaders than those of a draft
+    document().focusOn(marker);  // the cutaway has shaders of its own
     waitUntilDrawn();
     expectOneMessage(QStringLiteral("LIBGL_ALWAYS_SOFTWARE"));
     for (VolumeView* view : views().volumeViews()) useView(view);
