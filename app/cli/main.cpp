@@ -17,6 +17,8 @@
 #include "app/cli/Commands.h"
 #include "app/cli/Report.h"
 #include "rendering/egl/EglContext.h"
+#include "rendering/gl/ShaderProgram.h"
+#include "rendering/gl/Texture.h"
 #include "rendering/gpu/RenderError.h"
 #include "rendering/viewpoints/Sphere.h"
 
@@ -135,6 +137,11 @@ int run(const Command& command) {
     return fail(source + ": " + error.what());
   } catch (const RenderError& error) {
     return fail(source + ": " + error.what());
+  } catch (const gl::AllocationError& error) {
+    return fail(source + ": " + error.what());
+  } catch (const gl::ShaderError& error) {
+    return fail(source + ": the graphics driver refuses a shader: " + error.what() +
+                "; update the driver, or set LIBGL_ALWAYS_SOFTWARE=1");
   } catch (const std::bad_alloc&) {
     return fail(source + ": not enough memory; close other programs or use a smaller volume");
   } catch (const std::exception& error) {
