@@ -119,7 +119,7 @@ void Actions::makeEditMenu() {
   paint->setIcon(icon("brush"));
   paint->setCheckable(true);
   connect(&brush, &Brush::changed, paint, [&brush, paint] { paint->setChecked(brush.isActive()); });
-  QAction* otherWay = volumeAction(tr("Brush the &other way"), QKeySequence(tr("E")), [&brush] { brush.toggle(true); });
+  QAction* opposite = volumeAction(tr("&Opposite brush"), QKeySequence(tr("E")), [&brush] { brush.toggle(true); });
   constexpr double step = 1.2;
   QAction* smaller =
       volumeAction(tr("&Smaller brush"), QKeySequence(tr("[")), [&brush] { brush.scaleRadius(1.0 / step); });
@@ -128,7 +128,7 @@ void Actions::makeEditMenu() {
   QMenu* menu = targets_.window.menuBar()->addMenu(tr("&Edit"));
   menu->addActions({undo, redo});
   menu->addSeparator();
-  menu->addActions({paint, otherWay, smaller, larger});
+  menu->addActions({paint, opposite, smaller, larger});
   tools_ << QList<QAction*>{undo, redo, paint};
 }
 
@@ -235,11 +235,11 @@ QMenu* Actions::makeAtRestMenu() {
     name[0] = name[0].toUpper();
     QAction* made = menu->addAction(name);
     if (effort.quality == Quality::High || effort.maxError)
-      made->setToolTip(tr("The greatest error of a pixel's colour that sampling may leave"));
+      made->setToolTip(tr("Bound on the error that sampling leaves in a pixel's colour"));
     made->setCheckable(true);
     group->addAction(made);
     const auto show = [this, made, effort] { made->setChecked(targets_.views.atRest() == effort); };
-    // Chosen again, the entry stays chosen.
+    // Choosing the entry again must not uncheck it.
     connect(made, &QAction::triggered, this, [this, effort, show] {
       targets_.views.setAtRest(effort.quality, effort.maxError);
       targets_.workspace.preferences.setAtRest(effort);

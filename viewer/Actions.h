@@ -59,14 +59,14 @@ class Actions : public QObject {
   void makeFocusMenu();
   void makeHelpMenu();
   void fillRecentMenu();
-  /// Cancels what is being read or measured, or else lays the brush down, or else shows all views.
+  /// Cancels reading or measuring; without either, puts the brush down; without that, shows all views.
   void stop();
 
   Targets targets_;
   ViewCommands viewCommands_;
   QMenu *recent_ = nullptr, *samples_ = nullptr;
   QList<QAction*> needVolume_;
-  /// Of the toolbar, group by group.
+  /// The toolbar's actions, by group.
   QList<QList<QAction*>> tools_;
 };
 

@@ -21,7 +21,7 @@
 namespace fenestra::viewer {
 namespace {
 
-/// Reads what `paths` names, shown as `looks` is.
+/// Reads what `paths` names, to be shown with the look of `looks`.
 StudyLoader::Reader readerOf(const PathsToOpen& paths, const Scene& looks) {
   return [paths, looks](const io::Progress& progress) { return readStudy(paths, looks, progress); };
 }

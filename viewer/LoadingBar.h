@@ -1,5 +1,5 @@
 #pragma once
-// What is being read and how far, with a button to cancel it. Hidden while nothing is read.
+// Shows what is being read and how far, with a button to cancel. Hidden while nothing is being read.
 
 #include <QWidget>
 

@@ -51,7 +51,7 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
   setAcceptDrops(true);
   setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
 
-  connectModels();  // before the views connect: they draw what the models then hold
+  connectModels();  // before the views connect, so that the models are up to date when a view draws
   views_ = new ViewArea(workspace_.document, workspace_.cursor, workspace_.cameras, workspace_.options,
                         workspace_.brush, gl_, setup.atRest.value_or(workspace_.preferences.atRest()));
   notices_ = new NoticeBar;
@@ -95,7 +95,7 @@ void MainWindow::connectModels() {
 void MainWindow::connectViews() {
   if (gl_.available)
     workspace_.placement.setBackend(std::make_unique<PlacementRenderer>(*views_->volumeViews().front()));
-  // Pictures at full quality would be of cameras that are about to leave.
+  // While the cameras are about to move, a picture at full quality would be wasted.
   connect(&workspace_.placement, &PlacementController::changed, this, [this] {
     for (VolumeView* view : views_->volumeViews()) view->hold(workspace_.placement.isBusy());
   });
@@ -195,8 +195,8 @@ void MainWindow::whenDrawn(std::function<void()> done) {
 
 QImage MainWindow::picture() {
   QPixmap pixmap = grab();
-  // While a widget is grabbed, its QPainters paint into the grab: what a 3-D view draws over its picture lands below
-  // it. Its framebuffer holds both.
+  // grab() redirects the QPainters of a 3-D view into the pixmap and then draws the view's picture over them. The
+  // view's framebuffer holds both in the right order.
   QPainter painter(&pixmap);
   for (VolumeView* view : views_->volumeViews())
     if (view->isVisible()) painter.drawImage(view->mapTo(this, QPoint(0, 0)), view->grabFramebuffer());

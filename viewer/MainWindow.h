@@ -29,12 +29,12 @@ class MainWindow : public QMainWindow {
   struct Setup {
     GlSupport gl;
     std::optional<Effort> atRest = {};  ///< of the 3-D views when nothing moves; unset: as remembered
-    bool remember = true;               ///< restore and save layout, recent files and the above
+    bool remember = true;               ///< restore and save layout, recent files and `atRest`
   };
 
   explicit MainWindow(const Setup& setup, QWidget* parent = nullptr);
 
-  /// Reads and shows a study; the open one stays until then.
+  /// Reads a study and shows it. The open study stays until then.
   void open(StudyLoader::Reader read);
   /// As FileOpener.
   void open(const std::vector<std::filesystem::path>& paths);
@@ -45,7 +45,7 @@ class MainWindow : public QMainWindow {
   /// Calls `done` once, when nothing is being read and all views show the scene at full quality.
   void whenDrawn(std::function<void()> done);
 
-  /// The whole window in device pixels, 3-D views with what is drawn over them included.
+  /// The whole window in device pixels, including the 3-D views and their overlays.
   QImage picture();
 
   Workspace& workspace() { return workspace_; }
@@ -72,7 +72,7 @@ class MainWindow : public QMainWindow {
   void connectPanels();
   void connectLoader();
   void restoreLayout();
-  /// Models that follow a new volume before any view draws it.
+  /// Moves crosshair and cameras to a new volume, before any view draws it.
   void followVolume();
   void studyOpened();
   void showError(const QString& message);

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Between two copies, so that a crash costs a minute at most.
+/// Between two copies: a crash loses a minute of work at most.
 constexpr int autosaveMilliseconds = 60000;
 
 QString sessionFilter() { return Sessions::tr("Sessions (*%1)").arg(QLatin1String(io::sessionEnding)); }
@@ -30,7 +30,7 @@ std::optional<fs::path> chosen(const QString& name) {
 
 SessionQuestions::Answer askToSave(QWidget* parent) {
   switch (QMessageBox::question(parent, Sessions::tr("Unsaved work"),
-                                Sessions::tr("What was done since the session was last saved would be lost. Save it?"),
+                                Sessions::tr("The changes since the last save would be lost. Save them?"),
                                 QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save)) {
     case QMessageBox::Save:
       return SessionQuestions::Answer::Save;
@@ -63,7 +63,7 @@ std::optional<fs::path> askForData(QWidget* parent, const io::DataMissing& missi
 
 SessionQuestions::Answer askToRestore(QWidget* parent, const QDateTime& saved) {
   QMessageBox box(QMessageBox::Question, Sessions::tr("Unsaved work"),
-                  Sessions::tr("Fenestra ended before its work was saved. A copy of %1 is there.")
+                  Sessions::tr("Fenestra ended before the session was saved. A copy from %1 can be restored.")
                       .arg(QLocale::system().toString(saved, QLocale::ShortFormat)),
                   QMessageBox::NoButton, parent);
   const QPushButton* restore = box.addButton(Sessions::tr("Restore"), QMessageBox::AcceptRole);

@@ -33,7 +33,7 @@ StatusBar::StatusBar(const Document& document, const ViewArea& views, const GlSu
   } else if (!gl.available) {
     addPermanentWidget(new QLabel(tr("No OpenGL: slices only")));
   }
-  frame_->setToolTip(tr("Time from the start of the last picture until it was on screen, and how finely it was drawn"));
+  frame_->setToolTip(tr("Time until the last picture was on screen, and its sampling"));
   addPermanentWidget(frame_);
   addPermanentWidget(new QLabel(tr("Radiological convention")));
 

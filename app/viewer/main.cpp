@@ -28,7 +28,7 @@ namespace {
 
 constexpr int done = 0, failed = 1, misused = 2;
 
-/// One line on stderr, whatever the text.
+/// Writes one line to stderr; line breaks in the text become spaces.
 void tell(std::string what) {
   std::replace(what.begin(), what.end(), '\n', ' ');
   std::cerr << "fenestra: " << what << '\n';
@@ -39,7 +39,7 @@ int fail(const std::string& what) {
   return failed;
 }
 
-/// Qt aborts where it finds no display: said in one line instead. Its remarks about the session are not for the user.
+/// Qt aborts where it finds no display: this says so in one line instead. Qt's debug messages and warnings are dropped.
 void handleQtMessage(QtMsgType type, const QMessageLogContext&, const QString& message) {
   if (type == QtFatalMsg) {
     tell("no display to open a window on; start it on a desktop, or use fenestra-cli");
@@ -90,7 +90,7 @@ struct Request {
   std::optional<Effort> atRest;      ///< unset: as remembered
 };
 
-/// Reads the command line into `request`; the exit code where the program ends with it.
+/// Reads the command line into `request`. Returns an exit code when the program should end at once.
 std::optional<int> parse(int argc, char** argv, Request& request) {
   CLI::App program{"Fenestra: looks into medical volumes with an adaptive cutaway.\nNot for diagnostic use.",
                    "fenestra"};
@@ -137,7 +137,7 @@ void setUp(QApplication& application) {
   applyStyle(application);
 }
 
-/// Opens what `options` names, unless the user restores work that a crash has left.
+/// Offers to restore work after a crash; otherwise opens what `options` names.
 void openInWindow(MainWindow& window, const app::SceneOptions& options) {
   if (window.sessions().startRecovery(Sessions::recoveryFolder())) return;
   window.sessions().open([options](const io::SessionPlaces& places, const io::Progress& progress) {

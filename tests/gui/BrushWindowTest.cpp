@@ -1,4 +1,4 @@
-// The brush, in the hand of a user: painted in one view, seen in both, undone, listed, saved.
+// The brush as a user uses it: a stroke painted in one view shows in both, can be undone, listed and saved.
 
 #include <cmath>
 #include <numbers>
@@ -37,7 +37,7 @@ class BrushWindow : public Window {
   QUndoStack& steps() { return document().undoStack(); }
   void key(Qt::Key which, Qt::KeyboardModifiers modifiers = {}) { QTest::keyClick(window_.get(), which, modifiers); }
 
-  /// Where the front of the ball was cut away, beside the marker: seen so by both cameras.
+  /// A place beside the marker where both cameras see that the front of the ball was cut away.
   QPoint besideMarker(std::size_t view) {
     const glm::dvec3 surface = glm::normalize(glm::dvec3(29.0, -29.0, 17.0)) * 44.0;
     return volume(view)->widgetFromWorld(surface)->toPoint();
@@ -48,7 +48,7 @@ class BrushWindow : public Window {
     return volume(view)->widgetFromWorld(surface)->toPoint();
   }
 
-  /// One stroke of some pixels, the brush taken up before and laid down after it.
+  /// Paints one stroke of some pixels, with the brush active only for that.
   void paint(std::size_t view, QPoint from, QPoint by = {3, 12}) {
     brush().setActive(true);
     drag(volume(view), from, from + by);
@@ -67,7 +67,7 @@ TEST_F(BrushWindow, PaintsInC1SeesItInC2AndFindsItAgainAfterTurning) {
   ASSERT_EQ(document().strokes().size(), 1u);
   const BrushStroke& stroke = document().strokes().front();
   EXPECT_GT(stroke.anchors.size(), 1u);
-  // On the ball, whose surface lies within a voxel of its radius.
+  // The anchors lie on the ball, whose surface is within a voxel of its radius.
   for (const glm::dvec3& anchor : stroke.anchors) EXPECT_NEAR(glm::length(anchor), 44.0, 2.0);
   const std::array<QImage, 2> painted = look();
   EXPECT_NE(painted[0], opened_[0]);
@@ -198,12 +198,12 @@ TEST_F(BrushWindow, KeysAndWheelSetTheBrush) {
   EXPECT_TRUE(brush().isActive());
   EXPECT_EQ(brush().settings().mode, BrushMode::Open);
   key(Qt::Key_E);
-  EXPECT_FALSE(brush().isActive()) << "the same key lays it down";
+  EXPECT_FALSE(brush().isActive()) << "the same key deactivates it";
   key(Qt::Key_P);
   EXPECT_EQ(brush().settings().mode, BrushMode::Restore);
   panel<BrushPanel>().modeButton(BrushMode::Strengthen)->click();
   key(Qt::Key_P);
-  EXPECT_EQ(brush().settings().mode, BrushMode::Fade) << "this way and the other, of the same kind";
+  EXPECT_EQ(brush().settings().mode, BrushMode::Fade) << "the opposite direction of the same kind";
 
   const double radius = brush().settings().radius;
   key(Qt::Key_BracketRight);
@@ -269,7 +269,7 @@ TEST_F(BrushWindow, RingIsAroundTheMouseAndAsWideAsTheStroke) {
   const BrushStroke& stroke = document().strokes().front();
   const glm::dvec3 rim = stroke.anchors.front() + stroke.radius * cameras().camera(0).axes().right;
   const double wide = volume(0)->widgetFromWorld(rim)->x() - volume(0)->widgetFromWorld(stroke.anchors.front())->x();
-  // A pixel's place is known to half a pixel.
+  // The position of a pixel is known to half a pixel.
   EXPECT_NEAR(wide, settings.radius, 0.5);
   waitUntilDrawn();
 }

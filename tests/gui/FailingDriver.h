@@ -1,6 +1,6 @@
 #pragma once
-// An OpenGL driver that fails: epoxy calls OpenGL through pointers, and these classes replace one of them while they
-// live.
+// OpenGL drivers that fail: epoxy calls OpenGL through function pointers, and each class replaces one of them for its
+// lifetime.
 
 #include <utility>
 
@@ -10,7 +10,7 @@
 
 namespace fenestra::viewer {
 
-/// Refuses every shader that it is given, and says nothing about why.
+/// Refuses every shader, with an empty log.
 class RefusingDriver {
  public:
   RefusingDriver() : replaced_(std::exchange(epoxy_glGetShaderiv, &answer)) {}
@@ -23,7 +23,7 @@ class RefusingDriver {
   PFNGLGETSHADERIVPROC replaced_;
 };
 
-/// Has no memory left when a pixel is read.
+/// Runs out of memory when a pixel is read.
 class ForgetfulDriver {
  public:
   ForgetfulDriver() : replaced_(std::exchange(epoxy_glGetTextureSubImage, &fail)) {}

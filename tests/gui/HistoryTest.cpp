@@ -1,4 +1,4 @@
-// Undo and redo of what the document holds.
+// Undo and redo of a document's edits.
 
 #include <array>
 #include <random>
@@ -32,7 +32,7 @@ Study study() {
 
 BrushStroke dab(double x) { return {.anchors = {{x, 0.0, 0.0}}}; }
 
-/// One edit of any kind, all of them as the window makes them.
+/// Random edits of all kinds, made as the window makes them.
 class RandomEdits {
  public:
   RandomEdits(Document& document, unsigned seed) : document_(document), engine_(seed) {}
@@ -213,10 +213,10 @@ TEST(History, AnotherStudyOrLabelMapStartsAnew) {
   EXPECT_EQ(document.undoStack().count(), 0);
   document.focusOn(1);
   document.setLabels(nullptr);
-  EXPECT_EQ(document.undoStack().count(), 0) << "undone, the focus would be of labels that are gone";
+  EXPECT_EQ(document.undoStack().count(), 0) << "undoing would bring back a focus of labels that no longer exist";
 }
 
-/// As many bytes as it says.
+/// A change of a given size.
 class Weight : public Change {
  public:
   explicit Weight(std::size_t bytes, int& sum) : bytes_(bytes), sum_(sum) { ++sum_; }
@@ -241,7 +241,7 @@ TEST(History, MemoryIsBoundedAndTheOldestStepsGoFirst) {
     ASSERT_LE(history.bytes(), limit);
     ASSERT_EQ(history.stack().undoText(), QString::number(step));
     ASSERT_EQ(named.count(), step);
-    ASSERT_EQ(sum, step) << "what is kept is neither undone nor done again";
+    ASSERT_EQ(sum, step) << "dropping old steps neither undoes nor redoes any";
   }
   const int kept = history.stack().count();
   EXPECT_GE(kept, 6);
@@ -281,7 +281,7 @@ TEST(History, StrokesAreCountedByTheirAnchors) {
   BrushStrokes two = document.strokes();
   two.push_back(stroke);
   document.setStrokes(std::move(two), QStringLiteral("Stroke"));
-  // The second step holds the second stroke alone; a few bytes more or less are the allocator's.
+  // The second step holds the second stroke alone; the allocator may add a few bytes.
   EXPECT_NEAR(static_cast<double>(document.history().bytes()), 2.0 * static_cast<double>(one), 1000.0);
 }
 

@@ -131,7 +131,7 @@ TEST(ViewLink, ProjectionsShowTheTargetAtTheSameSize) {
   EXPECT_NEAR(parallel.orthographicHeight,
               2.0 * glm::distance(before.eye, before.target) * std::tan(glm::radians(before.verticalFov / 2.0)),
               tolerance);
-  // Parallel rays start at the eye's plane: it must lie before the whole volume however far in the view was zoomed.
+  // Parallel rays start at the plane through the eye, which must lie in front of the whole volume at any zoom.
   EXPECT_GT(glm::distance(parallel.eye, parallel.target), cube().boundingRadius());
   link.setProjection(Projection::Perspective);
   expectNear(link.camera(0).eye, before.eye);
@@ -179,7 +179,7 @@ TEST(Document, TicksAndClicksMakeTheFocus) {
   document.setFocused(1, true);
   EXPECT_EQ(std::get<LabelFocus>(document.focus()).labels, (std::vector<std::uint16_t>{1, 7}));
   document.setFocused(1, true);
-  EXPECT_EQ(changed.count(), 2) << "what changes nothing is not announced";
+  EXPECT_EQ(changed.count(), 2) << "no signal without a change";
   document.setFocused(7, false);
   EXPECT_FALSE(document.isFocused(7));
   document.setFocused(1, false);
@@ -316,7 +316,7 @@ TEST(FramePacer, TellsTheLastFrameAndForgetsWhatAnotherQualityCost) {
   EXPECT_EQ(pacer.moving(1), pacer.atRest());
   pacer.setAtRest(Quality::Normal, 1.0);
   EXPECT_EQ(pacer.atRest().maxError, 1.0);
-  EXPECT_EQ(pacer.moving(1).quality, Quality::Draft) << "how fast pictures of that quality are is not known";
+  EXPECT_EQ(pacer.moving(1).quality, Quality::Draft) << "pictures of that quality have not been measured";
 }
 
 }  // namespace

@@ -140,7 +140,7 @@ TEST_F(PlacedWindow, DraggingC1MovesC2WithinItsRegion) {
 TEST_F(PlacedWindow, WeightsAndRegionMoveTheCamerasWithoutMeasuring) {
   QSignalSpy measured(&placement(), &PlacementController::measuredFocus);
   const glm::dvec3 before = direction(0);
-  // As the paper has it: larger for larger depth, and so from the far side.
+  // As in the paper, a positive weight prefers a larger depth, and so the far side.
   form().weight(0)->box()->setValue(2.0);
   form().weight(1)->box()->setValue(0.0);
   waitUntilDrawn();

@@ -1,5 +1,5 @@
-// Sessions in the window: what is saved comes back to the bit, pictures included; the command line agrees; nothing is
-// lost without being asked for, and what a crash leaves is offered.
+// Sessions in the window: a saved session comes back bit for bit, including its pictures, and the command line draws
+// the same; the window asks before it drops unsaved work and offers to restore it after a crash.
 
 #include <sys/wait.h>
 #include <time.h>
@@ -49,7 +49,7 @@ class SessionWindow : public Window {
     open(folder_ / "data" / "ball.nii.gz", folder_ / "data" / "labels.nii.gz");
   }
 
-  /// A question that a test does not expect is a failure, and no dialog that waits for ever.
+  /// A question that a test does not expect fails the test instead of showing a dialog that waits for ever.
   void failOnQuestions() {
     SessionQuestions& questions = window_->sessions().questions();
     questions.saveChanges = [] { return ADD_FAILURE() << "asked to save", SessionQuestions::Answer::Discard; };
@@ -85,7 +85,7 @@ class SessionWindow : public Window {
     ASSERT_TRUE(controller().waitUntilSaved());
   }
 
-  /// Something of everything that a session keeps.
+  /// Changes every kind of thing that a session keeps.
   void work() {
     document().focusOn(marker);
     document().setPreset("ct-soft-tissue");
@@ -163,7 +163,7 @@ TEST_F(SessionWindow, TheCommandLineAgreesWithTheWindow) {
         greatest = std::max(
             {greatest, std::abs(a.red() - b.red()), std::abs(a.green() - b.green()), std::abs(a.blue() - b.blue())});
       }
-    // The one rounds once more, when it puts the picture over the background.
+    // The command line rounds once more when it puts the picture over the background.
     EXPECT_LE(greatest, 1) << "C" << index + 1;
   }
 }
@@ -303,10 +303,10 @@ TEST_F(SessionWindow, AsksWhereMovedDataIs) {
   open(folder_ / "sessions" / "a.fenestra");
   EXPECT_EQ(asked, 2);
   EXPECT_TRUE(document().isFocused(marker));
-  EXPECT_TRUE(window_->notices().texts().isEmpty()) << "it holds what it held";
+  EXPECT_TRUE(window_->notices().texts().isEmpty()) << "the contents are unchanged";
   save(folder_ / "sessions" / "a.fenestra");
   open(folder_ / "sessions" / "a.fenestra");
-  EXPECT_EQ(asked, 2) << "saved again, it knows";
+  EXPECT_EQ(asked, 2) << "saving again has stored the new place";
 }
 
 TEST_F(SessionWindow, OffersWhatACrashLeft) {
@@ -327,9 +327,9 @@ TEST_F(SessionWindow, OffersWhatACrashLeft) {
   ASSERT_EQ(copies(), 1);
   EXPECT_TRUE(window_->isWindowModified()) << "a copy is no save";
   EXPECT_TRUE(SessionController::abandonedIn(kept).empty()) << "its run is alive";
-  EXPECT_EQ(io::readSession(file_).focus, Focus()) << "the user's file is the user's";
+  EXPECT_EQ(io::readSession(file_).focus, Focus()) << "autosave leaves the user's file alone";
 
-  // A crash: the copy stays, and so does the lock of a process that is no more.
+  // A crash leaves the copy, and the lock of a process that has ended.
   const fs::path copy = fs::directory_iterator(kept)->path().parent_path() / "crashed.fenestra";
   for (const auto& entry : fs::directory_iterator(kept))
     if (io::isSession(entry.path())) fs::copy_file(entry.path(), copy);
@@ -345,7 +345,7 @@ TEST_F(SessionWindow, OffersWhatACrashLeft) {
   const Edits edits = document().edits();
   const ViewLink::Pose pose = cameras().pose();
   restart();
-  EXPECT_EQ(copies(), 1) << "a run that ends in peace takes its copy along";
+  EXPECT_EQ(copies(), 1) << "a run that ends normally removes its copy";
 
   int asked = 0;
   window_->sessions().questions().restoreWork = [&](const QDateTime& saved) {
@@ -359,7 +359,7 @@ TEST_F(SessionWindow, OffersWhatACrashLeft) {
   EXPECT_EQ(asked, 1);
   EXPECT_EQ(document().edits(), edits);
   EXPECT_EQ(cameras().pose(), pose);
-  EXPECT_EQ(controller().file(), file_) << "it is ahead of that one";
+  EXPECT_EQ(controller().file(), file_) << "the restored work belongs to that file";
   EXPECT_TRUE(window_->isWindowModified());
   EXPECT_EQ(copies(), 1) << "until it is saved";
   save(controller().file());

@@ -1,4 +1,4 @@
-// Opening data in the window, what it says about it, and what it remembers.
+// Opening data in the window: its notices, and what it remembers.
 
 #include <filesystem>
 #include <fstream>

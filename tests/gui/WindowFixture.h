@@ -1,6 +1,6 @@
 #pragma once
-// A window on a display with OpenGL that shows a ball of soft tissue with a green cube in it, and the hands of its
-// user: mouse, wheel and keys.
+// A window on a display with OpenGL that shows a ball of soft tissue with a green cube in it, and helpers that move the
+// mouse, turn the wheel and press keys as a user does.
 
 #include <memory>
 #include <optional>
@@ -30,7 +30,7 @@ class Window : public testing::Test {
 
   void open(const Study& study);
   void waitUntilDrawn();
-  /// Whether a chosen focus moves the cameras: only where that is what is tested.
+  /// Whether choosing a focus places the cameras. Off unless a test is about that.
   void setAutomatic(bool on);
 
   Document& document() { return window_->workspace().document; }
@@ -52,8 +52,8 @@ class Window : public testing::Test {
             Qt::KeyboardModifiers modifiers = {});
   void wheel(QWidget* widget, int notches, Qt::KeyboardModifiers modifiers = {});
 
-  /// What a view shows, in device pixels, without its outermost two device-independent pixels: there a frame tells
-  /// which view was used last.
+  /// The picture of a view in device pixels, without the outermost two device-independent pixels, where a frame marks
+  /// the view that has the focus.
   QImage picture(QWidget* view);
   /// Centre of the green pixels that a view shows, from -1 (left, top) to 1 (right, bottom); empty when there are few.
   std::optional<QPointF> green(QWidget* view);

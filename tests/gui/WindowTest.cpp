@@ -15,7 +15,7 @@ namespace {
 
 enum class Side { Negative, Middle, Positive };
 
-/// Beyond a twentieth of the view from its middle is a side.
+/// A side begins a twentieth of the view away from its middle.
 Side side(double position) {
   return position < -0.05 ? Side::Negative : position > 0.05 ? Side::Positive : Side::Middle;
 }
@@ -108,7 +108,7 @@ TEST_F(Window, DraggingAViewTurnsItsPartnerToo) {
   const glm::dmat3 secondTurn = basis(cameras().camera(1)) * glm::transpose(second);
   for (int column = 0; column < 3; ++column) EXPECT_LT(glm::distance(firstTurn[column], secondTurn[column]), 1e-9);
   EXPECT_LT(firstTurn[0][0], 0.95) << "80 pixels are more than 18 degrees";
-  // What was under the mouse goes with it: the front moves right, so the camera goes to the patient's right.
+  // The surface follows the mouse: the front moves right, so the camera goes to the patient's right.
   EXPECT_LT(cameras().camera(0).eye.x, -10.0);
   // And down, so the camera looks from above.
   EXPECT_GT(cameras().camera(0).eye.z, 10.0);

@@ -61,7 +61,7 @@ void LoadJob::finish() {
     else
       Q_EMIT failed(QString::fromStdString(outcome.error));
   }
-  running_ = watcher_.isRunning();  // what was shown may have started another read
+  running_ = watcher_.isRunning();  // showing the result may have started another read
   Q_EMIT ended();
 }
 

@@ -11,7 +11,7 @@
 namespace fenestra::viewer {
 namespace {
 
-/// Whether a file holds a whole volume by the look of its name.
+/// Whether a file's name is that of a whole volume.
 bool isVolumeFile(const std::filesystem::path& path) {
   std::string name = path.filename().string();
   std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });

@@ -10,7 +10,7 @@ void StudyLoader::open(Reader read, Missing missing) {
   job_.start(
       [this, read = std::move(read), missing = std::move(missing)](const io::Progress& progress) -> LoadJob::Show {
         try {
-          // Shared, because what is handed to the GUI thread must be copyable.
+          // A shared pointer, because std::function needs a copyable capture.
           auto study = std::make_shared<Study>(read(progress));
           return [this, study] {
             document_.open(std::move(*study));

@@ -54,7 +54,7 @@ void Brush::scaleRadius(double factor) {
 void Brush::scaleDepth(double factor) {
   BrushSettings settings = settings_;
   (movesRayStart(settings.mode) ? settings.depth : settings.amount) *= factor;
-  // Nothing times anything is nothing.
+  // Scaling could not raise an amount of 0.
   settings.amount = std::max(settings.amount, 0.05);
   setSettings(settings);
 }

@@ -1,5 +1,5 @@
 #pragma once
-// How the brush paints, the same in both 3-D views. What it has painted is the document's.
+// How the brush paints, the same in both 3-D views. The document holds the painted strokes.
 
 #include <QObject>
 #include <QString>
@@ -11,7 +11,7 @@ namespace fenestra::viewer {
 struct BrushSettings {
   BrushMode mode = BrushMode::Restore;
   double radius = 24.0;   ///< device-independent pixels on what is painted
-  double softness = 0.5;  ///< as in BrushStroke, and so the rest
+  double softness = 0.5;  ///< this and all below as in BrushStroke
   double depth = 10.0;    ///< mm
   double amount = 0.5;
   bool coversFocus = false;
@@ -22,7 +22,7 @@ struct BrushSettings {
 /// Whether a mode moves the ray start, by `depth`; the others change the context layer, by `amount`.
 bool movesRayStart(BrushMode mode);
 QString nameOf(BrushMode mode);
-/// What undoes a mode by hand: Restore and Open, Fade and Strengthen.
+/// The mode that reverses another: Restore and Open, Fade and Strengthen.
 BrushMode opposite(BrushMode mode);
 
 class Brush : public QObject {
@@ -36,14 +36,14 @@ class Brush : public QObject {
   const BrushSettings& settings() const { return settings_; }
   void setSettings(const BrushSettings& settings);
   void scaleRadius(double factor);
-  /// Depth, or amount where the mode has that.
+  /// Scales the depth, or the amount in modes without depth.
   void scaleDepth(double factor);
 
   /// The left button paints instead of turning the view.
   bool isActive() const { return active_; }
   void setActive(bool on);
-  /// The key for the brush, or the one for the brush the other way: takes the brush up in that sense, turns it round,
-  /// or lays it down when it has that sense already.
+  /// Presses the key of the brush, or of its opposite (`otherWay`): activates the brush in a mode of that direction, or
+  /// deactivates it when it is active in that direction already.
   void toggle(bool otherWay);
 
  Q_SIGNALS:

@@ -1,5 +1,5 @@
 #pragma once
-// What a label is called where the user reads it.
+// A label's name as the user reads it.
 
 #include <QCoreApplication>
 #include <QString>
@@ -8,7 +8,7 @@
 
 namespace fenestra::viewer {
 
-/// Its own name, or its value where it has none.
+/// The label's name, or its value where it has no name.
 inline QString nameOf(const Label& label) {
   return label.name.empty() ? QCoreApplication::translate("LabelName", "label %1").arg(label.value)
                             : QString::fromStdString(label.name);

@@ -79,7 +79,7 @@ Effort Preferences::atRest() const {
   const int quality = value(qualityKey, static_cast<int>(effort.quality)).toInt();
   if (quality >= static_cast<int>(Quality::Draft) && quality <= static_cast<int>(Quality::High))
     effort.quality = static_cast<Quality>(quality);
-  // The file may have been edited by hand: what is no bound is none.
+  // The file may have been edited by hand: a value out of range counts as no bound.
   const double maxError = value(maxErrorKey, 0.0).toDouble();
   constexpr double least = 0.05;  // as --max-error takes
   if (maxError >= least && maxError <= 255.0) effort.maxError = maxError;

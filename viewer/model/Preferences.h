@@ -1,6 +1,6 @@
 #pragma once
-// What is remembered between two runs. Nothing that the data says about a patient is stored: the recent list holds
-// paths as the user chose them.
+// Settings kept between two runs. Nothing that the data says about a patient is stored: the recent list holds paths as
+// the user chose them.
 
 #include <cstdint>
 #include <filesystem>
@@ -24,7 +24,7 @@ class Preferences {
 
   explicit Preferences(Mode mode = Mode::Stored);
 
-  /// Latest first; paths that are gone are kept, they may lie on a disk that is away.
+  /// Latest first. Paths that no longer exist stay listed: they may lie on a disk that is not connected.
   std::vector<std::filesystem::path> recent() const;
   void addRecent(const std::filesystem::path& path);
   void clearRecent();
@@ -38,7 +38,7 @@ class Preferences {
   QByteArray viewLayout() const;
   void setLayout(const QByteArray& geometry, const QByteArray& state, const QByteArray& views);
 
-  /// How cameras are placed; what was never stored, or makes no sense, is the default.
+  /// How cameras are placed. Values that were never stored or are out of range have their defaults.
   PlacementSettings placement() const;
   void setPlacement(const PlacementSettings& placement);
 

@@ -1,5 +1,5 @@
 #pragma once
-// What one window works on: the open study, and how it is looked at and edited.
+// The models of one window: the open study, and how it is viewed and edited.
 
 #include "viewer/model/Brush.h"
 #include "viewer/model/Document.h"

@@ -36,7 +36,7 @@ AppearancePanel::AppearancePanel(Document& document, QWidget* parent)
   connect(&document, &Document::transferFunctionChanged, this, &AppearancePanel::show);
   connect(&document, &Document::volumeChanged, this, [this] {
     const Volume& volume = *document_.scene().volume;
-    // A quarter of the values either way; for CT the ±500 HU that separate lung, soft tissue and bone.
+    // A quarter of the range either way; for CT ±500 HU, which separate lung, soft tissue and bone.
     const double span = volume.isInHounsfieldUnits() ? 500.0 : 0.25 * (volume.range.high - volume.range.low);
     const double step = std::pow(10.0, std::floor(std::log10(std::max(span, 1e-9) / 200.0)));
     shift_->setRange(-std::ceil(span / step) * step, std::ceil(span / step) * step, step);
@@ -53,7 +53,7 @@ void AppearancePanel::show() {
   }
   const QString id = QString::fromStdString(document_.preset());
   int row = presets_->findData(id);
-  if (row < 0) {  // a file: listed by its name from now on
+  if (row < 0) {  // a file, which gets an entry with its name
     row = presets_->count() - 1;
     presets_->insertItem(row, QFileInfo(id).completeBaseName(), id);
   }

@@ -40,7 +40,7 @@ class BestViews : public QWidget {
   PlacementController& placement_;
   std::array<QToolButton*, count> buttons_{};
   std::vector<std::size_t> best_;  ///< the candidates that the buttons show
-  std::size_t drawn_ = 0;          ///< of them
+  std::size_t drawn_ = 0;          ///< number of best_ with a picture
   QTimer drawing_;
 };
 

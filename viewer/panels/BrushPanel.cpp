@@ -48,7 +48,7 @@ QLayout* BrushPanel::makeModes() {
   auto* row = new QHBoxLayout;
   row->setSpacing(2);
   auto* group = new QButtonGroup(this);
-  for (const Mode& each : {Mode{BrushMode::Restore, tr("Brings back what the opening removed")},
+  for (const Mode& each : {Mode{BrushMode::Restore, tr("Brings back tissue that the opening removed")},
                            Mode{BrushMode::Open, tr("Opens further, away from the eye")},
                            Mode{BrushMode::Fade, tr("Shows less of the context's edges over the focus")},
                            Mode{BrushMode::Strengthen, tr("Shows more of the context's edges over the focus")}}) {
@@ -70,14 +70,15 @@ QWidget* BrushPanel::makeBody() {
   paint_->setText(tr("Paint in the 3-D views"));
   paint_->setIcon(icon("brush"));
   paint_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  paint_->setToolTip(tr("The left button paints; Ctrl with it still turns the view (P, and E the other way)"));
+  paint_->setToolTip(tr("The left button paints; Ctrl+left drag still turns the view (P; E for the opposite brush)"));
   radius_->setSuffix(tr(" px"));
   depth_->setSuffix(tr(" mm"));
   radius_->setToolTip(tr("Radius on the screen where a stroke begins; there it is fixed in millimetres ([ and ])"));
   softness_->setToolTip(tr("Share of the radius over which the effect fades out"));
-  depth_->setToolTip(tr("How far what is seen moves along the line of sight at most (Shift+wheel, Shift+drag)"));
-  amount_->setToolTip(tr("How much of the context's edges goes or is added (Shift+wheel, Shift+drag)"));
-  coversFocus_->setToolTip(tr("Otherwise what is restored never hides the focus"));
+  depth_->setToolTip(
+      tr("Greatest distance that the visible surface moves along the line of sight (Shift+wheel, Shift+drag)"));
+  amount_->setToolTip(tr("By how much the context's edges are faded or strengthened (Shift+wheel, Shift+drag)"));
+  coversFocus_->setToolTip(tr("Otherwise restored tissue never hides the focus"));
   thisViewOnly_->setToolTip(tr("Otherwise a stroke shows in both views"));
 
   auto* form = new QFormLayout;

@@ -1,5 +1,5 @@
 #pragma once
-// Placing the cameras: the button for it, the best viewpoints, where the cameras are among all, and the settings.
+// Placing the cameras: the button, the best viewpoints, the map of all viewpoints, and the settings.
 
 #include <QLabel>
 #include <QProgressBar>

@@ -18,8 +18,8 @@ struct WeightRow {
 constexpr std::size_t mainWeights = 3;
 const std::array<WeightRow, PlacementForm::weightCount> weightRows{{
     {QT_TRANSLATE_NOOP("PlacementForm", "Depth"),
-     QT_TRANSLATE_NOOP("PlacementForm", "How deep the focus lies; below 0 prefers views with little before it"), -2.0,
-     2.0, 0.05, &placement::Weights::visibility},
+     QT_TRANSLATE_NOOP("PlacementForm", "How deep the focus lies; below 0 prefers views with little in front of it"),
+     -2.0, 2.0, 0.05, &placement::Weights::visibility},
     {QT_TRANSLATE_NOOP("PlacementForm", "Size"),
      QT_TRANSLATE_NOOP("PlacementForm", "How much of the picture it covers"), 0.0, 16.0, 0.1,
      &placement::Weights::coverage},
@@ -61,7 +61,8 @@ PlacementForm::PlacementForm(PlacementController& placement, QWidget* parent)
 void PlacementForm::makeChoices() {
   for (const int count : {48, 108, 192, 300, 588, 1200}) sampling_->addItem(tr("%1 views").arg(count), count);
   sampling_->addItem(tr("refined"), 0);
-  sampling_->setToolTip(tr("Viewpoints tried, evenly over the sphere; refined: more and more finely where it counts"));
+  sampling_->setToolTip(
+      tr("Number of viewpoints tried, evenly over the sphere; refined: ever finer around the best ones"));
   region_->addItem(tr("Semi-sphere"), static_cast<int>(placement::Region::SemiSphere));
   region_->addItem(tr("Stream"), static_cast<int>(placement::Region::Stream));
   region_->setToolTip(tr("Where C2 may be: beside C1 on one side, or in a band all around at right angles to it"));

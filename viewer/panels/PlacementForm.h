@@ -31,7 +31,7 @@ class PlacementForm : public QWidget {
   SliderSpin* weight(std::size_t which) const { return weights_.at(which); }
 
  Q_SIGNALS:
-  /// The user changed this of the settings.
+  /// The user changed a setting; `change` applies the same change to other settings.
   void edited(const std::function<void(PlacementSettings&)>& change);
 
  private:

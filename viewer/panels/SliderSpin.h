@@ -1,5 +1,5 @@
 #pragma once
-// One number: a slider to drag and a box to type into.
+// A number, with a slider to drag and a box to type into.
 
 #include <QDoubleSpinBox>
 #include <QSlider>
@@ -16,7 +16,7 @@ class SliderSpin : public QWidget {
   SliderSpin(double low, double high, double step, QWidget* parent = nullptr);
 
   void setRange(double low, double high, double step);
-  /// Shows a value without telling anyone; one beyond the range widens it.
+  /// Shows a value without emitting edited(). A value beyond the range widens it.
   void setValue(double value);
   double value() const { return box_->value(); }
   void setSuffix(const QString& suffix) { box_->setSuffix(suffix); }
@@ -24,9 +24,9 @@ class SliderSpin : public QWidget {
   QDoubleSpinBox* box() const { return box_; }
 
  Q_SIGNALS:
-  /// The user moved it.
+  /// The user changed the value.
   void edited(double value);
-  /// The slider is being dragged from now on, and no longer.
+  /// The user begins, or has ended, a drag of the slider.
   void dragBegun();
   void dragEnded();
 
@@ -36,7 +36,7 @@ class SliderSpin : public QWidget {
   double low_ = 0.0, step_ = 1.0;
 };
 
-/// A drag of the slider is one step of the history.
+/// Makes each drag of the slider one step of the history.
 void makeDragsSteps(SliderSpin& slider, History& history);
 
 }  // namespace fenestra::viewer

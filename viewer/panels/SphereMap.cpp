@@ -19,7 +19,7 @@ namespace {
 constexpr QSize mapSize(240, 120);
 constexpr double margin = 9.0;  ///< device-independent pixels, for the letters and markers at the rim
 
-/// From low to high quality: even in lightness, also for colour-blind eyes.
+/// From low to high quality, with even steps of lightness, which colour-blind users see too.
 const std::array<glm::dvec3, 5> ramp{glm::dvec3(0.16, 0.13, 0.32), glm::dvec3(0.20, 0.31, 0.55),
                                      glm::dvec3(0.13, 0.52, 0.55), glm::dvec3(0.42, 0.75, 0.38),
                                      glm::dvec3(0.98, 0.90, 0.30)};
@@ -68,7 +68,7 @@ void SphereMap::findNearest() {
   nearest_.assign(static_cast<std::size_t>(mapSize.width() * mapSize.height()), -1);
   for (int y = 0; y < mapSize.height(); ++y)
     for (int x = 0; x < mapSize.width(); ++x) {
-      // To the ellipse's very rim, so that smooth scaling mixes in nothing from outside.
+      // Pixels outside the ellipse get the colour of its rim, so that smooth scaling mixes in no other colour.
       glm::dvec2 at(4.0 * (x + 0.5) / mapSize.width() - 2.0, 1.0 - 2.0 * (y + 0.5) / mapSize.height());
       at /= std::max(1.0, glm::length(glm::dvec2(0.5 * at.x, at.y)) * (1.0 + 1e-9));
       const std::optional<glm::dvec3> direction = directionFromMap(at);
@@ -136,7 +136,7 @@ void SphereMap::paintEvent(QPaintEvent*) {
   small.setPointSizeF(0.85 * small.pointSizeF());
   small.setBold(true);
   painter.setFont(small);
-  // C1 last: on top where both are at one place.
+  // C1 is drawn last, on top where both are at one place.
   for (int view = ViewLink::count - 1; view >= 0; --view) {
     constexpr double radius = 7.5;
     const QPointF at = widgetFromDirection(directionOf(cameras_.camera(view)));

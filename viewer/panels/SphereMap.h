@@ -42,7 +42,7 @@ class SphereMap : public QWidget {
   ViewLink& cameras_;
   PlacementController& placement_;
   QImage picture_;            ///< of the ellipse's box
-  std::vector<int> nearest_;  ///< per pixel of it the candidate; -1 outside the ellipse
+  std::vector<int> nearest_;  ///< nearest candidate of each pixel of picture_
 };
 
 }  // namespace fenestra::viewer

@@ -11,7 +11,7 @@
 namespace fenestra::viewer {
 namespace {
 
-/// How long the window may not answer: a frame of 30 a second, with room for a slice that takes longer than the last.
+/// Time that one slice may block the window: a frame at 30 Hz (33 ms), less a margin for slices slower than the last.
 constexpr double sliceMilliseconds = 20.0;
 constexpr std::size_t mostPerSlice = 256;
 
@@ -45,7 +45,7 @@ bool PlacementRenderer::advance() {
   QElapsedTimer clock;
   clock.start();
   run([&](const std::shared_ptr<GpuScene>& gpu) { done = placer_->advance(*gpu, perSlice_); });
-  // The next slice is as large as this one's speed allows, but grows by steps: the first ones also compile shaders.
+  // Sized for the speed of this slice, but at most doubled: the first slices also compile shaders.
   const double milliseconds = std::max(1e-3, static_cast<double>(clock.nsecsElapsed()) * 1e-6);
   const double fitting = static_cast<double>(perSlice_) * std::min(2.0, sliceMilliseconds / milliseconds);
   perSlice_ = std::clamp(static_cast<std::size_t>(fitting), std::size_t{1}, mostPerSlice);
@@ -56,9 +56,9 @@ QImage PlacementRenderer::picture(const Scene& scene, const Camera& camera, QSiz
   QImage picture(size, QImage::Format_RGBA8888_Premultiplied);
   run([&](const std::shared_ptr<GpuScene>& gpu) {
     if (!renderer_) renderer_.emplace(gpu);
-    // Widths in pixels are meant for a view some five times as large.
+    // Widths in pixels are chosen for a view about five times as large.
     constexpr double pixelScale = 0.2;
-    // Margins are room that a small picture does not have.
+    // Crops the margins, which a small picture has no room for.
     constexpr double zoom = 1.3;
     renderer_->render(scene, {.camera = camera.zoomed(zoom),
                               .size = {size.width(), size.height()},

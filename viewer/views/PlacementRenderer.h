@@ -1,5 +1,5 @@
 #pragma once
-// What placing the cameras renders: candidates and small pictures, in a 3-D view's OpenGL context with its voxels.
+// Measures candidate cameras and draws small pictures of them, in a 3-D view's OpenGL context and with its voxels.
 
 #include <functional>
 #include <memory>

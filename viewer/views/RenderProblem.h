@@ -7,7 +7,7 @@
 
 namespace fenestra::viewer {
 
-/// One line: what failed and what would help. Of a shader that the driver refuses only the name is given, not the log.
+/// One line: what failed and what would help. It names a shader that the driver refuses, without the driver's log.
 QString describeRenderProblem(const std::exception& error);
 
 }  // namespace fenestra::viewer

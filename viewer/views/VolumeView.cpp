@@ -73,7 +73,7 @@ VolumeView::VolumeView(int index, Document& document, SliceCursor& cursor, ViewL
 }
 
 VolumeView::~VolumeView() {
-  // GPU objects go while their context is current; the last view takes the shared voxels along.
+  // GPU objects need their context when they are destroyed. The last view destroys the shared voxels.
   makeCurrent();
   renderer_.reset();
   shared_.gpuScene.reset();
@@ -247,7 +247,7 @@ std::optional<glm::dvec3> VolumeView::pick(QPointF position) {
   std::optional<glm::dvec3> hit;
   attemptOnPicture([&] { hit = renderer_->pick(pixelAt(position)); });
   if (!hit) return std::nullopt;
-  // The hit lies on a surface, half the time on its outer side: half a voxel on lies what is seen.
+  // The hit lies on the surface between two voxels. Half a voxel further along the ray is the voxel that is seen.
   const Camera& camera = shown_.camera;
   const glm::dvec3 ray =
       camera.projection == Projection::Perspective ? glm::normalize(*hit - camera.eye) : camera.axes().forward;
@@ -285,7 +285,7 @@ void VolumeView::mouseMoveEvent(QMouseEvent* event) {
     return;
   }
   if (!dragging_ && std::hypot(total.x(), total.y()) <= clickSlack) return;
-  // The first move carries the slack along, so that the picture does not lag behind the mouse.
+  // The first step includes the slack, so that the picture does not lag behind the mouse.
   const QPointF step = dragging_ ? move : total;
   dragging_ = true;
   if (buttons & Qt::LeftButton) {
@@ -329,7 +329,8 @@ void VolumeView::mouseDoubleClickEvent(QMouseEvent* event) {
 
 void VolumeView::zoom(double factor) {
   const Camera& camera = cameras_.camera(index_);
-  // From a hundredth to ten times the volume's radius: never through the target, never out of sight.
+  // Between a hundredth and ten times the volume's radius, so that the camera neither passes its target nor loses
+  // sight.
   const double radius = document_.scene().volume->grid.boundingRadius();
   const double distance = camera.projection == Projection::Perspective ? glm::distance(camera.eye, camera.target)
                                                                        : camera.orthographicHeight;
