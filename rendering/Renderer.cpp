@@ -308,11 +308,12 @@ void Renderer::render(const Scene& scene, const View& view) {
   if (cutaway) {
     s.runIfStale(Pass::HitPoints, s.hits, HitKey{version.volume, version.focus, version.gaps, view.camera, view.size},
                  {}, [&](Regions) { s.hitPointPass.run(gpu, rays, sized(s.hitPoints, gl::Format::RG32F, view.size)); });
-    s.runIfStale(Pass::PullPush, s.fill, FillKey{s.hits.version()}, {},
-                 [&](Regions) { s.pullPushPass.run(s.hitPoints, sized(s.focusFilled, gl::Format::R32F, view.size)); });
+    s.runIfStale(Pass::PullPush, s.fill, FillKey{s.hits.version()}, {}, [&](Regions) {
+      s.pullPushPass.run(gpu.schedule(), s.hitPoints, sized(s.focusFilled, gl::Format::R32F, view.size));
+    });
     const int range = distanceRange(s.widths, view.size);
     s.runIfStale(Pass::DistanceMap, s.distance, DistanceKey{s.hits.version(), range}, {}, [&](Regions) {
-      s.distanceMapPass.run(s.hitPoints, range, sized(s.distances, gl::Format::R32F, view.size));
+      s.distanceMapPass.run(gpu.schedule(), s.hitPoints, range, sized(s.distances, gl::Format::R32F, view.size));
     });
     const RayStartKey startKey{s.hits.version(), s.fill.version(), s.distance.version(), s.widths.x};
     const RayStartPass::Inputs inputs{s.hitPoints, s.focusFilled, s.distances, s.widths.x};
@@ -320,14 +321,15 @@ void Renderer::render(const Scene& scene, const View& view) {
       s.releaseEdits();
     else
       s.runIfStale(Pass::EditMap, s.edits, startKey, changed, [&](Regions regions) {
-        s.editMapPass.run(rays, inputs, strokes, regions, sized(s.editMap, gl::Format::RG32F, view.size));
+        s.editMapPass.run(gpu.schedule(), rays, inputs, strokes, regions,
+                          sized(s.editMap, gl::Format::RG32F, view.size));
       });
     if (const auto& last = s.start.key(); last && last->hits == startKey.hits)
       moved = std::max(last->openWidth, startKey.openWidth) + 1.0;
     s.runIfStale(
         Pass::RayStart, s.start, startKey, changed,
         [&](Regions regions) {
-          s.rayStartPass.run(rays, inputs, s.editMap ? &s.editMap : nullptr, regions,
+          s.rayStartPass.run(gpu.schedule(), rays, inputs, s.editMap ? &s.editMap : nullptr, regions,
                              sized(s.rayStart, gl::Format::R32F, view.size));
         },
         moved ? nearFocus(*moved) : std::nullopt);
@@ -367,7 +369,7 @@ void Renderer::render(const Scene& scene, const View& view) {
         if (cutaway) opening.emplace(FocusLayerPass::Opening{s.hitPoints, s.rayStart});
         gl::Texture& focusLayer = sized(s.focusLayer, gl::Format::RGBA32F, view.size, presented);
         if (anew) clearAround(nearVolume, focusLayer);
-        s.focusLayerPass.run(gpu, scene, rays, opening, sampling, regions, focusLayer);
+        s.focusLayerPass.run(gpu, scene.look, rays, opening, sampling, regions, focusLayer);
       },
       onlyMoved ? nearFocus(*moved + FocusLayerPass::reach(sampling)) : nearVolume);
 
@@ -407,9 +409,8 @@ void Renderer::render(const Scene& scene, const View& view) {
       if (contextLayer) {
         inputs.contextLayer = &s.contextLayer;
         inputs.silhouette = &s.silhouette;
-        inputs.gpu = &gpu;
       }
-      s.compositePass.run(inputs, scene, regions, composed);
+      s.compositePass.run(gpu, inputs, scene.look, regions, composed);
     };
     s.runIfStale(Pass::Composite, s.composite, compositeKey, changed, compose, part);
   } else {
@@ -424,7 +425,7 @@ void Renderer::present(std::uint32_t framebuffer, glm::ivec4 rectangle) {
   if (!s.picture()) return;
   if (!s.presentProgram) s.presentProgram = gl::ShaderProgram::graphics("Present.vert", "Present.frag");
   const gl::DrawTarget target(framebuffer, rectangle);
-  bindTexture(s.presentProgram, "picture", 0, s.picture());
+  s.presentProgram.bind("picture", s.picture());
   s.presentProgram.set("background", s.background);
   s.presentProgram.drawFullScreen();
 }

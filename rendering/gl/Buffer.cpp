@@ -39,9 +39,9 @@ Buffer& Buffer::operator=(Buffer&& other) noexcept {
   return *this;
 }
 
-void Buffer::write(std::span<const std::uint32_t> words) {
+void Buffer::write(std::span<const std::byte> bytes) {
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-  glNamedBufferSubData(name_, 0, static_cast<GLsizeiptr>(words.size_bytes()), words.data());
+  glNamedBufferSubData(name_, 0, static_cast<GLsizeiptr>(bytes.size()), bytes.data());
 }
 
 void Buffer::bind(unsigned binding) const { glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, name_); }

@@ -1,5 +1,5 @@
 #pragma once
-// Shader storage buffers: move-only, made from data or cleared for shaders to fill.
+// Storage and uniform buffers: move-only, made from data or cleared for shaders to fill.
 
 #include <cstddef>
 #include <cstdint>
@@ -22,8 +22,8 @@ class Buffer {
   static Buffer zeroed(std::size_t bytes);
   /// Copies the first bytes back; waits for what is written.
   void read(std::span<std::byte> bytes) const;
-  /// Replaces the first words, after what shaders have done with them.
-  void write(std::span<const std::uint32_t> words);
+  /// Replaces the first bytes, after what shaders have done with them.
+  void write(std::span<const std::byte> bytes);
   /// As the shader storage block at `binding`.
   void bind(unsigned binding) const;
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
+#include <cctype>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -13,31 +15,26 @@
 namespace fenestra::gl {
 namespace {
 
-/// What a uniform is called where it is stored.
-std::string storedName(std::string_view uniform) { return std::string(uniform) + "Stored[1]"; }
-std::string elementName(std::string_view uniform) { return std::string(uniform) + "Stored[0]"; }
+ShaderProgram::Listener& listener() {
+  static ShaderProgram::Listener told;
+  return told;
+}
 
-/// "uniform vec2 a, b;" as stored arrays of one and variables with their values at the start of main(); any other line
-/// as it is. llvmpipe reads a uniform that is named in a loop or a branch lane by lane, at each pass of the loop, and
-/// compilers put a copy of a uniform back to where it is used, unless it is one of an array's element.
-std::string withUniformsReadOnce(const std::string& line) {
-  constexpr std::array plain{"float", "int", "bool", "vec2", "vec3", "vec4", "ivec2", "ivec3", "ivec4", "mat3", "mat4"};
-  std::istringstream words(line);
-  std::string keyword, type, name, stored, copies;
-  words >> keyword >> type;
-  const std::size_t end = line.find(';');
-  if (keyword != "uniform" || end == std::string::npos || std::ranges::find(plain, type) == plain.end()) return line;
-  const std::size_t begin = line.find(type) + type.size();
-  for (std::istringstream names(line.substr(begin, end - begin)); std::getline(names >> std::ws, name, ',');) {
-    stored += (stored.empty() ? "" : ", ") + storedName(name);
-    copies += (copies.empty() ? "" : ", ") + name + " = " + elementName(name);
-  }
-  return "uniform " + type + ' ' + stored + "; " + type + ' ' + copies + line.substr(end);
+/// The file that an include line names, or an empty view for any other line.
+std::string_view includedFile(std::string_view line, const Variant& variant, std::string_view path) {
+  constexpr std::string_view include = "#include ";
+  if (!line.starts_with(include)) return {};
+  const std::string_view name = line.substr(include.size() + 1, line.find_last_of("\">") - include.size() - 1);
+  if (line[include.size()] == '"') return name;
+  const auto choice = std::ranges::find(variant.choices, name, &Choice::name);
+  if (choice == variant.choices.end())
+    throw ShaderError("shader " + std::string(path) + " needs a choice of <" + std::string(name) + ">");
+  return choice->file;
 }
 
 /// Appends the file with its includes; line directives carry an index into `files`, which errors are translated with.
-void expand(std::string_view path, std::vector<std::string>& files, std::ostringstream& out) {
-  if (std::find(files.begin(), files.end(), path) != files.end()) return;
+void expand(std::string_view path, const Variant& variant, std::vector<std::string>& files, std::ostringstream& out) {
+  if (std::ranges::find(files, path) != files.end()) return;
   const std::string_view source = shaders::find(path);
   if (source.empty()) throw ShaderError("no embedded shader '" + std::string(path) + "'");
   const std::size_t file = files.size();
@@ -46,29 +43,33 @@ void expand(std::string_view path, std::vector<std::string>& files, std::ostring
   std::istringstream lines{std::string(source)};
   std::string line;
   for (int number = 1; std::getline(lines, line); ++number) {
-    constexpr std::string_view include = "#include \"";
-    if (line.starts_with(include)) {
-      expand(line.substr(include.size(), line.rfind('"') - include.size()), files, out);
+    if (const std::string_view included = includedFile(line, variant, path); !included.empty()) {
+      expand(included, variant, files, out);
       out << "#line " << number + 1 << ' ' << file << '\n';
     } else {
-      out << withUniformsReadOnce(line) << '\n';
+      out << line << '\n';
     }
   }
 }
 
-std::string sourceOf(std::string_view path, const std::vector<Define>& defines, std::vector<std::string>& files) {
+struct Source {
+  std::string text;
+  std::vector<std::string> files;
+};
+
+Source sourceOf(std::string_view path, const Variant& variant) {
   std::ostringstream out;
+  Source source;
   out << "#version 450 core\n";
-  for (const Define& define : defines) out << "#define " << define.name << ' ' << define.value << '\n';
-  expand(path, files, out);
-  return out.str();
+  for (const Define& define : variant.defines) out << "#define " << define.name << ' ' << define.value << '\n';
+  expand(path, variant, source.files, out);
+  source.text = out.str();
+  return source;
 }
 
-GLuint compile(GLenum stage, std::string_view path, const std::vector<Define>& defines) {
-  std::vector<std::string> files;
-  const std::string source = sourceOf(path, defines, files);
+GLuint compile(GLenum stage, std::string_view path, const Source& source) {
   const GLuint shader = glCreateShader(stage);
-  const char* text = source.c_str();
+  const char* text = source.text.c_str();
   glShaderSource(shader, 1, &text, nullptr);
   glCompileShader(shader);
   GLint good = GL_FALSE;
@@ -78,7 +79,7 @@ GLuint compile(GLenum stage, std::string_view path, const std::vector<Define>& d
   glGetShaderInfoLog(shader, log.size(), nullptr, log.data());
   glDeleteShader(shader);
   std::string message = "shader " + std::string(path) + " does not compile; files:";
-  for (std::size_t i = 0; i < files.size(); ++i) message += ' ' + std::to_string(i) + '=' + files[i];
+  for (std::size_t i = 0; i < source.files.size(); ++i) message += ' ' + std::to_string(i) + '=' + source.files[i];
   throw ShaderError(message + '\n' + log.data());
 }
 
@@ -96,61 +97,33 @@ GLuint link(std::initializer_list<GLuint> shaders, std::string_view path) {
   throw ShaderError("shader " + std::string(path) + " does not link\n" + log.data());
 }
 
-}  // namespace
+bool isImage(GLenum type) { return type >= GL_IMAGE_1D && type <= GL_UNSIGNED_INT_IMAGE_2D_MULTISAMPLE_ARRAY; }
 
-ShaderProgram ShaderProgram::compute(std::string_view path, const std::vector<Define>& defines) {
-  ShaderProgram program;
-  program.name_ = link({compile(GL_COMPUTE_SHADER, path, defines)}, path);
-  return program;
+bool isSampler(GLenum type) {
+  constexpr std::array samplers{GL_SAMPLER_2D, GL_SAMPLER_3D, GL_UNSIGNED_INT_SAMPLER_2D, GL_UNSIGNED_INT_SAMPLER_3D};
+  return std::ranges::find(samplers, static_cast<int>(type)) != samplers.end();
 }
 
-ShaderProgram ShaderProgram::graphics(std::string_view vertexPath, std::string_view fragmentPath) {
-  ShaderProgram program;
-  const GLuint vertex = compile(GL_VERTEX_SHADER, vertexPath, {});
-  program.name_ = link({vertex, compile(GL_FRAGMENT_SHADER, fragmentPath, {})}, fragmentPath);
-  return program;
+std::string resourceName(GLuint program, GLenum interface, GLuint index) {
+  std::array<char, 256> name{};
+  glGetProgramResourceName(program, interface, index, name.size(), nullptr, name.data());
+  return name.data();
 }
 
-ShaderProgram::~ShaderProgram() {
-  if (name_) glDeleteProgram(name_);
+int resourceCount(GLuint program, GLenum interface) {
+  GLint count = 0;
+  glGetProgramInterfaceiv(program, interface, GL_ACTIVE_RESOURCES, &count);
+  return count;
 }
 
-ShaderProgram::ShaderProgram(ShaderProgram&& other) noexcept
-    : name_(std::exchange(other.name_, 0)), locations_(std::move(other.locations_)) {}
-
-ShaderProgram& ShaderProgram::operator=(ShaderProgram&& other) noexcept {
-  std::swap(name_, other.name_);
-  std::swap(locations_, other.locations_);
-  return *this;
+template <std::size_t Count>
+std::array<GLint, Count> resourceValues(GLuint program, GLenum interface, int index,
+                                        const std::array<GLenum, Count>& properties) {
+  std::array<GLint, Count> values{};
+  glGetProgramResourceiv(program, interface, static_cast<GLuint>(index), Count, properties.data(), Count, nullptr,
+                         values.data());
+  return values;
 }
-
-int ShaderProgram::location(const char* uniform) {
-  const auto [at, isNew] = locations_.try_emplace(uniform, -1);
-  if (isNew) at->second = glGetUniformLocation(name_, elementName(uniform).c_str());
-  if (isNew && at->second < 0) at->second = glGetUniformLocation(name_, uniform);  // samplers and images
-  return at->second;
-}
-
-void ShaderProgram::set(const char* u, int v) { glProgramUniform1i(name_, location(u), v); }
-void ShaderProgram::set(const char* u, float v) { glProgramUniform1f(name_, location(u), v); }
-void ShaderProgram::set(const char* u, glm::ivec2 v) { glProgramUniform2i(name_, location(u), v.x, v.y); }
-void ShaderProgram::set(const char* u, glm::ivec3 v) { glProgramUniform3i(name_, location(u), v.x, v.y, v.z); }
-void ShaderProgram::set(const char* u, glm::vec2 v) { glProgramUniform2f(name_, location(u), v.x, v.y); }
-void ShaderProgram::set(const char* u, glm::vec3 v) { glProgramUniform3f(name_, location(u), v.x, v.y, v.z); }
-void ShaderProgram::set(const char* u, glm::vec4 v) { glProgramUniform4f(name_, location(u), v.x, v.y, v.z, v.w); }
-void ShaderProgram::set(const char* u, const glm::mat3& v) {
-  glProgramUniformMatrix3fv(name_, location(u), 1, GL_FALSE, &v[0][0]);
-}
-
-ShaderProgram& ShaderVariants::get(const std::vector<Define>& defines) {
-  std::string key;
-  for (const Define& define : defines) key += define.name + '=' + std::to_string(define.value) + ';';
-  const auto at = programs_.find(key);
-  return at != programs_.end() ? at->second
-                               : programs_.emplace(key, ShaderProgram::compute(path_, defines)).first->second;
-}
-
-namespace {
 
 void dispatchGroups(glm::ivec2 size, glm::ivec2 groupSize) {
   const glm::ivec2 groups = (size + groupSize - 1) / groupSize;
@@ -165,15 +138,161 @@ void makeWritesVisible() {
 
 }  // namespace
 
-void ShaderProgram::dispatch(glm::ivec2 size, glm::ivec2 groupSize) const {
+ShaderProgram ShaderProgram::compute(std::string_view path, const Variant& variant) {
+  ShaderProgram program;
+  program.isCompute_ = true;
+  const Source source = sourceOf(path, variant);
+  program.name_ = link({compile(GL_COMPUTE_SHADER, path, source)}, path);
+#ifndef NDEBUG
+  program.source_ = source.text;
+#endif
+  program.inspect();
+  if (listener()) listener()(program, path, source.text);
+  return program;
+}
+
+ShaderProgram ShaderProgram::graphics(std::string_view vertexPath, std::string_view fragmentPath) {
+  ShaderProgram program;
+  const Source vertex = sourceOf(vertexPath, {}), fragment = sourceOf(fragmentPath, {});
+  const GLuint vertexShader = compile(GL_VERTEX_SHADER, vertexPath, vertex);
+  program.name_ = link({vertexShader, compile(GL_FRAGMENT_SHADER, fragmentPath, fragment)}, fragmentPath);
+#ifndef NDEBUG
+  program.source_ = vertex.text + fragment.text;
+#endif
+  program.inspect();
+  if (listener()) listener()(program, fragmentPath, fragment.text);
+  return program;
+}
+
+void ShaderProgram::listen(Listener wanted) { listener() = std::move(wanted); }
+
+ShaderProgram::~ShaderProgram() {
+  if (name_) glDeleteProgram(name_);
+}
+
+ShaderProgram::ShaderProgram(ShaderProgram&& other) noexcept
+    : name_(std::exchange(other.name_, 0)),
+      isCompute_(other.isCompute_),
+      uniforms_(std::move(other.uniforms_)),
+      blocks_(std::move(other.blocks_)),
+      source_(std::move(other.source_)) {}
+
+ShaderProgram& ShaderProgram::operator=(ShaderProgram&& other) noexcept {
+  std::swap(name_, other.name_);
+  std::swap(isCompute_, other.isCompute_);
+  std::swap(uniforms_, other.uniforms_);
+  std::swap(blocks_, other.blocks_);
+  std::swap(source_, other.source_);
+  return *this;
+}
+
+/// Finds the active uniforms and blocks, and gives each texture a unit and each block a binding of its own.
+void ShaderProgram::inspect() {
+  int images = 0, samplers = 0;
+  for (int i = 0; i < resourceCount(name_, GL_UNIFORM); ++i) {
+    const auto [type, location, block] =
+        resourceValues<3>(name_, GL_UNIFORM, i, {GL_TYPE, GL_LOCATION, GL_BLOCK_INDEX});
+    if (block >= 0) continue;
+    Uniform uniform{location, static_cast<unsigned>(type)};
+    if (isImage(uniform.type)) uniform.unit = images++;
+    if (isSampler(uniform.type)) uniform.unit = samplers++;
+    if (uniform.unit >= 0) glProgramUniform1i(name_, location, uniform.unit);
+    uniforms_.emplace(resourceName(name_, GL_UNIFORM, static_cast<GLuint>(i)), uniform);
+  }
+  for (int i = 0; i < resourceCount(name_, GL_UNIFORM_BLOCK); ++i) {
+    const auto [size] = resourceValues<1>(name_, GL_UNIFORM_BLOCK, i, {GL_BUFFER_DATA_SIZE});
+    glUniformBlockBinding(name_, static_cast<GLuint>(i), static_cast<GLuint>(i));
+    Block& block = blocks_[resourceName(name_, GL_UNIFORM_BLOCK, static_cast<GLuint>(i))];
+    block.binding = i;
+    block.size = static_cast<std::size_t>(size);
+  }
+}
+
+void ShaderProgram::assertDeclared([[maybe_unused]] std::string_view name) const {
+#ifndef NDEBUG
+  const auto isPart = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+  for (std::size_t at = source_.find(name); at != std::string::npos; at = source_.find(name, at + 1))
+    if ((at == 0 || !isPart(source_[at - 1])) && !isPart(source_[at + name.size()])) return;
+  assert(!"the shader declares no uniform of this name");
+#endif
+}
+
+ShaderProgram::Uniform* ShaderProgram::find(std::string_view uniform,
+                                            [[maybe_unused]] std::initializer_list<unsigned> types) {
+  assertDeclared(uniform);
+  const auto at = uniforms_.find(uniform);
+  if (at == uniforms_.end()) return nullptr;
+  assert(types.size() == 0 || std::ranges::find(types, at->second.type) != types.end());
+  return &at->second;
+}
+
+void ShaderProgram::set(std::string_view name, int value) {
+  if (const Uniform* u = find(name, {GL_INT, GL_BOOL})) glProgramUniform1i(name_, u->location, value);
+}
+void ShaderProgram::set(std::string_view name, float value) {
+  if (const Uniform* u = find(name, {GL_FLOAT})) glProgramUniform1f(name_, u->location, value);
+}
+void ShaderProgram::set(std::string_view name, glm::ivec2 value) {
+  if (const Uniform* u = find(name, {GL_INT_VEC2})) glProgramUniform2i(name_, u->location, value.x, value.y);
+}
+void ShaderProgram::set(std::string_view name, glm::vec2 value) {
+  if (const Uniform* u = find(name, {GL_FLOAT_VEC2})) glProgramUniform2f(name_, u->location, value.x, value.y);
+}
+void ShaderProgram::set(std::string_view name, glm::vec3 value) {
+  if (const Uniform* u = find(name, {GL_FLOAT_VEC3})) glProgramUniform3f(name_, u->location, value.x, value.y, value.z);
+}
+
+void ShaderProgram::setBlock(std::string_view name, std::span<const std::byte> bytes) {
+  assertDeclared(name);
+  const auto at = blocks_.find(name);
+  if (at == blocks_.end()) return;
+  Block& block = at->second;
+  assert(bytes.size() == block.size);
+  if (std::ranges::equal(bytes, block.bytes)) return;
+  block.bytes.assign(bytes.begin(), bytes.end());
+  if (block.buffer)
+    block.buffer.write(bytes);
+  else
+    block.buffer = Buffer(bytes);
+}
+
+void ShaderProgram::bind(std::string_view name, const Texture& texture, Access access) {
+  Uniform* uniform = find(name, {});
+  if (!uniform) return;
+  assert(uniform->unit >= 0);
+  uniform->texture = texture.name();
+  uniform->format = texture.format();
+  uniform->access = access;
+}
+
+/// Makes the program current, with its textures and blocks.
+void ShaderProgram::use() {
   glUseProgram(name_);
+  for (const auto& [name, uniform] : uniforms_) {
+    if (uniform.unit < 0) continue;
+    const auto unit = static_cast<GLuint>(uniform.unit);
+    if (isImage(uniform.type)) {
+      const GLenum mode = uniform.access == Access::Read    ? GL_READ_ONLY
+                          : uniform.access == Access::Write ? GL_WRITE_ONLY
+                                                            : GL_READ_WRITE;
+      glBindImageTexture(unit, uniform.texture, 0, GL_TRUE, 0, mode, internalFormat(uniform.format));
+    } else {
+      glBindTextureUnit(unit, uniform.texture);
+    }
+  }
+  for (const auto& [name, block] : blocks_)
+    glBindBufferBase(GL_UNIFORM_BUFFER, static_cast<GLuint>(block.binding), block.buffer.name());
+}
+
+void ShaderProgram::dispatch(glm::ivec2 size, glm::ivec2 groupSize) {
+  use();
   dispatchGroups(size, groupSize);
   makeWritesVisible();
   glUseProgram(0);
 }
 
 void ShaderProgram::dispatch(std::span<const Region> regions) {
-  glUseProgram(name_);
+  use();
   for (const Region& region : regions) {
     set("pixelOrigin", region.origin);
     dispatchGroups(region.size, {8, 8});
@@ -182,8 +301,8 @@ void ShaderProgram::dispatch(std::span<const Region> regions) {
   glUseProgram(0);
 }
 
-void ShaderProgram::dispatchIndirect(const Buffer& groups) const {
-  glUseProgram(name_);
+void ShaderProgram::dispatchIndirect(const Buffer& groups) {
+  use();
   glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
   glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, groups.name());
   glDispatchComputeIndirect(0);
@@ -192,13 +311,47 @@ void ShaderProgram::dispatchIndirect(const Buffer& groups) const {
   glUseProgram(0);
 }
 
-void ShaderProgram::drawFullScreen() const {
+ProgramResources ShaderProgram::resources() const {
+  ProgramResources used;
+  for (const auto& [name, uniform] : uniforms_) {
+    used.images += isImage(uniform.type);
+    used.samplers += isSampler(uniform.type);
+  }
+  used.storageBlocks = resourceCount(name_, GL_SHADER_STORAGE_BLOCK);
+  used.uniformBlocks = static_cast<int>(blocks_.size());
+  if (isCompute_) glGetProgramiv(name_, GL_COMPUTE_WORK_GROUP_SIZE, &used.groupSize.x);
+  return used;
+}
+
+std::vector<std::pair<std::string, int>> ShaderProgram::blockLayout(std::string_view block) const {
+  std::vector<std::pair<std::string, int>> members;
+  const auto at = blocks_.find(block);
+  if (at == blocks_.end()) return members;
+  for (int i = 0; i < resourceCount(name_, GL_UNIFORM); ++i) {
+    const auto [index, offset] = resourceValues<2>(name_, GL_UNIFORM, i, {GL_BLOCK_INDEX, GL_OFFSET});
+    if (index != at->second.binding) continue;
+    const std::string name = resourceName(name_, GL_UNIFORM, static_cast<GLuint>(i));
+    members.emplace_back(name.substr(name.rfind('.') + 1), offset);
+  }
+  return members;
+}
+
+ShaderProgram& ShaderVariants::get(const Variant& variant) {
+  std::string key;
+  for (const Define& define : variant.defines) key += define.name + '=' + std::to_string(define.value) + ';';
+  for (const Choice& choice : variant.choices) key += choice.name + '=' + choice.file + ';';
+  const auto at = programs_.find(key);
+  return at != programs_.end() ? at->second
+                               : programs_.emplace(key, ShaderProgram::compute(path_, variant)).first->second;
+}
+
+void ShaderProgram::drawFullScreen() {
   GLuint vertexArray = 0;
   glCreateVertexArrays(1, &vertexArray);  // core profile wants one bound; vertex arrays are not shared between contexts
   GLint previous = 0;
   glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &previous);
   glBindVertexArray(vertexArray);
-  glUseProgram(name_);
+  use();
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glUseProgram(0);
   glBindVertexArray(static_cast<GLuint>(previous));

@@ -1,7 +1,11 @@
 #pragma once
-// Programs from the embedded shader sources, with #include and compile-time switches.
+// Programs from the embedded shader sources, with #include, switches and alternatives.
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <initializer_list>
+#include <map>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -13,6 +17,7 @@
 #include <glm/glm.hpp>
 
 #include "rendering/gl/Buffer.h"
+#include "rendering/gl/Texture.h"
 
 namespace fenestra::gl {
 
@@ -21,10 +26,19 @@ class ShaderError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// "#define NAME VALUE" lines put before the source.
+/// A line "#define NAME VALUE" before the source.
 struct Define {
   std::string name;
   int value = 1;
+};
+/// The file that a line `#include <name>` stands for: alternatives with one interface, of which a variant takes one.
+struct Choice {
+  std::string name, file;
+};
+/// One way to compile a shader.
+struct Variant {
+  std::vector<Define> defines;
+  std::vector<Choice> choices;
 };
 
 /// Part of a picture in pixels from its top left.
@@ -33,12 +47,21 @@ struct Region {
   bool operator==(const Region&) const = default;
 };
 
+/// What a linked program takes up of the limits that OpenGL sets.
+struct ProgramResources {
+  int images = 0, samplers = 0, storageBlocks = 0, uniformBlocks = 0;
+  glm::ivec3 groupSize{0};  ///< invocations of a compute program's work group; 0 for graphics
+};
+
+/// Sets uniforms, blocks and textures by the names that they have in the source. A name that stands nowhere in the
+/// source, or has another type, is a programmer's error and asserted; one that a variant does not use is ignored.
 class ShaderProgram {
  public:
   ShaderProgram() = default;
   /// `path` below rendering/shaders, e.g. "HitPoints.comp". `#include "lib/Ray.glsl"` is resolved against the same
-  /// root, each file once. Throws ShaderError.
-  static ShaderProgram compute(std::string_view path, const std::vector<Define>& defines = {});
+  /// root,
+  /// `#include <name>` by the variant's choices, each file once. Throws ShaderError.
+  static ShaderProgram compute(std::string_view path, const Variant& variant = {});
   static ShaderProgram graphics(std::string_view vertexPath, std::string_view fragmentPath);
   ~ShaderProgram();
   ShaderProgram(ShaderProgram&& other) noexcept;
@@ -46,38 +69,75 @@ class ShaderProgram {
 
   explicit operator bool() const { return name_ != 0; }
 
-  /// Sets a uniform; one that the compiler optimised away is ignored.
-  void set(const char* uniform, int value);
-  void set(const char* uniform, float value);
-  void set(const char* uniform, glm::ivec2 value);
-  void set(const char* uniform, glm::ivec3 value);
-  void set(const char* uniform, glm::vec2 value);
-  void set(const char* uniform, glm::vec3 value);
-  void set(const char* uniform, glm::vec4 value);
-  void set(const char* uniform, const glm::mat3& value);
+  void set(std::string_view uniform, int value);
+  void set(std::string_view uniform, float value);
+  void set(std::string_view uniform, glm::ivec2 value);
+  void set(std::string_view uniform, glm::vec2 value);
+  void set(std::string_view uniform, glm::vec3 value);
+  /// A uniform block: a struct with its std140 layout, and its name as `Block::name`.
+  template <class Block>
+  void set(const Block& block) {
+    setBlock(Block::name, std::as_bytes(std::span(&block, 1)));
+  }
+  /// A texture, at a unit of the program's own, as the source declares it: as a sampler, or as an image with `access`.
+  /// It must live until the program has run.
+  void bind(std::string_view uniform, const Texture& texture, Access access = Access::Read);
 
   /// Runs a compute program over at least size.x × size.y invocations in groups of groupSize, then makes its writes
   /// visible to everything after.
-  void dispatch(glm::ivec2 size, glm::ivec2 groupSize = {8, 8}) const;
+  void dispatch(glm::ivec2 size, glm::ivec2 groupSize = {8, 8});
   /// The same over each region of a picture in groups of 8×8; the shader takes its pixels from lib/Region.glsl.
   void dispatch(std::span<const Region> regions);
   /// As many groups as a shader has written into the buffer's first three words.
-  void dispatchIndirect(const Buffer& groups) const;
+  void dispatchIndirect(const Buffer& groups);
   /// Draws one triangle that covers the viewport.
-  void drawFullScreen() const;
+  void drawFullScreen();
+
+  ProgramResources resources() const;
+  /// Offset in bytes of each member of a uniform block, by the name that it has in the struct that the block holds;
+  /// empty when the variant does not use the block.
+  std::vector<std::pair<std::string, int>> blockLayout(std::string_view block) const;
+
+  /// Is told of each program that is linked from now on, with its path and the complete source of its last stage; for
+  /// tests. An empty one ends it.
+  using Listener = std::function<void(const ShaderProgram&, std::string_view path, const std::string& source)>;
+  static void listen(Listener listener);
 
  private:
-  int location(const char* uniform);
+  struct Uniform {
+    int location = -1;
+    unsigned type = 0;  ///< OpenGL's name
+    int unit = -1;      ///< of a texture
+    std::uint32_t texture = 0;
+    Format format{};
+    Access access = Access::Read;
+  };
+  struct Block {
+    int binding = 0;
+    std::size_t size = 0;
+    std::vector<std::byte> bytes;  ///< what `buffer` holds
+    Buffer buffer;
+  };
+
+  void inspect();
+  /// Null: the variant does not use it.
+  Uniform* find(std::string_view uniform, std::initializer_list<unsigned> types);
+  void setBlock(std::string_view name, std::span<const std::byte> bytes);
+  void use();
+  void assertDeclared(std::string_view name) const;
 
   std::uint32_t name_ = 0;
-  std::unordered_map<std::string, int> locations_;
+  bool isCompute_ = false;
+  std::map<std::string, Uniform, std::less<>> uniforms_;  ///< active, outside of blocks
+  std::map<std::string, Block, std::less<>> blocks_;
+  std::string source_;  ///< of all stages, to assert names; empty in release builds
 };
 
-/// A compute program's variants by their switches, each compiled when first asked for.
+/// A compute program's variants, each compiled when first asked for.
 class ShaderVariants {
  public:
   explicit ShaderVariants(std::string path) : path_(std::move(path)) {}
-  ShaderProgram& get(const std::vector<Define>& defines = {});
+  ShaderProgram& get(const Variant& variant = {});
 
  private:
   std::string path_;

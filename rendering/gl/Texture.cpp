@@ -73,6 +73,8 @@ struct TightRows {
 
 }  // namespace
 
+unsigned internalFormat(Format format) { return traits(format).internal; }
+
 std::size_t bytesPerTexel(Format format) { return traits(format).bytes; }
 
 Texture Texture::make2D(Format format, glm::ivec2 size, Filter filter) {
@@ -144,8 +146,6 @@ glm::vec4 Texture::readTexel(glm::ivec2 pixel) const {
   return texel;
 }
 
-void Texture::bind(unsigned unit) const { glBindTextureUnit(unit, name_); }
-
 void Texture::clear(glm::ivec2 offset, glm::ivec2 extent) {
   const Traits t = traits(format_);
   glClearTexSubImage(name_, 0, offset.x, offset.y, 0, extent.x, extent.y, 1, t.external, t.type, nullptr);
@@ -156,11 +156,6 @@ void Texture::copy(const Texture& from) {
   glGetTextureParameteriv(name_, GL_TEXTURE_TARGET, &target);
   const auto kind = static_cast<GLenum>(target);
   glCopyImageSubData(from.name_, kind, 0, 0, 0, 0, name_, kind, 0, 0, 0, 0, size_.x, size_.y, size_.z);
-}
-
-void Texture::bindImage(unsigned unit, Access access) const {
-  const GLenum mode = access == Access::Read ? GL_READ_ONLY : access == Access::Write ? GL_WRITE_ONLY : GL_READ_WRITE;
-  glBindImageTexture(unit, name_, 0, GL_TRUE, 0, mode, traits(format_).internal);
 }
 
 }  // namespace fenestra::gl

@@ -20,6 +20,9 @@ enum class Format : std::uint8_t { R8, R16, R32F, RG32F, RGB10A2, RGBA32F, R8UI,
 /// (RGB10A2: red in the lowest bits of 32).
 std::size_t bytesPerTexel(Format format);
 
+/// OpenGL's name of it, for gl's own classes.
+unsigned internalFormat(Format format);
+
 enum class Filter : std::uint8_t { Nearest, Linear };  ///< clamped to the edge in either case
 
 /// Access of a compute shader to an image unit.
@@ -58,9 +61,6 @@ class Texture {
   void copy(const Texture& from);
   /// One texel, as floats (missing components 0).
   glm::vec4 readTexel(glm::ivec2 pixel) const;
-
-  void bind(unsigned unit) const;
-  void bindImage(unsigned unit, Access access) const;
 
   /// For gl's own classes.
   std::uint32_t name() const { return name_; }

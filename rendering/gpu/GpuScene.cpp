@@ -80,6 +80,7 @@ std::vector<std::uint8_t> focusOccupied(const FocusIndex& focus) {
 }  // namespace
 
 void GpuScene::update(const Scene& scene) {
+  if (!schedule_) schedule_ = usualSchedule();
   const bool volumeChanged = scene.volume != volume_;
   if (volumeChanged) updateVolume(scene);
 

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "rendering/gl/Texture.h"
 #include "rendering/gpu/Bricks.h"
 #include "rendering/gpu/FocusIndex.h"
+#include "rendering/gpu/Schedule.h"
 #include "rendering/gpu/VolumeTexture.h"
 #include "rendering/scene/Scene.h"
 
@@ -20,6 +22,10 @@ class GpuScene {
  public:
   /// Brings everything up to date. Needs a current context, as does destruction. Throws RenderError.
   void update(const Scene& scene);
+
+  /// How the shaders that draw this scene lay out their work; the usual schedule of the machine until one is set.
+  Schedule schedule() const { return schedule_.value_or(Schedule::Plain); }
+  void setSchedule(Schedule schedule) { schedule_ = schedule; }
 
   /// GPU memory by resource, for reports.
   struct Resource {
@@ -82,6 +88,7 @@ class GpuScene {
   void updateTransfer(const Scene& scene);
   void updateGradient();
 
+  std::optional<Schedule> schedule_;
   std::shared_ptr<const Volume> volume_;
   std::shared_ptr<const LabelMap> labels_;
   Focus focusWanted_;

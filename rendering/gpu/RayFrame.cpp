@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rendering/gpu/UniformBlocks.h"
+
 namespace fenestra {
 
 RayFrame::RayFrame(const Camera& camera, glm::ivec2 size, const Grid& grid)
@@ -20,18 +22,14 @@ RayFrame::RayFrame(const Camera& camera, glm::ivec2 size, const Grid& grid)
   }
 }
 
-void RayFrame::setUniforms(gl::ShaderProgram& program) const {
+void RayFrame::setBlocks(gl::ShaderProgram& program) const {
   const glm::dmat4 indexFromWorld = grid_.indexFromWorld();
   const glm::dmat3 worldFromView(axes_.right, axes_.up, axes_.forward);
   const glm::dvec3 anchor = glm::dvec3(indexFromWorld * glm::dvec4(camera_.eye + axes_.forward * distance_, 1.0)) + 1.0;
-  program.set("pictureSize", size_);
-  program.set("volumeDims", grid_.dims);
-  program.set("rayAnchor", glm::vec3(anchor));
-  program.set("cellsFromView", glm::mat3(glm::dmat3(indexFromWorld) * worldFromView));
-  program.set("worldFromView", glm::mat3(worldFromView));
-  program.set("rayHalfSize", glm::vec2(halfSize_));
-  program.set("rayDistance", static_cast<float>(distance_));
-  program.set("rayPerspective", static_cast<int>(perspective()));
+  program.set(RayBlock{Std140Mat3(glm::mat3(glm::dmat3(indexFromWorld) * worldFromView)),
+                       Std140Mat3(glm::mat3(worldFromView)), glm::vec3(anchor), static_cast<float>(distance_),
+                       glm::vec2(halfSize_), size_, perspective()});
+  program.set(VolumeBlock{grid_.dims});
 }
 
 glm::dvec3 RayFrame::worldPosition(glm::dvec2 pixel, double s) const {

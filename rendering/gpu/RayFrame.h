@@ -1,5 +1,5 @@
 #pragma once
-// The camera as the shaders see it: one ray set-up for every pass (shaders/lib/Ray.glsl).
+// The camera as the shaders see it: one ray set-up for every pass (shaders/lib/PixelRay.glsl).
 
 #include "rendering/gl/ShaderProgram.h"
 #include "rendering/scene/Camera.h"
@@ -12,7 +12,8 @@ class RayFrame {
  public:
   RayFrame(const Camera& camera, glm::ivec2 size, const Grid& grid);
 
-  void setUniforms(gl::ShaderProgram& program) const;
+  /// For lib/PixelRay.glsl.
+  void setBlocks(gl::ShaderProgram& program) const;
 
   glm::ivec2 size() const { return size_; }
   const Camera::Axes& axes() const { return axes_; }

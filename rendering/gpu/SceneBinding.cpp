@@ -1,54 +1,70 @@
 #include "rendering/gpu/SceneBinding.h"
 
+#include "rendering/scene/Lighting.h"
+
 namespace fenestra {
 namespace {
-/// Image units; a pass writes its own images at those before them.
-enum Unit : unsigned { volumeUnit = 2, focusBricksUnit };
+/// Storage blocks, as lib/focus/Index.glsl and lib/FirstHit.glsl number them.
 enum Block : unsigned { focusCellsBlock = 0, gapsBlock = 1 };
 }  // namespace
 
-void bindTexture(gl::ShaderProgram& program, const char* name, unsigned unit, const gl::Texture& texture) {
-  texture.bind(unit);
-  program.set(name, static_cast<int>(unit));
-}
-
-void bindImage(gl::ShaderProgram& program, const char* name, unsigned unit, const gl::Texture& texture) {
-  texture.bindImage(unit, gl::Access::Read);
-  program.set(name, static_cast<int>(unit));
-}
-
 void bindVolume(const GpuScene& scene, gl::ShaderProgram& program) {
-  bindImage(program, "volumeTexels", volumeUnit, scene.volume().texture);
-  program.set("texelScale", scene.volume().texelScale);
-}
-
-void bindFocus(const GpuScene& scene, gl::ShaderProgram& program) {
-  if (scene.focusKind() == FocusIndex::Kind::None) return;
-  bindImage(program, "focusBricks", focusBricksUnit, scene.focusBricks());
-  scene.focusCells().bind(focusCellsBlock);
-  if (scene.focusKind() != FocusIndex::Kind::Values) return;
-  const ValueRange coded = scene.volume().codedFromReal(scene.focusValues());
-  program.set("focusLow", static_cast<float>(coded.low));
-  program.set("focusHigh", static_cast<float>(coded.high));
-}
-
-void bindFirstHit(const GpuScene& scene, gl::ShaderProgram& program) {
-  bindImage(program, "contextSkip", firstFreeImage, scene.contextSkip());
-  if (scene.focusKind() != FocusIndex::Kind::None)
-    bindImage(program, "focusSkip", firstFreeImage + 1, scene.focusSkip());
-  scene.gaps().bind(gapsBlock);
-  program.set("gapCount", scene.gapCount());
+  program.bind("volumeTexels", scene.volume().texture);
+  program.set(VolumeBlock{scene.grid().dims});
 }
 
 gl::Define volumeDefine(const GpuScene& scene) {
   return {"VOLUME_BYTES", static_cast<int>(gl::bytesPerTexel(scene.volume().texture.format()))};
 }
 
-gl::Define focusDefine(const GpuScene& scene) { return {"FOCUS_KIND", static_cast<int>(scene.focusKind())}; }
+gl::Choice focusChoice(const GpuScene& scene) {
+  switch (scene.focusKind()) {
+    case FocusIndex::Kind::Labels:
+      return {"focus", "lib/focus/Labels.glsl"};
+    case FocusIndex::Kind::Values:
+      return {"focus", "lib/focus/Values.glsl"};
+    case FocusIndex::Kind::None:
+      break;
+  }
+  return {"focus", "lib/focus/None.glsl"};
+}
 
-void setLight(gl::ShaderProgram& program, const Camera::Axes& axes, const Shading& shading) {
-  program.set("lightDirection", glm::vec3(glm::normalize(-axes.forward + 0.45 * axes.up - 0.35 * axes.right)));
-  program.set("lighting", glm::vec4(shading.ambient, shading.diffuse, shading.specular, shading.shininess));
+void bindFocus(const GpuScene& scene, gl::ShaderProgram& program, FocusBlock block) {
+  if (scene.focusKind() == FocusIndex::Kind::None) return;
+  program.bind("focusBricks", scene.focusBricks());
+  scene.focusCells().bind(focusCellsBlock);
+  if (scene.focusKind() == FocusIndex::Kind::Values) {
+    const ValueRange coded = scene.volume().codedFromReal(scene.focusValues());
+    block.range = glm::vec2(coded.low, coded.high);
+  }
+  program.set(block);
+}
+
+void bindFirstHit(const GpuScene& scene, gl::ShaderProgram& program) {
+  bindVolume(scene, program);
+  bindFocus(scene, program);
+  program.bind("contextSkip", scene.contextSkip());
+  if (scene.focusKind() != FocusIndex::Kind::None) program.bind("focusSkip", scene.focusSkip());
+  scene.gaps().bind(gapsBlock);
+  program.set("gapCount", scene.gapCount());
+}
+
+void bindTransfer(const GpuScene& scene, gl::ShaderProgram& program) {
+  program.bind("transferTables", scene.transferTables());
+  program.set(TransferBlock{scene.firstMaterial(), scene.lastMaterial(), scene.transferMap(), scene.visibleEntries()});
+}
+
+gl::Define tableDefine() { return {"TABLE_SIZE", GpuScene::tableSize}; }
+
+LightBlock lightBlock(const Camera::Axes& axes, const Shading& shading) {
+  return {glm::vec3(glm::normalize(-axes.forward + 0.45 * axes.up - 0.35 * axes.right)),
+          static_cast<float>(shading.ambient),
+          static_cast<float>(shading.diffuse),
+          static_cast<float>(shading.specular),
+          static_cast<float>(shading.shininess),
+          static_cast<float>(lighting::meanIncidence),
+          glm::ivec3(0),
+          static_cast<float>(lighting::certainLength)};
 }
 
 }  // namespace fenestra

@@ -1,28 +1,29 @@
 #pragma once
-// Binds what several passes read of a GpuScene; the units and names are those of shaders/lib.
+// Binds what several passes read of a GpuScene; the names are those of shaders/lib.
 
 #include "rendering/gl/ShaderProgram.h"
 #include "rendering/gpu/GpuScene.h"
+#include "rendering/gpu/UniformBlocks.h"
 
 namespace fenestra {
 
-/// Image units below this one are a pass's own outputs' (0, 1) and bindVolume's and bindFocus's; what else a pass reads
-/// as images starts here. OpenGL promises eight.
-inline constexpr unsigned firstFreeImage = 4;
-
-/// The volume; `program` was compiled with volumeDefine(scene).
+/// lib/Volume.glsl; `program` was compiled with volumeDefine(scene).
 void bindVolume(const GpuScene& scene, gl::ShaderProgram& program);
 gl::Define volumeDefine(const GpuScene& scene);
-/// The focus index; `program` was compiled with FOCUS_KIND = scene.focusKind().
-void bindFocus(const GpuScene& scene, gl::ShaderProgram& program);
-/// What rays that look for first hits skip and leave (shaders/lib/FirstHit.glsl); with bindVolume and bindFocus.
+
+/// What `#include <focus>` stands for.
+gl::Choice focusChoice(const GpuScene& scene);
+/// The focus's index; nothing without a focus. The block's other members are for passes that show the focus.
+void bindFocus(const GpuScene& scene, gl::ShaderProgram& program, FocusBlock block = {});
+
+/// What rays that look for first hits skip and leave (lib/FirstHit.glsl), with volume and focus.
 void bindFirstHit(const GpuScene& scene, gl::ShaderProgram& program);
-gl::Define focusDefine(const GpuScene& scene);
-/// A pass's own texture under `name` at `unit`.
-void bindTexture(gl::ShaderProgram& program, const char* name, unsigned unit, const gl::Texture& texture);
-/// The same for one that the shader reads texel by texel, at an image unit.
-void bindImage(gl::ShaderProgram& program, const char* name, unsigned unit, const gl::Texture& texture);
+
+/// lib/Transfer.glsl; `program` was compiled with tableDefine().
+void bindTransfer(const GpuScene& scene, gl::ShaderProgram& program);
+gl::Define tableDefine();
+
 /// Light from the upper left behind the viewer, fixed to the camera.
-void setLight(gl::ShaderProgram& program, const Camera::Axes& axes, const Shading& shading);
+LightBlock lightBlock(const Camera::Axes& axes, const Shading& shading);
 
 }  // namespace fenestra

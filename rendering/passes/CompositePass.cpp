@@ -3,30 +3,38 @@
 #include "rendering/gpu/SceneBinding.h"
 
 namespace fenestra {
+namespace {
 
-void CompositePass::run(const Inputs& inputs, const Scene& scene, std::span<const gl::Region> regions,
-                        gl::Texture& picture) {
-  const bool layer = inputs.contextLayer != nullptr;
-  gl::ShaderProgram& program = programs_.get({{"CONTEXT_LAYER", layer}, {"EDITED", inputs.editMap != nullptr}});
-  bindImage(program, "focusLayer", 1, inputs.focusLayer);
-  bindImage(program, "hitPoints", 2, inputs.hitPoints);
-  bindImage(program, "distances", 3, inputs.distances);
-  if (inputs.editMap) bindImage(program, "editMap", 4, *inputs.editMap);
-  program.set("widths", glm::vec2(inputs.widths));
-  program.set("borderColour", glm::vec3(scene.look.cutaway.borderColour));
-  if (layer) {
-    bindImage(program, "contextLayer", 5, *inputs.contextLayer);
-    bindImage(program, "silhouette", 6, *inputs.silhouette);
-    const ContextLayer& look = scene.look.contextLayer;
-    program.set("contextColour", glm::vec3(look.colour));
-    program.set("contextWeights", glm::vec3(look.strength, look.curvatureWeight, look.silhouetteWeight));
-    program.set("contextShade", glm::vec2(look.illuminationWeight, look.valueWeight));
-    bindImage(program, "transferTables", 7, inputs.gpu->transferTables());
-    program.set("transferMap", inputs.gpu->transferMap());
-    // Curvature times the scale of the derivatives has no dimension.
-    program.set("curvatureScale", static_cast<float>(inputs.gpu->derivative().spacing));
+ContextLayerBlock blockOf(const ContextLayer& layer, const DerivativeVolume& derivative) {
+  return {glm::vec3(layer.colour),
+          static_cast<float>(layer.strength),
+          static_cast<float>(layer.curvatureWeight),
+          static_cast<float>(layer.silhouetteWeight),
+          static_cast<float>(layer.illuminationWeight),
+          static_cast<float>(layer.valueWeight),
+          static_cast<float>(derivative.spacing)};
+}
+
+}  // namespace
+
+void CompositePass::run(const GpuScene& gpu, const Inputs& inputs, const Look& look,
+                        std::span<const gl::Region> regions, gl::Texture& picture) {
+  const bool hasLayer = inputs.contextLayer != nullptr;
+  gl::ShaderProgram& program =
+      programs_.get({{{"CONTEXT_LAYER", hasLayer}, {"EDITED", inputs.editMap != nullptr}, tableDefine()},
+                     {scheduleChoice(gpu.schedule())}});
+  program.bind("focusLayer", inputs.focusLayer);
+  program.bind("hitPoints", inputs.hitPoints);
+  program.bind("distances", inputs.distances);
+  if (inputs.editMap) program.bind("editMap", *inputs.editMap);
+  program.set(CutawayBlock{glm::vec2(inputs.widths), glm::vec3(look.cutaway.borderColour)});
+  if (hasLayer) {
+    program.bind("contextLayer", *inputs.contextLayer);
+    program.bind("silhouette", *inputs.silhouette);
+    program.set(blockOf(look.contextLayer, gpu.derivative()));
+    bindTransfer(gpu, program);
   }
-  picture.bindImage(0, gl::Access::Write);
+  program.bind("picture", picture, gl::Access::Write);
   program.dispatch(regions);
 }
 

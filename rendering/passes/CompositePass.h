@@ -20,11 +20,11 @@ class CompositePass {
     glm::dvec2 widths;                          ///< w_open, w_border in rendered pixels
     const gl::Texture* contextLayer = nullptr;  ///< with silhouette
     const gl::Texture* silhouette = nullptr;
-    const GpuScene* gpu = nullptr;         ///< with contextLayer, for the context's own colours
     const gl::Texture* editMap = nullptr;  ///< of brush strokes
   };
   /// Writes premultiplied RGBA32F without background.
-  void run(const Inputs& inputs, const Scene& scene, std::span<const gl::Region> regions, gl::Texture& picture);
+  void run(const GpuScene& gpu, const Inputs& inputs, const Look& look, std::span<const gl::Region> regions,
+           gl::Texture& picture);
 
  private:
   gl::ShaderVariants programs_{"Composite.comp"};

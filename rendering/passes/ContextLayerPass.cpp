@@ -10,27 +10,27 @@ void ContextLayerPass::run(const GpuScene& gpu, const Shading& shading, const Ra
                            const gl::Texture& hitPoints, std::span<const gl::Region> regions, gl::Texture& contextLayer,
                            gl::Texture& silhouette) {
   gl::ShaderProgram& program =
-      programs_.get({volumeDefine(gpu),
-                     {"DERIVATIVE_BYTES", static_cast<int>(gl::bytesPerTexel(gpu.derivative().texture.format()))}});
-  rays.setUniforms(program);
+      programs_.get({{volumeDefine(gpu),
+                      {"DERIVATIVE_BYTES", static_cast<int>(gl::bytesPerTexel(gpu.derivative().texture.format()))}},
+                     {scheduleChoice(gpu.schedule())}});
+  rays.setBlocks(program);
   bindVolume(gpu, program);
-  bindImage(program, "hitPoints", firstFreeImage + 1, hitPoints);
+  program.bind("hitPoints", hitPoints);
   const DerivativeVolume& derivative = gpu.derivative();
-  bindImage(program, "derivativeVolume", firstFreeImage, derivative.texture);
+  program.bind("derivativeVolume", derivative.texture);
   const glm::dvec3 factor(derivative.factor);
-  program.set("derivativeFactor", glm::vec3(factor));
-  program.set("derivativeScale", static_cast<float>(derivative.texelScale * gpu.volume().slope));
   const glm::dmat3 derivativeFromWorld =
       glm::dmat3(glm::dvec3(1.0 / factor.x, 0.0, 0.0), glm::dvec3(0.0, 1.0 / factor.y, 0.0),
                  glm::dvec3(0.0, 0.0, 1.0 / factor.z)) *
       glm::dmat3(gpu.grid().indexFromWorld());
-  program.set("worldFromDerivative", glm::mat3(glm::transpose(derivativeFromWorld)));
+  program.set(DerivativeBlock{Std140Mat3(glm::mat3(glm::transpose(derivativeFromWorld))), glm::vec3(factor),
+                              static_cast<float>(derivative.texelScale * gpu.volume().slope)});
   // A surface this near to the box's entry is where the scan ends; this near to the focus it is the focus's own.
   const glm::dvec3 spacing = gpu.grid().spacing;
   program.set("contextMargin", static_cast<float>(0.5 * std::min({spacing.x, spacing.y, spacing.z})));
-  setLight(program, rays.axes(), shading);
-  contextLayer.bindImage(0, gl::Access::Write);
-  silhouette.bindImage(1, gl::Access::Write);
+  program.set(lightBlock(rays.axes(), shading));
+  program.bind("contextLayer", contextLayer, gl::Access::Write);
+  program.bind("silhouette", silhouette, gl::Access::Write);
   program.dispatch(regions);
 }
 

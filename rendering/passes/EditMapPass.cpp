@@ -4,8 +4,6 @@
 #include <array>
 #include <cstdint>
 
-#include "rendering/gpu/SceneBinding.h"
-
 namespace fenestra {
 namespace {
 
@@ -53,8 +51,8 @@ std::vector<std::uint32_t> tileLists(const std::vector<GpuLine>& lines, const Ti
 
 }  // namespace
 
-void EditMapPass::run(const RayFrame& rays, const RayStartPass::Inputs& inputs, const ProjectedStrokes& strokes,
-                      std::span<const gl::Region> regions, gl::Texture& editMap) {
+void EditMapPass::run(Schedule schedule, const RayFrame& rays, const RayStartPass::Inputs& inputs,
+                      const ProjectedStrokes& strokes, std::span<const gl::Region> regions, gl::Texture& editMap) {
   std::vector<GpuStroke> gpuStrokes;
   std::vector<GpuLine> gpuLines;
   for (const ProjectedStroke& stroke : strokes) {
@@ -73,16 +71,16 @@ void EditMapPass::run(const RayFrame& rays, const RayStartPass::Inputs& inputs, 
   const std::vector<std::uint32_t> tiles = tileLists(gpuLines, grid);
   tiles_ = gl::Buffer(std::as_bytes(std::span(tiles)));
 
-  gl::ShaderProgram& program = programs_.get();
-  rays.setUniforms(program);
-  inputs.bind(program, 1);
+  gl::ShaderProgram& program = programs_.get({{}, {scheduleChoice(schedule)}});
+  rays.setBlocks(program);
+  inputs.bind(program);
   strokes_.bind(strokesBlock);
   lines_.bind(linesBlock);
   tiles_.bind(tilesBlock);
   program.set("tileSize", grid.size);
   program.set("tilesAcross", grid.count.x);
   program.set("tileCount", grid.count.x * grid.count.y);
-  editMap.bindImage(0, gl::Access::Write);
+  program.bind("editMap", editMap, gl::Access::Write);
   program.dispatch(regions);
 }
 

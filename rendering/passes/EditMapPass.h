@@ -4,6 +4,7 @@
 #include "rendering/gl/Buffer.h"
 #include "rendering/gl/ShaderProgram.h"
 #include "rendering/gl/Texture.h"
+#include "rendering/gpu/Schedule.h"
 #include "rendering/gpu/StrokeLines.h"
 #include "rendering/passes/RayStartPass.h"
 
@@ -14,7 +15,7 @@ namespace fenestra {
 /// meets nothing.
 class EditMapPass {
  public:
-  void run(const RayFrame& rays, const RayStartPass::Inputs& inputs, const ProjectedStrokes& strokes,
+  void run(Schedule schedule, const RayFrame& rays, const RayStartPass::Inputs& inputs, const ProjectedStrokes& strokes,
            std::span<const gl::Region> regions, gl::Texture& editMap);
   std::size_t bytes() const { return strokes_.bytes() + lines_.bytes() + tiles_.bytes(); }
   /// Drops the strokes' buffers.

@@ -32,9 +32,11 @@ double toleranceOf(const FocusLayerPass::Sampling& sampling, bool lit, int halfS
   return sampling.tolerance * (lit ? 1.5 : 1.0) / halfSide;
 }
 
-/// Rays that one invocation follows side by side: what one waits for, from voxel to colour, leaves a processor time for
-/// another. With lighting one has enough to do, and two have too much to keep at hand.
-int raysTogether(const FocusLayerPass::Sampling& sampling, bool lit) { return sampling.maxError || lit ? 1 : 2; }
+/// Rays that one invocation follows side by side. On the software rasteriser each step of a ray waits for memory, and
+/// another ray has work to do meanwhile; lit rays need too many registers for two.
+int raysTogether(Schedule schedule, const FocusLayerPass::Sampling& sampling, bool lit) {
+  return schedule == Schedule::Plain || sampling.maxError || lit ? 1 : 2;
+}
 
 // shaders/lib/PixelList.glsl.
 constexpr unsigned listBlock = 2;
@@ -60,72 +62,72 @@ std::size_t bytesOfList(std::span<const gl::Region> squares) {
 
 }  // namespace
 
-gl::ShaderProgram& FocusLayerPass::prepared(bool listed, const GpuScene& gpu, const Scene& scene, const RayFrame& rays,
-                                            const std::optional<Opening>& opening, const Sampling& sampling) {
-  const bool shading = scene.look.shading.enabled;
-  const bool palette = static_cast<bool>(gpu.focusPaletteIndex());
-  gl::ShaderProgram& program = programs_.get({volumeDefine(gpu),
-                                              focusDefine(gpu),
-                                              {"SHADING", shading},
-                                              {"FOCUS_PALETTE", palette},
-                                              {"HAS_RAY_START", opening.has_value()},
-                                              {"CELL_BY_CELL", sampling.maxError.has_value()},
-                                              {"LISTED", listed},
-                                              {"RAYS", raysTogether(sampling, shading)},
-                                              {"FINE", sampling.maxError && *sampling.maxError < coarseBound},
-                                              {"TABLE_SIZE", GpuScene::tableSize}});
-  rays.setUniforms(program);
+gl::ShaderProgram& FocusLayerPass::program(bool listed, const Drawn& drawn) {
+  const auto& [gpu, look, rays, opening, sampling] = drawn;
+  const bool lit = look.shading.enabled, bounded = sampling.maxError.has_value();
+  return programs_.get({{volumeDefine(gpu),
+                         tableDefine(),
+                         {"FOCUS_PALETTE", static_cast<bool>(gpu.focusPaletteIndex())},
+                         {"FOCUS_SMOOTH", lit && gpu.focusSmooth()},
+                         {"FINE", bounded && *sampling.maxError < coarseBound},
+                         {"LISTED", listed},
+                         {"RAYS", raysTogether(gpu.schedule(), sampling, lit)}},
+                        {scheduleChoice(gpu.schedule()),
+                         focusChoice(gpu),
+                         {"light", lit ? "lib/light/Lit.glsl" : "lib/light/Unlit.glsl"},
+                         {"opening", opening ? "lib/opening/Open.glsl" : "lib/opening/Closed.glsl"},
+                         {"integral", bounded ? "lib/integral/CellByCell.glsl" : "lib/integral/FaceToFace.glsl"}}});
+}
+
+gl::ShaderProgram& FocusLayerPass::prepared(bool listed, const Drawn& drawn) {
+  const auto& [gpu, look, rays, opening, sampling] = drawn;
+  gl::ShaderProgram& program = this->program(listed, drawn);
+  rays.setBlocks(program);
   bindVolume(gpu, program);
-  bindFocus(gpu, program);
-  unsigned image = firstFreeImage, unit = 0;
-  bindImage(program, "occupiedSkip", image++, gpu.occupiedSkip());
-  bindImage(program, "transferTables", image++, gpu.transferTables());
-  program.set("transferMap", gpu.transferMap());
-  program.set("firstMaterial", gpu.firstMaterial());
-  program.set("lastMaterial", gpu.lastMaterial());
-  program.set("visibleEntries", gpu.visibleEntries());
-  program.set("leastTransmittance", static_cast<float>(leastTransmittance(sampling)));
-  if (sampling.maxError) program.set("maxError", static_cast<float>(shareOfBound * *sampling.maxError));
+  bindTransfer(gpu, program);
+  program.bind("occupiedSkip", gpu.occupiedSkip());
+  program.set(IntegralBlock{static_cast<float>(leastTransmittance(sampling)),
+                            static_cast<float>(shareOfBound * sampling.maxError.value_or(0.0))});
   if (opening) {
-    bindImage(program, "rayStart", 1, opening->rayStart);
-    bindTexture(program, "hitPoints", unit++, opening->hitPoints);
+    program.bind("rayStart", opening->rayStart);
+    program.bind("hitPoints", opening->hitPoints);
     const glm::dvec3 spacing = gpu.grid().spacing;
-    program.set("wallDepth",
-                static_cast<float>(lighting::wallDepthVoxels * std::min({spacing.x, spacing.y, spacing.z})));
-    program.set("wallShare", static_cast<float>(lighting::wallShare));
+    program.set(
+        CutFaceBlock{static_cast<float>(lighting::wallDepthVoxels * std::min({spacing.x, spacing.y, spacing.z})),
+                     static_cast<float>(lighting::wallShare)});
   }
-  program.set("focusProperties",
-              glm::vec4(glm::vec3(gpu.focusColour()), static_cast<float>(scene.look.focusAppearance.extinction)));
-  if (palette) {
-    bindTexture(program, "focusPaletteIndex", unit++, gpu.focusPaletteIndex());
-    bindTexture(program, "focusPalette", unit++, gpu.focusPalette());
-    program.set("focusOrigin", gpu.focusOrigin());
+  FocusBlock focus{.material = glm::vec4(gpu.focusColour(), look.focusAppearance.extinction),
+                   .paletteOrigin = gpu.focusOrigin()};
+  if (gpu.focusPaletteIndex()) {
+    program.bind("focusPaletteIndex", gpu.focusPaletteIndex());
+    program.bind("focusPalette", gpu.focusPalette());
   }
-  setLight(program, rays.axes(), scene.look.shading);
-  if (shading) {
-    bindImage(program, "gradientTexels", image++, gpu.gradient());
-    program.set("gradientOrigin", gpu.gradientOrigin());
-    program.set("certainLength", static_cast<float>(lighting::certainLength));
-    program.set("meanIncidence", static_cast<float>(lighting::meanIncidence));
-    if (gpu.focusSmooth()) {
-      bindTexture(program, "focusSmooth", unit++, gpu.focusSmooth());
-      if (sampling.maxError) bindImage(program, "focusSmoothTexels", image++, gpu.focusSmooth());
-      // A texel spans half a voxel around its centre, and the cell frame is index + 1.
-      program.set("focusSmoothOrigin", glm::vec3(gpu.focusSmoothOrigin()) + 0.5f);
-      program.set("worldFromIndexGradient", glm::mat3(glm::transpose(glm::dmat3(gpu.grid().indexFromWorld()))));
-    }
+  if (look.shading.enabled) {
+    LightBlock light = lightBlock(rays.axes(), look.shading);
+    light.gradientOrigin = gpu.gradientOrigin();
+    program.set(light);
+    program.bind("gradientTexels", gpu.gradient());
   }
-  program.set("pitch", sampling.pitch);
+  if (look.shading.enabled && gpu.focusSmooth()) {
+    program.bind("focusSmooth", gpu.focusSmooth());
+    program.bind("focusSmoothTexels", gpu.focusSmooth());
+    // A texel spans half a voxel around its centre, and the cell frame is index + 1.
+    focus.smoothOrigin = glm::vec3(gpu.focusSmoothOrigin()) + 0.5f;
+    focus.worldFromIndexGradient = Std140Mat3(glm::mat3(glm::transpose(glm::dmat3(gpu.grid().indexFromWorld()))));
+  }
+  bindFocus(gpu, program, focus);
   return program;
 }
 
-void FocusLayerPass::run(const GpuScene& gpu, const Scene& scene, const RayFrame& rays,
+void FocusLayerPass::run(const GpuScene& gpu, const Look& look, const RayFrame& rays,
                          const std::optional<Opening>& opening, const Sampling& sampling,
                          std::span<const gl::Region> regions, gl::Texture& focusLayer) {
-  const bool lit = scene.look.shading.enabled;
-  const int together = raysTogether(sampling, lit);
-  gl::ShaderProgram& lattice = prepared(false, gpu, scene, rays, opening, sampling);
-  focusLayer.bindImage(0, gl::Access::Write);
+  const Drawn drawn{gpu, look, rays, opening, sampling};
+  const bool lit = look.shading.enabled;
+  const int together = raysTogether(gpu.schedule(), sampling, lit);
+  gl::ShaderProgram& lattice = prepared(false, drawn);
+  lattice.set("pitch", sampling.pitch);
+  lattice.bind("focusLayer", focusLayer, gl::Access::Write);
   lattice.dispatch(inBoxes(regions, sampling.pitch * glm::ivec2(1, together)));
   if (sampling.pitch == 1) {
     list_ = {};
@@ -134,17 +136,17 @@ void FocusLayerPass::run(const GpuScene& gpu, const Scene& scene, const RayFrame
   const std::size_t needed = bytesOfList(inBoxes(regions, glm::ivec2(2)));
   if (list_.bytes() < needed) list_ = gl::Buffer::zeroed(needed);
   list_.bind(listBlock);
-  gl::ShaderProgram& rest = prepared(true, gpu, scene, rays, opening, sampling);
+  gl::ShaderProgram& rest = prepared(true, drawn);
+  rest.bind("focusLayer", focusLayer, gl::Access::Write);
   for (int halfSide = sampling.pitch / 2; halfSide > 0; halfSide /= 2)
     for (const bool centres : {true, false}) {
-      list_.write(emptyList);
-      gl::ShaderProgram& between = between_.get({{"CENTRES", centres}, {"RAYS", together}});
+      list_.write(std::as_bytes(std::span(emptyList)));
+      gl::ShaderProgram& between = between_.get({{{"CENTRES", centres}, {"RAYS", together}}, {}});
       between.set("pictureSize", rays.size());
       between.set("halfSide", halfSide);
       between.set("tolerance", static_cast<float>(toleranceOf(sampling, lit, halfSide)));
-      focusLayer.bindImage(0, gl::Access::ReadWrite);
+      between.bind("focusLayer", focusLayer, gl::Access::ReadWrite);
       between.dispatch(inBoxes(regions, glm::ivec2(2 * halfSide)));
-      focusLayer.bindImage(0, gl::Access::Write);
       rest.dispatchIndirect(list_);
     }
 }

@@ -31,13 +31,22 @@ class FocusLayerPass {
   /// sides of the lattice's squares away, at each of its sizes; a cut face's normal on its neighbours.
   static int reach(const Sampling& sampling) { return 4 * (sampling.pitch - 1) + 1; }
   /// Writes premultiplied RGBA32F. Without an opening rays start where they enter the volume.
-  void run(const GpuScene& gpu, const Scene& scene, const RayFrame& rays, const std::optional<Opening>& opening,
+  void run(const GpuScene& gpu, const Look& look, const RayFrame& rays, const std::optional<Opening>& opening,
            const Sampling& sampling, std::span<const gl::Region> regions, gl::Texture& focusLayer);
   std::size_t bytes() const { return list_.bytes(); }
 
  private:
-  gl::ShaderProgram& prepared(bool listed, const GpuScene& gpu, const Scene& scene, const RayFrame& rays,
-                              const std::optional<Opening>& opening, const Sampling& sampling);
+  struct Drawn {
+    const GpuScene& gpu;
+    const Look& look;
+    const RayFrame& rays;
+    const std::optional<Opening>& opening;
+    const Sampling& sampling;
+  };
+  /// The variant that such a picture takes, for pixels of the lattice or listed ones, and the same with all that it
+  /// reads.
+  gl::ShaderProgram& program(bool listed, const Drawn& drawn);
+  gl::ShaderProgram& prepared(bool listed, const Drawn& drawn);
 
   gl::ShaderVariants programs_{"FocusLayer.comp"}, between_{"PixelsBetween.comp"};
   gl::Buffer list_;  // of pixels between those of the lattice, while there are any

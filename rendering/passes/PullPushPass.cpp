@@ -1,10 +1,8 @@
 #include "rendering/passes/PullPushPass.h"
 
-#include "rendering/gpu/SceneBinding.h"
-
 namespace fenestra {
 
-void PullPushPass::run(const gl::Texture& hitPoints, gl::Texture& filled) {
+void PullPushPass::run(Schedule schedule, const gl::Texture& hitPoints, gl::Texture& filled) {
   glm::ivec2 size(hitPoints.size());
   const glm::ivec2 half = (size + 1) / 2;
   if (known_.empty() || glm::ivec2(known_.front().size()) != half) {
@@ -17,19 +15,19 @@ void PullPushPass::run(const gl::Texture& hitPoints, gl::Texture& filled) {
     } while (size != glm::ivec2(1));
   }
   for (std::size_t level = 0; level < known_.size(); ++level) {
-    gl::ShaderProgram& up = analysis_.get({{"FINEST", level == 0}});
-    bindImage(up, "fine", 1, level == 0 ? hitPoints : known_[level - 1]);
-    known_[level].bindImage(0, gl::Access::Write);
+    gl::ShaderProgram& up = analysis_.get({{{"FINEST", level == 0}}, {scheduleChoice(schedule)}});
+    up.bind("fine", level == 0 ? hitPoints : known_[level - 1]);
+    up.bind("coarse", known_[level], gl::Access::Write);
     up.dispatch(glm::ivec2(known_[level].size()));
   }
   for (std::size_t level = known_.size(); level-- > 0;) {
     // The coarsest level is one pixel: known, or there is nothing to fill with.
     const gl::Texture& coarse = level + 1 == known_.size() ? known_.back() : filled_[level];
     gl::Texture& target = level == 0 ? filled : filled_[level - 1];
-    gl::ShaderProgram& down = synthesis_.get({{"FINEST", level == 0}});
-    bindImage(down, "fine", 1, level == 0 ? hitPoints : known_[level - 1]);
-    bindImage(down, "coarse", 2, coarse);
-    target.bindImage(0, gl::Access::Write);
+    gl::ShaderProgram& down = synthesis_.get({{{"FINEST", level == 0}}, {scheduleChoice(schedule)}});
+    down.bind("fine", level == 0 ? hitPoints : known_[level - 1]);
+    down.bind("coarse", coarse);
+    down.bind("filled", target, gl::Access::Write);
     down.dispatch(glm::ivec2(target.size()));
   }
 }

@@ -6,6 +6,7 @@
 #include "rendering/gl/ShaderProgram.h"
 #include "rendering/gl/Texture.h"
 #include "rendering/gpu/RayFrame.h"
+#include "rendering/gpu/Schedule.h"
 
 namespace fenestra {
 
@@ -20,12 +21,12 @@ class RayStartPass {
     const gl::Texture& distances;
     double openWidth;  ///< rendered pixels
 
-    /// For shaders/lib/RayStart.glsl, at three image units from `unit` on.
-    void bind(gl::ShaderProgram& program, unsigned unit) const;
+    /// For shaders/lib/opening/RayStart.glsl.
+    void bind(gl::ShaderProgram& program) const;
   };
   /// `editMap` is EditMapPass's, or null without strokes. Writes R32F.
-  void run(const RayFrame& rays, const Inputs& inputs, const gl::Texture* editMap, std::span<const gl::Region> regions,
-           gl::Texture& rayStart);
+  void run(Schedule schedule, const RayFrame& rays, const Inputs& inputs, const gl::Texture* editMap,
+           std::span<const gl::Region> regions, gl::Texture& rayStart);
 
  private:
   gl::ShaderVariants programs_{"RayStart.comp"};

@@ -137,15 +137,16 @@ std::vector<Candidate> CandidateImages::measure(const GpuScene& gpu, const std::
   return candidates;
 }
 
-void CandidateImages::setSphere(const GpuScene& gpu, gl::ShaderProgram& program) const {
+gl::ShaderProgram& CandidateImages::prepared(gl::ShaderVariants& programs, const GpuScene& gpu) {
+  gl::ShaderProgram& program = programs.get({{volumeDefine(gpu)}, {scheduleChoice(gpu.schedule()), focusChoice(gpu)}});
+  bindFirstHit(gpu, program);
   const Grid& grid = gpu.grid();
-  program.set("volumeDims", grid.dims);
-  program.set("sphereCentre", (glm::vec3(grid.dims) + 1.0f) * 0.5f);  // index (dims-1)/2 in the cell frame
-  program.set("sphereRadius", static_cast<float>(grid.boundingRadius()));
-  // A voxel wider, in the volume: the 0.5 level reaches no farther than half of one.
+  // A voxel wider than the focus's box, in the volume: the 0.5 level reaches no farther than half of one.
   const glm::vec3 low(gpu.focus().box->low), high(gpu.focus().box->high);
-  program.set("focusLower", glm::max(low, 0.5f));
-  program.set("focusUpper", glm::min(high + 2.0f, glm::vec3(grid.dims) + 0.5f));
+  program.set(CandidateBlock{(glm::vec3(grid.dims) + 1.0f) * 0.5f,  // index (dims-1)/2 in the cell frame
+                             static_cast<float>(grid.boundingRadius()), glm::max(low, 0.5f),
+                             glm::min(high + 2.0f, glm::vec3(grid.dims) + 0.5f)});
+  return program;
 }
 
 void CandidateImages::measureImages(const GpuScene& gpu, std::vector<Candidate>& candidates, int side) {
@@ -177,29 +178,25 @@ void CandidateImages::measureImages(const GpuScene& gpu, std::vector<Candidate>&
     const gl::Buffer crossed = gl::Buffer::zeroed((1 + tiles.size() * edgesPerTile) * sizeof(unsigned));
     const gl::Buffer crossings = gl::Buffer::zeroed(tiles.size() * edgesPerTile * sizeof(float));
     const gl::Buffer partials = gl::Buffer::zeroed(tiles.size() * sizeof(Sums));
+    viewList.bind(viewsBlock);
+    tileList.bind(tilesBlock);
+    hits.bind(hitsBlock);
+    partials.bind(sumsBlock);
+    crossed.bind(crossedBlock);
+    crossings.bind(crossingsBlock);
     const auto dispatch = [&](gl::ShaderProgram& program, glm::ivec2 groups) {
-      setSphere(gpu, program);
-      bindVolume(gpu, program);
-      bindFocus(gpu, program);
-      bindImage(program, "focusSkip", firstFreeImage, gpu.focusSkip());
-      viewList.bind(viewsBlock);
-      tileList.bind(tilesBlock);
-      hits.bind(hitsBlock);
-      partials.bind(sumsBlock);
-      crossed.bind(crossedBlock);
-      crossings.bind(crossingsBlock);
       program.set("tileCount", static_cast<int>(tiles.size()));
       program.set("side", side);
-      program.set("halvings", outlineHalvings);
       program.dispatch(groups, {1, 1});
     };
     const glm::ivec2 groupPerTile = groupsFor(tiles.size());
-    dispatch(hits_.get({volumeDefine(gpu), focusDefine(gpu)}), groupPerTile);
+    dispatch(prepared(hits_, gpu), groupPerTile);
     dispatch(edges_.get(), groupPerTile);
     unsigned count = 0;
     crossed.read(std::as_writable_bytes(std::span(&count, 1)));
-    dispatch(outlines_.get({volumeDefine(gpu), focusDefine(gpu)}),
-             groupsFor((count + pixelsPerTile - 1) / pixelsPerTile));
+    gl::ShaderProgram& outlines = prepared(outlines_, gpu);
+    outlines.set("halvings", outlineHalvings);
+    dispatch(outlines, groupsFor((count + pixelsPerTile - 1) / pixelsPerTile));
     dispatch(areas_.get(), groupsFor((tiles.size() + tileSide - 1) / tileSide));
 
     std::vector<Sums> totals(ranges.size());
@@ -244,17 +241,13 @@ void CandidateImages::measureVisibility(const GpuScene& gpu, const FocusSurface&
   }
   std::vector<View> views;
   for (const Candidate& candidate : candidates) views.push_back(viewOf(grid, candidate.direction, false));
-  gl::ShaderProgram& program = visibility_.get({volumeDefine(gpu), focusDefine(gpu)});
-  setSphere(gpu, program);
-  bindVolume(gpu, program);
-  bindFocus(gpu, program);
-  bindImage(program, "focusSkip", firstFreeImage, gpu.focusSkip());
+  gl::ShaderProgram& program = prepared(visibility_, gpu);
   const gl::Buffer viewList = bufferOf(views), list = bufferOf(points);
   viewList.bind(viewsBlock);
   list.bind(pointsBlock);
   const glm::ivec2 size(static_cast<int>(points.size()), static_cast<int>(candidates.size()));
   gl::Texture seen = gl::Texture::make2D(gl::Format::R8UI, size);
-  seen.bindImage(0, gl::Access::Write);
+  program.bind("seen", seen, gl::Access::Write);
   program.set("pointCount", size.x);
   program.dispatch(size, {64, 1});
   std::vector<std::uint8_t> bytes(points.size() * candidates.size());

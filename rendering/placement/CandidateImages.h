@@ -29,7 +29,8 @@ class CandidateImages {
                                  const FocusSurface& surface, int side);
 
  private:
-  void setSphere(const GpuScene& gpu, gl::ShaderProgram& program) const;
+  /// The scene's variant of a program that looks for first hits, with all that it reads of the scene.
+  gl::ShaderProgram& prepared(gl::ShaderVariants& programs, const GpuScene& gpu);
   void measureImages(const GpuScene& gpu, std::vector<Candidate>& candidates, int side);
   void measureVisibility(const GpuScene& gpu, const FocusSurface& surface, std::vector<Candidate>& candidates);
 

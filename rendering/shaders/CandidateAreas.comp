@@ -1,22 +1,14 @@
 // Area, depth and centroid of the focus in a tile of a candidate image. The image's pixel middles are the corners of
 // cells. The focus in a cell is the polygon of its seeing corners and of where the outline crosses its edges, so that
 // the area changes as smoothly as the outline moves, not by whole pixels.
-#include "lib/Ray.glsl"
+#include "lib/CandidateSums.glsl"
 #include "lib/CandidateTiles.glsl"
+#include "lib/None.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;  // rows of a tile, tiles
 layout(std430, binding = 4) readonly buffer Hits { vec2 hits[]; };
-struct Sums {
-  vec4 sums;   // area in pixels; depth, from the front and from behind, and position times area
-  vec4 more;
-  ivec4 box;   // x0, y0, x1, y1 of the pixels that see the focus
-};
 layout(std430, binding = 5) writeonly buffer Partials { Sums partials[]; };
 layout(std430, binding = 7) readonly buffer Crossings { float crossings[]; };
-
-shared vec4 sums[64];
-shared float backs[64];
-shared ivec4 boxes[64];
 
 // Area and first moments of a polygon, point by point.
 struct Polygon {
@@ -74,25 +66,10 @@ void addCell(uint tile, ivec2 cell, inout Sums all) {
 
 void main() {
   uint tile = 8u * tileOfGroup() + gl_LocalInvocationID.y;
-  uint row = gl_LocalInvocationID.x, local = gl_LocalInvocationIndex;
-  Sums all = Sums(vec4(0.0), vec4(0.0), ivec4(65535, 65535, -1, -1));
+  uint row = gl_LocalInvocationID.x;
+  Sums all = noSums();
   if (tile < uint(tileCount))
     for (int x = 0; x < 8; ++x) addCell(tile, ivec2(x, row), all);
-  sums[local] = all.sums;
-  backs[local] = all.more.x;
-  boxes[local] = all.box;
-  // A tree of fixed shape: the same sums whatever runs first.
-  for (uint stride = 4u; stride > 0u; stride >>= 1) {
-    barrier();
-    if (row < stride) {
-      sums[local] += sums[local + stride];
-      backs[local] += backs[local + stride];
-      boxes[local] = ivec4(min(boxes[local].xy, boxes[local + stride].xy), max(boxes[local].zw, boxes[local + stride].zw));
-    }
-  }
-  if (row == 0u && tile < uint(tileCount)) {
-    partials[tile].sums = sums[local];
-    partials[tile].more = vec4(backs[local], 0.0, 0.0, 0.0);
-    partials[tile].box = boxes[local];
-  }
+  all = sumOver(all, row, 8u);
+  if (row == 0u && tile < uint(tileCount)) partials[tile] = all;
 }

@@ -1,7 +1,7 @@
 // Lists the edges between neighbouring pixels that the outline of the focus crosses: one sees it, the other does not.
 // They are few among many; in a list, rays that run side by side all have one to solve.
-#include "lib/Ray.glsl"
 #include "lib/CandidateTiles.glsl"
+#include "lib/None.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(std430, binding = 4) readonly buffer Hits { vec2 hits[]; };

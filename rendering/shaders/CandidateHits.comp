@@ -1,12 +1,8 @@
 // First focus hits of many candidate images: a work group is one 8×8 tile of one view. A ray met from both ends serves
 // the opposite view too: the two have the same outline.
-#include "lib/Ray.glsl"
-#include "lib/Volume.glsl"
-#include "lib/Crossing.glsl"
-#include "lib/FocusIndex.glsl"
-#include "lib/FirstHit.glsl"
 #include "lib/Candidate.glsl"
 #include "lib/CandidateTiles.glsl"
+#include "lib/FirstHit.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(std430, binding = 4) writeonly buffer Hits { vec2 hits[]; };  // a pixel's depth from the front, from behind
@@ -20,11 +16,11 @@ void main() {
   Ray ray = candidateRay(view, imagePosition(vec2(placeOf(pixel))));
   float front = firstFocusHit(ray);
   if (!isNone(front)) {
-    depth = vec2(0.5 + 0.5 * front / sphereRadius, 0.0);
+    depth = vec2(0.5 + 0.5 * front / candidates.sphereRadius, 0.0);
     if (views[view].right.w != 0.0) {
       float back = firstFocusHit(reversed(ray));
       // A ray that grazes may be met from one end alone; seen from the other, its point is where this end met it.
-      depth.y = isNone(back) ? 1.0 - depth.x : 0.5 + 0.5 * back / sphereRadius;
+      depth.y = isNone(back) ? 1.0 - depth.x : 0.5 + 0.5 * back / candidates.sphereRadius;
     }
   }
   hits[pixel] = depth;

@@ -1,11 +1,7 @@
 // Where the outline of the focus crosses each edge of a list, by bisection with more rays.
-#include "lib/Ray.glsl"
-#include "lib/Volume.glsl"
-#include "lib/Crossing.glsl"
-#include "lib/FocusIndex.glsl"
-#include "lib/FirstHit.glsl"
 #include "lib/Candidate.glsl"
 #include "lib/CandidateTiles.glsl"
+#include "lib/FirstHit.glsl"
 
 layout(local_size_x = 64) in;
 layout(std430, binding = 6) readonly buffer Crossed {

@@ -1,11 +1,7 @@
 // Which points of the focus's surface each candidate camera sees: a ray from the point towards the camera, which nothing
 // of the focus may stop.
-#include "lib/Ray.glsl"
-#include "lib/Volume.glsl"
-#include "lib/Crossing.glsl"
-#include "lib/FocusIndex.glsl"
-#include "lib/FirstHit.glsl"
 #include "lib/Candidate.glsl"
+#include "lib/FirstHit.glsl"
 
 layout(local_size_x = 64) in;
 struct SurfacePoint {
@@ -14,7 +10,7 @@ struct SurfacePoint {
 };
 layout(std430, binding = 3) readonly buffer Points { SurfacePoint points[]; };
 uniform int pointCount;
-layout(r8ui, binding = 0) uniform writeonly uimage2D seen;  // x: point, y: candidate
+layout(r8ui) uniform writeonly uimage2D seen;  // x: point, y: candidate
 
 // Of the surface's uncertainty, where it is seen so nearly edge-on that no ray could clear it.
 const float MOST_CLEARANCE = 8.0;
@@ -35,7 +31,7 @@ void main() {
     ray.direction = towards;
     ray.base = points[at.x].position.xyz + clearance * towards;
     ray.world = ray.worldBase = vec3(0.0);
-    clipTo(ray, focusLower, focusUpper, 0.0);
+    clipTo(ray, candidates.focusLower, candidates.focusUpper, 0.0);
     visible = meetsFocus(ray) ? 0u : 1u;
   }
   imageStore(seen, at, uvec4(visible));

@@ -1,62 +1,75 @@
 // Stage 7: the paper's equation. Output: premultiplied RGBA without background.
+#include <schedule>
+#include "lib/None.glsl"
 #include "lib/Region.glsl"
+#if CONTEXT_LAYER
+#include "lib/Transfer.glsl"
+#endif
 
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(rgba32f, binding = 0) uniform writeonly image2D picture;
-layout(rgba32f) uniform readonly image2D focusLayer;
-layout(rg32f) uniform readonly image2D hitPoints;
-layout(r32f) uniform readonly image2D distances;
-uniform vec2 widths;          // w_open, w_border in rendered pixels
-uniform vec3 borderColour;
+layout(rgba32f) uniform writeonly image2D picture;
+TEXELS_2D(rgba32f, focusLayer);
+TEXELS_2D(rg32f, hitPoints);
+TEXELS_2D(r32f, distances);
+
+struct CutawaySettings {
+  vec2 widths;        // w_open, w_border in rendered pixels
+  vec3 borderColour;
+};
+UNIFORM_BLOCK(CutawayBlock, storedCutaway, CutawaySettings, cutaway);
+
 #if EDITED
-layout(rg32f) uniform readonly image2D editMap;
+TEXELS_2D(rg32f, editMap);
 #endif
 #if CONTEXT_LAYER
-layout(rgba32f) uniform readonly image2D contextLayer;
-layout(r32f) uniform readonly image2D silhouette;
-uniform vec3 contextColour;
-uniform vec3 contextWeights;  // strength, curvature, silhouette
-uniform vec2 contextShade;     // weights of illumination and of the context's own colour
-layout(rgba32f) uniform readonly image2D transferTables;  // first row: emission and extinction
-uniform vec2 transferMap;      // entry = stored value · x + y
-uniform float curvatureScale; // mm: length that makes curvature dimensionless, the derivative volume's spacing
+TEXELS_2D(rgba32f, contextLayer);
+TEXELS_2D(r32f, silhouette);
+
+struct ContextLayerSettings {
+  vec3 colour;
+  float strength;           // scales the layer's opacity
+  float curvatureWeight;    // opacity of sharp bends
+  float silhouetteWeight;   // opacity of what turns away from the eye
+  float illuminationWeight; // from the flat colour to the colour as the surface is lit
+  float valueWeight;        // from `colour` to the context's own
+  float curvatureScale;     // mm: makes curvature dimensionless; the derivative volume's spacing
+};
+UNIFORM_BLOCK(ContextLayerBlock, storedContextLayer, ContextLayerSettings, look);
 #endif
 
 void main() {
   ivec2 pixel = regionPixel();
   if (any(greaterThanEqual(pixel, imageSize(picture)))) return;
-  vec4 result = imageLoad(focusLayer, pixel);
-  vec2 hit = imageLoad(hitPoints, pixel).xy;
+  vec4 result = texelOf(focusLayer, pixel);
+  vec2 hit = texelOf(hitPoints, pixel).xy;
 #if CONTEXT_LAYER
-  vec4 context = imageLoad(contextLayer, pixel);
-  if (hit.y > -1e29 && context.x > -1e29) {
-    float bend = sqrt(0.5 * dot(context.xy, context.xy)) * curvatureScale;
-    float rim = imageLoad(silhouette, pixel).r;
+  vec4 context = texelOf(contextLayer, pixel);
+  if (!isNone(hit.y) && !isNone(context.x)) {
+    float bend = sqrt(0.5 * dot(context.xy, context.xy)) * look.curvatureScale;
+    float rim = texelOf(silhouette, pixel).r;
     // Edges come out as lines: both terms rise steeply.
-    float opacity = contextWeights.y * smoothstep(0.10, 0.40, bend) + contextWeights.z * smoothstep(0.30, 0.85, rim);
-    opacity = contextWeights.x * clamp(opacity, 0.0, 1.0);
+    float opacity = look.curvatureWeight * smoothstep(0.10, 0.40, bend) + look.silhouetteWeight * smoothstep(0.30, 0.85, rim);
+    opacity = look.strength * clamp(opacity, 0.0, 1.0);
 #if EDITED
-    opacity = min(opacity * imageLoad(editMap, pixel).g, 1.0);
+    opacity = min(opacity * texelOf(editMap, pixel).g, 1.0);
 #endif
     // A surface lies where opacity begins: what is opaque next to its value gives the colour.
-    int last = imageSize(transferTables).x - 1;
-    int entry = int(clamp(context.w * transferMap.x + transferMap.y + 0.5, 0.0, float(last)));
-    vec4 own = vec4(0.0);
-    for (int k = -1; k <= 1; ++k) own += imageLoad(transferTables, ivec2(clamp(entry + k, 0, last), 0));
-    vec3 colour = own.a > 0.0 ? mix(contextColour, own.rgb / own.a, contextShade.y) : contextColour;
-    colour *= mix(1.0, context.z, contextShade.x);
+    float entry = floor(clamp(entryOf(context.w) + 0.5, 0.0, LAST_ENTRY));
+    vec4 own = materialAt(entry - 1.0) + materialAt(entry) + materialAt(entry + 1.0);
+    vec3 colour = own.a > 0.0 ? mix(look.colour, own.rgb / own.a, look.valueWeight) : look.colour;
+    colour *= mix(1.0, context.z, look.illuminationWeight);
     result = vec4(colour, 1.0) * opacity + result * (1.0 - opacity);
   }
 #endif
-  if (widths.y > 0.0 && hit.x > -1e29) {
+  if (cutaway.widths.y > 0.0 && !isNone(hit.x)) {
     // Share of this pixel, a box one pixel wide across the rim, that w_open < DM ≤ w_open + w_border covers.
-    float distance = imageLoad(distances, pixel).r;
-    float border = clamp(min(distance + 0.5, widths.x + widths.y) - max(distance - 0.5, widths.x), 0.0, 1.0);
+    float distance = texelOf(distances, pixel).r;
+    float border = clamp(min(distance + 0.5, cutaway.widths.x + cutaway.widths.y) - max(distance - 0.5, cutaway.widths.x), 0.0, 1.0);
     if (distance <= 0.0) border = 0.0;
 #if EDITED
-    border *= imageLoad(editMap, pixel).g;
+    border *= texelOf(editMap, pixel).g;
 #endif
-    result = mix(result, vec4(borderColour, 1.0), border);
+    result = mix(result, vec4(cutaway.borderColour, 1.0), border);
   }
   imageStore(picture, pixel, result);
 }

@@ -1,22 +1,22 @@
 // Stage 6: curvature, illumination and value of the context's first surface, inside the focus projection.
 // Output: κ1, κ2 (1/mm), illumination, stored value, and the silhouette term 1 - |n·v| beside them; NONE in the first
 // component where there is no such surface: the scan begins inside it, or the focus lies bare.
-#include "lib/Region.glsl"
-#include "lib/Ray.glsl"
-#include "lib/Volume.glsl"
-#include "lib/Lighting.glsl"
 #include "lib/Curvature.glsl"
+#include "lib/PixelRay.glsl"
+#include "lib/Region.glsl"
+#include "lib/Volume.glsl"
+#include "lib/light/BlinnPhong.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(rgba32f, binding = 0) uniform writeonly image2D contextLayer;
-layout(r32f, binding = 1) uniform writeonly image2D silhouette;
-layout(rg32f) uniform readonly image2D hitPoints;
+layout(rgba32f) uniform writeonly image2D contextLayer;
+layout(r32f) uniform writeonly image2D silhouette;
+TEXELS_2D(rg32f, hitPoints);
 uniform float contextMargin;  // mm: hits nearer than this to the box's entry or to the focus are no surface of their own
 
 void main() {
   ivec2 pixel = regionPixel();
-  if (any(greaterThanEqual(pixel, pictureSize))) return;
-  vec2 hit = imageLoad(hitPoints, pixel).xy;
+  if (any(greaterThanEqual(pixel, rays.pictureSize))) return;
+  vec2 hit = texelOf(hitPoints, pixel).xy;
   vec4 layer = vec4(NONE, NONE, 0.0, 0.0);
   float rim = 0.0;
   if (!isNone(hit.y)) {
@@ -26,7 +26,7 @@ void main() {
       LevelSet surface = levelSetAt(position);
       if (surface.noise == 0.0) {
         vec3 normal = normalize(surface.gradient);
-        float illumination = lighting.x + lighting.y * abs(dot(normal, lightDirection));
+        float illumination = lighting.ambient + lighting.diffuse * abs(dot(normal, lighting.direction));
         layer = vec4(surface.k1, surface.k2, illumination, storedExact(position));
         rim = 1.0 - abs(dot(normal, ray.world));
       }

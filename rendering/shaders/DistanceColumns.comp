@@ -1,17 +1,20 @@
 // Stage 3, last step: exact Euclidean distance, the minimum over rows of the row distance and the row's own offset.
 // Rows are visited outwards and the search ends once the offset alone is no nearer. FAR beyond `range`.
+#include <schedule>
+#include "lib/None.glsl"
+
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(r16ui) uniform readonly uimage2D rowDistance;
-layout(r8ui) uniform readonly uimage2D focusTiles;
+UNSIGNED_TEXELS_2D(r16ui, rowDistance);
+UNSIGNED_TEXELS_2D(r8ui, focusTiles);
 uniform int range;
-layout(r32f, binding = 0) uniform writeonly image2D distances;
+layout(r32f) uniform writeonly image2D distances;
 
 void main() {
   ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
   ivec2 size = imageSize(distances);
   if (any(greaterThanEqual(pixel, size))) return;
-  if (imageLoad(focusTiles, pixel >> 5).r == 0u) {
-    imageStore(distances, pixel, vec4(1e30));
+  if (texelOf(focusTiles, pixel >> 5).r == 0u) {
+    imageStore(distances, pixel, vec4(FAR));
     return;
   }
   const uint unreachable = 0x7fffffffu;
@@ -21,9 +24,9 @@ void main() {
     for (int side = -1; side <= 1; side += 2) {
       int y = pixel.y + side * offset;
       if (y < 0 || y >= size.y) continue;
-      uint across = imageLoad(rowDistance, ivec2(pixel.x, y)).r;
+      uint across = texelOf(rowDistance, ivec2(pixel.x, y)).r;
       if (across <= uint(range)) best = min(best, across * across + uint(offset * offset));
     }
   }
-  imageStore(distances, pixel, vec4(best <= limit ? sqrt(float(best)) : 1e30));
+  imageStore(distances, pixel, vec4(best <= limit ? sqrt(float(best)) : FAR));
 }

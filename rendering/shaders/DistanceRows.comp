@@ -1,24 +1,26 @@
 // Stage 3, third step: distance in pixels to the nearest focus pixel of the same row, FAR_ROW beyond `range`.
+#include <schedule>
+
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(r32ui) uniform readonly uimage2D focusMask;
-layout(r8ui) uniform readonly uimage2D focusTiles;
+UNSIGNED_TEXELS_2D(r32ui, focusMask);
+UNSIGNED_TEXELS_2D(r8ui, focusTiles);
 uniform int range;
-layout(r16ui, binding = 0) uniform writeonly uimage2D rowDistance;
+layout(r16ui) uniform writeonly uimage2D rowDistance;
 
 const int FAR_ROW = 65535;
 
 void main() {
   ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
   if (any(greaterThanEqual(pixel, imageSize(rowDistance)))) return;
-  if (imageLoad(focusTiles, pixel >> 5).r == 0u) {
+  if (texelOf(focusTiles, pixel >> 5).r == 0u) {
     imageStore(rowDistance, pixel, uvec4(FAR_ROW));
     return;
   }
-  int words = imageSize(focusMask).x;
+  int words = sizeOf(focusMask).x;
   int best = FAR_ROW;
   int first = max((pixel.x - range) >> 5, 0), last = min((pixel.x + range) >> 5, words - 1);
   for (int word = first; word <= last; ++word) {
-    uint bits = imageLoad(focusMask, ivec2(word, pixel.y)).r;
+    uint bits = texelOf(focusMask, ivec2(word, pixel.y)).r;
     int begin = word * 32;
     // Nearest set bit at or left of the pixel, and at or right of it.
     int local = pixel.x - begin;

@@ -2,11 +2,11 @@
 // stroke does is defined in rendering/scene/BrushStroke.h). Output: offset in mm along the ray; factor of the context
 // layer's opacity where the ray meets the focus, of the border's elsewhere.
 #include "lib/Region.glsl"
-#include "lib/Ray.glsl"
-#include "lib/RayStart.glsl"
+#include "lib/PixelRay.glsl"
+#include "lib/opening/RayStart.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(rg32f, binding = 0) uniform writeonly image2D editMap;
+layout(rg32f) uniform writeonly image2D editMap;
 
 struct Stroke {
   uint mode;
@@ -41,8 +41,8 @@ float profile(float d, float softness) {
 
 void main() {
   ivec2 pixel = regionPixel();
-  if (any(greaterThanEqual(pixel, pictureSize))) return;
-  vec2 hit = imageLoad(hitPoints, pixel).xy;
+  if (any(greaterThanEqual(pixel, rays.pictureSize))) return;
+  vec2 hit = texelOf(hitPoints, pixel).xy;
   float offset = 0.0, share = 1.0;
   if (!isNone(hit.x)) {
     bool meetsFocus = !isNone(hit.y);

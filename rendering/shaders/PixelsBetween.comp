@@ -2,11 +2,11 @@
 // a lattice of pixels first. Between points that vary smoothly pixels are interpolated; the others are listed, for
 // their own rays to be followed: first the centres of the lattice's squares, then the middles of the squares' sides,
 // which have a known pixel on every side by then.
-#include "lib/Region.glsl"
 #include "lib/PixelList.glsl"
+#include "lib/Region.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(rgba32f, binding = 0) uniform image2D focusLayer;
+layout(rgba32f) uniform image2D focusLayer;
 uniform ivec2 pictureSize;
 uniform int halfSide;     // of the lattice's squares, in pixels
 uniform float tolerance;  // of a colour, 0 … 1

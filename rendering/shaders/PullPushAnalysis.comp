@@ -1,20 +1,20 @@
 // Stage 2, one level up: mean of the known pixels of each 2×2 block (Strengert, Kraus, Ertl, VMV 2006).
-layout(local_size_x = 8, local_size_y = 8) in;
+#include "lib/None.glsl"
 #include "lib/PullPush.glsl"
-layout(r32f, binding = 0) uniform writeonly image2D coarse;
 
-const float NONE = -1e30;
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(r32f) uniform writeonly image2D coarse;
 
 void main() {
   ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
   if (any(greaterThanEqual(pixel, imageSize(coarse)))) return;
-  ivec2 size = imageSize(fine);
+  ivec2 size = sizeOf(fine);
   float sum = 0.0, known = 0.0;
   for (int i = 0; i < 4; ++i) {
     ivec2 at = 2 * pixel + ivec2(i & 1, i >> 1);
     if (any(greaterThanEqual(at, size))) continue;
     float value = fineValue(at);
-    if (value > -1e29) {
+    if (!isNone(value)) {
       sum += value;
       known += 1.0;
     }

@@ -16,7 +16,7 @@ std::vector<glm::vec4> drawn(const Scene& scene, const Camera& camera, glm::ivec
   gpu.update(scene);
   gl::Texture layer = gl::Texture::make2D(gl::Format::RGBA32F, size);
   const gl::Region whole{glm::ivec2(0), size};
-  FocusLayerPass().run(gpu, scene, RayFrame(camera, size, scene.volume->grid), std::nullopt, {.pitch = pitch},
+  FocusLayerPass().run(gpu, scene.look, RayFrame(camera, size, scene.volume->grid), std::nullopt, {.pitch = pitch},
                        std::span(&whole, 1), layer);
   std::vector<glm::vec4> pixels(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
   layer.readInto(std::span(pixels));

@@ -1,4 +1,6 @@
 // Rays of candidate cameras: parallel projection over the model's bounding sphere, one set of axes a view.
+#include <schedule>
+#include "lib/Ray.glsl"
 
 struct CandidateView {  // right, up and forward in cells per mm
   vec4 right;           // w: 1 where the view from the opposite side is wanted too
@@ -6,22 +8,28 @@ struct CandidateView {  // right, up and forward in cells per mm
   vec4 forward;
 };
 layout(std430, binding = 2) readonly buffer Views { CandidateView views[]; };
-uniform vec3 sphereCentre;   // cell frame
-uniform float sphereRadius;  // mm
-uniform vec3 focusLower, focusUpper;  // cell frame: nothing of the focus lies outside
+
+struct CandidateSettings {
+  vec3 sphereCentre;   // cell frame
+  float sphereRadius;  // mm
+  vec3 focusLower;     // cell frame: nothing of the focus lies outside
+  vec3 focusUpper;
+};
+UNIFORM_BLOCK(CandidateBlock, storedCandidates, CandidateSettings, candidates);
 
 // s = 0 at the plane through the centre; position in -1…1 across the image.
 Ray candidateRay(uint view, vec2 position) {
   Ray ray;
   ray.direction = views[view].forward.xyz;
-  ray.base = sphereCentre + sphereRadius * (position.x * views[view].right.xyz + position.y * views[view].up.xyz);
+  vec3 offset = position.x * views[view].right.xyz + position.y * views[view].up.xyz;
+  ray.base = candidates.sphereCentre + candidates.sphereRadius * offset;
   ray.world = ray.worldBase = vec3(0.0);
-  clipTo(ray, focusLower, focusUpper, -sphereRadius);
+  clipTo(ray, candidates.focusLower, candidates.focusUpper, -candidates.sphereRadius);
   return ray;
 }
 
 Ray reversed(Ray ray) {
   ray.direction = -ray.direction;
-  clipTo(ray, focusLower, focusUpper, -sphereRadius);
+  clipTo(ray, candidates.focusLower, candidates.focusUpper, -candidates.sphereRadius);
   return ray;
 }

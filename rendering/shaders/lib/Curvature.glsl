@@ -1,15 +1,19 @@
 // Principal curvatures of the level set through a point, from first and second derivatives of a C² reconstruction: the
 // cubic B-spline over the derivative volume (Kindlmann, Whitaker, Tasdizen, Möller, Vis 2003, section 3).
+#include <schedule>
 
 // Smoothed field, coarser where the scan is fine.
 #if DERIVATIVE_BYTES == 2
-layout(r16) uniform readonly image3D derivativeVolume;
+TEXELS_3D(r16, derivativeVolume);
 #else
-layout(r32f) uniform readonly image3D derivativeVolume;
+TEXELS_3D(r32f, derivativeVolume);
 #endif
-uniform vec3 derivativeFactor;        // volume voxels per derivative voxel
-uniform float derivativeScale;        // stored value per texel unit
-uniform mat3 worldFromDerivative;     // gradient: world (1/mm) from derivative index (the inverse transpose)
+struct DerivativeSettings {
+  mat3 worldFromDerivative;  // gradient: world (1/mm) from derivative index (the inverse transpose)
+  vec3 factor;               // volume voxels per derivative voxel
+  float scale;               // real value per texel unit
+};
+UNIFORM_BLOCK(DerivativeBlock, storedDerivative, DerivativeSettings, derivative);
 
 // Cubic B-spline weights of the four neighbours at offset f in [0, 1), and their first and second derivatives.
 void splineWeights(float f, out vec4 w, out vec4 dw, out vec4 ddw) {
@@ -26,29 +30,29 @@ struct LevelSet {
 };
 
 LevelSet levelSetAt(vec3 position) {
-  vec3 index = (position - 0.5) / derivativeFactor - 0.5;
+  vec3 index = (position - 0.5) / derivative.factor - 0.5;
   vec3 base = floor(index);
   vec4 wx, dx, ddx, wy, dy, ddy, wz, dz, ddz;
   splineWeights(index.x - base.x, wx, dx, ddx);
   splineWeights(index.y - base.y, wy, dy, ddy);
   splineWeights(index.z - base.z, wz, dz, ddz);
-  ivec3 last = imageSize(derivativeVolume) - 1;
+  ivec3 last = sizeOf(derivativeVolume) - 1;
   vec3 g = vec3(0.0), diagonal = vec3(0.0), mixed = vec3(0.0);  // mixed: xy, xz, yz
   for (int z = 0; z < 4; ++z)
     for (int y = 0; y < 4; ++y) {
       ivec3 row = ivec3(base) + ivec3(-1, y - 1, z - 1);
       vec4 v;
       for (int x = 0; x < 4; ++x)
-        v[x] = imageLoad(derivativeVolume, clamp(row + ivec3(x, 0, 0), ivec3(0), last)).r;
+        v[x] = texelOf(derivativeVolume, clamp(row + ivec3(x, 0, 0), ivec3(0), last)).r;
       vec3 along = vec3(dot(v, wx), dot(v, dx), dot(v, ddx));
       g += vec3(along.y * wy[y] * wz[z], along.x * dy[y] * wz[z], along.x * wy[y] * dz[z]);
       diagonal += vec3(along.z * wy[y] * wz[z], along.x * ddy[y] * wz[z], along.x * wy[y] * ddz[z]);
       mixed += vec3(along.y * dy[y] * wz[z], along.y * wy[y] * dz[z], along.x * dy[y] * dz[z]);
     }
   mat3 hessian = mat3(diagonal.x, mixed.x, mixed.y, mixed.x, diagonal.y, mixed.z, mixed.y, mixed.z, diagonal.z);
-  hessian = worldFromDerivative * hessian * transpose(worldFromDerivative) * derivativeScale;
+  hessian = derivative.worldFromDerivative * hessian * transpose(derivative.worldFromDerivative) * derivative.scale;
   LevelSet result;
-  result.gradient = worldFromDerivative * g * derivativeScale;
+  result.gradient = derivative.worldFromDerivative * g * derivative.scale;
   float size = length(result.gradient);
   result.k1 = result.k2 = 0.0;
   result.noise = size > 1e-6 ? 0.0 : 1.0;

@@ -1,103 +1,107 @@
-// First hit of the focus, or of the context, along a ray: cell by cell, leaping over empty bricks.
+// First hit of the focus, or of the context, along a ray.
+//
+// A search goes through stages, each dearer than the one before: leap to a cell that may hold any of what is looked for;
+// look whether the field's hull in that cell reaches out of the gap of values that the ray has to leave; solve for the
+// point where it does. Where rays run in step, a stage waits until every one of them needs it.
+#include <schedule>
+#include <focus>
+#include "lib/Crossing.glsl"
+#include "lib/Traversal.glsl"
+#include "lib/Volume.glsl"
 
-// Chebyshev distances in bricks: to the nearest one that is not transparent, and to the nearest one with focus.
-layout(r8ui) uniform readonly uimage3D contextSkip;
-#if FOCUS_KIND != 0
-layout(r8ui) uniform readonly uimage3D focusSkip;
-#endif
+// Chebyshev distance in bricks to the nearest one where the context is not transparent.
+UNSIGNED_TEXELS_3D(r8ui, contextSkip);
 
-uniform int gapCount;             // open intervals of stored values in which the context is transparent
+uniform int gapCount;  // open intervals of stored values in which the context is transparent
 layout(std430, binding = 1) readonly buffer Gaps { vec2 gaps[]; };
 
-#if FOCUS_KIND != 0
-// Corners or values of a cell that the focus reaches; false where it does not.
-bool holdsFocus(ivec3 cell) {
-#if FOCUS_KIND == 1
-  return focusCorners(focusSlot(cell), cell) != 0u;
-#else
-  return focusCellKept(focusSlot(cell), cell);
-#endif
-}
-#endif
+const int LEAP = 0, LOOK = 1, SOLVE = 2, ENDED = 3;
 
-// The field along [s, sNext] in a cell as Bernstein coefficients, of the focus or the context. For the focus also the
-// interval that it has to leave for the focus to be met.
-vec4 fieldAlong(const bool focus, Ray ray, ivec3 cell, float s, float sNext, inout vec2 gap) {
-  vec3 a = clamp(cellPosition(ray, s) - vec3(cell), 0.0, 1.0);
-  vec3 b = clamp(cellPosition(ray, sNext) - vec3(cell), 0.0, 1.0);
+struct Search {
+  ivec3 upwards;
+  ivec3 cell;   // that the ray is in from s on
+  float s;
+  int stage;
+  int after;    // the stage after SOLVE: LEAP or ENDED
+  float sFrom;  // where the ray came into the cell looked into; it leaves that at s
+  vec4 along;   // the field in it, Bernstein coefficients
+  vec2 gap;     // open interval that the field has to leave
+  float hit;
+};
+
+// Moves on to what lies behind a block; the search ends where the ray or the volume does.
+void moveOn(inout Search search, Ray ray, float sEnd, Block block) {
+  Face face = faceBehind(block, ray, search.upwards, search.s);
+  search.s = face.s;
+  search.cell = cellBehind(face, search.upwards);
+  search.stage = face.s < sEnd && isInVolume(search.cell) ? LEAP : ENDED;
+}
+
+// `ofFocus` chooses the field.
+void leap(inout Search search, const bool ofFocus, Ray ray, float sEnd) {
+  ivec3 brick = search.cell >> BRICK_SHIFT;
+  int empty = ofFocus ? distanceToFocus(brick) : int(texelOf(contextSkip, brick).r);
+  bool found = empty == 0;
+  if (ofFocus) found = found && mayHoldFocus(focusCellAt(focusSlot(search.cell), search.cell));
+  if (found)
+    search.stage = LOOK;
+  else
+    moveOn(search, ray, sEnd, blockAt(search.cell, search.upwards, empty));
+}
+
+void look(inout Search search, const bool ofFocus, Ray ray, float sEnd) {
+  ivec3 cell = search.cell;
+  search.sFrom = search.s;
+  moveOn(search, ray, sEnd, blockAt(cell, search.upwards, 0));
+  vec3 a = clamp(cellPosition(ray, search.sFrom) - vec3(cell), 0.0, 1.0);
+  vec3 b = clamp(cellPosition(ray, min(search.s, sEnd)) - vec3(cell), 0.0, 1.0);
   float f[8];
-#if FOCUS_KIND == 1
-  if (focus) {
-    uint corners = focusCorners(focusSlot(cell), cell);
-    for (int i = 0; i < 8; ++i) f[i] = float((corners >> i) & 1u);
-    gap = vec2(-FAR, 0.5);
-    return bernsteinAlong(f, a, b);
-  }
-#endif
   cellCorners(cell, f);
-  vec4 along = bernsteinAlong(f, a, b);
-#if FOCUS_KIND == 2
-  // Starting inside the range the gap is empty: left at once.
-  if (focus)
-    gap = along.x < focusLow ? vec2(-FAR, focusLow) : along.x > focusHigh ? vec2(focusHigh, FAR) : vec2(FAR, -FAR);
-#endif
-  return along;
+  search.along = bernsteinAlong(f, a, b);
+  if (ofFocus) {
+    search.along = focusAlong(focusCellAt(focusSlot(cell), cell), a, b, search.along);
+    // A ray that comes into the cell inside the focus has met it there: no value lies in the empty gap.
+    vec2 range = focusRange();
+    float first = search.along.x;
+    search.gap = first < range.x ? vec2(-FAR, range.x) : first > range.y ? vec2(range.y, FAR) : vec2(FAR, -FAR);
+  }
+  search.after = search.stage;
+  if (leavesHull(search.along, search.gap.x, search.gap.y)) search.stage = SOLVE;
 }
 
-// `focus` chooses the field; `gap` is the context's interval to leave. `exact`: where it leaves; else only whether it
-// does, and in which cell.
-float firstHit(const bool focus, const bool exact, Ray ray, float sBegin, float sEnd, vec2 gap) {
+// `exact`: for the point itself; otherwise for the cell that it lies in.
+void solve(inout Search search, const bool exact, float sEnd) {
+  vec2 gap = search.gap, piece;
+  float u = exact ? firstExit(search.along, gap.x, gap.y) : leaves(search.along, gap.x, gap.y, piece) ? 0.0 : 2.0;
+  search.stage = u <= 1.0 ? ENDED : search.after;
+  if (u <= 1.0) search.hit = mix(search.sFrom, min(search.s, sEnd), u);
+}
+
+// From sBegin to sEnd; NONE where there is none. `gap`: of the context, the interval that it has to leave.
+float firstHit(const bool ofFocus, const bool exact, Ray ray, float sBegin, float sEnd, vec2 gap) {
   if (sBegin > sEnd) return NONE;
-  ivec3 cell = clamp(ivec3(floor(cellPosition(ray, sBegin))), ivec3(0), volumeDims);
-  float s = sBegin;
-  // A ray meets at most the sum of the three sides in cells, and as many bricks on top.
-  int left = 2 * (volumeDims.x + volumeDims.y + volumeDims.z + 3), axis;
-  // Rays that run side by side do so in step: what costs more waits, loop by loop, until all of them need it, and loops
-  // are left at their ends, since one left earlier runs to its end all the same, for nobody.
-  float hit = NONE;
+  Search search;
+  search.upwards = upwardsOf(ray);
+  search.cell = cellAt(ray, sBegin);
+  search.s = sBegin;
+  search.stage = LEAP;
+  search.after = ENDED;
+  search.sFrom = sBegin;
+  search.along = vec4(0.0);
+  search.gap = gap;
+  search.hit = NONE;
   do {
-    // To the next cell whose hull reaches out of the gap.
-    bool candidate = false;
-    vec4 along = vec4(0.0);
-    float sFrom = s;
     do {
-      // To the next cell that may hold any of it.
-      bool found = false;
-      do {
-        ivec3 brick = cell >> BRICK_SHIFT;
-#if FOCUS_KIND != 0
-        int empty = int(focus ? imageLoad(focusSkip, brick).r : imageLoad(contextSkip, brick).r);
-        found = empty == 0 && (!focus || holdsFocus(cell));
-#else
-        int empty = int(imageLoad(contextSkip, brick).r);
-        found = empty == 0;
-#endif
-        if (!found) {
-          ivec3 lower = empty > 0 ? (brick - (empty - 1)) * BRICK_SIDE : cell;
-          ivec3 upper = empty > 0 ? (brick + empty) * BRICK_SIDE : cell + 1;
-          left = leaveBlock(ray, lower, upper, sEnd, cell, s, axis) ? left - 1 : 0;
-        }
-      } while (!found && left > 0);
-      if (found) {
-        ivec3 held = cell;
-        sFrom = s;
-        left = leaveBlock(ray, held, held + 1, sEnd, cell, s, axis) ? left - 1 : 0;
-        along = fieldAlong(focus, ray, held, sFrom, min(s, sEnd), gap);
-        candidate = leavesHull(along, gap.x, gap.y);
-      }
-    } while (!candidate && left > 0);
-    vec2 piece;
-    float u = 2.0;
-    if (candidate) u = exact ? firstExit(along, gap.x, gap.y) : leaves(along, gap.x, gap.y, piece) ? 0.0 : 2.0;
-    if (u <= 1.0) hit = mix(sFrom, min(s, sEnd), u);
-  } while (isNone(hit) && left > 0);
-  return hit;
+      do leap(search, ofFocus, ray, sEnd); while (IN_STEP && search.stage == LEAP);
+      if (search.stage == LOOK) look(search, ofFocus, ray, sEnd);
+    } while (IN_STEP && search.stage == LEAP);
+    if (search.stage == SOLVE) solve(search, exact, sEnd);
+  } while (search.stage != ENDED);
+  return search.hit;
 }
 
-#if FOCUS_KIND != 0
-float firstFocusHit(Ray ray) { return firstHit(true, true, ray, ray.sIn, ray.sOut, vec2(0.0)); }
-bool meetsFocus(Ray ray) { return !isNone(firstHit(true, false, ray, ray.sIn, ray.sOut, vec2(0.0))); }
-#endif
+float firstFocusHit(Ray ray) { return HAS_FOCUS ? firstHit(true, true, ray, ray.sIn, ray.sOut, vec2(0.0)) : NONE; }
+bool meetsFocus(Ray ray) { return HAS_FOCUS && !isNone(firstHit(true, false, ray, ray.sIn, ray.sOut, vec2(0.0))); }
 
 // First context point in [sIn, sEnd]. The field is continuous: a ray that starts inside one transparent gap of values
 // can leave that gap only through its ends.

@@ -1,9 +1,10 @@
 // The finer of two levels. The finest is the hit-point map, which holds the focus hit in y.
+#include <schedule>
 
 #if FINEST
-layout(rg32f) uniform readonly image2D fine;
-float fineValue(ivec2 pixel) { return imageLoad(fine, pixel).y; }
+TEXELS_2D(rg32f, fine);
+float fineValue(ivec2 pixel) { return texelOf(fine, pixel).y; }
 #else
-layout(r32f) uniform readonly image2D fine;
-float fineValue(ivec2 pixel) { return imageLoad(fine, pixel).x; }
+TEXELS_2D(r32f, fine);
+float fineValue(ivec2 pixel) { return texelOf(fine, pixel).x; }
 #endif

@@ -1,4 +1,4 @@
-// A pass may run over parts of the picture: gl::ShaderProgram::dispatch says which by their first pixel.
+// A pass may run over parts of the picture: gl::ShaderProgram::dispatch tells each its first pixel.
 
 uniform ivec2 pixelOrigin;
 
@@ -9,8 +9,3 @@ ivec2 regionPixel() {
   ivec2 within = ivec2((i & 3) | ((i >> 1) & 4), ((i >> 2) & 1) | ((i >> 3) & 6));
   return pixelOrigin + 8 * ivec2(gl_WorkGroupID.xy) + within;
 }
-
-#ifdef RAYS
-// Of RAYS pixels one below the other.
-ivec2 regionPixel(int i) { return regionPixel() * ivec2(1, RAYS) + ivec2(0, i); }
-#endif

@@ -1,26 +1,26 @@
 // Stored values of the volume. Texels of one and two bytes are integers, normalised (exact: they are rounded back); those
 // of four are floats.
+#include <schedule>
+#include "lib/Grid.glsl"
 
-// What is read texel by texel is bound as an image: llvmpipe looks up a sampler's level of detail lane by lane.
+// Texels, and stored values per texel unit.
 #if VOLUME_BYTES == 1
-#define VOLUME_FORMAT r8
+TEXELS_3D(r8, volumeTexels);
+const float TEXEL_SCALE = 255.0;
 #elif VOLUME_BYTES == 2
-#define VOLUME_FORMAT r16
+TEXELS_3D(r16, volumeTexels);
+const float TEXEL_SCALE = 65535.0;
 #else
-#define VOLUME_FORMAT r32f
+TEXELS_3D(r32f, volumeTexels);
+const float TEXEL_SCALE = 1.0;
 #endif
-layout(VOLUME_FORMAT) uniform readonly image3D volumeTexels;
-uniform float texelScale;      // stored value per texel unit: 255, 65535 or 1
-
-// Bricks of cells: what is skipped at once. The side is that of rendering/gpu/Bricks.h.
-const int BRICK_SHIFT = 2, BRICK_SIDE = 1 << BRICK_SHIFT;
 
 float storedAt(ivec3 index) {
-  float texel = imageLoad(volumeTexels, clamp(index, ivec3(0), volumeDims - 1)).r;
+  float texel = texelOf(volumeTexels, clamp(index, ivec3(0), volume.dims - 1)).r;
 #if VOLUME_BYTES == 4
   return texel;
 #else
-  return floor(texel * texelScale + 0.5);
+  return floor(texel * TEXEL_SCALE + 0.5);
 #endif
 }
 

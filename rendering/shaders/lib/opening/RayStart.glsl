@@ -1,18 +1,20 @@
 // Stage 4 without the brush: where a ray starts to see.
+#include <schedule>
+#include "lib/None.glsl"
 
-layout(rg32f) uniform readonly image2D hitPoints;
-layout(r32f) uniform readonly image2D focusFilled;
-layout(r32f) uniform readonly image2D distances;
+TEXELS_2D(rg32f, hitPoints);
+TEXELS_2D(r32f, focusFilled);
+TEXELS_2D(r32f, distances);
 uniform float openWidth;  // rendered pixels
 
 // `hit`: context and focus hit of the pixel, the first not NONE. sOut: where its ray leaves the box.
 float uneditedStart(ivec2 pixel, vec2 hit, float sOut) {
   float start = hit.x;
-  float distance = imageLoad(distances, pixel).r;
+  float distance = texelOf(distances, pixel).r;
   if (!isNone(hit.y)) {
     start = hit.y;
   } else if (openWidth > 0.0 && distance <= openWidth) {
-    start = mix(imageLoad(focusFilled, pixel).r, hit.x, distance / openWidth);
+    start = mix(texelOf(focusFilled, pixel).r, hit.x, distance / openWidth);
   }
   return clamp(start, hit.x, max(hit.x, sOut));
 }

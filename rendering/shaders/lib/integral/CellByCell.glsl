@@ -1,32 +1,36 @@
-// The volume rendering integral cell by cell. In a cell the values along a ray are a cubic, known exactly from the eight
-// corners with full float weights. It is cut into as many pieces as the bound on the error asks for, and over a piece the
-// transfer function is integrated, not sampled: no spike of opacity and no thin layer is stepped over.
-
-uniform float maxError;  // of a pixel's colour
+// The volume rendering integral cell by cell, within a bound on its error.
+//
+// In a cell the values along a ray are a cubic, known exactly from the eight corners with full float weights. The cubic is
+// cut into as many pieces as the bound asks for, and over a piece the transfer function is integrated, not sampled
+// (lib/integral/Piece.glsl): no spike of opacity and no thin layer is stepped over. The error of n pieces falls as 1/n²,
+// so the difference between two numbers of pieces tells how many are enough (Richardson extrapolation), and extrapolates
+// the result.
+//
+// A walk goes through stages, each dearer than the one before: leap to a cell that is not empty; look what is in it;
+// integrate it. Where rays run in step, a stage waits until every one of them needs it.
+#include <focus>
+#include <light>
+#include <opening>
+#include <schedule>
+#include "lib/Crossing.glsl"
+#include "lib/Traversal.glsl"
+#include "lib/Volume.glsl"
+#include "lib/integral/Piece.glsl"
+#include "lib/integral/Settings.glsl"
 
 const int MOST_PIECES = 64;
-const vec2 UNLIT = vec2(1.0, 0.0);
 
 // What a ray finds between two faces of a cell. Vectors of four are Bernstein coefficients along it.
 struct CellPath {
   ivec3 cell;
-  vec3 a, b;         // both ends within the cell, 0 to 1
-  float sFrom, sTo;  // mm along the ray
-  vec4 entries;      // table entries of the values
-#if FOCUS_KIND != 0
-  bool focus;        // some of it may be in the focus
-  vec4 focusAlong;   // in the focus from 0 to focusWidth
-#endif
+  vec3 a, b;          // both ends within the cell, 0 to 1
+  float sFrom, sTo;   // mm along the ray
+  vec4 entries;       // table entries of the values
+  vec4 focusAlong;    // the focus's field, where some of the path may be in the focus
 };
 
 float lowest(vec4 v) { return min(min(v.x, v.y), min(v.z, v.w)); }
 float highest(vec4 v) { return max(max(v.x, v.y), max(v.z, v.w)); }
-
-#if FOCUS_KIND == 1
-const float focusWidth = FAR;
-#elif FOCUS_KIND == 2
-float focusWidth = focusHigh - focusLow;
-#endif
 
 // The corners of the cells along a ray are kept in a frame turned so that it runs upwards along every axis: then a step
 // along an axis leaves a cell by its upper face, whose corners are the next cell's lower ones.
@@ -55,34 +59,31 @@ vec4 bernsteinTurned(Ray ray, float f[8], vec3 a, vec3 b) {
   return bernsteinAlong(f, mix(a, 1.0 - a, downwards), mix(b, 1.0 - b, downwards));
 }
 
-// False where nothing shows. `f`: the cell's corners, turned.
-bool lookInto(Ray ray, ivec3 cell, float s, float sNext, float f[8], out CellPath path) {
+const int LEAP = 0, LOOK = 1, CONTEXT = 2, FOCUS = 3, ENDED = 4;  // stages
+
+// Fills in what lies between s and sNext, and tells the stage that it needs: CONTEXT, FOCUS, or LEAP where nothing shows.
+// `f`: the cell's corners, turned.
+int lookInto(Ray ray, ivec3 cell, float s, float sNext, float f[8], out CellPath path) {
   path.cell = cell;
   path.sFrom = s;
   path.sTo = sNext;
   path.a = clamp(cellPosition(ray, s) - vec3(cell), 0.0, 1.0);
   path.b = clamp(cellPosition(ray, sNext) - vec3(cell), 0.0, 1.0);
   vec4 stored = bernsteinTurned(ray, f, path.a, path.b);
-  path.entries = stored * transferMap.x + transferMap.y;
-#if FOCUS_KIND != 0
-  uint slot = focusSlot(cell);
-#if FOCUS_KIND == 1
-  uint corners = focusCorners(slot, cell);
-  for (int i = 0; i < 8; ++i) f[i] = float((corners >> i) & 1u) - 0.5;
-  path.focusAlong = bernsteinAlong(f, path.a, path.b);
-  path.focus = corners != 0u && highest(path.focusAlong) >= 0.0;
-#else
-  path.focusAlong = stored - focusLow;
-  path.focus = focusCellKept(slot, cell) && lowest(path.focusAlong) <= focusWidth && highest(path.focusAlong) >= 0.0;
-#endif
-  if (path.focus) return true;
-#endif
-  return highest(path.entries) > visibleEntries.x && lowest(path.entries) < visibleEntries.y;
+  path.entries = stored * transfer.map.x + transfer.map.y;
+  FocusCell held = focusCellAt(focusSlot(cell), cell);
+  path.focusAlong = focusAlong(held, path.a, path.b, stored);
+  vec2 range = focusRange();
+  if (mayHoldFocus(held) && lowest(path.focusAlong) <= range.y && highest(path.focusAlong) >= range.x) return FOCUS;
+  vec2 visible = transfer.visibleEntries;
+  return highest(path.entries) > visible.x && lowest(path.entries) < visible.y ? CONTEXT : LEAP;
 }
 
-#if FOCUS_KIND != 0
 // Below, in or above the focus's range: -1, 0, 1.
-float sideOf(float value) { return value < 0.0 ? -1.0 : value > focusWidth ? 1.0 : 0.0; }
+float sideOf(float value) {
+  vec2 range = focusRange();
+  return value < range.x ? -1.0 : value > range.y ? 1.0 : 0.0;
+}
 
 // Where after u, at most at 1, the focus begins or ends.
 float nextChange(vec4 along, float u) {
@@ -106,28 +107,14 @@ float nextChange(vec4 along, float u) {
   return to;
 }
 
-#if FOCUS_KIND == 1 && FOCUS_PALETTE
-// Where after u, at most at 1, the nearest voxel changes, which tells the colour: half way between voxel centres.
-float nextColour(CellPath path, float u) {
-  vec3 at = (0.5 - path.a) / (path.b - path.a);
-  at = mix(vec3(1.0), at, greaterThan(at, vec3(u)));
-  return min(min(at.x, at.y), min(at.z, 1.0));
-}
-#endif
-#endif
-
-vec4 over(vec4 front, vec4 back) { return front + (1.0 - front.a) * back; }
-
 // A part of a path that is all in the focus, of one material, or all in the context.
 struct Section {
   float uFrom, uTo;  // of the path
   float sFrom, sTo;  // mm along the ray
   vec4 entries;
-  bool focus;
+  bool inFocus;
   vec4 material;     // of the focus
-#if SHADING
   CellNormals normals;
-#endif
 };
 
 #if FINE
@@ -152,8 +139,8 @@ End endAt(float entry) {
   end.bound = boundAt(entry);
 #if FINE
   float inside = clamp(end.bound.entry, 0.0, LAST_ENTRY), beyond = end.bound.entry - inside;
-  vec4 constant = beyond < 0.0 ? firstMaterial : lastMaterial;
-  vec3 hidden = imageLoad(transferTables, ivec2(int(inside), 2)).rgb;
+  vec4 constant = beyond < 0.0 ? transfer.firstMaterial : transfer.lastMaterial;
+  vec3 hidden = texelOf(transferTables, ivec2(int(inside), 2)).rgb;
   end.extinction = end.bound.integral.a + beyond * constant.a;
   end.hidden = hidden + constant.rgb * (beyond * 0.5 * (end.bound.integral.a + end.extinction));
 #endif
@@ -178,18 +165,13 @@ vec4 pieceIn(Section section, Ray ray, Cut cut, End front, End back, float from,
   float size = (to - from) * (section.sTo - section.sFrom);
   vec4 material = meanMaterial(front.bound, back.bound);
   vec3 hidden = hiddenBetween(front, back, material);
-#if FOCUS_KIND != 0
-  if (section.focus) {
+  if (section.inFocus) {
     material = section.material;
     hidden = vec3(0.0);
   }
-#endif
-  vec2 light = UNLIT;
-#if SHADING
   float x = mix(from, to, centreOfEmission(material.a * size));
-  light = behindCut(lightAlong(section.normals, mix(section.uFrom, section.uTo, x), ray.world, section.focus), cut,
-                    mix(section.sFrom, section.sTo, x));
-#endif
+  vec2 light = lightAlong(section.normals, mix(section.uFrom, section.uTo, x), ray.world, section.inFocus);
+  light = behindCut(light, cut, mix(section.sFrom, section.sTo, x));
   vec4 piece = pieceOf(material, size, light);
   float seen = size * relativeOpacity(material.a * size);
   hidden *= light.x * seen * seen;
@@ -207,13 +189,11 @@ vec4 integrateSection(Section section, Ray ray, Cut cut, float transmittance, fl
   float doubt;
   vec4 coarse = pieceIn(section, ray, cut, first, last, 0.0, 1.0, doubt);
   // A cell may be wrong by its share of the picture or of the ray: either sums to at most 1 over the ray.
-  float shown = transmittance * coarse.a, allowed = maxError * max(shown, share);
+  float shown = transmittance * coarse.a, allowed = integral.maxError * max(shown, share);
   int countBefore = 1, count = FEWEST_PIECES;
   // Where light dies within a piece, it is the surface's place in it that is not known.
-  bool surface = !section.focus && coarse.a > 0.99;
-#if SHADING
-  count = max(count, piecesFor(piecesOfLight(section.normals, section.focus, ray.world, shown / allowed, surface)));
-#endif
+  bool surface = !section.inFocus && coarse.a > 0.99;
+  count = max(count, piecesFor(piecesOfLight(section.normals, section.inFocus, ray.world, shown / allowed, surface)));
   // One loop over the pieces of all rounds: rays that run side by side wait for each other at its end alone.
   vec4 fine = vec4(0.0);
   End front = first;
@@ -255,32 +235,25 @@ Section wholeOf(CellPath path) {
   section.sFrom = path.sFrom;
   section.sTo = path.sTo;
   section.entries = path.entries;
-  section.focus = false;
+  section.inFocus = false;
   section.material = vec4(0.0);
-#if SHADING
   section.normals = normalsAlong(path.cell, path.a, path.b);
-#endif
   return section;
 }
 
-#if FOCUS_KIND != 0
-// A cell with both, section by section.
+// A cell that holds both focus and context, section by section.
 vec4 integrateFocusCell(CellPath path, Ray ray, Cut cut, float transmittance, float share) {
   Section section = wholeOf(path);
-#if FOCUS_KIND == 1 && SHADING
-  focusNormalsAlong(path.cell, path.a, path.b, section.normals);
-#endif
+  addFocusNormals(section.normals, path.cell, path.a, path.b);
   vec4 result = vec4(0.0);
   // A cubic crosses the two ends of a range at most six times, and colours change at three places.
   int left = 10;
   section.uTo = 0.0;
   do {
     section.uFrom = section.uTo;
-    section.focus = sideOf(bernstein(path.focusAlong, section.uFrom)) == 0.0;
+    section.inFocus = sideOf(bernstein(path.focusAlong, section.uFrom)) == 0.0;
     section.uTo = nextChange(path.focusAlong, section.uFrom);
-#if FOCUS_KIND == 1 && FOCUS_PALETTE
-    if (section.focus) section.uTo = min(section.uTo, nextColour(path, section.uFrom));
-#endif
+    if (section.inFocus) section.uTo = min(section.uTo, nextColour(path.a, path.b, section.uFrom));
     section.sFrom = mix(path.sFrom, path.sTo, section.uFrom);
     section.sTo = mix(path.sFrom, path.sTo, section.uTo);
     section.entries = bernsteinBetween(path.entries, section.uFrom, section.uTo);
@@ -291,72 +264,110 @@ vec4 integrateFocusCell(CellPath path, Ray ray, Cut cut, float transmittance, fl
   } while (section.uTo < 1.0 && --left > 0);
   return result;
 }
-#endif
 
-// Loops here are left at their ends: where rays that run side by side share their instructions, a loop left earlier
-// runs to its end all the same, for nobody.
-vec4 integrate(Ray ray, float start, Cut cut) {
-  vec4 result = vec4(0.0);
-  ivec3 cellCount = volumeDims + 1;
-  ivec3 cell = clamp(ivec3(floor(cellPosition(ray, start))), ivec3(0), cellCount - 1);
-  float s = start, perLength = 1.0 / max(ray.sOut - start, 1e-30);
-  // A ray meets at most the sum of the three sides in cells, and as many bricks on top, behind each of which it takes
-  // the face by which it enters the next cell first.
-  int left = 3 * (cellCount.x + cellCount.y + cellCount.z), axis = 0;
-  float corners[8] = float[8](0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
-  bool entered = false, more = true;
-  do {
-    CellPath path;
-    bool shows, inContext;
-    // Up to the next cell with focus in it, which costs more than one without.
-    do {
-      // Walk to the next cell that shows something, so that rays that run side by side integrate together.
-      do {
-        shows = false;
-        int empty;
-        do {
-          ivec3 brick = cell >> BRICK_SHIFT;
-          empty = int(imageLoad(occupiedSkip, brick).r);
-          if (empty > 0) {
-            ivec3 lower = (brick - (empty - 1)) * BRICK_SIDE, upper = (brick + empty) * BRICK_SIDE;
-            left = leaveBlock(ray, lower, upper, ray.sOut, cell, s, axis) ? left - 1 : 0;
-            entered = false;
-          }
-        } while (empty > 0 && left > 0);
-        // Behind a skipped block first the face by which it was left, then the one beyond.
-        stepInto(ray, entered ? cell : cellBefore(ray, cell, axis), axis, corners);
-        if (entered) {
-          ivec3 held = cell;
-          float sFrom = s;
-          bool goesOn = leaveBlock(ray, held, held + 1, ray.sOut, cell, s, axis);
-          shows = lookInto(ray, held, sFrom, min(s, ray.sOut), corners, path);
-          if (!goesOn) left = 0;
-        }
-        entered = true;
-      } while (!shows && --left > 0);
-      inContext = shows;
-#if FOCUS_KIND != 0
-      inContext = shows && !path.focus;
-#endif
-      if (inContext)
-        result = over(result, integrateSection(wholeOf(path), ray, cut, 1.0 - result.a,
-                                               (path.sTo - path.sFrom) * perLength));
-      more = left > 0 && 1.0 - result.a >= leastTransmittance;
-    } while (inContext && more);
-#if FOCUS_KIND != 0
-    if (shows && path.focus) {
-      if (cut.onFocus && path.sFrom == start) path.focusAlong.x = clamp(path.focusAlong.x, 0.0, focusWidth);
-      result = over(result, integrateFocusCell(path, ray, cut, 1.0 - result.a, (path.sTo - path.sFrom) * perLength));
-      more = left > 0 && 1.0 - result.a >= leastTransmittance;
-    }
-#endif
-  } while (more);
-  // Of what the light that is left might still have met, half is taken for there, in the colour so far.
-  if (left > 0) result *= 1.0 + 0.5 * (1.0 - result.a) / max(result.a, 0.5);
-  return result;
+// How far a ray has got.
+struct Walk {
+  Ray ray;
+  Cut cut;
+  ivec3 upwards;
+  ivec3 cell;        // that the ray is in from s on
+  float s;
+  int axis;          // of the face by which it came in
+  int entered;       // 1: `corners` holds the voxels of that face
+  float corners[8];  // of the cell before, turned
+  CellPath path;     // looked into last
+  int stage;
+  int after;         // the stage after an integration: LEAP, or ENDED where the ray leaves the volume
+  vec4 result;       // colour and opacity so far, premultiplied
+};
+
+Walk walkFrom(Ray ray, Cut cut, bool visible) {
+  Walk walk;
+  walk.ray = ray;
+  walk.cut = cut;
+  walk.upwards = upwardsOf(ray);
+  walk.cell = cellAt(ray, cut.start);
+  walk.s = cut.start;
+  walk.axis = 0;
+  walk.entered = 0;
+  walk.corners = float[8](0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+  walk.stage = visible ? LEAP : ENDED;
+  walk.after = ENDED;
+  walk.result = vec4(0.0);
+  return walk;
 }
 
-void integrate(Ray rays[RAYS], float starts[RAYS], Cut cuts[RAYS], bool visible[RAYS], out vec4 results[RAYS]) {
-  results[0] = vec4(0.0);
-  if (visible[0]) results[0] = integrate(rays[0], starts[0], cuts[0]);
+// Moves on to what lies behind a block.
+void moveOn(inout Walk walk, Block block) {
+  Face face = faceBehind(block, walk.ray, walk.upwards, walk.s);
+  walk.s = face.s;
+  walk.cell = cellBehind(face, walk.upwards);
+  walk.axis = face.across.x ? 0 : face.across.y ? 1 : 2;
+  walk.stage = face.s < walk.ray.sOut && isInVolume(walk.cell) ? LEAP : ENDED;
+}
+
+void leap(inout Walk walk) {
+  int empty = distanceToVisible(walk.cell);
+  walk.stage = LOOK;
+  if (empty > 0) {
+    moveOn(walk, blockAt(walk.cell, walk.upwards, empty));
+    walk.entered = 0;
+  }
+}
+
+// After a leap the walk takes the voxels of the face by which it left the empty block first, then the cell behind it.
+void look(inout Walk walk) {
+  bool entered = walk.entered != 0;
+  stepInto(walk.ray, entered ? walk.cell : cellBefore(walk.ray, walk.cell, walk.axis), walk.axis, walk.corners);
+  walk.entered = 1;
+  walk.stage = LEAP;
+  if (entered) {
+    ivec3 cell = walk.cell;
+    float s = walk.s;
+    moveOn(walk, blockAt(cell, walk.upwards, 0));
+    walk.after = walk.stage;
+    int needed = lookInto(walk.ray, cell, s, min(walk.s, walk.ray.sOut), walk.corners, walk.path);
+    if (needed != LEAP) walk.stage = needed;
+  }
+}
+
+// Integrates the cell looked into. `ofFocus`: some of it may be in the focus.
+void integrateCell(inout Walk walk, const bool ofFocus) {
+  CellPath path = walk.path;
+  float transmittance = 1.0 - walk.result.a;
+  float share = (path.sTo - path.sFrom) / max(walk.ray.sOut - walk.cut.start, 1e-30);  // of the ray's length
+  vec4 colour;
+  if (ofFocus) {
+    vec2 range = focusRange();
+    if (walk.cut.onFocus != 0u && path.sFrom == walk.cut.start)
+      path.focusAlong.x = clamp(path.focusAlong.x, range.x, range.y);
+    colour = integrateFocusCell(path, walk.ray, walk.cut, transmittance, share);
+  } else {
+    colour = integrateSection(wholeOf(path), walk.ray, walk.cut, transmittance, share);
+  }
+  walk.result = over(walk.result, colour);
+  walk.stage = 1.0 - walk.result.a >= integral.leastTransmittance ? walk.after : ENDED;
+}
+
+void follow(inout Walk walk) {
+  if (walk.stage == ENDED) return;
+  do {
+    do {
+      do {
+        do leap(walk); while (IN_STEP && walk.stage == LEAP);
+        if (walk.stage == LOOK) look(walk);
+      } while (IN_STEP && walk.stage == LEAP);
+      if (walk.stage == CONTEXT) integrateCell(walk, false);
+    } while (IN_STEP && walk.stage == LEAP);
+    if (HAS_FOCUS && walk.stage == FOCUS) integrateCell(walk, true);
+  } while (walk.stage != ENDED);
+}
+
+void integrate(inout Walk walks[RAYS]) {
+  for (int i = 0; i < RAYS; ++i) follow(walks[i]);
+}
+
+vec4 colourOf(Walk walk) {
+  bool terminated = walk.after == LEAP && 1.0 - walk.result.a < integral.leastTransmittance;
+  return terminated ? compensateTermination(walk.result) : walk.result;
 }

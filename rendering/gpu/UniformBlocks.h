@@ -1,0 +1,98 @@
+#pragma once
+// The uniform blocks of the shaders, in std140 layout: a member here is the one of the same name and place in the GLSL
+// struct that the block holds. tests/gl/ShaderProgramTest compares the offsets.
+
+#include <cstdint>
+
+#include <glm/glm.hpp>
+
+namespace fenestra {
+
+/// A matrix of three rows, its columns padded as std140 has them.
+using Std140Mat3 = glm::mat3x4;
+
+/// shaders/lib/PixelRay.glsl.
+struct alignas(16) RayBlock {
+  static constexpr const char* name = "RayBlock";
+  Std140Mat3 cellsFromView, worldFromView;
+  glm::vec3 anchor;
+  float distance;
+  glm::vec2 halfSize;
+  glm::ivec2 pictureSize;
+  std::uint32_t perspective;
+};
+
+/// shaders/lib/Grid.glsl.
+struct alignas(16) VolumeBlock {
+  static constexpr const char* name = "VolumeBlock";
+  glm::ivec3 dims;
+};
+
+/// shaders/lib/Transfer.glsl.
+struct alignas(16) TransferBlock {
+  static constexpr const char* name = "TransferBlock";
+  glm::vec4 firstMaterial, lastMaterial;
+  glm::vec2 map, visibleEntries;
+};
+
+/// shaders/lib/focus/Index.glsl.
+struct alignas(16) FocusBlock {
+  static constexpr const char* name = "FocusBlock";
+  glm::vec4 material{0.0f};
+  alignas(16) glm::vec2 range{0.0f};
+  alignas(16) glm::ivec3 paletteOrigin{0};
+  alignas(16) glm::vec3 smoothOrigin{0.0f};
+  alignas(16) Std140Mat3 worldFromIndexGradient{1.0f};
+};
+
+/// shaders/lib/light/BlinnPhong.glsl.
+struct alignas(16) LightBlock {
+  static constexpr const char* name = "LightBlock";
+  glm::vec3 direction;
+  float ambient, diffuse, specular, shininess, meanIncidence;
+  glm::ivec3 gradientOrigin;
+  float certainLength;
+};
+
+/// shaders/lib/integral/Settings.glsl.
+struct alignas(16) IntegralBlock {
+  static constexpr const char* name = "IntegralBlock";
+  float leastTransmittance, maxError;
+};
+
+/// shaders/lib/opening/Open.glsl.
+struct alignas(16) CutFaceBlock {
+  static constexpr const char* name = "CutFaceBlock";
+  float depth, share;
+};
+
+/// shaders/lib/Curvature.glsl.
+struct alignas(16) DerivativeBlock {
+  static constexpr const char* name = "DerivativeBlock";
+  Std140Mat3 worldFromDerivative;
+  glm::vec3 factor;
+  float scale;
+};
+
+/// shaders/Composite.comp.
+struct alignas(16) CutawayBlock {
+  static constexpr const char* name = "CutawayBlock";
+  glm::vec2 widths;
+  alignas(16) glm::vec3 borderColour;
+};
+struct alignas(16) ContextLayerBlock {
+  static constexpr const char* name = "ContextLayerBlock";
+  glm::vec3 colour;
+  float strength, curvatureWeight, silhouetteWeight, illuminationWeight, valueWeight, curvatureScale;
+};
+
+/// shaders/lib/Candidate.glsl.
+struct alignas(16) CandidateBlock {
+  static constexpr const char* name = "CandidateBlock";
+  glm::vec3 sphereCentre;
+  float sphereRadius;
+  alignas(16) glm::vec3 focusLower;
+  alignas(16) glm::vec3 focusUpper;
+};
+
+}  // namespace fenestra

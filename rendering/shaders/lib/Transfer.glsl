@@ -1,0 +1,60 @@
+// The transfer function of the context as tables. Emission is colour · extinction (1/mm); a material is emission and
+// extinction.
+#include <schedule>
+
+// Rows of TABLE_SIZE entries: emission and extinction; the integral of both from the first entry on (entries/mm); the
+// integral of emission times that of extinction up to there.
+TEXELS_2D(rgba32f, transferTables);
+struct TransferSettings {
+  vec4 firstMaterial, lastMaterial;  // beyond the tables' ends
+  vec2 map;                          // entry = stored value · x + y
+  vec2 visibleEntries;               // nothing shows up to the first or from the second on
+};
+UNIFORM_BLOCK(TransferBlock, storedTransfer, TransferSettings, transfer);
+
+const float LAST_ENTRY = float(TABLE_SIZE - 1);
+
+float entryOf(float stored) { return stored * transfer.map.x + transfer.map.y; }
+
+// The tables are read to the nearest entry.
+vec4 materialAt(float entry) {
+  return texelOf(transferTables, ivec2(int(clamp(entry, 0.0, LAST_ENTRY) + 0.5), 0));
+}
+
+// An entry, whole and not clamped, and the tables' integral up to there inside them.
+struct Bound {
+  float entry;
+  vec4 integral;
+};
+
+Bound boundAt(float entry) {
+  Bound bound;
+  bound.entry = floor(entry + 0.5);
+  bound.integral = texelOf(transferTables, ivec2(int(clamp(bound.entry, 0.0, LAST_ENTRY)), 1));
+  return bound;
+}
+
+// Below this many entries between two of the table's integrals (float32), their difference keeps too few digits, and
+// one entry stands for all.
+const float LEAST_SPAN = 8.0;
+
+// The one of the entries phase + 2 n LEAST_SPAN that is nearest: those of two phases are LEAST_SPAN apart.
+Bound boundNear(float entry, float phase) {
+  Bound bound;
+  bound.entry = 2.0 * LEAST_SPAN * floor(entry / (2.0 * LEAST_SPAN) + (0.5 - phase / (2.0 * LEAST_SPAN))) + phase;
+  bound.integral = texelOf(transferTables, ivec2(int(clamp(bound.entry, 0.0, LAST_ENTRY)), 1));
+  return bound;
+}
+
+// Mean material where values run evenly from one bound to the other (pre-integrated classification: Engel, Kraus, Ertl
+// 2001, without attenuation inside).
+vec4 meanMaterial(Bound a, Bound b) {
+  float span = b.entry - a.entry;
+  if (abs(span) < LEAST_SPAN) return materialAt(0.5 * (a.entry + b.entry));
+  vec4 sum = b.integral - a.integral;
+  float below = min(b.entry, 0.0) - min(a.entry, 0.0);
+  float above = max(b.entry, LAST_ENTRY) - max(a.entry, LAST_ENTRY);
+  sum += below * transfer.firstMaterial;
+  sum += above * transfer.lastMaterial;
+  return max(sum / span, vec4(0.0));
+}

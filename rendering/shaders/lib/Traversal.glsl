@@ -1,0 +1,59 @@
+// A ray's walk over the volume, cell by cell (Amanatides and Woo, "A fast voxel traversal algorithm for ray tracing",
+// 1987), with empty-space skipping: bricks of cells know the Chebyshev distance to the nearest brick that is not empty,
+// and a ray crosses all that is empty around it in one step. First hits and both integrals walk by these rules.
+//
+// The walk ends after as many steps as a ray can cross cells: every step moves the cell on along the ray, by at least one
+// along one axis and never back.
+#include "lib/Ray.glsl"
+#include "lib/Grid.glsl"
+
+// The side of rendering/gpu/Bricks.h.
+const int BRICK_SHIFT = 2, BRICK_SIDE = 1 << BRICK_SHIFT;
+
+// What a ray crosses in one step: a cell, or the empty bricks around one.
+struct Block {
+  ivec3 cell, last;  // along each axis from the one, where the ray enters, to the other
+  int empty;         // distance in bricks to what is not empty; 0: a single cell that may not be
+};
+
+// The face by which a ray leaves a block.
+struct Face {
+  ivec3 cell;    // the cell of the block that the ray leaves there
+  bvec3 across;  // the face's axis
+  float s;       // mm along the ray
+};
+
+// 1 on axes along which the ray runs to higher indices.
+ivec3 upwardsOf(Ray ray) { return ivec3(greaterThan(ray.direction, vec3(0.0))); }
+
+ivec3 cellAt(Ray ray, float s) { return clamp(ivec3(floor(cellPosition(ray, s))), ivec3(0), volume.dims); }
+bool isInVolume(ivec3 cell) { return all(lessThan(uvec3(cell), uvec3(volume.dims + 1))); }
+
+// The block that begins in a cell. `empty`: of the cell's brick.
+Block blockAt(ivec3 cell, ivec3 upwards, int empty) {
+  Block block;
+  block.cell = cell;
+  block.empty = empty;
+  ivec3 end = BRICK_SIDE * ((cell >> BRICK_SHIFT) + empty * (2 * upwards - 1) + 1 - upwards) - upwards;
+  block.last = empty > 0 ? end : cell;
+  return block;
+}
+
+// `s`: where the ray enters the block.
+Face faceBehind(Block block, Ray ray, ivec3 upwards, float s) {
+  vec3 planes = clamp(vec3(block.last + upwards), vec3(0.5), vec3(volume.dims) + 0.5);
+  vec3 sides = mix((planes - ray.base) * ray.inverse, vec3(FAR), equal(ray.inverse, vec3(0.0)));
+  Face face;
+  face.s = max(min(sides.x, min(sides.y, sides.z)), s);
+  face.across.x = sides.x <= sides.y && sides.x <= sides.z;
+  face.across.y = !face.across.x && sides.y <= sides.z;
+  face.across.z = !face.across.x && !face.across.y;
+  // Rounding must not carry the other two axes out of the block.
+  ivec3 there = ivec3(cellPosition(ray, face.s));
+  there = clamp(there, min(block.cell, block.last), max(block.cell, block.last));
+  face.cell = mix(there, block.last, face.across);
+  return face;
+}
+
+// The cell on the other side of a face; it may lie outside the volume.
+ivec3 cellBehind(Face face, ivec3 upwards) { return face.cell + mix(ivec3(0), 2 * upwards - 1, face.across); }

@@ -1,0 +1,42 @@
+// Where the focus is: a sparse index by bricks of cells, see rendering/gpu/FocusIndex.h. Labels.glsl and Values.glsl say
+// what it holds of a cell.
+//
+// The files of this folder, None.glsl, Labels.glsl and Values.glsl, share one interface; `#include <focus>` names the one
+// that the scene needs:
+//   HAS_FOCUS           false: there is none, and what stands behind it is never compiled
+//   focusSlot           what the index says of a cell's brick; 0: none of the focus
+//   distanceToFocus     Chebyshev distance in bricks to the nearest brick with focus
+//   FocusCell           what the index says of a cell
+//   mayHoldFocus        false: none of the focus in the cell
+//   focusAt, focusAlong the field at a point, and its Bernstein coefficients along a path, both within the cell
+//   focusRange          the values of that field that are in the focus, closed
+//   focusMaterial       colour · extinction and extinction (1/mm)
+//   nextColour          where after u the material changes along a path
+#include <schedule>
+#include "lib/Traversal.glsl"
+
+struct FocusSettings {
+  vec4 material;                // colour, extinction (1/mm)
+  vec2 range;                   // of a value focus, stored values, closed
+  ivec3 paletteOrigin;          // index of the palette texture's first voxel
+  vec3 smoothOrigin;            // cell frame: outer corner of the smoothed indicator's first texel
+  mat3 worldFromIndexGradient;  // gradients: world (1/mm) from index
+};
+UNIFORM_BLOCK(FocusBlock, storedFocus, FocusSettings, focus);
+
+UNSIGNED_TEXELS_3D(r32ui, focusBricks);  // 0: none of it, 1: all of the brick, n ≥ 2: slot n - 2 of focusCells
+UNSIGNED_TEXELS_3D(r8ui, focusSkip);
+layout(std430, binding = 0) readonly buffer FocusCells { uint focusCells[]; };
+
+const bool HAS_FOCUS = true;
+
+const int CELLS_PER_BRICK = BRICK_SIDE * BRICK_SIDE * BRICK_SIDE;
+
+uint focusSlot(ivec3 cell) { return texelOf(focusBricks, cell >> BRICK_SHIFT).r; }
+int distanceToFocus(ivec3 brick) { return int(texelOf(focusSkip, brick).r); }
+
+// Number of a cell in focusCells.
+int cellInSlot(uint slot, ivec3 cell) {
+  ivec3 local = cell & (BRICK_SIDE - 1);
+  return int(slot - 2u) * CELLS_PER_BRICK + local.x + BRICK_SIDE * (local.y + BRICK_SIDE * local.z);
+}

@@ -1,0 +1,54 @@
+// A focus of labels: its surface is the 0.5 level of the trilinearly interpolated 0/1 indicator. The index holds one byte
+// a cell, bit i set when corner i (x fastest) is in the focus.
+#include "lib/focus/Index.glsl"
+#include "lib/Crossing.glsl"
+
+struct FocusCell {
+  uint corners;
+};
+
+FocusCell focusCellAt(uint slot, ivec3 cell) {
+  if (slot < 2u) return FocusCell(slot * 255u);
+  int byte = cellInSlot(slot, cell);
+  return FocusCell((focusCells[byte >> 2] >> (8 * (byte & 3))) & 255u);
+}
+
+bool mayHoldFocus(FocusCell cell) { return cell.corners != 0u; }
+
+// The indicator, exact.
+float focusAt(FocusCell cell, vec3 within, float stored) {
+  uint c = cell.corners;
+  vec4 low = vec4(c & 1u, (c >> 2) & 1u, (c >> 4) & 1u, (c >> 6) & 1u);
+  vec4 high = vec4((c >> 1) & 1u, (c >> 3) & 1u, (c >> 5) & 1u, (c >> 7) & 1u);
+  vec4 x = mix(low, high, within.x);
+  vec2 y = mix(x.xz, x.yw, within.y);
+  return mix(y.x, y.y, within.z);
+}
+
+vec4 focusAlong(FocusCell cell, vec3 a, vec3 b, vec4 stored) {
+  float f[8];
+  for (int i = 0; i < 8; ++i) f[i] = float((cell.corners >> i) & 1u);
+  return bernsteinAlong(f, a, b);
+}
+
+vec2 focusRange() { return vec2(0.5, FAR); }
+
+#if FOCUS_PALETTE
+uniform usampler3D focusPaletteIndex;
+uniform sampler2D focusPalette;  // colours, one row
+
+vec4 focusMaterial(vec3 at) {
+  uint entry = texelFetch(focusPaletteIndex, ivec3(floor(at - 0.5)) - focus.paletteOrigin, 0).r;
+  return vec4(texelFetch(focusPalette, ivec2(entry, 0), 0).rgb, 1.0) * focus.material.a;
+}
+
+// The nearest voxel tells the colour; it changes half way between voxel centres.
+float nextColour(vec3 a, vec3 b, float u) {
+  vec3 at = (0.5 - a) / (b - a);
+  at = mix(vec3(1.0), at, greaterThan(at, vec3(u)));
+  return min(min(at.x, at.y), min(at.z, 1.0));
+}
+#else
+vec4 focusMaterial(vec3 at) { return vec4(focus.material.rgb, 1.0) * focus.material.a; }
+float nextColour(vec3 a, vec3 b, float u) { return 1.0; }
+#endif

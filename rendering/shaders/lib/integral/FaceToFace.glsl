@@ -1,0 +1,240 @@
+// The volume rendering integral from face to face of the cells along a ray.
+//
+// Front-to-back compositing (Levoy 1988): C ← C + (1 - A) c, A ← A + (1 - A) a, with the colour c and opacity a of one
+// segment. A segment runs from the face by which the ray enters a cell to the face by which it leaves. Over it values are
+// taken to change evenly, and the transfer function is integrated over them, not sampled (lib/integral/Piece.glsl). A
+// point on a face lies between four voxels, where a point inside a cell lies between eight; and the ray meets the bends
+// of the trilinear field, which are at the faces, at every one. The error is of second order in the cells' size.
+#include <focus>
+#include <light>
+#include <opening>
+#include <schedule>
+#include "lib/Traversal.glsl"
+#include "lib/Volume.glsl"
+#include "lib/integral/Piece.glsl"
+#include "lib/integral/Settings.glsl"
+
+// Where a ray is, and what the volume holds there.
+struct RayPoint {
+  float s;       // mm along the ray
+  float stored;
+  Bound bound;   // the value's entry in the tables
+  vec3 gated;    // normal
+};
+
+// How far a ray has got. No member is a bool: drivers refuse arrays of those.
+struct Walk {
+  Ray ray;
+  Cut cut;
+  ivec3 upwards;
+  Block block;            // ahead of the ray
+  uint slot;              // of the focus, in that block
+  RayPoint front, back;   // of the segment crossed last
+  vec4 result;            // colour and opacity so far, premultiplied
+  int left;               // 1: the ray goes on
+};
+
+// Early ray termination: what lies behind the last segment can no longer be seen.
+bool goesOn(Walk walk) { return walk.left != 0; }
+bool isAtFocus(Walk walk) { return goesOn(walk) && walk.slot != 0u; }
+
+// At a face by which the ray enters `cell`. From cell to cell the sum of the indices changes by one, whatever is skipped,
+// so the bounds of neighbouring faces lie at least LEAST_SPAN apart.
+void classify(inout RayPoint point, ivec3 cell) {
+  float phase = LEAST_SPAN * float((cell.x + cell.y + cell.z) & 1);
+  point.bound = boundNear(entryOf(point.stored), phase);
+}
+
+// Bilinear between the face's four voxels.
+RayPoint pointOnFace(Walk walk, Face face) {
+  vec3 w = clamp(cellPosition(walk.ray, face.s) - vec3(face.cell), 0.0, 1.0);
+  ivec3 low = max(face.cell - 1, ivec3(0)), high = min(face.cell, volume.dims - 1);
+  ivec3 met = mix(low, high, bvec3(walk.upwards));
+  low = mix(low, met, face.across);
+  high = mix(high, met, face.across);
+  // The face's own axes are the first and the last of those that the ray does not cross.
+  float along = face.across.x ? w.y : w.x, aside = face.across.z ? w.y : w.z;
+  ivec3 voxels[4] = ivec3[4](low, ivec3(high.x, face.across.x ? high.y : low.y, low.z),
+                             ivec3(low.x, face.across.z ? high.y : low.y, high.z), high);
+  RayPoint point;
+  point.s = face.s;
+  vec4 texels = vec4(texelOf(volumeTexels, voxels[0]).r, texelOf(volumeTexels, voxels[1]).r,
+                     texelOf(volumeTexels, voxels[2]).r, texelOf(volumeTexels, voxels[3]).r);
+  vec2 edges = mix(texels.xz, texels.yw, along);
+  point.stored = TEXEL_SCALE * mix(edges.x, edges.y, aside);
+  point.gated = mix(mix(gatedAt(voxels[0]), gatedAt(voxels[1]), along),
+                    mix(gatedAt(voxels[2]), gatedAt(voxels[3]), along), aside);
+  return point;
+}
+
+// Trilinear between the cell's eight voxels.
+RayPoint pointInside(Ray ray, ivec3 cell, float s) {
+  RayPoint point;
+  point.s = s;
+  point.stored = storedExact(cellPosition(ray, s));
+  vec3 w = clamp(cellPosition(ray, s) - vec3(cell), 0.0, 1.0);
+  point.gated = vec3(0.0);
+  for (int i = 0; i < 8; ++i) {
+    vec3 weights = mix(1.0 - w, w, bvec3(cornerOf(i)));
+    point.gated += weights.x * weights.y * weights.z * gatedAt(cell - 1 + cornerOf(i));
+  }
+  return point;
+}
+
+// Part of the way from one point to another.
+RayPoint between(RayPoint front, RayPoint back, float u) {
+  RayPoint point;
+  point.s = mix(front.s, back.s, u);
+  point.stored = mix(front.stored, back.stored, u);
+  point.bound = boundAt(entryOf(point.stored));
+  point.gated = mix(front.gated, back.gated, u);
+  return point;
+}
+
+// Premultiplied colour and opacity of one material from one point to another, lit as at the centre of its emission.
+vec4 pieceBetween(Walk walk, RayPoint front, RayPoint back, vec4 material, bool ofFocus) {
+  float size = back.s - front.s, u = centreOfEmission(material.a * size), s = front.s + u * size;
+  vec3 gated = mix(front.gated, back.gated, u);
+  vec2 light = ofFocus ? lightOfFocus(gated, cellPosition(walk.ray, s), walk.ray.world)
+                       : lightOfGated(gated, walk.ray.world);
+  return pieceOf(material, size, behindCut(light, walk.cut, s));
+}
+
+// Of the context, over the last segment. Lit, in two halves: a segment is opaque mostly where its values are greatest,
+// and the light has to be taken there.
+vec4 contextPiece(Walk walk) {
+  RayPoint front = walk.front, back = walk.back;
+  if (!LIT) return pieceOver(front.bound, back.bound, back.s - front.s);
+  RayPoint middle = between(front, back, 0.5);
+  return over(pieceBetween(walk, front, middle, meanMaterial(front.bound, middle.bound), false),
+              pieceBetween(walk, middle, back, meanMaterial(middle.bound, back.bound), false));
+}
+
+// The part of the last segment that is in the focus, from and to 0 … 1; empty where from ≥ to. Between the two faces the
+// focus's field changes evenly, as values do.
+vec2 focusPart(Walk walk, uint slot, ivec3 cell) {
+  FocusCell held = focusCellAt(slot, cell);
+  if (!mayHoldFocus(held)) return vec2(1.0, 0.0);
+  vec3 from = clamp(cellPosition(walk.ray, walk.front.s) - vec3(cell), 0.0, 1.0);
+  vec3 to = clamp(cellPosition(walk.ray, walk.back.s) - vec3(cell), 0.0, 1.0);
+  vec2 ends = vec2(focusAt(held, from, walk.front.stored), focusAt(held, to, walk.back.stored)), range = focusRange();
+  if (walk.cut.onFocus != 0u && walk.front.s == walk.cut.start) ends.x = clamp(ends.x, range.x, range.y);
+  if (ends.x == ends.y) return ends.x >= range.x && ends.x <= range.y ? vec2(0.0, 1.0) : vec2(1.0, 0.0);
+  vec2 at = (range - ends.x) / (ends.y - ends.x);
+  return clamp(vec2(min(at.x, at.y), max(at.x, at.y)), 0.0, 1.0);
+}
+
+// A segment that is partly in the focus: what lies before, in and behind it, each as one piece.
+vec4 focusPiece(Walk walk, vec2 part) {
+  RayPoint front = walk.front, back = walk.back;
+  RayPoint enters = between(front, back, part.x), leavesAt = between(front, back, max(part.x, part.y));
+  vec4 material = focusMaterial(cellPosition(walk.ray, 0.5 * (enters.s + leavesAt.s)));
+  vec4 before = pieceBetween(walk, front, enters, meanMaterial(front.bound, enters.bound), false);
+  vec4 inside = pieceBetween(walk, enters, leavesAt, material, true);
+  vec4 behind = pieceBetween(walk, leavesAt, back, meanMaterial(leavesAt.bound, back.bound), false);
+  return over(over(before, inside), behind);
+}
+
+Walk walkFrom(Ray ray, Cut cut, bool visible) {
+  Walk walk;
+  walk.ray = ray;
+  walk.cut = cut;
+  walk.upwards = upwardsOf(ray);
+  ivec3 cell = cellAt(ray, cut.start);
+  walk.block = blockAt(cell, walk.upwards, distanceToVisible(cell));
+  walk.slot = focusSlot(cell);
+  walk.back = pointInside(ray, cell, cut.start);
+  classify(walk.back, cell);
+  walk.front = walk.back;
+  walk.result = vec4(0.0);
+  walk.left = visible ? 1 : 0;
+  return walk;
+}
+
+// Whether a ray leaps from one empty block to the next without a look at the values between them. Where rays run in step,
+// unlit ones do not: the test costs every step a little, and some ray among them mostly has something to integrate.
+const bool LEAPS = LIT || !IN_STEP;
+
+// The face behind the block ahead, and the block behind that face.
+void lookAhead(Walk walk, out Face face, out Block behind) {
+  face = faceBehind(walk.block, walk.ray, walk.upwards, walk.back.s);
+  ivec3 cell = cellBehind(face, walk.upwards);
+  behind = blockAt(cell, walk.upwards, distanceToVisible(cell));
+}
+
+// Crosses the block ahead. `crossed` and `slot`: that block, and what the focus's index says of it.
+void advance(inout Walk walk, out Block crossed, out uint slot) {
+  Face face;
+  Block behind;
+  lookAhead(walk, face, behind);
+  if (LEAPS) {
+    bool leaps;
+    do {
+      leaps = walk.block.empty > 0 && behind.empty > 0 && isInVolume(behind.cell);
+      if (leaps) {
+        walk.block = behind;
+        walk.back.s = face.s;
+        lookAhead(walk, face, behind);
+      }
+    } while (leaps);
+  }
+  walk.front = walk.back;
+  walk.back = pointOnFace(walk, face);
+  classify(walk.back, behind.cell);
+  crossed = walk.block;
+  slot = walk.slot;
+  walk.block = behind;
+  walk.slot = focusSlot(behind.cell);
+}
+
+// Early ray termination uses the transmittance in front of the segment, so that the loop need not wait for the segment's
+// own opacity.
+void composite(inout Walk walk, Block crossed, vec4 piece) {
+  float transmittance = 1.0 - walk.result.a;
+  if (goesOn(walk) && crossed.empty == 0) walk.result += transmittance * piece;
+  bool more = goesOn(walk) && isInVolume(walk.block.cell) && transmittance >= integral.leastTransmittance;
+  walk.left = more ? 1 : 0;
+}
+
+// `mayMeetFocus`: false where the block ahead is known to hold none of the focus.
+void takeStep(inout Walk walk, const bool mayMeetFocus) {
+  Block crossed;
+  uint slot;
+  advance(walk, crossed, slot);
+  vec4 piece;
+  if (mayMeetFocus && slot != 0u)
+    piece = focusPiece(walk, focusPart(walk, slot, crossed.cell));
+  else
+    piece = contextPiece(walk);
+  composite(walk, crossed, piece);
+}
+
+bool anyGoesOn(Walk walks[RAYS]) {
+  bool any = false;
+  for (int i = 0; i < RAYS; ++i) any = any || goesOn(walks[i]);
+  return any;
+}
+
+bool anyIsAtFocus(Walk walks[RAYS]) {
+  bool any = false;
+  for (int i = 0; i < RAYS; ++i) any = any || isAtFocus(walks[i]);
+  return any;
+}
+
+void integrate(inout Walk walks[RAYS]) {
+  do {
+    // A segment that may meet the focus costs more than one that cannot: rays that run in step wait there for each other.
+    if (IN_STEP && HAS_FOCUS) {
+      do {
+        if (anyIsAtFocus(walks)) break;
+        for (int i = 0; i < RAYS; ++i) takeStep(walks[i], false);
+      } while (anyGoesOn(walks));
+    }
+    for (int i = 0; i < RAYS; ++i) takeStep(walks[i], HAS_FOCUS);
+  } while (anyGoesOn(walks));
+}
+
+vec4 colourOf(Walk walk) {
+  bool terminated = 1.0 - walk.result.a < integral.leastTransmittance;
+  return terminated ? compensateTermination(walk.result) : walk.result;
+}

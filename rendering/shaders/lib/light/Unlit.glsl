@@ -1,0 +1,17 @@
+// No lighting: colours are shown as they are. The interface is that of Lit.glsl.
+
+const bool LIT = false;
+const vec2 UNLIT = vec2(1.0, 0.0);  // shaded colour = colour · x + y
+
+struct CellNormals {
+  float none;
+};
+
+vec2 lightOf(vec3 normal, vec3 rayDirection) { return UNLIT; }
+vec3 gatedAt(ivec3 voxel) { return vec3(0.0); }
+vec2 lightOfGated(vec3 gated, vec3 rayDirection) { return UNLIT; }
+vec2 lightOfFocus(vec3 gated, vec3 position, vec3 rayDirection) { return UNLIT; }
+CellNormals normalsAlong(ivec3 cell, vec3 a, vec3 b) { return CellNormals(0.0); }
+void addFocusNormals(inout CellNormals normals, ivec3 cell, vec3 a, vec3 b) {}
+vec2 lightAlong(CellNormals normals, float u, vec3 rayDirection, bool ofFocus) { return UNLIT; }
+float piecesOfLight(CellNormals normals, bool ofFocus, vec3 rayDirection, float weight, bool surface) { return 0.0; }

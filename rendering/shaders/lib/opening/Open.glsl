@@ -1,0 +1,58 @@
+// An opening: rays start where stage 4 says, on the face that it cut into the volume, or on a surface (the interface is
+// described in Closed.glsl).
+#include <light>
+#include <schedule>
+#include "lib/PixelRay.glsl"
+
+TEXELS_2D(r32f, rayStart);
+uniform sampler2D hitPoints;
+
+struct CutFaceSettings {
+  float depth;  // mm behind a cut face over which its own light gives way to the volume's
+  float share;  // of a cut face's light that is the face's own at its surface
+};
+UNIFORM_BLOCK(CutFaceBlock, storedCutFace, CutFaceSettings, cutFace);
+
+struct Cut {
+  float start;    // mm along the ray
+  uint onFocus;   // 1: the ray starts on the focus's surface, on whichever side rounding has put it
+  float share;    // of the light just behind the cut that is the cut face's own; 0: there is no cut face
+  vec2 light;     // of the cut face
+};
+
+// Normal of the cut face at a pixel, from its neighbours' ray starts; zero where the ray does not start on a cut face.
+vec3 wallNormal(ivec2 pixel, float start, vec2 hit) {
+  if (!isNone(hit.y) || start <= hit.x + 0.5 * cutFace.depth) return vec3(0.0);
+  vec3 tangent[2];
+  for (int axis = 0; axis < 2; ++axis) {
+    ivec2 step = ivec2(1 - axis, axis);
+    ivec2 a = max(pixel - step, ivec2(0)), b = min(pixel + step, rays.pictureSize - 1);
+    float sa = texelOf(rayStart, a).r, sb = texelOf(rayStart, b).r;
+    if (isNone(sa) || isNone(sb)) return vec3(0.0);
+    tangent[axis] = worldPosition(pixelRay(b), sb) - worldPosition(pixelRay(a), sa);
+  }
+  vec3 n = cross(tangent[0], tangent[1]);
+  float size = length(n);
+  return size > 0.0 ? n / size : vec3(0.0);
+}
+
+Cut cutAt(ivec2 pixel, Ray ray) {
+  Cut cut = Cut(texelOf(rayStart, pixel).r, 0u, 0.0, vec2(0.0));
+  if (isNone(cut.start)) return cut;
+  vec2 hit = texelFetch(hitPoints, pixel, 0).xy;
+  cut.onFocus = cut.start == hit.y ? 1u : 0u;
+  if (LIT) {
+    vec3 wall = wallNormal(pixel, cut.start, hit);
+    if (dot(wall, wall) > 0.0) cut.share = cutFace.share;
+    cut.light = lightOf(wall, ray.world);
+  }
+  return cut;
+}
+
+bool startsHere(Cut cut, Ray ray) { return !isNone(cut.start); }
+
+// A cut face is lit as the face it is; the volume under it, by its own gradient.
+vec2 behindCut(vec2 volumeLight, Cut cut, float s) {
+  if (!LIT || cut.share == 0.0) return volumeLight;
+  return mix(volumeLight, cut.light, cut.share * exp((cut.start - s) / cutFace.depth));
+}
