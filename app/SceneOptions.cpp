@@ -332,7 +332,7 @@ void addSceneOptions(CLI::App& command, SceneOptions& options, std::function<voi
   constexpr double widest = 1e5;
   // Below it, rounding of the voxels' float32 sums shows first.
   constexpr double leastMaxError = 0.05;
-  addSwitch(command, "--cutaway", "open the view to the focus, default on", options.cutaway.enabled);
+  addSwitch(command, "--cutaway", "open the view to the focus, default on", options.look.cutaway.enabled);
   // Before what it sets, so that a look and then a width is that look with that width.
   std::string looks;
   for (const OpeningLook& look : openingLooks()) looks += (looks.empty() ? "" : "|") + std::string(look.id);
@@ -342,35 +342,35 @@ void addSceneOptions(CLI::App& command, SceneOptions& options, std::function<voi
               const auto look =
                   std::find_if(all.begin(), all.end(), [&](const OpeningLook& each) { return each.id == text; });
               if (look == all.end()) return false;
-              look->applyTo(options.cutaway, options.contextLayer);
+              look->applyTo(options.look.cutaway, options.look.contextLayer);
               return true;
             });
   addNumber(command, "--w-open", 0.0, widest, "WIDTH", "how far the cut opens around the focus, default 24",
-            options.cutaway.openWidth);
+            options.look.cutaway.openWidth);
   addNumber(command, "--w-border", 0.0, widest, "WIDTH", "width of the line around the cut, default 2",
-            options.cutaway.borderWidth);
+            options.look.cutaway.borderWidth);
   addChoice<WidthUnit>(command, "--width-unit", "of the two widths, default px; mm are those at the focus's depth",
-                       {{"px", WidthUnit::Pixel}, {"mm", WidthUnit::Millimetre}}, options.cutaway.unit);
+                       {{"px", WidthUnit::Pixel}, {"mm", WidthUnit::Millimetre}}, options.look.cutaway.unit);
   addNumber(command, "--context-layer", 0.0, 1.0, "0..1",
             "strength of the context's edges over the focus, default 0.7; 0 leaves them out",
-            options.contextLayer.strength);
+            options.look.contextLayer.strength);
   addNumber(command, "--context-curvature", 0.0, 100.0, "WEIGHT", "of the context's bends in its edges, default 1",
-            options.contextLayer.curvatureWeight);
+            options.look.contextLayer.curvatureWeight);
   addNumber(command, "--context-silhouette", 0.0, 100.0, "WEIGHT", "of the context's outlines in its edges, default 1",
-            options.contextLayer.silhouetteWeight);
+            options.look.contextLayer.silhouetteWeight);
   addNumber(command, "--context-illumination", 0.0, 1.0, "0..1", "how much light shades the edges' colour, default 1",
-            options.contextLayer.illuminationWeight);
+            options.look.contextLayer.illuminationWeight);
   addNumber(command, "--context-value", 0.0, 1.0, "0..1",
             "how much the edges take the context's own colour, by its values, default 0",
-            options.contextLayer.valueWeight);
-  addColour(command, "--context-colour", "of the context's edges", options.contextLayer.colour);
-  addColour(command, "--border-colour", "of the line around the cut", options.cutaway.borderColour);
+            options.look.contextLayer.valueWeight);
+  addColour(command, "--context-colour", "of the context's edges", options.look.contextLayer.colour);
+  addColour(command, "--border-colour", "of the line around the cut", options.look.cutaway.borderColour);
   addParsed(command, "--strokes", "FILE.json", "brush strokes to apply, in place of a session's",
             [&options](const std::string& text) {
               options.strokes = text;
               return !text.empty();
             });
-  addSwitch(command, "--shading", "light by the gradient, default on", options.shading.enabled);
+  addSwitch(command, "--shading", "light by the gradient, default on", options.look.shading.enabled);
   addChoice<Quality>(command, "--quality", "default normal",
                      {{"draft", Quality::Draft}, {"normal", Quality::Normal}, {"high", Quality::High}}, options.quality)
       ->each([&options](const std::string&) { options.maxError.reset(); });  // a session's
@@ -381,7 +381,7 @@ void addSceneOptions(CLI::App& command, SceneOptions& options, std::function<voi
               options.maxError = (*error)[0];
               return true;
             });
-  addColour(command, "--background", "default 0,0,0", options.background);
+  addColour(command, "--background", "default 0,0,0", options.look.background);
   command.option_defaults()->group("Options");
 }
 
@@ -397,22 +397,14 @@ LoadedScene loadScene(const SceneOptions& options, const io::Progress& progress)
   loaded.volume.warnings.clear();
   loaded.session = std::move(data.session);
   Scene& scene = loaded.scene;
-  if (loaded.session) scene = io::sceneOf(*loaded.session);
   scene.volume = loaded.volume.volume;
   scene.labels = std::move(data.labels);
-
-  if (!loaded.session || !options.transferFunction.empty()) {
-    loaded.transferFunction =
-        options.transferFunction.empty() ? io::defaultPreset(*scene.volume) : options.transferFunction;
-    scene.look.context =
-        io::sessionContext(loaded.transferFunction, io::loadTransferFunction(loaded.transferFunction, *scene.volume));
-  }
+  scene.look = options.look;
+  if (!loaded.session || !options.transferFunction.empty())
+    scene.look.context = io::loadContextFunction(
+        options.transferFunction.empty() ? io::defaultPreset(*scene.volume) : options.transferFunction, *scene.volume);
   setFocus(options, loaded);
-  scene.look.cutaway = options.cutaway;
-  scene.look.contextLayer = options.contextLayer;
   if (!options.strokes.empty()) scene.look.strokes = io::readStrokes(options.strokes);
-  scene.look.shading = options.shading;
-  scene.look.background = options.background;
   setView(options, loaded);
   return loaded;
 }

@@ -302,8 +302,8 @@ void MainWindow::open(const std::vector<std::filesystem::path>& paths) {
   }
   try {
     const PathsToOpen chosen = interpret(paths);
-    open([chosen, looks = document_.scene()](const io::Progress& progress) {
-      return readStudy(chosen, looks, progress);
+    open([chosen, look = document_.scene().look](const io::Progress& progress) {
+      return readStudy(chosen, look, progress);
     });
   } catch (const io::Error& error) {
     showError(QString::fromUtf8(error.what()));
@@ -315,8 +315,9 @@ void MainWindow::openSeries(const std::string& series) {
   PathsToOpen chosen;
   chosen.volume = document_.study().path;
   chosen.series = series;
-  open(
-      [chosen, looks = document_.scene()](const io::Progress& progress) { return readStudy(chosen, looks, progress); });
+  open([chosen, look = document_.scene().look](const io::Progress& progress) {
+    return readStudy(chosen, look, progress);
+  });
 }
 
 void MainWindow::openLabels(const std::filesystem::path& path) {

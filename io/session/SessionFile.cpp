@@ -135,13 +135,13 @@ void members(auto& io, Is<Session> auto& session) {
   json::optional(io, "volume", session.volume, !session.volume.path.empty());
   json::optional(io, "phantom", session.phantom, session.phantom.has_value());
   json::optional(io, "labels", session.labels, !session.labels.path.empty());
-  focusMember(io, session.focus);
-  io("focus_appearance", session.focusAppearance);
-  io.required("context", session.context);
-  io("cutaway", session.cutaway);
-  io("context_layer", session.contextLayer);
-  io("shading", session.shading);
-  io("background", session.background, json::fraction);
+  focusMember(io, session.look.focus);
+  io("focus_appearance", session.look.focusAppearance);
+  io.required("context", session.look.context);
+  io("cutaway", session.look.cutaway);
+  io("context_layer", session.look.contextLayer);
+  io("shading", session.look.shading);
+  io("background", session.look.background, json::fraction);
   io("quality", session.quality);
   json::optional(io, "max_error", session.maxError, session.maxError.has_value(), {0.05, 255.0});
   io.required("views", session.views);
@@ -153,7 +153,7 @@ void members(auto& io, Is<Session> auto& session) {
   json::optional(io, "maximised", session.maximised, !session.maximised.empty());
   json::optional(io, "layout", session.layout, !session.layout.empty());
   io("placement", session.placement);
-  io("strokes", session.strokes);
+  io("strokes", session.look.strokes);
   json::optional(io, "autosave_of", session.autosaveOf, !session.autosaveOf.empty());
 }
 
@@ -198,7 +198,7 @@ fs::path tidy(const fs::path& path) {
 /// Every path of a session.
 template <class F>
 void forEachPath(Session& session, F&& change) {
-  for (fs::path* path : {&session.volume.path, &session.labels.path, &session.context.file, &session.autosaveOf})
+  for (fs::path* path : {&session.volume.path, &session.labels.path, &session.look.context.file, &session.autosaveOf})
     if (!path->empty()) change(*path);
 }
 
@@ -215,16 +215,16 @@ bool isOrdered(const std::vector<T>& list, Less less) {
 void check(const Session& session, const json::Reader& top) {
   const bool hasVolume = !session.volume.path.empty();
   refuseUnless(hasVolume != session.phantom.has_value(), top, "names neither one volume nor one phantom");
-  if (const auto* labels = std::get_if<LabelFocus>(&session.focus)) {
+  if (const auto* labels = std::get_if<LabelFocus>(&session.look.focus)) {
     refuseUnless(!session.labels.path.empty() || session.phantom, top, "has a focus of labels, but no labels");
     refuseUnless(!labels->labels.empty() && isOrdered(labels->labels, std::less_equal<>()), top,
                  "has labels in the focus that are not in order, each once");
   }
-  if (const auto* values = std::get_if<ValueFocus>(&session.focus))
+  if (const auto* values = std::get_if<ValueFocus>(&session.look.focus))
     refuseUnless(values->values.low <= values->values.high, top, "has a focus of values that ends before it begins");
   refuseUnless(
-      isOrdered(session.context.function.nodes, [](const auto& a, const auto& b) { return a.value < b.value; }), top,
-      "has a transfer function whose nodes are not in order");
+      isOrdered(session.look.context.function.nodes, [](const auto& a, const auto& b) { return a.value < b.value; }),
+      top, "has a transfer function whose nodes are not in order");
 }
 
 }  // namespace

@@ -123,10 +123,10 @@ TEST_F(SessionWindow, SavedAndReopenedShowsTheSamePictures) {
   work();
   const std::vector<QImage> before = pictures();
   save(file_);
-  const Edits edits = window_->document().edits();
+  const Look look = window_->document().look();
   restart();
   open(file_);
-  EXPECT_EQ(window_->document().edits(), edits);
+  EXPECT_EQ(window_->document().look(), look);
   EXPECT_FALSE(window_->isWindowModified());
   EXPECT_TRUE(window_->notices().texts().isEmpty())
       << window_->notices().texts().join(QStringLiteral("; ")).toStdString();
@@ -134,6 +134,20 @@ TEST_F(SessionWindow, SavedAndReopenedShowsTheSamePictures) {
   for (std::size_t view = 0; view < before.size(); ++view) EXPECT_EQ(before[view], after[view]) << "view " << view;
   save(folder_ / "again.fenestra");
   EXPECT_EQ(readFile(file_), readFile(folder_ / "again.fenestra"));
+}
+
+TEST_F(SessionWindow, ASessionEntersTheDocumentOnce) {
+  work();
+  save(file_);
+  restart();
+  const Document& document = window_->document();
+  std::vector<std::unique_ptr<QSignalSpy>> spies;
+  for (const auto signal : {&Document::volumeChanged, &Document::focusChanged, &Document::transferFunctionChanged,
+                            &Document::cutawayChanged, &Document::shadingChanged, &Document::strokesChanged,
+                            &Document::windowChanged, &Document::sceneChanged})
+    spies.push_back(std::make_unique<QSignalSpy>(&document, signal));
+  open(file_);
+  for (const auto& spy : spies) EXPECT_EQ(spy->count(), 1) << spy->signal().toStdString();
 }
 
 TEST_F(SessionWindow, TheCommandLineAgreesWithTheWindow) {
@@ -253,13 +267,13 @@ TEST_F(SessionWindow, AsksBeforeWorkIsLost) {
   EXPECT_FALSE(window_->notices().texts().isEmpty());
   where = folder_ / "kept";
   EXPECT_TRUE(window_->close());
-  EXPECT_EQ(io::readSession(folder_ / "kept.fenestra").focus, Focus(LabelFocus{{body}})) << "the ending is added";
+  EXPECT_EQ(io::readSession(folder_ / "kept.fenestra").look.focus, Focus(LabelFocus{{body}})) << "the ending is added";
   EXPECT_FALSE(window_->isWindowModified());
   window_->document().focusOn(marker);
   answer = Answer::Discard;
   window_->show();
   EXPECT_TRUE(window_->close());
-  EXPECT_EQ(io::readSession(folder_ / "kept.fenestra").focus, Focus(LabelFocus{{body}}));
+  EXPECT_EQ(io::readSession(folder_ / "kept.fenestra").look.focus, Focus(LabelFocus{{body}}));
 }
 
 TEST_F(SessionWindow, SavesByItsKeysAndOpensWhatIsDropped) {
@@ -274,7 +288,7 @@ TEST_F(SessionWindow, SavesByItsKeysAndOpensWhatIsDropped) {
   window_->document().focusOn(body);
   QTest::keyClick(window_.get(), Qt::Key_S, Qt::ControlModifier);
   ASSERT_TRUE(controller().waitUntilSaved());
-  EXPECT_EQ(io::readSession(file_).focus, Focus(LabelFocus{{body}}));
+  EXPECT_EQ(io::readSession(file_).look.focus, Focus(LabelFocus{{body}}));
 
   window_->document().setFocus(std::monostate{});
   window_->document().undoStack().undo();
@@ -328,7 +342,7 @@ TEST_F(SessionWindow, OffersWhatACrashLeft) {
   ASSERT_EQ(copies(), 1);
   EXPECT_TRUE(window_->isWindowModified()) << "a copy is no save";
   EXPECT_TRUE(SessionController::abandonedIn(kept).empty()) << "its run is alive";
-  EXPECT_EQ(io::readSession(file_).focus, Focus()) << "the user's file is the user's";
+  EXPECT_EQ(io::readSession(file_).look.focus, Focus()) << "the user's file is the user's";
 
   // A crash: the copy stays, and so does the lock of a process that is no more.
   const fs::path copy = fs::directory_iterator(kept)->path().parent_path() / "crashed.fenestra";
@@ -343,7 +357,7 @@ TEST_F(SessionWindow, OffersWhatACrashLeft) {
   ASSERT_EQ(::waitpid(child, &status, 0), child);
   ASSERT_EQ(status, 0);
   ASSERT_TRUE(fs::exists(copy.string() + ".lock"));
-  const Edits edits = window_->document().edits();
+  const Look look = window_->document().look();
   const ViewLink::Pose pose = window_->cameras().pose();
   restart();
   EXPECT_EQ(copies(), 1) << "a run that ends in peace takes its copy along";
@@ -358,14 +372,14 @@ TEST_F(SessionWindow, OffersWhatACrashLeft) {
   ASSERT_TRUE(window_->sessions().startRecovery(kept));
   ASSERT_TRUE(opened.wait(patience));
   EXPECT_EQ(asked, 1);
-  EXPECT_EQ(window_->document().edits(), edits);
+  EXPECT_EQ(window_->document().look(), look);
   EXPECT_EQ(window_->cameras().pose(), pose);
   EXPECT_EQ(controller().file(), file_) << "it is ahead of that one";
   EXPECT_TRUE(window_->isWindowModified());
   EXPECT_EQ(copies(), 1) << "until it is saved";
   save(controller().file());
   EXPECT_EQ(copies(), 0);
-  EXPECT_EQ(io::readSession(file_).focus, edits.focus);
+  EXPECT_EQ(io::readSession(file_).look.focus, look.focus);
   EXPECT_TRUE(io::readSession(file_).autosaveOf.empty());
 }
 

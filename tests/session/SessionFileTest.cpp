@@ -141,7 +141,7 @@ TEST(SessionFile, AnyDoubleComesBackToTheBit) {
   const fs::path folder = scratchFolder();
   std::mt19937_64 random(5);
   io::Session session = fullSession(folder);
-  auto& nodes = session.context.function.nodes;
+  auto& nodes = session.look.context.function.nodes;
   nodes.clear();
   while (nodes.size() < 20000) {
     const double value = std::bit_cast<double>(random());
@@ -150,9 +150,9 @@ TEST(SessionFile, AnyDoubleComesBackToTheBit) {
   std::sort(nodes.begin(), nodes.end(), [](const auto& a, const auto& b) { return a.value < b.value; });
   io::writeSession(folder / "a.fenestra", session);
   const io::Session read = io::readSession(folder / "a.fenestra");
-  ASSERT_EQ(read.context.function.nodes.size(), nodes.size());
+  ASSERT_EQ(read.look.context.function.nodes.size(), nodes.size());
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    const auto &was = nodes[i], &is = read.context.function.nodes[i];
+    const auto &was = nodes[i], &is = read.look.context.function.nodes[i];
     ASSERT_EQ(std::memcmp(&was.value, &is.value, sizeof(double)), 0) << was.value;
     ASSERT_EQ(std::memcmp(&was.properties.extinction, &is.properties.extinction, sizeof(double)), 0);
   }
@@ -179,9 +179,9 @@ TEST(SessionFile, IsWhatThePublishedSchemaSays) {
   };
   io::Session session = fullSession(folder);
   expectValid(session);
-  session.context.preset = "ct-bone";
-  session.context.file.clear();
-  session.focus = LabelFocus{{1, 7}};
+  session.look.context.preset = "ct-bone";
+  session.look.context.file.clear();
+  session.look.focus = LabelFocus{{1, 7}};
   expectValid(session);
   session.volume = {};
   session.phantom = io::SessionPhantom{"head", 64};
@@ -269,15 +269,15 @@ TEST(SessionFile, KeepsWhatItDoesNotKnowAtEveryLevel) {
   EXPECT_EQ(readFile(folder / "b.fenestra"), readFile(folder / "c.fenestra"));
 
   // What was edited keeps what belongs to it; what is gone takes its own along.
-  session.cutaway.openWidth = 77.0;
+  session.look.cutaway.openWidth = 77.0;
   session.views[1].camera.eye.x += 1.0;
-  session.strokes.erase(session.strokes.begin());
+  session.look.strokes.erase(session.look.strokes.begin());
   io::writeSession(file, session);
   EXPECT_EQ(unknownPlaces(file), 18);
   root = Json::parse(readFile(file));
   EXPECT_TRUE(root["strokes"][1].contains("of_tomorrow"));
   EXPECT_EQ(root["views"][1]["of_tomorrow"], extra);
-  session.strokes.pop_back();
+  session.look.strokes.pop_back();
   io::writeSession(file, session);
   EXPECT_EQ(unknownPlaces(file), 17);
 }
@@ -287,12 +287,12 @@ TEST(SessionFile, OpensAnOlderVersion) {
   const io::Session session = io::readSession(sample);
   EXPECT_EQ(session.volume.path, sample.parent_path() / "head.nii.gz");
   EXPECT_EQ(session.labels.path, sample.parent_path() / "labels" / "head.nii.gz");
-  EXPECT_EQ(session.cutaway.openWidth, 12.5);
-  EXPECT_EQ(session.cutaway.borderWidth, 3.0);
+  EXPECT_EQ(session.look.cutaway.openWidth, 12.5);
+  EXPECT_EQ(session.look.cutaway.borderWidth, 3.0);
   EXPECT_EQ(session.views[0].camera.eye, glm::dvec3(10.0, -500.25, 30.0));
   EXPECT_EQ(session.views[1].camera.projection, Projection::Orthographic);
   EXPECT_EQ(session.home[1], session.views[1].camera);
-  EXPECT_EQ(session.focus, Focus(LabelFocus{{3, 5}}));
+  EXPECT_EQ(session.look.focus, Focus(LabelFocus{{3, 5}}));
   EXPECT_EQ(session.views[0].size, io::SessionView().size) << "it had no size";
   const fs::path file = saved(session);
   const Json written = Json::parse(readFile(file));
@@ -349,8 +349,8 @@ TEST(SessionFile, KeepsPathsRelative) {
 TEST(SessionFile, IsWholeWheneverSavingIsKilled) {
   const fs::path folder = scratchFolder(), file = folder / "a.fenestra";
   io::Session a = fullSession(folder), b = a;
-  for (int i = 0; i < 40; ++i) a.strokes.push_back(someStroke(BrushMode::Restore, 50));
-  b.strokes.push_back(someStroke(BrushMode::Restore, 4000));
+  for (int i = 0; i < 40; ++i) a.look.strokes.push_back(someStroke(BrushMode::Restore, 50));
+  b.look.strokes.push_back(someStroke(BrushMode::Restore, 4000));
   const std::string textOfA = io::textOf(a, file), textOfB = io::textOf(b, file);
   io::writeSession(file, a);
   std::mt19937 random(1);

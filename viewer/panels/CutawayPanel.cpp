@@ -13,13 +13,13 @@ namespace fenestra::viewer {
 namespace {
 
 /// Which ready-made look it is; -1 for none.
-int lookOf(const Edits& edits) {
+int lookOf(const Look& shown) {
   const auto looks = openingLooks();
   const auto at = std::find_if(looks.begin(), looks.end(), [&](const OpeningLook& look) {
-    Cutaway cutaway = edits.cutaway;
-    ContextLayer layer = edits.contextLayer;
+    Cutaway cutaway = shown.cutaway;
+    ContextLayer layer = shown.contextLayer;
     look.applyTo(cutaway, layer);
-    return cutaway == edits.cutaway && layer == edits.contextLayer;
+    return cutaway == shown.cutaway && layer == shown.contextLayer;
   });
   return at == looks.end() ? -1 : static_cast<int>(at - looks.begin());
 }
@@ -66,9 +66,9 @@ CutawayPanel::CutawayPanel(Document& document, QWidget* parent)
     edit(on ? tr("Open the context") : tr("Close the context"), [on](Cutaway& cutaway) { cutaway.enabled = on; });
   });
   connect(look_, &QComboBox::activated, this, [this](int which) {
-    Edits edits = document_.edits();
-    openingLooks()[static_cast<std::size_t>(which)].applyTo(edits.cutaway, edits.contextLayer);
-    document_.edit(tr("Look"), std::move(edits));
+    Look look = document_.look();
+    openingLooks()[static_cast<std::size_t>(which)].applyTo(look.cutaway, look.contextLayer);
+    document_.edit(tr("Look"), std::move(look));
   });
   connect(openWidth_, &SliderSpin::edited, this,
           [edit](double value) { edit(tr("Opening"), [value](Cutaway& cutaway) { cutaway.openWidth = value; }); });
@@ -91,7 +91,7 @@ void CutawayPanel::show() {
   setEnabled(document_.hasVolume());
   const Cutaway& cutaway = document_.scene().look.cutaway;
   enabled_->setChecked(cutaway.enabled);
-  look_->setCurrentIndex(lookOf(document_.edits()));
+  look_->setCurrentIndex(lookOf(document_.look()));
   openWidth_->setValue(cutaway.openWidth);
   borderWidth_->setValue(cutaway.borderWidth);
   const QString suffix = cutaway.unit == WidthUnit::Pixel ? tr(" px") : tr(" mm");
