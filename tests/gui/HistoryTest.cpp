@@ -48,15 +48,17 @@ class RandomEdits {
       case 3:
         return document_.setPreset(std::array{"ct-bone", "ct-angio", "mr"}[below(3)]);
       case 4: {
-        Cutaway cutaway = document_.scene().look.cutaway;
-        cutaway.openWidth = number();
-        cutaway.enabled = below(2) == 0;
-        return document_.setCutaway(cutaway);
+        Look look = document_.look();
+        look.cutaway.openWidth = number();
+        look.cutaway.enabled = below(2) == 0;
+        return document_.edit(QStringLiteral("Cutaway"), std::move(look));
       }
       case 5: {
-        ContextLayer layer = document_.scene().look.contextLayer;
-        layer.strength = number();
-        return document_.setContextLayer(layer);
+        Look look = document_.look();
+        look.contextLayer.strength = number();
+        look.shading.ambient = number();
+        look.background.g = number();
+        return document_.edit(QStringLiteral("Light"), std::move(look));
       }
       case 6: {
         BrushStrokes strokes = document_.strokes();
@@ -175,7 +177,7 @@ TEST(History, AGestureThatEndsWhereItBeganIsNoStep) {
   document.history().endGesture();
   EXPECT_EQ(document.undoStack().count(), 0);
   document.setShift(0.0);
-  document.setCutaway(document.scene().look.cutaway);
+  document.edit(QStringLiteral("Look"), document.look());
   document.setFocus(document.focus());
   EXPECT_EQ(document.undoStack().count(), 0) << "what changes nothing is no step";
 }

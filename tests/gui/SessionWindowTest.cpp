@@ -91,13 +91,11 @@ class SessionWindow : public Window {
     document.focusOn(marker);
     document.setPreset("ct-soft-tissue");
     document.setShift(-31.7);
-    Cutaway cutaway = document.scene().look.cutaway;
-    cutaway.openWidth = 17.3;
-    cutaway.unit = WidthUnit::Millimetre;
-    document.setCutaway(cutaway);
-    ContextLayer layer = document.scene().look.contextLayer;
-    layer.strength = 0.9;
-    document.setContextLayer(layer);
+    Look look = document.look();
+    look.cutaway.openWidth = 17.3;
+    look.cutaway.unit = WidthUnit::Millimetre;
+    look.contextLayer.strength = 0.9;
+    document.edit(QStringLiteral("Look"), look);
     BrushStroke stroke;
     stroke.anchors = {{10.0, -40.0, 10.0}, {20.0, -36.0, 10.1}};
     stroke.radius = 9.1;

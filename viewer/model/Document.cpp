@@ -249,18 +249,6 @@ void Document::setShift(double shift) {
   edit(tr("Shift"), std::move(changed));
 }
 
-void Document::setCutaway(const Cutaway& cutaway, const QString& name) {
-  Look changed = look();
-  changed.cutaway = cutaway;
-  edit(name, std::move(changed));
-}
-
-void Document::setContextLayer(const ContextLayer& layer, const QString& name) {
-  Look changed = look();
-  changed.contextLayer = layer;
-  edit(name, std::move(changed));
-}
-
 void Document::setStrokes(BrushStrokes strokes, const QString& name) {
   Look changed = look();
   changed.strokes = std::move(strokes);

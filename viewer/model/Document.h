@@ -83,9 +83,6 @@ class Document : public QObject {
   void setShift(double shift);
   double shift() const { return look().context.shift; }
 
-  /// `name` is the step's.
-  void setCutaway(const Cutaway& cutaway, const QString& name = tr("Cutaway"));
-  void setContextLayer(const ContextLayer& layer, const QString& name = tr("Context layer"));
   const BrushStrokes& strokes() const { return look().strokes; }
   void setStrokes(BrushStrokes strokes, const QString& name);
 

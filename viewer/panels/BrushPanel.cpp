@@ -24,10 +24,10 @@ BrushPanel::BrushPanel(Document& document, Brush& brush, QWidget* parent)
       document_(document),
       brush_(brush),
       paint_(new QToolButton),
-      radius_(new SliderSpin(Brush::leastRadius, 100.0, 1.0)),
-      softness_(new SliderSpin(0.0, 1.0, 0.05)),
-      depth_(new SliderSpin(Brush::leastDepth, 60.0, 0.5)),
-      amount_(new SliderSpin(0.0, 1.0, 0.05)),
+      radius_(new SliderSpin(settingOf(&BrushSettings::radius))),
+      softness_(new SliderSpin(settingOf(&BrushSettings::softness))),
+      depth_(new SliderSpin(settingOf(&BrushSettings::depth))),
+      amount_(new SliderSpin(settingOf(&BrushSettings::amount))),
       coversFocus_(new QCheckBox(tr("May cover the focus"))),
       thisViewOnly_(new QCheckBox(tr("In the painted view only"))),
       strokes_(new StrokeModel(document, this)),
@@ -43,38 +43,25 @@ BrushPanel::BrushPanel(Document& document, Brush& brush, QWidget* parent)
   paint_->setObjectName(QStringLiteral("choice"));
   paint_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   paint_->setToolTip(tr("The left button paints; Ctrl with it still turns the view (P, and E the other way)"));
-  struct Mode {
-    BrushMode mode;
-    QString meaning;
-  };
   auto* modes = new QHBoxLayout;
   modes->setSpacing(2);
   auto* group = new QButtonGroup(this);
-  for (const Mode& each : {Mode{BrushMode::Restore, tr("Brings back what the opening removed")},
-                           Mode{BrushMode::Open, tr("Opens further, away from the eye")},
-                           Mode{BrushMode::Fade, tr("Shows less of the context's edges over the focus")},
-                           Mode{BrushMode::Strengthen, tr("Shows more of the context's edges over the focus")}}) {
+  for (const Word<BrushMode>& each : wordsOf(BrushMode{})) {
     auto* button = new QToolButton;
-    button->setText(nameOf(each.mode));
-    button->setToolTip(each.meaning);
+    button->setText(QString::fromUtf8(each.name));
+    button->setToolTip(QString::fromUtf8(each.description));
     button->setCheckable(true);
     button->setObjectName(QStringLiteral("choice"));
     button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     group->addButton(button);
     modes->addWidget(button);
-    modes_[static_cast<std::size_t>(each.mode)] = button;
-    connect(button, &QToolButton::clicked, this, [this, mode = each.mode] {
+    modes_[static_cast<std::size_t>(each.value)] = button;
+    connect(button, &QToolButton::clicked, this, [this, mode = each.value] {
       BrushSettings settings = brush_.settings();
       settings.mode = mode;
       brush_.setSettings(settings);
     });
   }
-  radius_->setSuffix(tr(" px"));
-  depth_->setSuffix(tr(" mm"));
-  radius_->setToolTip(tr("Radius on the screen where a stroke begins; there it is fixed in millimetres ([ and ])"));
-  softness_->setToolTip(tr("Share of the radius over which the effect fades out"));
-  depth_->setToolTip(tr("How far what is seen moves along the line of sight at most (Shift+wheel, Shift+drag)"));
-  amount_->setToolTip(tr("How much of the context's edges goes or is added (Shift+wheel, Shift+drag)"));
   coversFocus_->setToolTip(tr("Otherwise what is restored never hides the focus"));
   thisViewOnly_->setToolTip(tr("Otherwise a stroke shows in both views"));
   list_->setModel(strokes_);
