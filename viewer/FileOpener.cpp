@@ -21,9 +21,9 @@
 namespace fenestra::viewer {
 namespace {
 
-/// Reads what `paths` names, to be shown with the look of `looks`.
-StudyLoader::Reader readerOf(const PathsToOpen& paths, const Scene& looks) {
-  return [paths, looks](const io::Progress& progress) { return readStudy(paths, looks, progress); };
+/// Reads what `paths` names, to be shown with `look`.
+StudyLoader::Reader readerOf(const PathsToOpen& paths, const Look& look) {
+  return [paths, look](const io::Progress& progress) { return readStudy(paths, look, progress); };
 }
 
 }  // namespace
@@ -38,7 +38,7 @@ void FileOpener::open(const std::vector<std::filesystem::path>& paths) {
     return;
   }
   try {
-    loader_.open(readerOf(interpret(paths), document_.scene()));
+    loader_.open(readerOf(interpret(paths), document_.scene().look));
   } catch (const io::Error& error) {
     notices_.add(NoticeBar::Kind::Error, QString::fromUtf8(error.what()));
   }
@@ -49,7 +49,7 @@ void FileOpener::openSeries(const std::string& series) {
   PathsToOpen chosen;
   chosen.volume = document_.study().path;
   chosen.series = series;
-  loader_.open(readerOf(chosen, document_.scene()));
+  loader_.open(readerOf(chosen, document_.scene().look));
 }
 
 void FileOpener::drop(const std::vector<std::filesystem::path>& paths, QPoint at) {

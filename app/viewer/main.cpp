@@ -55,7 +55,6 @@ Study readScene(const app::SceneOptions& options, const io::Progress& progress) 
   study.restoresSession = loaded.session.has_value();
   if (study.restoresSession) study.sessionFile = options.path;
   study.scene = std::move(loaded.scene);
-  study.transferFunction = std::move(loaded.transferFunction);
   study.camera = loaded.view.camera;
   study.placeCameras = loaded.placed.has_value();
   study.path = study.session.volume.path;

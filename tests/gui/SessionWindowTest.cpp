@@ -90,13 +90,11 @@ class SessionWindow : public Window {
     document().focusOn(marker);
     document().setPreset("ct-soft-tissue");
     document().setShift(-31.7);
-    Cutaway cutaway = document().scene().look.cutaway;
-    cutaway.openWidth = 17.3;
-    cutaway.unit = WidthUnit::Millimetre;
-    document().setCutaway(cutaway);
-    ContextLayer layer = document().scene().look.contextLayer;
-    layer.strength = 0.9;
-    document().setContextLayer(layer);
+    Look look = document().look();
+    look.cutaway.openWidth = 17.3;
+    look.cutaway.unit = WidthUnit::Millimetre;
+    look.contextLayer.strength = 0.9;
+    document().edit(QStringLiteral("Look"), look);
     BrushStroke stroke;
     stroke.anchors = {{10.0, -40.0, 10.0}, {20.0, -36.0, 10.1}};
     stroke.radius = 9.1;
@@ -122,10 +120,10 @@ TEST_F(SessionWindow, SavedAndReopenedShowsTheSamePictures) {
   work();
   const std::vector<QImage> before = pictures();
   save(file_);
-  const Edits edits = document().edits();
+  const Look look = document().look();
   restart();
   open(file_);
-  EXPECT_EQ(document().edits(), edits);
+  EXPECT_EQ(document().look(), look);
   EXPECT_FALSE(window_->isWindowModified());
   EXPECT_TRUE(window_->notices().texts().isEmpty())
       << window_->notices().texts().join(QStringLiteral("; ")).toStdString();
@@ -133,6 +131,19 @@ TEST_F(SessionWindow, SavedAndReopenedShowsTheSamePictures) {
   for (std::size_t view = 0; view < before.size(); ++view) EXPECT_EQ(before[view], after[view]) << "view " << view;
   save(folder_ / "again.fenestra");
   EXPECT_EQ(readFile(file_), readFile(folder_ / "again.fenestra"));
+}
+
+TEST_F(SessionWindow, ASessionEntersTheDocumentOnce) {
+  work();
+  save(file_);
+  restart();
+  std::vector<std::unique_ptr<QSignalSpy>> spies;
+  for (const auto signal : {&Document::volumeChanged, &Document::focusChanged, &Document::transferFunctionChanged,
+                            &Document::cutawayChanged, &Document::shadingChanged, &Document::strokesChanged,
+                            &Document::windowChanged, &Document::sceneChanged})
+    spies.push_back(std::make_unique<QSignalSpy>(&document(), signal));
+  open(file_);
+  for (const auto& spy : spies) EXPECT_EQ(spy->count(), 1) << spy->signal().toStdString();
 }
 
 TEST_F(SessionWindow, TheCommandLineAgreesWithTheWindow) {
@@ -252,13 +263,13 @@ TEST_F(SessionWindow, AsksBeforeWorkIsLost) {
   EXPECT_FALSE(window_->notices().texts().isEmpty());
   where = folder_ / "kept";
   EXPECT_TRUE(window_->close());
-  EXPECT_EQ(io::readSession(folder_ / "kept.fenestra").focus, Focus(LabelFocus{{body}})) << "the ending is added";
+  EXPECT_EQ(io::readSession(folder_ / "kept.fenestra").look.focus, Focus(LabelFocus{{body}})) << "the ending is added";
   EXPECT_FALSE(window_->isWindowModified());
   document().focusOn(marker);
   answer = Answer::Discard;
   window_->show();
   EXPECT_TRUE(window_->close());
-  EXPECT_EQ(io::readSession(folder_ / "kept.fenestra").focus, Focus(LabelFocus{{body}}));
+  EXPECT_EQ(io::readSession(folder_ / "kept.fenestra").look.focus, Focus(LabelFocus{{body}}));
 }
 
 TEST_F(SessionWindow, SavesByItsKeysAndOpensWhatIsDropped) {
@@ -273,7 +284,7 @@ TEST_F(SessionWindow, SavesByItsKeysAndOpensWhatIsDropped) {
   document().focusOn(body);
   QTest::keyClick(window_.get(), Qt::Key_S, Qt::ControlModifier);
   ASSERT_TRUE(controller().waitUntilSaved());
-  EXPECT_EQ(io::readSession(file_).focus, Focus(LabelFocus{{body}}));
+  EXPECT_EQ(io::readSession(file_).look.focus, Focus(LabelFocus{{body}}));
 
   document().setFocus(std::monostate{});
   document().undoStack().undo();
@@ -327,7 +338,7 @@ TEST_F(SessionWindow, OffersWhatACrashLeft) {
   ASSERT_EQ(copies(), 1);
   EXPECT_TRUE(window_->isWindowModified()) << "a copy is no save";
   EXPECT_TRUE(SessionController::abandonedIn(kept).empty()) << "its run is alive";
-  EXPECT_EQ(io::readSession(file_).focus, Focus()) << "autosave leaves the user's file alone";
+  EXPECT_EQ(io::readSession(file_).look.focus, Focus()) << "autosave leaves the user's file alone";
 
   // A crash leaves the copy, and the lock of a process that has ended.
   const fs::path copy = fs::directory_iterator(kept)->path().parent_path() / "crashed.fenestra";
@@ -342,7 +353,7 @@ TEST_F(SessionWindow, OffersWhatACrashLeft) {
   ASSERT_EQ(::waitpid(child, &status, 0), child);
   ASSERT_EQ(status, 0);
   ASSERT_TRUE(fs::exists(copy.string() + ".lock"));
-  const Edits edits = document().edits();
+  const Look look = document().look();
   const ViewLink::Pose pose = cameras().pose();
   restart();
   EXPECT_EQ(copies(), 1) << "a run that ends normally removes its copy";
@@ -357,14 +368,14 @@ TEST_F(SessionWindow, OffersWhatACrashLeft) {
   ASSERT_TRUE(window_->sessions().startRecovery(kept));
   ASSERT_TRUE(opened.wait(patience));
   EXPECT_EQ(asked, 1);
-  EXPECT_EQ(document().edits(), edits);
+  EXPECT_EQ(document().look(), look);
   EXPECT_EQ(cameras().pose(), pose);
   EXPECT_EQ(controller().file(), file_) << "the restored work belongs to that file";
   EXPECT_TRUE(window_->isWindowModified());
   EXPECT_EQ(copies(), 1) << "until it is saved";
   save(controller().file());
   EXPECT_EQ(copies(), 0);
-  EXPECT_EQ(io::readSession(file_).focus, edits.focus);
+  EXPECT_EQ(io::readSession(file_).look.focus, look.focus);
   EXPECT_TRUE(io::readSession(file_).autosaveOf.empty());
 }
 

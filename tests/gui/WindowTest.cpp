@@ -6,6 +6,7 @@
 #include <QTest>
 
 #include "tests/gui/WindowFixture.h"
+#include "viewer/panels/ContextLayerPanel.h"
 #include "viewer/panels/CutawayPanel.h"
 #include "viewer/panels/FocusPanel.h"
 #include "viewer/panels/SliderSpin.h"
@@ -54,6 +55,30 @@ TEST_F(Window, ClickOnASliceSetsCrosshairAndFocus) {
 
   QTest::mouseClick(axial, Qt::LeftButton, Qt::ControlModifier, onBody);
   EXPECT_EQ(document().focus(), Focus(LabelFocus{{marker}}));
+}
+
+/// Every number of a part of the look that has a step has a slider as declared; returns how many there are.
+template <class Part>
+int expectSlidersAsDeclared(const QWidget& panel) {
+  int sliders = 0;
+  forEachSetting<Part>([&](const auto& setting) {
+    if (setting.step == 0.0) return;
+    const auto* slider = panel.findChild<SliderSpin*>(QString::fromUtf8(setting.key));
+    ASSERT_NE(slider, nullptr) << setting.key;
+    ++sliders;
+    EXPECT_EQ(slider->box()->minimum(), setting.slider.low) << setting.key;
+    EXPECT_EQ(slider->box()->maximum(), setting.slider.high) << setting.key;
+    EXPECT_EQ(slider->box()->singleStep(), setting.step) << setting.key;
+    EXPECT_EQ(slider->slider()->maximum(), std::lround((setting.slider.high - setting.slider.low) / setting.step));
+    EXPECT_EQ(slider->toolTip(), QString::fromUtf8(setting.description)) << setting.key;
+  });
+  EXPECT_EQ(panel.findChildren<SliderSpin*>().size(), sliders) << "one each";
+  return sliders;
+}
+
+TEST_F(Window, SlidersAreThoseOfTheDeclaredSettings) {
+  EXPECT_EQ(expectSlidersAsDeclared<Cutaway>(panel<CutawayPanel>()), 2);
+  EXPECT_EQ(expectSlidersAsDeclared<ContextLayer>(panel<ContextLayerPanel>()), 5);
 }
 
 TEST_F(Window, OpeningSliderChangesThePicture) {

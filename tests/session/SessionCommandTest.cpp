@@ -149,10 +149,10 @@ TEST_F(SessionCommand, PaintsTheStrokesOfASession) {
   const glm::dvec3 towardsEye = glm::normalize(session.views[0].camera.eye - session.views[0].camera.target);
   for (double mm = 60.0; mm < 110.0; mm += 5.0)
     stroke.anchors.push_back(session.views[0].camera.target + mm * towardsEye);
-  session.strokes = {stroke};
+  session.look.strokes = {stroke};
   io::writeSession(at("a.fenestra"), session);
   EXPECT_NE(picture({"a.fenestra"}), plain);
-  session.strokes[0].view = 1;
+  session.look.strokes[0].view = 1;
   io::writeSession(at("a.fenestra"), session);
   EXPECT_EQ(picture({"a.fenestra"}), plain) << "painted for C2 alone";
   stroke.view = -1;

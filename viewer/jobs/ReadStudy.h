@@ -18,9 +18,9 @@ struct PathsToOpen {
 /// `paths` must not be empty. Throws io::Error for more files.
 PathsToOpen interpret(const std::vector<std::filesystem::path>& paths);
 
-/// Opens a volume with the transfer function that suits it; `looks` gives everything of the scene that does not belong
-/// to the data (cutaway, context layer, shading). Throws io::Error, io::Cancelled.
-Study readStudy(const PathsToOpen& paths, const Scene& looks, const io::Progress& progress);
+/// Opens a volume with the transfer function that suits it and otherwise `look`, without its focus
+/// and strokes, which belong to other data. Throws io::Error, io::Cancelled.
+Study readStudy(const PathsToOpen& paths, const Look& look, const io::Progress& progress);
 
 /// Opens a session with its data. Throws io::DataMissing, io::Error, io::Cancelled.
 Study readSession(const std::filesystem::path& file, const io::SessionPlaces& places, const io::Progress& progress);

@@ -4,7 +4,7 @@
 #include <QObject>
 #include <QString>
 
-#include "rendering/scene/BrushStroke.h"
+#include "rendering/scene/Settings.h"
 
 namespace fenestra::viewer {
 
@@ -19,6 +19,45 @@ struct BrushSettings {
   bool operator==(const BrushSettings&) const = default;
 };
 
+}  // namespace fenestra::viewer
+
+namespace fenestra {
+
+template <>
+inline constexpr std::tuple settingsOf<viewer::BrushSettings>{
+    Setting{.member = &viewer::BrushSettings::radius,
+            .key = "radius",
+            .name = "Radius",
+            .description = "Radius on the screen where a stroke begins; there it is fixed in millimetres ([ and ])",
+            .unit = "px",
+            .range = {2.0, 200.0},
+            .slider = {2.0, 100.0},
+            .step = 1.0},
+    Setting{.member = &viewer::BrushSettings::softness,
+            .key = "softness",
+            .name = "Softness",
+            .description = settingOf(&BrushStroke::softness).description,
+            .range = fraction,
+            .step = 0.05},
+    Setting{.member = &viewer::BrushSettings::depth,
+            .key = "depth",
+            .name = "Depth",
+            .description = "How far what is seen moves along the line of sight at most (Shift+wheel, Shift+drag)",
+            .unit = "mm",
+            .range = {0.5, 200.0},
+            .slider = {0.5, 60.0},
+            .step = 0.5},
+    Setting{.member = &viewer::BrushSettings::amount,
+            .key = "amount",
+            .name = "Amount",
+            .description = "How much of the context's edges goes or is added (Shift+wheel, Shift+drag)",
+            .range = fraction,
+            .step = 0.05}};
+
+}  // namespace fenestra
+
+namespace fenestra::viewer {
+
 /// Whether a mode moves the ray start, by `depth`; the others change the context layer, by `amount`.
 bool movesRayStart(BrushMode mode);
 QString nameOf(BrushMode mode);
@@ -28,9 +67,6 @@ BrushMode opposite(BrushMode mode);
 class Brush : public QObject {
   Q_OBJECT
  public:
-  static constexpr double leastRadius = 2.0, greatestRadius = 200.0;  ///< device-independent pixels
-  static constexpr double leastDepth = 0.5, greatestDepth = 200.0;    ///< mm
-
   using QObject::QObject;
 
   const BrushSettings& settings() const { return settings_; }

@@ -21,11 +21,11 @@ AppearancePanel::AppearancePanel(Document& document, QWidget* parent)
   for (const io::TransferFunctionPreset& preset : io::transferFunctionPresets())
     presets_->addItem(QString::fromStdString(preset.name), QString::fromStdString(preset.id));
   presets_->addItem(tr("From a file…"));
-  shift_->setToolTip(tr("Moves the whole transfer function along the values"));
+  shift_->setToolTip(QString::fromUtf8(settingOf(&ContextFunction::shift).description));
 
   auto* form = new QFormLayout;
   form->addRow(tr("Preset"), presets_);
-  form->addRow(tr("Shift"), shift_);
+  form->addRow(QString::fromUtf8(settingOf(&ContextFunction::shift).name), shift_);
   auto* column = new QVBoxLayout(this);
   column->addLayout(form);
   column->addWidget(new TransferFunctionPlot(document));

@@ -26,10 +26,10 @@ BrushPanel::BrushPanel(Document& document, Brush& brush, QWidget* parent)
     : ScrollingPanel(parent),
       brush_(brush),
       paint_(new QToolButton),
-      radius_(new SliderSpin(Brush::leastRadius, 100.0, 1.0)),
-      softness_(new SliderSpin(0.0, 1.0, 0.05)),
-      depth_(new SliderSpin(Brush::leastDepth, 60.0, 0.5)),
-      amount_(new SliderSpin(0.0, 1.0, 0.05)),
+      radius_(new SliderSpin(settingOf(&BrushSettings::radius))),
+      softness_(new SliderSpin(settingOf(&BrushSettings::softness))),
+      depth_(new SliderSpin(settingOf(&BrushSettings::depth))),
+      amount_(new SliderSpin(settingOf(&BrushSettings::amount))),
       coversFocus_(new QCheckBox(tr("May cover the focus"))),
       thisViewOnly_(new QCheckBox(tr("In the painted view only"))),
       strokes_(new StrokeList(document)) {
@@ -41,26 +41,19 @@ BrushPanel::BrushPanel(Document& document, Brush& brush, QWidget* parent)
 }
 
 QLayout* BrushPanel::makeModes() {
-  struct Mode {
-    BrushMode mode;
-    QString meaning;
-  };
   auto* row = new QHBoxLayout;
   row->setSpacing(2);
   auto* group = new QButtonGroup(this);
-  for (const Mode& each : {Mode{BrushMode::Restore, tr("Brings back tissue that the opening removed")},
-                           Mode{BrushMode::Open, tr("Opens further, away from the eye")},
-                           Mode{BrushMode::Fade, tr("Shows less of the context's edges over the focus")},
-                           Mode{BrushMode::Strengthen, tr("Shows more of the context's edges over the focus")}}) {
+  for (const Word<BrushMode>& each : wordsOf(BrushMode{})) {
     auto* button = new QToolButton;
     makeChoice(*button);
-    button->setText(nameOf(each.mode));
-    button->setToolTip(each.meaning);
+    button->setText(QString::fromUtf8(each.name));
+    button->setToolTip(QString::fromUtf8(each.description));
     group->addButton(button);
     row->addWidget(button);
-    modes_[static_cast<std::size_t>(each.mode)] = button;
+    modes_[static_cast<std::size_t>(each.value)] = button;
     connect(button, &QToolButton::clicked, this,
-            [this, mode = each.mode] { edit([mode](BrushSettings& settings) { settings.mode = mode; }); });
+            [this, mode = each.value] { edit([mode](BrushSettings& settings) { settings.mode = mode; }); });
   }
   return row;
 }
@@ -71,13 +64,6 @@ QWidget* BrushPanel::makeBody() {
   paint_->setIcon(icon("brush"));
   paint_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   paint_->setToolTip(tr("The left button paints; Ctrl+left drag still turns the view (P; E for the opposite brush)"));
-  radius_->setSuffix(tr(" px"));
-  depth_->setSuffix(tr(" mm"));
-  radius_->setToolTip(tr("Radius on the screen where a stroke begins; there it is fixed in millimetres ([ and ])"));
-  softness_->setToolTip(tr("Share of the radius over which the effect fades out"));
-  depth_->setToolTip(
-      tr("Greatest distance that the visible surface moves along the line of sight (Shift+wheel, Shift+drag)"));
-  amount_->setToolTip(tr("By how much the context's edges are faded or strengthened (Shift+wheel, Shift+drag)"));
   coversFocus_->setToolTip(tr("Otherwise restored tissue never hides the focus"));
   thisViewOnly_->setToolTip(tr("Otherwise a stroke shows in both views"));
 

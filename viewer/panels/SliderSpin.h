@@ -5,6 +5,8 @@
 #include <QSlider>
 #include <QWidget>
 
+#include "rendering/scene/Settings.h"
+
 namespace fenestra::viewer {
 
 class History;
@@ -14,6 +16,13 @@ class SliderSpin : public QWidget {
  public:
   /// The slider spans low..high in `step`s.
   SliderSpin(double low, double high, double step, QWidget* parent = nullptr);
+  /// For a declared setting: its slider's range, step and unit.
+  template <class Owner>
+  explicit SliderSpin(const Setting<Owner, double>& setting, QWidget* parent = nullptr)
+      : SliderSpin(setting.slider.low, setting.slider.high, setting.step, parent) {
+    if (*setting.unit) setSuffix(QStringLiteral(" ") + QString::fromUtf8(setting.unit));
+    setToolTip(QString::fromUtf8(setting.description));
+  }
 
   void setRange(double low, double high, double step);
   /// Shows a value without emitting edited(). A value beyond the range widens it.
