@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -16,34 +15,23 @@
 #include <CLI/CLI.hpp>
 #include <glm/glm.hpp>
 
+#include "io/Text.h"
+
 namespace fenestra::app {
 
-inline std::vector<std::string> split(const std::string& text, char separator) {
-  std::vector<std::string> parts;
-  for (std::size_t begin = 0;;) {
-    const std::size_t end = text.find(separator, begin);
-    parts.push_back(text.substr(begin, end - begin));
-    if (end == std::string::npos) return parts;
-    begin = end + 1;
-  }
-}
-
-/// The whole of `text` as a number, or nothing. std::from_chars knows no locale.
+/// The whole of `text` as a finite number, or nothing.
 template <class T>
 std::optional<T> parseNumber(std::string_view text) {
-  if (text.starts_with('+')) text.remove_prefix(1);
-  T value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  const std::optional<T> value = io::numberIn<T>(text);
   if constexpr (std::is_floating_point_v<T>)
-    if (!std::isfinite(value)) return std::nullopt;
+    if (value && !std::isfinite(*value)) return std::nullopt;
   return value;
 }
 
 /// Exactly N numbers between separators.
 template <class T, std::size_t N>
 std::optional<std::array<T, N>> parseNumbers(const std::string& text, char separator) {
-  const std::vector<std::string> parts = split(text, separator);
+  const std::vector<std::string> parts = io::split(text, separator);
   if (parts.size() != N) return std::nullopt;
   std::array<T, N> numbers{};
   for (std::size_t i = 0; i < N; ++i) {

@@ -37,12 +37,6 @@ std::optional<CameraChoice> parseCamera(const std::string& text) {
   return std::nullopt;
 }
 
-std::string lowered(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(c < 0x80 ? std::tolower(c) : c); });
-  return text;
-}
-
 /// Number of insertions, deletions and replacements that turn a into b (Levenshtein).
 std::size_t editDistance(const std::string& a, const std::string& b) {
   std::vector<std::size_t> row(b.size() + 1);
@@ -66,7 +60,7 @@ std::string nearestLabels(const LabelMap& labels, const std::string& wanted) {
   const std::optional<long> number = parseNumber<long>(wanted);
   const auto distance = [&](const Label& label) -> std::size_t {
     if (number) return static_cast<std::size_t>(std::abs(*number - static_cast<long>(label.value)));
-    const std::string name = lowered(label.name), part = lowered(wanted);
+    const std::string name = io::lowered(label.name), part = io::lowered(wanted);
     return name.find(part) != std::string::npos ? 0 : editDistance(name, part);
   };
   std::vector<const Label*> order;
@@ -269,7 +263,7 @@ void addFocus(CLI::App& command, SceneOptions& options) {
                      ->excludes(phantom);
   auto* focusLabels = addParsed(command, "--focus-labels", "LABEL,...", "labels to open the view to, by value or name",
                                 [&options](const std::string& text) {
-                                  options.focusLabels = split(text, ',');
+                                  options.focusLabels = io::split(text, ',');
                                   return std::none_of(options.focusLabels.begin(), options.focusLabels.end(),
                                                       [](const std::string& label) { return label.empty(); });
                                 });
@@ -408,10 +402,10 @@ std::vector<std::uint16_t> resolveLabels(const LabelMap& labels, const std::vect
                                          const fs::path& file) {
   std::vector<std::uint16_t> values;
   for (const std::string& text : wanted) {
-    const std::string name = lowered(text);
+    const std::string name = io::lowered(text);
     const std::optional<std::uint16_t> number = parseNumber<std::uint16_t>(text);
     const auto at = std::find_if(labels.labels.begin(), labels.labels.end(), [&](const Label& label) {
-      return number ? label.value == *number : lowered(label.name) == name;
+      return number ? label.value == *number : io::lowered(label.name) == name;
     });
     if (at == labels.labels.end()) {
       const std::string nearest = nearestLabels(labels, text);

@@ -75,7 +75,7 @@ std::vector<fs::path> filesBelow(const fs::path& folder) {
 
 Scan scanHeaders(const fs::path& path, const OpenOptions& options) {
   const bool folder = fs::is_directory(path);
-  // A DICOMDIR lists the files beside and below it; they say more about themselves than it does.
+  // A DICOMDIR lists the files beside and below it. Their own headers say more, so the folder is read instead.
   const bool directoryFile = !folder && path.filename() == "DICOMDIR";
   const fs::path root = directoryFile ? fs::absolute(path).parent_path() : path;
   const std::vector<fs::path> paths = folder || directoryFile ? filesBelow(root) : std::vector<fs::path>{path};
@@ -297,7 +297,7 @@ void storeSlice(std::span<const std::byte> words, const DicomFrame& frame, const
   });
 }
 
-/// The pixels of a stack. Files that fail are added to `failed`, and the result is of no use then.
+/// The pixels of a stack. Files that fail are added to `failed`; the voxels are unusable then.
 Voxels decode(const DicomStack& stack, const std::vector<DicomFile>& files, const Mapping& mapping,
               const Progress& callback, std::map<std::size_t, std::string>& failed) {
   const std::size_t sliceVoxels =
@@ -369,7 +369,7 @@ OpenedVolume openDicom(const fs::path& path, const OpenOptions& options) {
     std::map<std::size_t, std::string> failed;
     Voxels voxels = decode(stack, scan.files, mapping, options.progress, failed);
     if (!failed.empty()) {
-      // The rest is stacked anew without them: their places are missing slices now.
+      // The other slices are stacked again without them; their places count as missing slices.
       const bool nothingLeft = failed.size() == scan.files.size();
       const bool wantedIsLost = !options.series.empty() && failed.size() == candidates[choice].info.files.size();
       if (nothingLeft || wantedIsLost)

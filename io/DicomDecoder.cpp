@@ -90,7 +90,7 @@ void storeComponent(const opj_image_comp_t& component, std::span<std::byte> word
 }
 
 void decodeJpeg2000(Codestream codestream, const DicomFile& file, int number, std::span<std::byte> words) {
-  // A raw codestream starts with SOC and SIZ; some writers wrap it into a JP2 file against the standard's word.
+  // A raw codestream starts with SOC and SIZ; some writers wrap it into a JP2 file, which the standard forbids.
   const bool raw = codestream.bytes.size() > 4 && codestream.bytes[0] == 0xff && codestream.bytes[1] == 0x4f;
   const OpjCodec codec(opj_create_decompress(raw ? OPJ_CODEC_J2K : OPJ_CODEC_JP2));
   const OpjStream stream(opj_stream_default_create(OPJ_TRUE));
@@ -131,8 +131,8 @@ std::uint64_t littleEndian32(std::span<const std::uint8_t> bytes, std::size_t at
          std::uint64_t{bytes[at + 3]} << 24;
 }
 
-/// RLE Lossless (PS3.5 Annex G): one PackBits segment for each byte of a word, the most significant first. Not left to
-/// DCMTK, whose decoder reads outside damaged segments.
+/// RLE Lossless (PS3.5 Annex G): one PackBits segment for each byte of a word, the most significant first. DCMTK's
+/// decoder is not used because it reads outside damaged segments.
 void decodeRle(std::span<const std::uint8_t> bytes, const DicomFile& file, int number, std::span<std::byte> words) {
   constexpr std::size_t headerBytes = 64;
   const std::size_t wordBytes = static_cast<std::size_t>(file.format.bitsAllocated / 8),
@@ -167,8 +167,9 @@ std::span<const std::uint8_t> fragmentBytes(DcmPixelSequence& sequence, unsigned
   return {bytes, item->getLength()};
 }
 
-/// The first fragment of every frame; fragment 0 is the Basic Offset Table. Frames of one fragment each are the rule;
-/// otherwise the table says, or the start-of-image markers of JPEG (FF D8) and JPEG 2000 (FF 4F) do.
+/// The first fragment of every frame; fragment 0 is the Basic Offset Table. Most files have one fragment per frame. In
+/// others the table gives the first fragments, or the start-of-image markers of JPEG (FF D8) and JPEG 2000 (FF 4F) show
+/// them.
 std::optional<std::vector<Uint32>> firstFragments(DcmPixelSequence& sequence, std::size_t frames) {
   const std::size_t fragments = sequence.card();
   std::vector<Uint32> first;
@@ -254,7 +255,7 @@ DicomDecoder::~DicomDecoder() = default;
 
 std::span<const std::byte> DicomDecoder::decode(int number) {
   const auto frame = static_cast<std::size_t>(number);
-  // Not before the file has been checked, and not cleared: a damaged header may describe gigabytes.
+  // Allocated only after the file has been checked, and not cleared: a damaged header may describe gigabytes.
   const std::size_t frameBytes = file_.format.frameBytes();
   // One more byte than an odd frame has: DCMTK wants room for whole 16-bit words.
   const std::size_t room = frameBytes + frameBytes % 2;

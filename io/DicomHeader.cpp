@@ -11,8 +11,8 @@
 #include "io/Dcmtk.h"
 #include "io/Dicom.h"
 #include "io/Error.h"
-#include "io/HeaderText.h"
 #include "io/ImageFile.h"
+#include "io/Text.h"
 
 namespace fenestra::io {
 namespace fs = std::filesystem;
@@ -50,7 +50,7 @@ std::string text(DcmItem& item, const DcmTagKey& tag) {
   return item.findAndGetOFStringArray(tag, value).good() ? trimmed({value.data(), value.size()}) : std::string();
 }
 
-/// Text an operator typed, as UTF-8; without what cannot be said in it.
+/// Text that an operator typed, as UTF-8; of an unknown character set only the ASCII part.
 std::string typedText(DcmItem& item, const DcmTagKey& tag) {
   OFString value, utf8;
   if (item.findAndGetOFStringArray(tag, value).bad()) return {};
@@ -259,9 +259,10 @@ std::shared_ptr<const ModalityLut> modalityLut(DcmItem& dataset, const PixelForm
   return lut;
 }
 
-/// The bytes of a dataset, with what comes before it where that is not packed.
+/// A file's bytes from the dataset on when that is deflated, else all of them.
 std::unique_ptr<ByteStream> openDataset(const fs::path& path) {
-  // Preamble, "DICM" and the group length element, whose value counts what of the meta header follows it (PS3.10 7.1).
+  // Preamble, "DICM" and the group length element, whose value is the length of the rest of the meta header (PS3.10
+  // 7.1).
   constexpr std::size_t metaStart = 144;
   std::array<char, 1024> head{};
   const auto stream = openStream(path, 0, Packing::None);
@@ -373,7 +374,8 @@ DicomFile readDicomHeader(const fs::path& path) {
 
   const std::int64_t frames = integer(dataset, DCM_NumberOfFrames).value_or(1);
   const DcmXfer syntax(dataset.getOriginalXfer());
-  // What a frame takes at least: its pixels, packed a thousandfold by deflate, or the header of its fragment.
+  // The fewest bytes that a frame can take: its pixels, of which deflate packs at most 1032 into one byte, or the
+  // header of its fragment.
   std::error_code failure;
   const std::uint64_t fileBytes = fs::file_size(path, failure);
   const bool deflated = dataset.getOriginalXfer() == EXS_DeflatedLittleEndianExplicit;

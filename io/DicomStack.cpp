@@ -28,7 +28,7 @@ glm::dvec3 normalOf(const DicomFrame& frame) { return glm::normalize(glm::cross(
 double alongNormal(const DicomFrame& frame, const glm::dvec3& normal) { return glm::dot(frame.position, normal); }
 
 bool sameAxes(const DicomFrame& a, const DicomFrame& b) {
-  // A thousandth of a radian: what rounded direction cosines of one stack differ by at most.
+  // A thousandth of a radian: rounded direction cosines of one stack differ by less.
   return glm::distance(a.axes[0], b.axes[0]) < 1e-3 && glm::distance(a.axes[1], b.axes[1]) < 1e-3;
 }
 
@@ -131,7 +131,7 @@ class Stacker {
            pathsOf(dropped)});
   }
 
-  /// The longest piece is added last, so that what is said of the group is said of it.
+  /// The longest piece is added last, so that the warnings about the group become its own.
   void splitAtFarGaps(std::vector<DicomFrame> volume, const glm::dvec3& normal) {
     std::vector<double> gaps;
     for (std::size_t i = 1; i < volume.size(); ++i)
@@ -209,7 +209,7 @@ class Stacker {
     const auto [least, greatest] = std::minmax_element(gaps.begin(), gaps.end());
     const std::string placed = "all are shown " + millimetres(glm::dot(step, normal)) + " apart, up to " +
                                millimetres(farthest) + " from where they are";
-    // Gaps of whole numbers of the usual distance, or of the least where many slices are gone, are slices not there.
+    // Gaps that are multiples of the usual distance are missing slices; where many are missing, of the least distance.
     for (const double unit : {median(gaps), *least}) {
       std::size_t missing = 0;
       bool multiples = true;
@@ -261,7 +261,7 @@ class Stacker {
     std::vector<DicomFrame> sizes, orientations, others;
     for (std::size_t i = 1; i < stacks_.size(); ++i) {
       const DicomFrame& frame = stacks_[i].frames.front();
-      if (belongTogether(chosen, frame)) continue;  // time points and outliers have been spoken of
+      if (belongTogether(chosen, frame)) continue;  // time points and outliers have warnings of their own
       const bool turned = frame.hasGeometry && chosen.hasGeometry && !sameAxes(chosen, frame);
       auto& list = frame.size != chosen.size || !sameSpacing(chosen, frame) ? sizes : turned ? orientations : others;
       list.insert(list.end(), stacks_[i].frames.begin(), stacks_[i].frames.end());

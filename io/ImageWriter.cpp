@@ -15,7 +15,7 @@
 
 #include "io/ByteStream.h"
 #include "io/Error.h"
-#include "io/HeaderText.h"
+#include "io/Text.h"
 
 namespace fenestra::io {
 namespace fs = std::filesystem;
@@ -128,7 +128,7 @@ void writeAtomically(const fs::path& path, const std::function<void(const fs::pa
     if (std::rename(temporary.c_str(), target.c_str()) != 0) failToWrite(path);
   } catch (const Error& error) {
     fs::remove(temporary, failure);
-    // Whoever reads the message knows the file by its own name.
+    // The message names the file that the caller named.
     if (error.file() == temporary) throw Error(path, error.cause(), error.hint());
     throw;
   } catch (...) {

@@ -5,9 +5,9 @@
 #include <numeric>
 #include <set>
 
-#include "io/HeaderText.h"
 #include "io/ImageFile.h"
 #include "io/Probe.h"
+#include "io/Text.h"
 #include "io/VolumeReader.h"
 #include "rendering/scene/Parallel.h"
 

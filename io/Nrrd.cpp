@@ -6,8 +6,8 @@
 #include <map>
 #include <optional>
 
-#include "io/HeaderText.h"
 #include "io/ImageFile.h"
+#include "io/Text.h"
 
 namespace fenestra::io {
 namespace fs = std::filesystem;

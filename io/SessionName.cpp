@@ -1,6 +1,6 @@
 #include "io/SessionName.h"
 
-#include "io/HeaderText.h"
+#include "io/Text.h"
 
 namespace fenestra::io {
 

@@ -4,11 +4,11 @@
 #include <array>
 #include <cmath>
 
+#include "io/Contents.h"
 #include "io/Dicom.h"
-#include "io/HeaderText.h"
 #include "io/ImageFile.h"
 #include "io/Probe.h"
-#include "io/Contents.h"
+#include "io/Text.h"
 
 namespace fenestra::io {
 namespace fs = std::filesystem;
@@ -43,12 +43,7 @@ RawDescription parseRawDescription(std::string_view text) {
     throw Error(std::string(text), cause,
                 "describe raw voxels as WxHxD:TYPE[:le|be][:skip=BYTES], e.g. 256x256x128:uint16:be");
   };
-  std::vector<std::string> parts(1);
-  for (const char c : text)
-    if (c == ':')
-      parts.emplace_back();
-    else
-      parts.back() += c;
+  const std::vector<std::string> parts = split(text, ':');
   if (parts.size() < 2) return refuse("is no description of raw voxels");
 
   RawDescription description;
@@ -117,13 +112,19 @@ Format formatOf(const fs::path& path) {
   if (looksLikeNrrd(path)) return Format::Nrrd;
   if (looksLikeMetaImage(path)) return Format::MetaImage;
   if (looksLikeDicom(path)) return Format::Dicom;
-  const std::string name = lowered(path.filename().string());
-  for (const char* ending : {".nii", ".nii.gz", ".nrrd", ".nhdr", ".mha", ".mhd", ".dcm"})
-    if (name.ends_with(ending))
-      throw Error(path, std::string("is named ") + ending + " but its content is something else",
-                  "the file is damaged or misnamed");
+  const std::string_view ending = lowered(path.extension().string()) == ".dcm" ? ".dcm" : volumeEnding(path);
+  if (!ending.empty())
+    throw Error(path, "is named " + std::string(ending) + " but its content is something else",
+                "the file is damaged or misnamed");
   throw Error(path, "holds no volume in a known format",
               "DICOM, NIfTI, NRRD and MetaImage are recognised by content; raw voxels need a description (--raw)");
+}
+
+std::string_view volumeEnding(const fs::path& path) {
+  const std::string name = lowered(path.filename().string());
+  const auto at = std::find_if(volumeEndings.begin(), volumeEndings.end(),
+                               [&](std::string_view ending) { return name.ends_with(ending); });
+  return at == volumeEndings.end() ? std::string_view() : *at;
 }
 
 std::vector<SeriesInfo> listSeries(const fs::path& path, const OpenOptions& options) {

@@ -1,6 +1,7 @@
 #pragma once
 // One call opens any volume: a DICOM folder or file, NIfTI, NRRD, MetaImage, or raw bytes with a description.
 
+#include <array>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -14,6 +15,13 @@
 #include "rendering/scene/Volume.h"
 
 namespace fenestra::io {
+
+/// Endings of the formats that hold a volume in one or two files, in lower case. Reading goes by content; endings serve
+/// file dialogs, dropped files and messages.
+inline constexpr std::array<std::string_view, 8> volumeEndings{".nii",  ".nii.gz", ".hdr", ".img",
+                                                               ".nrrd", ".nhdr",   ".mha", ".mhd"};
+/// The one of them that a file's name ends in, whatever the case; empty when there is none.
+std::string_view volumeEnding(const std::filesystem::path& path);
 
 /// Called now and then, from one thread at a time, with a fraction in [0, 1] and what is being done; false cancels.
 using Progress = std::function<bool(double fraction, std::string_view doing)>;
@@ -68,7 +76,7 @@ struct SeriesInfo {
   std::vector<std::filesystem::path> files;
 };
 
-/// A name for a series that says nothing to who does not have it: a hash of its id.
+/// A name for a series that gives nothing of it away: a hash of its id.
 std::string seriesKey(const std::string& id);
 
 struct OpenedVolume {

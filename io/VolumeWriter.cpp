@@ -19,8 +19,8 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "io/ByteStream.h"
-#include "io/HeaderText.h"
 #include "io/ImageWriter.h"
+#include "io/Text.h"
 #include "io/VoxelSink.h"
 #include "rendering/scene/Parallel.h"
 

@@ -41,8 +41,8 @@ decltype(auto) visitElement(ElementType type, F&& f) {
   return f(double{});
 }
 
-/// Integers start as UInt8 and are widened when a block needs it, floats start as Float32: no more than one and a half
-/// times the final volume is ever held.
+/// Integers start as UInt8 and are widened when a block needs it; floats start as Float32. At most one and a half times
+/// the final volume is in memory.
 class VoxelSink {
  public:
   /// Room for `count` scalars. Check `count` against the file before: it is allocated.
@@ -52,7 +52,7 @@ class VoxelSink {
   void append(std::span<const T> block);
   /// The collected voxels; `count` scalars must have been appended.
   Voxels take() { return std::move(voxels_); }
-  /// Some 64-bit integer has no exact double.
+  /// Whether some 64-bit integer had no exact double.
   bool lossy() const { return lossy_; }
 
  private:

@@ -263,7 +263,7 @@ glm::dvec2 Renderer::State::widthsInPixels(const Scene& scene) const {
       glm::max(glm::dvec2(scene.look.cutaway.openWidth, scene.look.cutaway.borderWidth), glm::dvec2(0.0));
   if (scene.look.cutaway.unit == WidthUnit::Pixel) return wanted * pixelScale;
   const Grid& grid = scene.volume->grid;
-  double depth = rays->depthOf(gpu->focusCentre().value_or(grid.centre()));
+  double depth = rays->depthOf(gpu->focus().centre(grid).value_or(grid.centre()));
   if (!(depth > 0.0)) depth = rays->depthOf(grid.centre());
   return wanted / rays->pixelSize(std::max(depth, 1e-3 * grid.boundingRadius()));
 }

@@ -26,6 +26,14 @@ StudyLoader::Reader readerOf(const PathsToOpen& paths, const Look& look) {
   return [paths, look](const io::Progress& progress) { return readStudy(paths, look, progress); };
 }
 
+/// The single-file formats in a file dialog's filter.
+QString volumePatterns() {
+  QStringList patterns;
+  for (const std::string_view ending : io::volumeEndings)
+    patterns << QStringLiteral("*") + QLatin1String(ending.data(), static_cast<qsizetype>(ending.size()));
+  return patterns.join(QLatin1Char(' '));
+}
+
 }  // namespace
 
 FileOpener::FileOpener(QWidget& window, Document& document, StudyLoader& loader, Sessions& sessions, NoticeBar& notices)
@@ -69,9 +77,8 @@ void FileOpener::drop(const std::vector<std::filesystem::path>& paths, QPoint at
 }
 
 void FileOpener::chooseFile() {
-  const QString file = QFileDialog::getOpenFileName(
-      &window_, tr("Open a volume"), {},
-      tr("Volumes (*.dcm *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.hdr *.img);;All files (*)"));
+  const QString file = QFileDialog::getOpenFileName(&window_, tr("Open a volume"), {},
+                                                    tr("Volumes (*.dcm %1);;All files (*)").arg(volumePatterns()));
   if (!file.isEmpty()) open({toPath(file)});
 }
 
@@ -81,8 +88,8 @@ void FileOpener::chooseFolder() {
 }
 
 void FileOpener::chooseLabels() {
-  const QString file = QFileDialog::getOpenFileName(
-      &window_, tr("Open a label map"), {}, tr("Label maps (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd);;All files (*)"));
+  const QString file = QFileDialog::getOpenFileName(&window_, tr("Open a label map"), {},
+                                                    tr("Label maps (%1);;All files (*)").arg(volumePatterns()));
   if (!file.isEmpty()) loader_.openLabels(toPath(file));
 }
 

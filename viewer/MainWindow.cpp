@@ -9,6 +9,7 @@
 #include <QTimer>
 #include <QVBoxLayout>
 
+#include "rendering/gpu/FocusIndex.h"
 #include "viewer/Actions.h"
 #include "viewer/FileOpener.h"
 #include "viewer/LoadingBar.h"
@@ -46,7 +47,7 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
     : QMainWindow(parent),
       gl_(setup.gl),
       workspace_(setup.remember ? Preferences::Mode::Stored : Preferences::Mode::Transient),
-      loader_(workspace_.document) {
+      loader_(workspace_.document, [](Study& study) { study.focusCentre = focusCentre(study.scene); }) {
   setWindowTitle(QStringLiteral("Fenestra"));
   setAcceptDrops(true);
   setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
@@ -138,7 +139,8 @@ void MainWindow::followVolume() {
   const Grid& grid = study.scene.volume->grid;
   ViewLink& cameras = workspace_.cameras;
   workspace_.cursor.setGrid(grid);
-  goToFocus();
+  focusSearch_.cancel();
+  if (study.focusCentre) workspace_.cursor.moveTo(*study.focusCentre);
   cameras.place(study.camera.value_or(Camera::standard(StandardView::Anterior, grid, cameras.projection())));
 }
 
@@ -173,12 +175,16 @@ void MainWindow::studyOpened() {
 void MainWindow::showError(const QString& message) { notices_->add(NoticeBar::Kind::Error, message); }
 
 void MainWindow::goToFocus() {
-  if (const std::optional<glm::dvec3> centre = workspace_.document.focusCentre()) workspace_.cursor.moveTo(*centre);
+  focusSearch_.start([this, scene = workspace_.document.scene()](const io::Progress&) -> LoadJob::Show {
+    return [this, centre = focusCentre(scene)] {
+      if (centre) workspace_.cursor.moveTo(*centre);
+    };
+  });
 }
 
 bool MainWindow::isIdle() {
-  return !loader_.job().isRunning() && !workspace_.placement.isBusy() && !workspace_.cameras.isFlying() &&
-         !panels_.cameras->bestViews().isDrawing() && views_->isSettled();
+  return !loader_.job().isRunning() && !focusSearch_.isRunning() && !workspace_.placement.isBusy() &&
+         !workspace_.cameras.isFlying() && !panels_.cameras->bestViews().isDrawing() && views_->isSettled();
 }
 
 void MainWindow::whenDrawn(std::function<void()> done) {

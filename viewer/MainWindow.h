@@ -76,7 +76,7 @@ class MainWindow : public QMainWindow {
   void followVolume();
   void studyOpened();
   void showError(const QString& message);
-  /// The crosshair goes to the middle of the focus.
+  /// Moves the crosshair to the centre of the focus once another thread has found it.
   void goToFocus();
   /// Nothing is being read, measured or drawn.
   bool isIdle();
@@ -84,6 +84,7 @@ class MainWindow : public QMainWindow {
   GlSupport gl_;
   Workspace workspace_;
   StudyLoader loader_;
+  LoadJob focusSearch_;  ///< of goToFocus()
 
   ViewArea* views_;
   NoticeBar* notices_;

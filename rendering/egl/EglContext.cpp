@@ -27,7 +27,7 @@ std::vector<EGLDisplay> candidateDisplays() {
     EGLint count = 0;
     if (eglQueryDevicesEXT(16, devices, &count))
       for (EGLint i = 0; i < count; ++i) {
-        // Mesa's software device last: a graphics card, where there is one, comes first.
+        // Graphics cards come before Mesa's software device.
         const char* extensions = eglQueryDeviceStringEXT(devices[i], EGL_EXTENSIONS);
         if (hasExtension(extensions, "EGL_MESA_device_software")) continue;
         displays.push_back(eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, devices[i], nullptr));
@@ -93,7 +93,7 @@ EglContext::EglContext() : state_(std::make_unique<State>()) {
 EglContext::~EglContext() {
   eglMakeCurrent(state_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
   eglDestroyContext(state_->display, state_->context);
-  // The display stays initialised: it is the process's, another context may be using it.
+  // The display belongs to the process and another context may be using it, so it stays initialised.
 }
 
 std::string EglContext::description() const { return gl::description(); }

@@ -39,62 +39,150 @@ std::optional<IndexBox> labelledBox(std::span<const T> labels, const Grid& grid,
   return box;
 }
 
+/// Which corners of a brick's cells have a label of the focus; corners beyond the volume repeat its edge.
+class BrickCorners {
+ public:
+  template <class T>
+  BrickCorners(glm::ivec3 brick, std::span<const T> labels, const Grid& grid, const std::vector<std::uint8_t>& wanted) {
+    const glm::ivec3 first = brick * brickSide - 1;  // index of the brick's first corner
+    for (int z = 0, at = 0; z < side; ++z)
+      for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x, ++at) {
+          const glm::ivec3 voxel = glm::clamp(first + glm::ivec3(x, y, z), glm::ivec3(0), grid.dims - 1);
+          const std::uint8_t in = wanted[labels[grid.offset(voxel)]];
+          inside_[static_cast<std::size_t>(at)] = in;
+          any_ |= in != 0;
+          all_ &= in != 0;
+        }
+  }
+  bool any() const { return any_; }
+  bool all() const { return all_; }
+  /// Bit i is corner i of a cell, x fastest.
+  std::uint32_t mask(glm::ivec3 cell) const {
+    std::uint32_t bits = 0;
+    for (int corner = 0; corner < 8; ++corner) {
+      const glm::ivec3 at = cell + glm::ivec3(corner & 1, (corner >> 1) & 1, corner >> 2);
+      bits |= std::uint32_t{inside_[static_cast<std::size_t>(at.x + side * (at.y + side * at.z))]} << corner;
+    }
+    return bits;
+  }
+
+ private:
+  static constexpr int side = brickSide + 1;
+  std::array<std::uint8_t, static_cast<std::size_t>(side* side* side)> inside_{};
+  bool any_ = false, all_ = true;
+};
+
 template <class T>
 void indexLabels(FocusIndex& index, std::span<const T> labels, const Grid& grid,
                  const std::vector<std::uint8_t>& wanted) {
   index.box = labelledBox(labels, grid, wanted);
   if (!index.box) return;
-  // A voxel at index i is a corner of cells i and i + 1 in the cell frame; border half cells beyond repeat the edge.
-  const glm::ivec3 firstBrick = index.box->low / brickSide;
-  const glm::ivec3 lastBrick = glm::min((index.box->high + 1) / brickSide, index.bricks - 1);
-  std::array<std::uint8_t, cellsPerBrick> masks{};
-  constexpr int corners = brickSide + 1;
-  std::array<std::uint8_t, static_cast<std::size_t>(corners * corners * corners)> inside{};
-  for (int bz = firstBrick.z; bz <= lastBrick.z; ++bz)
-    for (int by = firstBrick.y; by <= lastBrick.y; ++by)
-      for (int bx = firstBrick.x; bx <= lastBrick.x; ++bx) {
-        const glm::ivec3 base = glm::ivec3(bx, by, bz) * brickSide - 1;  // index of the brick's first corner
-        bool any = false, all = true;
-        for (int z = 0, at = 0; z < corners; ++z)
-          for (int y = 0; y < corners; ++y)
-            for (int x = 0; x < corners; ++x, ++at) {
-              const glm::ivec3 voxel = glm::clamp(base + glm::ivec3(x, y, z), glm::ivec3(0), grid.dims - 1);
-              const std::uint8_t in = wanted[labels[grid.offset(voxel)]];
-              inside[static_cast<std::size_t>(at)] = in;
-              any |= in != 0;
-              all &= in != 0;
-            }
-        if (!any) continue;
-        std::uint32_t& slot = index.slots[brickOffset(index.bricks, {bx, by, bz})];
-        if (all) {
+  // The voxel at index i is a corner of cells i and i + 1 in the cell frame.
+  const glm::ivec3 first = index.box->low / brickSide, last = (index.box->high + 1) / brickSide;
+  constexpr std::size_t wordsPerBrick = cellsPerBrick / 4;
+  glm::ivec3 brick;
+  for (brick.z = first.z; brick.z <= last.z; ++brick.z)
+    for (brick.y = first.y; brick.y <= last.y; ++brick.y)
+      for (brick.x = first.x; brick.x <= last.x; ++brick.x) {
+        const BrickCorners corners(brick, labels, grid, wanted);
+        if (!corners.any()) continue;
+        std::uint32_t& slot = index.slots[brickOffset(index.bricks, brick)];
+        if (corners.all()) {
           slot = 1;
           continue;
         }
-        for (int z = 0; z < brickSide; ++z)
-          for (int y = 0; y < brickSide; ++y)
-            for (int x = 0; x < brickSide; ++x) {
-              unsigned mask = 0;
-              for (int corner = 0; corner < 8; ++corner) {
-                const int at =
-                    (x + (corner & 1)) + corners * ((y + ((corner >> 1) & 1)) + corners * (z + (corner >> 2)));
-                mask |= static_cast<unsigned>(inside[static_cast<std::size_t>(at)]) << corner;
-              }
-              masks[cellInBrick({x, y, z})] = static_cast<std::uint8_t>(mask);
+        const std::size_t begin = index.cells.size();
+        slot = static_cast<std::uint32_t>(begin / wordsPerBrick) + 2;
+        index.cells.resize(begin + wordsPerBrick, 0);
+        glm::ivec3 cell;
+        for (cell.z = 0; cell.z < brickSide; ++cell.z)
+          for (cell.y = 0; cell.y < brickSide; ++cell.y)
+            for (cell.x = 0; cell.x < brickSide; ++cell.x) {
+              const std::size_t byte = cellInBrick(cell);
+              index.cells[begin + byte / 4] |= corners.mask(cell) << (8 * (byte % 4));
             }
-        slot = static_cast<std::uint32_t>(index.cells.size() * 4 / cellsPerBrick) + 2;
-        for (std::size_t word = 0; word < cellsPerBrick / 4; ++word)
-          index.cells.push_back(masks[4 * word] | masks[4 * word + 1] << 8 | masks[4 * word + 2] << 16 |
-                                static_cast<std::uint32_t>(masks[4 * word + 3]) << 24);
       }
 }
 
 // --- values ---------------------------------------------------------------------------------------------------------
 
-/// A run of active cells along x. Cells here are the interior ones, [0, max(dims-2, 0)] per axis in index space; border
-/// half cells repeat the nearest.
+/// Cells [begin, end) of a row.
 struct Run {
-  int begin, end;  // [begin, end)
+  int begin, end;
 };
+
+/// Cells in runs along x. They are the interior ones, [0, max(dims - 2, 0)] per axis in index space; the half cells at
+/// the volume's border repeat the nearest.
+struct CellRuns {
+  glm::ivec3 cells;
+  std::vector<std::vector<Run>> rows;  ///< y fastest; the runs of a row ascend and do not touch
+
+  explicit CellRuns(glm::ivec3 dims)
+      : cells(glm::max(dims - 1, 1)), rows(static_cast<std::size_t>(cells.y) * static_cast<std::size_t>(cells.z)) {}
+  std::size_t row(int y, int z) const {
+    return static_cast<std::size_t>(z) * static_cast<std::size_t>(cells.y) + static_cast<std::size_t>(y);
+  }
+};
+
+/// Whether the values of any brick on a row of cells overlap `values`; the other rows need no look at their voxels.
+bool rowCanMeet(int y, int z, ValueRange values, const BrickRanges& bricks) {
+  const auto first = bricks.ranges.begin() + static_cast<std::ptrdiff_t>(brickOffset(
+                                                 bricks.dims, {0, (y + 1) / brickSide, (z + 1) / brickSide}));
+  return std::any_of(first, first + bricks.dims.x,
+                     [&](const ValueRange& brick) { return brick.low <= values.high && brick.high >= values.low; });
+}
+
+constexpr std::uint8_t below = 1, within = 2, above = 4;
+
+/// Classes of a row of voxels against `values`, or-ed into `classes`. NaN counts as the volume's least value, ±Inf as
+/// the ends of its range.
+template <class T>
+void classifyRow(const T* row, const Volume& volume, ValueRange values, std::vector<std::uint8_t>& classes) {
+  for (std::size_t x = 0; x < classes.size(); ++x) {
+    double real = volume.slope * static_cast<double>(row[x]) + volume.intercept;
+    if constexpr (std::is_floating_point_v<T>)
+      real = std::isnan(real) ? volume.range.low : std::clamp(real, volume.range.low, volume.range.high);
+    classes[x] |= real < values.low ? below : real > values.high ? above : within;
+  }
+}
+
+/// Runs of the cells whose corner values overlap the range; `classes` are those of each corner's column of four.
+std::vector<Run> runsOf(const std::vector<std::uint8_t>& classes, int cells) {
+  std::vector<Run> runs;
+  const int last = static_cast<int>(classes.size()) - 1;
+  for (int x = 0; x < cells; ++x) {
+    const std::uint8_t corners =
+        classes[static_cast<std::size_t>(x)] | classes[static_cast<std::size_t>(std::min(x + 1, last))];
+    // Corners below and above the range without one within: the values cross the range inside the cell.
+    if (!(corners & within) && corners != (below | above)) continue;
+    if (!runs.empty() && runs.back().end == x)
+      ++runs.back().end;
+    else
+      runs.push_back({x, x + 1});
+  }
+  return runs;
+}
+
+/// All cells whose corner values overlap `values`.
+template <class T>
+CellRuns activeCells(std::span<const T> scalars, const Volume& volume, ValueRange values, const BrickRanges& bricks) {
+  const glm::ivec3 dims = volume.grid.dims;
+  CellRuns runs(dims);
+  parallelFor(static_cast<std::size_t>(runs.cells.z), 1, [&](std::size_t zBegin, std::size_t zEnd) {
+    std::vector<std::uint8_t> classes(static_cast<std::size_t>(dims.x));
+    for (int z = static_cast<int>(zBegin); z < static_cast<int>(zEnd); ++z)
+      for (int y = 0; y < runs.cells.y; ++y) {
+        if (!rowCanMeet(y, z, values, bricks)) continue;
+        std::fill(classes.begin(), classes.end(), std::uint8_t{0});
+        for (const int cornerZ : {z, std::min(z + 1, dims.z - 1)})
+          for (const int cornerY : {y, std::min(y + 1, dims.y - 1)})
+            classifyRow(scalars.data() + volume.grid.offset({0, cornerY, cornerZ}), volume, values, classes);
+        runs.rows[runs.row(y, z)] = runsOf(classes, runs.cells.x);
+      }
+  });
+  return runs;
+}
 
 /// Disjoint sets of runs.
 class Components {
@@ -114,148 +202,111 @@ class Components {
   std::vector<std::uint32_t> parent_;
 };
 
-constexpr std::uint8_t below = 1, within = 2, above = 4;
+/// Removes the 26-connected components smaller than `leastVolume`; volumes in mm³.
+void dropSmallComponents(CellRuns& runs, double cellVolume, double leastVolume) {
+  std::vector<std::uint32_t> firstRun(runs.rows.size() + 1, 0);  // numbers the runs through all rows
+  for (std::size_t row = 0; row < runs.rows.size(); ++row)
+    firstRun[row + 1] = firstRun[row] + static_cast<std::uint32_t>(runs.rows[row].size());
+  Components components(firstRun.back());
+  const auto joinRows = [&](std::size_t rowA, std::size_t rowB) {
+    const std::vector<Run>&a = runs.rows[rowA], &b = runs.rows[rowB];
+    for (std::uint32_t i = 0, j = 0; i < a.size() && j < b.size();) {
+      if (a[i].begin <= b[j].end && b[j].begin <= a[i].end)  // they overlap or touch at an edge
+        components.join(firstRun[rowA] + i, firstRun[rowB] + j);
+      a[i].end < b[j].end ? ++i : ++j;
+    }
+  };
+  for (int z = 0; z < runs.cells.z; ++z)
+    for (int y = 0; y < runs.cells.y; ++y) {
+      if (runs.rows[runs.row(y, z)].empty()) continue;
+      if (y > 0) joinRows(runs.row(y, z), runs.row(y - 1, z));
+      for (int dy = -1; dy <= 1 && z > 0; ++dy)
+        if (y + dy >= 0 && y + dy < runs.cells.y) joinRows(runs.row(y, z), runs.row(y + dy, z - 1));
+    }
 
-/// Classes of a row of voxels against the range, or-ed into `classes`.
-template <class T>
-void classifyRow(const T* row, int count, double slope, double intercept, ValueRange values, double nanValue,
-                 std::uint8_t* classes) {
-  for (int x = 0; x < count; ++x) {
-    double real = slope * static_cast<double>(row[x]) + intercept;
-    if constexpr (std::is_floating_point_v<T>)
-      if (std::isnan(real)) real = nanValue;
-    classes[x] |= real < values.low ? below : real > values.high ? above : within;
+  std::vector<std::uint64_t> size(firstRun.back(), 0);
+  for (std::size_t row = 0; row < runs.rows.size(); ++row)
+    for (std::uint32_t i = 0; i < runs.rows[row].size(); ++i)
+      size[components.find(firstRun[row] + i)] +=
+          static_cast<std::uint64_t>(runs.rows[row][i].end - runs.rows[row][i].begin);
+  for (std::size_t row = 0; row < runs.rows.size(); ++row) {
+    std::vector<Run>& all = runs.rows[row];
+    std::size_t kept = 0;
+    for (std::uint32_t i = 0; i < all.size(); ++i)
+      if (static_cast<double>(size[components.find(firstRun[row] + i)]) * cellVolume >= leastVolume)
+        all[kept++] = all[i];
+    all.resize(kept);
   }
 }
 
-template <class T>
-void indexValues(FocusIndex& index, std::span<const T> scalars, const Volume& volume, const ValueFocus& focus,
-                 const BrickRanges& ranges) {
-  const glm::ivec3 dims = volume.grid.dims;
-  const glm::ivec3 cells = glm::max(dims - 1, 1);
-  const auto rowAt = [&](int y, int z) {
-    return static_cast<std::size_t>(z) * static_cast<std::size_t>(cells.y) + static_cast<std::size_t>(y);
-  };
+/// Calls visit(begin, end, y, z) for the runs in the cell frame, [begin, end), with the half cells at the border.
+template <class F>
+void forEachRun(const CellRuns& runs, glm::ivec3 dims, F&& visit) {
+  for (int z = 0; z <= dims.z; ++z)
+    for (int y = 0; y <= dims.y; ++y)
+      for (const Run& run :
+           runs.rows[runs.row(std::clamp(y - 1, 0, runs.cells.y - 1), std::clamp(z - 1, 0, runs.cells.z - 1))])
+        visit(run.begin == 0 ? 0 : run.begin + 1, run.end == runs.cells.x ? dims.x + 1 : run.end + 1, y, z);
+}
 
-  // Rows of bricks that no value of the range reaches need no look at their voxels.
-  const auto rowCanMeet = [&](int y, int z) {
-    const int by = (y + 1) / brickSide, bz = (z + 1) / brickSide;
-    for (int bx = 0; bx < index.bricks.x; ++bx) {
-      const ValueRange& r = ranges.ranges[brickOffset(index.bricks, {bx, by, bz})];
-      if (r.low <= focus.values.high && r.high >= focus.values.low) return true;
+/// The same with each run cut where a brick ends: calls visit(brick's offset, begin, end, y, z).
+template <class F>
+void forEachPart(const CellRuns& runs, glm::ivec3 dims, glm::ivec3 bricks, F&& visit) {
+  forEachRun(runs, dims, [&](int begin, int end, int y, int z) {
+    for (int x = begin; x < end;) {
+      const int next = std::min(end, (x / brickSide + 1) * brickSide);
+      visit(brickOffset(bricks, {x / brickSide, y / brickSide, z / brickSide}), x, next, y, z);
+      x = next;
     }
-    return false;
-  };
-
-  std::vector<std::vector<Run>> runs(static_cast<std::size_t>(cells.y) * static_cast<std::size_t>(cells.z));
-  parallelFor(static_cast<std::size_t>(cells.z), 1, [&](std::size_t zBegin, std::size_t zEnd) {
-    std::vector<std::uint8_t> classes(static_cast<std::size_t>(dims.x));
-    for (int z = static_cast<int>(zBegin); z < static_cast<int>(zEnd); ++z)
-      for (int y = 0; y < cells.y; ++y) {
-        if (!rowCanMeet(y, z)) continue;
-        std::fill(classes.begin(), classes.end(), std::uint8_t{0});
-        for (const int zz : {z, std::min(z + 1, dims.z - 1)})
-          for (const int yy : {y, std::min(y + 1, dims.y - 1)})
-            classifyRow(scalars.data() + volume.grid.offset({0, yy, zz}), dims.x, volume.slope, volume.intercept,
-                        focus.values, volume.range.low, classes.data());
-        std::vector<Run>& row = runs[rowAt(y, z)];
-        for (int x = 0; x < cells.x; ++x) {
-          const std::uint8_t corners =
-              classes[static_cast<std::size_t>(x)] | classes[static_cast<std::size_t>(std::min(x + 1, dims.x - 1))];
-          // Corners below and above without one within: the range is crossed inside the cell all the same.
-          if (!(corners & within) && corners != (below | above)) continue;
-          if (!row.empty() && row.back().end == x)
-            ++row.back().end;
-          else
-            row.push_back({x, x + 1});
-        }
-      }
   });
+}
 
-  std::vector<std::uint32_t> firstRun(runs.size() + 1, 0);
-  for (std::size_t row = 0; row < runs.size(); ++row)
-    firstRun[row + 1] = firstRun[row] + static_cast<std::uint32_t>(runs[row].size());
-  Components components(firstRun.back());
-  const auto joinRows = [&](std::size_t a, std::size_t b) {
-    for (std::size_t i = 0, j = 0; i < runs[a].size() && j < runs[b].size();) {
-      const Run &p = runs[a][i], &q = runs[b][j];
-      if (p.begin <= q.end && q.begin <= p.end)  // overlap, or touch at an edge
-        components.join(firstRun[a] + static_cast<std::uint32_t>(i), firstRun[b] + static_cast<std::uint32_t>(j));
-      p.end < q.end ? ++i : ++j;
-    }
-  };
-  for (int z = 0; z < cells.z; ++z)
-    for (int y = 0; y < cells.y; ++y) {
-      if (runs[rowAt(y, z)].empty()) continue;
-      if (y > 0) joinRows(rowAt(y, z), rowAt(y - 1, z));
-      for (int dy = -1; dy <= 1 && z > 0; ++dy)
-        if (y + dy >= 0 && y + dy < cells.y) joinRows(rowAt(y, z), rowAt(y + dy, z - 1));
-    }
-  std::vector<std::uint64_t> size(firstRun.back(), 0);
-  for (std::size_t row = 0; row < runs.size(); ++row)
-    for (std::size_t i = 0; i < runs[row].size(); ++i)
-      size[components.find(firstRun[row] + static_cast<std::uint32_t>(i))] +=
-          static_cast<std::uint64_t>(runs[row][i].end - runs[row][i].begin);
-  const double voxel = volume.grid.voxelVolume();
-
-  // Per brick: how many cells are kept; bits only where not all of them are.
-  std::vector<std::uint32_t> kept(index.slots.size(), 0);
-  const auto eachRun =
-      [&](auto&& visit) {  // visits kept ones, (first cell-frame x, last + 1, y, z), border half cells included
-        for (int z = 0; z <= dims.z; ++z)
-          for (int y = 0; y <= dims.y; ++y) {
-            const std::size_t row = rowAt(std::clamp(y - 1, 0, cells.y - 1), std::clamp(z - 1, 0, cells.z - 1));
-            for (std::size_t i = 0; i < runs[row].size(); ++i) {
-              const Run& run = runs[row][i];
-              const std::uint64_t count = size[components.find(firstRun[row] + static_cast<std::uint32_t>(i))];
-              if (static_cast<double>(count) * voxel >= focus.minimumComponent)
-                visit(run.begin == 0 ? 0 : run.begin + 1, run.end == cells.x ? dims.x + 1 : run.end + 1, y, z);
-            }
-          }
-      };
-  // Cuts a run where one brick ends and the next begins.
-  const auto eachPart = [&](auto&& visit) {  // visits (brick, first cell, last + 1, y, z)
-    eachRun([&](int begin, int end, int y, int z) {
-      for (int x = begin; x < end;) {
-        const int next = std::min(end, (x / brickSide + 1) * brickSide);
-        visit(brickOffset(index.bricks, {x / brickSide, y / brickSide, z / brickSide}), x, next, y, z);
-        x = next;
-      }
-    });
-  };
-  eachRun([&](int begin, int end, int y, int z) {
+void indexCells(FocusIndex& index, const CellRuns& runs, glm::ivec3 dims) {
+  std::vector<int> kept(index.slots.size(), 0);  // cells per brick
+  forEachRun(runs, dims, [&](int begin, int end, int y, int z) {
     grow(index.box, glm::clamp(glm::ivec3(begin - 1, y - 1, z - 1), glm::ivec3(0), dims - 1),
          glm::clamp(glm::ivec3(end - 1, y, z), glm::ivec3(0), dims - 1));
   });
-  eachPart(
-      [&](std::size_t brick, int begin, int end, int, int) { kept[brick] += static_cast<std::uint32_t>(end - begin); });
+  forEachPart(runs, dims, index.bricks,
+              [&](std::size_t brick, int begin, int end, int, int) { kept[brick] += end - begin; });
+
   constexpr std::uint32_t wordsPerBrick = cellsPerBrick / 32;
+  static_assert(32 % brickSide == 0, "a brick's row of cells lies in one word");
   std::uint32_t mixed = 0;
-  for (int z = 0; z < index.bricks.z; ++z)
-    for (int y = 0; y < index.bricks.y; ++y)
-      for (int x = 0; x < index.bricks.x; ++x) {
-        const std::size_t brick = brickOffset(index.bricks, {x, y, z});
-        const glm::ivec3 all = glm::min(dims + 1 - glm::ivec3(x, y, z) * brickSide, brickSide);
-        if (kept[brick] > 0)
-          index.slots[brick] = kept[brick] == static_cast<std::uint32_t>(all.x * all.y * all.z) ? 1 : 2 + mixed++;
+  glm::ivec3 brick;
+  for (brick.z = 0; brick.z < index.bricks.z; ++brick.z)
+    for (brick.y = 0; brick.y < index.bricks.y; ++brick.y)
+      for (brick.x = 0; brick.x < index.bricks.x; ++brick.x) {
+        const std::size_t at = brickOffset(index.bricks, brick);
+        const glm::ivec3 cells = glm::min(dims + 1 - brick * brickSide, brickSide);
+        if (kept[at] > 0) index.slots[at] = kept[at] == cells.x * cells.y * cells.z ? 1 : 2 + mixed++;
       }
   index.cells.assign(static_cast<std::size_t>(mixed) * wordsPerBrick, 0);
-  eachPart([&](std::size_t brick, int begin, int end, int y, int z) {
-    const std::uint32_t slot = index.slots[brick];
+  forEachPart(runs, dims, index.bricks, [&](std::size_t at, int begin, int end, int y, int z) {
+    const std::uint32_t slot = index.slots[at];
     if (slot < 2) return;
     const std::size_t bit = cellInBrick({begin, y, z});
     index.cells[(slot - 2) * wordsPerBrick + bit / 32] |= ((1u << (end - begin)) - 1u) << (bit % 32);
   });
 }
 
+void indexValues(FocusIndex& index, const Volume& volume, const ValueFocus& focus, const BrickRanges& bricks) {
+  if (!(focus.values.low <= focus.values.high)) return;
+  volume.voxels.visit([&](auto scalars) {
+    CellRuns runs = activeCells(scalars, volume, focus.values, bricks);
+    dropSmallComponents(runs, volume.grid.voxelVolume(), focus.minimumComponent);
+    indexCells(index, runs, volume.grid.dims);
+  });
+}
+
 }  // namespace
 
-FocusIndex buildFocusIndex(const Scene& scene, const BrickRanges& ranges) {
+FocusIndex buildFocusIndex(const Scene& scene, const BrickRanges& bricks) {
   FocusIndex index;
-  index.bricks = ranges.dims;
+  index.bricks = bricks.dims;
   if (const auto* labels = std::get_if<LabelFocus>(&scene.look.focus); labels && scene.labels) {
     index.kind = FocusIndex::Kind::Labels;
-    index.slots.assign(ranges.ranges.size(), 0);
+    index.slots.assign(bricks.ranges.size(), 0);
     std::vector<std::uint8_t> wanted(std::numeric_limits<std::uint16_t>::max() + 1, 0);
     for (const std::uint16_t label : labels->labels) wanted[label] = 1;
     if (scene.labels->voxels.type() == ScalarType::UInt8)
@@ -264,10 +315,21 @@ FocusIndex buildFocusIndex(const Scene& scene, const BrickRanges& ranges) {
       indexLabels(index, scene.labels->voxels.as<std::uint16_t>(), scene.labels->grid, wanted);
   } else if (const auto* values = std::get_if<ValueFocus>(&scene.look.focus)) {
     index.kind = FocusIndex::Kind::Values;
-    index.slots.assign(ranges.ranges.size(), 0);
-    scene.volume->voxels.visit([&](auto scalars) { indexValues(index, scalars, *scene.volume, *values, ranges); });
+    index.slots.assign(bricks.ranges.size(), 0);
+    indexValues(index, *scene.volume, *values, bricks);
   }
   return index;
+}
+
+std::optional<glm::dvec3> FocusIndex::centre(const Grid& grid) const {
+  if (!box) return std::nullopt;
+  const glm::dvec3 index = 0.5 * (glm::dvec3(box->low) + glm::dvec3(box->high));
+  return glm::dvec3(grid.worldFromIndex() * glm::dvec4(index, 1.0));
+}
+
+std::optional<glm::dvec3> focusCentre(const Scene& scene) {
+  if (std::holds_alternative<std::monostate>(scene.look.focus)) return std::nullopt;
+  return buildFocusIndex(scene, brickRanges(*scene.volume)).centre(scene.volume->grid);
 }
 
 }  // namespace fenestra

@@ -1,5 +1,5 @@
 #pragma once
-// Where the focus is, sparsely: only bricks that its surface crosses hold anything cell by cell.
+// Where the focus is, sparsely: only the bricks that its surface crosses store their cells one by one.
 
 #include <cstdint>
 #include <optional>
@@ -16,17 +16,24 @@ struct FocusIndex {
 
   Kind kind = Kind::None;
   glm::ivec3 bricks{0};
-  /// Per brick: 0 none of the focus, 1 all cells, n ≥ 2 slot n - 2 of `cells`.
+  /// Per brick: 0 no cell is in the focus, 1 all are, n ≥ 2 slot n - 2 of `cells` tells which.
   std::vector<std::uint32_t> slots;
-  /// Labels: 512 bytes a slot, one a cell, bit i set when corner i (x fastest) has a label of the focus.
-  /// Values: 512 bits a slot, one a cell, set when the cell reaches into the range and its component is kept.
+  /// Labels: cellsPerBrick bytes a slot, one a cell, bit i set when corner i (x fastest) has a label of the focus.
+  /// Values: cellsPerBrick bits a slot, one a cell, set when the cell's corner values overlap the range and its
+  /// component is kept.
   std::vector<std::uint32_t> cells;
   /// Box of the focus in index coordinates: labelled voxels, or the corners of kept cells. Empty when nothing is in
   /// focus.
   std::optional<IndexBox> box;
+
+  /// World position of the box's centre; empty when nothing is in focus. `grid` is the volume's.
+  std::optional<glm::dvec3> centre(const Grid& grid) const;
 };
 
-/// `ranges` are the volume's bricks (used by a value focus). Both cores.
-FocusIndex buildFocusIndex(const Scene& scene, const BrickRanges& ranges);
+/// `bricks` are the volume's. Runs on all cores.
+FocusIndex buildFocusIndex(const Scene& scene, const BrickRanges& bricks);
+
+/// The same centre where no index is at hand; reads the whole volume. `scene` has a volume.
+std::optional<glm::dvec3> focusCentre(const Scene& scene);
 
 }  // namespace fenestra

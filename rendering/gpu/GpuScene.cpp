@@ -338,12 +338,6 @@ void GpuScene::updateTransfer(const Scene& scene) {
   }
 }
 
-std::optional<glm::dvec3> GpuScene::focusCentre() const {
-  if (!focus_.box) return std::nullopt;
-  const glm::dvec3 index = 0.5 * (glm::dvec3(focus_.box->low) + glm::dvec3(focus_.box->high));
-  return glm::dvec3(volume_->grid.worldFromIndex() * glm::dvec4(index, 1.0));
-}
-
 std::vector<GpuScene::Resource> GpuScene::resources() const {
   std::vector<Resource> all;
   const auto add = [&](const char* name, std::size_t bytes) {

@@ -77,9 +77,6 @@ class GpuScene {
   const gl::Texture& focusSmooth() const { return focusSmooth_; }
   glm::ivec3 focusSmoothOrigin() const { return focusSmoothOrigin_; }  ///< index of its first texel
 
-  /// World position of the centre of the focus's box; empty when nothing is in focus.
-  std::optional<glm::dvec3> focusCentre() const;
-
  private:
   void updateVolume(const Scene& scene);
   void updateFocus(const Scene& scene);

@@ -39,17 +39,17 @@ struct SurfacePoint {
   glm::vec4 position, facing;
 };
 
-/// Tiles traced in one go: 1.5 KiB of hits and edges each, and no dispatch so long that a window manager takes the GPU
-/// for hung.
+/// Tiles of one dispatch: 1.5 KiB of hits and edges each. Short enough that no window system takes the GPU for hung.
 constexpr std::size_t tilesPerBatch = 1 << 15;
 constexpr int tileSide = 8;
 constexpr std::size_t pixelsPerTile = tileSide * tileSide, edgesPerTile = 2 * pixelsPerTile;
-/// Work groups in a row of a dispatch; the shaders count on it.
+/// Work groups in a row of a dispatch; the shaders use the same number.
 constexpr int groupsPerRow = 1024;
-/// Of a pixel, to find where the outline crosses from one to the next: within 1/32 of it.
+/// Bisections between two pixel centres to locate the outline: the middle of the last interval is within 1/32 of a
+/// pixel.
 constexpr int outlineHalvings = 4;
-/// Pixels that the focus's box spans at least, from corner to corner, and how much finer an image gets for that at
-/// most.
+/// The diagonal of the focus's box spans at least this many pixels, unless an image would have to be refined by more
+/// than `mostFiner`.
 constexpr double leastSpan = 48.0;
 constexpr int mostFiner = 64;
 
@@ -70,8 +70,9 @@ View viewOf(const Grid& grid, glm::dvec3 direction, bool twoSided) {
           glm::vec4(cellsFromWorld * world.forward, 0.0)};
 }
 
-/// First and last pixel (column and row) whose surroundings the focus's box projects onto. Half a voxel wider than its
-/// voxels: the 0.5 level reaches no farther. A pixel more at the start: there begin the cells of the first that sees.
+/// First and last pixel (column and row) around the projection of the focus's box, which is widened by half a voxel
+/// around its voxels because the 0.5 level reaches no farther. One more pixel at the start, where the first marching
+/// square begins.
 struct PixelRange {
   glm::ivec2 low{0}, high{-1};
 };
@@ -103,7 +104,7 @@ void addTiles(std::vector<Tile>& tiles, unsigned view, const PixelRange& pixels)
            (column + 1 < count.x ? 1u : 0u) | (row + 1 < count.y ? static_cast<unsigned>(count.x) << 1 : 0u)});
 }
 
-/// What the opposite camera measures: the same outline, mirrored.
+/// The sums of the opposite camera, whose outline is the mirror image.
 ImageSums fromBehind(const ImageSums& front, double depth, const Camera::Axes& axes, const Camera::Axes& opposite,
                      int side) {
   ImageSums sums = front;
@@ -141,7 +142,7 @@ gl::ShaderProgram& CandidateImages::prepared(gl::ShaderVariants& programs, const
   gl::ShaderProgram& program = programs.get({{volumeDefine(gpu)}, {scheduleChoice(gpu.schedule()), focusChoice(gpu)}});
   bindFirstHit(gpu, program);
   const Grid& grid = gpu.grid();
-  // A voxel wider than the focus's box, in the volume: the 0.5 level reaches no farther than half of one.
+  // The box widened by a voxel and clipped to the volume: the 0.5 level lies at most half a voxel outside the box.
   const glm::vec3 low(gpu.focus().box->low), high(gpu.focus().box->high);
   program.set(CandidateBlock{(glm::vec3(grid.dims) + 1.0f) * 0.5f,  // index (dims-1)/2 in the cell frame
                              static_cast<float>(grid.boundingRadius()), glm::max(low, 0.5f),
@@ -154,7 +155,8 @@ void CandidateImages::measureImages(const GpuScene& gpu, std::vector<Candidate>&
   std::vector<glm::dvec3> directions;
   for (const Candidate& candidate : candidates) directions.push_back(candidate.direction);
   const std::vector<std::optional<std::size_t>> opposites = oppositesOf(directions);
-  // Software rasterisers give each core one half of a dispatch: of neighbours, which cost about the same, one to each.
+  // A software rasteriser gives each of two cores one half of a dispatch. Neighbouring images cost about the same, so
+  // they go to different halves.
   std::vector<std::size_t> traced, others;
   for (std::size_t i = 0; i < candidates.size(); ++i)
     if (!opposites[i] || *opposites[i] > i) (traced.size() > others.size() ? others : traced).push_back(i);
@@ -231,10 +233,10 @@ void CandidateImages::measureVisibility(const GpuScene& gpu, const FocusSurface&
   const glm::dmat3 steps(grid.worldFromIndex());
   std::vector<SurfacePoint> points;
   for (const FocusSurface::Point& point : surface.points) {
-    // A surface between voxels is known to half a voxel along its normal, and so is the point on it.
+    // The point's place along its normal is known to half a voxel, as the surface's is.
     double extent = 0.0;
     for (int axis = 0; axis < 3; ++axis) extent += std::abs(glm::dot(steps[axis], point.normal));
-    // facing · (cells per mm along d) = normal · d: the inverse transpose takes a normal along.
+    // facing · (cells per mm along d) = normal · d: normals transform by the inverse transpose.
     const glm::dvec3 facing = glm::transpose(glm::inverse(cellsFromWorld)) * point.normal;
     points.push_back(
         {glm::vec4(glm::vec3(point.index + 1.0), static_cast<float>(extent)), glm::vec4(glm::vec3(facing), 0.0f)});

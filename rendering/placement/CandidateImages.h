@@ -12,19 +12,18 @@ namespace fenestra::placement {
 
 /// Needs the current context that `gpu` lives in.
 ///
-/// An image is side² rays of first focus hits, of which only those are traced that the focus's box projects onto. Where
-/// of two neighbours one meets the focus, its outline is found between them to 1/32 of a pixel, and areas, depths and
-/// centroids are integrals over the polygons so found (marching squares; Lorensen, Cline 1987, in two dimensions): they
-/// change smoothly with the direction, where counted pixels jump. Opposite candidates have the same outline and share
-/// its rays.
+/// An image holds the first focus hits of side² rays; only rays that the focus's box projects onto are traced. Where
+/// one of two neighbouring rays meets the focus and the other does not, the outline between them is located to 1/32 of
+/// a pixel. Areas, depths and centroids are integrals over the polygons inside the outline (marching squares; Lorensen,
+/// Cline 1987, in two dimensions), so they change smoothly with the direction; counts of pixels would jump. Opposite
+/// candidates have the same outline and share their rays.
 class CandidateImages {
  public:
-  /// A multiple of `least`, so that the focus spans some 50 pixels at least, from corner to corner of its box.
+  /// An image's side: the multiple of `least` at which the diagonal of the focus's box spans some 50 pixels or more.
   static int sideFor(const GpuScene& gpu, int least = defaultImageSide);
 
-  /// Sums over the images, one a direction; descriptors filled in but for those of describeTogether(). `surface` may be
-  /// empty; else each candidate's seen points are found. `gpu` is up to date. The same call gives the same answer to
-  /// the bit.
+  /// One candidate for each direction, with all descriptors but those of describeTogether(). The points that it sees
+  /// are found unless `surface` is empty. `gpu` must be up to date. Equal calls give bit-identical results.
   std::vector<Candidate> measure(const GpuScene& gpu, const std::vector<glm::dvec3>& directions,
                                  const FocusSurface& surface, int side);
 

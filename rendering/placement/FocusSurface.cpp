@@ -15,7 +15,7 @@ namespace {
 struct Element {
   glm::ivec3 cell{0};         ///< its first corner's index
   unsigned corners = 0;       ///< bit i: corner i (x fastest) is in the focus
-  double greatestArea = 0.0;  ///< mm²: of the surface in it if nothing of that turned back
+  double greatestArea = 0.0;  ///< mm²: upper bound of the surface's area in it
 };
 
 /// Which corners of cells are in the focus.
@@ -62,7 +62,7 @@ class Corners {
   ValueRange range_;
 };
 
-/// Of the trilinear indicator, averaged over a cell, per index step: towards the inside.
+/// Gradient of the trilinear indicator averaged over a cell, per index step; points into the focus.
 glm::dvec3 gradientOf(unsigned corners) {
   glm::dvec3 gradient(0.0);
   for (int i = 0; i < 8; ++i)
@@ -71,7 +71,7 @@ glm::dvec3 gradientOf(unsigned corners) {
   return gradient;
 }
 
-/// The bits of three numbers in turn: neighbours in space become neighbours in the order.
+/// Interleaves the bits of three numbers (Morton code), so that neighbours in space are near in the order.
 std::uint64_t mortonCode(glm::ivec3 position) {
   std::uint64_t code = 0;
   for (int bit = 0; bit < 21; ++bit)
@@ -80,7 +80,7 @@ std::uint64_t mortonCode(glm::ivec3 position) {
   return code;
 }
 
-/// All cells that the surface passes through, neighbours beside one another.
+/// All cells that the surface passes through, brick by brick in Morton order.
 std::vector<Element> elementsOf(const Grid& grid, const FocusIndex& index, const Corners& cornersOf) {
   const glm::dmat3 worldFromIndexGradient = glm::transpose(glm::dmat3(grid.indexFromWorld()));
   const glm::ivec3 low = glm::max(index.box->low - 1, 0), high = glm::min(index.box->high, grid.dims - 2);
@@ -112,8 +112,8 @@ std::vector<Element> elementsOf(const Grid& grid, const FocusIndex& index, const
   return elements;
 }
 
-/// Normals out of the focus, from the cells around. One cell of a 0/1 indicator knows a few normals only; over about
-/// two voxels of the coarsest axis in every direction, the steps even out.
+/// Normals out of the focus, averaged over the cells around. A single cell of a 0/1 indicator has few possible normals;
+/// an average over about two voxels of the coarsest axis in every direction smooths the steps.
 class Normals {
  public:
   Normals(const Grid& grid, const Corners& cornersOf)
@@ -172,7 +172,7 @@ FocusSurface sampleSurface(const Scene& scene, const FocusIndex& index, int coun
   double greatest = 0.0;
   for (const Element& element : elements) greatest += element.greatestArea;
 
-  // Areas want normals, and those are dear: of a sample some times as large as wanted.
+  // Areas need normals, which are expensive: only a sample of the elements, several times as many as wanted, gets them.
   struct Proposal {
     const Element* element = nullptr;
     glm::dvec3 normal{0.0};

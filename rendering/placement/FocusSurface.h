@@ -1,5 +1,5 @@
 #pragma once
-// The focus's surface as points of equal area: what the share that a camera sees is measured on.
+// The focus's surface as points of equal area, to measure the share of it that a camera sees.
 
 #include <vector>
 
@@ -8,13 +8,13 @@
 
 namespace fenestra::placement {
 
-/// Points on the 0.5 level of the focus's indicator, each standing for the same area, neighbours beside one another in
-/// the list. Deterministic.
+/// Points on the 0.5 level of the focus's indicator. Each stands for the same area; neighbours in the list are near in
+/// space. Deterministic.
 ///
-/// The area in a cell is n·∫∇I dV: the integral of the indicator's gradient is the vector area of the surface between
-/// the voxels, whatever steps that has, and its component along the normal n of the surface that the steps stand for is
-/// that surface's area. It holds for any lattice, and an error of the normal counts in second order only. Where the
-/// volume ends inside the focus there is no surface.
+/// The area in a cell is n·∫∇I dV. The integral of the indicator's gradient is the vector area of the stepped surface
+/// between the voxels; its component along the normal n of the smooth surface that the steps approximate is that
+/// surface's area. This holds for any lattice, and an error of n enters in second order only. The volume's border is no
+/// surface where it cuts the focus.
 struct FocusSurface {
   struct Point {
     glm::dvec3 index{0.0};   ///< continuous index position

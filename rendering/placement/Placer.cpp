@@ -67,7 +67,7 @@ bool Placer::advance(const GpuScene& gpu, std::size_t count) {
   const std::size_t first = batch.done;
   for (; !batch.isDone(); ++batch.done) {
     const glm::dvec3 next = batch.directions[batch.order[batch.done]];
-    // A pair is measured together, however the work is cut, so that the answer is the same to the bit.
+    // Opposite directions stay together however the work is sliced, so that results are bit-identical.
     if (directions.size() >= count && glm::dot(next, directions.back()) > -1.0 + 1e-12) break;
     directions.push_back(next);
   }

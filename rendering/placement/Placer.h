@@ -1,5 +1,6 @@
 #pragma once
-// Places both cameras for a scene's focus. What was rendered is kept: another weight, region or C1 renders nothing.
+// Places both cameras for a scene's focus. Measurements are kept, so that another weight, region or C1 needs no
+// rendering.
 
 #include <optional>
 #include <vector>
@@ -18,12 +19,13 @@ class Placer {
   /// The next measure() measures anew.
   void forget() { key_.reset(); }
 
-  /// The same in slices, for a window that must answer in between: begin(), then advance() until it is true, then
-  /// measured(). Another begin() drops what was under way; `gpu`'s volume and focus stay as they are meanwhile.
+  /// The same in slices, so that a window stays responsive: begin(), then advance() until it returns true, then
+  /// measured(). Another begin() cancels the one before. `gpu`'s volume and focus must not change in between.
   void begin(GpuScene& gpu, const Scene& scene, const Sampling& sampling, const Options& options);
-  /// Measures `count` candidates more, or one beyond that shares its image. True when all are measured.
+  /// Measures `count` more candidates, and the opposite of the last one with it, as they share an image. True when all
+  /// are measured.
   bool advance(const GpuScene& gpu, std::size_t count);
-  /// Share of the candidates that are measured; of a refinement, of those that it takes at most.
+  /// Share of the candidates that are measured; a refinement counts against the most candidates it may take.
   double progress() const;
   const Measured& measured() const { return measured_; }
 
@@ -34,7 +36,7 @@ class Placer {
     std::optional<Options> options;  ///< a refinement follows them
     bool operator==(const Key&) const = default;
   };
-  /// Directions to be measured, each next to its opposite where that is among them.
+  /// Directions to measure; `order` puts opposite ones next to each other.
   struct Batch {
     std::vector<glm::dvec3> directions;
     std::vector<std::size_t> order;
@@ -44,7 +46,7 @@ class Placer {
     explicit Batch(std::vector<glm::dvec3> wanted = {});
     bool isDone() const { return done == order.size(); }
   };
-  /// What begin() began.
+  /// A measurement under way.
   struct Task {
     Key key;
     FocusSurface surface;

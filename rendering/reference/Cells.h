@@ -1,6 +1,6 @@
 #pragma once
-// A ray cell by cell: inside a cell the trilinear field along the ray is a cubic, whose crossings of a level are found
-// without a step.
+// Walks a ray cell by cell. Inside a cell the trilinear field along the ray is a cubic, so its crossings of a level are
+// found without stepping.
 
 #include <algorithm>
 #include <array>

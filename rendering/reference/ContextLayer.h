@@ -9,7 +9,7 @@
 
 namespace fenestra::reference {
 
-/// What the context layer has of one pixel.
+/// The context layer's quantities at one pixel.
 struct ContextPoint {
   double k1 = 0.0, k2 = 0.0;  ///< 1/mm, k1 ≥ k2; positive where the surface bends away from lower values
   double illumination = 0.0;
@@ -23,7 +23,7 @@ std::vector<std::optional<ContextPoint>> contextLayer(const Scene& scene, const 
                                                       const std::vector<Ray>& rays, const Image& tContext,
                                                       const Image& tFocus);
 
-/// mm: the length that makes curvature dimensionless, the finest spacing of what the derivatives are taken of.
+/// The length in mm that makes curvature dimensionless: the finest spacing of the smoothed volume.
 double derivativeSpacing(const Grid& grid);
 
 }  // namespace fenestra::reference

@@ -8,25 +8,26 @@
 
 namespace fenestra::reference {
 
-/// Of labels the 0/1 indicator, focus from 0.5 on; of values the volume itself, in the cells that are kept. Empty where
-/// the scene has neither.
+/// For labels the 0/1 indicator, in focus from 0.5 on; for values the volume itself, in the cells that are kept. Empty
+/// when the scene has neither.
 class FocusField {
  public:
   explicit FocusField(const Scene& scene);
 
   const ValueRange& range() const { return range_; }
-  /// The field's corner values in `cell`, `values` being the volume's; nothing where the cell holds none of the focus.
+  /// The field's values at the corners of `cell`, of which `values` are the volume's; empty where the cell holds no
+  /// focus.
   std::optional<Corners> corners(glm::ivec3 cell, const Corners& values) const;
 
-  /// Labels: whether a voxel (clamped to the grid) carries one of the focus's.
+  /// For labels: whether a voxel (clamped to the grid) has a label of the focus.
   bool isLabelled(glm::ivec3 index) const;
   bool hasLabels() const { return !indicator_.empty(); }
 
  private:
   Grid grid_;
   ValueRange range_;
-  std::vector<std::uint8_t> indicator_;  ///< per voxel; of labels alone
-  std::optional<FocusCells> cells_;      ///< of values alone
+  std::vector<std::uint8_t> indicator_;  ///< per voxel; for labels only
+  std::optional<FocusCells> cells_;      ///< for values only
 };
 
 }  // namespace fenestra::reference

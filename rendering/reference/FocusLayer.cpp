@@ -9,8 +9,8 @@
 namespace fenestra::reference {
 namespace {
 
-/// Colours of a focus of labels: the colour of the nearest voxel, or if that carries none of the focus's labels, of the
-/// first one around it that does (x fastest, from the lowest index).
+/// Colours of a label focus: that of the nearest voxel, or where that has no label of the focus, of the first of its
+/// neighbours that has one (x fastest, from the lowest index).
 class FocusColours {
  public:
   explicit FocusColours(const Scene& scene) : labels_(scene.labels.get()), first_(scene.look.focusAppearance.colour) {
@@ -26,7 +26,7 @@ class FocusColours {
     differ_ = std::any_of(colours_.begin(), colours_.end(), [&](const glm::dvec3& c) { return c != first_; });
   }
 
-  /// Whether the colour depends on the place at all.
+  /// Whether there is more than one colour.
   bool differ() const { return differ_; }
 
   glm::dvec3 at(glm::dvec3 index) const {
@@ -49,7 +49,7 @@ class FocusColours {
   std::vector<glm::dvec3> colours_;
 };
 
-/// What all rays of a picture have in common.
+/// What all rays of a picture share.
 struct Medium {
   const Scene& scene;
   FocusField focus;
@@ -97,7 +97,7 @@ struct Part {
     const double integral = u * (x[0] + u * (x[1] / 2.0 + u * (x[2] / 3.0 + u * x[3] / 4.0)));
     return std::max(0.0, length * (from.extinction * u + extinctionSlope * integral));
   }
-  /// The first or second half, with an own u from 0 to 1: depths are never differences of large ones.
+  /// The first or second half as a part with its own u from 0 to 1, so that no depth is a difference of large ones.
   Part half(bool second) const {
     Part part = *this;
     (second ? part.begin : part.end) = 0.5 * (begin + end);
@@ -160,7 +160,7 @@ class Integrator {
   void run() {
     walkCells(indexRay(ray_.ray, grid_), ray_.span, grid_.dims, [&](const Piece& piece) {
       addCell(piece);
-      // What can still come is at most the light that is left, lit to no more than twice its colour.
+      // The rest of the ray adds at most the transmittance times twice the colour, the most that lighting makes of it.
       if (2.0 * transmittance() > 0.1 * tolerance_) return true;
       error_ += 2.0 * transmittance();
       return false;
@@ -253,7 +253,7 @@ class Integrator {
       add(node, 0.5 - 0.5 * node.offset);
       if (node.offset > 0.0) add(node, 0.5 + 0.5 * node.offset);
     }
-    // Opacity is known exactly: a rule that misses where the light goes cannot agree with it by chance.
+    // Opacity is known exactly, so comparing with it exposes samples that miss the place where light is absorbed.
     const double opacity = -light * std::expm1(-thickness);
     const glm::dvec4 difference = glm::abs(fine - coarse);
     const double error = std::max({difference.r, difference.g, difference.b, std::abs(fine.a - opacity)});
@@ -291,10 +291,10 @@ class Integrator {
     return interpolate(normals_, at);
   }
 
-  /// 2^-52 of a part is below the resolution of its ends, and one rounding of 1 below what can be asked for.
+  /// 2^-52 of a part is below the resolution of its ends. An error below one rounding of 1 cannot be reached.
   static constexpr int maxHalvings = 52;
   static constexpr double rounding = std::numeric_limits<double>::epsilon();
-  /// Gradient of the smoothed indicator (1/mm) below which a point lies too deep in the focus to have its normal.
+  /// Gradient of the smoothed indicator (1/mm) below which a point lies too deep in the focus to have a normal.
   static constexpr double flatFocus = 1e-3;
 
   const Medium& medium_;
@@ -303,7 +303,7 @@ class Integrator {
   const CutRay& ray_;
   const double tolerance_, perMillimetre_;
 
-  // The cell and the part of it at hand.
+  // The current cell and the part of it.
   const Piece* piece_ = nullptr;
   std::vector<double> places_;
   std::array<glm::dvec3, 8> normals_{};

@@ -5,7 +5,7 @@
 
 namespace fenestra::reference {
 
-/// What is seen along a ray from where the cutaway lets it start.
+/// The visible part of a ray, from where the cutaway lets it start.
 struct CutRay {
   Ray ray;
   Span span;             ///< from the start to where the ray leaves the box; tIn > tOut: nothing is seen

@@ -7,8 +7,8 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
-/// A closed set of values, told by the open gaps outside it. A ray that is in a gap enters the set through one of that
-/// gap's two ends and no other value.
+/// A closed set of values, given by the open gaps outside it. A ray inside a gap enters the set at one of that gap's
+/// two ends.
 using Gaps = std::vector<ValueGap>;
 
 const ValueGap* gapAround(const Gaps& gaps, double value) {

@@ -58,7 +58,7 @@ FocusNormals::FocusNormals(const Grid& grid, const FocusField& focus)
           high = glm::max(high, index);
         }
   if (high.x < 0) return;
-  // Two passes of five taps reach four voxels out; what is asked for lies within two of the labels.
+  // Two passes of five taps reach four voxels out; queries lie within two voxels of the labels.
   constexpr int margin = 5;
   low_ = low - margin;
   box_.dims = high - low + 1 + 2 * margin;
@@ -68,7 +68,7 @@ FocusNormals::FocusNormals(const Grid& grid, const FocusField& focus)
       for (index.x = 0; index.x < box_.dims.x; ++index.x)
         field_[box_.offset(index)] = focus.isLabelled(low_ + index) ? 1.0f : 0.0f;
 
-  // Sums of whole numbers over 2^24 at most: exact in single precision.
+  // Whole numbers over at most 2^24: exact in single precision.
   const auto filter = [&](int axis) {
     const int across = (axis + 1) % 3, along = (axis + 2) % 3;
     parallelFor(static_cast<std::size_t>(box_.dims[along]), 1, [&](std::size_t begin, std::size_t end) {

@@ -16,7 +16,7 @@ struct Light {
   /// Ambient and diffuse light on a surface whose normal is at |cosine| to the light.
   double incident(double cosine) const { return shading.ambient + shading.diffuse * cosine; }
   glm::dvec3 lit(glm::dvec3 colour, glm::dvec3 normal, glm::dvec3 rayDirection) const;
-  /// `normal` has the length that says how certain it is: from 0, the light of a surface of average orientation, up.
+  /// The length of `normal` says how certain it is; 0 gives the light of a surface of average orientation.
   glm::dvec3 shade(glm::dvec3 colour, glm::dvec3 normal, glm::dvec3 rayDirection) const;
 };
 

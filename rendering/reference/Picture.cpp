@@ -158,7 +158,7 @@ Picture picture(const Scene& scene, const Camera& camera, glm::ivec2 size, const
   }
   if (cutaway && scene.look.cutaway.borderWidth > 0.0) {
     const Widths widths = widthsInPixels(scene, camera, size, options.pixelScale);
-    // Half a pixel beyond the border its rim still shows.
+    // The border's rim is filtered over one pixel, so it shows half a pixel beyond the border.
     const Image distance = distanceMap(stages.hits.tFocus, size, widths.open + widths.border + 1.0);
     for (std::size_t i = 0; i < pixels.size(); ++i) {
       const std::size_t at = offset(size, pixels[i]);

@@ -9,7 +9,7 @@
 // is a polynomial, so optical depth is exact, and colour is integrated by Gauss-Kronrod rules that halve their interval
 // until the tolerance is met.
 //
-// Values that are no numbers count as in hitPoints().
+// NaN and infinite values count as in hitPoints().
 
 #include <vector>
 
@@ -40,7 +40,7 @@ struct Picture {
 /// The whole chain. With no cutaway (see hasCutaway) it is a plain volume rendering from the box's entry on.
 Picture picture(const Scene& scene, const Camera& camera, glm::ivec2 size, const PictureOptions& options = {});
 
-/// The same from given stages 1 to 4, which may be another renderer's: then only what stages 5 to 7 add is measured.
+/// The same from given stages 1 to 4. With another renderer's, only its errors of stages 5 to 7 remain in a comparison.
 /// Needs tContext, tFocus and tStart, and tOut where the scene has strokes; nothing when the scene has no cutaway.
 Picture picture(const Scene& scene, const Camera& camera, glm::ivec2 size, const Stages& stages,
                 const PictureOptions& options = {});

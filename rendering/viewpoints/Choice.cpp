@@ -6,7 +6,7 @@
 namespace fenestra::placement {
 namespace {
 
-/// Qualities closer than this, relative to their size, come from the candidates' pixels and say nothing.
+/// Relative differences of quality below this are noise of the images' pixels.
 constexpr double indistinct = 1e-3;
 
 /// The spread candidates from `first` on.

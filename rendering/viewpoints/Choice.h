@@ -16,9 +16,9 @@ inline constexpr int defaultImageSide = 128;
 /// How candidates are spread.
 struct Sampling {
   int count = 192;              ///< 12·nside²
-  bool refined = false;         ///< instead: hierarchically from 48 to the resolution of 12 288
+  bool refined = false;         ///< refine 48 directions to the resolution of 12 288 instead
   int side = defaultImageSide;  ///< pixels across the model in a candidate's image, at least
-  int surfacePoints = 1024;     ///< shares are known to about a hundredth by so many
+  int surfacePoints = 1024;     ///< gives shares to about a hundredth
   bool operator==(const Sampling&) const = default;
 };
 
@@ -32,16 +32,17 @@ struct Placement {
 /// The measured candidates of one focus: the spread ones, then the six standard views.
 struct Measured {
   std::vector<Candidate> candidates;
-  std::size_t coarser = 0;  ///< refined: the first ones, which only led the way
-  /// Refined for these: by them choose() takes finest ones, as trying all would; by others, whatever is best.
+  std::size_t coarser = 0;  ///< refined: how many at the front are of coarser levels
+  /// The options that guided a refinement. By these choose() considers the finest level alone, as an exhaustive search
+  /// would; by others, all candidates.
   std::optional<Options> refinedFor;
-  std::size_t spread = 0;  ///< how many of them are spread; the standard views serve comparisons and the joint search
+  std::size_t spread = 0;  ///< number of spread candidates; the standard views serve comparisons and the joint search
   std::size_t surfacePoints = 0;
   double surfaceArea = 0.0;  ///< mm²
 };
 
-/// The paper's order: the best view, then the best of its region. `joint`: both at once (jointSearch), the standard
-/// views among the candidates. Costs no rendering. A focus that looks the same from everywhere gets the first direction
+/// In the paper's order: the best view, then the best view of its region. With `joint` both at once (jointSearch), the
+/// standard views included. Needs no rendering. A focus that looks the same from everywhere gets the first direction
 /// and a note.
 Placement choose(const Measured& measured, const Options& options, bool joint);
 /// C2 for a C1 anywhere on the sphere.

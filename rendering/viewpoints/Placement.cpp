@@ -10,7 +10,7 @@ namespace {
 
 bool sees(const std::vector<std::uint64_t>& bits, std::size_t point) { return bits[point / 64] >> (point % 64) & 1u; }
 
-/// Share of each surface point in what a candidate sees: equal areas, so every seen point has the same.
+/// How many surface points a candidate sees; they stand for equal areas, so p(o|v) is 1 over it for each.
 double seenCount(const std::vector<std::uint64_t>& bits) {
   double count = 0.0;
   for (const std::uint64_t word : bits) count += std::popcount(word);
@@ -34,7 +34,7 @@ double divergence(const Candidate& a, const Candidate& b) {
   return std::clamp(0.5 * (half(onlyA, pa) + half(onlyB, pb)), 0.0, 1.0);
 }
 
-/// The candidates nearest to one, for stability: HEALPix pixels have eight neighbours at most.
+/// Nearest candidates that stability compares with: a HEALPix pixel has at most eight neighbours.
 constexpr std::size_t neighbourCount = 8;
 
 }  // namespace
@@ -152,7 +152,7 @@ double seenShare(const Candidate& a, const Candidate& b, std::size_t points) {
 std::optional<Pair> jointSearch(const std::vector<Candidate>& candidates, std::size_t points, const Options& options) {
   struct View {
     std::size_t index;
-    double quality, bound;  ///< what a pair's value owes to it at most
+    double quality, bound;  ///< the most that it can add to a pair's value
   };
   const double shareWeight = options.shareWeight;
   std::vector<View> views;
@@ -175,8 +175,8 @@ std::optional<Pair> jointSearch(const std::vector<Candidate>& candidates, std::s
     }
   };
   std::optional<Found> best;
-  // Two views see no more together than each for itself: where that cannot reach the best, nothing after it can. What
-  // rounding makes of the bound must not cut off an equal.
+  // A pair's value is at most the sum of both bounds. Views are sorted by bound, so once the sum is too small no later
+  // view can do better. The margin keeps rounding from cutting off an equal pair.
   constexpr double rounding = 1e-12;
   for (std::size_t a = 0; a < views.size(); ++a)
     for (std::size_t b = a + 1; b < views.size(); ++b) {

@@ -14,13 +14,13 @@
 
 namespace fenestra::placement {
 
-/// What a candidate's image of first focus hits holds. The camera looks at the model's centre in parallel projection;
+/// Sums over a candidate's image of first focus hits. The camera looks at the model's centre in parallel projection;
 /// the image spans the model's bounding sphere, so every candidate sees all of the model at one scale.
 struct ImageSums {
-  double count = 0.0;        ///< focus pixels, those on its outline by the part that it covers
+  double count = 0.0;        ///< focus pixels; one on the outline counts by its covered share
   double depth = 0.0;        ///< sum of depths, 0 at the near side of the sphere, 1 at the far side
   glm::dvec2 position{0.0};  ///< sum of positions, each -1…1 from left to right and from bottom to top
-  /// Pixels whose middle sees it: x0, y0, x1, y1, rows from the top; empty when x1 < x0.
+  /// Box of the pixels whose centres see the focus: x0, y0, x1, y1, rows from the top; empty when x1 < x0.
   glm::ivec4 box{0, 0, -1, -1};
 };
 
@@ -68,8 +68,8 @@ struct Pair {
   double share = 0.0;
 };
 /// Both cameras at once: the pair, c2 in c1's region, that maximises shareWeight · share + (1 - shareWeight) · mean
-/// quality; of equals the one of higher quality, then of lowest indices. c1 is the one of higher quality where either
-/// may be c1.
+/// quality. Ties go to the pair of higher mean quality, then to the lowest indices. Where either view may be c1, the
+/// one of higher quality is.
 std::optional<Pair> jointSearch(const std::vector<Candidate>& candidates, std::size_t points, const Options& options);
 /// The best orthogonal pair of the six standard views by share, among candidates that hold them.
 std::optional<Pair> bestStandardPair(const std::vector<Candidate>& candidates, std::size_t points);

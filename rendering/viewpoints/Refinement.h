@@ -1,5 +1,5 @@
 #pragma once
-// From a coarse sphere of directions down to a fine one where it counts: finds what trying every fine direction finds,
+// Hierarchical search of the sphere of directions: finds the views that an exhaustive search of a fine sphere finds,
 // with a fraction of the images.
 
 #include <map>
@@ -11,51 +11,51 @@
 
 namespace fenestra::placement {
 
-/// Pixels of the NESTED sphere, level by level: from all 12·start² (start = 2^k) the children that promise most by what
-/// is known around them, and the best one's neighbours, down to those of 12·finest²; first for C1 anywhere and on the
-/// opposite side, then for C2 in C1's region. Tells what to measure next, so that who measures may pause in between;
-/// deterministic. A focus that is not seen from any coarse direction ends it.
+/// Starts with all 12·start² pixels of the NESTED sphere (start = 2^k). On each finer level, down to 12·finest², it
+/// takes the children with the best predicted quality, then the neighbours of the best one: first for C1 on the whole
+/// sphere and its opposite side, then for C2 in C1's region. wanted() tells what to measure next, so that the caller
+/// may pause in between. Deterministic. Ends at once when no coarse direction sees the focus.
 class Refinement {
  public:
   static constexpr std::size_t mostImages = 299;
 
-  /// `points` of the focus's surface are what candidates may have seen; 0 when that is not measured.
+  /// `points`: the number of the focus's surface points; 0 when seen points are not measured.
   explicit Refinement(const Options& options, std::size_t points = 0, int start = 2, int finest = 32);
 
-  /// Directions to measure next; empty when all is known.
+  /// Directions to measure next; empty when the search is done.
   const std::vector<glm::dvec3>& wanted() const { return wanted_; }
-  /// What is wanted only leads the way to finer levels: images of half the width tell enough.
+  /// Whether wanted() is of a level two or more above the finest, where images of half the width are accurate enough.
   bool isLeading() const { return !wantedPixels_.empty() && 4 * wantedPixels_.front().nside <= finest_; }
-  /// What wanted() asked for, in its order. Descriptors that depend on all candidates are found for the known ones,
-  /// where they have a weight.
+  /// Takes the candidates of wanted(), in its order. Descriptors that depend on all candidates are found again where
+  /// they have a weight.
   void add(const std::vector<Candidate>& measured);
-  /// Share of the images that it takes at most.
+  /// Images measured, over the most that it may take; 1 when done.
   double progress() const;
 
-  /// All that was measured: the coarser directions, then those of the finest level from `coarser` on.
+  /// All measured candidates: the coarser levels first, the finest level from `coarser` on.
   std::vector<Candidate> candidates() const;
   std::size_t coarser() const;
 
  private:
   struct Pixel {
     int nside = 0;
-    long index = 0;
+    int index = 0;
     auto operator<=>(const Pixel&) const = default;
   };
   void plan();
-  /// Asks for what is not known; false when there is any.
-  bool have(int nside, const std::vector<long>& pixels);
-  /// Down to the finest level for C1 (no `c1`) or for C2; false when something is to be measured first.
+  /// Adds the unmeasured ones of `pixels` to wanted(); true when wanted() stays empty.
+  bool have(int nside, const std::vector<int>& pixels);
+  /// Searches down to the finest level for C1 (no `c1`) or for C2; false when measurements are missing.
   bool descend(const std::optional<glm::dvec3>& c1);
-  /// Of the children of a level's known pixels those that promise the best qualities.
-  std::vector<long> promising(int nside, const std::optional<glm::dvec3>& c1) const;
-  /// The quality that the coarser level lets expect of a pixel.
+  /// The pixels of a level with the best predicted quality, among the children of measured ones.
+  std::vector<int> promising(int nside, const std::optional<glm::dvec3>& c1) const;
+  /// A pixel's quality as predicted from the coarser level.
   double promiseOf(Pixel pixel, const std::optional<glm::dvec3>& c1) const;
-  /// A pixel's middle; for C2 the place in the region that is nearest to it.
+  /// A pixel's centre; for C2 the direction of the pixel in C1's region that is nearest to it.
   glm::dvec3 placeOf(Pixel pixel, const std::optional<glm::dvec3>& c1) const;
   bool climb(int nside, const std::optional<glm::dvec3>& c1);
-  /// Known pixels of a level that see the focus, and for C2 may hold directions of the region: best first.
-  std::vector<long> ranked(int nside, const std::optional<glm::dvec3>& c1) const;
+  /// Measured pixels of a level that see the focus and, for C2, overlap C1's region; best first.
+  std::vector<int> ranked(int nside, const std::optional<glm::dvec3>& c1) const;
   bool mayHold(Pixel pixel, glm::dvec3 c1) const;
   double qualityAt(Pixel pixel) const;
 

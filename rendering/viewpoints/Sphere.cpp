@@ -4,36 +4,55 @@
 #include <cmath>
 #include <map>
 
-#include <chealpix.h>
+#include <healpix_base.h>
 
 namespace fenestra::placement {
+namespace {
+
+Healpix_Base ring(int nside) { return {nside, RING, SET_NSIDE}; }
+Healpix_Base nested(int nside) { return {nside, NEST, SET_NSIDE}; }
+
+glm::dvec3 directionOf(const Healpix_Base& sphere, int pixel) {
+  const vec3 direction = sphere.pix2vec(pixel);
+  return {direction.x, direction.y, direction.z};
+}
+
+int pixelAt(const Healpix_Base& sphere, glm::dvec3 direction) {
+  return sphere.vec2pix({direction.x, direction.y, direction.z});
+}
+
+}  // namespace
 
 std::optional<int> sideOf(int count) {
-  const long side = count >= 12 ? npix2nside(count) : -1;
-  return side > 0 ? std::optional(static_cast<int>(side)) : std::nullopt;
+  if (count < 12) return std::nullopt;
+  const int nside = static_cast<int>(std::lround(std::sqrt(count / 12.0)));
+  return count % 12 == 0 && count / 12 == nside * nside ? std::optional(nside) : std::nullopt;
 }
 
 std::vector<glm::dvec3> ringDirections(int nside) {
-  std::vector<glm::dvec3> directions(static_cast<std::size_t>(nside2npix(nside)));
-  for (std::size_t pixel = 0; pixel < directions.size(); ++pixel)
-    pix2vec_ring(nside, static_cast<long>(pixel), &directions[pixel].x);
+  const Healpix_Base sphere = ring(nside);
+  std::vector<glm::dvec3> directions;
+  for (int pixel = 0; pixel < sphere.Npix(); ++pixel) directions.push_back(directionOf(sphere, pixel));
   return directions;
 }
 
-glm::dvec3 nestedDirection(int nside, long pixel) {
-  glm::dvec3 direction;
-  pix2vec_nest(nside, pixel, &direction.x);
-  return direction;
-}
+int ringPixel(int nside, glm::dvec3 direction) { return pixelAt(ring(nside), direction); }
 
-long nestedPixel(int nside, glm::dvec3 direction) {
-  long pixel = 0;
-  vec2pix_nest(nside, &direction.x, &pixel);
-  return pixel;
+glm::dvec3 nestedDirection(int nside, int pixel) { return directionOf(nested(nside), pixel); }
+
+int nestedPixel(int nside, glm::dvec3 direction) { return pixelAt(nested(nside), direction); }
+
+std::vector<int> nestedNeighbours(int nside, int pixel) {
+  fix_arr<int, 8> found;
+  nested(nside).neighbors(pixel, found);
+  std::vector<int> neighbours;
+  for (int i = 0; i < 8; ++i)
+    if (found[static_cast<std::size_t>(i)] >= 0) neighbours.push_back(found[static_cast<std::size_t>(i)]);
+  return neighbours;
 }
 
 std::vector<std::optional<std::size_t>> oppositesOf(const std::vector<glm::dvec3>& directions) {
-  // A direction on the edge of two roundings may miss its opposite; then each is looked at alone.
+  // Two opposite directions may round to different keys; then each is measured alone.
   using Key = std::array<long, 3>;
   const auto keyOf = [](glm::dvec3 direction) {
     const glm::dvec3 scaled = direction * 1e8;
@@ -44,16 +63,10 @@ std::vector<std::optional<std::size_t>> oppositesOf(const std::vector<glm::dvec3
   std::vector<std::optional<std::size_t>> opposites(directions.size());
   for (std::size_t i = 0; i < directions.size(); ++i)
     if (const auto at = positions.find(keyOf(-directions[i])); at != positions.end()) opposites[i] = at->second;
-  // Of equal directions only one has the opposite for its own.
+  // Where directions repeat, only one of the equal ones keeps the opposite.
   for (std::size_t i = 0; i < directions.size(); ++i)
     if (opposites[i] && opposites[*opposites[i]] != i) opposites[i].reset();
   return opposites;
-}
-
-long ringPixel(int nside, glm::dvec3 direction) {
-  long pixel = 0;
-  vec2pix_ring(nside, &direction.x, &pixel);
-  return pixel;
 }
 
 }  // namespace fenestra::placement

@@ -186,18 +186,6 @@ TEST(Document, TicksAndClicksMakeTheFocus) {
   EXPECT_TRUE(std::holds_alternative<std::monostate>(document.focus()));
 }
 
-TEST(Document, FindsTheMiddleOfTheFocus) {
-  Document document;
-  document.open(study());
-  EXPECT_FALSE(document.focusCentre());
-  document.focusOn(7);  // x = 7, 8, 9 of a grid from -9 in steps of 2
-  ASSERT_TRUE(document.focusCentre());
-  expectNear(*document.focusCentre(), {7.0, 0.0, 0.0});
-  document.setFocus(ValueFocus{.values = {0.0, 111.0}});  // x = 0, 1
-  ASSERT_TRUE(document.focusCentre());
-  expectNear(*document.focusCentre(), {-8.0, 0.0, 0.0});
-}
-
 TEST(Document, NewLabelsTakeTheOldLabelsFocusAlong) {
   Document document;
   document.open(study());

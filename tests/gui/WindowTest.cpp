@@ -241,6 +241,21 @@ TEST_F(Window, TicksAndFilterWorkOnTheLabelList) {
   EXPECT_EQ(row.data(Qt::CheckStateRole).toInt(), Qt::Unchecked);
 }
 
+TEST_F(Window, CrosshairGoesToAFocusThatIsChosenByNameOrOpened) {
+  QListView* list = panel<FocusPanel>().list();
+  list->doubleClicked(list->model()->index(1, 0));
+  EXPECT_EQ(document().focus(), Focus(LabelFocus{{marker}}));
+  const auto atMarker = [&] { return glm::distance(cursor().position(), markerCentre) < 1e-6; };
+  EXPECT_TRUE(QTest::qWaitFor(atMarker, patience));
+
+  Study focused = markedBall();
+  focused.scene.look.focus = ValueFocus{.values = {500.0, 1000.0}};  // reaches a voxel around the marker
+  open(focused);
+  EXPECT_TRUE(atMarker());
+  open(markedBall());
+  EXPECT_LT(glm::length(cursor().position()), 1.0 + 1e-6) << "without a focus: the volume's middle";
+}
+
 TEST_F(Window, NamesWhatIsUnderTheMouse) {
   cursor().moveTo(markerCentre);
   SliceView* axial = slice(SlicePlane::Axial);

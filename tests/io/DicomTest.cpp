@@ -16,8 +16,8 @@ using io::Warning;
 
 namespace {
 
-/// A series of slices that each hold one value, `slice · 10`, at the positions given, under names and numbers that sort
-/// otherwise.
+/// A series of slices at the positions given; each holds one value, `slice · 10`. Names and instance numbers sort in
+/// another order.
 void writeSeries(const fs::path& folder, const std::vector<glm::dvec3>& positions, DicomSpec spec = {}) {
   fs::create_directories(folder);
   for (std::size_t i = 0; i < positions.size(); ++i) {
@@ -113,7 +113,7 @@ TEST(Dicom, MissingSlicesAreCountedAndTheirNeighboursNamed) {
   const Warning warning = warningOf(opened.warnings, Warning::Kind::MissingSlices);
   EXPECT_NE(warning.text.find("2 slices missing"), std::string::npos) << warning.text;
   EXPECT_EQ(warning.files.size(), 2u);
-  // Both ends lie where the file says; what is between is spread evenly.
+  // Both ends lie where the file says; the slices between are evenly spread.
   EXPECT_EQ(opened.volume->grid.origin.z, 30.0);
   EXPECT_DOUBLE_EQ(opened.volume->grid.origin.z + opened.volume->grid.spacing.z * 5, 44.0);
 }

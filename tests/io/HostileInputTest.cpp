@@ -1,5 +1,5 @@
-// Damaged, mislabelled and hostile files: every one becomes an io::Error, or a volume where the damage leaves one;
-// nothing crashes, hangs, allocates by a lie or writes to the error stream.
+// Damaged, mislabelled and hostile files: each gives an io::Error, or a volume where one is still readable. Nothing
+// crashes, hangs, allocates what a false header asks for, or writes to the error stream.
 
 #include <chrono>
 #include <random>
@@ -109,7 +109,7 @@ TEST(HostileInput, FlippedBytesNeverCrash) {
     SCOPED_TRACE(sample.name);
     for (int round = 0; round < 150; ++round) {
       std::string bytes = sample.bytes;
-      // Most damage where it hurts: in the first kilobyte, where headers are.
+      // Most damage is done to the first kilobyte, where headers are.
       const std::size_t reach = round % 3 ? std::min<std::size_t>(bytes.size(), 1024) : bytes.size();
       for (int flips = 1 + round % 4; flips > 0; --flips) bytes[random() % reach] = static_cast<char>(random());
       writeFile(folder / sample.name, bytes);

@@ -1,5 +1,5 @@
 #pragma once
-// What the io tests share: files of known bytes, errors as they must be, volumes compared voxel by voxel.
+// What the io tests share: files of known bytes, the form of errors, and volumes compared voxel by voxel.
 
 #include <cstring>
 #include <filesystem>

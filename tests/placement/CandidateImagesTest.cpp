@@ -1,4 +1,4 @@
-// What the GPU measures of a candidate, against closed forms and against a double-precision computation on the CPU.
+// Candidates as the GPU measures them, against closed forms and against a double-precision computation on the CPU.
 
 #include <bit>
 #include <cmath>
@@ -47,7 +47,7 @@ std::vector<glm::dvec3> someDirections() {
   return directions;
 }
 
-/// The measure of CandidateImages.h in double precision, by the reference's rays through a parallel camera.
+/// The measurement of CandidateImages.h in double precision, with the reference's rays through a parallel camera.
 class CpuImage {
  public:
   CpuImage(const Scene& scene, glm::dvec3 direction, int pixels)
@@ -84,8 +84,8 @@ class CpuImage {
     const Camera camera = lookAt(target + direction_ * (2.0 * radius_), target, Projection::Orthographic, radius_);
     return !std::isnan(reference::hitPoints(scene_, camera, {1, 1}).tFocus.front());
   }
-  /// Between the pixels a, which sees the focus, and b, which does not: to a sixteenth of the way, and of that the
-  /// middle.
+  /// The outline between the pixels a, which sees the focus, and b, which does not: the middle of the sixteenth of the
+  /// way that holds it.
   glm::dvec2 outline(glm::dvec2 a, glm::dvec2 b) const {
     double low = 0.0, high = 1.0;
     for (int i = 0; i < 4; ++i) {
@@ -133,8 +133,8 @@ class CpuImage {
   reference::Image hits_;
 };
 
-/// float32 against double: 1e-4 of every descriptor. A crossing of the outline found on the other side of a ray that
-/// grazes moves it by a thirty-second of a pixel, of some hundreds.
+/// float32 against double: 1e-4 of every descriptor. A ray that grazes the surface may move one crossing of the outline
+/// by a thirty-second of a pixel; an image has some hundreds of crossings.
 void expectSameAsOnCpu(const Scene& scene, const std::vector<Candidate>& candidates) {
   for (const Candidate& candidate : candidates) {
     const ImageSums truth = CpuImage(scene, candidate.direction, side).sums();
@@ -153,7 +153,7 @@ void expectSameAsOnCpu(const Scene& scene, const std::vector<Candidate>& candida
   }
 }
 
-/// Two lobes and a bar in the off-centre part of a grid: concave, and unlike itself from every side.
+/// Two lobes and a bar away from the grid's centre: concave, and different from every side.
 int lobes(const Grid& grid, glm::ivec3 index) {
   const glm::dvec3 u = glm::dvec3(index) / glm::dvec3(grid.dims);
   const bool inside = glm::length(u - glm::dvec3(0.31, 0.42, 0.37)) < 0.2 ||
@@ -216,9 +216,9 @@ TEST_F(CandidateTest, AnEmptyFocusSeesNothingAndSaysSo) {
   EXPECT_NE(placement.note, "");
 }
 
-/// What an area may be off: chords cut 2π/12 of a square pixel off a convex outline (∮κ ds = 2π, a chord's segment is
-/// κ/12 of its length cubed); each crossing is known to 1/32 of a pixel, one independent of the next, three standard
-/// deviations; and what trilinear interpolation takes off a curved surface.
+/// Largest error of an area, the sum of three: chords cut 2π/12 of a square pixel off a convex outline (∮κ ds = 2π, a
+/// chord's segment is κ/12 of its length cubed); each crossing has an independent error of up to 1/32 of a pixel, taken
+/// at three standard deviations; and trilinear interpolation moves a curved surface inwards.
 double areaError(double outlinePixels, double fieldError) {
   return 0.53 + 3.0 / 32.0 / std::sqrt(3.0) * std::sqrt(outlinePixels) + fieldError * outlinePixels;
 }
@@ -253,7 +253,8 @@ TEST_F(CandidateTest, AnEllipsoidInClosedForm) {
   for (const Candidate& candidate : measure(scene, ringDirections(3), 128)) {
     const glm::dvec3 shadow = candidate.direction * glm::dvec3(axes.y * axes.z, axes.x * axes.z, axes.x * axes.y);
     const double area = pi * glm::length(shadow);
-    // The outline is shorter than that of the circle around it; the surface is most curved at the long axis' end.
+    // The outline is shorter than that of the enclosing circle; the surface is most curved at the ends of the long
+    // axis.
     EXPECT_NEAR(candidate.sums.count, area / (perPixel * perPixel),
                 areaError(2.0 * pi * axes.x / perPixel, 0.05 / perPixel));
   }
@@ -288,8 +289,8 @@ TEST_F(CandidateTest, TwoBallsHideOneAnotherAlongTheirAxis) {
   EXPECT_NEAR(candidates[0].sums.count, disc, tolerance);
   EXPECT_NEAR(candidates[1].sums.count, 2.0 * disc, tolerance);
   EXPECT_NEAR(candidates[2].sums.count, 2.0 * disc, tolerance);
-  // A quarter of the surface along the axis, half from beside. The hidden ball's outline is the other's: what is seen
-  // edge-on there (within 15 degrees: a quarter of the quarter) may be on either side of it.
+  // A quarter of the surface is seen along the axis, half of it from the side. The hidden ball has the front ball's
+  // outline: points within 15 degrees of edge-on there (a quarter of the quarter) may count as seen or not.
   EXPECT_NEAR(seenShare(candidates[0], candidates[0], surface().points.size()), 0.25, 0.06);
   EXPECT_NEAR(seenShare(candidates[1], candidates[1], surface().points.size()), 0.5, 0.02);
 }
@@ -303,9 +304,10 @@ TEST_F(CandidateTest, ASmallBallBehindALargerOneIsHidden) {
   const std::vector<Candidate> candidates =
       measure(labelScene(grid, [&](glm::ivec3 i) { return inside(i) ? 1 : 0; }), {{-1, 0, 0}, {1, 0, 0}}, side, 2000);
   const double all = 10.0 * 10.0 + 6.0 * 6.0;
-  // From the large one's side half of it; from the other half of the small one and what it leaves of the large one.
+  // From the large ball's side half of that is seen; from the other side half of the small one and the ring of the
+  // large one around it.
   const auto share = [&](std::size_t i) { return seenShare(candidates[i], candidates[i], surface().points.size()); };
-  // Normals are known to some two degrees: so much of the outline (2π/90 of a half's 2π) is on the wrong side at most.
+  // Normals err by up to two degrees, which puts at most 2π/90 of a half's 2π on the wrong side of the outline.
   EXPECT_NEAR(share(0), 0.5 * 10.0 * 10.0 / all, 0.015);
   const double ring = 10.0 * 10.0 * (1.0 - (1.0 - std::sqrt(1.0 - 0.36)));
   EXPECT_NEAR(share(1), 0.5 * (6.0 * 6.0 + ring) / all, 0.015);
@@ -324,14 +326,15 @@ TEST_F(CandidateTest, ABallsSurfaceAndWhatIsSeenOfIt) {
       directions.push_back(-direction);
     }
     const std::vector<Candidate> candidates = measure(scene, directions, side, 4096);
-    // An error of the normals counts in second order: 5 degrees are 0.4 %.
+    // Errors of the normals enter in second order: 5 degrees are 0.4 %.
     EXPECT_NEAR(surface().area / (4.0 * pi * r * r), 1.0, 0.01);
     ASSERT_NEAR(static_cast<double>(surface().points.size()), 4096.0, 1.0);
     for (std::size_t i = 0; i < candidates.size(); i += 2) {
       const std::size_t points = surface().points.size();
-      // Normals are known to some two degrees, and so is where the far half begins.
+      // Normals err by up to two degrees, and so does the boundary of the far half.
       EXPECT_NEAR(seenShare(candidates[i], candidates[i], points), 0.5, 0.015);
-      // Points edge-on exactly, some four in a hundred, count by halves, and by the same half from either side.
+      // Half of the points that are exactly edge-on, some four in a hundred, count as seen: the same half from both
+      // sides.
       EXPECT_NEAR(seenShare(candidates[i], candidates[i + 1], points), 1.0, 0.025);
     }
   }
@@ -344,13 +347,13 @@ TEST_F(CandidateTest, ABoxsSurface) {
   });
   measure(scene, {{1, 0, 0}}, side, 1000);
   const glm::dvec3 s(24 * 0.8, 20 * 1.0, 22 * 1.3);
-  // Edges are rounded off over two voxels of twenty: a quarter circle in place of two sides.
+  // Edges are rounded over two of twenty voxels: a quarter circle in place of two sides.
   EXPECT_NEAR(surface().area / (2.0 * (s.x * s.y + s.y * s.z + s.x * s.z)), 1.0, 0.04);
   for (const FocusSurface::Point& point : surface().points) EXPECT_NEAR(glm::length(point.normal), 1.0, 1e-12);
 }
 
-/// CandidateVisibility.comp in double precision: nothing of the focus between the point, off its surface, and the
-/// camera.
+/// CandidateVisibility.comp in double precision: a point is seen when no focus lies between it, moved off its surface,
+/// and the camera.
 bool seesPoint(const Scene& scene, const FocusSurface& surface, std::size_t which, glm::dvec3 direction) {
   const Grid& grid = scene.volume->grid;
   const FocusSurface::Point& point = surface.points[which];

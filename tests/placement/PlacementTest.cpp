@@ -17,7 +17,7 @@ using tests::randomUnit;
 
 constexpr std::size_t points = 200;
 
-/// Candidates over the sphere that all see the focus; `location` is what their quality is made of.
+/// Candidates over the sphere that all see the focus; their quality is `location` alone.
 template <class F>
 std::vector<Candidate> candidatesOf(int nside, F&& location) {
   std::vector<Candidate> candidates;
@@ -86,7 +86,8 @@ TEST(Placement, SemiSphereIsTheRightHalfWithoutTheCaps) {
     const double angle = glm::degrees(std::acos(glm::dot(a, b)));
     const bool outsideCaps = angle >= 45.0 && angle <= 135.0;
     EXPECT_EQ(inRegion(a, b, options), outsideCaps && glm::dot(b, axesAt(a).right) >= 0.0);
-    // Of two directions one is on the other's right: no pair of the stream is out of the semi-sphere's reach.
+    // One of two directions is to the right of the other, so every pair of the stream region is one of the semi-sphere,
+    // too.
     EXPECT_EQ(inRegion(a, b, options) || inRegion(b, a, options), outsideCaps);
   }
 }
@@ -166,7 +167,7 @@ TEST(Placement, JointSearchFindsWhatTryingEveryPairFinds) {
       for (const Candidate& a : candidates)
         for (const Candidate& b : candidates)
           if (&a != &b && a.sums.count > 0.0 && b.sums.count > 0.0 && inRegion(a.direction, b.direction, options)) {
-            // One rounding of a sum in another order.
+            // The sum is taken in another order: one rounding.
             EXPECT_LE(valueOf(a, b), valueOf(c1, c2) + 1e-15);
           }
     }
@@ -264,7 +265,7 @@ TEST(Placement, RefinementReachesTheFinestMaximumOfASmoothQuality) {
       return measured;
     };
     std::vector<glm::dvec3> finest;
-    for (long pixel = 0; pixel < 12 * 32 * 32; ++pixel) finest.push_back(nestedDirection(32, pixel));
+    for (int pixel = 0; pixel < 12 * 32 * 32; ++pixel) finest.push_back(nestedDirection(32, pixel));
     const std::vector<Candidate> brute = evaluate(finest);
     images = 0;
     const Options options = locationOnly(round % 2 == 0 ? Region::SemiSphere : Region::Stream);

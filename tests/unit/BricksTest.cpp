@@ -1,4 +1,4 @@
-// Empty-space skipping on its own; that it never changes a picture is tested with the renderer.
+// Empty-space skipping on its own; the renderer's tests check that it changes no picture.
 
 #include <random>
 

@@ -35,7 +35,7 @@ TEST(ReferenceFill, keepsKnownPixelsAndLeavesNoHole) {
       ASSERT_EQ(filled.size(), known.size());
       for (std::size_t i = 0; i < known.size(); ++i) {
         EXPECT_TRUE(std::isnan(known[i]) || sameBits(filled[i], known[i]));
-        // Averages and convex combinations stay within what they are made of.
+        // Averages and convex combinations stay within the range of their inputs.
         EXPECT_GE(filled[i], 100.0 - 1e-9);
         EXPECT_LE(filled[i], 300.0 + 1e-9);
       }

@@ -21,7 +21,7 @@ int knownCount(const Image& image) {
   return static_cast<int>(std::count_if(image.begin(), image.end(), [](double t) { return !std::isnan(t); }));
 }
 
-/// What holds for every picture, whatever is in it.
+/// Invariants of every picture.
 void expectSound(const Stages& stages) {
   const HitPoints& hits = stages.hits;
   for (std::size_t i = 0; i < hits.tContext.size(); ++i) {

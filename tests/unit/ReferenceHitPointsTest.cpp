@@ -98,7 +98,7 @@ TEST(ReferenceHitPoints, labelSurfaceOfAHalfSpaceIsMidwayBetweenCentres) {
       } else {
         EXPECT_TRUE(std::isnan(hits.tFocus[pixel]));
       }
-      // Nothing but the focus is there, so that it is also where the context ends.
+      // The scene holds the focus alone, so tContext is its hit, too.
       EXPECT_TRUE(hits.tContext[pixel] == hits.tFocus[pixel] ||
                   (std::isnan(hits.tContext[pixel]) && std::isnan(hits.tFocus[pixel])));
     });
@@ -148,7 +148,7 @@ Marched march(const Volume& volume, const Ray& ray, Span span, double step, cons
 }
 
 TEST(ReferenceHitPoints, firstCrossingsInNoiseAgreeWithFineMarching) {
-  // Every cell of a random volume is a cubic of its own; the worst there is.
+  // In a random volume every cell holds another cubic: the worst case.
   std::mt19937 random(7);
   std::uniform_real_distribution<double> value(0.0, 1.0);
   const Grid grid = obliqueGrid({7, 6, 5});
@@ -193,7 +193,7 @@ TEST(ReferenceHitPoints, firstCrossingsInNoiseAgreeWithFineMarching) {
     });
   }
   EXPECT_GT(hitCount, 500);
-  EXPECT_LT(slivers, hitCount / 50);  // else the marching shows nothing
+  EXPECT_LT(slivers, hitCount / 50);  // else the comparison would be void
 }
 
 TEST(ReferenceHitPoints, contextInsideAGapLeavesByEitherEnd) {
@@ -242,7 +242,8 @@ TEST(ReferenceHitPoints, labelsOfABallConvergeToTheBall) {
     });
     ASSERT_GT(count, 300);
     EXPECT_LT(sum / count, 0.3 * voxel);
-    EXPECT_LT(sum / count, 0.7 * meanBefore);  // halving the voxel, with room for the lattice's luck
+    EXPECT_LT(sum / count,
+              0.7 * meanBefore);  // halving the voxel, with a margin for how the surface lies on the lattice
     meanBefore = sum / count;
   }
 }
@@ -263,8 +264,8 @@ TEST(ReferenceHitPoints, levelHalfwayBetweenMaterialsIsTheBallsSurface) {
     const auto exact = phantom.firstHit(ray.origin, ray.direction, {1});
     if (!exact) return;
     const double cosine = -glm::dot(glm::normalize(ray.origin + *exact * ray.direction), ray.direction);
-    // Coverage is far smoother than the labels' yes and no; interpolation and the spread over neighbours shift a curved
-    // surface by less than this.
+    // Coverage is far smoother than 0/1 labels; interpolation and the spread over neighbours shift a curved surface by
+    // less than this.
     EXPECT_LT(std::abs(hits.tFocus[pixel] - *exact) * cosine, 0.2 * raster.volume->grid.spacing.x);
   });
 }

@@ -83,7 +83,7 @@ TEST(ReferencePictureHardCases, spacingIsAUnitLikeAnyOther) {
     const Camera camera =
         lookAt(centre + scale * glm::dvec3(12.0, -30.0, 9.0), centre, Projection::Orthographic, 20.0 * scale);
     Scene plain = scene;
-    // What is context is told by the opacity of a mm; without a cutaway nothing depends on it.
+    // Opacity per mm decides what is context; without a cutaway nothing depends on that.
     plain.look.cutaway.enabled = false;
     return picture(plain, camera, {25, 25});
   };
@@ -128,7 +128,7 @@ TEST(ReferencePictureHardCases, valuesThatAreNoNumbersCountAsTheLeastAndGreatest
   const double clean = opacityAlong<float>({0, 0, 10, 10, 0, 0}, stepTo(5.0, 0.3));
   EXPECT_NEAR(clean, -std::expm1(-0.3 * 2.0), 1e-11);
   EXPECT_EQ(opacityAlong<float>({nan, 0, 10, infinity, -infinity, nan}, stepTo(5.0, 0.3)), clean);
-  // Nothing but such values: nothing to see, and nothing that fails.
+  // A volume of such values alone shows nothing and does not fail.
   EXPECT_EQ(opacityAlong<float>({nan, nan, nan}, stepTo(5.0, 0.3)), 0.0);
 }
 

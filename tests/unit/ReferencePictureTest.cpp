@@ -52,7 +52,7 @@ TEST(ReferenceIntegral, homogeneousSlabFollowsBeerAndLambert) {
     const Scene scene = profile(20, [](int) { return 7.0; }, {{{0.0, {red, extinction}}}});
     const double opacity = -std::expm1(-extinction * 20.0);
     const glm::dvec4 found = onePixel(scene, 1e-12);
-    // Relative, so that the faintest haze is right as well.
+    // Relative, so that faint haze is tested as well.
     EXPECT_NEAR(found.a / opacity, 1.0, 1e-12) << extinction;
     for (int channel = 0; channel < 3; ++channel)
       EXPECT_NEAR(found[channel] / (red[channel] * opacity), 1.0, 1e-11) << extinction;
@@ -147,13 +147,13 @@ TEST(ReferenceIntegral, ballConvergesWithTheSquareOfTheVoxel) {
       }
     errors.push_back(worst);
   }
-  // Halving the voxel quarters the worst error, to what one grid's luck with the rays makes of it.
+  // Halving the voxel quarters the worst error, up to how the rays happen to fall on one grid.
   for (std::size_t k = 0; k + 1 < errors.size(); ++k) EXPECT_NEAR(std::log2(errors[k] / errors[k + 1]), 2.0, 0.5);
 }
 
 // ---- Its estimate of its own error ----------------------------------------------------------------------------------
 
-/// Noise with gradients, a curved transfer function and a focus: everything an integrand can have.
+/// Noise with gradients, a curved transfer function and a focus: every feature of an integrand.
 Scene roughScene() {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> value(0.0, 1.0);
@@ -192,7 +192,7 @@ TEST(ReferenceIntegral, staysWithinItsTolerance) {
     const Picture found = within(tolerance);
     for (std::size_t i = 0; i < found.error.size(); ++i) {
       EXPECT_LE(found.error[i], tolerance);
-      // Where lighting turns sharply two rules can agree by chance: the estimate may be short by half.
+      // Two rules can agree by chance where lighting changes sharply, so the estimate may be too small by half.
       const double allowed = std::min(tolerance, 2.0 * found.error[i] + 1e-11);
       EXPECT_LE(greatestDifference({found.focusLayer[i]}, {truth.focusLayer[i]}), allowed);
       EXPECT_LE(greatestDifference({found.final[i]}, {truth.final[i]}), allowed);
@@ -219,8 +219,8 @@ glm::dvec4 riemann(const TransferFunction& transfer, const Sampler& valueAt, dou
   return {colour, 1.0 - through};
 }
 
-/// The value linear between samples, and that integrated between the transfer function's nodes as finely as a table
-/// would hold it.
+/// Pre-integration: the value is linear between samples, and the transfer function is integrated over it as finely as a
+/// table would hold it.
 glm::dvec4 preIntegrated(const TransferFunction& transfer, const Sampler& valueAt, double length, int steps) {
   const double h = length / steps;
   constexpr int finer = 60;
@@ -270,7 +270,7 @@ class SmoothRay {
   double length() const { return glm::distance(begin_, end_); }
   double valueAt(double depth) const { return scene_.volume->sample(glm::mix(begin_, end_, depth / length()) / 20.0); }
 
-  /// The reference's integral over the stretch: of the whole ray, less what a second ray sees from the end on.
+  /// The reference's integral over the stretch: that of the whole ray minus that of a second ray from the end on.
   glm::dvec4 integral(const TransferFunction& transfer) {
     scene_.look.context.function = transfer;
     const glm::dvec4 whole = from(begin_), rest = from(end_);
@@ -307,8 +307,8 @@ TEST(ReferenceIntegral, isWhatRulesOfOrderOneAndTwoConvergeTo) {
               }),
               2.0, 0.05);
 
-  // A step of the transfer function takes the midpoint rule down to order 1, where it falls between samples being luck:
-  // the mean of many tells. Pre-integration, which has the step in its table, stays at 2.
+  // A step of the transfer function lowers the midpoint rule to order 1. Its error depends on where the step falls
+  // between samples, so the mean of many is taken. Pre-integration has the step in its table and stays at order 2.
   std::vector<std::pair<TransferFunction, glm::dvec4>> steps;
   for (double at = 4.0; at < 9.0; at += 0.31) {
     const TransferFunction transfer{{{0.0, {red, 0.01}}, {at, {red, 0.01}}, {at, {blue, 0.2}}, {20.0, {blue, 0.2}}}};

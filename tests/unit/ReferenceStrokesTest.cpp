@@ -59,7 +59,7 @@ TEST(ReferenceStrokes, LinesOfOneStrokeDoNotAddUpAndStrokesFollowOneAnother) {
   const BrushStroke line = Flat::stroke(BrushMode::Restore, {{-6.0, 0.0}, {6.0, 0.0}, {-6.0, 0.0}});
   EXPECT_NEAR(flat.edits({line}).offset[Flat::at(2, 6)], -5.0, 1e-12) << "as far from the line as from a dab";
   EXPECT_NEAR(flat.edits({line, line}).offset[Flat::at(2, 6)], -10.0, 1e-12);
-  // Clamped right away: what Restore overshot, Open need not take back first.
+  // Restore is clamped at once, so Open starts from the clamped value.
   BrushStroke deep = line, open = line;
   deep.depth = 1e4;
   open.mode = BrushMode::Open;

@@ -1,27 +1,11 @@
 #include "viewer/jobs/ReadStudy.h"
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <iterator>
-#include <string_view>
 
 #include "io/TransferFunctionFile.h"
 
 namespace fenestra::viewer {
-namespace {
-
-/// Whether a file's name is that of a whole volume.
-bool isVolumeFile(const std::filesystem::path& path) {
-  std::string name = path.filename().string();
-  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
-  constexpr std::array<std::string_view, 8> endings{".nii",  ".nii.gz", ".hdr", ".img",
-                                                    ".nrrd", ".nhdr",   ".mha", ".mhd"};
-  return std::any_of(endings.begin(), endings.end(), [&](std::string_view ending) { return name.ends_with(ending); });
-}
-
-}  // namespace
-
 Study readStudy(const PathsToOpen& paths, const Look& look, const io::Progress& progress) {
   io::OpenedVolume opened = io::openVolume(paths.volume, {.series = paths.series, .raw = {}, .progress = progress});
   Study study;
@@ -63,7 +47,7 @@ PathsToOpen interpret(const std::vector<std::filesystem::path>& paths) {
   if (paths.size() == 1) return {paths.front(), {}, {}};
   const std::filesystem::path folder = paths.front().parent_path();
   const bool slices = std::all_of(paths.begin(), paths.end(), [&](const std::filesystem::path& path) {
-    return path.parent_path() == folder && !isVolumeFile(path);
+    return path.parent_path() == folder && io::volumeEnding(path).empty();
   });
   if (slices) return {folder.empty() ? std::filesystem::path(".") : folder, {}, {}};
   if (paths.size() == 2) return {paths[0], {}, paths[1]};

@@ -4,7 +4,8 @@
 
 namespace fenestra::viewer {
 
-StudyLoader::StudyLoader(Document& document, QObject* parent) : QObject(parent), document_(document) {}
+StudyLoader::StudyLoader(Document& document, Prepare prepare, QObject* parent)
+    : QObject(parent), document_(document), prepare_(std::move(prepare)) {}
 
 void StudyLoader::open(Reader read, Missing missing) {
   job_.start(
@@ -12,6 +13,7 @@ void StudyLoader::open(Reader read, Missing missing) {
         try {
           // A shared pointer, because std::function needs a copyable capture.
           auto study = std::make_shared<Study>(read(progress));
+          if (prepare_) prepare_(*study);
           return [this, study] {
             document_.open(std::move(*study));
             Q_EMIT opened();

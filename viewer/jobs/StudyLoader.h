@@ -21,7 +21,10 @@ class StudyLoader : public QObject {
   /// Called on the GUI thread when the reader does not find a session's data.
   using Missing = std::function<void(const io::DataMissing&)>;
 
-  explicit StudyLoader(Document& document, QObject* parent = nullptr);
+  /// Completes a study that was read, on the reading thread.
+  using Prepare = std::function<void(Study&)>;
+
+  explicit StudyLoader(Document& document, Prepare prepare = {}, QObject* parent = nullptr);
 
   /// The document keeps its study until the new one is read. Without `missing`, missing data is a failure.
   void open(Reader read, Missing missing = {});
@@ -39,6 +42,7 @@ class StudyLoader : public QObject {
 
  private:
   Document& document_;
+  Prepare prepare_;
   LoadJob job_;
 };
 

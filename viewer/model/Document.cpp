@@ -2,47 +2,11 @@
 
 #include <algorithm>
 #include <iterator>
-#include <limits>
-#include <mutex>
 #include <utility>
 
 #include "io/TransferFunctionFile.h"
-#include "rendering/scene/Parallel.h"
 
 namespace fenestra::viewer {
-namespace {
-
-/// Mean world position of the voxels that `belongs` accepts; empty when there is none. Runs on all cores.
-template <class Belongs>
-std::optional<glm::dvec3> middle(const Grid& grid, const Voxels& voxels, const Belongs& belongs) {
-  const auto width = static_cast<std::size_t>(grid.dims.x), height = static_cast<std::size_t>(grid.dims.y);
-  glm::dvec3 sum(0.0);
-  std::size_t count = 0;
-  std::mutex mutex;
-  voxels.visit([&](auto scalars) {
-    parallelFor(static_cast<std::size_t>(grid.dims.z), 1, [&](std::size_t begin, std::size_t end) {
-      glm::dvec3 mySum(0.0);
-      std::size_t mine = 0;
-      for (std::size_t z = begin; z < end; ++z)
-        for (std::size_t y = 0; y < height; ++y) {
-          const auto row = scalars.subspan((z * height + y) * width, width);
-          for (std::size_t x = 0; x < width; ++x)
-            if (belongs(row[x])) {
-              mySum += glm::dvec3(x, y, z);
-              ++mine;
-            }
-        }
-      const std::scoped_lock lock(mutex);
-      sum += mySum;
-      count += mine;
-    });
-  });
-  if (count == 0) return std::nullopt;
-  return glm::dvec3(grid.worldFromIndex() * glm::dvec4(sum / static_cast<double>(count), 1.0));
-}
-
-}  // namespace
-
 /// From one look to another. Of the strokes only those are kept that differ: everything between what both lists begin
 /// with and what both end with.
 class Document::LookChange : public Change {
@@ -213,23 +177,6 @@ void Document::setFocused(std::uint16_t label, bool focused) {
 bool Document::isFocused(std::uint16_t label) const {
   const auto* current = std::get_if<LabelFocus>(&focus());
   return current && std::binary_search(current->labels.begin(), current->labels.end(), label);
-}
-
-std::optional<glm::dvec3> Document::focusCentre() const {
-  if (!hasVolume()) return std::nullopt;
-  if (const auto* labels = std::get_if<LabelFocus>(&focus())) {
-    std::vector<bool> wanted(std::numeric_limits<std::uint16_t>::max() + std::size_t{1}, false);
-    for (const std::uint16_t label : labels->labels) wanted[label] = true;
-    return middle(scene().labels->grid, scene().labels->voxels,
-                  [&](auto scalar) { return wanted[static_cast<std::uint16_t>(scalar)]; });
-  }
-  const auto* range = std::get_if<ValueFocus>(&focus());
-  if (!range) return std::nullopt;
-  const Volume& volume = *scene().volume;
-  return middle(volume.grid, volume.voxels, [&](auto scalar) {
-    const double value = volume.slope * static_cast<double>(scalar) + volume.intercept;
-    return value >= range->values.low && value <= range->values.high;
-  });
 }
 
 void Document::setPreset(const std::string& presetOrPath) {

@@ -21,9 +21,10 @@ namespace fenestra::viewer {
 /// A data set as read, ready to be shown.
 struct Study {
   Scene scene;
-  std::optional<Camera> camera;  ///< where to look from first; unset: from anterior
-  bool placeCameras = false;     ///< place both for the focus once the study is open
-  std::filesystem::path path;    ///< what the user opened; empty for a phantom
+  std::optional<Camera> camera;           ///< where to look from first; unset: from anterior
+  std::optional<glm::dvec3> focusCentre;  ///< of `scene`, world mm; where the crosshair goes first
+  bool placeCameras = false;              ///< place both for the focus once the study is open
+  std::filesystem::path path;             ///< what the user opened; empty for a phantom
   io::SeriesInfo series;
   std::vector<io::SeriesInfo> otherSeries;
   std::vector<io::Warning> warnings;
@@ -72,9 +73,6 @@ class Document : public QObject {
   /// Adds a label to a label focus or takes it out; the last one out leaves no focus.
   void setFocused(std::uint16_t label, bool focused);
   bool isFocused(std::uint16_t label) const;
-
-  /// The middle of the focus's voxels, in world mm; empty without a focus or when no voxel belongs to it.
-  std::optional<glm::dvec3> focusCentre() const;
 
   /// A built-in preset's id or a file. Throws io::Error; nothing changes then.
   void setPreset(const std::string& presetOrPath);

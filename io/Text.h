@@ -1,5 +1,5 @@
 #pragma once
-// Words and numbers of the text headers of NRRD and MetaImage.
+// Words and numbers in text, whatever the locale: of file headers and of command lines.
 
 #include <charconv>
 #include <optional>
@@ -24,7 +24,18 @@ inline std::vector<std::string> words(const std::string& text) {
   return result;
 }
 
-/// The whole of `word` as a number, in the C locale; empty when it is none.
+/// The parts between separators, empty ones included.
+inline std::vector<std::string> split(std::string_view text, char separator) {
+  std::vector<std::string> parts;
+  for (std::size_t begin = 0;;) {
+    const std::size_t end = text.find(separator, begin);
+    parts.emplace_back(text.substr(begin, end - begin));
+    if (end == std::string_view::npos) return parts;
+    begin = end + 1;
+  }
+}
+
+/// The whole of `word` as a number; empty when it is none.
 template <class T>
 std::optional<T> numberIn(std::string_view word) {
   if (!word.empty() && word.front() == '+') word.remove_prefix(1);
@@ -46,6 +57,7 @@ std::optional<std::vector<T>> numbersIn(const std::string& text) {
   return result;
 }
 
+/// ASCII letters in lower case; other characters stay.
 inline std::string lowered(std::string text) {
   for (char& c : text)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
