@@ -1,5 +1,7 @@
 #include "rendering/gpu/SceneBinding.h"
 
+#include "rendering/scene/Lighting.h"
+
 namespace fenestra {
 namespace {
 /// Image units; a pass writes its own images at those before them.
@@ -47,7 +49,7 @@ gl::Define volumeDefine(const GpuScene& scene) {
 gl::Define focusDefine(const GpuScene& scene) { return {"FOCUS_KIND", static_cast<int>(scene.focusKind())}; }
 
 void setLight(gl::ShaderProgram& program, const Camera::Axes& axes, const Shading& shading) {
-  program.set("lightDirection", glm::vec3(glm::normalize(-axes.forward + 0.45 * axes.up - 0.35 * axes.right)));
+  program.set("lightDirection", glm::vec3(lightDirection(axes, shading)));
   program.set("lighting", glm::vec4(shading.ambient, shading.diffuse, shading.specular, shading.shininess));
 }
 

@@ -22,7 +22,7 @@ gl::Define focusDefine(const GpuScene& scene);
 void bindTexture(gl::ShaderProgram& program, const char* name, unsigned unit, const gl::Texture& texture);
 /// The same for one that the shader reads texel by texel, at an image unit.
 void bindImage(gl::ShaderProgram& program, const char* name, unsigned unit, const gl::Texture& texture);
-/// Light from the upper left behind the viewer, fixed to the camera.
+/// Light as Lighting.h describes it, for a view with these axes.
 void setLight(gl::ShaderProgram& program, const Camera::Axes& axes, const Shading& shading);
 
 }  // namespace fenestra
