@@ -328,6 +328,8 @@ void addLook(CLI::App& command, SceneOptions& options) {
   addSettings(command, look.cutaway);
   addSettings(command, look.contextLayer);
   addSettings(command, look.shading);
+  addPair(command, "--light", "AZIMUTH,ELEVATION", settingOf(&Shading::lightAzimuth),
+          settingOf(&Shading::lightElevation), look.shading);
   addSettings(command, look);
   addParsed(command, "--strokes", "FILE.json", "brush strokes to apply, in place of a session's",
             [&options](const std::string& text) {

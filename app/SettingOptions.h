@@ -52,6 +52,19 @@ void addSetting(CLI::App& command, const Setting<Owner, Value>& setting, Value& 
               textOf(setting.range.low) + ".." + textOf(setting.range.high), help, target);
 }
 
+/// One option for two numbers, as in AZIMUTH,ELEVATION.
+template <class Owner>
+void addPair(CLI::App& command, const std::string& name, const std::string& form, const Setting<Owner, double>& first,
+             const Setting<Owner, double>& second, Owner& target) {
+  addParsed(command, name, form, helpOf(first) + "; " + helpOf(second), [=, &target](const std::string& text) {
+    const auto numbers = parseNumbers<double, 2>(text, ',');
+    if (!numbers || !first.range.contains((*numbers)[0]) || !second.range.contains((*numbers)[1])) return false;
+    target.*first.member = (*numbers)[0];
+    target.*second.member = (*numbers)[1];
+    return true;
+  });
+}
+
 /// All settings of `target` that have an option.
 template <class Owner>
 void addSettings(CLI::App& command, Owner& target) {

@@ -188,7 +188,21 @@ inline constexpr std::tuple settingsOf<Shading>{
             .key = "shininess",
             .name = "Shininess",
             .description = "Exponent of the highlights: a larger one makes them smaller and sharper",
-            .range = {0.0, 1e4}}};
+            .range = {0.0, 1e4}},
+    Setting{.member = &Shading::lightAzimuth,
+            .key = "light_azimuth",
+            .name = "Light azimuth",
+            .description = "Where the light comes from: 0 is behind the viewer, 90 the right of the picture",
+            .unit = "°",
+            .range = {-180.0, 180.0},
+            .step = 1.0},
+    Setting{.member = &Shading::lightElevation,
+            .key = "light_elevation",
+            .name = "Light elevation",
+            .description = "How high the light stands: 90 is the top of the picture, -90 the bottom",
+            .unit = "°",
+            .range = {-90.0, 90.0},
+            .step = 1.0}};
 
 template <>
 inline constexpr std::tuple settingsOf<FocusAppearance>{

@@ -81,6 +81,25 @@ TEST_F(Window, SlidersAreThoseOfTheDeclaredSettings) {
   EXPECT_EQ(expectSlidersAsDeclared<ContextLayer>(panel<ContextLayerPanel>()), 5);
 }
 
+TEST_F(Window, LightSlidersChangeThePictureAndAreUndone) {
+  waitUntilDrawn();
+  const QImage before = picture(volume(0));
+  const Shading shading = document().look().shading;
+  for (const char* key : {"light_azimuth", "light_elevation"}) {
+    auto* slider = window_->findChild<SliderSpin*>(QString::fromUtf8(key));
+    ASSERT_NE(slider, nullptr) << key;
+    slider->box()->setValue(-60.0);
+    waitUntilDrawn();
+    EXPECT_NE(picture(volume(0)), before) << key;
+    document().undoStack().undo();
+    EXPECT_EQ(document().look().shading, shading) << key;
+    EXPECT_EQ(slider->box()->value(),
+              std::round(key == std::string("light_azimuth") ? shading.lightAzimuth : shading.lightElevation));
+    waitUntilDrawn();
+    EXPECT_EQ(picture(volume(0)), before) << key;
+  }
+}
+
 TEST_F(Window, OpeningSliderChangesThePicture) {
   document().focusOn(marker);
   waitUntilDrawn();

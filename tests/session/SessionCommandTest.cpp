@@ -101,6 +101,7 @@ TEST_F(SessionCommand, RendersASessionAsTheOptionsThatMadeIt) {
        std::vector<std::vector<std::string>>{{"--w-open", "2"},
                                              {"--size", "120x90"},
                                              {"--shading", "off"},
+                                             {"--light", "70,-20"},
                                              {"--cutaway", "off"},
                                              {"--quality", "normal"},
                                              {"--transfer-function", "ct-angio"},

@@ -9,15 +9,17 @@
 #include <QVBoxLayout>
 
 #include "io/TransferFunctionFile.h"
-#include "viewer/model/Document.h"
 #include "viewer/model/Paths.h"
-#include "viewer/panels/SliderSpin.h"
 #include "viewer/panels/TransferFunctionPlot.h"
 
 namespace fenestra::viewer {
 
 AppearancePanel::AppearancePanel(Document& document, QWidget* parent)
-    : QWidget(parent), document_(document), presets_(new QComboBox), shift_(new SliderSpin(-500.0, 500.0, 1.0)) {
+    : QWidget(parent),
+      document_(document),
+      light_(document, &Look::shading),
+      presets_(new QComboBox),
+      shift_(new SliderSpin(-500.0, 500.0, 1.0)) {
   for (const io::TransferFunctionPreset& preset : io::transferFunctionPresets())
     presets_->addItem(QString::fromStdString(preset.name), QString::fromStdString(preset.id));
   presets_->addItem(tr("From a file…"));
@@ -26,6 +28,8 @@ AppearancePanel::AppearancePanel(Document& document, QWidget* parent)
   auto* form = new QFormLayout;
   form->addRow(tr("Preset"), presets_);
   form->addRow(QString::fromUtf8(settingOf(&ContextFunction::shift).name), shift_);
+  light_.addRow(*form, &Shading::lightAzimuth);
+  light_.addRow(*form, &Shading::lightElevation);
   auto* column = new QVBoxLayout(this);
   column->addLayout(form);
   column->addWidget(new TransferFunctionPlot(document));
@@ -34,6 +38,7 @@ AppearancePanel::AppearancePanel(Document& document, QWidget* parent)
   makeDragsSteps(*shift_, document.history());
   connect(shift_, &SliderSpin::edited, &document, &Document::setShift);
   connect(&document, &Document::transferFunctionChanged, this, &AppearancePanel::show);
+  connect(&document, &Document::shadingChanged, this, [this] { light_.show(); });
   connect(&document, &Document::volumeChanged, this, [this] {
     const Volume& volume = *document_.scene().volume;
     // A quarter of the range either way; for CT ±500 HU, which separate lung, soft tissue and bone.
