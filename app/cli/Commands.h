@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "app/SceneOptions.h"
+#include "rendering/gpu/Schedule.h"
 #include "rendering/placement/Placer.h"
 #include "rendering/scene/Slice.h"
 
@@ -36,8 +37,9 @@ void slice(const SliceOptions& options);
 struct RenderOptions {
   app::SceneOptions scene;
   std::filesystem::path output, layers, stats, session;  ///< empty: not written
-  int repeat = 1;                               ///< frames, each from the first pass on
-  bool reference = false;                       ///< in double precision on the CPU
+  std::optional<Schedule> schedule;                      ///< empty: the faster one
+  int repeat = 1;                                        ///< frames, each from the first pass on
+  bool reference = false;                                ///< in double precision on the CPU
 };
 void render(const RenderOptions& options);
 
@@ -47,8 +49,9 @@ struct PlaceOptions {
   placement::Options placement;
   bool joint = false;           ///< both cameras at once
   bool everyCandidate = false;  ///< also the descriptors of all candidates
-  int repeat = 1;               ///< measurements, for their times
-  std::filesystem::path map;    ///< PNG of the quality over the sphere; empty: not written
+  std::optional<Schedule> schedule;
+  int repeat = 1;             ///< measurements, for their times
+  std::filesystem::path map;  ///< PNG of the quality over the sphere; empty: not written
 };
 void place(const PlaceOptions& options);
 

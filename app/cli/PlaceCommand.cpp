@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/ScheduleChoice.h"
 #include "app/cli/Commands.h"
 #include "app/cli/QualityMap.h"
 #include "app/cli/Report.h"
@@ -57,6 +58,7 @@ void place(const PlaceOptions& options) {
   const Scene& scene = loaded.scene;
   egl::EglContext context;
   GpuScene gpu;
+  if (const auto known = app::knownSchedule(options.schedule, *scene.volume)) gpu.setSchedule(*known);
   const auto uploading = std::chrono::steady_clock::now();
   gpu.update(scene);
   const double uploadTime = millisecondsSince(uploading);

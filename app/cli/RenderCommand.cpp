@@ -11,6 +11,7 @@
 
 #include "app/CameraFile.h"
 #include "app/SceneSession.h"
+#include "app/ScheduleChoice.h"
 #include "app/cli/Report.h"
 #include "io/ImageWriter.h"
 #include "io/session/OpenSession.h"
@@ -126,14 +127,9 @@ Json statistics(const std::string& description, const View& view, const Renderer
   resources.push_back({{"name", "images"}, {"bytes", renderer.imageBytes()}});
   const std::vector<double> warm = warmFrames(frames);
   return {
-      {"gl", description},
-      {"size", {view.size.x, view.size.y}},
-      {"passes", std::move(passes)},
-      {"resources", std::move(resources)},
-      {"total_ms", frames.back()},
-      {"frames_ms", frames},
-      {"median_ms", warm[warm.size() / 2]},
-      {"min_ms", warm.front()},
+      {"gl", description},           {"schedule", nameOf(gpuScene.schedule())}, {"size", {view.size.x, view.size.y}},
+      {"passes", std::move(passes)}, {"resources", std::move(resources)},       {"total_ms", frames.back()},
+      {"frames_ms", frames},         {"median_ms", warm[warm.size() / 2]},      {"min_ms", warm.front()},
   };
 }
 
@@ -164,6 +160,7 @@ void render(const RenderOptions& options) {
   std::optional<egl::EglContext> context;
   if (loaded.placed || !options.reference) context.emplace();
   const auto gpuScene = context ? std::make_shared<GpuScene>() : nullptr;
+  if (context) app::chooseSchedule(options.schedule, gpuScene, scene, view);
   if (loaded.placed) view.camera = placedCamera(options.scene.source(), loaded, *gpuScene);
   if (!options.session.empty()) saveSession(options.session, options.scene, loaded);
   const bool second = loaded.placed == app::PlacedView::Dual;

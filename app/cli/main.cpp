@@ -14,6 +14,7 @@
 
 #include "app/OptionHelpers.h"
 #include "app/SceneOptions.h"
+#include "app/ScheduleChoice.h"
 #include "app/cli/Commands.h"
 #include "app/cli/Report.h"
 #include "rendering/egl/EglContext.h"
@@ -107,6 +108,7 @@ void addPlacementOptions(CLI::App& command, PlaceOptions& options) {
   app::addChoice<bool>(command, "--json", "the two cameras, or also every candidate; default cameras",
                        {{"cameras", false}, {"all", true}}, options.everyCandidate);
   command.add_option("--map", options.map, "PNG of the quality over the sphere, the cameras marked")->type_name("FILE");
+  app::addScheduleOption(command, options.schedule);
   command.add_option("--repeat", options.repeat, "measurements to make and time")->check(CLI::Range(1, 1000));
   command.option_defaults()->group("Options");
 }
@@ -200,6 +202,7 @@ Command addRender(CLI::App& program, RenderOptions& options) {
       command->add_option("--repeat", options.repeat, "frames to draw and time, each from the first pass on")
           ->check(CLI::Range(1, 10000))
           ->needs(output);
+  app::addScheduleOption(*command, options.schedule);
   CLI::Option* reference =
       command->add_flag("--reference", options.reference,
                         "the picture, its layers or both in double precision on the CPU, without OpenGL; takes minutes "

@@ -1,5 +1,7 @@
 #include "rendering/gl/Context.h"
 
+#include <algorithm>
+#include <array>
 #include <utility>
 
 #include <epoxy/gl.h>
@@ -84,6 +86,12 @@ std::string description() {
     return std::string(s ? s : "unknown");
   };
   return text(GL_RENDERER) + ", " + text(GL_VERSION);
+}
+
+bool isSoftwareRasteriser() {
+  const std::string name = description();
+  return std::ranges::any_of(std::array{"llvmpipe", "softpipe", "swrast", "SWR", "SwiftShader"},
+                             [&](const char* part) { return name.find(part) != std::string::npos; });
 }
 
 std::string unsupportedReason() {

@@ -45,6 +45,8 @@ std::string takeError();
 void noteErrors();
 /// "RENDERER, VERSION" of the current context.
 std::string description();
+/// Whether the current context draws with the CPU.
+bool isSoftwareRasteriser();
 /// Why the current context cannot run the renderer (too old, no compute shaders); empty when it can.
 std::string unsupportedReason();
 /// Longest side of a 3-D texture here, in texels.

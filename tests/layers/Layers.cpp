@@ -142,10 +142,11 @@ std::vector<std::string> breaches(const LayerRule& rule, const std::vector<Edge>
 }
 
 std::vector<std::string> unlinked(const std::map<std::string, Target>& targets, const std::vector<Edge>& edges) {
-  const auto targetOf = [&](const std::string& layer) {
-    const auto at = std::find_if(targets.begin(), targets.end(),
-                                 [&](const auto& target) { return target.second.layers.contains(layer); });
-    return at == targets.end() ? std::string() : at->first;
+  const auto targetsOf = [&](const std::string& layer) {
+    std::vector<std::string> names;
+    for (const auto& [name, target] : targets)
+      if (target.layers.contains(layer)) names.push_back(name);
+    return names;
   };
   const std::function<bool(const std::string&, const std::string&)> reaches = [&](const std::string& from,
                                                                                   const std::string& to) {
@@ -156,9 +157,12 @@ std::vector<std::string> unlinked(const std::map<std::string, Target>& targets, 
   };
   std::vector<std::string> found;
   for (const Edge& edge : edges) {
-    const std::string from = targetOf(edge.from), to = targetOf(edge.to);
-    if (!from.empty() && !to.empty() && !reaches(from, to))
-      found.push_back(from + " does not link " + to + " (" + edge.where + ")");
+    const std::vector<std::string> from = targetsOf(edge.from), to = targetsOf(edge.to);
+    const bool linked = std::any_of(from.begin(), from.end(), [&](const std::string& user) {
+      return std::any_of(to.begin(), to.end(), [&](const std::string& used) { return reaches(user, used); });
+    });
+    if (!from.empty() && !to.empty() && !linked)
+      found.push_back(from.front() + " does not link " + to.front() + " (" + edge.where + ")");
   }
   return found;
 }

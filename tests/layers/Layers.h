@@ -42,8 +42,8 @@ std::vector<Edge> linkEdges(const std::map<std::string, Target>& targets, const 
 
 /// One line for each edge that the rule does not allow, and for each layer that it does not name.
 std::vector<std::string> breaches(const LayerRule& rule, const std::vector<Edge>& edges);
-/// One line for each include edge between two targets of which the first does not link the second, directly or through
-/// others.
+/// One line for each include edge that no link line stands behind: no target of the first layer links one of the
+/// second, directly or through others.
 std::vector<std::string> unlinked(const std::map<std::string, Target>& targets, const std::vector<Edge>& edges);
 /// The layers of a cycle in their order, the first again at the end; empty when there is none.
 std::vector<std::string> cycleIn(const std::vector<Edge>& edges);

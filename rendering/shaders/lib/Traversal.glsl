@@ -19,7 +19,7 @@ struct Block {
 // The face by which a ray leaves a block.
 struct Face {
   ivec3 cell;    // the cell of the block that the ray leaves there
-  bvec3 across;  // the face's axis
+  ivec3 across;  // 1 on the face's axis, 0 on the others
   float s;       // mm along the ray
 };
 
@@ -45,15 +45,15 @@ Face faceBehind(Block block, Ray ray, ivec3 upwards, float s) {
   vec3 sides = mix((planes - ray.base) * ray.inverse, vec3(FAR), equal(ray.inverse, vec3(0.0)));
   Face face;
   face.s = max(min(sides.x, min(sides.y, sides.z)), s);
-  face.across.x = sides.x <= sides.y && sides.x <= sides.z;
-  face.across.y = !face.across.x && sides.y <= sides.z;
-  face.across.z = !face.across.x && !face.across.y;
+  bool x = sides.x <= sides.y && sides.x <= sides.z, y = !x && sides.y <= sides.z;
+  bvec3 across = bvec3(x, y, !x && !y);
+  face.across = ivec3(across);
   // Rounding must not carry the other two axes out of the block.
   ivec3 there = ivec3(cellPosition(ray, face.s));
   there = clamp(there, min(block.cell, block.last), max(block.cell, block.last));
-  face.cell = mix(there, block.last, face.across);
+  face.cell = mix(there, block.last, across);
   return face;
 }
 
 // The cell on the other side of a face; it may lie outside the volume.
-ivec3 cellBehind(Face face, ivec3 upwards) { return face.cell + mix(ivec3(0), 2 * upwards - 1, face.across); }
+ivec3 cellBehind(Face face, ivec3 upwards) { return face.cell + face.across * (2 * upwards - 1); }

@@ -302,7 +302,7 @@ void moveOn(inout Walk walk, Block block) {
   Face face = faceBehind(block, walk.ray, walk.upwards, walk.s);
   walk.s = face.s;
   walk.cell = cellBehind(face, walk.upwards);
-  walk.axis = face.across.x ? 0 : face.across.y ? 1 : 2;
+  walk.axis = face.across.y + 2 * face.across.z;
   walk.stage = face.s < walk.ray.sOut && isInVolume(walk.cell) ? LEAP : ENDED;
 }
 

@@ -50,12 +50,13 @@ RayPoint pointOnFace(Walk walk, Face face) {
   vec3 w = clamp(cellPosition(walk.ray, face.s) - vec3(face.cell), 0.0, 1.0);
   ivec3 low = max(face.cell - 1, ivec3(0)), high = min(face.cell, volume.dims - 1);
   ivec3 met = mix(low, high, bvec3(walk.upwards));
-  low = mix(low, met, face.across);
-  high = mix(high, met, face.across);
+  bvec3 across = bvec3(face.across);
+  low = mix(low, met, across);
+  high = mix(high, met, across);
   // The face's own axes are the first and the last of those that the ray does not cross.
-  float along = face.across.x ? w.y : w.x, aside = face.across.z ? w.y : w.z;
-  ivec3 voxels[4] = ivec3[4](low, ivec3(high.x, face.across.x ? high.y : low.y, low.z),
-                             ivec3(low.x, face.across.z ? high.y : low.y, high.z), high);
+  float along = across.x ? w.y : w.x, aside = across.z ? w.y : w.z;
+  ivec3 voxels[4] = ivec3[4](low, ivec3(high.x, across.x ? high.y : low.y, low.z),
+                             ivec3(low.x, across.z ? high.y : low.y, high.z), high);
   RayPoint point;
   point.s = face.s;
   vec4 texels = vec4(texelOf(volumeTexels, voxels[0]).r, texelOf(volumeTexels, voxels[1]).r,
@@ -162,29 +163,19 @@ void lookAhead(Walk walk, out Face face, out Block behind) {
   behind = blockAt(cell, walk.upwards, distanceToVisible(cell));
 }
 
-// Crosses the block ahead. `crossed` and `slot`: that block, and what the focus's index says of it.
-void advance(inout Walk walk, out Block crossed, out uint slot) {
-  Face face;
-  Block behind;
-  lookAhead(walk, face, behind);
-  if (LEAPS) {
-    bool leaps;
-    do {
+// The same after leaps from one empty block to the next. What a lane finds goes through an `if`, see lib/schedule/Llvmpipe.
+void leapAhead(inout Walk walk, out Face face, out Block behind) {
+  bool leaps = true;
+  do {
+    if (leaps) {
+      lookAhead(walk, face, behind);
       leaps = walk.block.empty > 0 && behind.empty > 0 && isInVolume(behind.cell);
       if (leaps) {
         walk.block = behind;
         walk.back.s = face.s;
-        lookAhead(walk, face, behind);
       }
-    } while (leaps);
-  }
-  walk.front = walk.back;
-  walk.back = pointOnFace(walk, face);
-  classify(walk.back, behind.cell);
-  crossed = walk.block;
-  slot = walk.slot;
-  walk.block = behind;
-  walk.slot = focusSlot(behind.cell);
+    }
+  } while (leaps);
 }
 
 // Early ray termination uses the transmittance in front of the segment, so that the loop need not wait for the segment's
@@ -196,17 +187,36 @@ void composite(inout Walk walk, Block crossed, vec4 piece) {
   walk.left = more ? 1 : 0;
 }
 
-// `mayMeetFocus`: false where the block ahead is known to hold none of the focus.
-void takeStep(inout Walk walk, const bool mayMeetFocus) {
-  Block crossed;
-  uint slot;
-  advance(walk, crossed, slot);
-  vec4 piece;
-  if (mayMeetFocus && slot != 0u)
-    piece = focusPiece(walk, focusPart(walk, slot, crossed.cell));
-  else
-    piece = contextPiece(walk);
-  composite(walk, crossed, piece);
+// Every ray takes a step, through the block ahead of it. `mayMeetFocus`: false where no block ahead holds any of the focus.
+//
+// The rays take each part of the step together: what one waits for, from voxel to colour, leaves the other work to do.
+void takeStep(inout Walk walks[RAYS], const bool mayMeetFocus) {
+  Face faces[RAYS];
+  Block crossed[RAYS], behind[RAYS];
+  uint slots[RAYS];
+  for (int i = 0; i < RAYS; ++i) {
+    if (LEAPS)
+      leapAhead(walks[i], faces[i], behind[i]);
+    else
+      lookAhead(walks[i], faces[i], behind[i]);
+  }
+  for (int i = 0; i < RAYS; ++i) walks[i].front = walks[i].back;
+  for (int i = 0; i < RAYS; ++i) walks[i].back = pointOnFace(walks[i], faces[i]);
+  for (int i = 0; i < RAYS; ++i) classify(walks[i].back, behind[i].cell);
+  for (int i = 0; i < RAYS; ++i) {
+    crossed[i] = walks[i].block;
+    slots[i] = walks[i].slot;
+    walks[i].block = behind[i];
+    walks[i].slot = focusSlot(behind[i].cell);
+  }
+  for (int i = 0; i < RAYS; ++i) {
+    vec4 piece;
+    if (mayMeetFocus && slots[i] != 0u)
+      piece = focusPiece(walks[i], focusPart(walks[i], slots[i], crossed[i].cell));
+    else
+      piece = contextPiece(walks[i]);
+    composite(walks[i], crossed[i], piece);
+  }
 }
 
 bool anyGoesOn(Walk walks[RAYS]) {
@@ -227,10 +237,10 @@ void integrate(inout Walk walks[RAYS]) {
     if (IN_STEP && HAS_FOCUS) {
       do {
         if (anyIsAtFocus(walks)) break;
-        for (int i = 0; i < RAYS; ++i) takeStep(walks[i], false);
+        takeStep(walks, false);
       } while (anyGoesOn(walks));
     }
-    for (int i = 0; i < RAYS; ++i) takeStep(walks[i], HAS_FOCUS);
+    takeStep(walks, HAS_FOCUS);
   } while (anyGoesOn(walks));
 }
 
