@@ -76,7 +76,7 @@ inline CLI::Option* addSwitch(CLI::App& command, const std::string& name, const 
 
 inline CLI::Option* addColour(CLI::App& command, const std::string& name, const std::string& description,
                               glm::dvec3& target) {
-  return addParsed(command, name, "R,G,B", description + ", 0..1 each", [&target](const std::string& text) {
+  return addParsed(command, name, "R,G,B", description, [&target](const std::string& text) {
     const auto colour = parseNumbers<double, 3>(text, ',');
     if (!colour || std::any_of(colour->begin(), colour->end(), [](double c) { return c < 0.0 || c > 1.0; }))
       return false;

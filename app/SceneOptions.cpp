@@ -9,8 +9,8 @@
 #include <CLI/CLI.hpp>
 
 #include "app/CameraFile.h"
-#include "app/OptionHelpers.h"
 #include "app/SceneSession.h"
+#include "app/SettingOptions.h"
 #include "io/PhantomFile.h"
 #include "io/TransferFunctionFile.h"
 #include "io/session/OpenSession.h"
@@ -252,22 +252,9 @@ void addVolume(CLI::App& command, VolumeOptions& options, const std::function<vo
   command.option_defaults()->group("Options");
 }
 
-}  // namespace
-
-std::string VolumeOptions::source() const { return phantom.empty() ? path.string() : "phantom " + phantom; }
-
-void addVolumeOptions(CLI::App& command, VolumeOptions& options) {
-  addVolume(command, options, [] {});
-}
-
-void addSceneOptions(CLI::App& command, SceneOptions& options, std::function<void(const io::Session&)> onSession) {
-  addVolume(command, options, [&options, onSession = std::move(onSession)] {
-    const io::Session session = io::readSession(options.path);
-    useAsDefaults(session, options);
-    if (onSession) onSession(session);
-  });
+/// Labels and the values or labels to open the view to.
+void addFocus(CLI::App& command, SceneOptions& options) {
   auto* phantom = command.get_option("--phantom");
-  command.option_defaults()->group("Focus");
   auto* labels = addParsed(command, "--labels", "FILE", "label map, resampled to the volume where its grid differs",
                            [&options](const std::string& text) {
                              options.labels = text;
@@ -288,20 +275,16 @@ void addSceneOptions(CLI::App& command, SceneOptions& options, std::function<voi
               return true;
             })
       ->excludes(focusLabels);
-  addNumber(command, "--focus-min-size", 0.0, 1e12, "MM3",
-            "leave out islands of --focus-range below this volume, default 300", options.focusMinimumSize);
+  addSetting(command, settingOf(&ValueFocus::minimumComponent), options.focusMinimumSize);
   // Whether a focus by labels has labels to choose from is known only once the whole line is.
   command.parse_complete_callback([=, &options] {
     if (focusLabels->count() && !labels->count() && !phantom->count() && !io::isSession(options.path))
       throw CLI::RequiresError("--focus-labels", "--labels, --phantom or a session");
   });
+}
 
-  command.option_defaults()->group("Picture");
-  std::string presets;
-  for (const io::TransferFunctionPreset& preset : io::transferFunctionPresets())
-    presets += (presets.empty() ? "" : "|") + preset.id;
-  command.add_option("--transfer-function", options.transferFunction, "optical properties of everything but the focus")
-      ->type_name(presets + "|FILE.json");
+/// Camera, picture size, and which view of a session they come from.
+void addView(CLI::App& command, SceneOptions& options) {
   addParsed(
       command, "--camera", "A|P|L|R|S|I|AZIMUTH,ELEVATION|FILE.json|best|dual",
       "side to look from, angles in degrees (0,0 faces the patient, 90,0 is the patient's left), a camera file, or the "
@@ -310,9 +293,7 @@ void addSceneOptions(CLI::App& command, SceneOptions& options, std::function<voi
         options.camera = parseCamera(text);
         return options.camera.has_value();
       });
-  addChoice<Projection>(command, "--projection", "default perspective",
-                        {{"perspective", Projection::Perspective}, {"orthographic", Projection::Orthographic}},
-                        options.projection);
+  addChoice<Projection>(command, "--projection", "default perspective", options.projection);
   addChoice<int>(command, "--view", "of a session: whose camera, size and strokes, default C1", {{"C1", 0}, {"C2", 1}},
                  options.viewOfSession);
   addParsed(command, "--size", "WxH", "picture in pixels, up to 16384 a side", [&options](const std::string& text) {
@@ -322,60 +303,76 @@ void addSceneOptions(CLI::App& command, SceneOptions& options, std::function<voi
     options.size = glm::ivec2((*size)[0], (*size)[1]);
     return true;
   });
+}
 
-  constexpr double widest = 1e5;
-  // Below it, rounding of the voxels' float32 sums shows first.
-  constexpr double leastMaxError = 0.05;
-  addSwitch(command, "--cutaway", "open the view to the focus, default on", options.cutaway.enabled);
-  // Before what it sets, so that a look and then a width is that look with that width.
+/// How the volume is looked at.
+void addLook(CLI::App& command, SceneOptions& options) {
+  Look& look = options.look;
+  std::string presets;
+  for (const io::TransferFunctionPreset& preset : io::transferFunctionPresets())
+    presets += (presets.empty() ? "" : "|") + preset.id;
+  command.add_option("--transfer-function", options.transferFunction, "optical properties of everything but the focus")
+      ->type_name(presets + "|FILE.json");
+  // Added before what it sets, so that a look and then a width is that look with that width.
   std::string looks;
-  for (const OpeningLook& look : openingLooks()) looks += (looks.empty() ? "" : "|") + std::string(look.id);
+  for (const OpeningLook& each : openingLooks()) looks += (looks.empty() ? "" : "|") + std::string(each.id);
   addParsed(command, "--look", looks, "context layer and border ready made, default full",
             [&](const std::string& text) {
               const auto all = openingLooks();
-              const auto look =
+              const auto chosen =
                   std::find_if(all.begin(), all.end(), [&](const OpeningLook& each) { return each.id == text; });
-              if (look == all.end()) return false;
-              look->applyTo(options.cutaway, options.contextLayer);
+              if (chosen == all.end()) return false;
+              chosen->applyTo(look.cutaway, look.contextLayer);
               return true;
             });
-  addNumber(command, "--w-open", 0.0, widest, "WIDTH", "how far the cut opens around the focus, default 24",
-            options.cutaway.openWidth);
-  addNumber(command, "--w-border", 0.0, widest, "WIDTH", "width of the line around the cut, default 2",
-            options.cutaway.borderWidth);
-  addChoice<WidthUnit>(command, "--width-unit", "of the two widths, default px; mm are those at the focus's depth",
-                       {{"px", WidthUnit::Pixel}, {"mm", WidthUnit::Millimetre}}, options.cutaway.unit);
-  addNumber(command, "--context-layer", 0.0, 1.0, "0..1",
-            "strength of the context's edges over the focus, default 0.7; 0 leaves them out",
-            options.contextLayer.strength);
-  addNumber(command, "--context-curvature", 0.0, 100.0, "WEIGHT", "of the context's bends in its edges, default 1",
-            options.contextLayer.curvatureWeight);
-  addNumber(command, "--context-silhouette", 0.0, 100.0, "WEIGHT", "of the context's outlines in its edges, default 1",
-            options.contextLayer.silhouetteWeight);
-  addNumber(command, "--context-illumination", 0.0, 1.0, "0..1", "how much light shades the edges' colour, default 1",
-            options.contextLayer.illuminationWeight);
-  addNumber(command, "--context-value", 0.0, 1.0, "0..1",
-            "how much the edges take the context's own colour, by its values, default 0",
-            options.contextLayer.valueWeight);
-  addColour(command, "--context-colour", "of the context's edges", options.contextLayer.colour);
-  addColour(command, "--border-colour", "of the line around the cut", options.cutaway.borderColour);
+  addSettings(command, look.cutaway);
+  addSettings(command, look.contextLayer);
+  addSettings(command, look.shading);
+  addPair(command, "--light", "AZIMUTH,ELEVATION", settingOf(&Shading::lightAzimuth),
+          settingOf(&Shading::lightElevation), look.shading);
+  addSettings(command, look);
   addParsed(command, "--strokes", "FILE.json", "brush strokes to apply, in place of a session's",
             [&options](const std::string& text) {
               options.strokes = text;
               return !text.empty();
             });
-  addSwitch(command, "--shading", "light by the gradient, default on", options.shading.enabled);
-  addChoice<Quality>(command, "--quality", "default normal",
-                     {{"draft", Quality::Draft}, {"normal", Quality::Normal}, {"high", Quality::High}}, options.quality)
-      ->each([&options](const std::string&) { options.maxError.reset(); });  // a session's
-  addParsed(command, "--max-error", "E", "greatest error of a colour that sampling may leave, in 1/255, from 0.05 up",
+}
+
+/// How the integral along rays is found.
+void addSampling(CLI::App& command, SceneOptions& options) {
+  addChoice<Quality>(command, "--quality", "default normal", options.quality)->each([&options](const std::string&) {
+    options.maxError.reset();  // of a session
+  });
+  addParsed(command, "--max-error", "E",
+            "greatest error of a colour that sampling may leave, in 1/255, from " + textOf(maxErrors.low) + " up",
             [&options](const std::string& text) {
               const auto error = parseNumbers<double, 1>(text, ',');
-              if (!error || (*error)[0] < leastMaxError || (*error)[0] > 255.0) return false;
+              if (!error || !maxErrors.contains((*error)[0])) return false;
               options.maxError = (*error)[0];
               return true;
             });
-  addColour(command, "--background", "default 0,0,0", options.background);
+}
+
+}  // namespace
+
+std::string VolumeOptions::source() const { return phantom.empty() ? path.string() : "phantom " + phantom; }
+
+void addVolumeOptions(CLI::App& command, VolumeOptions& options) {
+  addVolume(command, options, [] {});
+}
+
+void addSceneOptions(CLI::App& command, SceneOptions& options, std::function<void(const io::Session&)> onSession) {
+  addVolume(command, options, [&options, onSession = std::move(onSession)] {
+    const io::Session session = io::readSession(options.path);
+    useAsDefaults(session, options);
+    if (onSession) onSession(session);
+  });
+  command.option_defaults()->group("Focus");
+  addFocus(command, options);
+  command.option_defaults()->group("Picture");
+  addView(command, options);
+  addLook(command, options);
+  addSampling(command, options);
   command.option_defaults()->group("Options");
 }
 
@@ -391,22 +388,14 @@ LoadedScene loadScene(const SceneOptions& options, const io::Progress& progress)
   loaded.volume.warnings.clear();
   loaded.session = std::move(data.session);
   Scene& scene = loaded.scene;
-  if (loaded.session) scene = io::sceneOf(*loaded.session);
   scene.volume = loaded.volume.volume;
   scene.labels = std::move(data.labels);
-
-  if (!loaded.session || !options.transferFunction.empty()) {
-    loaded.transferFunction =
-        options.transferFunction.empty() ? io::defaultPreset(*scene.volume) : options.transferFunction;
-    scene.look.context =
-        io::sessionContext(loaded.transferFunction, io::loadTransferFunction(loaded.transferFunction, *scene.volume));
-  }
+  scene.look = options.look;
+  if (!loaded.session || !options.transferFunction.empty())
+    scene.look.context = io::loadContextFunction(
+        options.transferFunction.empty() ? io::defaultPreset(*scene.volume) : options.transferFunction, *scene.volume);
   setFocus(options, loaded);
-  scene.look.cutaway = options.cutaway;
-  scene.look.contextLayer = options.contextLayer;
   if (!options.strokes.empty()) scene.look.strokes = io::readStrokes(options.strokes);
-  scene.look.shading = options.shading;
-  scene.look.background = options.background;
   setView(options, loaded);
   return loaded;
 }

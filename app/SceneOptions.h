@@ -13,8 +13,8 @@
 
 #include "io/VolumeReader.h"
 #include "io/session/Session.h"
-#include "rendering/Renderer.h"
 #include "rendering/scene/Scene.h"
+#include "rendering/scene/View.h"
 
 namespace CLI {
 class App;
@@ -55,14 +55,11 @@ struct SceneOptions : VolumeOptions {
   std::optional<CameraChoice> camera;
   std::optional<Projection> projection;
   std::optional<glm::ivec2> size;  ///< rendered pixels
-  Cutaway cutaway;
-  ContextLayer contextLayer;
-  std::filesystem::path strokes;  ///< file of brush strokes; empty: none, or the session's
-  Shading shading;
+  std::filesystem::path strokes;   ///< file of brush strokes; empty: those of the look
+  Look look;                       ///< a session's to begin with; what the members above name takes its place
   Quality quality = Quality::Normal;
   std::optional<double> maxError;  ///< in 1/255; see View
-  glm::dvec3 background = Look().background;
-  int viewOfSession = 0;  ///< whose camera and picture size are taken from a session: 0 is C1, 1 is C2
+  int viewOfSession = 0;           ///< whose camera and picture size are taken from a session: 0 is C1, 1 is C2
 };
 
 /// Adds PATH, --phantom, --series, --raw, --spacing and --data. Values are checked while parsing, and mistakes throw
@@ -86,7 +83,6 @@ struct LoadedScene {
   Scene scene;
   View view;
   std::optional<PlacedView> placed;    ///< view.camera is still to be placed, which takes an OpenGL context
-  std::string transferFunction;        ///< preset or file in use
   std::optional<io::Session> session;  ///< that this was made from, its data as they were found
   std::vector<io::Warning> warnings;   ///< of volume, labels and focus
 };

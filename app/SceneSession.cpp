@@ -1,17 +1,13 @@
 #include "app/SceneSession.h"
 
-#include "io/TransferFunctionFile.h"
 #include "io/session/OpenSession.h"
 
 namespace fenestra::app {
 
 void useAsDefaults(const io::Session& session, SceneOptions& options) {
-  options.cutaway = session.cutaway;
-  options.contextLayer = session.contextLayer;
-  options.shading = session.shading;
+  options.look = session.look;
   options.quality = session.quality;
   options.maxError = session.maxError;
-  options.background = session.background;
 }
 
 io::Session sessionOf(const SceneOptions& options, const LoadedScene& loaded) {
@@ -26,15 +22,7 @@ io::Session sessionOf(const SceneOptions& options, const LoadedScene& loaded) {
     session.views[1].camera = loaded.view.camera.beside();
   }
   if (!options.labels.empty()) session.labels = io::sessionLabels(options.labels);
-  const Scene& scene = loaded.scene;
-  session.focus = scene.look.focus;
-  session.focusAppearance = scene.look.focusAppearance;
-  if (!loaded.session || !options.transferFunction.empty()) session.context = scene.look.context;
-  session.strokes = scene.look.strokes;
-  session.cutaway = scene.look.cutaway;
-  session.contextLayer = scene.look.contextLayer;
-  session.shading = scene.look.shading;
-  session.background = scene.look.background;
+  session.look = loaded.scene.look;
   session.quality = loaded.view.quality;
   session.maxError = loaded.view.maxError;
 

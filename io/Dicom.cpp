@@ -13,8 +13,8 @@
 #include "io/DicomDecoder.h"
 #include "io/DicomStack.h"
 #include "io/ImageFile.h"
+#include "io/SessionName.h"
 #include "io/VoxelSink.h"
-#include "io/session/SessionFile.h"
 #include "rendering/scene/Parallel.h"
 
 namespace fenestra::io {

@@ -188,15 +188,20 @@ std::vector<TransferFunctionPreset> transferFunctionPresets() {
   return presets;
 }
 
-TransferFunction loadTransferFunction(const std::string& presetOrPath, const Volume& volume) {
+ContextFunction loadContextFunction(const std::string& presetOrPath, const Volume& volume) {
   const std::string_view embedded = resources::find(presetPath(presetOrPath));
   const Parser parser(presetOrPath, embedded.empty() ? readFile(presetOrPath) : std::string(embedded));
-  TransferFunction function = parser.function();
+  ContextFunction context;
+  if (embedded.empty())
+    context.file = std::filesystem::absolute(presetOrPath);
+  else
+    context.preset = presetOrPath;
+  context.function = parser.function();
   if (parser.byPercentile()) {
     const TissuePercentiles percentiles(volume);
-    for (TransferFunction::Node& node : function.nodes) node.value = percentiles.at(node.value);
+    for (TransferFunction::Node& node : context.function.nodes) node.value = percentiles.at(node.value);
   }
-  return function;
+  return context;
 }
 
 std::string defaultPreset(const Volume& volume) {

@@ -4,11 +4,11 @@
 #include <array>
 #include <cmath>
 
+#include "io/Contents.h"
 #include "io/Dicom.h"
 #include "io/ImageFile.h"
 #include "io/Probe.h"
 #include "io/Text.h"
-#include "io/session/Contents.h"
 
 namespace fenestra::io {
 namespace fs = std::filesystem;

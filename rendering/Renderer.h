@@ -8,24 +8,13 @@
 #include <string_view>
 #include <vector>
 
-#include "rendering/scene/Quality.h"
+#include "rendering/scene/BrushStroke.h"
 #include "rendering/scene/Scene.h"
+#include "rendering/scene/View.h"
 
 namespace fenestra {
 
 class GpuScene;
-
-/// One picture to make.
-struct View {
-  Camera camera;
-  glm::ivec2 size{0};       ///< rendered pixels, at least 1×1
-  double pixelScale = 1.0;  ///< rendered pixels per device-independent pixel; widths in pixels scale with it
-  Quality quality = Quality::Normal;
-  /// Greatest error of a pixel's colour in 1/255 that sampling may leave; used instead of `quality`. It is kept by
-  /// estimates: on the ten scenes of tests/bench/results by 99.99 % of the pixels.
-  std::optional<double> maxError = std::nullopt;
-  bool operator==(const View&) const = default;
-};
 
 enum class Pass : std::uint8_t {
   HitPoints,
@@ -55,13 +44,6 @@ struct PassStats {
   std::uint64_t runs = 0;     ///< since the renderer was made
   std::uint64_t pixels = 0;   ///< shaded by the last run: under a changed brush stroke only, or the whole picture
   double milliseconds = 0.0;  ///< GPU time of the last run; 0 until timing is on
-};
-
-/// Where a brush touches what a picture shows.
-struct BrushPoint {
-  glm::dvec3 anchor;  ///< world, mm: what BrushStroke::anchors holds
-  double pixelSize =
-      0.0;  ///< mm per device-independent pixel at its depth: a brush of r such pixels has r·pixelSize mm
 };
 
 /// Needs a current OpenGL 4.5 context in every call, always the same one or one that shares with it. Move-only.

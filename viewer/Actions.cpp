@@ -4,19 +4,23 @@
 #include <QActionGroup>
 #include <QDir>
 #include <QDockWidget>
+#include <QMainWindow>
 #include <QMenuBar>
 #include <QToolBar>
 
 #include "viewer/Dialogs.h"
-#include "viewer/MainWindow.h"
+#include "viewer/FileOpener.h"
 #include "viewer/Sessions.h"
-#include "viewer/Style.h"
 #include "viewer/model/Paths.h"
 #include "viewer/model/WindowPresets.h"
+#include "viewer/model/Workspace.h"
+#include "viewer/style/Style.h"
+#include "viewer/views/ViewArea.h"
 
 namespace fenestra::viewer {
 
-Actions::Actions(MainWindow& window) : QObject(&window), window_(window) {
+Actions::Actions(const Targets& targets)
+    : QObject(&targets.window), targets_(targets), viewCommands_(targets_.workspace, targets_.views) {
   makeFileMenu();
   makeEditMenu();
   makeViewMenu();
@@ -24,7 +28,7 @@ Actions::Actions(MainWindow& window) : QObject(&window), window_(window) {
   makeFocusMenu();
   makeHelpMenu();
 
-  QToolBar* bar = window.addToolBar(tr("Tools"));
+  QToolBar* bar = targets_.window.addToolBar(tr("Tools"));
   bar->setObjectName(QStringLiteral("tools"));
   bar->setMovable(false);
   bar->setIconSize({18, 18});
@@ -32,7 +36,7 @@ Actions::Actions(MainWindow& window) : QObject(&window), window_(window) {
     if (!bar->actions().isEmpty()) bar->addSeparator();
     bar->addActions(group);
   }
-  connect(&window.document(), &Document::volumeChanged, this, [this] {
+  connect(&targets_.workspace.document, &Document::volumeChanged, this, [this] {
     for (QAction* each : needVolume_) each->setEnabled(true);
   });
 }
@@ -67,24 +71,26 @@ QAction* Actions::toggle(const QString& text, const QKeySequence& keys, bool on,
 }
 
 void Actions::makeFileMenu() {
-  QAction* folder = action(tr("Open &folder…"), QKeySequence(tr("Ctrl+Shift+O")), [this] { window_.chooseFolder(); });
+  QAction* folder =
+      action(tr("Open &folder…"), QKeySequence(tr("Ctrl+Shift+O")), [this] { targets_.files.chooseFolder(); });
   folder->setIcon(icon("folder"));
-  QAction* file = action(tr("&Open file…"), QKeySequence::Open, [this] { window_.chooseFile(); });
+  QAction* file = action(tr("&Open file…"), QKeySequence::Open, [this] { targets_.files.chooseFile(); });
   file->setIcon(icon("file"));
-  QAction* labels = volumeAction(tr("Open &labels…"), QKeySequence(tr("Ctrl+L")), [this] { window_.chooseLabels(); });
+  QAction* labels =
+      volumeAction(tr("Open &labels…"), QKeySequence(tr("Ctrl+L")), [this] { targets_.files.chooseLabels(); });
   labels->setIcon(icon("labels"));
-  QAction* series = action(tr("Choose &series…"), {}, [this] { window_.chooseSeries(); });
+  QAction* series = action(tr("Choose &series…"), {}, [this] { targets_.files.chooseSeries(); });
   series->setEnabled(false);
-  connect(&window_.document(), &Document::volumeChanged, series,
-          [this, series] { series->setEnabled(!window_.document().study().otherSeries.empty()); });
+  connect(&targets_.workspace.document, &Document::volumeChanged, series,
+          [this, series] { series->setEnabled(!targets_.workspace.document.study().otherSeries.empty()); });
 
-  QAction* session = action(tr("Open s&ession…"), {}, [this] { window_.sessions().choose(); });
-  QAction* save = volumeAction(tr("&Save session"), QKeySequence::Save, [this] { window_.sessions().save(); });
+  QAction* session = action(tr("Open s&ession…"), {}, [this] { targets_.sessions.choose(); });
+  QAction* save = volumeAction(tr("&Save session"), QKeySequence::Save, [this] { targets_.sessions.save(); });
   save->setIcon(icon("save"));
   QAction* saveAs =
-      volumeAction(tr("Save session &as…"), QKeySequence(tr("Ctrl+Shift+S")), [this] { window_.sessions().saveAs(); });
+      volumeAction(tr("Save session &as…"), QKeySequence(tr("Ctrl+Shift+S")), [this] { targets_.sessions.saveAs(); });
 
-  QMenu* menu = window_.menuBar()->addMenu(tr("&File"));
+  QMenu* menu = targets_.window.menuBar()->addMenu(tr("&File"));
   menu->addActions({folder, file, session});
   recent_ = menu->addMenu(tr("&Recent"));
   connect(recent_, &QMenu::aboutToShow, this, &Actions::fillRecentMenu);
@@ -95,12 +101,12 @@ void Actions::makeFileMenu() {
   menu->addSeparator();
   menu->addActions({save, saveAs});
   menu->addSeparator();
-  menu->addAction(action(tr("&Quit"), QKeySequence::Quit, [this] { window_.close(); }));
+  menu->addAction(action(tr("&Quit"), QKeySequence::Quit, [this] { targets_.window.close(); }));
   tools_ << QList<QAction*>{folder, file, labels, save};
 }
 
 void Actions::makeEditMenu() {
-  QUndoStack& steps = window_.document().undoStack();
+  QUndoStack& steps = targets_.workspace.document.undoStack();
   QAction* undo = steps.createUndoAction(this, tr("&Undo"));
   undo->setShortcut(QKeySequence::Undo);
   undo->setIcon(icon("undo"));
@@ -108,34 +114,74 @@ void Actions::makeEditMenu() {
   redo->setShortcut(QKeySequence(tr("Ctrl+Shift+Z")));
   redo->setIcon(icon("redo"));
 
-  Brush& brush = window_.brush();
+  Brush& brush = targets_.workspace.brush;
   QAction* paint = volumeAction(tr("&Brush"), QKeySequence(tr("P")), [&brush] { brush.toggle(false); });
   paint->setIcon(icon("brush"));
   paint->setCheckable(true);
   connect(&brush, &Brush::changed, paint, [&brush, paint] { paint->setChecked(brush.isActive()); });
-  QAction* otherWay = volumeAction(tr("Brush the &other way"), QKeySequence(tr("E")), [&brush] { brush.toggle(true); });
+  QAction* opposite = volumeAction(tr("&Opposite brush"), QKeySequence(tr("E")), [&brush] { brush.toggle(true); });
   constexpr double step = 1.2;
   QAction* smaller =
       volumeAction(tr("&Smaller brush"), QKeySequence(tr("[")), [&brush] { brush.scaleRadius(1.0 / step); });
   QAction* larger = volumeAction(tr("&Larger brush"), QKeySequence(tr("]")), [&brush] { brush.scaleRadius(step); });
 
-  QMenu* menu = window_.menuBar()->addMenu(tr("&Edit"));
+  QMenu* menu = targets_.window.menuBar()->addMenu(tr("&Edit"));
   menu->addActions({undo, redo});
   menu->addSeparator();
-  menu->addActions({paint, otherWay, smaller, larger});
+  menu->addActions({paint, opposite, smaller, larger});
   tools_ << QList<QAction*>{undo, redo, paint};
 }
 
 void Actions::makeViewMenu() {
-  Document& document = window_.document();
-  ViewLink& cameras = window_.cameras();
-  PlacementController& placement = window_.placement();
-  ViewOptions& options = window_.options();
+  QMenu* menu = targets_.window.menuBar()->addMenu(tr("&View"));
+  makeLookFromMenu(*menu);
+  makeCameraEntries(*menu);
+  menu->addMenu(makeAtRestMenu());
+  menu->addSeparator();
+  makeOverlayEntries(*menu);
+  menu->addSeparator();
+  menu->addAction(action(tr("All &views"), QKeySequence(tr("Esc")), [this] { stop(); }));
+  menu->addAction(action(tr("F&ull screen"), QKeySequence(tr("F11")), [this] {
+    targets_.window.setWindowState(targets_.window.windowState() ^ Qt::WindowFullScreen);
+  }));
+  menu->addSeparator();
+  for (QDockWidget* dock : targets_.window.findChildren<QDockWidget*>()) menu->addAction(dock->toggleViewAction());
+}
 
-  QAction* reset = volumeAction(tr("&Reset view"), QKeySequence(tr("R")), [this] { window_.resetActiveView(); });
+void Actions::makeLookFromMenu(QMenu& menu) {
+  struct Side {
+    const char *letter, *name;
+    StandardView view;
+  };
+  QList<QAction*> sides;
+  for (const Side& side :
+       {Side{"A", QT_TR_NOOP("Anterior"), StandardView::Anterior},
+        Side{"P", QT_TR_NOOP("Posterior"), StandardView::Posterior}, Side{"L", QT_TR_NOOP("Left"), StandardView::Left},
+        Side{"R", QT_TR_NOOP("Right"), StandardView::Right}, Side{"S", QT_TR_NOOP("Superior"), StandardView::Superior},
+        Side{"I", QT_TR_NOOP("Inferior"), StandardView::Inferior}}) {
+    QAction* made =
+        volumeAction(tr(side.name), QKeySequence(QStringLiteral("Shift+%1").arg(QLatin1String(side.letter))),
+                     [this, which = side.view] { viewCommands_.face(which); });
+    made->setIconText(QLatin1String(side.letter));
+    sides << made;
+  }
+  menu.addMenu(tr("&Look from"))->addActions(sides);
+  tools_ << sides;
+}
+
+void Actions::makeCameraEntries(QMenu& menu) {
+  ViewLink& cameras = targets_.workspace.cameras;
+  PlacementController& placement = targets_.workspace.placement;
+  QAction* place = action(tr("P&lace cameras"), QKeySequence(tr("F5")), [&placement] { placement.place(); });
+  place->setIcon(icon("place"));
+  const auto enablePlace = [&placement, place] { place->setEnabled(placement.canPlace()); };
+  connect(&placement, &PlacementController::changed, place, enablePlace);
+  enablePlace();
+  QAction* reset = volumeAction(tr("&Reset view"), QKeySequence(tr("R")), [this] { viewCommands_.resetActiveView(); });
   reset->setIcon(icon("reset"));
   QAction* resetAll =
-      volumeAction(tr("Reset &all views"), QKeySequence(tr("Ctrl+R")), [this] { window_.resetAllViews(); });
+      volumeAction(tr("Reset &all views"), QKeySequence(tr("Ctrl+R")), [this] { viewCommands_.resetAllViews(); });
+
   QAction* link = toggle(tr("&Link the 3-D views"), QKeySequence(tr("L")), cameras.isLinked(),
                          [&cameras](bool on) { cameras.setLinked(on); });
   link->setIcon(icon("link"));
@@ -145,70 +191,41 @@ void Actions::makeViewMenu() {
     cameras.setProjection(on ? Projection::Orthographic : Projection::Perspective);
   });
   parallel->setIcon(icon("parallel"));
-  connect(&document, &Document::volumeChanged, parallel,
-          [&cameras, parallel] { parallel->setChecked(cameras.projection() == Projection::Orthographic); });
-  connect(&cameras, &ViewLink::projectionChanged, parallel,
-          [parallel](Projection now) { parallel->setChecked(now == Projection::Orthographic); });
+  const auto showProjection = [&cameras, parallel] {
+    parallel->setChecked(cameras.projection() == Projection::Orthographic);
+  };
+  connect(&targets_.workspace.document, &Document::volumeChanged, parallel, showProjection);
+  connect(&cameras, &ViewLink::projectionChanged, parallel, showProjection);
+
+  menu.addActions({place, reset, resetAll});
+  menu.addSeparator();
+  menu.addActions({link, parallel});
+  tools_.back() << reset << place;
+  tools_ << QList<QAction*>{link, parallel};
+}
+
+void Actions::makeOverlayEntries(QMenu& menu) {
+  ViewOptions& options = targets_.workspace.options;
   QAction* crosshair = toggle(tr("&Crosshair"), QKeySequence(tr("C")), options.crosshair(),
                               [&options](bool on) { options.setCrosshair(on); });
   crosshair->setIcon(icon("crosshair"));
-  QAction* overlay = toggle(tr("Label &overlay"), QKeySequence(tr("O")), options.labels(),
-                            [&options](bool on) { options.setLabels(on); });
-  overlay->setIcon(icon("overlay"));
+  QAction* labels = toggle(tr("Label &overlay"), QKeySequence(tr("O")), options.labels(),
+                           [&options](bool on) { options.setLabels(on); });
+  labels->setIcon(icon("overlay"));
   QAction* text =
       toggle(tr("Corner &text"), QKeySequence(tr("T")), options.text(), [&options](bool on) { options.setText(on); });
   text->setIcon(icon("text"));
-  connect(&options, &ViewOptions::changed, this, [&options, crosshair, overlay, text] {
+  connect(&options, &ViewOptions::changed, this, [&options, crosshair, labels, text] {
     crosshair->setChecked(options.crosshair());
-    overlay->setChecked(options.labels());
+    labels->setChecked(options.labels());
     text->setChecked(options.text());
   });
-
-  QMenu* menu = window_.menuBar()->addMenu(tr("&View"));
-  QMenu* sides = menu->addMenu(tr("&Look from"));
-  struct Side {
-    const char *letter, *name;
-    StandardView view;
-  };
-  QList<QAction*> sideActions;
-  for (const Side& side :
-       {Side{"A", QT_TR_NOOP("Anterior"), StandardView::Anterior},
-        Side{"P", QT_TR_NOOP("Posterior"), StandardView::Posterior}, Side{"L", QT_TR_NOOP("Left"), StandardView::Left},
-        Side{"R", QT_TR_NOOP("Right"), StandardView::Right}, Side{"S", QT_TR_NOOP("Superior"), StandardView::Superior},
-        Side{"I", QT_TR_NOOP("Inferior"), StandardView::Inferior}}) {
-    QAction* made =
-        volumeAction(tr(side.name), QKeySequence(QStringLiteral("Shift+%1").arg(QLatin1String(side.letter))),
-                     [this, which = side.view] { window_.face(which); });
-    made->setIconText(QLatin1String(side.letter));
-    sideActions << made;
-  }
-  sides->addActions(sideActions);
-  QAction* place = action(tr("P&lace cameras"), QKeySequence(tr("F5")), [&placement] { placement.place(); });
-  place->setIcon(icon("place"));
-  const auto enablePlace = [&placement, place] { place->setEnabled(placement.canPlace()); };
-  connect(&placement, &PlacementController::changed, place, enablePlace);
-  enablePlace();
-  menu->addAction(place);
-  menu->addActions({reset, resetAll});
-  menu->addSeparator();
-  menu->addActions({link, parallel});
-  menu->addMenu(makeAtRestMenu());
-  menu->addSeparator();
-  menu->addActions({crosshair, overlay, text});
-  menu->addSeparator();
-  menu->addAction(action(tr("All &views"), QKeySequence(tr("Esc")), [this] { window_.stop(); }));
-  menu->addAction(action(tr("F&ull screen"), QKeySequence(tr("F11")),
-                         [this] { window_.setWindowState(window_.windowState() ^ Qt::WindowFullScreen); }));
-  menu->addSeparator();
-  for (QDockWidget* dock : window_.findChildren<QDockWidget*>()) menu->addAction(dock->toggleViewAction());
-
-  tools_ << sideActions + QList<QAction*>{reset, place};
-  tools_ << QList<QAction*>{link, parallel};
-  tools_ << QList<QAction*>{crosshair, overlay, text};
+  menu.addActions({crosshair, labels, text});
+  tools_ << QList<QAction*>{crosshair, labels, text};
 }
 
 QMenu* Actions::makeAtRestMenu() {
-  auto* menu = new QMenu(tr("&Quality at rest"), &window_);
+  auto* menu = new QMenu(tr("&Quality at rest"), &targets_.window);
   menu->setToolTipsVisible(true);
   auto* group = new QActionGroup(this);
   group->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
@@ -218,24 +235,25 @@ QMenu* Actions::makeAtRestMenu() {
     name[0] = name[0].toUpper();
     QAction* made = menu->addAction(name);
     if (effort.quality == Quality::High || effort.maxError)
-      made->setToolTip(tr("The greatest error of a pixel's colour that sampling may leave"));
+      made->setToolTip(tr("Bound on the error that sampling leaves in a pixel's colour"));
     made->setCheckable(true);
     group->addAction(made);
-    const auto show = [this, made, effort] { made->setChecked(window_.views().atRest() == effort); };
-    // Chosen again, the entry stays chosen.
+    const auto show = [this, made, effort] { made->setChecked(targets_.views.atRest() == effort); };
+    // Choosing the entry again must not uncheck it.
     connect(made, &QAction::triggered, this, [this, effort, show] {
-      window_.setAtRest(effort);
+      targets_.views.setAtRest(effort.quality, effort.maxError);
+      targets_.workspace.preferences.setAtRest(effort);
       show();
     });
-    connect(&window_.views(), &ViewArea::atRestChanged, made, show);
+    connect(&targets_.views, &ViewArea::atRestChanged, made, show);
     show();
   }
   return menu;
 }
 
 void Actions::makeWindowLevelMenu() {
-  Document& document = window_.document();
-  QMenu* menu = window_.menuBar()->addMenu(tr("&Window/level"));
+  Document& document = targets_.workspace.document;
+  QMenu* menu = targets_.window.menuBar()->addMenu(tr("&Window/level"));
   menu->addAction(volumeAction(tr("Of the data"), QKeySequence(tr("1")), [&document] { document.resetWindow(); }));
   for (const WindowPreset& preset : ctWindowPresets)
     menu->addAction(volumeAction(
@@ -244,27 +262,40 @@ void Actions::makeWindowLevelMenu() {
 }
 
 void Actions::makeFocusMenu() {
-  QMenu* menu = window_.menuBar()->addMenu(tr("F&ocus"));
+  QMenu* menu = targets_.window.menuBar()->addMenu(tr("F&ocus"));
   menu->addAction(volumeAction(tr("&No focus"), QKeySequence(tr("Ctrl+Backspace")),
-                               [this] { window_.document().setFocus(std::monostate{}); }));
+                               [this] { targets_.workspace.document.setFocus(std::monostate{}); }));
 }
 
 void Actions::makeHelpMenu() {
-  QMenu* menu = window_.menuBar()->addMenu(tr("&Help"));
-  menu->addAction(action(tr("&Keys and mouse"), QKeySequence(tr("?")), [this] { showKeys(&window_); }));
-  menu->addAction(action(tr("&About Fenestra"), {}, [this] { showAbout(window_.gl(), &window_); }));
+  QMenu* menu = targets_.window.menuBar()->addMenu(tr("&Help"));
+  menu->addAction(action(tr("&Keys and mouse"), QKeySequence(tr("?")), [this] { showKeys(&targets_.window); }));
+  menu->addAction(action(tr("&About Fenestra"), {}, [this] { showAbout(targets_.gl, &targets_.window); }));
 }
 
-void Actions::addSample(const QString& name, std::function<void()> open) {
+void Actions::addSample(const QString& name, StudyLoader::Reader read) {
   samples_->menuAction()->setVisible(true);
-  connect(samples_->addAction(name), &QAction::triggered, this, std::move(open));
+  connect(samples_->addAction(name), &QAction::triggered, this, [this, read = std::move(read)] {
+    if (targets_.sessions.mayGo()) targets_.loader.open(read);
+  });
+}
+
+void Actions::stop() {
+  if (targets_.loader.job().isRunning())
+    targets_.loader.job().cancel();
+  else if (targets_.workspace.placement.isBusy())
+    targets_.workspace.placement.cancel();
+  else if (targets_.workspace.brush.isActive())
+    targets_.workspace.brush.setActive(false);
+  else
+    targets_.views.showAll();
 }
 
 void Actions::fillRecentMenu() {
   recent_->clear();
-  for (const std::filesystem::path& path : window_.preferences().recent()) {
+  for (const std::filesystem::path& path : targets_.workspace.preferences.recent()) {
     QAction* entry = recent_->addAction(QDir::toNativeSeparators(toQString(path)));
-    connect(entry, &QAction::triggered, this, [this, path] { window_.open({path}); });
+    connect(entry, &QAction::triggered, this, [this, path] { targets_.files.open({path}); });
   }
   if (recent_->isEmpty()) {
     recent_->addAction(tr("Nothing yet"))->setEnabled(false);
@@ -272,7 +303,7 @@ void Actions::fillRecentMenu() {
   }
   recent_->addSeparator();
   connect(recent_->addAction(tr("Forget these")), &QAction::triggered, this,
-          [this] { window_.preferences().clearRecent(); });
+          [this] { targets_.workspace.preferences.clearRecent(); });
 }
 
 }  // namespace fenestra::viewer

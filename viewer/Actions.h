@@ -7,21 +7,40 @@
 #include <QMenu>
 #include <QObject>
 
+#include "viewer/ViewCommands.h"
+#include "viewer/jobs/StudyLoader.h"
+#include "viewer/views/GlSupport.h"
+
 class QAction;
 class QKeySequence;
+class QMainWindow;
 
 namespace fenestra::viewer {
 
-class MainWindow;
+class FileOpener;
+class Sessions;
+class ViewArea;
+struct Workspace;
 
 class Actions : public QObject {
   Q_OBJECT
  public:
-  /// Fills the window's menu bar and toolbar. The window owns this and has its docks and views already.
-  explicit Actions(MainWindow& window);
+  /// What the commands act on. All outlive this.
+  struct Targets {
+    QMainWindow& window;  ///< gets the menu bar and the toolbar; has its docks already
+    Workspace& workspace;
+    StudyLoader& loader;
+    FileOpener& files;
+    Sessions& sessions;
+    ViewArea& views;
+    GlSupport gl;
+  };
+
+  /// The window owns this.
+  explicit Actions(const Targets& targets);
 
   /// An entry in the File menu for data that comes with the program.
-  void addSample(const QString& name, std::function<void()> open);
+  void addSample(const QString& name, StudyLoader::Reader read);
 
  private:
   QAction* action(const QString& text, const QKeySequence& keys, std::function<void()> does);
@@ -32,16 +51,22 @@ class Actions : public QObject {
   void makeFileMenu();
   void makeEditMenu();
   void makeViewMenu();
+  void makeLookFromMenu(QMenu& menu);
+  void makeCameraEntries(QMenu& menu);
   QMenu* makeAtRestMenu();
+  void makeOverlayEntries(QMenu& menu);
   void makeWindowLevelMenu();
   void makeFocusMenu();
   void makeHelpMenu();
   void fillRecentMenu();
+  /// Cancels reading or measuring; without either, puts the brush down; without that, shows all views.
+  void stop();
 
-  MainWindow& window_;
+  Targets targets_;
+  ViewCommands viewCommands_;
   QMenu *recent_ = nullptr, *samples_ = nullptr;
   QList<QAction*> needVolume_;
-  /// Of the toolbar, group by group.
+  /// The toolbar's actions, by group.
   QList<QList<QAction*>> tools_;
 };
 

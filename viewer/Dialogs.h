@@ -11,9 +11,9 @@ class QWidget;
 
 namespace fenestra::viewer {
 
-/// Lets the user pick another series of the study; its id, or empty when the shown one stays.
+/// Lets the user pick another series of the study. Returns its id, or nothing when the user keeps the shown one.
 std::optional<std::string> askForSeries(const Study& study, QWidget* parent);
-/// What keys and mouse do.
+/// Lists what keys and mouse do.
 void showKeys(QWidget* parent);
 void showAbout(const GlSupport& gl, QWidget* parent);
 

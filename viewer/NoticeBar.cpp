@@ -4,11 +4,25 @@
 #include <QHBoxLayout>
 #include <QIcon>
 #include <QLabel>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "viewer/model/Paths.h"
+
 namespace fenestra::viewer {
+namespace {
+
+/// A clause as a sentence.
+QString sentence(const std::string& clause) {
+  QString text = QString::fromStdString(clause);
+  if (text.isEmpty()) return text;
+  text[0] = text[0].toUpper();
+  return text.endsWith(QLatin1Char('.')) ? text : text + QLatin1Char('.');
+}
+
+}  // namespace
 
 NoticeBar::NoticeBar(QWidget* parent) : QWidget(parent), rows_(new QVBoxLayout), unfold_(new QPushButton) {
   unfold_->setFlat(true);
@@ -63,6 +77,23 @@ void NoticeBar::add(Kind kind, const QString& text, const QString& actionName, s
   });
   rows_->addWidget(frame);
   fold();
+}
+
+void NoticeBar::addWarnings(const std::vector<io::Warning>& warnings) {
+  for (const io::Warning& warning : warnings) {
+    const QString text = sentence(warning.text);
+    if (warning.files.empty()) {
+      add(Kind::Warning, text);
+      continue;
+    }
+    QStringList files;
+    for (const std::filesystem::path& file : warning.files) files << toQString(file);
+    add(Kind::Warning, text, tr("Files…"), [this, text, files] {
+      QMessageBox box(QMessageBox::Information, tr("Files concerned"), text, QMessageBox::Close, window());
+      box.setDetailedText(files.join(QLatin1Char('\n')));
+      box.exec();
+    });
+  }
 }
 
 void NoticeBar::clear() {

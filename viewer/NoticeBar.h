@@ -1,10 +1,13 @@
 #pragma once
-// What the user must know, above the pictures and out of the way: warnings about the data, and errors. Nothing here
-// stops the work; a notice stays until it is dismissed or replaced. Beyond a few, the rest is folded away.
+// Warnings about the data, and errors, in a bar above the pictures. A notice never blocks the window and stays until
+// the user dismisses it or opens another study. Only the first few show; a button unfolds the others.
 
 #include <functional>
+#include <vector>
 
 #include <QWidget>
+
+#include "io/VolumeReader.h"
 
 class QPushButton;
 class QVBoxLayout;
@@ -18,8 +21,11 @@ class NoticeBar : public QWidget {
 
   explicit NoticeBar(QWidget* parent = nullptr);
 
-  /// A notice that is already shown is not repeated. `action` makes a button called `actionName`.
+  /// Adds a notice unless the same text is shown already. With an `action`, the notice has a button called
+  /// `actionName`.
   void add(Kind kind, const QString& text, const QString& actionName = {}, std::function<void()> action = {});
+  /// A reader's warnings, each with the files that it concerns.
+  void addWarnings(const std::vector<io::Warning>& warnings);
   void clear();
   /// The texts shown, from the top.
   QStringList texts() const;

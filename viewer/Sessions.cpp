@@ -8,17 +8,18 @@
 #include <QPushButton>
 
 #include "io/session/SessionFile.h"
-#include "viewer/MainWindow.h"
 #include "viewer/NoticeBar.h"
 #include "viewer/jobs/ReadStudy.h"
+#include "viewer/jobs/StudyLoader.h"
 #include "viewer/model/Paths.h"
+#include "viewer/model/Workspace.h"
 
 namespace fenestra::viewer {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// Between two copies, so that a crash costs a minute at most.
+/// Between two copies: a crash loses a minute of work at most.
 constexpr int autosaveMilliseconds = 60000;
 
 QString sessionFilter() { return Sessions::tr("Sessions (*%1)").arg(QLatin1String(io::sessionEnding)); }
@@ -29,7 +30,7 @@ std::optional<fs::path> chosen(const QString& name) {
 
 SessionQuestions::Answer askToSave(QWidget* parent) {
   switch (QMessageBox::question(parent, Sessions::tr("Unsaved work"),
-                                Sessions::tr("What was done since the session was last saved would be lost. Save it?"),
+                                Sessions::tr("The changes since the last save would be lost. Save them?"),
                                 QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save)) {
     case QMessageBox::Save:
       return SessionQuestions::Answer::Save;
@@ -62,7 +63,7 @@ std::optional<fs::path> askForData(QWidget* parent, const io::DataMissing& missi
 
 SessionQuestions::Answer askToRestore(QWidget* parent, const QDateTime& saved) {
   QMessageBox box(QMessageBox::Question, Sessions::tr("Unsaved work"),
-                  Sessions::tr("Fenestra ended before its work was saved. A copy of %1 is there.")
+                  Sessions::tr("Fenestra ended before the session was saved. A copy from %1 can be restored.")
                       .arg(QLocale::system().toString(saved, QLocale::ShortFormat)),
                   QMessageBox::NoButton, parent);
   const QPushButton* restore = box.addButton(Sessions::tr("Restore"), QMessageBox::AcceptRole);
@@ -97,27 +98,31 @@ SessionQuestions sessionDialogs(QWidget* parent) {
   };
 }
 
-Sessions::Sessions(MainWindow& window, SessionController::WindowPart part)
+Sessions::Sessions(QWidget& window, Workspace& workspace, StudyLoader& loader, NoticeBar& notices,
+                   SessionController::WindowPart part)
     : QObject(&window),
       window_(window),
-      controller_({window.document(), window.cursor(), window.cameras(), window.placement(), window.options()},
+      workspace_(workspace),
+      loader_(loader),
+      notices_(notices),
+      controller_({workspace.document, workspace.cursor, workspace.cameras, workspace.placement, workspace.options},
                   std::move(part)),
       questions_(sessionDialogs(&window)) {
   connect(&controller_, &SessionController::changed, this, &Sessions::showTitle);
   connect(&controller_, &SessionController::saved, this,
-          [this](const QString& file) { window_.rememberRecent(toPath(file)); });
+          [this](const QString& file) { workspace_.preferences.addRecent(toPath(file)); });
   connect(&controller_, &SessionController::failed, this,
-          [this](const QString& message) { window_.notices().add(NoticeBar::Kind::Error, message); });
+          [this](const QString& message) { notices_.add(NoticeBar::Kind::Error, message); });
 }
 
 void Sessions::studyShown() {
   controller_.studyOpened();
-  if (restoring_ && window_.document().study().isRecovered) controller_.adopt(*restoring_);
+  if (restoring_ && workspace_.document.study().isRecovered) controller_.adopt(*restoring_);
   restoring_.reset();
 }
 
 void Sessions::showTitle() {
-  const Document& document = window_.document();
+  const Document& document = workspace_.document;
   window_.setWindowTitle(document.hasVolume() ? QStringLiteral("%1[*] – Fenestra").arg(document.description())
                                               : QStringLiteral("Fenestra"));
   window_.setWindowModified(controller_.isModified());
@@ -132,11 +137,11 @@ void Sessions::open(const fs::path& file) {
 void Sessions::open(Reader read) { open(std::move(read), {}); }
 
 void Sessions::open(Reader read, io::SessionPlaces places) {
-  window_.open([read, places](const io::Progress& progress) { return read(places, progress); },
+  loader_.open([read, places](const io::Progress& progress) { return read(places, progress); },
                [this, read, places](const io::DataMissing& missing) {
                  const std::optional<fs::path> there = questions_.dataWhere(missing);
                  if (!there) {
-                   window_.notices().add(NoticeBar::Kind::Error, QString::fromUtf8(missing.what()));
+                   notices_.add(NoticeBar::Kind::Error, QString::fromUtf8(missing.what()));
                    return;
                  }
                  io::SessionPlaces now = places;
@@ -146,7 +151,7 @@ void Sessions::open(Reader read, io::SessionPlaces places) {
 }
 
 void Sessions::choose() {
-  if (const std::optional<fs::path> file = questions_.openWhich()) window_.open({*file});
+  if (const std::optional<fs::path> file = questions_.openWhich(); file && mayGo()) open(*file);
 }
 
 bool Sessions::save() {
@@ -158,7 +163,7 @@ bool Sessions::save() {
 bool Sessions::saveAs() {
   fs::path suggested = controller_.file();
   if (suggested.empty()) {
-    const fs::path& data = window_.document().study().path;
+    const fs::path& data = workspace_.document.study().path;
     suggested = (data.empty() ? toPath(QDir::homePath()) : fs::absolute(data).parent_path()) / "session";
     suggested += io::sessionEnding;
   }

@@ -1,21 +1,24 @@
 #pragma once
-// Opening and saving sessions as a user does it: the questions that go with it, the title, and work that a crash left.
+// Opening and saving sessions as a user does it: the questions to ask, the window's title, and recovery after a crash.
 
 #include <functional>
 #include <memory>
 #include <optional>
 
-#include <QMainWindow>
 #include <QObject>
 
 #include "io/session/OpenSession.h"
 #include "viewer/model/SessionController.h"
 
+class QWidget;
+
 namespace fenestra::viewer {
 
-class MainWindow;
+class NoticeBar;
+class StudyLoader;
+struct Workspace;
 
-/// What the user is asked, as dialogs unless replaced.
+/// The questions to the user: dialogs, unless a test replaces them.
 struct SessionQuestions {
   enum class Answer : std::uint8_t { Save, Discard, Cancel };
   std::function<Answer()> saveChanges;
@@ -23,9 +26,9 @@ struct SessionQuestions {
   std::function<std::optional<std::filesystem::path>(const std::filesystem::path& suggested)> saveWhere;
   /// A session to open, or none.
   std::function<std::optional<std::filesystem::path>()> openWhich;
-  /// Where data are that are not where the session says, or none.
+  /// Where the data is now that the session does not find, or none.
   std::function<std::optional<std::filesystem::path>(const io::DataMissing& missing)> dataWhere;
-  /// What to do with work that a crash left; Save restores it, Discard removes it.
+  /// What to do with work recovered after a crash: Save restores it, Discard removes it.
   std::function<Answer(const QDateTime& saved)> restoreWork;
 };
 SessionQuestions sessionDialogs(QWidget* parent);
@@ -33,37 +36,42 @@ SessionQuestions sessionDialogs(QWidget* parent);
 class Sessions : public QObject {
   Q_OBJECT
  public:
-  /// Reads a session's study on another thread; asked again with other places when its data were not found.
+  /// Reads a session's study on another thread. Called again with other places when the data was not found.
   using Reader = std::function<Study(const io::SessionPlaces&, const io::Progress&)>;
 
-  Sessions(MainWindow& window, SessionController::WindowPart part);
+  /// `window` is the dialogs' parent, shows the title, and owns this; all others outlive it.
+  Sessions(QWidget& window, Workspace& workspace, StudyLoader& loader, NoticeBar& notices,
+           SessionController::WindowPart part);
 
   SessionController& controller() { return controller_; }
   SessionQuestions& questions() { return questions_; }
 
   void open(const std::filesystem::path& file);
   void open(Reader read);
-  /// A study is on show; if it is a session's, the window becomes what that says.
+  /// To be called when the window shows a new study. Restores the window from the study's session, if it has one.
   void studyShown();
-  /// Asks which.
+  /// Asks for a session and opens it.
   void choose();
-  /// To the session's file, or asks for one. False when the user gave up.
+  /// Saves to the session's file; without one, asks for it. False when the user cancels.
   bool save();
   bool saveAs();
-  /// Whether what is open may go: it is saved, or the user saves it now, or does not want it. False: it stays.
+  /// Whether the open study may be closed: it is saved, or the user saves it now or discards the changes.
   bool mayGo();
 
-  /// Keeps copies in `folder` in case of a crash, and offers those that a crash has left; true when one is being
-  /// opened.
+  /// Starts saving copies to `folder`, and offers to restore the copies of a run that crashed. True when the user
+  /// restores one.
   bool startRecovery(const std::filesystem::path& folder);
-  /// $XDG_STATE_HOME/fenestra/sessions, or what stands for it.
+  /// $XDG_STATE_HOME/fenestra/sessions; ~/.local/state replaces an unset variable.
   static std::filesystem::path recoveryFolder();
 
  private:
   void open(Reader read, io::SessionPlaces places);
   void showTitle();
 
-  MainWindow& window_;
+  QWidget& window_;
+  Workspace& workspace_;
+  StudyLoader& loader_;
+  NoticeBar& notices_;
   SessionController controller_;
   SessionQuestions questions_;
   std::optional<AbandonedSession> restoring_;  ///< being opened

@@ -99,9 +99,10 @@ Json describe(const std::vector<io::Warning>& warnings) {
 Json describe(const io::Session& session) {
   Json views = Json::array();
   for (const io::SessionView& view : session.views) views.push_back({{"size", {view.size.x, view.size.y}}});
-  Json json{{"focus", nullptr}, {"labels", nullptr}, {"strokes", session.strokes.size()}, {"views", std::move(views)}};
-  if (const auto* labels = std::get_if<LabelFocus>(&session.focus)) json["focus"] = labels->labels;
-  if (const auto* range = std::get_if<ValueFocus>(&session.focus))
+  Json json{
+      {"focus", nullptr}, {"labels", nullptr}, {"strokes", session.look.strokes.size()}, {"views", std::move(views)}};
+  if (const auto* labels = std::get_if<LabelFocus>(&session.look.focus)) json["focus"] = labels->labels;
+  if (const auto* range = std::get_if<ValueFocus>(&session.look.focus))
     json["focus"] = {{"low", range->values.low}, {"high", range->values.high}};
   if (!session.labels.path.empty()) json["labels"] = session.labels.path.string();
   return json;

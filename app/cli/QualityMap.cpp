@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "io/ImageWriter.h"
-#include "rendering/placement/Sphere.h"
+#include "rendering/viewpoints/Sphere.h"
 
 namespace fenestra::cli {
 namespace {

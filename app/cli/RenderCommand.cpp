@@ -16,6 +16,7 @@
 #include "io/ImageWriter.h"
 #include "io/session/OpenSession.h"
 #include "io/session/SessionFile.h"
+#include "rendering/Renderer.h"
 #include "rendering/egl/EglContext.h"
 #include "rendering/gpu/GpuScene.h"
 #include "rendering/placement/Placer.h"

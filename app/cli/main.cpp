@@ -1,6 +1,7 @@
 // fenestra-cli: everything that needs no window. Exit codes: 0 done, 1 the input or the machine is at fault, 2 wrong
 // usage.
 
+#include <array>
 #include <exception>
 #include <functional>
 #include <iostream>
@@ -8,7 +9,6 @@
 #include <sstream>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -18,8 +18,10 @@
 #include "app/cli/Commands.h"
 #include "app/cli/Report.h"
 #include "rendering/egl/EglContext.h"
+#include "rendering/gl/ShaderProgram.h"
+#include "rendering/gl/Texture.h"
 #include "rendering/gpu/RenderError.h"
-#include "rendering/placement/Sphere.h"
+#include "rendering/viewpoints/Sphere.h"
 
 namespace fenestra::cli {
 namespace {
@@ -137,11 +139,99 @@ int run(const Command& command) {
     return fail(source + ": " + error.what());
   } catch (const RenderError& error) {
     return fail(source + ": " + error.what());
+  } catch (const gl::AllocationError& error) {
+    return fail(source + ": " + error.what());
+  } catch (const gl::ShaderError& error) {
+    return fail(source + ": the graphics driver refuses a shader: " + error.what() +
+                "; update the driver, or set LIBGL_ALWAYS_SOFTWARE=1");
   } catch (const std::bad_alloc&) {
     return fail(source + ": not enough memory; close other programs or use a smaller volume");
   } catch (const std::exception& error) {
     return fail(source + ": unexpected failure: " + error.what() + "; please report it");
   }
+}
+
+Command addInfo(CLI::App& program, InfoOptions& options) {
+  CLI::App* command = program.add_subcommand("info", "geometry, type, value range, series and warnings, as JSON");
+  app::addVolumeOptions(*command, options.volume);
+  command->add_flag("--descriptions", options.descriptions,
+                    "also the series' descriptions, free texts that may name the patient");
+  requireSource(*command);
+  return {command, &options.volume, [&] { return info(options), true; }};
+}
+
+Command addConvert(CLI::App& program, ConvertOptions& options) {
+  CLI::App* command =
+      program.add_subcommand("convert", "write the volume's real values to .mha, .nii.gz, .nii or .nrrd");
+  app::addVolumeOptions(*command, options.volume);
+  command->add_option("-o,--output", options.output, "file to write")->required()->type_name("FILE");
+  requireSource(*command);
+  return {command, &options.volume, [&] { return convert(options), true; }};
+}
+
+Command addSlice(CLI::App& program, SliceOptions& options) {
+  CLI::App* command = program.add_subcommand("slice", "one slice as PNG, a pixel a voxel, radiological convention");
+  app::addVolumeOptions(*command, options.volume);
+  app::addChoice<SlicePlane>(
+      *command, "--plane", "default axial",
+      {{"axial", SlicePlane::Axial}, {"sagittal", SlicePlane::Sagittal}, {"coronal", SlicePlane::Coronal}},
+      options.plane);
+  CLI::Option* at = command->add_option("--at", options.at, "mm along S (axial), L (sagittal) or P (coronal)");
+  command->add_option("--index", options.index, "slice number, growing the same way; the middle one otherwise")
+      ->excludes(at);
+  command->add_option("--window", options.width, "width of the display window; the file's own otherwise")
+      ->check(CLI::PositiveNumber);
+  command->add_option("--level", options.level, "centre of the display window");
+  command->add_option("-o,--output", options.output, "PNG to write")->required()->type_name("FILE");
+  requireSource(*command);
+  return {command, &options.volume, [&] { return slice(options), true; }};
+}
+
+Command addRender(CLI::App& program, RenderOptions& options) {
+  CLI::App* command = program.add_subcommand("render", "a picture with the adaptive cutaway");
+  app::addSceneOptions(*command, options.scene);
+  CLI::Option* output = command->add_option("-o,--output", options.output, "PNG to write")->type_name("FILE");
+  CLI::Option* layers =
+      command->add_option("--layers", options.layers, "folder for every stage, as .mha")->type_name("FOLDER");
+  CLI::Option* stats = command->add_option("--stats", options.stats, "JSON of times and memory to write")
+                           ->type_name("FILE")
+                           ->needs(output);
+  command->add_option("--save-session", options.session, "what is shown as a session, for the window or for later")
+      ->type_name("FILE.fenestra");
+  CLI::Option* repeat =
+      command->add_option("--repeat", options.repeat, "frames to draw and time, each from the first pass on")
+          ->check(CLI::Range(1, 10000))
+          ->needs(output);
+  app::addScheduleOption(*command, options.schedule);
+  CLI::Option* reference =
+      command->add_flag("--reference", options.reference,
+                        "the picture, its layers or both in double precision on the CPU, without OpenGL; takes minutes "
+                        "where the renderer takes seconds");
+  reference->excludes(stats)->excludes(repeat);
+  command->final_callback([=] {
+    if (!command->get_option("PATH")->count() && !command->get_option("--phantom")->count())
+      throw CLI::RequiredError("PATH or --phantom");
+    const bool referenceLayers = reference->count() && layers->count();
+    if (!output->count() && !referenceLayers) throw CLI::RequiredError("--output");
+  });
+  return {command, &options.scene, [&] { return render(options), true; }};
+}
+
+Command addPlace(CLI::App& program, PlaceOptions& options) {
+  CLI::App* command =
+      program.add_subcommand("place", "the best view of the focus and one that complements it, as JSON");
+  app::addSceneOptions(*command, options.scene,
+                       [&options](const io::Session& session) { useAsDefaults(session, options); });
+  addPlacementOptions(*command, options);
+  requireSource(*command);
+  return {command, &options.scene, [&] { return place(options), true; }};
+}
+
+Command addCompare(CLI::App& program, CompareOptions& options) {
+  CLI::App* command = program.add_subcommand("compare", "errors between two pictures or layers, as JSON");
+  command->add_option("A", options.a, "PNG or .mha")->required()->type_name("");
+  command->add_option("B", options.b, "of the same size")->required()->type_name("");
+  return {command, nullptr, [&] { return compare(options); }};
 }
 
 int main(int argc, char** argv) {
@@ -152,83 +242,15 @@ int main(int argc, char** argv) {
   program.require_subcommand(1);
   program.set_version_flag("--version", FENESTRA_VERSION);
   program.get_formatter()->column_width(40);
-  std::vector<Command> commands;
-
   InfoOptions infoOptions;
-  CLI::App* command = program.add_subcommand("info", "geometry, type, value range, series and warnings, as JSON");
-  app::addVolumeOptions(*command, infoOptions.volume);
-  command->add_flag("--descriptions", infoOptions.descriptions,
-                    "also the series' descriptions, free texts that may name the patient");
-  requireSource(*command);
-  commands.push_back({command, &infoOptions.volume, [&] { return info(infoOptions), true; }});
-
   ConvertOptions convertOptions;
-  command = program.add_subcommand("convert", "write the volume's real values to .mha, .nii.gz, .nii or .nrrd");
-  app::addVolumeOptions(*command, convertOptions.volume);
-  command->add_option("-o,--output", convertOptions.output, "file to write")->required()->type_name("FILE");
-  requireSource(*command);
-  commands.push_back({command, &convertOptions.volume, [&] { return convert(convertOptions), true; }});
-
   SliceOptions sliceOptions;
-  command = program.add_subcommand("slice", "one slice as PNG, a pixel a voxel, radiological convention");
-  app::addVolumeOptions(*command, sliceOptions.volume);
-  app::addChoice<SlicePlane>(
-      *command, "--plane", "default axial",
-      {{"axial", SlicePlane::Axial}, {"sagittal", SlicePlane::Sagittal}, {"coronal", SlicePlane::Coronal}},
-      sliceOptions.plane);
-  CLI::Option* at = command->add_option("--at", sliceOptions.at, "mm along S (axial), L (sagittal) or P (coronal)");
-  command->add_option("--index", sliceOptions.index, "slice number, growing the same way; the middle one otherwise")
-      ->excludes(at);
-  command->add_option("--window", sliceOptions.width, "width of the display window; the file's own otherwise")
-      ->check(CLI::PositiveNumber);
-  command->add_option("--level", sliceOptions.level, "centre of the display window");
-  command->add_option("-o,--output", sliceOptions.output, "PNG to write")->required()->type_name("FILE");
-  requireSource(*command);
-  commands.push_back({command, &sliceOptions.volume, [&] { return slice(sliceOptions), true; }});
-
   RenderOptions renderOptions;
-  command = program.add_subcommand("render", "a picture with the adaptive cutaway");
-  app::addSceneOptions(*command, renderOptions.scene);
-  CLI::Option* output = command->add_option("-o,--output", renderOptions.output, "PNG to write")->type_name("FILE");
-  CLI::Option* layers =
-      command->add_option("--layers", renderOptions.layers, "folder for every stage, as .mha")->type_name("FOLDER");
-  CLI::Option* stats = command->add_option("--stats", renderOptions.stats, "JSON of times and memory to write")
-                           ->type_name("FILE")
-                           ->needs(output);
-  command
-      ->add_option("--save-session", renderOptions.session, "what is shown as a session, for the window or for later")
-      ->type_name("FILE.fenestra");
-  CLI::Option* repeat =
-      command->add_option("--repeat", renderOptions.repeat, "frames to draw and time, each from the first pass on")
-          ->check(CLI::Range(1, 10000))
-          ->needs(output);
-  app::addScheduleOption(*command, renderOptions.schedule);
-  CLI::Option* reference =
-      command->add_flag("--reference", renderOptions.reference,
-                        "the picture, its layers or both in double precision on the CPU, without OpenGL; takes minutes "
-                        "where the renderer takes seconds");
-  reference->excludes(stats)->excludes(repeat);
-  command->final_callback([=] {
-    if (!command->get_option("PATH")->count() && !command->get_option("--phantom")->count())
-      throw CLI::RequiredError("PATH or --phantom");
-    const bool referenceLayers = reference->count() && layers->count();
-    if (!output->count() && !referenceLayers) throw CLI::RequiredError("--output");
-  });
-  commands.push_back({command, &renderOptions.scene, [&] { return render(renderOptions), true; }});
-
   PlaceOptions placeOptions;
-  command = program.add_subcommand("place", "the best view of the focus and one that complements it, as JSON");
-  app::addSceneOptions(*command, placeOptions.scene,
-                       [&placeOptions](const io::Session& session) { useAsDefaults(session, placeOptions); });
-  addPlacementOptions(*command, placeOptions);
-  requireSource(*command);
-  commands.push_back({command, &placeOptions.scene, [&] { return place(placeOptions), true; }});
-
   CompareOptions compareOptions;
-  command = program.add_subcommand("compare", "errors between two pictures or layers, as JSON");
-  command->add_option("A", compareOptions.a, "PNG or .mha")->required()->type_name("");
-  command->add_option("B", compareOptions.b, "of the same size")->required()->type_name("");
-  commands.push_back({command, nullptr, [&] { return compare(compareOptions); }});
+  const std::array commands{addInfo(program, infoOptions),   addConvert(program, convertOptions),
+                            addSlice(program, sliceOptions), addRender(program, renderOptions),
+                            addPlace(program, placeOptions), addCompare(program, compareOptions)};
 
   try {
     program.parse(argc, argv);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <iostream>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,18 +17,18 @@
 #include "app/SceneSession.h"
 #include "io/ImageWriter.h"
 #include "io/PhantomFile.h"
-#include "io/session/SessionFile.h"
+#include "io/SessionName.h"
 #include "viewer/MainWindow.h"
 #include "viewer/Sessions.h"
-#include "viewer/Style.h"
-#include "viewer/model/Paths.h"
+#include "viewer/jobs/ReadStudy.h"
+#include "viewer/style/Style.h"
 
 namespace fenestra::viewer {
 namespace {
 
 constexpr int done = 0, failed = 1, misused = 2;
 
-/// One line on stderr, whatever the text.
+/// Writes one line to stderr; line breaks in the text become spaces.
 void tell(std::string what) {
   std::replace(what.begin(), what.end(), '\n', ' ');
   std::cerr << "fenestra: " << what << '\n';
@@ -38,7 +39,7 @@ int fail(const std::string& what) {
   return failed;
 }
 
-/// Qt aborts where it finds no display: said in one line instead. Its remarks about the session are not for the user.
+/// Qt aborts where it finds no display: this says so in one line instead. Qt's debug messages and warnings are dropped.
 void handleQtMessage(QtMsgType type, const QMessageLogContext&, const QString& message) {
   if (type == QtFatalMsg) {
     tell("no display to open a window on; start it on a desktop, or use fenestra-cli");
@@ -54,7 +55,6 @@ Study readScene(const app::SceneOptions& options, const io::Progress& progress) 
   study.restoresSession = loaded.session.has_value();
   if (study.restoresSession) study.sessionFile = options.path;
   study.scene = std::move(loaded.scene);
-  study.transferFunction = std::move(loaded.transferFunction);
   study.camera = loaded.view.camera;
   study.placeCameras = loaded.placed.has_value();
   study.path = study.session.volume.path;
@@ -64,7 +64,7 @@ Study readScene(const app::SceneOptions& options, const io::Progress& progress) 
   return study;
 }
 
-MainWindow::Reader phantomReader(const std::string& name) {
+StudyLoader::Reader phantomReader(const std::string& name) {
   app::SceneOptions options;
   options.phantom = name;
   return [options](const io::Progress& progress) { return readScene(options, progress); };
@@ -82,21 +82,27 @@ void saveScreenshot(MainWindow& window, const std::filesystem::path& path) {
   io::writePng(path, {picture.width(), picture.height()}, 3, pixels);
 }
 
-int main(int argc, char** argv) {
+/// What the command line asks for.
+struct Request {
+  app::SceneOptions scene;
+  std::filesystem::path screenshot;  ///< empty: stay open
+  std::optional<Effort> atRest;      ///< unset: as remembered
+};
+
+/// Reads the command line into `request`. Returns an exit code when the program should end at once.
+std::optional<int> parse(int argc, char** argv, Request& request) {
   CLI::App program{"Fenestra: looks into medical volumes with an adaptive cutaway.\nNot for diagnostic use.",
                    "fenestra"};
   program.set_version_flag("--version", FENESTRA_VERSION);
-  app::SceneOptions options;
+  app::SceneOptions& options = request.scene;
   app::addSceneOptions(program, options);
   std::vector<std::string> morePaths;
   program.add_option("MORE", morePaths, "further slices of PATH's folder, or a label map")->type_name("PATH ...");
-  std::filesystem::path screenshot;
   program
       .add_option_function<std::string>(
-          "--screenshot", [&](const std::string& path) { screenshot = path; },
+          "--screenshot", [&](const std::string& path) { request.screenshot = path; },
           "save the whole window once everything is drawn, and exit")
       ->type_name("OUT.png");
-
   try {
     program.parse(argc, argv);
     if (!morePaths.empty()) {
@@ -116,51 +122,68 @@ int main(int argc, char** argv) {
     return io::isSession(options.path) ? failed : misused;
   }
   if (options.empty()) options.phantom = "torso";
+  if (program.count("--quality") + program.count("--max-error") > 0)
+    request.atRest = Effort{.quality = options.quality, .maxError = options.maxError};
+  return std::nullopt;
+}
 
-  qInstallMessageHandler(handleQtMessage);
-  requestOpenGl();
-  QApplication application(argc, argv);
+void setUp(QApplication& application) {
   QLocale::setDefault(QLocale::c());
   application.setApplicationName(QStringLiteral("Fenestra"));
   application.setOrganizationName(QStringLiteral("Fenestra"));
   application.setApplicationVersion(QStringLiteral(FENESTRA_VERSION));
   application.setDesktopFileName(QStringLiteral("fenestra"));
   applyStyle(application);
+}
 
-  const GlSupport gl = probeOpenGl();
-  if (!gl.available && !screenshot.empty()) tell(gl.problem.toStdString());
-  MainWindow::Setup setup{.gl = gl, .atRest = {}, .remember = screenshot.empty()};
-  if (program.count("--quality") + program.count("--max-error") > 0)
-    setup.atRest = Effort{.quality = options.quality, .maxError = options.maxError};
-  MainWindow window(setup);
-  for (const std::string& name : io::phantomNames())
-    window.addSample(QString::fromStdString(io::loadPhantom(name).name), phantomReader(name));
-  if (options.size) window.resize(options.size->x, options.size->y);
-  window.show();
-  const auto read = [options](const io::SessionPlaces& places, const io::Progress& progress) {
+/// Offers to restore work after a crash; otherwise opens what `options` names.
+void openInWindow(MainWindow& window, const app::SceneOptions& options) {
+  if (window.sessions().startRecovery(Sessions::recoveryFolder())) return;
+  window.sessions().open([options](const io::SessionPlaces& places, const io::Progress& progress) {
     app::SceneOptions where = options;
     if (!places.volume.empty()) where.data = places.volume;
     if (!places.labels.empty()) where.labels = places.labels;
     return readScene(where, progress);
-  };
-  if (!screenshot.empty())
-    window.open([read](const io::Progress& progress) { return read({}, progress); });
-  else if (!window.sessions().startRecovery(Sessions::recoveryFolder()))
-    window.sessions().open(read);
-  if (!screenshot.empty()) {
-    QObject::connect(&window, &MainWindow::failed, &application,
-                     [&](const QString& message) { QCoreApplication::exit(fail(message.toStdString())); });
-    QObject::connect(&window, &MainWindow::opened, &application, [&] {
-      window.whenDrawn([&] {
-        try {
-          saveScreenshot(window, screenshot);
-          QCoreApplication::exit(done);
-        } catch (const std::exception& error) {
-          QCoreApplication::exit(fail(error.what()));
-        }
-      });
+  });
+}
+
+/// Opens what `options` names, saves the window once it is drawn, and ends the program.
+void openForScreenshot(MainWindow& window, const app::SceneOptions& options, const std::filesystem::path& path) {
+  QObject::connect(&window, &MainWindow::failed,
+                   [](const QString& message) { QCoreApplication::exit(fail(message.toStdString())); });
+  QObject::connect(&window, &MainWindow::opened, [&window, path] {
+    window.whenDrawn([&window, path] {
+      try {
+        saveScreenshot(window, path);
+        QCoreApplication::exit(done);
+      } catch (const std::exception& error) {
+        QCoreApplication::exit(fail(error.what()));
+      }
     });
-  }
+  });
+  window.open([options](const io::Progress& progress) { return readScene(options, progress); });
+}
+
+int main(int argc, char** argv) {
+  Request request;
+  if (const std::optional<int> code = parse(argc, argv, request)) return *code;
+
+  qInstallMessageHandler(handleQtMessage);
+  requestOpenGl();
+  QApplication application(argc, argv);
+  setUp(application);
+  const bool stays = request.screenshot.empty();
+  const GlSupport gl = probeOpenGl();
+  if (!gl.available && !stays) tell(gl.problem.toStdString());
+  MainWindow window({.gl = gl, .atRest = request.atRest, .remember = stays});
+  for (const std::string& name : io::phantomNames())
+    window.addSample(QString::fromStdString(io::loadPhantom(name).name), phantomReader(name));
+  if (request.scene.size) window.resize(request.scene.size->x, request.scene.size->y);
+  window.show();
+  if (stays)
+    openInWindow(window, request.scene);
+  else
+    openForScreenshot(window, request.scene, request.screenshot);
   return QApplication::exec();
 }
 

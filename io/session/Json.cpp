@@ -1,10 +1,8 @@
 #include "io/session/Json.h"
 
 #include <algorithm>
-#include <charconv>
 #include <fstream>
 #include <set>
-#include <stdexcept>
 #include <system_error>
 
 namespace fenestra::io::json {
@@ -59,51 +57,6 @@ void checkBounds(const fs::path& file, std::string_view text) {
   }
 }
 
-void append(std::string& text, const Value& value, int indent);
-
-void appendNumber(std::string& text, double number) {
-  if (!std::isfinite(number)) throw std::invalid_argument("a number that is not finite");
-  std::array<char, 32> digits;
-  const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), number);
-  const std::string_view shortest(digits.data(), static_cast<std::size_t>(end - digits.data()));
-  text += shortest;
-  // A whole number stays a real one, and keeps the sign of zero.
-  if (shortest.find_first_of(".e") == std::string_view::npos) text += ".0";
-}
-
-bool isPlain(const Value& value) { return !value.is_structured(); }
-
-void appendList(std::string& text, const Value& list, int indent) {
-  const bool oneLine = std::all_of(list.begin(), list.end(), isPlain);
-  const std::string margin = oneLine ? "" : "\n" + std::string(static_cast<std::size_t>(indent) + 2, ' ');
-  text += '[';
-  for (auto at = list.begin(); at != list.end(); ++at) {
-    if (at != list.begin()) text += oneLine ? ", " : ",";
-    text += margin;
-    append(text, *at, indent + 2);
-  }
-  if (!oneLine) text.append("\n").append(static_cast<std::size_t>(indent), ' ');
-  text += ']';
-}
-
-void append(std::string& text, const Value& value, int indent) {
-  if (value.is_array()) {
-    appendList(text, value, indent);
-  } else if (value.is_object() && !value.empty()) {
-    text += '{';
-    for (auto at = value.begin(); at != value.end(); ++at) {
-      text += at == value.begin() ? "\n" : ",\n";
-      text.append(static_cast<std::size_t>(indent) + 2, ' ').append(Value(at.key()).dump()).append(": ");
-      append(text, at.value(), indent + 2);
-    }
-    text.append("\n").append(static_cast<std::size_t>(indent), ' ').append("}");
-  } else if (value.is_number_float()) {
-    appendNumber(text, value.get<double>());
-  } else {
-    text += value.dump();
-  }
-}
-
 /// Whether everything that `known` says, `whole` says too.
 bool agrees(const Value& whole, const Value& known) {
   if (!known.is_object() || !whole.is_object()) return whole == known;
@@ -153,12 +106,7 @@ Value parse(const fs::path& file, std::string_view text) {
   }
 }
 
-std::string textOf(const Value& value) {
-  std::string text;
-  append(text, value, 0);
-  text += '\n';
-  return text;
-}
+std::string textOf(const Value& value) { return value.dump(1) + "\n"; }
 
 Value unknownIn(const Value& read, const Value& known) {
   if (read.is_object() && known.is_object()) {

@@ -2,8 +2,8 @@
 // JSON that may come from anywhere: parsed within bounds, read member by member with the place of every mistake, and
 // written so that it comes back bit for bit. Private to io/session.
 //
-// What a struct's members are called is said once, by an overload of members(io, object) that a Reader and a Writer
-// both run: io("open_width", cutaway.openWidth, nonNegative). A member that is missing keeps its default.
+// An overload of members(io, object) lists a struct's members once: io("size", view.size, {1.0, 16384.0}, {"Pixels"}).
+// A Reader, a Writer and a SchemaWriter (JsonSchema.h) all run it. A member that is missing keeps its default.
 
 #include <array>
 #include <cmath>
@@ -21,6 +21,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/Error.h"
+#include "rendering/scene/Settings.h"
 
 namespace fenestra::io::json {
 
@@ -33,8 +34,7 @@ std::string readBounded(const std::filesystem::path& file, std::uintmax_t most);
 /// thousand members in one object, or says a member twice; so what it takes is bounded, whatever the text.
 Value parse(const std::filesystem::path& file, std::string_view text);
 
-/// Two spaces a level, lists of plain values on one line, numbers with as few digits as bring back the same double.
-/// Throws std::invalid_argument for NaN and infinities, which JSON does not have.
+/// Indented, with numbers that bring back the same double.
 std::string textOf(const Value& value);
 
 /// What `read` holds that `known`, written from what was understood of it, does not: members of objects at any level.
@@ -54,26 +54,22 @@ struct Place {
   [[noreturn]] void fail(const std::string& problem) const;
 };
 
-/// What a number must be, beside finite.
-struct Range {
-  double low = std::numeric_limits<double>::lowest(), high = std::numeric_limits<double>::max();
-};
 inline constexpr Range nonNegative{0.0, std::numeric_limits<double>::max()};
 inline constexpr Range positive{std::numeric_limits<double>::min(), std::numeric_limits<double>::max()};
-inline constexpr Range fraction{0.0, 1.0};
-/// Coordinates and lengths in mm: 1000 km, far beyond any patient and far from overflowing a float's square.
-inline constexpr Range millimetres{-1e9, 1e9};
-inline constexpr Range positiveMillimetres{1e-9, 1e9};
+
+/// What a member means, for the published schema.
+struct Meaning {
+  const char* text = "";
+  const char* unit = "";
+};
 
 /// The argument of members(): T when reading, const T when writing.
 template <class T, class U>
 concept Is = std::same_as<std::remove_const_t<T>, U>;
 
+/// A type whose values wordsOf() names.
 template <class T>
 concept Enumeration = std::is_enum_v<T>;
-/// An enumeration's words: an overload of wordsOf(E) for each, as a list of pairs of word and value.
-template <Enumeration E>
-using Words = std::vector<std::pair<const char*, E>>;
 
 class Reader;
 class Writer;
@@ -97,12 +93,12 @@ struct IsOptional<std::optional<T>> : std::true_type {};
 
 template <class T>
 void read(const Place& place, const Value& json, T& value, Range range);
+/// Throws std::invalid_argument for NaN and infinities, which JSON does not have.
 template <class T>
 Value write(const T& value);
 
 class Reader {
  public:
-  static constexpr bool reads = true;
   Reader(const Place& place, const Value& object) : place_(place), object_(object) {
     if (!object.is_object()) place.fail("is not an object");
   }
@@ -115,14 +111,19 @@ class Reader {
     return at == object_.end() ? none : *at;
   }
   template <class T>
-  void operator()(const char* key, T& value, Range range = {}) const {
+  void operator()(const char* key, T& value, Range range = {}, Meaning = {}) const {
     const auto at = object_.find(key);
     if (at != object_.end()) read(Place{place_.file, &place_, key}, *at, value, range);
   }
   /// As operator(), for a member that must be there.
   template <class T>
-  void required(const char* key, T& value, Range range = {}) const {
+  void required(const char* key, T& value, Range range = {}, Meaning = {}) const {
     if (!has(key)) place_.fail(std::string("lacks \"").append(key).append("\""));
+    (*this)(key, value, range);
+  }
+  /// As operator(), for a member that is written only where `there` is something.
+  template <class T>
+  void optional(const char* key, T& value, bool, Range range = {}, Meaning = {}) const {
     (*this)(key, value, range);
   }
   [[noreturn]] void fail(const std::string& problem) const { place_.fail(problem); }
@@ -134,31 +135,24 @@ class Reader {
 
 class Writer {
  public:
-  static constexpr bool reads = false;
   explicit Writer(Value& object) : object_(object) { object_ = Value::object(); }
 
   template <class T>
-  void operator()(const char* key, const T& value, Range = {}) {
+  void operator()(const char* key, const T& value, Range = {}, Meaning = {}) {
     object_[key] = write(value);
   }
   template <class T>
-  void required(const char* key, const T& value, Range = {}) {
+  void required(const char* key, const T& value, Range = {}, Meaning = {}) {
     object_[key] = write(value);
+  }
+  template <class T>
+  void optional(const char* key, const T& value, bool there, Range = {}, Meaning = {}) {
+    if (there) object_[key] = write(value);
   }
 
  private:
   Value& object_;
 };
-
-/// A member that is written only where there is something.
-template <class T>
-void optional(Writer& io, const char* key, const T& value, bool there, Range = {}) {
-  if (there) io(key, value);
-}
-template <class T>
-void optional(const Reader& io, const char* key, T& value, bool, Range range = {}) {
-  io(key, value, range);
-}
 
 template <class T>
 void read(const Place& place, const Value& json, T& value, Range range) {
@@ -170,12 +164,12 @@ void read(const Place& place, const Value& json, T& value, Range range) {
     const bool fits = json.is_number_unsigned() ? std::in_range<T>(json.get<std::uint64_t>())
                                                 : std::in_range<T>(json.get<std::int64_t>());
     const double number = json.get<double>();
-    if (!fits || number < range.low || number > range.high) place.fail("is out of range");
+    if (!fits || !range.contains(number)) place.fail("is out of range");
     value = json.get<T>();
   } else if constexpr (std::same_as<T, double>) {
     if (!json.is_number()) place.fail("is not a number");
     const double number = json.get<double>();
-    if (!std::isfinite(number) || number < range.low || number > range.high) place.fail("is out of range");
+    if (!std::isfinite(number) || !range.contains(number)) place.fail("is out of range");
     value = number;
   } else if constexpr (std::same_as<T, std::string>) {
     if (!json.is_string()) place.fail("is not a text");
@@ -184,13 +178,14 @@ void read(const Place& place, const Value& json, T& value, Range range) {
     if (!json.is_string()) place.fail("is not a text");
     value = json.get<std::string>();
   } else if constexpr (Enumeration<T>) {
-    for (const auto& [word, meant] : wordsOf(T{}))
-      if (json == word) {
-        value = meant;
+    std::string words;
+    for (const Word<T>& each : wordsOf(T{})) {
+      if (json == each.word) {
+        value = each.value;
         return;
       }
-    std::string words;
-    for (const auto& [word, meant] : wordsOf(T{})) words.append(words.empty() ? "" : ", ").append(word);
+      words.append(words.empty() ? "" : ", ").append(each.word);
+    }
     place.fail("is none of " + words);
   } else if constexpr (IsOptional<T>::value) {
     if (json.is_null()) {
@@ -221,16 +216,17 @@ void read(const Place& place, const Value& json, T& value, Range range) {
 template <class T>
 Value write(const T& value) {
   if constexpr (Enumeration<T>) {
-    for (const auto& [word, meant] : wordsOf(T{}))
-      if (meant == value) return word;
-    throw std::invalid_argument("a value without a word");
+    return wordOf(value).word;
   } else if constexpr (IsOptional<T>::value) {
     return value ? write(*value) : Value();
   } else if constexpr (IsVector<T>::value || IsArray<T>::value) {
     Value list = Value::array();
     for (const auto& each : value) list.push_back(write(each));
     return list;
-  } else if constexpr (std::integral<T> || std::same_as<T, double> || std::same_as<T, std::string>) {
+  } else if constexpr (std::same_as<T, double>) {
+    if (!std::isfinite(value)) throw std::invalid_argument("a number that is not finite");
+    return value;
+  } else if constexpr (std::integral<T> || std::same_as<T, std::string>) {
     return value;
   } else if constexpr (std::same_as<T, std::filesystem::path>) {
     return value.generic_string();
@@ -241,7 +237,7 @@ Value write(const T& value) {
     return object;
   } else {
     Value list = Value::array();
-    for (int i = 0; i < value.length(); ++i) list.push_back(value[i]);
+    for (int i = 0; i < value.length(); ++i) list.push_back(write(value[i]));
     return list;
   }
 }

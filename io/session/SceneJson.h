@@ -1,91 +1,97 @@
 #pragma once
-// What the members of a scene's parts are called in JSON, for sessions and for files of strokes. Private to io/session.
+// The members of a look and of what belongs to it in JSON, for sessions and for files of strokes. The settings come
+// from their tables in rendering/scene/Settings.h. Private to io/session.
 
-#include "io/session/Json.h"
-#include "rendering/scene/Quality.h"
-#include "rendering/scene/Scene.h"
+#include "io/session/JsonSchema.h"
+#include "rendering/scene/Settings.h"
 
 // Found by argument-dependent lookup, hence the scene's own namespace.
 namespace fenestra {
 
-inline io::json::Words<BrushMode> wordsOf(BrushMode) {
-  return {{"restore", BrushMode::Restore},
-          {"open", BrushMode::Open},
-          {"fade", BrushMode::Fade},
-          {"strengthen", BrushMode::Strengthen}};
-}
-inline io::json::Words<Projection> wordsOf(Projection) {
-  return {{"perspective", Projection::Perspective}, {"orthographic", Projection::Orthographic}};
-}
-inline io::json::Words<WidthUnit> wordsOf(WidthUnit) {
-  return {{"px", WidthUnit::Pixel}, {"mm", WidthUnit::Millimetre}};
-}
-inline io::json::Words<Quality> wordsOf(Quality) {
-  return {{"draft", Quality::Draft}, {"normal", Quality::Normal}, {"high", Quality::High}};
+/// All settings of a struct.
+template <class Object>
+void settings(auto& io, Object& object) {
+  forEachSetting<std::remove_const_t<Object>>([&](const auto& setting) {
+    // A colour's channels are its numbers.
+    const bool isColour = std::same_as<std::remove_cvref_t<decltype(object.*setting.member)>, glm::dvec3>;
+    io(setting.key, object.*setting.member, isColour ? fraction : setting.range, {setting.description, setting.unit});
+  });
 }
 
+void members(auto& io, io::json::Is<Cutaway> auto& cutaway) { settings(io, cutaway); }
+void members(auto& io, io::json::Is<ContextLayer> auto& layer) { settings(io, layer); }
+void members(auto& io, io::json::Is<Shading> auto& shading) { settings(io, shading); }
+void members(auto& io, io::json::Is<FocusAppearance> auto& appearance) { settings(io, appearance); }
+
 void members(auto& io, io::json::Is<BrushStroke> auto& stroke) {
-  io("mode", stroke.mode);
-  io("anchors", stroke.anchors, io::json::millimetres);
-  io("radius", stroke.radius, io::json::positiveMillimetres);
-  io("softness", stroke.softness, io::json::fraction);
-  io("depth", stroke.depth, io::json::Range{0.0, 1e9});
-  io("amount", stroke.amount, io::json::fraction);
-  io("covers_focus", stroke.coversFocus);
-  io("hidden", stroke.hidden);
-  io("view", stroke.view, io::json::Range{-1.0, 1.0});
+  io("anchors", stroke.anchors, millimetres, {"Points on what was seen, in the patient's mm (LPS); one is a dab"});
+  settings(io, stroke);
 }
 
 void members(auto& io, io::json::Is<Camera> auto& camera) {
   io("projection", camera.projection);
-  io("eye", camera.eye, io::json::millimetres);
-  io("target", camera.target, io::json::millimetres);
-  io("up", camera.up, io::json::millimetres);
-  io("vertical_fov", camera.verticalFov, io::json::Range{1e-6, 180.0 - 1e-6});
-  io("orthographic_height", camera.orthographicHeight, io::json::positiveMillimetres);
+  io("eye", camera.eye, millimetres);
+  io("target", camera.target, millimetres, {"The point that orbiting turns around"});
+  io("up", camera.up, millimetres, {"Need not be unit nor orthogonal to the view"});
+  io("vertical_fov", camera.verticalFov, {1e-6, 180.0 - 1e-6}, {"Field of view of a perspective camera", "degrees"});
+  io("orthographic_height", camera.orthographicHeight, positiveMillimetres,
+     {"From the bottom to the top of a parallel camera's picture", "mm"});
 }
 
-void members(auto& io, io::json::Is<Cutaway> auto& cutaway) {
-  io("enabled", cutaway.enabled);
-  io("open_width", cutaway.openWidth, io::json::Range{0.0, 1e5});
-  io("border_width", cutaway.borderWidth, io::json::Range{0.0, 1e5});
-  io("unit", cutaway.unit);
-  io("border_colour", cutaway.borderColour, io::json::fraction);
+void members(auto& io, io::json::Is<LabelFocus> auto& focus) {
+  io.required("labels", focus.labels, {1.0, 65535.0}, {"Label values, ascending, each once"});
 }
 
-void members(auto& io, io::json::Is<ContextLayer> auto& layer) {
-  io("strength", layer.strength, io::json::fraction);
-  io("curvature_weight", layer.curvatureWeight, io::json::nonNegative);
-  io("silhouette_weight", layer.silhouetteWeight, io::json::nonNegative);
-  io("illumination_weight", layer.illuminationWeight, io::json::fraction);
-  io("value_weight", layer.valueWeight, io::json::fraction);
-  io("colour", layer.colour, io::json::fraction);
-}
-
-void members(auto& io, io::json::Is<Shading> auto& shading) {
-  io("enabled", shading.enabled);
-  io("ambient", shading.ambient, io::json::nonNegative);
-  io("diffuse", shading.diffuse, io::json::nonNegative);
-  io("specular", shading.specular, io::json::nonNegative);
-  io("shininess", shading.shininess, io::json::nonNegative);
-}
-
-void members(auto& io, io::json::Is<FocusAppearance> auto& appearance) {
-  io("colour", appearance.colour, io::json::fraction);
-  io("extinction", appearance.extinction, io::json::nonNegative);
+void members(auto& io, io::json::Is<ValueFocus> auto& focus) {
+  io.required("low", focus.values.low);
+  io.required("high", focus.values.high);
+  settings(io, focus);
 }
 
 void members(auto& io, io::json::Is<TransferFunction::Node> auto& node) {
   io("value", node.value);
-  io("colour", node.properties.colour, io::json::fraction);
-  io("extinction", node.properties.extinction, io::json::nonNegative);
+  io("colour", node.properties.colour, fraction);
+  io("extinction", node.properties.extinction, io::json::nonNegative, {"", "1/mm"});
 }
 
 void members(auto& io, io::json::Is<ContextFunction> auto& context) {
-  io::json::optional(io, "preset", context.preset, !context.preset.empty());
-  io::json::optional(io, "file", context.file, !context.file.empty());
-  io.required("nodes", context.function.nodes);
-  io("shift", context.shift);
+  auto& [preset, file, function, shift] = context;
+  io.optional("preset", preset, !preset.empty(), {}, {"Id of the built-in preset that the nodes are"});
+  io.optional("file", file, !file.empty(), {}, {"File that the nodes were read from"});
+  io.required("nodes", function.nodes, {}, {"Before the shift, ascending"});
+  settings(io, context);
+}
+
+// A focus is an object of one of two kinds, or missing.
+inline void focusMember(io::json::Writer& io, const Focus& focus) {
+  if (const auto* labels = std::get_if<LabelFocus>(&focus))
+    io("focus", *labels);
+  else if (const auto* values = std::get_if<ValueFocus>(&focus))
+    io("focus", *values);
+}
+inline void focusMember(const io::json::Reader& io, Focus& focus) {
+  if (io["focus"].is_null()) return;
+  if (io["focus"].contains("labels"))
+    io("focus", focus.emplace<LabelFocus>());
+  else
+    io("focus", focus.emplace<ValueFocus>());
+}
+inline void focusMember(io::json::SchemaWriter& io, const Focus&) {
+  io.oneOf<LabelFocus, ValueFocus>("focus",
+                                   {"What the view opens to; without it, nothing. Either labels, or the values "
+                                    "from low to high"});
+}
+
+void members(auto& io, io::json::Is<Look> auto& look) {
+  auto& [focus, focusAppearance, context, cutaway, contextLayer, shading, background, strokes] = look;
+  focusMember(io, focus);
+  io("focus_appearance", focusAppearance);
+  io.required("context", context, {}, {"The transfer function of everything but the focus"});
+  io("cutaway", cutaway);
+  io("context_layer", contextLayer);
+  io("shading", shading);
+  settings(io, look);  // background
+  io("strokes", strokes, {}, {"Brush strokes, in the order they were painted"});
 }
 
 void members(auto& io, io::json::Is<WindowLevel> auto& window) {

@@ -11,11 +11,12 @@
 #include <string>
 #include <vector>
 
+#include "io/Contents.h"
 #include "io/VolumeReader.h"
-#include "io/session/Contents.h"
+#include "rendering/scene/Camera.h"
+#include "rendering/scene/Look.h"
 #include "rendering/scene/PlacementOptions.h"
 #include "rendering/scene/Quality.h"
-#include "rendering/scene/Scene.h"
 
 namespace fenestra::io {
 
@@ -74,16 +75,7 @@ struct Session {
   SessionVolume volume;
   std::optional<SessionPhantom> phantom;
   SessionData labels;
-
-  Focus focus;
-  FocusAppearance focusAppearance;
-  ContextFunction context;
-  Cutaway cutaway;
-  ContextLayer contextLayer;
-  Shading shading;
-  glm::dvec3 background = Look().background;
-  BrushStrokes strokes;
-
+  Look look;
   Quality quality = Quality::Normal;
   std::optional<double> maxError;    ///< see View::maxError
   std::array<SessionView, 2> views;  ///< C1 and C2
@@ -104,10 +96,6 @@ struct Session {
   bool operator==(const Session&) const = default;
 };
 
-/// What a session shows, but for the volume and its labels.
-Scene sceneOf(const Session& session);
-/// A transfer function by the preset or file that made it.
-ContextFunction sessionContext(const std::string& presetOrPath, TransferFunction function, double shift = 0.0);
 /// The camera that makes a view's picture of that size.
 Camera shownCamera(const SessionView& view, glm::ivec2 size);
 

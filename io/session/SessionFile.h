@@ -9,15 +9,12 @@
 #include <filesystem>
 #include <string>
 
+#include "io/SessionName.h"
 #include "io/session/Session.h"
 
 namespace fenestra::io {
 
-inline constexpr const char* sessionEnding = ".fenestra";
 inline constexpr int sessionVersion = 2;
-
-/// By the ending of its name.
-bool isSession(const std::filesystem::path& path);
 
 /// Does not look at the data. What it takes is bounded, whatever the file. Throws Error.
 Session readSession(const std::filesystem::path& file);

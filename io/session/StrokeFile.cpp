@@ -8,7 +8,7 @@ namespace {
 
 constexpr const char* formatName = "fenestra-strokes";
 constexpr int newestVersion = 1;
-constexpr std::uintmax_t largest = std::uintmax_t{64} << 20;
+constexpr std::uintmax_t largest = std::uintmax_t{128} << 20;
 
 }  // namespace
 

@@ -12,8 +12,8 @@ class EglError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Current on the making thread from construction to destruction. Tries a surfaceless platform, then each EGL device,
-/// then the default display.
+/// Current on the thread that makes it, until it is destroyed. Tries each EGL device of a graphics card, then Mesa's
+/// surfaceless platform, then the default display.
 class EglContext {
  public:
   EglContext();

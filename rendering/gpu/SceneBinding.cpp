@@ -57,7 +57,7 @@ void bindTransfer(const GpuScene& scene, gl::ShaderProgram& program) {
 gl::Define tableDefine() { return {"TABLE_SIZE", GpuScene::tableSize}; }
 
 LightBlock lightBlock(const Camera::Axes& axes, const Shading& shading) {
-  return {glm::vec3(glm::normalize(-axes.forward + 0.45 * axes.up - 0.35 * axes.right)),
+  return {glm::vec3(lightDirection(axes, shading)),
           static_cast<float>(shading.ambient),
           static_cast<float>(shading.diffuse),
           static_cast<float>(shading.specular),

@@ -23,7 +23,7 @@ void bindFirstHit(const GpuScene& scene, gl::ShaderProgram& program);
 void bindTransfer(const GpuScene& scene, gl::ShaderProgram& program);
 gl::Define tableDefine();
 
-/// Light from the upper left behind the viewer, fixed to the camera.
+/// Light as Lighting.h describes it, for a view with these axes.
 LightBlock lightBlock(const Camera::Axes& axes, const Shading& shading);
 
 }  // namespace fenestra

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "rendering/gpu/SceneBinding.h"
-#include "rendering/placement/Sphere.h"
+#include "rendering/viewpoints/Sphere.h"
 
 namespace fenestra::placement {
 namespace {

@@ -6,7 +6,7 @@
 #include "rendering/gl/ShaderProgram.h"
 #include "rendering/gpu/GpuScene.h"
 #include "rendering/placement/FocusSurface.h"
-#include "rendering/placement/Placement.h"
+#include "rendering/viewpoints/Choice.h"
 
 namespace fenestra::placement {
 
@@ -19,9 +19,8 @@ namespace fenestra::placement {
 /// candidates have the same outline and share their rays.
 class CandidateImages {
  public:
-  static constexpr int defaultSide = 128;
   /// An image's side: the multiple of `least` at which the diagonal of the focus's box spans some 50 pixels or more.
-  static int sideFor(const GpuScene& gpu, int least = defaultSide);
+  static int sideFor(const GpuScene& gpu, int least = defaultImageSide);
 
   /// One candidate for each direction, with all descriptors but those of describeTogether(). The points that it sees
   /// are found unless `surface` is empty. `gpu` must be up to date. Equal calls give bit-identical results.

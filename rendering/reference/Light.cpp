@@ -16,10 +16,7 @@ double smoothstep(double low, double high, double x) {
   return s * s * (3.0 - 2.0 * s);
 }
 
-Light::Light(const Camera& camera, const Shading& how) : shading(how) {
-  const Camera::Axes axes = camera.axes();
-  direction = glm::normalize(-axes.forward + 0.45 * axes.up - 0.35 * axes.right);
-}
+Light::Light(const Camera& camera, const Shading& how) : direction(lightDirection(camera.axes(), how)), shading(how) {}
 
 glm::dvec3 Light::lit(glm::dvec3 colour, glm::dvec3 normal, glm::dvec3 rayDirection) const {
   const glm::dvec3 half = glm::normalize(direction - rayDirection);

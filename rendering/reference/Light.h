@@ -5,7 +5,7 @@
 
 namespace fenestra::reference {
 
-/// One distant light from the upper left behind the viewer, fixed to the camera; Blinn-Phong, both sides lit.
+/// The light of a view.
 struct Light {
   Light(const Camera& camera, const Shading& shading);
 

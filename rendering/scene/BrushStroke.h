@@ -18,9 +18,9 @@
 // one another in the order they were painted. Restore takes depth·w from the ray start, Open adds it, each clamped
 // right away: never before the context's first surface, nor beyond the focus or the volume's end. On rays that meet the
 // focus, Restore acts only if the stroke covers the focus. Fade multiplies the context layer's share by 1 - amount·w,
-// Strengthen by 1 + amount·w. What Restore brings back over the focus needs no context layer: that gives way by the share
-// of the removed stretch that is back. The border marks the cut's own edge and not the brush's: Restore and Open multiply
-// it by 1 - w.
+// Strengthen by 1 + amount·w. What Restore brings back over the focus needs no context layer: that gives way by the
+// share of the removed stretch that is back. The border marks the cut's own edge and not the brush's: Restore and Open
+// multiply it by 1 - w.
 
 #include <cstdint>
 #include <string>
@@ -49,6 +49,13 @@ struct BrushStroke {
   bool hidden = false;              ///< kept, without effect
   int view = -1;                    ///< painted for one view alone (0: C1, 1: C2), as in the paper; -1: for all
   bool operator==(const BrushStroke&) const = default;
+};
+
+/// Where a brush touches what a picture shows (Renderer::pickBrush).
+struct BrushPoint {
+  glm::dvec3 anchor;  ///< world, mm: what BrushStroke::anchors holds
+  double pixelSize =
+      0.0;  ///< mm per device-independent pixel at its depth: a brush of r such pixels has r·pixelSize mm
 };
 
 /// In the order they were painted, which is the order they apply in.

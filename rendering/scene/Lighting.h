@@ -9,7 +9,15 @@
 // (see GpuScene::focusSmooth), with certainty 1. Light is Blinn-Phong from one distant source, both sides of a surface
 // lit.
 
-namespace fenestra::lighting {
+#include "rendering/scene/Camera.h"
+#include "rendering/scene/Look.h"
+
+namespace fenestra {
+
+/// Towards the light, unit, world; fixed to the camera.
+glm::dvec3 lightDirection(const Camera::Axes& axes, const Shading& shading);
+
+namespace lighting {
 
 /// On CT (range about 4000 HU, 1 mm) these are 8 and 40 HU/mm.
 inline constexpr double gradientGateLow = 0.002, gradientGateHigh = 0.01;
@@ -20,4 +28,5 @@ inline constexpr double meanIncidence = 0.7;
 /// spacing; the rest keeps the strata's edges.
 inline constexpr double wallShare = 0.75, wallDepthVoxels = 2.0;
 
-}  // namespace fenestra::lighting
+}  // namespace lighting
+}  // namespace fenestra

@@ -38,6 +38,8 @@ struct Shading {
   double diffuse = 0.7;
   double specular = 0.2;
   double shininess = 24.0;
+  double lightAzimuth = -19.290046219188735;   ///< degrees; with the elevation, 0.35 to the left and 0.45 up for every
+  double lightElevation = 23.012691498169566;  ///< 1 towards the viewer
   bool operator==(const Shading&) const = default;
 };
 

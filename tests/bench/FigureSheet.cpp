@@ -42,7 +42,7 @@ std::vector<Row> rows() {
   const auto add = [&](const std::string& name, app::SceneOptions options, double zoom, double raise,
                        const fs::path& strokes) {
     options.strokes = figures / strokes;
-    options.background = backdrop;
+    options.look.background = backdrop;
     list.push_back({name, std::move(options), zoom, raise});
   };
   app::SceneOptions torso;

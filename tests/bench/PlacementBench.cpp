@@ -14,7 +14,7 @@
 #include "app/SceneOptions.h"
 #include "rendering/egl/EglContext.h"
 #include "rendering/placement/Placer.h"
-#include "rendering/placement/Sphere.h"
+#include "rendering/viewpoints/Sphere.h"
 #include "tests/support/TestData.h"
 
 namespace fenestra {
@@ -290,7 +290,7 @@ std::string angleTable(const std::vector<Row>& rows, double Deviation::*angle) {
 std::string page(const std::vector<Row>& rows, const std::vector<Scaled>& scaling, const std::string& gl) {
   std::ostringstream out;
   out << "# Dual-camera placement, measured\n\nWritten by `placement-bench` (build target of that name) on " << gl
-      << ". Default weights and region (semi-sphere), candidate images of " << CandidateImages::defaultSide
+      << ". Default weights and region (semi-sphere), candidate images of " << defaultImageSide
       << "² over the model (finer by a whole factor where the focus is small), surface shares over "
       << Sampling().surfacePoints
       << " points.\n\n## How many directions\n\nDegrees from the answer of N = 12288, for growing N and for the "

@@ -79,15 +79,15 @@ Subjects boundSubjects(const Views& views) {
   list.phantom("phantom", "phantom torso: organs", "torso");
   list.phantom("phantom-plain", "phantom torso: plain, unlit", "torso");
   if (app::SceneOptions* options = list.last("phantom-plain"))
-    options->cutaway.enabled = options->shading.enabled = false;
+    options->look.cutaway.enabled = options->look.shading.enabled = false;
   list.phantom("phantom-head", "phantom head: tumour, ventricles", "head");
   list.ranged("head", "Visible Human head, CT: skull", headCt, {300.0, 3000.0});
   list.ranged("small-head", "small head, CT: skull", smallHeadCt, {0.6, 1.0});
   list.ranged("small-head-plain", "small head, CT: plain", smallHeadCt, {0.6, 1.0});
-  if (app::SceneOptions* options = list.last("small-head-plain")) options->cutaway.enabled = false;
+  if (app::SceneOptions* options = list.last("small-head-plain")) options->look.cutaway.enabled = false;
   list.labelled("torso", "torso, CT: kidneys", torsoCt, torsoLabels, {"2", "3"});
   list.labelled("torso-aorta", "torso, CT: aorta, unlit", torsoCt, torsoLabels, {"52"});
-  if (app::SceneOptions* options = list.last("torso-aorta")) options->shading.enabled = false;
+  if (app::SceneOptions* options = list.last("torso-aorta")) options->look.shading.enabled = false;
   list.labelled("brain", "brain, MR: hippocampus", brainMr, brainLabels, {"37", "38"});
   list.labelled("chest", "chest, CT: lungs", chestCt, chestLabels, {"right lung", "left lung"});
   return list.take();

@@ -7,6 +7,7 @@
 
 #include "io/Error.h"
 #include "io/ImageWriter.h"
+#include "rendering/scene/Settings.h"
 
 namespace fenestra::bench {
 namespace {
@@ -52,13 +53,13 @@ void addGeometry(Digest& digest, const Scene& scene, const Camera& camera, glm::
 }
 
 void addAppearance(Digest& digest, const Scene& scene) {
-  digest.add(scene.look.focusAppearance.colour, scene.look.focusAppearance.extinction);
-  const Cutaway& cutaway = scene.look.cutaway;
-  digest.add(cutaway.enabled, cutaway.openWidth, cutaway.borderWidth, cutaway.unit, cutaway.borderColour);
-  const ContextLayer& layer = scene.look.contextLayer;
-  digest.add(layer.strength, layer.curvatureWeight, layer.silhouetteWeight, layer.colour);
-  const Shading& shading = scene.look.shading;
-  digest.add(shading.enabled, shading.ambient, shading.diffuse, shading.specular, shading.shininess);
+  const auto add = [&]<class Part>(const Part& part) {
+    forEachSetting<Part>([&](const auto& setting) { digest.add(part.*setting.member); });
+  };
+  add(scene.look.focusAppearance);
+  add(scene.look.cutaway);
+  add(scene.look.contextLayer);
+  add(scene.look.shading);
 }
 
 /// `count` doubles of the file, or nothing when it is not there or of another length.

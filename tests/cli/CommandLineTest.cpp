@@ -113,6 +113,7 @@ TEST_F(CommandLine, WrongUsageExitsWithTwo) {
       {"render", "--phantom", "head", "--camera", "Q", "-o", png},
       {"render", "--phantom", "head", "--camera", "1,2,3", "-o", png},
       {"render", "--phantom", "head", "--w-open", "-1", "-o", png},
+      {"render", "--phantom", "head", "--light", "0,91", "-o", png},
       {"render", "--phantom", "head", "--context-layer", "1.5", "-o", png},
       {"render", "--phantom", "head", "--cutaway", "maybe", "-o", png},
       {"render", "--phantom", "head", "--background", "1,2,3", "-o", png},

@@ -40,7 +40,7 @@ std::filesystem::path written(const std::string& text) {
 /// The error's cause, or empty when the file was read.
 std::string causeOf(const std::string& text) {
   try {
-    loadTransferFunction(written(text).string(), ct());
+    loadContextFunction(written(text).string(), ct());
   } catch (const Error& error) {
     return error.cause();
   }
@@ -52,7 +52,7 @@ TEST(TransferFunctionFile, EveryPresetLoads) {
   ASSERT_EQ(presets.size(), 4u);
   for (const TransferFunctionPreset& preset : presets) {
     EXPECT_FALSE(preset.name.empty());
-    const TransferFunction function = loadTransferFunction(preset.id, ct());
+    const TransferFunction function = loadContextFunction(preset.id, ct()).function;
     EXPECT_GE(function.nodes.size(), 2u) << preset.id;
     EXPECT_EQ(function.nodes.front().properties.extinction, 0.0) << preset.id << " makes air opaque";
     EXPECT_GT(function.maxExtinction({-1e9, 1e9}), 0.0) << preset.id;
@@ -60,10 +60,13 @@ TEST(TransferFunctionFile, EveryPresetLoads) {
 }
 
 TEST(TransferFunctionFile, OpacityIsThatOfOneMillimetre) {
-  const TransferFunction function = loadTransferFunction(
-      written(R"({"name": "x", "domain": "value", "nodes": [{"value": -5, "colour": [0, 0.5, 1], "opacity": 0.75}]})")
-          .string(),
-      ct());
+  const TransferFunction function =
+      loadContextFunction(
+          written(
+              R"({"name": "x", "domain": "value", "nodes": [{"value": -5, "colour": [0, 0.5, 1], "opacity": 0.75}]})")
+              .string(),
+          ct())
+          .function;
   ASSERT_EQ(function.nodes.size(), 1u);
   EXPECT_EQ(function.nodes[0].value, -5.0);
   EXPECT_EQ(function.nodes[0].properties.colour, glm::dvec3(0.0, 0.5, 1.0));
@@ -80,14 +83,14 @@ TEST(TransferFunctionFile, PercentilesDescribeTissueOnly) {
   values.push_back(std::numeric_limits<float>::infinity());
   const auto path = written(R"({"name": "x", "domain": "percentile", "nodes": [
       {"value": 0, "colour": [1, 1, 1], "opacity": 0}, {"value": 50, "colour": [1, 1, 1], "opacity": 1}]})");
-  const TransferFunction function = loadTransferFunction(path.string(), volumeOf(values));
+  const TransferFunction function = loadContextFunction(path.string(), volumeOf(values)).function;
   EXPECT_EQ(function.nodes[0].value, 1000.0);
   // The one outlier shifts the middle of 1002 values by half a step.
   EXPECT_NEAR(function.nodes[1].value, 1500.0, 0.5);
 }
 
 TEST(TransferFunctionFile, PercentilesOfDegenerateVolumes) {
-  const auto nodesOf = [](const Volume& volume) { return loadTransferFunction("mr", volume).nodes; };
+  const auto nodesOf = [](const Volume& volume) { return loadContextFunction("mr", volume).function.nodes; };
   for (const auto& node : nodesOf(volumeOf<std::uint8_t>({7, 7, 7, 7}))) EXPECT_EQ(node.value, 7.0);
   const float nan = std::numeric_limits<float>::quiet_NaN();
   for (const auto& node : nodesOf(volumeOf<float>({nan, nan}))) EXPECT_EQ(node.value, 0.0);
@@ -118,7 +121,7 @@ TEST(TransferFunctionFile, SaysWhatIsWrong) {
 
 TEST(TransferFunctionFile, UnknownNameListsThePresets) {
   try {
-    loadTransferFunction("ct-bones", ct());
+    loadContextFunction("ct-bones", ct());
     FAIL() << "an unknown preset was accepted";
   } catch (const Error& error) {
     EXPECT_EQ(error.hint(), "the presets are ct-angio, ct-bone, ct-soft-tissue, mr");

@@ -233,6 +233,11 @@ std::vector<HardCase> hardCases() {
              shot.scene.look.contextLayer.valueWeight = 1.0;
              shot.scene.look.contextLayer.illuminationWeight = 0.4;
            }),
+      with("litFromTheRightAndBelow",
+           [](Shot& shot) {
+             shot.scene.look.shading.lightAzimuth = 65.0;
+             shot.scene.look.shading.lightElevation = -40.0;
+           }),
       with("unlit", [](Shot& shot) { shot.scene.look.shading.enabled = false; }),
       with("valueFocus",
            [](Shot& shot) {

@@ -1,4 +1,4 @@
-// The brush, in the hand of a user: painted in one view, seen in both, undone, listed, saved.
+// The brush as a user uses it: a stroke painted in one view shows in both, can be undone, listed and saved.
 
 #include <cmath>
 #include <numbers>
@@ -14,6 +14,7 @@
 #include "viewer/model/Paths.h"
 #include "viewer/panels/BrushPanel.h"
 #include "viewer/panels/SliderSpin.h"
+#include "viewer/panels/StrokeList.h"
 
 namespace fenestra::viewer {
 namespace {
@@ -33,12 +34,10 @@ class BrushWindow : public Window {
     opened_ = look();
   }
 
-  Document& document() { return window_->document(); }
-  Brush& brush() { return window_->brush(); }
   QUndoStack& steps() { return document().undoStack(); }
   void key(Qt::Key which, Qt::KeyboardModifiers modifiers = {}) { QTest::keyClick(window_.get(), which, modifiers); }
 
-  /// Where the front of the ball was cut away, beside the marker: seen so by both cameras.
+  /// A place beside the marker where both cameras see that the front of the ball was cut away.
   QPoint besideMarker(std::size_t view) {
     const glm::dvec3 surface = glm::normalize(glm::dvec3(29.0, -29.0, 17.0)) * 44.0;
     return volume(view)->widgetFromWorld(surface)->toPoint();
@@ -49,7 +48,7 @@ class BrushWindow : public Window {
     return volume(view)->widgetFromWorld(surface)->toPoint();
   }
 
-  /// One stroke of some pixels, the brush taken up before and laid down after it.
+  /// Paints one stroke of some pixels, with the brush active only for that.
   void paint(std::size_t view, QPoint from, QPoint by = {3, 12}) {
     brush().setActive(true);
     drag(volume(view), from, from + by);
@@ -68,7 +67,7 @@ TEST_F(BrushWindow, PaintsInC1SeesItInC2AndFindsItAgainAfterTurning) {
   ASSERT_EQ(document().strokes().size(), 1u);
   const BrushStroke& stroke = document().strokes().front();
   EXPECT_GT(stroke.anchors.size(), 1u);
-  // On the ball, whose surface lies within a voxel of its radius.
+  // The anchors lie on the ball, whose surface is within a voxel of its radius.
   for (const glm::dvec3& anchor : stroke.anchors) EXPECT_NEAR(glm::length(anchor), 44.0, 2.0);
   const std::array<QImage, 2> painted = look();
   EXPECT_NE(painted[0], opened_[0]);
@@ -150,8 +149,8 @@ TEST_F(BrushWindow, AStrokeForOneViewShowsInThatAlone) {
 TEST_F(BrushWindow, StrokesAreHiddenDeletedAndCleared) {
   paint(0, besideMarker(0));
   const std::array<QImage, 2> painted = look();
-  BrushPanel& panel = window_->brushPanel();
-  QAbstractItemModel& rows = *panel.list()->model();
+  StrokeList& strokes = panel<StrokeList>();
+  QAbstractItemModel& rows = *strokes.list()->model();
   ASSERT_EQ(rows.rowCount(), 1);
   rows.setData(rows.index(0, 0), Qt::Unchecked, Qt::CheckStateRole);
   waitUntilDrawn();
@@ -162,10 +161,10 @@ TEST_F(BrushWindow, StrokesAreHiddenDeletedAndCleared) {
 
   paint(0, aboveMarker(0), {-8, -2});
   ASSERT_EQ(rows.rowCount(), 2);
-  panel.list()->selectionModel()->select(rows.index(0, 0), QItemSelectionModel::ClearAndSelect);
-  panel.deleteButton()->click();
+  strokes.list()->selectionModel()->select(rows.index(0, 0), QItemSelectionModel::ClearAndSelect);
+  strokes.deleteButton()->click();
   EXPECT_EQ(document().strokes().size(), 1u);
-  panel.clearButton()->click();
+  strokes.clearButton()->click();
   EXPECT_TRUE(document().strokes().empty());
   EXPECT_EQ(rows.rowCount(), 0);
   steps().undo();
@@ -179,14 +178,14 @@ TEST_F(BrushWindow, StrokesAreSavedApartAndLoaded) {
   const BrushStrokes painted = document().strokes();
   const std::array<QImage, 2> look0 = look();
   const QString file = toQString(tests::scratchFolder() / "ear.json");
-  window_->brushPanel().save(file);
+  panel<StrokeList>().save(file);
   open(markedBall());
   document().focusOn(marker);
-  window_->brushPanel().load(file);
+  panel<StrokeList>().load(file);
   EXPECT_EQ(document().strokes(), painted);
   waitUntilDrawn();
   EXPECT_EQ(look(), look0);
-  window_->brushPanel().load(QStringLiteral("/no/such.json"));
+  panel<StrokeList>().load(QStringLiteral("/no/such.json"));
   ASSERT_EQ(window_->notices().texts().size(), 1);
   EXPECT_TRUE(window_->notices().texts().front().contains(QStringLiteral("such.json")));
 }
@@ -199,12 +198,12 @@ TEST_F(BrushWindow, KeysAndWheelSetTheBrush) {
   EXPECT_TRUE(brush().isActive());
   EXPECT_EQ(brush().settings().mode, BrushMode::Open);
   key(Qt::Key_E);
-  EXPECT_FALSE(brush().isActive()) << "the same key lays it down";
+  EXPECT_FALSE(brush().isActive()) << "the same key deactivates it";
   key(Qt::Key_P);
   EXPECT_EQ(brush().settings().mode, BrushMode::Restore);
-  window_->brushPanel().modeButton(BrushMode::Strengthen)->click();
+  panel<BrushPanel>().modeButton(BrushMode::Strengthen)->click();
   key(Qt::Key_P);
-  EXPECT_EQ(brush().settings().mode, BrushMode::Fade) << "this way and the other, of the same kind";
+  EXPECT_EQ(brush().settings().mode, BrushMode::Fade) << "the opposite direction of the same kind";
 
   const double radius = brush().settings().radius;
   key(Qt::Key_BracketRight);
@@ -212,18 +211,18 @@ TEST_F(BrushWindow, KeysAndWheelSetTheBrush) {
   key(Qt::Key_BracketLeft);
   EXPECT_NEAR(brush().settings().radius, radius, 1e-9);
 
-  window_->brushPanel().modeButton(BrushMode::Restore)->click();
+  panel<BrushPanel>().modeButton(BrushMode::Restore)->click();
   const double depth = brush().settings().depth;
-  const Camera camera = window_->cameras().camera(0);
+  const Camera camera = cameras().camera(0);
   wheel(volume(0), 2, Qt::ShiftModifier);
   EXPECT_GT(brush().settings().depth, 1.1 * depth);
-  EXPECT_EQ(window_->brushPanel().depth()->value(), std::round(10.0 * brush().settings().depth) / 10.0);
+  EXPECT_EQ(panel<BrushPanel>().depth()->value(), std::round(10.0 * brush().settings().depth) / 10.0);
   drag(volume(0), {200, 150}, {200, 250}, Qt::LeftButton, Qt::ShiftModifier);
   EXPECT_LT(brush().settings().depth, depth);
   EXPECT_TRUE(document().strokes().empty());
-  EXPECT_EQ(window_->cameras().camera(0), camera) << "neither turns nor zooms the view";
+  EXPECT_EQ(cameras().camera(0), camera) << "neither turns nor zooms the view";
   drag(volume(0), {200, 150}, {260, 150}, Qt::LeftButton, Qt::ControlModifier);
-  EXPECT_NE(window_->cameras().camera(0), camera) << "with Ctrl the view can be turned";
+  EXPECT_NE(cameras().camera(0), camera) << "with Ctrl the view can be turned";
   wheel(volume(0), 1, Qt::ControlModifier);
   EXPECT_TRUE(document().strokes().empty());
   key(Qt::Key_Escape);
@@ -268,9 +267,9 @@ TEST_F(BrushWindow, RingIsAroundTheMouseAndAsWideAsTheStroke) {
   QTest::mouseClick(volume(0), Qt::LeftButton, {}, at);
   ASSERT_EQ(document().strokes().size(), 1u) << "nothing to restore, something to open";
   const BrushStroke& stroke = document().strokes().front();
-  const glm::dvec3 rim = stroke.anchors.front() + stroke.radius * window_->cameras().camera(0).axes().right;
+  const glm::dvec3 rim = stroke.anchors.front() + stroke.radius * cameras().camera(0).axes().right;
   const double wide = volume(0)->widgetFromWorld(rim)->x() - volume(0)->widgetFromWorld(stroke.anchors.front())->x();
-  // A pixel's place is known to half a pixel.
+  // The position of a pixel is known to half a pixel.
   EXPECT_NEAR(wide, settings.radius, 0.5);
   waitUntilDrawn();
 }

@@ -1,4 +1,4 @@
-// Undo and redo of what the document holds.
+// Undo and redo of a document's edits.
 
 #include <array>
 #include <random>
@@ -26,13 +26,13 @@ Study study() {
   made.scene.volume = volume;
   made.scene.labels = labels;
   made.scene.look.context.function.nodes = {{100.0, {{1, 1, 1}, 0.0}}, {200.0, {{1, 1, 1}, 1.0}}};
-  made.transferFunction = "ct-bone";
+  made.scene.look.context.preset = "ct-bone";
   return made;
 }
 
 BrushStroke dab(double x) { return {.anchors = {{x, 0.0, 0.0}}}; }
 
-/// One edit of any kind, all of them as the window makes them.
+/// Random edits of all kinds, made as the window makes them.
 class RandomEdits {
  public:
   RandomEdits(Document& document, unsigned seed) : document_(document), engine_(seed) {}
@@ -48,15 +48,17 @@ class RandomEdits {
       case 3:
         return document_.setPreset(std::array{"ct-bone", "ct-angio", "mr"}[below(3)]);
       case 4: {
-        Cutaway cutaway = document_.scene().look.cutaway;
-        cutaway.openWidth = number();
-        cutaway.enabled = below(2) == 0;
-        return document_.setCutaway(cutaway);
+        Look look = document_.look();
+        look.cutaway.openWidth = number();
+        look.cutaway.enabled = below(2) == 0;
+        return document_.edit(QStringLiteral("Cutaway"), std::move(look));
       }
       case 5: {
-        ContextLayer layer = document_.scene().look.contextLayer;
-        layer.strength = number();
-        return document_.setContextLayer(layer);
+        Look look = document_.look();
+        look.contextLayer.strength = number();
+        look.shading.ambient = number();
+        look.background.g = number();
+        return document_.edit(QStringLiteral("Light"), std::move(look));
       }
       case 6: {
         BrushStrokes strokes = document_.strokes();
@@ -92,27 +94,27 @@ TEST(History, AThousandRandomEditsAreUndoneAndRedoneToTheBit) {
   Document document;
   document.open(study());
   RandomEdits random(document, 5);
-  std::vector<Edits> states{document.edits()};
+  std::vector<Look> states{document.look()};
   std::vector<Scene> scenes{document.scene()};
   while (states.size() <= 1000) {
     const int before = document.undoStack().index();
     random.make();
-    const bool changed = !(document.edits() == states.back());
+    const bool changed = !(document.look() == states.back());
     ASSERT_EQ(document.undoStack().index(), before + (changed ? 1 : 0)) << "a step for a change, and for nothing else";
     if (!changed) continue;
-    states.push_back(document.edits());
+    states.push_back(document.look());
     scenes.push_back(document.scene());
   }
   ASSERT_EQ(document.undoStack().count(), 1000);
   for (std::size_t at = 1000; at-- > 0;) {
     document.undoStack().undo();
-    ASSERT_EQ(document.edits(), states[at]) << "after undoing step " << at;
+    ASSERT_EQ(document.look(), states[at]) << "after undoing step " << at;
     ASSERT_EQ(document.scene(), scenes[at]) << "after undoing step " << at;
   }
   EXPECT_FALSE(document.undoStack().canUndo());
   for (std::size_t at = 1; at <= 1000; ++at) {
     document.undoStack().redo();
-    ASSERT_EQ(document.edits(), states[at]) << "after redoing step " << at;
+    ASSERT_EQ(document.look(), states[at]) << "after redoing step " << at;
     ASSERT_EQ(document.scene(), scenes[at]) << "after redoing step " << at;
   }
   EXPECT_FALSE(document.undoStack().canRedo());
@@ -121,7 +123,7 @@ TEST(History, AThousandRandomEditsAreUndoneAndRedoneToTheBit) {
 TEST(History, StepsOfOneGestureAreOneStep) {
   Document document;
   document.open(study());
-  const Edits first = document.edits();
+  const Look first = document.look();
   History& history = document.history();
   history.beginGesture();
   for (const double shift : {1.0, 2.0, 3.0}) document.setShift(shift);
@@ -141,14 +143,14 @@ TEST(History, StepsOfOneGestureAreOneStep) {
   history.stack().setIndex(1);
   EXPECT_EQ(document.shift(), 3.0);
   history.stack().setIndex(0);
-  EXPECT_EQ(document.edits(), first);
+  EXPECT_EQ(document.look(), first);
 }
 
 TEST(History, StrokesThatGrowWithinAGestureComeBackWhole) {
   Document document;
   document.open(study());
   document.setStrokes({dab(1.0), dab(2.0)}, QStringLiteral("Load"));
-  const Edits before = document.edits();
+  const Look before = document.look();
   document.history().beginGesture();
   BrushStroke stroke = dab(3.0);
   for (int point = 0; point < 20; ++point) {
@@ -158,12 +160,12 @@ TEST(History, StrokesThatGrowWithinAGestureComeBackWhole) {
     document.setStrokes(std::move(strokes), QStringLiteral("Stroke"));
   }
   document.history().endGesture();
-  const Edits after = document.edits();
+  const Look after = document.look();
   ASSERT_EQ(document.undoStack().count(), 2);
   document.undoStack().undo();
-  EXPECT_EQ(document.edits(), before);
+  EXPECT_EQ(document.look(), before);
   document.undoStack().redo();
-  EXPECT_EQ(document.edits(), after);
+  EXPECT_EQ(document.look(), after);
 }
 
 TEST(History, AGestureThatEndsWhereItBeganIsNoStep) {
@@ -175,7 +177,7 @@ TEST(History, AGestureThatEndsWhereItBeganIsNoStep) {
   document.history().endGesture();
   EXPECT_EQ(document.undoStack().count(), 0);
   document.setShift(0.0);
-  document.setCutaway(document.scene().look.cutaway);
+  document.edit(QStringLiteral("Look"), document.look());
   document.setFocus(document.focus());
   EXPECT_EQ(document.undoStack().count(), 0) << "what changes nothing is no step";
 }
@@ -213,10 +215,10 @@ TEST(History, AnotherStudyOrLabelMapStartsAnew) {
   EXPECT_EQ(document.undoStack().count(), 0);
   document.focusOn(1);
   document.setLabels(nullptr);
-  EXPECT_EQ(document.undoStack().count(), 0) << "undone, the focus would be of labels that are gone";
+  EXPECT_EQ(document.undoStack().count(), 0) << "undoing would bring back a focus of labels that no longer exist";
 }
 
-/// As many bytes as it says.
+/// A change of a given size.
 class Weight : public Change {
  public:
   explicit Weight(std::size_t bytes, int& sum) : bytes_(bytes), sum_(sum) { ++sum_; }
@@ -241,7 +243,7 @@ TEST(History, MemoryIsBoundedAndTheOldestStepsGoFirst) {
     ASSERT_LE(history.bytes(), limit);
     ASSERT_EQ(history.stack().undoText(), QString::number(step));
     ASSERT_EQ(named.count(), step);
-    ASSERT_EQ(sum, step) << "what is kept is neither undone nor done again";
+    ASSERT_EQ(sum, step) << "dropping old steps neither undoes nor redoes any";
   }
   const int kept = history.stack().count();
   EXPECT_GE(kept, 6);
@@ -281,7 +283,7 @@ TEST(History, StrokesAreCountedByTheirAnchors) {
   BrushStrokes two = document.strokes();
   two.push_back(stroke);
   document.setStrokes(std::move(two), QStringLiteral("Stroke"));
-  // The second step holds the second stroke alone; a few bytes more or less are the allocator's.
+  // The second step holds the second stroke alone; the allocator may add a few bytes.
   EXPECT_NEAR(static_cast<double>(document.history().bytes()), 2.0 * static_cast<double>(one), 1000.0);
 }
 

@@ -11,7 +11,6 @@
 #include <QSignalSpy>
 
 #include "tests/support/TestData.h"
-#include "viewer/jobs/ReadStudy.h"
 #include "viewer/model/Document.h"
 #include "viewer/model/FramePacer.h"
 #include "viewer/model/Preferences.h"
@@ -132,7 +131,7 @@ TEST(ViewLink, ProjectionsShowTheTargetAtTheSameSize) {
   EXPECT_NEAR(parallel.orthographicHeight,
               2.0 * glm::distance(before.eye, before.target) * std::tan(glm::radians(before.verticalFov / 2.0)),
               tolerance);
-  // Parallel rays start at the eye's plane: it must lie before the whole volume however far in the view was zoomed.
+  // Parallel rays start at the plane through the eye, which must lie in front of the whole volume at any zoom.
   EXPECT_GT(glm::distance(parallel.eye, parallel.target), cube().boundingRadius());
   link.setProjection(Projection::Perspective);
   expectNear(link.camera(0).eye, before.eye);
@@ -180,7 +179,7 @@ TEST(Document, TicksAndClicksMakeTheFocus) {
   document.setFocused(1, true);
   EXPECT_EQ(std::get<LabelFocus>(document.focus()).labels, (std::vector<std::uint16_t>{1, 7}));
   document.setFocused(1, true);
-  EXPECT_EQ(changed.count(), 2) << "what changes nothing is not announced";
+  EXPECT_EQ(changed.count(), 2) << "no signal without a change";
   document.setFocused(7, false);
   EXPECT_FALSE(document.isFocused(7));
   document.setFocused(1, false);
@@ -262,21 +261,6 @@ TEST(FramePacer, IgnoresFramesOfMixedEffort) {
   EXPECT_EQ(pacer.moving(1), before);
 }
 
-TEST(Interpret, OnePathIsTheVolume) { EXPECT_EQ(interpret({"/a/b"}).volume, "/a/b"); }
-
-TEST(Interpret, FilesOfOneFolderAreSlices) {
-  const PathsToOpen opened = interpret({"/a/1.dcm", "/a/2.dcm", "/a/IM0003"});
-  EXPECT_EQ(opened.volume, "/a");
-  EXPECT_TRUE(opened.labels.empty());
-}
-
-TEST(Interpret, TwoVolumeFilesAreAVolumeAndItsLabels) {
-  const PathsToOpen opened = interpret({"/a/ct.nii.gz", "/a/labels.NRRD"});
-  EXPECT_EQ(opened.volume, "/a/ct.nii.gz");
-  EXPECT_EQ(opened.labels, "/a/labels.NRRD");
-  EXPECT_THROW(interpret({"/a/ct.nii", "/a/b.nii", "/a/c.nii"}), io::Error);
-}
-
 TEST(Preferences, RecentPathsAreLatestFirstOnceEachAndFew) {
   QSettings::setDefaultFormat(QSettings::IniFormat);
   QSettings::setPath(QSettings::IniFormat, QSettings::UserScope,
@@ -320,7 +304,7 @@ TEST(FramePacer, TellsTheLastFrameAndForgetsWhatAnotherQualityCost) {
   EXPECT_EQ(pacer.moving(1), pacer.atRest());
   pacer.setAtRest(Quality::Normal, 1.0);
   EXPECT_EQ(pacer.atRest().maxError, 1.0);
-  EXPECT_EQ(pacer.moving(1).quality, Quality::Draft) << "how fast pictures of that quality are is not known";
+  EXPECT_EQ(pacer.moving(1).quality, Quality::Draft) << "pictures of that quality have not been measured";
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "rendering/placement/Placer.h"
 #include "tests/gui/WindowFixture.h"
 #include "viewer/panels/CamerasPanel.h"
 #include "viewer/panels/SliderSpin.h"
@@ -22,17 +23,18 @@ class PlacedWindow : public Window {
     setAutomatic(true);
     auto* dock = window_->findChild<QDockWidget*>(QStringLiteral("camerasDock"));
     dock->raise();
-    window_->cursor().moveTo(markerCentre);
+    cursor().moveTo(markerCentre);
     SliceView* axial = slice(SlicePlane::Axial);
     QTest::mouseClick(axial, Qt::LeftButton, {}, axial->widgetFromWorld(markerCentre).toPoint());
-    ASSERT_TRUE(window_->placement().isBusy());
+    ASSERT_TRUE(placement().isBusy());
     waitUntilDrawn();
-    ASSERT_NE(window_->placement().measured(), nullptr);
+    ASSERT_NE(placement().measured(), nullptr);
   }
 
-  PlacementController& placement() { return window_->placement(); }
-  glm::dvec3 direction(int view) { return directionOf(window_->cameras().camera(view)); }
+  glm::dvec3 direction(int view) { return directionOf(cameras().camera(view)); }
   glm::dvec3 candidate(std::size_t index) { return placement().measured()->candidates.at(index).direction; }
+
+  PlacementForm& form() { return panel<CamerasPanel>().form(); }
 
   static constexpr double same = 1e-9;  ///< of unit vectors after a few operations in double precision
 };
@@ -50,15 +52,14 @@ TEST_F(PlacedWindow, ChoosingALabelMovesBothViewsToTheAnswer) {
   EXPECT_NEAR(*placement().share(), answer.share, same);
   EXPECT_GT(answer.share, 0.5);
   const QString percent = QString::number(100.0 * answer.share, 'f', 0);
-  EXPECT_TRUE(window_->camerasPanel().share()->text().contains(percent));
+  EXPECT_TRUE(panel<CamerasPanel>().share()->text().contains(percent));
 }
 
 TEST_F(PlacedWindow, MeasuringInSlicesChangesNothing) {
   ASSERT_TRUE(volume(0)->inContext([&](const std::shared_ptr<GpuScene>& gpu) {
     const PlacementSettings& settings = placement().settings();
     placement::Placer placer;
-    const placement::Measured& whole =
-        placer.measure(*gpu, window_->document().scene(), settings.sampling, settings.options);
+    const placement::Measured& whole = placer.measure(*gpu, document().scene(), settings.sampling, settings.options);
     const placement::Measured& sliced = *placement().measured();
     ASSERT_EQ(sliced.candidates.size(), whole.candidates.size());
     EXPECT_EQ(sliced.spread, 192u);
@@ -105,14 +106,13 @@ TEST_F(PlacedWindow, RefiningShowsProgressAndCanBeCancelled) {
 }
 
 TEST_F(PlacedWindow, TheWheelScrollsThePanelAndChangesNoValue) {
-  CamerasPanel& panel = window_->camerasPanel();
   volume(0)->setFocus();
   const PlacementSettings before = placement().settings();
-  wheel(panel.sampling(), 1);
-  wheel(panel.weight(0)->slider(), 1);
+  wheel(form().sampling(), 1);
+  wheel(form().weight(0)->slider(), 1);
   EXPECT_EQ(placement().settings(), before);
-  panel.weight(0)->slider()->setFocus();
-  wheel(panel.weight(0)->slider(), 1);
+  form().weight(0)->slider()->setFocus();
+  wheel(form().weight(0)->slider(), 1);
   EXPECT_NE(placement().settings(), before);
   waitUntilDrawn();
 }
@@ -128,8 +128,7 @@ TEST_F(PlacedWindow, DraggingC1MovesC2WithinItsRegion) {
   ASSERT_TRUE(dual.c2);
   EXPECT_LT(glm::distance(direction(1), candidate(*dual.c2)), same);
 
-  QTest::mouseClick(window_->camerasPanel().follow(), Qt::LeftButton, {},
-                    QPoint(6, window_->camerasPanel().follow()->height() / 2));
+  QTest::mouseClick(form().follow(), Qt::LeftButton, {}, QPoint(6, form().follow()->height() / 2));
   ASSERT_FALSE(placement().settings().follow);
   const double angle = glm::dot(direction(0), direction(1));
   drag(volume(0), {150, 150}, {250, 120});
@@ -141,13 +140,13 @@ TEST_F(PlacedWindow, DraggingC1MovesC2WithinItsRegion) {
 TEST_F(PlacedWindow, WeightsAndRegionMoveTheCamerasWithoutMeasuring) {
   QSignalSpy measured(&placement(), &PlacementController::measuredFocus);
   const glm::dvec3 before = direction(0);
-  // As the paper has it: larger for larger depth, and so from the far side.
-  window_->camerasPanel().weight(0)->box()->setValue(2.0);
-  window_->camerasPanel().weight(1)->box()->setValue(0.0);
+  // As in the paper, a positive weight prefers a larger depth, and so the far side.
+  form().weight(0)->box()->setValue(2.0);
+  form().weight(1)->box()->setValue(0.0);
   waitUntilDrawn();
   EXPECT_LT(glm::dot(direction(0), before), 0.0);
   EXPECT_LT(glm::dot(direction(0), glm::normalize(markerCentre)), -0.9);
-  QTest::keyClick(window_->camerasPanel().region(), Qt::Key_Down);
+  QTest::keyClick(form().region(), Qt::Key_Down);
   EXPECT_EQ(placement().settings().options.region, placement::Region::Stream);
   waitUntilDrawn();
   EXPECT_TRUE(placement::inRegion(direction(0), direction(1), placement().settings().options));
@@ -156,36 +155,36 @@ TEST_F(PlacedWindow, WeightsAndRegionMoveTheCamerasWithoutMeasuring) {
 }
 
 TEST_F(PlacedWindow, PlacingOnRequestIsAStepAndForANewFocusIsNone) {
-  QUndoStack& steps = window_->document().undoStack();
+  QUndoStack& steps = document().undoStack();
   EXPECT_EQ(steps.count(), 1) << "the focus alone: the cameras followed it";
   drag(volume(1), {150, 150}, {260, 190});
-  const ViewLink::Pose turned = window_->cameras().pose();
+  const ViewLink::Pose turned = cameras().pose();
   EXPECT_EQ(steps.count(), 1) << "turned by hand";
   QTest::keyClick(window_.get(), Qt::Key_F5);
   waitUntilDrawn();
-  const ViewLink::Pose placed = window_->cameras().pose();
+  const ViewLink::Pose placed = cameras().pose();
   EXPECT_NE(placed, turned);
   EXPECT_EQ(steps.count(), 2);
   steps.undo();
-  EXPECT_EQ(window_->cameras().pose(), turned);
+  EXPECT_EQ(cameras().pose(), turned);
   steps.redo();
-  EXPECT_EQ(window_->cameras().pose(), placed);
+  EXPECT_EQ(cameras().pose(), placed);
   QTest::keyClick(window_.get(), Qt::Key_F5);
   waitUntilDrawn();
   EXPECT_EQ(steps.count(), 2) << "they were there already";
 }
 
 TEST_F(PlacedWindow, ThumbnailsAndMapTakeC1There) {
-  CamerasPanel& panel = window_->camerasPanel();
-  const std::vector<std::size_t> best = placement().best(CamerasPanel::thumbnailCount);
-  ASSERT_EQ(best.size(), CamerasPanel::thumbnailCount);
-  for (std::size_t rank = 0; rank < best.size(); ++rank) EXPECT_FALSE(panel.thumbnail(rank)->icon().isNull());
-  QTest::mouseClick(panel.thumbnail(2), Qt::LeftButton);
+  const std::vector<std::size_t> best = placement().best(BestViews::count);
+  ASSERT_EQ(best.size(), BestViews::count);
+  for (std::size_t rank = 0; rank < best.size(); ++rank) EXPECT_FALSE(panel<BestViews>().button(rank)->icon().isNull());
+  QTest::mouseClick(panel<BestViews>().button(2), Qt::LeftButton);
   waitUntilDrawn();
   EXPECT_LT(glm::distance(direction(0), candidate(best[2])), same);
 
   const glm::dvec3 wanted = glm::normalize(glm::dvec3(-0.3, -1.0, 0.4));
-  QTest::mouseClick(panel.map(), Qt::LeftButton, {}, panel.map()->widgetFromDirection(wanted).toPoint());
+  SphereMap& map = panel<SphereMap>();
+  QTest::mouseClick(&map, Qt::LeftButton, {}, map.widgetFromDirection(wanted).toPoint());
   waitUntilDrawn();
   // The map is some 120 device-independent pixels high: a pixel is about 1.5 degrees.
   EXPECT_GT(glm::dot(direction(0), wanted), std::cos(glm::radians(3.0)));

@@ -9,12 +9,12 @@
 #include <QSignalSpy>
 #include <QTest>
 
-#include "rendering/placement/Sphere.h"
+#include "rendering/viewpoints/Sphere.h"
 #include "tests/support/TestData.h"
 #include "viewer/model/Document.h"
+#include "viewer/model/Mollweide.h"
 #include "viewer/model/PlacementController.h"
 #include "viewer/model/Preferences.h"
-#include "viewer/panels/SphereMap.h"
 
 namespace fenestra::viewer {
 namespace {
@@ -22,7 +22,7 @@ namespace {
 constexpr double tolerance = 1e-9;  ///< of unit vectors after a few operations in double precision
 constexpr int patience = 5000;      ///< ms; reached only when something hangs
 
-/// Where all descriptors are best.
+/// The direction whose descriptors are best.
 const glm::dvec3 bestDirection = glm::normalize(glm::dvec3(1.0, -2.0, 0.5));
 
 /// Measures nothing: the nearer a candidate is to bestDirection, the more it covers. Two surface points, one seen from
@@ -299,14 +299,14 @@ TEST(Flight, TurnsEvenlyEndsExactlyAndStopsAtATouch) {
   EXPECT_NE(link.camera(0), from);
 }
 
-TEST(SphereMap, ShowsDirectionsWhereTheyAreReadBack) {
+TEST(Mollweide, ShowsDirectionsWhereTheyAreReadBack) {
   for (const glm::dvec3 direction : placement::ringDirections(5)) {
     const std::optional<glm::dvec3> back = directionFromMap(mapFromDirection(direction));
     ASSERT_TRUE(back);
-    // At the poles the map's height changes with the direction's 1.5th power: half of the digits are left.
+    // Near the poles the map's height changes with the 1.5th power of the angle, which costs half of the digits.
     EXPECT_LE(glm::distance(*back, direction), 1e-7);
   }
-  // The map is flat at the poles: there a position has a third of the digits.
+  // The map is flat at the poles, where a position keeps a third of the digits.
   const auto expectAt = [](glm::dvec3 direction, glm::dvec2 position) {
     EXPECT_LE(glm::distance(mapFromDirection(direction), position), 1e-4);
   };

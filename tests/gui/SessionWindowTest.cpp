@@ -1,5 +1,5 @@
-// Sessions in the window: what is saved comes back to the bit, pictures included; the command line agrees; nothing is
-// lost without being asked for, and what a crash leaves is offered.
+// Sessions in the window: a saved session comes back bit for bit, including its pictures, and the command line draws
+// the same; the window asks before it drops unsaved work and offers to restore it after a crash.
 
 #include <sys/wait.h>
 #include <time.h>
@@ -49,7 +49,7 @@ class SessionWindow : public Window {
     open(folder_ / "data" / "ball.nii.gz", folder_ / "data" / "labels.nii.gz");
   }
 
-  /// A question that a test does not expect is a failure, and no dialog that waits for ever.
+  /// A question that a test does not expect fails the test instead of showing a dialog that waits for ever.
   void failOnQuestions() {
     SessionQuestions& questions = window_->sessions().questions();
     questions.saveChanges = [] { return ADD_FAILURE() << "asked to save", SessionQuestions::Answer::Discard; };
@@ -85,34 +85,31 @@ class SessionWindow : public Window {
     ASSERT_TRUE(controller().waitUntilSaved());
   }
 
-  /// Something of everything that a session keeps.
+  /// Changes every kind of thing that a session keeps.
   void work() {
-    Document& document = window_->document();
-    document.focusOn(marker);
-    document.setPreset("ct-soft-tissue");
-    document.setShift(-31.7);
-    Cutaway cutaway = document.scene().look.cutaway;
-    cutaway.openWidth = 17.3;
-    cutaway.unit = WidthUnit::Millimetre;
-    document.setCutaway(cutaway);
-    ContextLayer layer = document.scene().look.contextLayer;
-    layer.strength = 0.9;
-    document.setContextLayer(layer);
+    document().focusOn(marker);
+    document().setPreset("ct-soft-tissue");
+    document().setShift(-31.7);
+    Look look = document().look();
+    look.cutaway.openWidth = 17.3;
+    look.cutaway.unit = WidthUnit::Millimetre;
+    look.contextLayer.strength = 0.9;
+    document().edit(QStringLiteral("Look"), look);
     BrushStroke stroke;
     stroke.anchors = {{10.0, -40.0, 10.0}, {20.0, -36.0, 10.1}};
     stroke.radius = 9.1;
-    document.setStrokes({stroke}, QStringLiteral("Brush"));
-    document.setWindow({333.0, 22.0});
-    window_->cursor().moveTo({3.25, -7.5, 11.125});
-    window_->cameras().orbit(0, 0.4, 0.2);
-    window_->cameras().zoom(1, 1.3);
+    document().setStrokes({stroke}, QStringLiteral("Brush"));
+    document().setWindow({333.0, 22.0});
+    cursor().moveTo({3.25, -7.5, 11.125});
+    cameras().orbit(0, 0.4, 0.2);
+    cameras().zoom(1, 1.3);
     waitUntilDrawn();
   }
 
   std::vector<QImage> pictures() {
     std::vector<QImage> made;
-    for (VolumeView* view : window_->views().volumeViews()) made.push_back(picture(view));
-    for (SliceView* view : window_->views().sliceViews()) made.push_back(picture(view));
+    for (VolumeView* view : views().volumeViews()) made.push_back(picture(view));
+    for (SliceView* view : views().sliceViews()) made.push_back(picture(view));
     return made;
   }
 
@@ -123,10 +120,10 @@ TEST_F(SessionWindow, SavedAndReopenedShowsTheSamePictures) {
   work();
   const std::vector<QImage> before = pictures();
   save(file_);
-  const Edits edits = window_->document().edits();
+  const Look look = document().look();
   restart();
   open(file_);
-  EXPECT_EQ(window_->document().edits(), edits);
+  EXPECT_EQ(document().look(), look);
   EXPECT_FALSE(window_->isWindowModified());
   EXPECT_TRUE(window_->notices().texts().isEmpty())
       << window_->notices().texts().join(QStringLiteral("; ")).toStdString();
@@ -134,6 +131,19 @@ TEST_F(SessionWindow, SavedAndReopenedShowsTheSamePictures) {
   for (std::size_t view = 0; view < before.size(); ++view) EXPECT_EQ(before[view], after[view]) << "view " << view;
   save(folder_ / "again.fenestra");
   EXPECT_EQ(readFile(file_), readFile(folder_ / "again.fenestra"));
+}
+
+TEST_F(SessionWindow, ASessionEntersTheDocumentOnce) {
+  work();
+  save(file_);
+  restart();
+  std::vector<std::unique_ptr<QSignalSpy>> spies;
+  for (const auto signal : {&Document::volumeChanged, &Document::focusChanged, &Document::transferFunctionChanged,
+                            &Document::cutawayChanged, &Document::shadingChanged, &Document::strokesChanged,
+                            &Document::windowChanged, &Document::sceneChanged})
+    spies.push_back(std::make_unique<QSignalSpy>(&document(), signal));
+  open(file_);
+  for (const auto& spy : spies) EXPECT_EQ(spy->count(), 1) << spy->signal().toStdString();
 }
 
 TEST_F(SessionWindow, TheCommandLineAgreesWithTheWindow) {
@@ -146,8 +156,8 @@ TEST_F(SessionWindow, TheCommandLineAgreesWithTheWindow) {
                                  QStringLiteral("C%1").arg(index + 1), QStringLiteral("-o"), png}),
               0);
     const QImage cli = QImage(png).convertToFormat(QImage::Format_RGB32);
-    window_->options().setText(false);
-    window_->options().setCrosshair(false);
+    options().setText(false);
+    options().setCrosshair(false);
     waitUntilDrawn();
     VolumeView* view = volume(static_cast<std::size_t>(index));
     const QImage window = view->grabFramebuffer().convertToFormat(QImage::Format_RGB32);
@@ -164,75 +174,75 @@ TEST_F(SessionWindow, TheCommandLineAgreesWithTheWindow) {
         greatest = std::max(
             {greatest, std::abs(a.red() - b.red()), std::abs(a.green() - b.green()), std::abs(a.blue() - b.blue())});
       }
-    // The one rounds once more, when it puts the picture over the background.
+    // The command line rounds once more when it puts the picture over the background.
     EXPECT_LE(greatest, 1) << "C" << index + 1;
   }
 }
 
 TEST_F(SessionWindow, LinkedCamerasStayLinkedAndUnlinkedOnesDoNot) {
   for (const bool linked : {false, true}) {
-    window_->cameras().setLinked(linked);
-    window_->cameras().orbit(0, 0.3, 0.1);
+    cameras().setLinked(linked);
+    cameras().orbit(0, 0.3, 0.1);
     save(file_);
-    window_->cameras().setLinked(!linked);
+    cameras().setLinked(!linked);
     open(file_);
-    EXPECT_EQ(window_->cameras().isLinked(), linked);
+    EXPECT_EQ(cameras().isLinked(), linked);
     EXPECT_EQ(window_->findChild<QAction*>(QStringLiteral("link"))->isChecked(), linked);
-    PlacementSettings settings = window_->placement().settings();
+    PlacementSettings settings = placement().settings();
     settings.follow = false;
-    window_->placement().setSettings(settings);
-    const Camera partner = window_->cameras().camera(1);
+    placement().setSettings(settings);
+    const Camera partner = cameras().camera(1);
     drag(volume(0), {200, 150}, {260, 150});
-    EXPECT_EQ(window_->cameras().camera(1) != partner, linked);
+    EXPECT_EQ(cameras().camera(1) != partner, linked);
   }
 }
 
 TEST_F(SessionWindow, CamerasStandWhereTheyStood) {
-  window_->cameras().setProjection(Projection::Orthographic);
-  window_->cameras().orbit(0, 1.1, -0.6);
-  window_->cameras().pan(1, 13.7, -4.2);
-  window_->cameras().zoom(0, 1.7);
-  const ViewLink::Pose pose = window_->cameras().pose();
+  cameras().setProjection(Projection::Orthographic);
+  cameras().orbit(0, 1.1, -0.6);
+  cameras().pan(1, 13.7, -4.2);
+  cameras().zoom(0, 1.7);
+  const ViewLink::Pose pose = cameras().pose();
   save(file_);
-  window_->cameras().place(Camera::standard(StandardView::Posterior, window_->document().scene().volume->grid));
-  ASSERT_NE(window_->cameras().pose(), pose);
+  cameras().place(Camera::standard(StandardView::Posterior, document().scene().volume->grid));
+  ASSERT_NE(cameras().pose(), pose);
   open(file_);
-  EXPECT_EQ(window_->cameras().pose(), pose);
-  window_->cameras().reset();
-  EXPECT_EQ(window_->cameras().pose().cameras, pose.home);
+  EXPECT_EQ(cameras().pose(), pose);
+  cameras().reset();
+  EXPECT_EQ(cameras().pose().cameras, pose.home);
 }
 
 TEST_F(SessionWindow, KeepsTheLayoutAndWhatIsDrawnOverThePictures) {
-  window_->views().toggleMaximised(slice(SlicePlane::Coronal));
-  window_->options().setText(false);
-  window_->options().setLabels(false);
-  PlacementSettings settings = window_->placement().settings();
+  views().toggleMaximised(slice(SlicePlane::Coronal));
+  options().setText(false);
+  options().setLabels(false);
+  PlacementSettings settings = placement().settings();
   settings.sampling.count = 48;
   settings.options.weights.coverage = 2.5;
   settings.options.region = placement::Region::Stream;
-  window_->placement().setSettings(settings);
+  placement().setSettings(settings);
   save(file_);
-  window_->views().showAll();
-  window_->options().setText(true);
-  window_->placement().setSettings({});
+  views().showAll();
+  options().setText(true);
+  placement().setSettings({});
   open(file_);
-  EXPECT_TRUE(window_->views().isMaximised());
+  EXPECT_TRUE(views().isMaximised());
   EXPECT_TRUE(slice(SlicePlane::Coronal)->isVisible());
   EXPECT_FALSE(volume(0)->isVisible());
-  EXPECT_FALSE(window_->options().text());
-  EXPECT_TRUE(window_->options().crosshair());
-  EXPECT_EQ(window_->placement().settings(), settings);
+  EXPECT_FALSE(options().text());
+  EXPECT_TRUE(options().crosshair());
+  EXPECT_EQ(placement().settings(), settings);
 }
 
 TEST_F(SessionWindow, AsksBeforeWorkIsLost) {
   using Answer = SessionQuestions::Answer;
   EXPECT_FALSE(window_->isWindowModified());
   EXPECT_TRUE(window_->sessions().mayGo());
-  window_->document().focusOn(marker);
+  document().focusOn(marker);
   EXPECT_TRUE(window_->isWindowModified());
-  window_->document().undoStack().undo();
+  document().undoStack().undo();
   EXPECT_FALSE(window_->isWindowModified()) << "undone, there is nothing to lose";
-  window_->document().focusOn(body);
+  document().focusOn(body);
 
   int asked = 0;
   Answer answer = Answer::Cancel;
@@ -240,7 +250,7 @@ TEST_F(SessionWindow, AsksBeforeWorkIsLost) {
   EXPECT_FALSE(window_->close());
   window_->open({folder_ / "data" / "ball.nii.gz"});
   QTest::qWait(50);
-  EXPECT_TRUE(window_->document().isFocused(body)) << "what was open stays";
+  EXPECT_TRUE(document().isFocused(body)) << "what was open stays";
   EXPECT_EQ(asked, 2);
 
   answer = Answer::Save;
@@ -253,17 +263,17 @@ TEST_F(SessionWindow, AsksBeforeWorkIsLost) {
   EXPECT_FALSE(window_->notices().texts().isEmpty());
   where = folder_ / "kept";
   EXPECT_TRUE(window_->close());
-  EXPECT_EQ(io::readSession(folder_ / "kept.fenestra").focus, Focus(LabelFocus{{body}})) << "the ending is added";
+  EXPECT_EQ(io::readSession(folder_ / "kept.fenestra").look.focus, Focus(LabelFocus{{body}})) << "the ending is added";
   EXPECT_FALSE(window_->isWindowModified());
-  window_->document().focusOn(marker);
+  document().focusOn(marker);
   answer = Answer::Discard;
   window_->show();
   EXPECT_TRUE(window_->close());
-  EXPECT_EQ(io::readSession(folder_ / "kept.fenestra").focus, Focus(LabelFocus{{body}}));
+  EXPECT_EQ(io::readSession(folder_ / "kept.fenestra").look.focus, Focus(LabelFocus{{body}}));
 }
 
 TEST_F(SessionWindow, SavesByItsKeysAndOpensWhatIsDropped) {
-  window_->document().focusOn(marker);
+  document().focusOn(marker);
   window_->sessions().questions().saveWhere = [&](const fs::path& suggested) {
     EXPECT_EQ(suggested, folder_ / "data" / "session.fenestra");
     return std::optional(file_);
@@ -271,13 +281,13 @@ TEST_F(SessionWindow, SavesByItsKeysAndOpensWhatIsDropped) {
   QTest::keyClick(window_.get(), Qt::Key_S, Qt::ControlModifier);
   ASSERT_TRUE(controller().waitUntilSaved());
   EXPECT_TRUE(fs::exists(file_));
-  window_->document().focusOn(body);
+  document().focusOn(body);
   QTest::keyClick(window_.get(), Qt::Key_S, Qt::ControlModifier);
   ASSERT_TRUE(controller().waitUntilSaved());
-  EXPECT_EQ(io::readSession(file_).focus, Focus(LabelFocus{{body}}));
+  EXPECT_EQ(io::readSession(file_).look.focus, Focus(LabelFocus{{body}}));
 
-  window_->document().setFocus(std::monostate{});
-  window_->document().undoStack().undo();
+  document().setFocus(std::monostate{});
+  document().undoStack().undo();
   QMimeData data;
   data.setUrls({QUrl::fromLocalFile(toQString(file_))});
   QDragEnterEvent enter(QPoint(200, 200), Qt::CopyAction, &data, Qt::LeftButton, {});
@@ -286,12 +296,12 @@ TEST_F(SessionWindow, SavesByItsKeysAndOpensWhatIsDropped) {
   QSignalSpy opened(window_.get(), &MainWindow::opened);
   QApplication::sendEvent(window_.get(), &drop);
   ASSERT_TRUE(opened.wait(patience));
-  EXPECT_EQ(window_->document().focus(), Focus(LabelFocus{{body}}));
+  EXPECT_EQ(document().focus(), Focus(LabelFocus{{body}}));
   EXPECT_EQ(controller().file(), file_);
 }
 
 TEST_F(SessionWindow, AsksWhereMovedDataIs) {
-  window_->document().focusOn(marker);
+  document().focusOn(marker);
   save(file_);
   fs::create_directory(folder_ / "sessions");
   fs::rename(file_, folder_ / "sessions" / "a.fenestra");
@@ -303,11 +313,11 @@ TEST_F(SessionWindow, AsksWhereMovedDataIs) {
   };
   open(folder_ / "sessions" / "a.fenestra");
   EXPECT_EQ(asked, 2);
-  EXPECT_TRUE(window_->document().isFocused(marker));
-  EXPECT_TRUE(window_->notices().texts().isEmpty()) << "it holds what it held";
+  EXPECT_TRUE(document().isFocused(marker));
+  EXPECT_TRUE(window_->notices().texts().isEmpty()) << "the contents are unchanged";
   save(folder_ / "sessions" / "a.fenestra");
   open(folder_ / "sessions" / "a.fenestra");
-  EXPECT_EQ(asked, 2) << "saved again, it knows";
+  EXPECT_EQ(asked, 2) << "saving again has stored the new place";
 }
 
 TEST_F(SessionWindow, OffersWhatACrashLeft) {
@@ -328,9 +338,9 @@ TEST_F(SessionWindow, OffersWhatACrashLeft) {
   ASSERT_EQ(copies(), 1);
   EXPECT_TRUE(window_->isWindowModified()) << "a copy is no save";
   EXPECT_TRUE(SessionController::abandonedIn(kept).empty()) << "its run is alive";
-  EXPECT_EQ(io::readSession(file_).focus, Focus()) << "the user's file is the user's";
+  EXPECT_EQ(io::readSession(file_).look.focus, Focus()) << "autosave leaves the user's file alone";
 
-  // A crash: the copy stays, and so does the lock of a process that is no more.
+  // A crash leaves the copy, and the lock of a process that has ended.
   const fs::path copy = fs::directory_iterator(kept)->path().parent_path() / "crashed.fenestra";
   for (const auto& entry : fs::directory_iterator(kept))
     if (io::isSession(entry.path())) fs::copy_file(entry.path(), copy);
@@ -343,10 +353,10 @@ TEST_F(SessionWindow, OffersWhatACrashLeft) {
   ASSERT_EQ(::waitpid(child, &status, 0), child);
   ASSERT_EQ(status, 0);
   ASSERT_TRUE(fs::exists(copy.string() + ".lock"));
-  const Edits edits = window_->document().edits();
-  const ViewLink::Pose pose = window_->cameras().pose();
+  const Look look = document().look();
+  const ViewLink::Pose pose = cameras().pose();
   restart();
-  EXPECT_EQ(copies(), 1) << "a run that ends in peace takes its copy along";
+  EXPECT_EQ(copies(), 1) << "a run that ends normally removes its copy";
 
   int asked = 0;
   window_->sessions().questions().restoreWork = [&](const QDateTime& saved) {
@@ -358,21 +368,21 @@ TEST_F(SessionWindow, OffersWhatACrashLeft) {
   ASSERT_TRUE(window_->sessions().startRecovery(kept));
   ASSERT_TRUE(opened.wait(patience));
   EXPECT_EQ(asked, 1);
-  EXPECT_EQ(window_->document().edits(), edits);
-  EXPECT_EQ(window_->cameras().pose(), pose);
-  EXPECT_EQ(controller().file(), file_) << "it is ahead of that one";
+  EXPECT_EQ(document().look(), look);
+  EXPECT_EQ(cameras().pose(), pose);
+  EXPECT_EQ(controller().file(), file_) << "the restored work belongs to that file";
   EXPECT_TRUE(window_->isWindowModified());
   EXPECT_EQ(copies(), 1) << "until it is saved";
   save(controller().file());
   EXPECT_EQ(copies(), 0);
-  EXPECT_EQ(io::readSession(file_).focus, edits.focus);
+  EXPECT_EQ(io::readSession(file_).look.focus, look.focus);
   EXPECT_TRUE(io::readSession(file_).autosaveOf.empty());
 }
 
 TEST_F(SessionWindow, ACopyDoesNotStopTheWindow) {
   BrushStrokes strokes(2000);
   for (BrushStroke& stroke : strokes) stroke.anchors.assign(50, markerCentre);
-  window_->document().setStrokes(strokes, QStringLiteral("Brush"));
+  document().setStrokes(strokes, QStringLiteral("Brush"));
   controller().startAutosave(folder_ / "state", 3600000);
   const auto cpu = [] {
     timespec now{};
@@ -389,13 +399,13 @@ TEST_F(SessionWindow, ACopyDoesNotStopTheWindow) {
 }
 
 TEST_F(SessionWindow, ABrokenSessionIsOneNoticeAndNothingElse) {
-  window_->cameras().orbit(0, 0.1, 0.0);
+  cameras().orbit(0, 0.1, 0.0);
   tests::writeFile(file_, "{\"format\": \"fenestra-session\", ");
   QSignalSpy failed(window_.get(), &MainWindow::failed);
   window_->open({file_});
   ASSERT_TRUE(failed.wait(patience));
   EXPECT_EQ(window_->notices().texts().size(), 1);
-  EXPECT_TRUE(window_->document().hasVolume());
+  EXPECT_TRUE(document().hasVolume());
   EXPECT_TRUE(controller().file().empty());
 }
 

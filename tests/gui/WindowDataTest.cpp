@@ -1,4 +1,4 @@
-// Opening data in the window, what it says about it, and what it remembers.
+// Opening data in the window: its notices, and what it remembers.
 
 #include <filesystem>
 #include <fstream>
@@ -36,16 +36,16 @@ void useScratchSettings() {
 TEST_F(Window, ABrokenFileIsToldAndTheOldStudyStays) {
   const std::filesystem::path broken = tests::scratchFolder() / "broken.nii";
   std::ofstream(broken) << "not a volume";
-  window_->document().focusOn(marker);
-  window_->document().undoStack().setClean();  // nothing unsaved to ask about
-  const auto volumeBefore = window_->document().scene().volume;
+  document().focusOn(marker);
+  document().undoStack().setClean();  // nothing unsaved to ask about
+  const auto volumeBefore = document().scene().volume;
   QSignalSpy failed(window_.get(), &MainWindow::failed);
   window_->open(std::vector{broken});
   ASSERT_TRUE(failed.wait(patience));
   ASSERT_EQ(window_->notices().texts().size(), 1);
   EXPECT_TRUE(window_->notices().texts().front().contains(QStringLiteral("broken.nii")));
-  EXPECT_EQ(window_->document().scene().volume, volumeBefore);
-  EXPECT_TRUE(window_->document().isFocused(marker));
+  EXPECT_EQ(document().scene().volume, volumeBefore);
+  EXPECT_TRUE(document().isFocused(marker));
   waitUntilDrawn();
 }
 
@@ -67,7 +67,7 @@ TEST_F(Window, DroppedFilesAreOpened) {
   QSignalSpy opened(window_.get(), &MainWindow::opened);
   QApplication::sendEvent(window_.get(), &drop);
   ASSERT_TRUE(opened.wait(patience));
-  const Scene& scene = window_->document().scene();
+  const Scene& scene = document().scene();
   EXPECT_EQ(scene.volume->grid.dims, half->grid.dims);
   ASSERT_NE(scene.labels, nullptr) << "the second file is the first one's label map";
   ASSERT_EQ(scene.labels->labels.size(), 1u);
@@ -77,18 +77,18 @@ TEST_F(Window, DroppedFilesAreOpened) {
 
 TEST_F(Window, LabelsAreOpenedOverTheStudy) {
   auto marks = std::make_shared<Volume>();
-  marks->grid = window_->document().scene().volume->grid;
+  marks->grid = document().scene().volume->grid;
   marks->voxels = Voxels(ScalarType::UInt8, marks->grid.voxelCount());
   for (std::size_t i = 0; i < marks->voxels.count(); ++i) marks->voxels.as<std::uint8_t>()[i] = i % 48 < 24 ? 3 : 0;
   marks->computeRange();
   const std::filesystem::path file = tests::scratchFolder() / "labels.nrrd";
   io::writeVolume(*marks, file);
-  window_->document().focusOn(marker);
-  QSignalSpy changed(&window_->document(), &Document::labelsChanged);
+  document().focusOn(marker);
+  QSignalSpy changed(&document(), &Document::labelsChanged);
   window_->openLabels(file);
   ASSERT_TRUE(changed.wait(patience));
-  EXPECT_EQ(window_->focusPanel().list()->model()->rowCount(), 1);
-  EXPECT_EQ(window_->document().focus(), Focus()) << "the old labels are gone";
+  EXPECT_EQ(panel<FocusPanel>().list()->model()->rowCount(), 1);
+  EXPECT_EQ(document().focus(), Focus()) << "the old labels are gone";
   waitUntilDrawn();
 }
 
@@ -128,13 +128,13 @@ TEST_F(Window, RemembersHowTheUserPlacesCamerasNotHowASessionDoes) {
   MainWindow window({.gl = {.problem = QStringLiteral("slices are enough here")}});
   PlacementSettings settings;
   settings.options.weights.coverage = 3.0;
-  window.placement().setSettings(settings);
+  window.workspace().placement.setSettings(settings);
   EXPECT_EQ(Preferences().placement(), PlacementSettings());
-  window.findChild<CamerasPanel*>()->joint()->click();
+  window.findChild<PlacementForm*>()->joint()->click();
   PlacementSettings expected;
   expected.joint = settings.joint = true;
   EXPECT_EQ(Preferences().placement(), expected);
-  EXPECT_EQ(window.placement().settings(), settings);
+  EXPECT_EQ(window.workspace().placement.settings(), settings);
 }
 
 TEST_F(Window, WarningsAreShownOnceEach) {
@@ -150,7 +150,7 @@ TEST_F(Window, WarningsAreShownOnceEach) {
 }
 
 TEST_F(Window, ReadingCanBeCancelled) {
-  const auto volumeBefore = window_->document().scene().volume;
+  const auto volumeBefore = document().scene().volume;
   window_->open([](const io::Progress& progress) -> Study {
     while (progress(0.5, "reading slices")) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     throw io::Cancelled();
@@ -164,7 +164,7 @@ TEST_F(Window, ReadingCanBeCancelled) {
   QTest::mouseClick(cancel(), Qt::LeftButton);
   EXPECT_TRUE(QTest::qWaitFor([&] { return cancel() == nullptr; }, patience));
   EXPECT_TRUE(window_->notices().texts().isEmpty());
-  EXPECT_EQ(window_->document().scene().volume, volumeBefore);
+  EXPECT_EQ(document().scene().volume, volumeBefore);
 }
 
 TEST_F(Window, TitleAndPanelsNameNoFile) {
@@ -189,11 +189,11 @@ TEST(WindowWithoutOpenGl, ExplainsItselfAndKeepsTheSlices) {
   ASSERT_NE(reason, nullptr);
   EXPECT_TRUE(reason->isVisible());
   EXPECT_TRUE(reason->text().contains(QStringLiteral("No driver here.")));
-  EXPECT_FALSE(window.camerasPanel().placeButton()->isEnabled());
+  EXPECT_FALSE(window.findChild<CamerasPanel*>()->placeButton()->isEnabled());
   SliceView* axial = window.views().sliceViews().front();
-  window.cursor().moveTo(markerCentre);
+  window.workspace().cursor.moveTo(markerCentre);
   QTest::mouseClick(axial, Qt::LeftButton, {}, axial->widgetFromWorld(markerCentre).toPoint());
-  EXPECT_EQ(window.document().focus(), Focus(LabelFocus{{marker}}));
+  EXPECT_EQ(window.workspace().document.focus(), Focus(LabelFocus{{marker}}));
   EXPECT_FALSE(window.picture().isNull());
 }
 

@@ -67,9 +67,9 @@ void Window::waitUntilDrawn() {
 }
 
 void Window::setAutomatic(bool on) {
-  PlacementSettings settings = window_->placement().settings();
+  PlacementSettings settings = placement().settings();
   settings.automatic = on;
-  window_->placement().setSettings(settings);
+  placement().setSettings(settings);
 }
 
 void Window::drag(QWidget* widget, QPoint from, QPoint to, Qt::MouseButton button, Qt::KeyboardModifiers modifiers) {

@@ -1,6 +1,6 @@
 #pragma once
-// A window on a display with OpenGL that shows a ball of soft tissue with a green cube in it, and the hands of its
-// user: mouse, wheel and keys.
+// A window on a display with OpenGL that shows a ball of soft tissue with a green cube in it, and helpers that move the
+// mouse, turn the wheel and press keys as a user does.
 
 #include <memory>
 #include <optional>
@@ -10,6 +10,7 @@
 #include <QPointF>
 
 #include "viewer/MainWindow.h"
+#include "viewer/views/ViewArea.h"
 
 namespace fenestra::viewer {
 
@@ -29,18 +30,30 @@ class Window : public testing::Test {
 
   void open(const Study& study);
   void waitUntilDrawn();
-  /// Whether a chosen focus moves the cameras: only where that is what is tested.
+  /// Whether choosing a focus places the cameras. Off unless a test is about that.
   void setAutomatic(bool on);
 
-  VolumeView* volume(std::size_t index) { return window_->views().volumeViews().at(index); }
-  SliceView* slice(SlicePlane plane) { return window_->views().sliceViews().at(static_cast<std::size_t>(plane)); }
+  Document& document() { return window_->workspace().document; }
+  SliceCursor& cursor() { return window_->workspace().cursor; }
+  ViewLink& cameras() { return window_->workspace().cameras; }
+  PlacementController& placement() { return window_->workspace().placement; }
+  ViewOptions& options() { return window_->workspace().options; }
+  Brush& brush() { return window_->workspace().brush; }
+  ViewArea& views() { return window_->views(); }
+  /// The window's only panel of that class.
+  template <class Panel>
+  Panel& panel() {
+    return *window_->findChild<Panel*>();
+  }
+  VolumeView* volume(std::size_t index) { return views().volumeViews().at(index); }
+  SliceView* slice(SlicePlane plane) { return views().sliceViews().at(static_cast<std::size_t>(plane)); }
 
   void drag(QWidget* widget, QPoint from, QPoint to, Qt::MouseButton button = Qt::LeftButton,
             Qt::KeyboardModifiers modifiers = {});
   void wheel(QWidget* widget, int notches, Qt::KeyboardModifiers modifiers = {});
 
-  /// What a view shows, in device pixels, without its outermost two device-independent pixels: there a frame tells
-  /// which view was used last.
+  /// The picture of a view in device pixels, without the outermost two device-independent pixels, where a frame marks
+  /// the view that has the focus.
   QImage picture(QWidget* view);
   /// Centre of the green pixels that a view shows, from -1 (left, top) to 1 (right, bottom); empty when there are few.
   std::optional<QPointF> green(QWidget* view);

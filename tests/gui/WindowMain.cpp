@@ -4,7 +4,7 @@
 
 #include <QApplication>
 
-#include "viewer/Style.h"
+#include "viewer/style/Style.h"
 #include "viewer/views/GlSupport.h"
 
 int main(int argc, char** argv) {

@@ -6,6 +6,7 @@
 #include <QTest>
 
 #include "tests/gui/WindowFixture.h"
+#include "viewer/panels/ContextLayerPanel.h"
 #include "viewer/panels/CutawayPanel.h"
 #include "viewer/panels/FocusPanel.h"
 #include "viewer/panels/SliderSpin.h"
@@ -15,14 +16,14 @@ namespace {
 
 enum class Side { Negative, Middle, Positive };
 
-/// Beyond a twentieth of the view from its middle is a side.
+/// A side begins a twentieth of the view away from its middle.
 Side side(double position) {
   return position < -0.05 ? Side::Negative : position > 0.05 ? Side::Positive : Side::Middle;
 }
 
 TEST_F(Window, ShowsEveryViewTheRightWayUp) {
-  window_->document().focusOn(marker);
-  window_->cursor().moveTo(markerCentre);
+  document().focusOn(marker);
+  cursor().moveTo(markerCentre);
   QTest::keyClick(window_.get(), Qt::Key_C);  // the coronal line of the crosshair is green too
   waitUntilDrawn();
   const auto expectAt = [&](QWidget* view, Side across, Side down) {
@@ -40,41 +41,83 @@ TEST_F(Window, ShowsEveryViewTheRightWayUp) {
 }
 
 TEST_F(Window, ClickOnASliceSetsCrosshairAndFocus) {
-  window_->cursor().moveTo(markerCentre);
+  cursor().moveTo(markerCentre);
   SliceView* axial = slice(SlicePlane::Axial);
   const QPoint onMarker = axial->widgetFromWorld(markerCentre).toPoint();
   QTest::mouseClick(axial, Qt::LeftButton, {}, onMarker);
-  EXPECT_EQ(window_->document().focus(), Focus(LabelFocus{{marker}}));
+  EXPECT_EQ(document().focus(), Focus(LabelFocus{{marker}}));
 
   const QPoint onBody = axial->widgetFromWorld({-10.0, 10.0, 17.0}).toPoint();
   QTest::mouseClick(axial, Qt::LeftButton, Qt::ControlModifier, onBody);
-  EXPECT_EQ(window_->document().focus(), Focus(LabelFocus{{body, marker}}));
+  EXPECT_EQ(document().focus(), Focus(LabelFocus{{body, marker}}));
   // A device-independent pixel is about 0.3 mm here.
-  EXPECT_LT(glm::distance(window_->cursor().position(), glm::dvec3(-10.0, 10.0, 17.0)), 1.0);
+  EXPECT_LT(glm::distance(cursor().position(), glm::dvec3(-10.0, 10.0, 17.0)), 1.0);
 
   QTest::mouseClick(axial, Qt::LeftButton, Qt::ControlModifier, onBody);
-  EXPECT_EQ(window_->document().focus(), Focus(LabelFocus{{marker}}));
+  EXPECT_EQ(document().focus(), Focus(LabelFocus{{marker}}));
+}
+
+/// Every number of a part of the look that has a step has a slider as declared; returns how many there are.
+template <class Part>
+int expectSlidersAsDeclared(const QWidget& panel) {
+  int sliders = 0;
+  forEachSetting<Part>([&](const auto& setting) {
+    if (setting.step == 0.0) return;
+    const auto* slider = panel.findChild<SliderSpin*>(QString::fromUtf8(setting.key));
+    ASSERT_NE(slider, nullptr) << setting.key;
+    ++sliders;
+    EXPECT_EQ(slider->box()->minimum(), setting.slider.low) << setting.key;
+    EXPECT_EQ(slider->box()->maximum(), setting.slider.high) << setting.key;
+    EXPECT_EQ(slider->box()->singleStep(), setting.step) << setting.key;
+    EXPECT_EQ(slider->slider()->maximum(), std::lround((setting.slider.high - setting.slider.low) / setting.step));
+    EXPECT_EQ(slider->toolTip(), QString::fromUtf8(setting.description)) << setting.key;
+  });
+  EXPECT_EQ(panel.findChildren<SliderSpin*>().size(), sliders) << "one each";
+  return sliders;
+}
+
+TEST_F(Window, SlidersAreThoseOfTheDeclaredSettings) {
+  EXPECT_EQ(expectSlidersAsDeclared<Cutaway>(panel<CutawayPanel>()), 2);
+  EXPECT_EQ(expectSlidersAsDeclared<ContextLayer>(panel<ContextLayerPanel>()), 5);
+}
+
+TEST_F(Window, LightSlidersChangeThePictureAndAreUndone) {
+  waitUntilDrawn();
+  const QImage before = picture(volume(0));
+  const Shading shading = document().look().shading;
+  for (const char* key : {"light_azimuth", "light_elevation"}) {
+    auto* slider = window_->findChild<SliderSpin*>(QString::fromUtf8(key));
+    ASSERT_NE(slider, nullptr) << key;
+    slider->box()->setValue(-60.0);
+    waitUntilDrawn();
+    EXPECT_NE(picture(volume(0)), before) << key;
+    document().undoStack().undo();
+    EXPECT_EQ(document().look().shading, shading) << key;
+    EXPECT_EQ(slider->box()->value(),
+              std::round(key == std::string("light_azimuth") ? shading.lightAzimuth : shading.lightElevation));
+    waitUntilDrawn();
+    EXPECT_EQ(picture(volume(0)), before) << key;
+  }
 }
 
 TEST_F(Window, OpeningSliderChangesThePicture) {
-  window_->document().focusOn(marker);
+  document().focusOn(marker);
   waitUntilDrawn();
   const QImage before = picture(volume(0));
-  QSlider* slider = window_->cutawayPanel().openWidth()->slider();
-  const double width = window_->document().scene().look.cutaway.openWidth;
+  QSlider* slider = panel<CutawayPanel>().openWidth()->slider();
+  const double width = document().scene().look.cutaway.openWidth;
   const int handle = slider->width() * slider->value() / slider->maximum();
-  const int steps = window_->document().undoStack().count();
+  const int steps = document().undoStack().count();
   drag(slider, {handle, slider->height() / 2}, {slider->width() * 3 / 4, slider->height() / 2});
-  EXPECT_GT(window_->document().scene().look.cutaway.openWidth, width + 20.0);
-  EXPECT_DOUBLE_EQ(window_->cutawayPanel().openWidth()->box()->value(),
-                   window_->document().scene().look.cutaway.openWidth);
+  EXPECT_GT(document().scene().look.cutaway.openWidth, width + 20.0);
+  EXPECT_DOUBLE_EQ(panel<CutawayPanel>().openWidth()->box()->value(), document().scene().look.cutaway.openWidth);
   waitUntilDrawn();
   EXPECT_NE(picture(volume(0)), before);
 
-  EXPECT_EQ(window_->document().undoStack().count(), steps + 1) << "a drag is one step";
+  EXPECT_EQ(document().undoStack().count(), steps + 1) << "a drag is one step";
   QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
-  EXPECT_EQ(window_->document().scene().look.cutaway.openWidth, width);
-  EXPECT_EQ(window_->cutawayPanel().openWidth()->box()->value(), width);
+  EXPECT_EQ(document().scene().look.cutaway.openWidth, width);
+  EXPECT_EQ(panel<CutawayPanel>().openWidth()->box()->value(), width);
   waitUntilDrawn();
   EXPECT_EQ(picture(volume(0)), before);
 }
@@ -103,21 +146,21 @@ TEST_F(Window, DraggingAViewTurnsItsPartnerToo) {
     const Camera::Axes axes = camera.axes();
     return glm::dmat3(axes.right, axes.up, -axes.forward);
   };
-  const glm::dmat3 first = basis(window_->cameras().camera(0)), second = basis(window_->cameras().camera(1));
+  const glm::dmat3 first = basis(cameras().camera(0)), second = basis(cameras().camera(1));
   drag(volume(0), {200, 150}, {280, 190});
-  const glm::dmat3 firstTurn = basis(window_->cameras().camera(0)) * glm::transpose(first);
-  const glm::dmat3 secondTurn = basis(window_->cameras().camera(1)) * glm::transpose(second);
+  const glm::dmat3 firstTurn = basis(cameras().camera(0)) * glm::transpose(first);
+  const glm::dmat3 secondTurn = basis(cameras().camera(1)) * glm::transpose(second);
   for (int column = 0; column < 3; ++column) EXPECT_LT(glm::distance(firstTurn[column], secondTurn[column]), 1e-9);
   EXPECT_LT(firstTurn[0][0], 0.95) << "80 pixels are more than 18 degrees";
-  // What was under the mouse goes with it: the front moves right, so the camera goes to the patient's right.
-  EXPECT_LT(window_->cameras().camera(0).eye.x, -10.0);
+  // The surface follows the mouse: the front moves right, so the camera goes to the patient's right.
+  EXPECT_LT(cameras().camera(0).eye.x, -10.0);
   // And down, so the camera looks from above.
-  EXPECT_GT(window_->cameras().camera(0).eye.z, 10.0);
+  EXPECT_GT(cameras().camera(0).eye.z, 10.0);
 
   QTest::keyClick(window_.get(), Qt::Key_L);
-  const Camera partner = window_->cameras().camera(1);
+  const Camera partner = cameras().camera(1);
   drag(volume(0), {200, 150}, {240, 150});
-  EXPECT_EQ(window_->cameras().camera(1), partner);
+  EXPECT_EQ(cameras().camera(1), partner);
 }
 
 TEST_F(Window, ClickInAVolumeViewMovesTheCrosshairToTheSurface) {
@@ -126,11 +169,11 @@ TEST_F(Window, ClickInAVolumeViewMovesTheCrosshairToTheSurface) {
   ASSERT_TRUE(at);
   QTest::mouseClick(volume(0), Qt::LeftButton, {}, at->toPoint());
   // Half a voxel below the surface, which lies within a voxel of the ball's; a pixel is about half a millimetre.
-  EXPECT_LT(glm::distance(window_->cursor().position(), glm::dvec3(0.0, -43.0, 0.0)), 2.5);
+  EXPECT_LT(glm::distance(cursor().position(), glm::dvec3(0.0, -43.0, 0.0)), 2.5);
 }
 
 TEST_F(Window, WheelAndArrowsStepThroughSlices) {
-  for (SliceView* view : window_->views().sliceViews()) {
+  for (SliceView* view : views().sliceViews()) {
     const int before = view->slice();
     wheel(view, 2);
     EXPECT_EQ(view->slice(), before + 2);
@@ -141,16 +184,16 @@ TEST_F(Window, WheelAndArrowsStepThroughSlices) {
 
 TEST_F(Window, DragOnASliceChangesWindowAndLevel) {
   SliceView* coronal = slice(SlicePlane::Coronal);
-  const WindowLevel before = window_->document().window();
-  const glm::dvec3 cursor = window_->cursor().position();
+  const WindowLevel before = document().window();
+  const glm::dvec3 crosshair = cursor().position();
   drag(coronal, {100, 100}, {150, 130});
-  EXPECT_GT(window_->document().window().width, before.width + 10.0);
-  EXPECT_GT(window_->document().window().level, before.level + 10.0);
-  EXPECT_EQ(window_->cursor().position(), cursor) << "a drag is no click";
+  EXPECT_GT(document().window().width, before.width + 10.0);
+  EXPECT_GT(document().window().level, before.level + 10.0);
+  EXPECT_EQ(cursor().position(), crosshair) << "a drag is no click";
   QTest::keyClick(window_.get(), Qt::Key_7);
-  EXPECT_EQ(window_->document().window(), (WindowLevel{1500.0, -500.0}));
+  EXPECT_EQ(document().window(), (WindowLevel{1500.0, -500.0}));
   QTest::keyClick(window_.get(), Qt::Key_1);
-  EXPECT_EQ(window_->document().window(), before);
+  EXPECT_EQ(document().window(), before);
 }
 
 TEST_F(Window, ZoomAndPanOfASliceKeepWhatIsUnderTheMouse) {
@@ -171,57 +214,57 @@ TEST_F(Window, ZoomAndPanOfASliceKeepWhatIsUnderTheMouse) {
 
 TEST_F(Window, KeysTurnTheCamerasToStandardViews) {
   volume(1)->setFocus();
-  const ViewLink::Pose before = window_->cameras().pose();
+  const ViewLink::Pose before = cameras().pose();
   QTest::keyClick(volume(1), Qt::Key_S, Qt::ShiftModifier);
-  EXPECT_LT(glm::distance(window_->cameras().camera(1).axes().forward, glm::dvec3(0, 0, -1)), 1e-9);
-  const ViewLink::Pose above = window_->cameras().pose();
+  EXPECT_LT(glm::distance(cameras().camera(1).axes().forward, glm::dvec3(0, 0, -1)), 1e-9);
+  const ViewLink::Pose above = cameras().pose();
   QTest::keyClick(volume(1), Qt::Key_S, Qt::ShiftModifier);
-  EXPECT_EQ(window_->document().undoStack().count(), 1) << "nothing moved";
+  EXPECT_EQ(document().undoStack().count(), 1) << "nothing moved";
   QTest::keyClick(volume(1), Qt::Key_Z, Qt::ControlModifier);
-  EXPECT_EQ(window_->cameras().pose(), before);
+  EXPECT_EQ(cameras().pose(), before);
   QTest::keyClick(volume(1), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
-  EXPECT_EQ(window_->cameras().pose(), above);
+  EXPECT_EQ(cameras().pose(), above);
   QTest::keyClick(volume(1), Qt::Key_R);
-  EXPECT_LT(glm::distance(window_->cameras().camera(1).axes().forward, glm::dvec3(-1, 0, 0)), 1e-9);
+  EXPECT_LT(glm::distance(cameras().camera(1).axes().forward, glm::dvec3(-1, 0, 0)), 1e-9);
 }
 
 TEST_F(Window, DoubleClickMaximisesAndUndoesItsFirstClick) {
   SliceView* axial = slice(SlicePlane::Axial);
   const QPoint at = axial->rect().center();
-  window_->document().focusOn(marker);
-  const glm::dvec3 cursor = window_->cursor().position();
+  document().focusOn(marker);
+  const glm::dvec3 crosshair = cursor().position();
   QTest::mouseClick(axial, Qt::LeftButton, {}, at + QPoint(20, 10));
-  EXPECT_EQ(window_->document().focus(), Focus(LabelFocus{{body}}));
+  EXPECT_EQ(document().focus(), Focus(LabelFocus{{body}}));
   QTest::mouseDClick(axial, Qt::LeftButton, {}, at + QPoint(20, 10));
-  EXPECT_TRUE(window_->views().isMaximised());
+  EXPECT_TRUE(views().isMaximised());
   EXPECT_TRUE(axial->isVisible());
   EXPECT_FALSE(volume(0)->isVisible());
-  EXPECT_EQ(window_->document().focus(), Focus(LabelFocus{{marker}}));
-  EXPECT_EQ(window_->document().undoStack().count(), 1) << "the focus that was chosen before, and nothing else";
-  EXPECT_LT(glm::distance(window_->cursor().position(), cursor), 1e-6);
+  EXPECT_EQ(document().focus(), Focus(LabelFocus{{marker}}));
+  EXPECT_EQ(document().undoStack().count(), 1) << "the focus that was chosen before, and nothing else";
+  EXPECT_LT(glm::distance(cursor().position(), crosshair), 1e-6);
   QTest::keyClick(window_.get(), Qt::Key_Escape);
   EXPECT_TRUE(volume(0)->isVisible());
   waitUntilDrawn();
 }
 
 TEST_F(Window, TicksAndFilterWorkOnTheLabelList) {
-  FocusPanel& panel = window_->focusPanel();
-  QTest::keyClicks(panel.filter(), QStringLiteral("MARK"));
-  ASSERT_EQ(panel.list()->model()->rowCount(), 1) << "letters typed into the filter are no shortcuts";
-  const QModelIndex row = panel.list()->model()->index(0, 0);
+  FocusPanel& focus = panel<FocusPanel>();
+  QTest::keyClicks(focus.filter(), QStringLiteral("MARK"));
+  ASSERT_EQ(focus.list()->model()->rowCount(), 1) << "letters typed into the filter are no shortcuts";
+  const QModelIndex row = focus.list()->model()->index(0, 0);
   EXPECT_EQ(row.data().toString(), QStringLiteral("marker"));
-  panel.list()->model()->setData(row, Qt::Checked, Qt::CheckStateRole);
-  EXPECT_EQ(window_->document().focus(), Focus(LabelFocus{{marker}}));
-  QTest::mouseClick(panel.byValue(), Qt::LeftButton, {}, QPoint(6, panel.byValue()->height() / 2));
-  EXPECT_TRUE(std::holds_alternative<ValueFocus>(window_->document().focus()));
+  focus.list()->model()->setData(row, Qt::Checked, Qt::CheckStateRole);
+  EXPECT_EQ(document().focus(), Focus(LabelFocus{{marker}}));
+  QTest::mouseClick(focus.byValue(), Qt::LeftButton, {}, QPoint(6, focus.byValue()->height() / 2));
+  EXPECT_TRUE(std::holds_alternative<ValueFocus>(document().focus()));
   EXPECT_EQ(row.data(Qt::CheckStateRole).toInt(), Qt::Unchecked);
 }
 
 TEST_F(Window, CrosshairGoesToAFocusThatIsChosenByNameOrOpened) {
-  QListView* list = window_->focusPanel().list();
+  QListView* list = panel<FocusPanel>().list();
   list->doubleClicked(list->model()->index(1, 0));
-  EXPECT_EQ(window_->document().focus(), Focus(LabelFocus{{marker}}));
-  const auto atMarker = [&] { return glm::distance(window_->cursor().position(), markerCentre) < 1e-6; };
+  EXPECT_EQ(document().focus(), Focus(LabelFocus{{marker}}));
+  const auto atMarker = [&] { return glm::distance(cursor().position(), markerCentre) < 1e-6; };
   EXPECT_TRUE(QTest::qWaitFor(atMarker, patience));
 
   Study focused = markedBall();
@@ -229,11 +272,11 @@ TEST_F(Window, CrosshairGoesToAFocusThatIsChosenByNameOrOpened) {
   open(focused);
   EXPECT_TRUE(atMarker());
   open(markedBall());
-  EXPECT_LT(glm::length(window_->cursor().position()), 1.0 + 1e-6) << "without a focus: the volume's middle";
+  EXPECT_LT(glm::length(cursor().position()), 1.0 + 1e-6) << "without a focus: the volume's middle";
 }
 
 TEST_F(Window, NamesWhatIsUnderTheMouse) {
-  window_->cursor().moveTo(markerCentre);
+  cursor().moveTo(markerCentre);
   SliceView* axial = slice(SlicePlane::Axial);
   QTest::mouseMove(axial, axial->rect().center() + QPoint(1, 1));
   QTest::mouseMove(axial, axial->widgetFromWorld(markerCentre).toPoint());

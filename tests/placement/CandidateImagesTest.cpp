@@ -7,7 +7,7 @@
 #include <random>
 
 #include "rendering/placement/Placer.h"
-#include "rendering/placement/Sphere.h"
+#include "rendering/viewpoints/Sphere.h"
 #include "tests/gl/GlTest.h"
 
 namespace fenestra::placement {

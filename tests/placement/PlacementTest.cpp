@@ -5,9 +5,9 @@
 
 #include <gtest/gtest.h>
 
-#include "rendering/placement/Placer.h"
-#include "rendering/placement/Refinement.h"
-#include "rendering/placement/Sphere.h"
+#include "rendering/viewpoints/Choice.h"
+#include "rendering/viewpoints/Refinement.h"
+#include "rendering/viewpoints/Sphere.h"
 #include "tests/support/Scenes.h"
 
 namespace fenestra::placement {

@@ -1,4 +1,4 @@
-#include "rendering/placement/Sphere.h"
+#include "rendering/viewpoints/Sphere.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "rendering/placement/Placement.h"
+#include "rendering/viewpoints/Placement.h"
 
 namespace fenestra::placement {
 namespace {

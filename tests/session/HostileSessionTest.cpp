@@ -169,8 +169,8 @@ TEST_F(HostileSession, SizeIsBoundedBeforeReading) {
     std::ofstream(file_, std::ios::binary) << R"({"format": "fenestra-session", "version": 2, "maximised": ")";
     fs::resize_file(file_, std::uintmax_t{1} << 30);
   }
-  EXPECT_NE(errorOf([&] { io::readSession(file_); }).find("larger than 64 MB"), std::string::npos);
-  EXPECT_NE(errorOf([&] { io::readStrokes(file_); }).find("larger than 64 MB"), std::string::npos);
+  EXPECT_NE(errorOf([&] { io::readSession(file_); }).find("larger than 128 MB"), std::string::npos);
+  EXPECT_NE(errorOf([&] { io::readStrokes(file_); }).find("larger than 128 MB"), std::string::npos);
   // What 60 MB can hold the most of: one byte a value, one member in five.
   std::string zeros;
   zeros.reserve(60 << 20);

@@ -101,6 +101,7 @@ TEST_F(SessionCommand, RendersASessionAsTheOptionsThatMadeIt) {
        std::vector<std::vector<std::string>>{{"--w-open", "2"},
                                              {"--size", "120x90"},
                                              {"--shading", "off"},
+                                             {"--light", "70,-20"},
                                              {"--cutaway", "off"},
                                              {"--quality", "normal"},
                                              {"--transfer-function", "ct-angio"},
@@ -149,10 +150,10 @@ TEST_F(SessionCommand, PaintsTheStrokesOfASession) {
   const glm::dvec3 towardsEye = glm::normalize(session.views[0].camera.eye - session.views[0].camera.target);
   for (double mm = 60.0; mm < 110.0; mm += 5.0)
     stroke.anchors.push_back(session.views[0].camera.target + mm * towardsEye);
-  session.strokes = {stroke};
+  session.look.strokes = {stroke};
   io::writeSession(at("a.fenestra"), session);
   EXPECT_NE(picture({"a.fenestra"}), plain);
-  session.strokes[0].view = 1;
+  session.look.strokes[0].view = 1;
   io::writeSession(at("a.fenestra"), session);
   EXPECT_EQ(picture({"a.fenestra"}), plain) << "painted for C2 alone";
   stroke.view = -1;

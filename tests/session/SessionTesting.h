@@ -40,21 +40,23 @@ inline io::Session fullSession(const std::filesystem::path& folder) {
       io::RawDescription{{3, 4, 5}, ScalarType::Int32, true, std::size_t{1} << 40, {0.1, 0.2, 0.30000000000000004}};
   session.labels.path = folder / "labels.nii.gz";
   session.labels.contents = contents;
-  session.focus = ValueFocus{{-1000.5, 3071.0}, 12.5};
-  session.focusAppearance = {{0.1, 0.2, 0.3}, 1.0 / 3.0};
-  session.context.file = folder / "mine.json";
-  session.context.function.nodes = {{-0.1, {{0.9, 0.8, 0.7}, 0.0}}, {300.0, {{0.0, 1.0, 0.5}, 13.815510557964274}}};
-  session.context.shift = -17.25;
-  session.cutaway = {false, 31.0, 0.5, WidthUnit::Millimetre, {0.3, 0.2, 0.1}};
-  session.contextLayer = {.strength = 0.25,
-                          .curvatureWeight = 2.0,
-                          .silhouetteWeight = 0.75,
-                          .illuminationWeight = 0.5,
-                          .valueWeight = 0.1,
-                          .colour = {1.0, 0.0, 0.1}};
-  session.shading = {false, 0.1, 0.2, 0.4, 7.0};
-  session.background = {0.05, 0.06, 0.07};
-  session.strokes = {someStroke(BrushMode::Open), someStroke(BrushMode::Fade, 1), someStroke(BrushMode::Strengthen)};
+  session.look.focus = ValueFocus{{-1000.5, 3071.0}, 12.5};
+  session.look.focusAppearance = {{0.1, 0.2, 0.3}, 1.0 / 3.0};
+  session.look.context.file = folder / "mine.json";
+  session.look.context.function.nodes = {{-0.1, {{0.9, 0.8, 0.7}, 0.0}},
+                                         {300.0, {{0.0, 1.0, 0.5}, 13.815510557964274}}};
+  session.look.context.shift = -17.25;
+  session.look.cutaway = {false, 31.0, 0.5, WidthUnit::Millimetre, {0.3, 0.2, 0.1}};
+  session.look.contextLayer = {.strength = 0.25,
+                               .curvatureWeight = 2.0,
+                               .silhouetteWeight = 0.75,
+                               .illuminationWeight = 0.5,
+                               .valueWeight = 0.1,
+                               .colour = {1.0, 0.0, 0.1}};
+  session.look.shading = {false, 0.1, 0.2, 0.4, 7.0, 33.3, -12.5};
+  session.look.background = {0.05, 0.06, 0.07};
+  session.look.strokes = {someStroke(BrushMode::Open), someStroke(BrushMode::Fade, 1),
+                          someStroke(BrushMode::Strengthen)};
   session.quality = Quality::High;
   session.maxError = 1.5;
   session.views = {io::SessionView{someCamera(1.0), {640, 481}, 1.25, false},

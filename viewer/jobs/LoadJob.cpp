@@ -27,6 +27,7 @@ LoadJob::~LoadJob() {
 
 void LoadJob::start(Read read) {
   watcher_.cancel();
+  running_ = true;
   Q_EMIT started();
   watcher_.setFuture(QtConcurrent::run([read = std::move(read)](QPromise<Outcome>& promise) {
     promise.setProgressRange(0, progressSteps);
@@ -60,6 +61,7 @@ void LoadJob::finish() {
     else
       Q_EMIT failed(QString::fromStdString(outcome.error));
   }
+  running_ = watcher_.isRunning();  // showing the result may have started another read
   Q_EMIT ended();
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Reading data off the GUI thread, with progress and cancel. One at a time: a new start replaces what was running.
+// Reading data off the GUI thread, with progress and cancel. One job at a time: a new start replaces the running one.
 
 #include <functional>
 #include <string>
@@ -14,25 +14,26 @@ namespace fenestra::viewer {
 class LoadJob : public QObject {
   Q_OBJECT
  public:
-  /// What to do with the result, on the GUI thread.
+  /// Shows the result, on the GUI thread.
   using Show = std::function<void()>;
   /// Reads on another thread. May throw io::Error, io::Cancelled.
   using Read = std::function<Show(const io::Progress&)>;
 
   explicit LoadJob(QObject* parent = nullptr);
-  /// Cancels and waits until the reader has noticed.
+  /// Cancels and waits until the reader has stopped.
   ~LoadJob() override;
 
   void start(Read read);
   void cancel();
-  bool isRunning() const { return watcher_.isRunning(); }
+  /// From started() until just before ended().
+  bool isRunning() const { return running_; }
 
  Q_SIGNALS:
   void started();
   void progressed(double fraction, const QString& doing);
-  /// Nothing came of it; the message is one line.
+  /// Reading failed; the message is one line.
   void failed(const QString& message);
-  /// The last signal of a run, whether it was shown, failed or cancelled.
+  /// The last signal of every run: after showing the result, a failure or a cancel.
   void ended();
 
  private:
@@ -44,6 +45,7 @@ class LoadJob : public QObject {
   void finish();
 
   QFutureWatcher<Outcome> watcher_;
+  bool running_ = false;
 };
 
 }  // namespace fenestra::viewer

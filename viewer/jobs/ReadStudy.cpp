@@ -6,17 +6,14 @@
 #include "io/TransferFunctionFile.h"
 
 namespace fenestra::viewer {
-Study readStudy(const PathsToOpen& paths, const Scene& looks, const io::Progress& progress) {
+Study readStudy(const PathsToOpen& paths, const Look& look, const io::Progress& progress) {
   io::OpenedVolume opened = io::openVolume(paths.volume, {.series = paths.series, .raw = {}, .progress = progress});
   Study study;
-  study.scene = looks;
   study.scene.volume = opened.volume;
-  study.scene.labels = nullptr;
+  study.scene.look = look;
   study.scene.look.focus = std::monostate{};
   study.scene.look.strokes.clear();
-  study.transferFunction = io::defaultPreset(*opened.volume);
-  study.scene.look.context =
-      io::sessionContext(study.transferFunction, io::loadTransferFunction(study.transferFunction, *opened.volume));
+  study.scene.look.context = io::loadContextFunction(io::defaultPreset(*opened.volume), *opened.volume);
   study.path = paths.volume;
   study.session.volume = io::sessionVolume(paths.volume, opened);
   study.series = std::move(opened.series);
@@ -34,9 +31,7 @@ Study readStudy(const PathsToOpen& paths, const Scene& looks, const io::Progress
 Study readSession(const std::filesystem::path& file, const io::SessionPlaces& places, const io::Progress& progress) {
   io::OpenedSession opened = io::openSession(file, places, progress);
   Study study;
-  study.scene = io::sceneOf(opened.session);
-  study.scene.volume = opened.volume.volume;
-  study.scene.labels = std::move(opened.labels);
+  study.scene = {opened.volume.volume, std::move(opened.labels), opened.session.look};
   study.camera = opened.session.views[0].camera;
   study.path = opened.session.volume.path;
   study.series = std::move(opened.volume.series);

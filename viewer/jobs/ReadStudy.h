@@ -13,14 +13,14 @@ struct PathsToOpen {
   std::filesystem::path labels;  ///< a label map for it; may be empty
 };
 
-/// What a set of files that was dropped or named together means: files of one folder that no single-file format claims
-/// are slices, so their folder is opened; otherwise the first is the volume and the second its label map. `paths` must
-/// not be empty. Throws io::Error when there are more files than that.
+/// Interprets files that the user dropped or named together. Files of one folder whose names are not those of whole
+/// volumes are slices, so the folder is opened; otherwise the first file is the volume and the second its label map.
+/// `paths` must not be empty. Throws io::Error for more files.
 PathsToOpen interpret(const std::vector<std::filesystem::path>& paths);
 
-/// Opens a volume with the transfer function that suits it; `looks` gives everything of the scene that does not belong
-/// to the data (cutaway, context layer, shading). Throws io::Error, io::Cancelled.
-Study readStudy(const PathsToOpen& paths, const Scene& looks, const io::Progress& progress);
+/// Opens a volume with the transfer function that suits it and otherwise `look`, without its focus
+/// and strokes, which belong to other data. Throws io::Error, io::Cancelled.
+Study readStudy(const PathsToOpen& paths, const Look& look, const io::Progress& progress);
 
 /// Opens a session with its data. Throws io::DataMissing, io::Error, io::Cancelled.
 Study readSession(const std::filesystem::path& file, const io::SessionPlaces& places, const io::Progress& progress);

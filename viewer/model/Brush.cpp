@@ -6,19 +6,7 @@ namespace fenestra::viewer {
 
 bool movesRayStart(BrushMode mode) { return mode == BrushMode::Restore || mode == BrushMode::Open; }
 
-QString nameOf(BrushMode mode) {
-  switch (mode) {
-    case BrushMode::Restore:
-      return Brush::tr("Restore");
-    case BrushMode::Open:
-      return Brush::tr("Open");
-    case BrushMode::Fade:
-      return Brush::tr("Fade");
-    case BrushMode::Strengthen:
-      break;
-  }
-  return Brush::tr("Strengthen");
-}
+QString nameOf(BrushMode mode) { return QString::fromUtf8(wordOf(mode).name); }
 
 BrushMode opposite(BrushMode mode) {
   switch (mode) {
@@ -36,10 +24,10 @@ BrushMode opposite(BrushMode mode) {
 
 void Brush::setSettings(const BrushSettings& settings) {
   BrushSettings within = settings;
-  within.radius = std::clamp(within.radius, leastRadius, greatestRadius);
-  within.softness = std::clamp(within.softness, 0.0, 1.0);
-  within.depth = std::clamp(within.depth, leastDepth, greatestDepth);
-  within.amount = std::clamp(within.amount, 0.0, 1.0);
+  forEachSetting<BrushSettings>([&](const auto& setting) {
+    double& value = within.*setting.member;
+    value = std::clamp(value, setting.range.low, setting.range.high);
+  });
   if (within == settings_) return;
   settings_ = within;
   Q_EMIT changed();
@@ -54,7 +42,7 @@ void Brush::scaleRadius(double factor) {
 void Brush::scaleDepth(double factor) {
   BrushSettings settings = settings_;
   (movesRayStart(settings.mode) ? settings.depth : settings.amount) *= factor;
-  // Nothing times anything is nothing.
+  // Scaling could not raise an amount of 0.
   settings.amount = std::max(settings.amount, 0.05);
   setSettings(settings);
 }

@@ -1,17 +1,17 @@
 #pragma once
-// How the brush paints, the same in both 3-D views. What it has painted is the document's.
+// How the brush paints, the same in both 3-D views. The document holds the painted strokes.
 
 #include <QObject>
 #include <QString>
 
-#include "rendering/scene/BrushStroke.h"
+#include "rendering/scene/Settings.h"
 
 namespace fenestra::viewer {
 
 struct BrushSettings {
   BrushMode mode = BrushMode::Restore;
   double radius = 24.0;   ///< device-independent pixels on what is painted
-  double softness = 0.5;  ///< as in BrushStroke, and so the rest
+  double softness = 0.5;  ///< this and all below as in BrushStroke
   double depth = 10.0;    ///< mm
   double amount = 0.5;
   bool coversFocus = false;
@@ -19,31 +19,67 @@ struct BrushSettings {
   bool operator==(const BrushSettings&) const = default;
 };
 
+}  // namespace fenestra::viewer
+
+namespace fenestra {
+
+template <>
+inline constexpr std::tuple settingsOf<viewer::BrushSettings>{
+    Setting{.member = &viewer::BrushSettings::radius,
+            .key = "radius",
+            .name = "Radius",
+            .description = "Radius on the screen where a stroke begins; there it is fixed in millimetres ([ and ])",
+            .unit = "px",
+            .range = {2.0, 200.0},
+            .slider = {2.0, 100.0},
+            .step = 1.0},
+    Setting{.member = &viewer::BrushSettings::softness,
+            .key = "softness",
+            .name = "Softness",
+            .description = settingOf(&BrushStroke::softness).description,
+            .range = fraction,
+            .step = 0.05},
+    Setting{.member = &viewer::BrushSettings::depth,
+            .key = "depth",
+            .name = "Depth",
+            .description = "How far what is seen moves along the line of sight at most (Shift+wheel, Shift+drag)",
+            .unit = "mm",
+            .range = {0.5, 200.0},
+            .slider = {0.5, 60.0},
+            .step = 0.5},
+    Setting{.member = &viewer::BrushSettings::amount,
+            .key = "amount",
+            .name = "Amount",
+            .description = "How much of the context's edges goes or is added (Shift+wheel, Shift+drag)",
+            .range = fraction,
+            .step = 0.05}};
+
+}  // namespace fenestra
+
+namespace fenestra::viewer {
+
 /// Whether a mode moves the ray start, by `depth`; the others change the context layer, by `amount`.
 bool movesRayStart(BrushMode mode);
 QString nameOf(BrushMode mode);
-/// What undoes a mode by hand: Restore and Open, Fade and Strengthen.
+/// The mode that reverses another: Restore and Open, Fade and Strengthen.
 BrushMode opposite(BrushMode mode);
 
 class Brush : public QObject {
   Q_OBJECT
  public:
-  static constexpr double leastRadius = 2.0, greatestRadius = 200.0;  ///< device-independent pixels
-  static constexpr double leastDepth = 0.5, greatestDepth = 200.0;    ///< mm
-
   using QObject::QObject;
 
   const BrushSettings& settings() const { return settings_; }
   void setSettings(const BrushSettings& settings);
   void scaleRadius(double factor);
-  /// Depth, or amount where the mode has that.
+  /// Scales the depth, or the amount in modes without depth.
   void scaleDepth(double factor);
 
   /// The left button paints instead of turning the view.
   bool isActive() const { return active_; }
   void setActive(bool on);
-  /// The key for the brush, or the one for the brush the other way: takes the brush up in that sense, turns it round,
-  /// or lays it down when it has that sense already.
+  /// Presses the key of the brush, or of its opposite (`otherWay`): activates the brush in a mode of that direction, or
+  /// deactivates it when it is active in that direction already.
   void toggle(bool otherWay);
 
  Q_SIGNALS:

@@ -1,6 +1,6 @@
 #pragma once
-// A step that brings the cameras back to where they were before something moved them on request: a standard view, a
-// reset, placing them for the focus. Turning a view by hand is no step: the way back from it is as short.
+// A step that undoes a camera move that the user asked for: a standard view, a reset, placing the cameras for the
+// focus. Turning a view by hand is not a step: turning it back is as quick as undoing.
 
 #include <utility>
 
@@ -9,11 +9,10 @@
 
 namespace fenestra::viewer {
 
-/// Undone, the cameras are where they were when it was made; redone, where they were when it was undone. The projection
-/// stays the one that is chosen.
+/// Undo restores the poses at construction, redo the poses at the undo. The chosen projection stays.
 class CamerasChange : public Change {
  public:
-  /// Before the cameras move. `cameras` outlives this.
+  /// To be made before the cameras move. `cameras` outlives this.
   explicit CamerasChange(ViewLink& cameras) : cameras_(cameras), other_(cameras.pose()) {}
 
   void undo() override { swap(); }

@@ -7,11 +7,11 @@
 #include "io/TransferFunctionFile.h"
 
 namespace fenestra::viewer {
-/// From some edits to others. Of the strokes only those are kept that differ: everything between what both lists begin
+/// From one look to another. Of the strokes only those are kept that differ: everything between what both lists begin
 /// with and what both end with.
-class Document::EditsChange : public Change {
+class Document::LookChange : public Change {
  public:
-  EditsChange(Document& document, Edits before, Edits after)
+  LookChange(Document& document, Look before, Look after)
       : document_(document), before_(std::move(before)), after_(std::move(after)) {
     BrushStrokes &old = before_.strokes, &now = after_.strokes;
     const auto [oldEnd, nowEnd] = std::mismatch(old.begin(), old.end(), now.begin(), now.end());
@@ -22,13 +22,13 @@ class Document::EditsChange : public Change {
     now = {nowEnd, last.second.base()};
   }
 
-  void undo() override { document_.show(replaced(document_.edits(), after_, before_)); }
-  void redo() override { document_.show(replaced(document_.edits(), before_, after_)); }
+  void undo() override { document_.show(replaced(document_.look(), after_, before_)); }
+  void redo() override { document_.show(replaced(document_.look(), before_, after_)); }
 
   bool absorb(const Change& next) override {
-    const auto& later = static_cast<const EditsChange&>(next);
-    const Edits& now = document_.edits();
-    *this = EditsChange(document_, replaced(replaced(now, later.after_, later.before_), after_, before_), now);
+    const auto& later = static_cast<const LookChange&>(next);
+    const Look& now = document_.look();
+    *this = LookChange(document_, replaced(replaced(now, later.after_, later.before_), after_, before_), now);
     return true;
   }
   bool isNothing() const override { return before_ == after_; }
@@ -36,7 +36,7 @@ class Document::EditsChange : public Change {
   std::size_t bytes() const override { return sizeof(*this) + heldBy(before_) + heldBy(after_); }
 
  private:
-  EditsChange& operator=(EditsChange&& other) noexcept {
+  LookChange& operator=(LookChange&& other) noexcept {
     before_ = std::move(other.before_);
     after_ = std::move(other.after_);
     firstStroke_ = other.firstStroke_;
@@ -44,8 +44,8 @@ class Document::EditsChange : public Change {
   }
 
   /// `whole`, which is `from` with all its strokes, as `to`.
-  Edits replaced(const Edits& whole, const Edits& from, const Edits& to) const {
-    Edits result = to;
+  Look replaced(const Look& whole, const Look& from, const Look& to) const {
+    Look result = to;
     const auto begin = whole.strokes.begin() + static_cast<std::ptrdiff_t>(firstStroke_);
     result.strokes.insert(result.strokes.begin(), whole.strokes.begin(), begin);
     result.strokes.insert(result.strokes.end(), begin + static_cast<std::ptrdiff_t>(from.strokes.size()),
@@ -53,80 +53,57 @@ class Document::EditsChange : public Change {
     return result;
   }
 
-  static std::size_t heldBy(const Edits& edits) {
-    std::size_t bytes = edits.preset.capacity() + edits.context.nodes.capacity() * sizeof(TransferFunction::Node) +
-                        edits.strokes.capacity() * sizeof(BrushStroke);
-    for (const BrushStroke& stroke : edits.strokes) bytes += stroke.anchors.capacity() * sizeof(glm::dvec3);
-    if (const auto* focus = std::get_if<LabelFocus>(&edits.focus))
+  static std::size_t heldBy(const Look& look) {
+    const ContextFunction& context = look.context;
+    std::size_t bytes = context.preset.capacity() + context.file.native().capacity() +
+                        context.function.nodes.capacity() * sizeof(TransferFunction::Node) +
+                        look.strokes.capacity() * sizeof(BrushStroke);
+    for (const BrushStroke& stroke : look.strokes) bytes += stroke.anchors.capacity() * sizeof(glm::dvec3);
+    if (const auto* focus = std::get_if<LabelFocus>(&look.focus))
       bytes += focus->labels.capacity() * sizeof(focus->labels[0]);
     return bytes;
   }
 
   Document& document_;
-  Edits before_, after_;
+  Look before_, after_;
   std::size_t firstStroke_ = 0;  ///< place of the first that differs
 };
 
 void Document::open(Study study) {
   study_ = std::move(study);
-  Scene& scene = study_.scene;
-  edits_ = {.focus = scene.look.focus,
-            .focusAppearance = scene.look.focusAppearance,
-            .preset = study_.transferFunction,
-            .context = scene.look.context.function,
-            .shift = scene.look.context.shift,
-            .cutaway = scene.look.cutaway,
-            .contextLayer = scene.look.contextLayer,
-            .strokes = scene.look.strokes};
-  window_ = scene.volume->defaultWindow();
+  window_ = study_.session.window.value_or(study_.scene.volume->defaultWindow());
   history_.clear();
   Q_EMIT volumeChanged();
   Q_EMIT labelsChanged();
   Q_EMIT focusChanged();
   Q_EMIT transferFunctionChanged();
   Q_EMIT cutawayChanged();
+  Q_EMIT shadingChanged();
   Q_EMIT strokesChanged();
   Q_EMIT windowChanged();
   Q_EMIT sceneChanged();
 }
 
-void Document::show(Edits edits) {
-  const Edits before = std::exchange(edits_, std::move(edits));
-  Scene& scene = study_.scene;
-  const bool focus = edits_.focus != before.focus || edits_.focusAppearance != before.focusAppearance;
-  const bool context =
-      edits_.preset != before.preset || edits_.context != before.context || edits_.shift != before.shift;
-  const bool cutaway = edits_.cutaway != before.cutaway || edits_.contextLayer != before.contextLayer;
-  const bool strokes = edits_.strokes != before.strokes;
-  if (focus) {
-    scene.look.focus = edits_.focus;
-    scene.look.focusAppearance = edits_.focusAppearance;
-  }
-  if (context) {
-    scene.look.context.function = edits_.context;
-    scene.look.context.shift = edits_.shift;
-  }
-  if (cutaway) {
-    scene.look.cutaway = edits_.cutaway;
-    scene.look.contextLayer = edits_.contextLayer;
-  }
-  if (strokes) scene.look.strokes = edits_.strokes;
+void Document::show(Look look) {
+  const Look before = std::exchange(study_.scene.look, std::move(look));
+  const Look& now = this->look();
+  const bool focus = now.focus != before.focus || now.focusAppearance != before.focusAppearance;
+  const bool context = now.context != before.context;
+  const bool cutaway = now.cutaway != before.cutaway || now.contextLayer != before.contextLayer;
+  const bool shading = now.shading != before.shading, strokes = now.strokes != before.strokes;
+  const bool scene = focus || context || cutaway || shading || now.background != before.background;
   if (focus) Q_EMIT focusChanged();
   if (context) Q_EMIT transferFunctionChanged();
   if (cutaway) Q_EMIT cutawayChanged();
+  if (shading) Q_EMIT shadingChanged();
   if (strokes) Q_EMIT strokesChanged();
-  if (focus || context || cutaway) Q_EMIT sceneChanged();
+  if (scene) Q_EMIT sceneChanged();
 }
 
-void Document::setEdits(Edits edits) {
-  show(std::move(edits));
-  history_.clear();
-}
-
-void Document::edit(const QString& name, Edits edits) {
-  Edits before = edits_;
-  show(std::move(edits));
-  history_.push(name, std::make_shared<EditsChange>(*this, std::move(before), edits_));
+void Document::edit(const QString& name, Look look) {
+  Look before = this->look();
+  show(std::move(look));
+  history_.push(name, std::make_shared<LookChange>(*this, std::move(before), this->look()));
 }
 
 void Document::noteContents(const io::Session& session) {
@@ -139,13 +116,13 @@ void Document::setLabels(std::shared_ptr<const LabelMap> labels, io::SessionData
   study_.session.labels = std::move(from);
   Q_EMIT labelsChanged();
   if (std::holds_alternative<LabelFocus>(focus())) {
-    Edits without = edits_;
+    Look without = look();
     without.focus = std::monostate{};
-    setEdits(std::move(without));
+    show(std::move(without));
   } else {
-    history_.clear();
     Q_EMIT sceneChanged();
   }
+  history_.clear();
 }
 
 QString Document::description() const {
@@ -174,16 +151,16 @@ void Document::resetWindow() {
 }
 
 void Document::setFocus(Focus focus) {
-  Edits edits = edits_;
-  edits.focus = std::move(focus);
-  edit(tr("Focus"), std::move(edits));
+  Look changed = look();
+  changed.focus = std::move(focus);
+  edit(tr("Focus"), std::move(changed));
 }
 
 void Document::focusOn(std::uint16_t label) { setFocus(LabelFocus{{label}}); }
 
 void Document::setFocused(std::uint16_t label, bool focused) {
   std::vector<std::uint16_t> labels;
-  if (const auto* current = std::get_if<LabelFocus>(&edits_.focus)) labels = current->labels;
+  if (const auto* current = std::get_if<LabelFocus>(&focus())) labels = current->labels;
   const auto at = std::lower_bound(labels.begin(), labels.end(), label);
   const bool present = at != labels.end() && *at == label;
   if (present == focused) return;
@@ -198,40 +175,31 @@ void Document::setFocused(std::uint16_t label, bool focused) {
 }
 
 bool Document::isFocused(std::uint16_t label) const {
-  const auto* current = std::get_if<LabelFocus>(&edits_.focus);
+  const auto* current = std::get_if<LabelFocus>(&focus());
   return current && std::binary_search(current->labels.begin(), current->labels.end(), label);
 }
 
 void Document::setPreset(const std::string& presetOrPath) {
-  Edits edits = edits_;
-  edits.context = io::loadTransferFunction(presetOrPath, *study_.scene.volume);
-  edits.preset = presetOrPath;
-  edits.shift = 0.0;
-  edit(tr("Transfer function"), std::move(edits));
+  Look changed = look();
+  changed.context = io::loadContextFunction(presetOrPath, *study_.scene.volume);
+  edit(tr("Transfer function"), std::move(changed));
+}
+
+std::string Document::preset() const {
+  const ContextFunction& context = look().context;
+  return context.file.empty() ? context.preset : context.file.string();
 }
 
 void Document::setShift(double shift) {
-  Edits edits = edits_;
-  edits.shift = shift;
-  edit(tr("Shift"), std::move(edits));
-}
-
-void Document::setCutaway(const Cutaway& cutaway, const QString& name) {
-  Edits edits = edits_;
-  edits.cutaway = cutaway;
-  edit(name, std::move(edits));
-}
-
-void Document::setContextLayer(const ContextLayer& layer, const QString& name) {
-  Edits edits = edits_;
-  edits.contextLayer = layer;
-  edit(name, std::move(edits));
+  Look changed = look();
+  changed.context.shift = shift;
+  edit(tr("Shift"), std::move(changed));
 }
 
 void Document::setStrokes(BrushStrokes strokes, const QString& name) {
-  Edits edits = edits_;
-  edits.strokes = std::move(strokes);
-  edit(name, std::move(edits));
+  Look changed = look();
+  changed.strokes = std::move(strokes);
+  edit(name, std::move(changed));
 }
 
 std::optional<glm::ivec3> Document::voxelAt(glm::dvec3 world) const {

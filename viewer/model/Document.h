@@ -21,7 +21,6 @@ namespace fenestra::viewer {
 /// A data set as read, ready to be shown.
 struct Study {
   Scene scene;
-  std::string transferFunction;           ///< preset or file that made scene.look.context.function
   std::optional<Camera> camera;           ///< where to look from first; unset: from anterior
   std::optional<glm::dvec3> focusCentre;  ///< of `scene`, world mm; where the crosshair goes first
   bool placeCameras = false;              ///< place both for the focus once the study is open
@@ -35,25 +34,13 @@ struct Study {
   bool isRecovered = false;           ///< it was saved after a crash by none but the program
 };
 
-/// What the user edits of a study: what undo and redo move through, and what a session keeps. The data is not in it.
-struct Edits {
-  Focus focus;
-  FocusAppearance focusAppearance;
-  std::string preset;        ///< built-in preset's id or file that `context` came from
-  TransferFunction context;  ///< before the shift
-  double shift = 0.0;        ///< moves `context` along the values, in the volume's unit
-  Cutaway cutaway;
-  ContextLayer contextLayer;
-  BrushStrokes strokes;
-  bool operator==(const Edits&) const = default;
-};
-
 class Document : public QObject {
   Q_OBJECT
  public:
   using QObject::QObject;
 
-  /// Nothing of what was open before can be undone then.
+  /// Shows a study with its scene's look and, where it comes from a session, that session's display window. Nothing of
+  /// what was open before can be undone then.
   void open(Study study);
   /// A label map on the volume's grid, or null. A focus made of the old map's labels goes with it, and so does what
   /// could be undone.
@@ -67,12 +54,11 @@ class Document : public QObject {
   /// "CT · 512×512×245 · 1.00×1.00×1.00 mm": nothing that could name a patient.
   QString description() const;
 
-  const Edits& edits() const { return edits_; }
-  /// Makes it so as when a study is opened: nothing done before can be undone. Tells what changed.
-  void setEdits(Edits edits);
-  /// Makes it so as one step, named as the Edit menu shows it ("Undo NAME"). All setters below that change the edits do
-  /// so by this; window and level, crosshair and how a view is turned by hand are no steps.
-  void edit(const QString& name, Edits edits);
+  /// What the user edits: what undo and redo move through, and what a session keeps.
+  const Look& look() const { return study_.scene.look; }
+  /// Changes the look as one step, named as the Edit menu shows it ("Undo NAME"). All setters below that change the
+  /// look call this; window and level, crosshair and how a view is turned by hand are no steps.
+  void edit(const QString& name, Look look);
   History& history() { return history_; }
   QUndoStack& undoStack() { return history_.stack(); }
 
@@ -80,7 +66,7 @@ class Document : public QObject {
   void setWindow(WindowLevel window);
   void resetWindow();
 
-  const Focus& focus() const { return edits_.focus; }
+  const Focus& focus() const { return look().focus; }
   void setFocus(Focus focus);
   /// The focus becomes that label alone.
   void focusOn(std::uint16_t label);
@@ -90,15 +76,12 @@ class Document : public QObject {
 
   /// A built-in preset's id or a file. Throws io::Error; nothing changes then.
   void setPreset(const std::string& presetOrPath);
-  const std::string& preset() const { return edits_.preset; }
+  std::string preset() const;
   /// Moves the whole transfer function along the value axis, in the volume's unit.
   void setShift(double shift);
-  double shift() const { return edits_.shift; }
+  double shift() const { return look().context.shift; }
 
-  /// `name` is the step's.
-  void setCutaway(const Cutaway& cutaway, const QString& name = tr("Cutaway"));
-  void setContextLayer(const ContextLayer& layer, const QString& name = tr("Context layer"));
-  const BrushStrokes& strokes() const { return edits_.strokes; }
+  const BrushStrokes& strokes() const { return look().strokes; }
   void setStrokes(BrushStrokes strokes, const QString& name);
 
   /// The label of the nearest voxel; null for background, outside and without labels.
@@ -112,18 +95,20 @@ class Document : public QObject {
   void focusChanged();
   void windowChanged();
   void transferFunctionChanged();
+  /// The cutaway or the context layer.
   void cutawayChanged();
+  void shadingChanged();
   /// Brush strokes: a small part of a 3-D picture.
   void strokesChanged();
   /// After any of the above, strokes excepted, that changes a 3-D picture.
   void sceneChanged();
 
  private:
-  class EditsChange;
-  void show(Edits edits);
+  class LookChange;
+  /// Shows a look and reports what differs from the one before.
+  void show(Look look);
 
   Study study_;
-  Edits edits_;  ///< study_.scene shows them
   WindowLevel window_;
   History history_;
 };

@@ -34,10 +34,10 @@ QString nameOf(const Effort& effort) {
 Effort FramePacer::moving(int views) const {
   if (restCost_ && *restCost_ * views <= budget) return rest_;
   if (!draftCost_ && !restCost_) return {0.5, Quality::Draft};
-  // Before the first draft a guess: half the time of a picture at rest.
+  // Until a draft is measured, half the time of a picture at rest is a guess.
   const double cost = draftCost_ ? *draftCost_ : 0.5 * *restCost_;
   const double scale = std::sqrt(budget / (std::max(cost, 1e-3) * views));
-  // In steps of a sixteenth, so that the picture's size (and with it the renderer's images) changes seldom.
+  // In steps of a sixteenth, so that the renderer seldom has to allocate images of another size.
   const double stepped = std::floor(std::min(scale, 1.0) * 16.0) / 16.0;
   return {std::max(stepped, leastScale), Quality::Draft};
 }

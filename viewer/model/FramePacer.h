@@ -1,16 +1,16 @@
 #pragma once
-// How large and how fine the 3-D views are drawn while something moves, from measured frame times: smaller pictures on
-// a slow machine, full ones where they are fast enough anyway.
+// Size and sampling of the 3-D views while something moves, from measured frame times: smaller pictures on a slow
+// machine, full ones on a fast one.
 
 #include <optional>
 
 #include <QString>
 
-#include "rendering/Renderer.h"
+#include "rendering/scene/Quality.h"
 
 namespace fenestra::viewer {
 
-/// How a picture is to be made: rendered pixels per device pixel along one side, and the sampling.
+/// How a picture is drawn: rendered pixels per device pixel along one side, and the sampling.
 struct Effort {
   double scale = 1.0;
   Quality quality = Quality::Normal;
@@ -18,7 +18,7 @@ struct Effort {
   bool operator==(const Effort&) const = default;
 };
 
-/// "draft", "normal", or the bound that is kept: "error ≤ 1/255".
+/// "draft", "normal", or the bound on the error: "error ≤ 1/255".
 QString nameOf(const Effort& effort);
 
 class FramePacer {
@@ -28,10 +28,10 @@ class FramePacer {
   /// Below a quarter of the resolution anatomy is hard to recognise.
   static constexpr double leastScale = 0.25;
 
-  /// The frame last measured.
+  /// The last frame that was measured.
   struct Measured {
     double milliseconds = 0.0;  ///< until it was on screen
-    int views = 0;              ///< that it was drawn in
+    int views = 0;              ///< number of views drawn
     Effort effort;
   };
 
@@ -44,7 +44,7 @@ class FramePacer {
 
   /// A view begins to draw its part of a frame; times are in ms on one steady clock.
   void begin(Effort effort, double now);
-  /// The frame that holds all parts begun is on screen.
+  /// The frame with all parts begun is on screen.
   void end(double now);
   const std::optional<Measured>& last() const { return last_; }
 
@@ -53,14 +53,14 @@ class FramePacer {
     double began = 0.0;
     Effort effort;
     int views = 0;
-    bool mixed = false;  ///< its views were drawn with different efforts: its time says nothing
+    bool mixed = false;  ///< its views were drawn with different efforts, so its time is not used
   };
 
   Effort rest_;
   std::optional<Frame> frame_;
   std::optional<Measured> last_;
-  std::optional<double> restCost_;   ///< ms a view at rest
-  std::optional<double> draftCost_;  ///< ms a view for a draft of scale 1
+  std::optional<double> restCost_;   ///< ms per view at rest
+  std::optional<double> draftCost_;  ///< ms per view for a draft of scale 1
 };
 
 }  // namespace fenestra::viewer

@@ -7,7 +7,7 @@
 
 namespace fenestra::viewer {
 
-/// One step on the stack. Its first redo() is the stack's own on push(), when the change is done already.
+/// One step on the stack. QUndoStack::push() calls redo() once, which does nothing: the change is already applied.
 class History::Step : public QUndoCommand {
  public:
   Step(const QString& name, std::shared_ptr<Change> change, int gesture)
@@ -30,7 +30,7 @@ class History::Step : public QUndoCommand {
     return true;
   }
 
-  /// For a stack that is filled anew: the same change, which stays as it is.
+  /// A step with the same change, for refilling a stack.
   Step* copy(bool mayMerge) const { return new Step(text(), change_, mayMerge ? gesture_ : -1); }
   void forgetWhenUndone() { once_ = true; }
   std::size_t bytes() const { return sizeof(Step) + change_->bytes(); }
@@ -58,7 +58,7 @@ void History::beginGesture() {
 
 void History::takeBack() {
   if (!stack_.canUndo()) return;
-  // The stack hands its commands out as constants, but they are this object's own.
+  // The stack returns its commands as const, but they were made, non-const, by this class.
   const_cast<Step&>(step(stack_.index() - 1)).forgetWhenUndone();
   stack_.undo();
 }
@@ -75,18 +75,18 @@ std::size_t History::bytes() const {
 }
 
 void History::makeRoom(std::size_t wanted) {
-  // What could be redone goes with the push anyway.
+  // Steps beyond the index are not counted: the push drops them.
   const int count = stack_.index();
   std::size_t kept = wanted;
   for (int index = 0; index < count; ++index) kept += step(index).bytes();
   if (kept <= limit_) return;
-  // A QUndoStack drops steps by number only, so it is filled anew. An eighth is left free, so that this happens seldom.
+  // A QUndoStack can drop steps by number only, so it is refilled. An eighth stays free, so that this happens seldom.
   int first = 0;
   for (; first < count && kept > limit_ - limit_ / 8; ++first) kept -= step(first).bytes();
   const int clean = stack_.cleanIndex();
   std::vector<Step*> latest;
   for (int index = first; index < count; ++index) latest.push_back(step(index).copy(index == count - 1));
-  const QSignalBlocker quiet(stack_);  // the push that follows tells what listeners need to know
+  const QSignalBlocker quiet(stack_);  // the push that follows notifies the listeners
   stack_.clear();
   if (clean != first) stack_.resetClean();
   for (Step* each : latest) {

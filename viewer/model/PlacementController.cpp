@@ -8,9 +8,10 @@
 namespace fenestra::viewer {
 namespace {
 
-/// A focus may be the first half of a double click, which takes it back, or one of many while a range is dragged.
+/// Delay before a chosen focus is measured: the second half of a double click may take it back, and dragging a range
+/// chooses many.
 constexpr int settleMilliseconds = 200;
-/// Between two viewpoints offered as different.
+/// Least angle between two viewpoints that are offered as different.
 constexpr double apart = 30.0;  // degrees
 
 std::size_t nearest(const std::vector<placement::Candidate>& candidates, glm::dvec3 direction) {
@@ -72,7 +73,7 @@ void PlacementController::focusChanged() {
   slice_.stop();
   chosen_.stop();
   note_.clear();
-  // A focus that comes with a study comes with its cameras too.
+  // A new study brings its own cameras with its focus.
   const bool arrived = volume_ != document_.scene().volume;
   volume_ = document_.scene().volume;
   if (!arrived && settings_.automatic && canPlace() && !measured()) chosen_.start();

@@ -1,6 +1,6 @@
 #pragma once
-// Places the two cameras for the focus: has it measured, chooses, flies there, and lets C2 follow C1. Where the cameras
-// are is ViewLink's; this holds what was measured and how to choose.
+// Places the two cameras for the focus: measures candidates through a PlacementBackend, chooses two, flies the cameras
+// there, and lets C2 follow C1. ViewLink holds the cameras; this holds the measurements and how to choose.
 
 #include <memory>
 #include <optional>
@@ -12,7 +12,8 @@
 #include <QString>
 #include <QTimer>
 
-#include "rendering/placement/Placer.h"
+#include "rendering/scene/Scene.h"
+#include "rendering/viewpoints/Choice.h"
 #include "viewer/model/ViewLink.h"
 
 namespace fenestra::viewer {
@@ -22,17 +23,18 @@ class Document;
 struct PlacementSettings {
   placement::Sampling sampling;
   placement::Options options;
-  bool joint = false;     ///< both cameras at once, for what the pair sees together
+  bool joint = false;     ///< choose both cameras at once, by what the pair sees together
   bool follow = true;     ///< C2 goes to the best of its region when C1 is turned
   bool automatic = true;  ///< place when a focus is chosen
   bool operator==(const PlacementSettings&) const = default;
 };
 
-/// What placing needs of OpenGL. Every call may throw what the renderer throws.
+/// The part of placing that needs OpenGL. Every call may throw std::runtime_error with a message for the user.
 class PlacementBackend {
  public:
   virtual ~PlacementBackend() = default;
-  /// Placer's begin(); advance() measures one slice, of a few hundredths of a second where that is possible.
+  /// Placer's begin(). advance() measures one slice, of a few hundredths of a second where possible; true when all is
+  /// measured.
   virtual void begin(const Scene& scene, const placement::Sampling& sampling, const placement::Options& options) = 0;
   virtual bool advance() = 0;
   virtual double progress() const = 0;
@@ -47,44 +49,45 @@ class PlacementController : public QObject {
   PlacementController(Document& document, ViewLink& cameras, QObject* parent = nullptr);
   ~PlacementController() override;
 
-  /// Without one nothing can be placed.
+  /// Without a backend, cameras cannot be placed.
   void setBackend(std::unique_ptr<PlacementBackend> backend);
 
   const PlacementSettings& settings() const { return settings_; }
-  /// Another weight, region or search takes effect at once, from what is measured; another number of candidates is
-  /// measured first.
+  /// Another weight, region or search takes effect at once, from the present measurements. Another number of candidates
+  /// is measured first.
   void setSettings(const PlacementSettings& settings);
 
   bool hasBackend() const { return backend_ != nullptr; }
-  /// There is OpenGL, a volume and a focus.
+  /// There are a backend, a volume and a focus.
   bool canPlace() const;
-  /// Measures the focus, unless that is done, and flies both cameras to the answer.
+  /// Measures the focus, unless it is measured already, and flies both cameras to the answer.
   void place() { measure(true); }
-  /// The same where nobody asked for it: when a focus was chosen, or a study opened that wants it. It is not announced
-  /// by leaving().
+  /// The same without a request of the user: after a focus was chosen, or for a study that asks for it. leaving() is
+  /// not emitted.
   void placeAutomatically() { measure(false); }
   void cancel();
   bool isMeasuring() const { return slice_.isActive(); }
-  /// Measuring, or about to.
+  /// Measuring, or about to measure.
   bool isBusy() const { return slice_.isActive() || chosen_.isActive(); }
   double progress() const;
 
-  /// C1 goes to look from there (a unit vector towards the eye); C2 follows, or turns along where the views are linked.
+  /// Turns C1 to look from a direction (a unit vector towards the eye). C2 follows, or turns along with a linked C1.
   void goTo(glm::dvec3 direction);
 
-  /// Of the present focus; null until measured.
+  /// The measurements of the present focus; null until it is measured.
   const placement::Measured* measured() const;
-  /// What cannot be, or why no answer stands out; empty when all is well.
+  /// Why the cameras cannot be placed, or why no answer stands out; empty otherwise.
   const QString& note() const { return note_; }
-  /// Share of the focus's surface that the two cameras see, as the candidates nearest to them do; empty until measured.
+  /// Share of the focus's surface that the two cameras see, taken from the candidates nearest to them; empty until
+  /// measured.
   std::optional<double> share() const;
-  /// The best candidates that differ by 30° at least, best first.
+  /// The best candidates at least 30° apart, best first.
   std::vector<std::size_t> best(std::size_t count) const;
-  /// What a candidate's camera sees.
+  /// The picture of a candidate's camera.
   QImage picture(std::size_t candidate, QSize size);
 
  Q_SIGNALS:
-  /// Settings, what is measured, the answer or the note.
+  /// The settings, the measurements, the answer or the note have changed.
   void changed();
   void progressed(double fraction);
   /// Candidates were rendered.
@@ -93,7 +96,7 @@ class PlacementController : public QObject {
   void leaving();
 
  private:
-  /// What measurements belong to.
+  /// The data that the measurements are of.
   struct Subject {
     std::shared_ptr<const Volume> volume;
     std::shared_ptr<const LabelMap> labels;
@@ -106,9 +109,9 @@ class PlacementController : public QObject {
   void slice();
   void choose(bool framed, bool asked);
   void follow();
-  /// C2 stays when it is told no direction.
+  /// Without a direction C2 stays.
   void fly(glm::dvec3 c1, std::optional<glm::dvec3> c2, bool framed, bool asked);
-  /// From there, with all that the context shows in the picture.
+  /// The camera that looks from a direction and has all visible voxels in its picture.
   Camera framing(glm::dvec3 direction);
   void fail(const std::exception& error);
 
@@ -118,12 +121,12 @@ class PlacementController : public QObject {
   PlacementSettings settings_;
   placement::Measured measured_;
   std::optional<Subject> measuredSubject_;
-  std::shared_ptr<const Volume> volume_;  ///< whose focus was last seen
-  std::optional<Grid> visible_;           ///< what a camera frames
+  std::shared_ptr<const Volume> volume_;  ///< the volume at the last change of focus
+  std::optional<Grid> visible_;           ///< the box of the visible voxels, which a camera frames
   QString note_;
-  QTimer chosen_;  ///< runs out a moment after the focus was chosen
+  QTimer chosen_;  ///< fires a moment after a focus was chosen
   QTimer slice_;
-  bool asked_ = false;  ///< what is being measured is for place(), not for a focus just chosen
+  bool asked_ = false;  ///< the measurement under way was asked for by place()
 };
 
 }  // namespace fenestra::viewer

@@ -4,7 +4,7 @@
 
 #include <QStringList>
 
-#include "rendering/placement/Sphere.h"
+#include "rendering/viewpoints/Sphere.h"
 #include "viewer/model/Paths.h"
 
 namespace fenestra::viewer {
@@ -39,58 +39,74 @@ const std::array<NamedSwitch, 3> namedSwitches{{{"joint", &PlacementSettings::jo
 
 }  // namespace
 
+Preferences::Preferences(Mode mode) {
+  if (mode == Mode::Stored) settings_.emplace();
+}
+
+QVariant Preferences::value(const QString& key, const QVariant& otherwise) const {
+  return settings_ ? settings_->value(key, otherwise) : otherwise;
+}
+
+void Preferences::store(const QString& key, const QVariant& value) {
+  if (settings_) settings_->setValue(key, value);
+}
+
+void Preferences::remove(const QString& key) {
+  if (settings_) settings_->remove(key);
+}
+
 std::vector<std::filesystem::path> Preferences::recent() const {
   std::vector<std::filesystem::path> paths;
-  for (const QString& path : settings_.value(recentKey).toStringList()) paths.push_back(toPath(path));
+  for (const QString& path : value(recentKey).toStringList()) paths.push_back(toPath(path));
   return paths;
 }
 
 void Preferences::addRecent(const std::filesystem::path& path) {
   std::error_code ignored;
   const std::filesystem::path absolute = std::filesystem::absolute(path, ignored);
-  QStringList paths = settings_.value(recentKey).toStringList();
+  QStringList paths = value(recentKey).toStringList();
   const QString text = toQString(ignored ? path : absolute);
   paths.removeAll(text);
   paths.prepend(text);
   while (paths.size() > recentCount) paths.removeLast();
-  settings_.setValue(recentKey, paths);
+  store(recentKey, paths);
 }
 
-void Preferences::clearRecent() { settings_.remove(recentKey); }
+void Preferences::clearRecent() { remove(recentKey); }
 
 Effort Preferences::atRest() const {
   Effort effort;
-  const int quality = settings_.value(qualityKey, static_cast<int>(effort.quality)).toInt();
+  const int quality = value(qualityKey, static_cast<int>(effort.quality)).toInt();
   if (quality >= static_cast<int>(Quality::Draft) && quality <= static_cast<int>(Quality::High))
     effort.quality = static_cast<Quality>(quality);
-  // The file may have been edited by hand: what is no bound is none.
-  const double maxError = settings_.value(maxErrorKey, 0.0).toDouble();
+  // The file may have been edited by hand: a value out of range counts as no bound.
+  const double maxError = value(maxErrorKey, 0.0).toDouble();
   constexpr double least = 0.05;  // as --max-error takes
   if (maxError >= least && maxError <= 255.0) effort.maxError = maxError;
   return effort;
 }
 
 void Preferences::setAtRest(const Effort& effort) {
-  settings_.setValue(qualityKey, static_cast<int>(effort.quality));
+  store(qualityKey, static_cast<int>(effort.quality));
   if (effort.maxError)
-    settings_.setValue(maxErrorKey, *effort.maxError);
+    store(maxErrorKey, *effort.maxError);
   else
-    settings_.remove(maxErrorKey);
+    remove(maxErrorKey);
 }
 
-QByteArray Preferences::windowGeometry() const { return settings_.value(geometryKey).toByteArray(); }
-QByteArray Preferences::windowState() const { return settings_.value(stateKey).toByteArray(); }
-QByteArray Preferences::viewLayout() const { return settings_.value(viewsKey).toByteArray(); }
+QByteArray Preferences::windowGeometry() const { return value(geometryKey).toByteArray(); }
+QByteArray Preferences::windowState() const { return value(stateKey).toByteArray(); }
+QByteArray Preferences::viewLayout() const { return value(viewsKey).toByteArray(); }
 
 void Preferences::setLayout(const QByteArray& geometry, const QByteArray& state, const QByteArray& views) {
-  settings_.setValue(geometryKey, geometry);
-  settings_.setValue(stateKey, state);
-  settings_.setValue(viewsKey, views);
+  store(geometryKey, geometry);
+  store(stateKey, state);
+  store(viewsKey, views);
 }
 
 PlacementSettings Preferences::placement() const {
   PlacementSettings placement;
-  const auto stored = [this](const char* name) { return settings_.value(placementKey.arg(QLatin1String(name))); };
+  const auto stored = [this](const char* name) { return value(placementKey.arg(QLatin1String(name))); };
   const auto read = [&](const char* name, double& value, double low, double high) {
     bool good = false;
     const double number = stored(name).toDouble(&good);
@@ -111,18 +127,18 @@ PlacementSettings Preferences::placement() const {
 }
 
 void Preferences::setPlacement(const PlacementSettings& placement) {
-  const auto store = [this](const char* name, const QVariant& value) {
-    settings_.setValue(placementKey.arg(QLatin1String(name)), value);
+  const auto keep = [this](const char* name, const QVariant& value) {
+    store(placementKey.arg(QLatin1String(name)), value);
   };
   const placement::Options& options = placement.options;
-  store("samples", placement.sampling.count);
-  store("refined", placement.sampling.refined);
-  store("region",
-        options.region == placement::Region::Stream ? QStringLiteral("stream") : QStringLiteral("semi-sphere"));
-  store("streamHalfWidth", options.streamHalfWidth);
-  store("shareWeight", options.shareWeight);
-  for (const NamedWeight& weight : namedWeights) store(weight.name, options.weights.*weight.member);
-  for (const NamedSwitch& named : namedSwitches) store(named.name, placement.*named.member);
+  keep("samples", placement.sampling.count);
+  keep("refined", placement.sampling.refined);
+  keep("region",
+       options.region == placement::Region::Stream ? QStringLiteral("stream") : QStringLiteral("semi-sphere"));
+  keep("streamHalfWidth", options.streamHalfWidth);
+  keep("shareWeight", options.shareWeight);
+  for (const NamedWeight& weight : namedWeights) keep(weight.name, options.weights.*weight.member);
+  for (const NamedSwitch& named : namedSwitches) keep(named.name, placement.*named.member);
 }
 
 }  // namespace fenestra::viewer

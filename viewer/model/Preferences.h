@@ -1,12 +1,15 @@
 #pragma once
-// What is remembered between two runs. Nothing that the data says about a patient is stored: the recent list holds
-// paths as the user chose them.
+// Settings kept between two runs. Nothing that the data says about a patient is stored: the recent list holds paths as
+// the user chose them.
 
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include <QByteArray>
 #include <QSettings>
+#include <QVariant>
 
 #include "viewer/model/FramePacer.h"
 #include "viewer/model/PlacementController.h"
@@ -15,9 +18,13 @@ namespace fenestra::viewer {
 
 class Preferences {
  public:
+  /// Transient: all preferences have their defaults, and none is stored.
+  enum class Mode : std::uint8_t { Stored, Transient };
   static constexpr int recentCount = 8;
 
-  /// Latest first; paths that are gone are kept, they may lie on a disk that is away.
+  explicit Preferences(Mode mode = Mode::Stored);
+
+  /// Latest first. Paths that no longer exist stay listed: they may lie on a disk that is not connected.
   std::vector<std::filesystem::path> recent() const;
   void addRecent(const std::filesystem::path& path);
   void clearRecent();
@@ -31,12 +38,16 @@ class Preferences {
   QByteArray viewLayout() const;
   void setLayout(const QByteArray& geometry, const QByteArray& state, const QByteArray& views);
 
-  /// How cameras are placed; what was never stored, or makes no sense, is the default.
+  /// How cameras are placed. Values that were never stored or are out of range have their defaults.
   PlacementSettings placement() const;
   void setPlacement(const PlacementSettings& placement);
 
  private:
-  QSettings settings_;
+  QVariant value(const QString& key, const QVariant& otherwise = {}) const;
+  void store(const QString& key, const QVariant& value);
+  void remove(const QString& key);
+
+  std::optional<QSettings> settings_;  ///< empty when transient
 };
 
 }  // namespace fenestra::viewer

@@ -74,15 +74,7 @@ SessionController::~SessionController() {
 io::Session SessionController::session() const {
   const Document& document = parts_.document;
   io::Session session = document.study().session;
-  const Edits& edits = document.edits();
-  session.focus = edits.focus;
-  session.focusAppearance = edits.focusAppearance;
-  session.context = io::sessionContext(edits.preset, edits.context, edits.shift);
-  session.cutaway = edits.cutaway;
-  session.contextLayer = edits.contextLayer;
-  session.strokes = edits.strokes;
-  session.shading = document.scene().look.shading;
-  session.background = document.scene().look.background;
+  session.look = document.look();
   const ViewLink::Pose pose = parts_.cameras.pose();
   for (std::size_t view = 0; view < session.views.size(); ++view) {
     session.views[view].camera = pose.cameras[view];
@@ -107,19 +99,9 @@ void SessionController::studyOpened() {
   copied_.reset();
   if (study.restoresSession) {
     const io::Session& session = study.session;
-    const fs::path& made = session.context.file;
-    parts_.document.setEdits({.focus = session.focus,
-                              .focusAppearance = session.focusAppearance,
-                              .preset = made.empty() ? session.context.preset : made.string(),
-                              .context = session.context.function,
-                              .shift = session.context.shift,
-                              .cutaway = session.cutaway,
-                              .contextLayer = session.contextLayer,
-                              .strokes = session.strokes});
     parts_.placement.setSettings(settingsFrom(session.placement, parts_.placement.settings()));
     parts_.cameras.setLinked(session.linked);
     parts_.cameras.setPose({{session.views[0].camera, session.views[1].camera}, session.home});
-    if (session.window) parts_.document.setWindow(*session.window);
     if (session.crosshair) parts_.cursor.moveTo(*session.crosshair);
     parts_.options.setCrosshair(session.overlays.crosshair);
     parts_.options.setText(session.overlays.text);

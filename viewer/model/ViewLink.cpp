@@ -15,8 +15,8 @@ glm::dmat3 worldFromView(const Camera& camera) {
   return {axes.right, axes.up, -axes.forward};
 }
 
-/// `camera` with another projection and the same size on screen of what lies at its target. A parallel camera stands as
-/// far off as `placed`: its rays start at the plane through the eye, which must stay before the volume.
+/// `camera` with another projection, and objects at its target of the same size on screen. A parallel camera gets the
+/// distance of `placed`: its rays start at the plane through the eye, which must stay in front of the volume.
 Camera projected(Camera camera, Projection projection, const Camera& placed) {
   if (camera.projection == projection) return camera;
   const double slope = std::tan(glm::radians(camera.verticalFov) * 0.5);
@@ -119,7 +119,7 @@ void ViewLink::orbit(int view, double yaw, double pitch) {
 }
 
 void ViewLink::face(int view, StandardView side) {
-  // Only the direction of the standard camera matters here, so any grid will do.
+  // Only the direction of the standard camera is used, so any grid will do.
   const Camera wanted = Camera::standard(side, Grid{.dims = glm::ivec3(1)});
   rotate(view, worldFromView(wanted) * glm::transpose(worldFromView(camera(view))));
 }

@@ -1,6 +1,6 @@
 #pragma once
-// The two cameras, C1 and C2, and what ties them: while linked, a rotation of one turns the other by the same world
-// rotation, so that the pair keeps its relation. Zoom and pan belong to one view.
+// The two cameras, C1 and C2, and their link: while linked, a rotation of one turns the other by the same world
+// rotation, so that the angle between them stays. Zoom and pan act on one view.
 
 #include <array>
 
@@ -32,19 +32,18 @@ class ViewLink : public QObject {
   /// Places C1, and C2 a quarter turn to C1's right with the patient upright: for an anterior C1 it looks from the
   /// patient's left.
   void place(const Camera& first);
-  /// Back to what was last placed.
+  /// Moves both cameras back to where they were last placed.
   void reset();
 
-  /// In flight, of its end.
+  /// During a flight, the pose at its end.
   Pose pose() const { return {isFlying() ? to_ : cameras_, placed_}; }
-  /// At once.
+  /// Without a flight.
   void setPose(const Pose& pose);
 
-  /// Flies both cameras there, over some frames; reset() then goes to `home`. Whatever else moves a camera ends the
-  /// flight.
+  /// Flies both cameras to a pose over some frames; reset() then goes to `home`. Any other camera move ends the flight.
   void flyTo(const Pair& cameras, const Pair& home);
   bool isFlying() const { return flight_.state() == QAbstractAnimation::Running; }
-  /// One camera, at once, whatever the link.
+  /// Sets one camera at once, linked or not.
   void show(int view, const Camera& camera);
 
   /// Turns a view by a world rotation about its target.
@@ -55,7 +54,7 @@ class ViewLink : public QObject {
   void face(int view, StandardView side);
   void zoom(int view, double factor);
   void pan(int view, double rightMm, double upMm);
-  /// Changes both views' projection; what lies at the target keeps its size on screen.
+  /// Changes the projection of both views. Objects at the target keep their size on screen.
   void setProjection(Projection projection);
   Projection projection() const { return cameras_[0].projection; }
 
@@ -70,14 +69,15 @@ class ViewLink : public QObject {
  private:
   void set(int view, const Camera& camera);
 
-  Pair cameras_, placed_, from_, to_;  ///< from_ and to_: of the flight
+  Pair cameras_, placed_, from_, to_;  ///< from_ and to_: start and end of the flight
   QVariantAnimation flight_;
   bool linked_ = true;
 };
 
-/// A camera on the way from one to another, part 0…1 of it done: it turns evenly, on the shortest way over the sphere.
+/// The camera at `part` (0…1) of the way from one to another, along the shortest rotation at constant angular speed.
 Camera between(const Camera& from, const Camera& to, double part);
-/// `camera` looking at its target from another direction (unit, towards the eye) and as far, the patient upright.
+/// `camera` with the patient upright, looking at its target from another direction (unit, towards the eye) at the same
+/// distance.
 Camera facing(Camera camera, glm::dvec3 towardsEye);
 /// Where a camera looks from: the unit vector from its target towards the eye.
 glm::dvec3 directionOf(const Camera& camera);

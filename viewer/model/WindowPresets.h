@@ -1,5 +1,5 @@
 #pragma once
-// The CT display windows that radiologists have on their number keys.
+// Display windows for CT on the number keys, as radiologists know them.
 
 #include <array>
 

@@ -9,23 +9,27 @@
 #include <QVBoxLayout>
 
 #include "io/TransferFunctionFile.h"
-#include "viewer/model/Document.h"
 #include "viewer/model/Paths.h"
-#include "viewer/panels/SliderSpin.h"
 #include "viewer/panels/TransferFunctionPlot.h"
 
 namespace fenestra::viewer {
 
 AppearancePanel::AppearancePanel(Document& document, QWidget* parent)
-    : QWidget(parent), document_(document), presets_(new QComboBox), shift_(new SliderSpin(-500.0, 500.0, 1.0)) {
+    : QWidget(parent),
+      document_(document),
+      light_(document, &Look::shading),
+      presets_(new QComboBox),
+      shift_(new SliderSpin(-500.0, 500.0, 1.0)) {
   for (const io::TransferFunctionPreset& preset : io::transferFunctionPresets())
     presets_->addItem(QString::fromStdString(preset.name), QString::fromStdString(preset.id));
   presets_->addItem(tr("From a file…"));
-  shift_->setToolTip(tr("Moves the whole transfer function along the values"));
+  shift_->setToolTip(QString::fromUtf8(settingOf(&ContextFunction::shift).description));
 
   auto* form = new QFormLayout;
   form->addRow(tr("Preset"), presets_);
-  form->addRow(tr("Shift"), shift_);
+  form->addRow(QString::fromUtf8(settingOf(&ContextFunction::shift).name), shift_);
+  light_.addRow(*form, &Shading::lightAzimuth);
+  light_.addRow(*form, &Shading::lightElevation);
   auto* column = new QVBoxLayout(this);
   column->addLayout(form);
   column->addWidget(new TransferFunctionPlot(document));
@@ -34,9 +38,10 @@ AppearancePanel::AppearancePanel(Document& document, QWidget* parent)
   makeDragsSteps(*shift_, document.history());
   connect(shift_, &SliderSpin::edited, &document, &Document::setShift);
   connect(&document, &Document::transferFunctionChanged, this, &AppearancePanel::show);
+  connect(&document, &Document::shadingChanged, this, [this] { light_.show(); });
   connect(&document, &Document::volumeChanged, this, [this] {
     const Volume& volume = *document_.scene().volume;
-    // A quarter of the values either way; for CT the ±500 HU that separate lung, soft tissue and bone.
+    // A quarter of the range either way; for CT ±500 HU, which separate lung, soft tissue and bone.
     const double span = volume.isInHounsfieldUnits() ? 500.0 : 0.25 * (volume.range.high - volume.range.low);
     const double step = std::pow(10.0, std::floor(std::log10(std::max(span, 1e-9) / 200.0)));
     shift_->setRange(-std::ceil(span / step) * step, std::ceil(span / step) * step, step);
@@ -53,7 +58,7 @@ void AppearancePanel::show() {
   }
   const QString id = QString::fromStdString(document_.preset());
   int row = presets_->findData(id);
-  if (row < 0) {  // a file: listed by its name from now on
+  if (row < 0) {  // a file, which gets an entry with its name
     row = presets_->count() - 1;
     presets_->insertItem(row, QFileInfo(id).completeBaseName(), id);
   }

@@ -1,13 +1,12 @@
 #pragma once
-// How the context looks: transfer-function preset, and a shift that moves it along the values.
+// How the context looks: transfer-function preset, a shift that moves it along the values, and the light.
 
 #include <QComboBox>
 #include <QWidget>
 
-namespace fenestra::viewer {
+#include "viewer/panels/LookControls.h"
 
-class Document;
-class SliderSpin;
+namespace fenestra::viewer {
 
 class AppearancePanel : public QWidget {
   Q_OBJECT
@@ -25,6 +24,7 @@ class AppearancePanel : public QWidget {
   void choose(int row);
 
   Document& document_;
+  LookControls<Shading> light_;
   QComboBox* presets_;
   SliderSpin* shift_;
 };

@@ -3,7 +3,7 @@
 #include <QColorDialog>
 #include <QPixmap>
 
-#include "viewer/views/Overlay.h"
+#include "viewer/style/Overlay.h"
 
 namespace fenestra::viewer {
 

@@ -1,5 +1,5 @@
 #pragma once
-// A colour to click on and choose another.
+// Shows a colour; a click chooses another.
 
 #include <QToolButton>
 
@@ -10,14 +10,14 @@ namespace fenestra::viewer {
 class ColourButton : public QToolButton {
   Q_OBJECT
  public:
-  /// `title` is the chooser's.
+  /// `title` is that of the colour dialog.
   explicit ColourButton(const QString& title, QWidget* parent = nullptr);
 
   /// Display RGB 0..1.
   void setColour(glm::dvec3 colour);
 
  Q_SIGNALS:
-  /// The user chose it.
+  /// The user chose a colour.
   void edited(glm::dvec3 colour);
 
  private:

@@ -3,35 +3,23 @@
 
 #include <vector>
 
+#include "viewer/panels/LookControls.h"
 #include "viewer/panels/ScrollingPanel.h"
 
-namespace fenestra {
-struct ContextLayer;
-}
-
 namespace fenestra::viewer {
-
-class ColourButton;
-class Document;
-class SliderSpin;
 
 class ContextLayerPanel : public ScrollingPanel {
   Q_OBJECT
  public:
   explicit ContextLayerPanel(Document& document, QWidget* parent = nullptr);
 
-  SliderSpin* strength() const { return terms_.front().slider; }
-
  private:
-  struct Term {
-    SliderSpin* slider;
-    double ContextLayer::*value;
-  };
   void show();
 
   Document& document_;
-  std::vector<Term> terms_;
-  ColourButton* colour_;
+  LookControls<ContextLayer> controls_;
+  SliderSpin* strength_;
+  std::vector<QWidget*> rest_;  ///< all controls but the strength's
 };
 
 }  // namespace fenestra::viewer

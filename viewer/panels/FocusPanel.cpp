@@ -35,7 +35,7 @@ FocusPanel::FocusPanel(Document& document, QWidget* parent)
   list_->setModel(filtered_);
   list_->setUniformItemSizes(true);
   list_->setIconSize({12, 12});
-  list_->setToolTip(tr("Tick what to see; double-click to see that alone and go there"));
+  list_->setToolTip(tr("Tick the structures of the focus; double-click to focus on one alone and go there"));
   list_->setMinimumHeight(80);
 
   byValue_->setToolTip(tr("The focus is everything whose value lies in this range"));
@@ -88,7 +88,7 @@ void FocusPanel::showStudy() {
 
   const Volume& volume = *document_.scene().volume;
   const double span = std::max(volume.range.high - volume.range.low, 1e-12);
-  // Whole numbers for CT and other wide ranges, three significant steps of a narrow one.
+  // Whole numbers for CT and other wide ranges, three significant digits for a narrow one.
   const int decimals = std::clamp(static_cast<int>(std::ceil(3.0 - std::log10(span))), 0, 9);
   const QString suffix = volume.unit.empty() ? QString() : QStringLiteral(" ") + QString::fromStdString(volume.unit);
   for (QDoubleSpinBox* box : {low_, high_}) {
@@ -99,7 +99,7 @@ void FocusPanel::showStudy() {
     box->setSuffix(suffix);
   }
   const QSignalBlocker quietLow(low_), quietHigh(high_);
-  // Bone, where there is some; elsewhere the upper quarter: something to start from.
+  // To start from: bone where the data has some, otherwise the upper quarter of the range.
   constexpr double bone = 300.0;  // HU
   const bool holdsBone = volume.isInHounsfieldUnits() && volume.range.high > 2.0 * bone;
   low_->setValue(holdsBone ? bone : volume.range.high - 0.25 * span);

@@ -1,5 +1,5 @@
 #pragma once
-// What is open, and what of it is the focus: a list of labels to tick, or a range of values.
+// The open study, and its focus: a list of labels to tick, or a range of values.
 
 #include <QCheckBox>
 #include <QDoubleSpinBox>
@@ -26,7 +26,7 @@ class FocusPanel : public QWidget {
   QDoubleSpinBox* high() const { return high_; }
 
  Q_SIGNALS:
-  /// The user picked one structure to look at; it is the focus now.
+  /// The user picked one structure, which is the focus now.
   void structureChosen();
 
  private:

@@ -1,7 +1,7 @@
 #include "viewer/panels/LabelModel.h"
 
 #include "viewer/model/Document.h"
-#include "viewer/views/Overlay.h"
+#include "viewer/style/Overlay.h"
 
 namespace fenestra::viewer {
 namespace {

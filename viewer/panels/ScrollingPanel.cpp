@@ -33,7 +33,7 @@ QSize ScrollingPanel::minimumSizeHint() const {
 bool ScrollingPanel::eventFilter(QObject* watched, QEvent* event) {
   const auto* widget = qobject_cast<QWidget*>(watched);
   if (event->type() != QEvent::Wheel || !widget || widget->hasFocus()) return QScrollArea::eventFilter(watched, event);
-  event->ignore();  // and so it goes on to the scroll area
+  event->ignore();  // so that it goes on to the scroll area
   return true;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// A panel that scrolls up and down where the window is too low for it. The wheel over a slider or a box scrolls too,
-// unless that was clicked before: nobody changes a value in passing.
+// A panel that scrolls vertically where the window is too low for it. The wheel over a slider or a box scrolls the
+// panel, unless that control has the focus, so that scrolling changes no value by accident.
 
 #include <QScrollArea>
 
@@ -15,7 +15,7 @@ class ScrollingPanel : public QScrollArea {
   QSize minimumSizeHint() const override;
 
  protected:
-  /// With all it will hold already in it.
+  /// To be called when `body` holds all its widgets.
   void setBody(QWidget* body);
   bool eventFilter(QObject* watched, QEvent* event) override;
 };

@@ -1,9 +1,11 @@
 #pragma once
-// One number: a slider to drag and a box to type into.
+// A number, with a slider to drag and a box to type into.
 
 #include <QDoubleSpinBox>
 #include <QSlider>
 #include <QWidget>
+
+#include "rendering/scene/Settings.h"
 
 namespace fenestra::viewer {
 
@@ -14,9 +16,16 @@ class SliderSpin : public QWidget {
  public:
   /// The slider spans low..high in `step`s.
   SliderSpin(double low, double high, double step, QWidget* parent = nullptr);
+  /// For a declared setting: its slider's range, step and unit.
+  template <class Owner>
+  explicit SliderSpin(const Setting<Owner, double>& setting, QWidget* parent = nullptr)
+      : SliderSpin(setting.slider.low, setting.slider.high, setting.step, parent) {
+    if (*setting.unit) setSuffix(QStringLiteral(" ") + QString::fromUtf8(setting.unit));
+    setToolTip(QString::fromUtf8(setting.description));
+  }
 
   void setRange(double low, double high, double step);
-  /// Shows a value without telling anyone; one beyond the range widens it.
+  /// Shows a value without emitting edited(). A value beyond the range widens it.
   void setValue(double value);
   double value() const { return box_->value(); }
   void setSuffix(const QString& suffix) { box_->setSuffix(suffix); }
@@ -24,9 +33,9 @@ class SliderSpin : public QWidget {
   QDoubleSpinBox* box() const { return box_; }
 
  Q_SIGNALS:
-  /// The user moved it.
+  /// The user changed the value.
   void edited(double value);
-  /// The slider is being dragged from now on, and no longer.
+  /// The user begins, or has ended, a drag of the slider.
   void dragBegun();
   void dragEnded();
 
@@ -36,7 +45,7 @@ class SliderSpin : public QWidget {
   double low_ = 0.0, step_ = 1.0;
 };
 
-/// A drag of the slider is one step of the history.
+/// Makes each drag of the slider one step of the history.
 void makeDragsSteps(SliderSpin& slider, History& history);
 
 }  // namespace fenestra::viewer

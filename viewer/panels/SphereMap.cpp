@@ -4,14 +4,14 @@
 #include <array>
 #include <cmath>
 
-#include <glm/gtc/constants.hpp>
-
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
 
+#include "viewer/model/Mollweide.h"
 #include "viewer/model/PlacementController.h"
-#include "viewer/views/Overlay.h"
+#include "viewer/model/ViewLink.h"
+#include "viewer/style/Overlay.h"
 
 namespace fenestra::viewer {
 namespace {
@@ -19,7 +19,7 @@ namespace {
 constexpr QSize mapSize(240, 120);
 constexpr double margin = 9.0;  ///< device-independent pixels, for the letters and markers at the rim
 
-/// From low to high quality: even in lightness, also for colour-blind eyes.
+/// From low to high quality, with even steps of lightness, which colour-blind users see too.
 const std::array<glm::dvec3, 5> ramp{glm::dvec3(0.16, 0.13, 0.32), glm::dvec3(0.20, 0.31, 0.55),
                                      glm::dvec3(0.13, 0.52, 0.55), glm::dvec3(0.42, 0.75, 0.38),
                                      glm::dvec3(0.98, 0.90, 0.30)};
@@ -31,31 +31,6 @@ QRgb rampColour(double part) {
 }
 
 }  // namespace
-
-// Snyder, Map Projections: A Working Manual (1987), pp. 249–252: 2θ + sin 2θ = π sin φ, x = 2λ/π cos θ, y = sin θ (R √2
-// taken as 1).
-glm::dvec2 mapFromDirection(glm::dvec3 direction) {
-  const double longitude = std::atan2(direction.x, -direction.y);
-  const double wanted = glm::pi<double>() * std::clamp(direction.z, -1.0, 1.0);
-  // Bisection: the derivative vanishes at the poles, where Newton's steps fail.
-  double low = -glm::half_pi<double>(), high = glm::half_pi<double>();
-  constexpr int bits = 52;
-  for (int i = 0; i < bits; ++i) {
-    const double middle = 0.5 * (low + high);
-    (2.0 * middle + std::sin(2.0 * middle) < wanted ? low : high) = middle;
-  }
-  const double theta = 0.5 * (low + high);
-  return {2.0 * longitude / glm::pi<double>() * std::cos(theta), std::sin(theta)};
-}
-
-std::optional<glm::dvec3> directionFromMap(glm::dvec2 position) {
-  if (0.25 * position.x * position.x + position.y * position.y > 1.0) return std::nullopt;
-  const double theta = std::asin(position.y), width = std::cos(theta);
-  const double sine = (2.0 * theta + std::sin(2.0 * theta)) / glm::pi<double>();
-  const double longitude = width > 0.0 ? glm::half_pi<double>() * position.x / width : 0.0;
-  const double cosine = std::sqrt(std::max(0.0, 1.0 - sine * sine));
-  return glm::dvec3(cosine * std::sin(longitude), -cosine * std::cos(longitude), sine);
-}
 
 SphereMap::SphereMap(ViewLink& cameras, PlacementController& placement, QWidget* parent)
     : QWidget(parent), cameras_(cameras), placement_(placement) {
@@ -93,7 +68,7 @@ void SphereMap::findNearest() {
   nearest_.assign(static_cast<std::size_t>(mapSize.width() * mapSize.height()), -1);
   for (int y = 0; y < mapSize.height(); ++y)
     for (int x = 0; x < mapSize.width(); ++x) {
-      // To the ellipse's very rim, so that smooth scaling mixes in nothing from outside.
+      // Pixels outside the ellipse get the colour of its rim, so that smooth scaling mixes in no other colour.
       glm::dvec2 at(4.0 * (x + 0.5) / mapSize.width() - 2.0, 1.0 - 2.0 * (y + 0.5) / mapSize.height());
       at /= std::max(1.0, glm::length(glm::dvec2(0.5 * at.x, at.y)) * (1.0 + 1e-9));
       const std::optional<glm::dvec3> direction = directionFromMap(at);
@@ -161,7 +136,7 @@ void SphereMap::paintEvent(QPaintEvent*) {
   small.setPointSizeF(0.85 * small.pointSizeF());
   small.setBold(true);
   painter.setFont(small);
-  // C1 last: on top where both are at one place.
+  // C1 is drawn last, on top where both are at one place.
   for (int view = ViewLink::count - 1; view >= 0; --view) {
     constexpr double radius = 7.5;
     const QPointF at = widgetFromDirection(directionOf(cameras_.camera(view)));

@@ -1,6 +1,6 @@
 #pragma once
-// The sphere of viewpoints as a Mollweide map (equal areas), coloured by quality, with both cameras on it. Anterior is
-// in the middle, the patient's left on the right as seen from there, superior on top; a click asks to look from there.
+// The sphere of viewpoints as a map (model/Mollweide.h), coloured by quality, with both cameras on it. A click asks to
+// look from there.
 
 #include <optional>
 #include <vector>
@@ -14,12 +14,6 @@ namespace fenestra::viewer {
 
 class PlacementController;
 class ViewLink;
-
-/// Mollweide projection of unit directions (LPS): x in -2…2 and y in -1…1, from the patient's right to left and
-/// upwards.
-glm::dvec2 mapFromDirection(glm::dvec3 direction);
-/// Empty outside the ellipse.
-std::optional<glm::dvec3> directionFromMap(glm::dvec2 position);
 
 class SphereMap : public QWidget {
   Q_OBJECT
@@ -48,7 +42,7 @@ class SphereMap : public QWidget {
   ViewLink& cameras_;
   PlacementController& placement_;
   QImage picture_;            ///< of the ellipse's box
-  std::vector<int> nearest_;  ///< per pixel of it the candidate; -1 outside the ellipse
+  std::vector<int> nearest_;  ///< nearest candidate of each pixel of picture_
 };
 
 }  // namespace fenestra::viewer

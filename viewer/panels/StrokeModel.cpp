@@ -11,7 +11,7 @@ StrokeModel::StrokeModel(Document& document, QObject* parent) : QAbstractListMod
 
 void StrokeModel::follow() {
   const int now = static_cast<int>(document_.strokes().size());
-  // A stroke being painted grows with every move of the mouse: the selection stays.
+  // Rows are inserted rather than reset, so that painting a stroke keeps the selection.
   if (now == rows_ + 1) {
     beginInsertRows({}, rows_, rows_);
     rows_ = now;

@@ -1,5 +1,5 @@
 #pragma once
-// The document's brush strokes as rows, in the order they were painted: what each does, and a tick that shows it.
+// The document's brush strokes as rows, in the order they were painted, each with its effect and a tick to show it.
 
 #include <QAbstractListModel>
 

@@ -7,7 +7,7 @@
 #include <QPainterPath>
 
 #include "viewer/model/Document.h"
-#include "viewer/views/Overlay.h"
+#include "viewer/style/Overlay.h"
 
 namespace fenestra::viewer {
 namespace {
@@ -28,7 +28,7 @@ void TransferFunctionPlot::countValues() {
   std::vector<double> counts(bins, 0.0);
   const double scale = bins / std::max(shown_.high - shown_.low, 1e-12);
   volume.voxels.visit([&](auto scalars) {
-    // A quarter of a million voxels draw the same curve as all of them.
+    // A quarter of a million voxels give the same curve as all of them.
     const std::size_t stride = std::max<std::size_t>(1, scalars.size() >> 18);
     for (std::size_t i = 0; i < scalars.size(); i += stride) {
       const double bin = (volume.slope * static_cast<double>(scalars[i]) + volume.intercept - shown_.low) * scale;

@@ -8,13 +8,14 @@
 
 #include "viewer/model/Brush.h"
 #include "viewer/model/Document.h"
-#include "viewer/views/Overlay.h"
+#include "viewer/style/Overlay.h"
 
 namespace fenestra::viewer {
 namespace {
 
-constexpr double wheelRate = 0.0008;  ///< of the depth's logarithm an eighth of a degree: a notch is a tenth
-constexpr double dragRate = 0.01;     ///< a pixel
+constexpr double wheelRate =
+    0.0008;  ///< change of ln(depth) per eighth of a degree: a notch of 15° changes the depth by a tenth
+constexpr double dragRate = 0.01;  ///< change of ln(depth) per pixel
 
 }  // namespace
 
@@ -73,7 +74,7 @@ bool BrushTool::release(const QMouseEvent& event) {
 
 bool BrushTool::wheel(const QWheelEvent& event) {
   if (!brush_.isActive() || !(event.modifiers() & (Qt::ShiftModifier | Qt::AltModifier))) return false;
-  // With Alt held, a wheel's turn comes as one across.
+  // With Alt held, Qt reports a vertical wheel as a horizontal one.
   const QPoint angle = event.angleDelta();
   brush_.scaleDepth(std::exp(wheelRate * (angle.y() != 0 ? angle.y() : angle.x())));
   return true;
@@ -89,7 +90,7 @@ void BrushTool::paintTo(QPointF position) {
   if (!stroke_->anchors.empty()) last = stroke_->anchors.back();
   const std::optional<BrushPoint> point = canvas_.pick(position, stroke_->mode, last);
   if (!point) return;
-  // One radius for the whole stroke, in mm where it begins.
+  // The whole stroke has one radius in mm: that of the ring where the stroke begins.
   if (stroke_->anchors.empty()) stroke_->radius = brush_.settings().radius * point->pixelSize;
   if (!extend(*stroke_, point->anchor)) return;
   under_ = point;
@@ -103,7 +104,7 @@ void BrushTool::finish() {
   const bool painted = document_.strokes() != before_;
   stroke_.reset();
   before_.clear();
-  // A stroke that nobody can see, because nothing was cut away there or there is no context layer, is none.
+  // A stroke that leaves the picture unchanged is dropped: nothing was cut away there, or there is no context layer.
   if (painted && canvas_.picture() == picture_) document_.history().takeBack();
   picture_.clear();
 }
@@ -130,7 +131,7 @@ void BrushTool::draw(QPainter& painter, const QRectF& view) const {
     painter.setPen(pen);
     painter.drawEllipse(at, radius, radius);
   }
-  // Full effect inside the dotted ring.
+  // Inside the dotted ring the brush has its full effect.
   const double full = radius * (1.0 - settings.softness);
   if (full >= 2.0) {
     painter.setPen(QPen(colour, 1.0, Qt::DotLine));
@@ -138,7 +139,7 @@ void BrushTool::draw(QPainter& painter, const QRectF& view) const {
   }
   const bool deep = movesRayStart(settings.mode);
   if (deep && under_) {
-    // As long as the depth would be seen from the side: up is towards the eye.
+    // The arrow is as long as the depth would appear from the side; up is towards the eye.
     const double length = std::clamp(settings.depth / under_->pixelSize, 3.0, 0.4 * view.height());
     const QPointF foot = at + QPointF(radius + 8.0, 0.0), head = foot + QPointF(0.0, adds ? -length : length);
     for (const QPen& pen : {QPen(rim, 4.0), QPen(colour, 2.0)}) {
@@ -154,7 +155,7 @@ void BrushTool::draw(QPainter& painter, const QRectF& view) const {
            : QStringLiteral("%1 %2 %").arg(nameOf(settings.mode)).arg(100.0 * settings.amount, 0, 'f', 0);
   const double height = painter.fontMetrics().height(), width = painter.fontMetrics().horizontalAdvance(text) + 4.0;
   QRectF box(at.x() - 0.5 * width, at.y() + radius + 4.0, width, height);
-  // The arrow that points down, into the picture, is where the text would be.
+  // Above the ring when the arrow points down, because the arrow then takes the place below.
   if ((deep && !adds) || box.bottom() > view.bottom()) box.moveBottom(at.y() - radius - 4.0);
   box.moveLeft(std::clamp(box.left(), view.left(), std::max(view.left(), view.right() - width)));
   drawText(painter, box, Qt::AlignCenter | Qt::TextSingleLine, text, colour);

@@ -1,9 +1,9 @@
 #pragma once
-// Painting in one 3-D view: from mouse positions to a stroke in the document, and the ring that shows where the brush
-// is. Positions and radii are in device-independent pixels of the view.
+// Painting in one 3-D view: turns mouse positions into a stroke of the document, and draws the ring around the mouse.
+// Positions and radii are in device-independent pixels of the view.
 //
-// Left drag: paint. Shift or Alt with left drag up and down, or with the wheel: depth (amount where the mode has that).
-// Ctrl+left drag stays the view's own rotation.
+// Left drag: paint. Shift or Alt with left drag up and down, or with the wheel: depth, or amount in modes without
+// depth. Ctrl+left drag is left to the view, which rotates.
 
 #include <functional>
 #include <optional>
@@ -11,7 +11,7 @@
 #include <QPainter>
 #include <QPointF>
 
-#include "rendering/Renderer.h"
+#include "rendering/scene/BrushStroke.h"
 
 class QMouseEvent;
 class QWheelEvent;
@@ -35,7 +35,7 @@ class BrushTool {
 
   BrushTool(Brush& brush, Document& document, Canvas canvas);
 
-  /// These return true for what is the tool's; the view does nothing with it then.
+  /// Handle an event. True: the tool has taken it, and the view must ignore it.
   bool press(const QMouseEvent& event);
   bool move(const QMouseEvent& event);
   bool release(const QMouseEvent& event);
@@ -45,7 +45,7 @@ class BrushTool {
   bool isPainting() const { return stroke_.has_value(); }
   /// Ring, softness and depth under the mouse.
   void draw(QPainter& painter, const QRectF& view) const;
-  /// What is under the mouse in the picture that was just drawn.
+  /// Finds what the picture shows under the mouse; to be called after the picture has changed.
   void measure();
 
  private:
@@ -55,11 +55,11 @@ class BrushTool {
   Brush& brush_;
   Document& document_;
   Canvas canvas_;
-  std::optional<QPointF> mouse_;       ///< over the view
-  std::optional<BrushPoint> under_;    ///< what is there
+  std::optional<QPointF> mouse_;       ///< position; empty outside the view
+  std::optional<BrushPoint> under_;    ///< what the picture shows at mouse_
   std::optional<BrushStroke> stroke_;  ///< being painted
-  BrushStrokes before_;                ///< of the document when it began
-  std::vector<std::uint8_t> picture_;  ///< likewise
+  BrushStrokes before_;                ///< the document's strokes when stroke_ began
+  std::vector<std::uint8_t> picture_;  ///< the view's picture when stroke_ began
   std::optional<QPointF> deepening_;   ///< last place of the mouse while it drags the depth
 };
 

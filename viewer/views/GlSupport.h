@@ -1,6 +1,6 @@
 #pragma once
-// Whether this machine can draw the 3-D views, found out before a view is made: a window with a failed OpenGL widget
-// shows nothing at all, not even its slices.
+// Whether this machine can draw the 3-D views. To be found out before a view is made: a window that holds an OpenGL
+// widget without a context shows nothing at all, not even its slices.
 
 #include <QString>
 
@@ -8,7 +8,7 @@ namespace fenestra::viewer {
 
 struct GlSupport {
   bool available = false;
-  bool software = false;  ///< drawn by the processor
+  bool software = false;  ///< the driver draws on the CPU
   QString renderer{};     ///< the driver's own name for itself
   QString problem{};      ///< what is wrong and what would help; empty when available
 };

@@ -5,12 +5,13 @@
 
 #include <QElapsedTimer>
 
+#include "viewer/views/RenderProblem.h"
 #include "viewer/views/VolumeView.h"
 
 namespace fenestra::viewer {
 namespace {
 
-/// How long the window may be deaf: a frame of 30 a second, with room for what one slice takes longer than the last.
+/// Time that one slice may block the window: a frame at 30 Hz (33 ms), less a margin for slices slower than the last.
 constexpr double sliceMilliseconds = 20.0;
 constexpr std::size_t mostPerSlice = 256;
 
@@ -23,21 +24,28 @@ PlacementRenderer::~PlacementRenderer() {
   });
 }
 
+void PlacementRenderer::run(const std::function<void(const std::shared_ptr<GpuScene>&)>& work) {
+  try {
+    if (!view_.inContext(work)) throw std::runtime_error("the 3-D views are not on screen");
+  } catch (const std::exception& error) {
+    throw std::runtime_error(describeRenderProblem(error).toStdString());
+  }
+}
+
 void PlacementRenderer::begin(const Scene& scene, const placement::Sampling& sampling,
                               const placement::Options& options) {
-  const bool ran = view_.inContext([&](const std::shared_ptr<GpuScene>& gpu) {
+  run([&](const std::shared_ptr<GpuScene>& gpu) {
     if (!placer_) placer_.emplace();
     placer_->begin(*gpu, scene, sampling, options);
   });
-  if (!ran) throw std::logic_error("the 3-D views have not been shown yet");
 }
 
 bool PlacementRenderer::advance() {
   bool done = false;
   QElapsedTimer clock;
   clock.start();
-  view_.inContext([&](const std::shared_ptr<GpuScene>& gpu) { done = placer_->advance(*gpu, perSlice_); });
-  // The next slice is as large as this one's speed allows, but grows by steps: the first ones also compile shaders.
+  run([&](const std::shared_ptr<GpuScene>& gpu) { done = placer_->advance(*gpu, perSlice_); });
+  // Sized for the speed of this slice, but at most doubled: the first slices also compile shaders.
   const double milliseconds = std::max(1e-3, static_cast<double>(clock.nsecsElapsed()) * 1e-6);
   const double fitting = static_cast<double>(perSlice_) * std::min(2.0, sliceMilliseconds / milliseconds);
   perSlice_ = std::clamp(static_cast<std::size_t>(fitting), std::size_t{1}, mostPerSlice);
@@ -46,11 +54,11 @@ bool PlacementRenderer::advance() {
 
 QImage PlacementRenderer::picture(const Scene& scene, const Camera& camera, QSize size) {
   QImage picture(size, QImage::Format_RGBA8888_Premultiplied);
-  view_.inContext([&](const std::shared_ptr<GpuScene>& gpu) {
+  run([&](const std::shared_ptr<GpuScene>& gpu) {
     if (!renderer_) renderer_.emplace(gpu);
-    // Widths in pixels are meant for a view some five times as large.
+    // Widths in pixels are chosen for a view about five times as large.
     constexpr double pixelScale = 0.2;
-    // Margins are room that a small picture does not have.
+    // Crops the margins, which a small picture has no room for.
     constexpr double zoom = 1.3;
     renderer_->render(scene, {.camera = camera.zoomed(zoom),
                               .size = {size.width(), size.height()},

@@ -1,9 +1,13 @@
 #pragma once
-// What placing the cameras renders: candidates and small pictures, in a 3-D view's OpenGL context with its voxels.
+// Measures candidate cameras and draws small pictures of them, in a 3-D view's OpenGL context and with its voxels.
 
+#include <functional>
+#include <memory>
 #include <optional>
 
 #include "rendering/Renderer.h"
+#include "rendering/gpu/GpuScene.h"
+#include "rendering/placement/Placer.h"
 #include "viewer/model/PlacementController.h"
 
 namespace fenestra::viewer {
@@ -23,6 +27,9 @@ class PlacementRenderer : public PlacementBackend {
   QImage picture(const Scene& scene, const Camera& camera, QSize size) override;
 
  private:
+  /// Runs `work` in the view's context. Throws std::runtime_error with a message for the user.
+  void run(const std::function<void(const std::shared_ptr<GpuScene>&)>& work);
+
   VolumeView& view_;
   std::optional<placement::Placer> placer_;
   std::size_t perSlice_ = 2;  ///< candidates

@@ -10,7 +10,7 @@
 #include "viewer/model/Document.h"
 #include "viewer/model/SliceCursor.h"
 #include "viewer/model/ViewOptions.h"
-#include "viewer/views/Overlay.h"
+#include "viewer/style/Overlay.h"
 
 namespace fenestra::viewer {
 namespace {
@@ -88,7 +88,7 @@ void SliceView::makeImage() {
   if (labels_.empty() && scene.labels) labels_ = sliceLabels(*scene.labels, geometry_, slice_);
   const std::vector<std::uint8_t> grey = windowed(values_, document_.window(), scene.volume->lowIsWhite);
 
-  // What each label looks like, looked up once rather than once a pixel.
+  // The look of each label, found once a label rather than once a pixel.
   struct Tint {
     glm::dvec3 colour{0.0};
     int percent = 0;
@@ -214,7 +214,7 @@ void SliceView::drawCrosshair(QPainter& painter) const {
   // Each line is where another plane cuts this one, in that plane's colour.
   const SlicePlane vertical = geometry_.plane == SlicePlane::Sagittal ? SlicePlane::Coronal : SlicePlane::Sagittal;
   const SlicePlane horizontal = geometry_.plane == SlicePlane::Axial ? SlicePlane::Coronal : SlicePlane::Axial;
-  constexpr double gap = 10.0;  // leaves what is pointed at in sight
+  constexpr double gap = 10.0;  // around the crossing, so that the lines do not cover the voxel
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing, false);
   const auto line = [&](SlicePlane plane, QPointF from, QPointF to) {
@@ -254,7 +254,7 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
   if (!dragging_ && std::hypot(total.x(), total.y()) <= clickSlack) return;
   dragging_ = true;
   if (buttons & Qt::LeftButton) {
-    // A drag over 250 pixels doubles the width; a very narrow window still moves.
+    // A drag over 250 pixels doubles the width. A very narrow window changes faster, or it could not be widened.
     const ValueRange range = document_.scene().volume->range;
     const double perPixel = std::max(windowAtPress_.width, 0.02 * (range.high - range.low)) / 250.0;
     const double least = std::max(1e-4 * (range.high - range.low), 1e-9);

@@ -28,10 +28,11 @@ class SliceView : public QWidget {
   SlicePlane plane() const { return geometry_.plane; }
   const SliceGeometry& sliceGeometry() const { return geometry_; }
   int slice() const { return slice_; }
-  /// Whole slice in view, window as the data asks for.
+  /// Fits the whole slice into the view and sets the data's own window and level.
   void resetView();
 
-  /// Where a world point lies in the widget, projected onto the slice; and back, onto the shown slice.
+  /// Where a world point lies in the widget when projected onto the slice, and the point of the shown slice at a place
+  /// in the widget.
   QPointF widgetFromWorld(glm::dvec3 world) const;
   glm::dvec3 worldFromWidget(QPointF position) const;
 
@@ -39,7 +40,7 @@ class SliceView : public QWidget {
   QSize minimumSizeHint() const override { return {120, 120}; }
 
  Q_SIGNALS:
-  /// The mouse points at that place.
+  /// The mouse points at a world position.
   void pointed(glm::dvec3 world);
   void left();
   void menuRequested(glm::dvec3 world, QPoint globalPosition);
@@ -73,13 +74,13 @@ class SliceView : public QWidget {
 
   SliceGeometry geometry_;
   int slice_ = 0;
-  std::vector<float> values_;          ///< of the slice, real
+  std::vector<float> values_;          ///< real values of the slice
   std::vector<std::uint16_t> labels_;  ///< of the slice; empty without labels
-  QImage image_;                       ///< null: to be made
+  QImage image_;                       ///< null until it is made
   QVector<QLineF> outline_;            ///< of the focus, in slice pixels
 
   double zoom_ = 1.0;  ///< 1: the whole slice fits
-  QPointF centre_;     ///< what is in the middle of the widget, in mm from the slice's first pixel's corner
+  QPointF centre_;     ///< slice position in the middle of the widget, in mm from the corner of the slice's first pixel
 
   QPointF pressed_, last_;  ///< mouse positions of the press and of the last move
   WindowLevel windowAtPress_;
@@ -90,7 +91,7 @@ class SliceView : public QWidget {
     glm::dvec3 cursor;
   };
   std::optional<BeforeClick> beforeClick_;
-  double wheel_ = 0.0;  ///< wheel angle left over, in eighths of a degree
+  double wheel_ = 0.0;  ///< wheel angle that is not yet a whole notch, in eighths of a degree
 };
 
 }  // namespace fenestra::viewer

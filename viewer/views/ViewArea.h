@@ -18,7 +18,7 @@ namespace fenestra::viewer {
 class ViewArea : public QWidget {
   Q_OBJECT
  public:
-  /// Without OpenGL the place of the 3-D views says why, and the slices are there all the same.
+  /// Without OpenGL a text in place of the 3-D views says why; the slices work all the same.
   ViewArea(Document& document, SliceCursor& cursor, ViewLink& cameras, ViewOptions& options, Brush& brush,
            const GlSupport& gl, const Effort& atRest, QWidget* parent = nullptr);
 
@@ -27,7 +27,7 @@ class ViewArea : public QWidget {
   /// Every visible view shows the scene at full quality.
   bool isSettled() const;
 
-  /// Gives the whole area to a view, or back to all when it has it.
+  /// Gives the whole area to one view; when one has it already, shows all views again.
   void toggleMaximised(QWidget* view);
   bool isMaximised() const { return maximised_ != nullptr; }
   void showAll();
@@ -37,7 +37,7 @@ class ViewArea : public QWidget {
   void setAtRest(Quality quality, std::optional<double> maxError);
   const FramePacer& pacer() const { return *pacer_; }
 
-  /// The pictures' sizes and sampling, and the layout.
+  /// Write and restore the pictures' sizes, their sampling and the layout.
   void describe(io::Session& session) const;
   void restore(const io::Session& session);
 
@@ -54,7 +54,7 @@ class ViewArea : public QWidget {
   void drawn();
 
  private:
-  /// Every view by the name that a session has for it.
+  /// Every view with its name in a session.
   std::vector<std::pair<std::string, QWidget*>> namedViews() const;
 
   std::shared_ptr<FramePacer> pacer_;

@@ -16,7 +16,8 @@
 #include "viewer/model/SliceCursor.h"
 #include "viewer/model/ViewLink.h"
 #include "viewer/model/ViewOptions.h"
-#include "viewer/views/Overlay.h"
+#include "viewer/style/Overlay.h"
+#include "viewer/views/RenderProblem.h"
 
 namespace fenestra::viewer {
 namespace {
@@ -48,7 +49,10 @@ VolumeView::VolumeView(int index, Document& document, SliceCursor& cursor, ViewL
   setObjectName(QStringLiteral("volume%1").arg(index));
   rest_.setSingleShot(true);
   connect(&rest_, &QTimer::timeout, this, &VolumeView::settle);
-  connect(&document, &Document::volumeChanged, this, [this] { cold_ = true; });
+  connect(&document, &Document::volumeChanged, this, [this] {
+    cold_ = true;
+    problem_.clear();  // another volume may fit where the last one did not
+  });
   connect(&document, &Document::sceneChanged, this, [this] { disturb(ViewLink::count); });
   connect(&document, &Document::strokesChanged, this, &VolumeView::refresh);
   connect(&brush, &Brush::changed, this, [this] {
@@ -69,7 +73,7 @@ VolumeView::VolumeView(int index, Document& document, SliceCursor& cursor, ViewL
 }
 
 VolumeView::~VolumeView() {
-  // GPU objects go while their context is current; the last view takes the shared voxels along.
+  // GPU objects need their context when they are destroyed. The last view destroys the shared voxels.
   makeCurrent();
   renderer_.reset();
   shared_.gpuScene.reset();
@@ -79,7 +83,8 @@ VolumeView::~VolumeView() {
 bool VolumeView::inContext(const std::function<void(const std::shared_ptr<GpuScene>&)>& work) {
   if (!isValid()) return false;
   makeCurrent();
-  // Whatever `work` throws, the context is no longer current for others.
+  if (QOpenGLContext::currentContext() != context()) return false;
+  // The context is released whatever `work` throws.
   const std::unique_ptr<VolumeView, void (*)(VolumeView*)> done(this, [](VolumeView* view) { view->doneCurrent(); });
   work(shared_.gpuScene);
   return true;
@@ -119,15 +124,6 @@ void VolumeView::resizeEvent(QResizeEvent* event) {
   disturb(ViewLink::count);
 }
 
-void VolumeView::initializeGL() {
-  try {
-    renderer_.emplace(shared_.gpuScene);
-  } catch (const std::exception& error) {
-    problem_ = QString::fromUtf8(error.what());
-    Q_EMIT failed(problem_);
-  }
-}
-
 Camera VolumeView::shownCamera() const {
   return cameras_.camera(index_).fittedTo(static_cast<double>(width()) / std::max(1, height()));
 }
@@ -136,14 +132,20 @@ void VolumeView::attempt(const std::function<void()>& work) {
   try {
     work();
   } catch (const std::exception& error) {
-    problem_ = tr("This view cannot be drawn: %1").arg(QString::fromUtf8(error.what()));
+    renderer_.reset();
+    problem_ = tr("The 3-D views cannot be drawn. %1").arg(describeRenderProblem(error));
     Q_EMIT failed(problem_);
+    update();
   }
 }
 
+void VolumeView::attemptOnPicture(const std::function<void()>& work) {
+  if (!renderer_ || shown_.size.x == 0 || !document_.hasVolume()) return;
+  inContext([&](const std::shared_ptr<GpuScene>&) { attempt(work); });
+}
+
 void VolumeView::paintGL() {
-  const bool drawn = renderer_ && problem_.isEmpty() && document_.hasVolume();
-  if (drawn) attempt([this] { renderScene(); });
+  if (problem_.isEmpty() && document_.hasVolume()) attempt([this] { renderScene(); });
   drawOverlay();
   if (isSettled()) Q_EMIT settled();
 }
@@ -170,6 +172,7 @@ void VolumeView::renderScene() {
   const QSize device(static_cast<int>(std::lround(width() * ratio)), static_cast<int>(std::lround(height() * ratio)));
   const View view = viewFor(effort_);
   if (!cold_ && !settled_ && !partial_) shared_.pacer->begin(effort_, now());
+  if (!renderer_) renderer_.emplace(shared_.gpuScene);
   renderer_->render(shownScene(), view);
   renderer_->present(defaultFramebufferObject(), {0, 0, device.width(), device.height()});
   shown_ = view;
@@ -215,10 +218,6 @@ std::optional<QPointF> VolumeView::widgetFromWorld(glm::dvec3 world) const {
   return QPointF(0.5 * (clip.x / clip.w + 1.0) * width(), 0.5 * (1.0 - clip.y / clip.w) * height());
 }
 
-bool VolumeView::canPick() const {
-  return renderer_ && problem_.isEmpty() && shown_.size.x > 0 && document_.hasVolume();
-}
-
 glm::dvec2 VolumeView::pixelAt(QPointF position) const {
   return {position.x() / width() * shown_.size.x, position.y() / height() * shown_.size.y};
 }
@@ -227,23 +226,17 @@ BrushTool::Canvas VolumeView::canvas() {
   return {
       .view = index_,
       .pick = [this](QPointF position, BrushMode mode, std::optional<glm::dvec3> before) -> std::optional<BrushPoint> {
-        if (!canPick()) return std::nullopt;
-        makeCurrent();
         std::optional<BrushPoint> point;
-        attempt([&] { point = renderer_->pickBrush(pixelAt(position), mode, before); });
-        doneCurrent();
+        attemptOnPicture([&] { point = renderer_->pickBrush(pixelAt(position), mode, before); });
         return point;
       },
       .picture = [this]() -> std::vector<std::uint8_t> {
-        if (!canPick()) return {};
-        makeCurrent();
         std::vector<std::uint8_t> picture;
-        attempt([&] {
+        attemptOnPicture([&] {
           shown_ = viewFor(shared_.pacer->atRest());
           renderer_->render(shownScene(), shown_);
           picture = renderer_->readPicture();
         });
-        doneCurrent();
         return picture;
       },
       .redraw = [this] { update(); },
@@ -251,12 +244,10 @@ BrushTool::Canvas VolumeView::canvas() {
 }
 
 std::optional<glm::dvec3> VolumeView::pick(QPointF position) {
-  if (!canPick()) return std::nullopt;
-  makeCurrent();
-  const std::optional<glm::dvec3> hit = renderer_->pick(pixelAt(position));
-  doneCurrent();
+  std::optional<glm::dvec3> hit;
+  attemptOnPicture([&] { hit = renderer_->pick(pixelAt(position)); });
   if (!hit) return std::nullopt;
-  // The hit lies on a surface, half the time on its outer side: half a voxel on lies what is seen.
+  // The hit lies on the surface between two voxels. Half a voxel further along the ray is the voxel that is seen.
   const Camera& camera = shown_.camera;
   const glm::dvec3 ray =
       camera.projection == Projection::Perspective ? glm::normalize(*hit - camera.eye) : camera.axes().forward;
@@ -294,7 +285,7 @@ void VolumeView::mouseMoveEvent(QMouseEvent* event) {
     return;
   }
   if (!dragging_ && std::hypot(total.x(), total.y()) <= clickSlack) return;
-  // The first move carries the slack along, so that the picture does not lag behind the mouse.
+  // The first step includes the slack, so that the picture does not lag behind the mouse.
   const QPointF step = dragging_ ? move : total;
   dragging_ = true;
   if (buttons & Qt::LeftButton) {
@@ -338,7 +329,8 @@ void VolumeView::mouseDoubleClickEvent(QMouseEvent* event) {
 
 void VolumeView::zoom(double factor) {
   const Camera& camera = cameras_.camera(index_);
-  // From a hundredth to ten times the volume's radius: never through the target, never out of sight.
+  // Between a hundredth and ten times the volume's radius, so that the camera neither passes its target nor loses
+  // sight.
   const double radius = document_.scene().volume->grid.boundingRadius();
   const double distance = camera.projection == Projection::Perspective ? glm::distance(camera.eye, camera.target)
                                                                        : camera.orthographicHeight;

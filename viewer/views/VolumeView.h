@@ -41,21 +41,21 @@ class VolumeView : public QOpenGLWidget {
   ~VolumeView() override;
 
   int index() const { return index_; }
-  /// While held, the view stays at what it draws while something moves: the machine has other work first.
+  /// While held, the view keeps its picture of a moving scene and does not refine it: the GPU has other work first.
   void hold(bool on) { held_ = on; }
-  /// What is on screen is the scene at full quality, or why it cannot be is said there.
+  /// The view shows the scene at full quality, or says why it cannot.
   bool isSettled() const;
-  /// Draws anew as the pacer now says.
+  /// Draws again, after the pacer's settings have changed.
   void redraw();
-  /// What is drawn at rest.
+  /// The view that is drawn when nothing moves.
   View restView() const { return viewFor(shared_.pacer->atRest()); }
-  /// Why nothing is drawn; empty when all is well.
+  /// Why the view cannot draw; empty when it can.
   const QString& problem() const { return problem_; }
-  /// The camera as drawn: in a view that is higher than wide, the field of view is widened so that the volume still
-  /// fits.
+  /// The camera of the picture. In a view that is taller than wide its field of view is wider, so that the volume fits.
   Camera shownCamera() const;
   std::optional<QPointF> widgetFromWorld(glm::dvec3 world) const;
-  /// Runs `work` with this view's OpenGL context current. False, and nothing run, before the view was first shown.
+  /// Runs `work` with this view's OpenGL context current. Returns false without running it where there is no context:
+  /// before the view is first shown, or after the driver has lost it.
   bool inContext(const std::function<void(const std::shared_ptr<GpuScene>&)>& work);
 
   QSize sizeHint() const override { return {480, 380}; }
@@ -72,7 +72,6 @@ class VolumeView : public QOpenGLWidget {
   void maximiseRequested();
 
  protected:
-  void initializeGL() override;
   void paintGL() override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
@@ -84,22 +83,24 @@ class VolumeView : public QOpenGLWidget {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  /// Something changed that redraws `views` 3-D views at a time.
+  /// Draws a changing scene; `views` 3-D views draw with each change.
   void disturb(int views);
   void settle();
-  /// At full quality, at once.
+  /// Draws at full quality at once.
   void refresh();
-  /// Does what needs the renderer; when that fails the view says so from now on.
+  /// Runs `work`, which needs the renderer and its context. When it throws, the view shows the problem and draws
+  /// nothing until another volume is opened.
   void attempt(const std::function<void()>& work);
+  /// As attempt(), for events: makes the context current, and does nothing where the view has no picture.
+  void attemptOnPicture(const std::function<void()>& work);
   /// The scene as this view shows it, and how it is to be drawn.
   Scene shownScene() const;
   View viewFor(Effort effort) const;
   void renderScene();
   void drawOverlay();
   void zoom(double factor);
-  /// World position of what the widget shows there; empty on the background.
+  /// World position that the picture shows at a place in the widget; empty on the background.
   std::optional<glm::dvec3> pick(QPointF position);
-  bool canPick() const;
   glm::dvec2 pixelAt(QPointF position) const;
   BrushTool::Canvas canvas();
   double mmPerPixel() const;
@@ -113,15 +114,15 @@ class VolumeView : public QOpenGLWidget {
   BrushTool brushTool_;
   Shared shared_;
 
-  std::optional<Renderer> renderer_;
+  std::optional<Renderer> renderer_;  ///< empty before the first picture, and where there is a problem
   QString problem_;
   View shown_;     ///< of the last picture; size 0 before the first
   Effort effort_;  ///< to draw the next picture with
   bool held_ = false;
   bool settled_ = false;  ///< the last picture is of the present scene, at full quality
-  bool cold_ = true;      ///< the next picture also uploads voxels: its time says nothing
-  bool partial_ = false;  ///< the next picture changes only where strokes are: likewise
-  QTimer rest_;           ///< runs out when nothing has changed for a moment
+  bool cold_ = true;      ///< the next picture also uploads voxels, so its time is not measured
+  bool partial_ = false;  ///< the next picture changes only under strokes, so its time is not measured
+  QTimer rest_;           ///< fires a moment after the last change
 
   QPointF pressed_, last_;
   bool dragging_ = false;

@@ -1,4 +1,4 @@
-#include "rendering/placement/Refinement.h"
+#include "rendering/viewpoints/Refinement.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <numeric>
 #include <set>
 
-#include "rendering/placement/Sphere.h"
+#include "rendering/viewpoints/Sphere.h"
 
 namespace fenestra::placement {
 namespace {

@@ -1,4 +1,4 @@
-#include "viewer/Style.h"
+#include "viewer/style/Style.h"
 
 #include <QApplication>
 #include <QPalette>

@@ -1,4 +1,4 @@
-#include "rendering/placement/Sphere.h"
+#include "rendering/viewpoints/Sphere.h"
 
 #include <array>
 #include <cmath>

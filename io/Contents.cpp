@@ -1,4 +1,4 @@
-#include "io/session/Contents.h"
+#include "io/Contents.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "rendering/placement/Placement.h"
+#include "rendering/viewpoints/Placement.h"
 
 #include <algorithm>
 #include <bit>

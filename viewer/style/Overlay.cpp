@@ -1,4 +1,4 @@
-#include "viewer/views/Overlay.h"
+#include "viewer/style/Overlay.h"
 
 #include <algorithm>
 #include <array>

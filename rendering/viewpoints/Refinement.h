@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "rendering/placement/Placement.h"
+#include "rendering/viewpoints/Placement.h"
 
 namespace fenestra::placement {
 

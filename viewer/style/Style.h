@@ -1,5 +1,5 @@
 #pragma once
-// One calm, dark look: pictures are the brightest thing on screen.
+// The programs' dark style, in which the pictures are the brightest thing on screen.
 
 #include <QIcon>
 
@@ -8,7 +8,7 @@ class QApplication;
 namespace fenestra::viewer {
 
 void applyStyle(QApplication& application);
-/// One of resources/icons, by its file's name without the ending.
+/// An icon of resources/icons, by the name of its file without the ending.
 QIcon icon(const char* name);
 
 }  // namespace fenestra::viewer

@@ -1,0 +1,124 @@
+#pragma once
+// The members of a session in JSON: what readSession takes, writeSession writes and sessionSchema publishes. Private to
+// io/session.
+
+#include "io/session/SceneJson.h"
+#include "io/session/Session.h"
+
+namespace fenestra {
+
+using io::json::Is;
+
+inline auto wordsOf(ScalarType) {
+  std::vector<Word<ScalarType>> words;
+  for (const ScalarType type : {ScalarType::UInt8, ScalarType::Int8, ScalarType::UInt16, ScalarType::Int16,
+                                ScalarType::UInt32, ScalarType::Int32, ScalarType::Float32, ScalarType::Float64})
+    words.push_back({type, nameOf(type)});
+  return words;
+}
+
+namespace placement {
+
+void members(auto& io, Is<Weights> auto& weights) {
+  io("visibility", weights.visibility);
+  io("coverage", weights.coverage);
+  io("location", weights.location);
+  io("entropy", weights.entropy);
+  io("mutual_information", weights.mutualInformation);
+  io("stability", weights.stability);
+  io("orientation", weights.orientation);
+}
+
+}  // namespace placement
+
+namespace io {
+
+inline constexpr const char* sessionFormat = "fenestra-session";
+inline constexpr double largestPicture = 16384.0;  ///< pixels a side, what OpenGL 4.5 drivers commonly offer
+
+void members(auto& io, Is<RawDescription> auto& raw) {
+  io.required("dims", raw.dims, {1.0, 1e6});
+  io.required("type", raw.type);
+  io("big_endian", raw.bigEndian);
+  io("skip", raw.skip, {}, {"Bytes before the first voxel"});
+  io("spacing", raw.spacing, positiveMillimetres, {"Between voxel centres", "mm"});
+}
+
+void members(auto& io, Is<SessionData> auto& data) {
+  const bool known = !data.contents.hash.empty();
+  io.required("path", data.path);
+  io.optional(
+      "contents", data.contents.hash, known, {},
+      {"sha256:HEX. Of one file, its SHA-256; of several, that of their sorted hashes in hexadecimal, a line each"});
+  io.optional("bytes", data.contents.bytes, known, {}, {"Size of all files together"});
+  io.optional("files", data.contents.files, known, {}, {"Number of files"});
+}
+
+void members(auto& io, Is<SessionVolume> auto& volume) {
+  members(io, static_cast<std::conditional_t<std::is_const_v<std::remove_reference_t<decltype(volume)>>,
+                                             const SessionData, SessionData>&>(volume));
+  io.optional("series", volume.series, !volume.series.empty(), {},
+              {"sha256:HEX of the series' id as fenestra-cli info gives it; the id itself leads to the patient"});
+  io.optional("raw", volume.raw, volume.raw.has_value(), {}, {"How the bytes of a file without a header are read"});
+}
+
+void members(auto& io, Is<SessionPhantom> auto& phantom) {
+  io.required("name", phantom.name);
+  io("voxels", phantom.voxels, {1.0, 1024.0}, {"Along its longest side"});
+}
+
+void members(auto& io, Is<SessionView> auto& view) {
+  io.required("camera", view.camera);
+  io("size", view.size, {1.0, largestPicture}, {"Of the picture", "pixels"});
+  io("pixel_scale", view.pixelScale, {0.01, 100.0}, {"Pixels per device-independent pixel"});
+  io("fits_width", view.fitsWidth, {},
+     {"Whether the field of view is widened in a picture higher than wide, so that it shows what a square one does"});
+}
+
+void members(auto& io, Is<SessionPlacement> auto& placement) {
+  io("samples", placement.samples, {12.0, 12288.0}, {"Directions to try"});
+  io("refined", placement.refined, {}, {"Whether the best directions are refined"});
+  io("weights", placement.weights);
+  io("in_stream", placement.inStream, {},
+     {"Whether C2 lies in the band around C1's great circle instead of the half sphere"});
+  io("stream_half_width", placement.streamHalfWidth, {0.0, 90.0}, {"Of that band", "degrees"});
+  io("share_weight", placement.shareWeight, fraction,
+     {"Joint search: 1 weighs the share of the surface alone, 0 the "
+      "mean quality alone"});
+  io("joint", placement.joint, {}, {"Whether both cameras are searched together"});
+  io("follow", placement.follow, {}, {"Whether C2 goes to the best of its region when C1 is turned"});
+  io("automatic", placement.automatic, {}, {"Whether cameras are placed when a focus is chosen"});
+}
+
+void members(auto& io, Is<SessionOverlays> auto& overlays) {
+  io("crosshair", overlays.crosshair);
+  io("text", overlays.text);
+  io("labels", overlays.labels);
+}
+
+void members(auto& io, Is<Session> auto& session) {
+  io.optional("volume", session.volume, !session.volume.path.empty());
+  io.optional("phantom", session.phantom, session.phantom.has_value(), {}, {"A built-in phantom in place of a volume"});
+  io.optional("labels", session.labels, !session.labels.path.empty(), {}, {"The label map"});
+  members(io, session.look);
+  io("quality", session.quality);
+  io.optional("max_error", session.maxError, session.maxError.has_value(), maxErrors,
+              {"Greatest error of a pixel's colour; takes the place of quality", "1/255"});
+  io.required("views", session.views, {}, {"C1 and C2: the camera, and the picture that was seen there"});
+  io("home", session.home, {}, {"Where resetting the views takes C1 and C2"});
+  io("linked", session.linked, {}, {"Whether turning one camera turns the other"});
+  io.optional("window", session.window, session.window.has_value(), {},
+              {"Display window of the slices; without it, the data's own"});
+  io.optional("crosshair", session.crosshair, session.crosshair.has_value(), millimetres);
+  io("overlays", session.overlays, {}, {"What is drawn over the pictures"});
+  io.optional("maximised", session.maximised, !session.maximised.empty(), {},
+              {"The view that has the whole area: C1, C2, axial, sagittal or coronal"});
+  io.optional("layout", session.layout, !session.layout.empty(), {},
+              {"The window's own, in Base64; means nothing to others"});
+  io("placement", session.placement, {}, {"How cameras are placed for the focus; see fenestra-cli place --help"});
+  io.optional("autosave_of", session.autosaveOf, !session.autosaveOf.empty(), {},
+              {"In a copy saved in case of a crash: the session that it is ahead of"});
+}
+
+}  // namespace io
+}  // namespace fenestra

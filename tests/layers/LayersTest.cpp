@@ -1,0 +1,122 @@
+// Every include and every link line follows the arrows in CONTRIBUTING.md, and none closes a cycle.
+
+#include <algorithm>
+#include <iostream>
+
+#include <gtest/gtest.h>
+
+#include "tests/layers/Layers.h"
+
+namespace fenestra::tests {
+namespace {
+
+const std::vector<std::string_view> codeEndings{".h", ".cpp"};
+
+std::string joined(const std::vector<std::string>& lines, const char* separator = "\n") {
+  std::string text;
+  for (const std::string& line : lines) text += (text.empty() ? "" : separator) + line;
+  return text;
+}
+
+/// The arrows of a rule, as edges.
+std::vector<Edge> edgesOf(const LayerRule& rule) {
+  std::vector<Edge> edges;
+  for (const auto& [from, used] : rule)
+    for (const std::string& to : used) edges.push_back({from, to, "the rule"});
+  return edges;
+}
+
+void print(const char* title, const std::vector<Edge>& edges, const std::vector<std::string>& breaches) {
+  std::cout << title << ": " << edges.size() << " edges, " << breaches.size() << " breaches\n";
+  for (const Edge& edge : edges) std::cout << "  " << edge.from << " → " << edge.to << "  (" << edge.where << ")\n";
+}
+
+TEST(Layers, IncludesFollowTheRule) {
+  const LayerRule rule = layerRule(readSource("CONTRIBUTING.md"));
+  const std::vector<Edge> edges = includeEdges(productSources(codeEndings));
+  const std::vector<std::string> found = breaches(rule, edges);
+  print("includes", edges, found);
+  EXPECT_GT(edges.size(), 40u) << "the sources were not found";
+  EXPECT_TRUE(found.empty()) << joined(found);
+  EXPECT_EQ(joined(cycleIn(edges), " → "), "");
+}
+
+TEST(Layers, LinkLinesFollowTheRule) {
+  const LayerRule rule = layerRule(readSource("CONTRIBUTING.md"));
+  const auto targets = cmakeTargets(productSources({"CMakeLists.txt"}));
+  const std::vector<Edge> edges = linkEdges(targets, rule);
+  const std::vector<std::string> found = breaches(rule, edges);
+  print("link lines", edges, found);
+  EXPECT_GT(edges.size(), 30u) << "the targets were not found";
+  EXPECT_TRUE(found.empty()) << joined(found);
+}
+
+TEST(Layers, WhatIsIncludedIsLinked) {
+  const auto targets = cmakeTargets(productSources({"CMakeLists.txt"}));
+  const std::vector<std::string> found = unlinked(targets, includeEdges(productSources(codeEndings)));
+  EXPECT_TRUE(found.empty()) << joined(found);
+}
+
+TEST(Layers, TheRuleHasNoCycleAndNoUnusedArrow) {
+  const LayerRule rule = layerRule(readSource("CONTRIBUTING.md"));
+  EXPECT_EQ(joined(cycleIn(edgesOf(rule)), " → "), "");
+  std::vector<Edge> edges = includeEdges(productSources(codeEndings));
+  const std::vector<Edge> links = linkEdges(cmakeTargets(productSources({"CMakeLists.txt"})), rule);
+  edges.insert(edges.end(), links.begin(), links.end());
+  for (const Edge& arrow : edgesOf(rule)) {
+    const bool used = std::any_of(edges.begin(), edges.end(),
+                                  [&](const Edge& edge) { return edge.from == arrow.from && edge.to == arrow.to; });
+    EXPECT_TRUE(used) << arrow.from << " → " << arrow.to;
+  }
+}
+
+// What follows feeds made-up projects to the checks: a check that reports nothing would prove nothing.
+
+constexpr const char* madeUpRule =
+    "# A project\n```layers\nscene →\ngl → OpenGL, scene\nwindow → gl, Qt\n```\ntext →\n";
+
+TEST(LayersCheck, ReadsTheRule) {
+  const LayerRule rule = layerRule(madeUpRule);
+  ASSERT_EQ(rule.size(), 3u);
+  EXPECT_TRUE(rule.at("scene").empty());
+  EXPECT_EQ(rule.at("gl"), (std::set<std::string>{"OpenGL", "scene"}));
+  EXPECT_THROW(layerRule("no block"), std::runtime_error);
+  EXPECT_THROW(layerRule("```layers\nscene uses nothing\n```\n"), std::runtime_error);
+  EXPECT_THROW(layerRule("```layers\nscene →\nscene → gl\n```\n"), std::runtime_error);
+}
+
+TEST(LayersCheck, ReportsABreachWithItsPlace) {
+  const std::vector<SourceFile> sources{
+      {"scene/Volume.h", "#pragma once\n#include <vector>\n"},
+      {"gl/Texture.cpp", "#include <epoxy/gl.h>\n#include \"scene/Volume.h\"\n"},
+      {"scene/Volume.cpp", "#include \"scene/Volume.h\"\n\n#include \"gl/Texture.h\"\n"},
+      {"scene/Name.h", "#include <QString>\n"},
+      {"extra/New.h", "#include \"scene/Volume.h\"\n"}};
+  const std::vector<Edge> edges = includeEdges(sources);
+  EXPECT_EQ(breaches(layerRule(madeUpRule), edges),
+            (std::vector<std::string>{"extra has no line in the rule (extra/New.h:1)",
+                                      "scene must not use Qt (scene/Name.h:1)",
+                                      "scene must not use gl (scene/Volume.cpp:3)"}));
+  EXPECT_EQ(joined(cycleIn(edges), " → "), "scene → gl → scene");
+}
+
+TEST(LayersCheck, ReportsLinkLinesThatBreakTheRuleOrAreMissing) {
+  const LayerRule rule = layerRule(madeUpRule);
+  const auto targets = cmakeTargets({
+      {"scene/CMakeLists.txt", "fenestra_library(scene SOURCES Volume.cpp PUBLIC fenestra::window)\n"},
+      {"gl/CMakeLists.txt", "# fenestra::window\nfenestra_library(gl SOURCES Texture.cpp PUBLIC fenestra::scene)\n"},
+      {"window/CMakeLists.txt", "add_executable(window main.cpp)\ntarget_link_libraries(window PRIVATE Qt6::Core)\n"},
+  });
+  EXPECT_EQ(breaches(rule, linkEdges(targets, rule)),
+            (std::vector<std::string>{"scene must not use window (scene links window)"}));
+  EXPECT_EQ(unlinked(targets, {{"gl", "scene", "a"}, {"window", "gl", "window/main.cpp:1"}}),
+            (std::vector<std::string>{"window does not link gl (window/main.cpp:1)"}));
+}
+
+TEST(LayersCheck, FindsNoCycleWhereThereIsNone) {
+  EXPECT_TRUE(cycleIn({{"a", "b", ""}, {"a", "c", ""}, {"b", "c", ""}}).empty());
+  EXPECT_EQ(joined(cycleIn({{"a", "b", ""}, {"b", "c", ""}, {"c", "b", ""}}), " "), "b c b");
+}
+
+}  // namespace
+}  // namespace fenestra::tests

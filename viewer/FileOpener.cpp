@@ -1,0 +1,107 @@
+#include "viewer/FileOpener.h"
+
+#include <optional>
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenu>
+#include <QMimeData>
+#include <QTimer>
+#include <QUrl>
+
+#include "io/SessionName.h"
+#include "viewer/Dialogs.h"
+#include "viewer/NoticeBar.h"
+#include "viewer/Sessions.h"
+#include "viewer/jobs/ReadStudy.h"
+#include "viewer/jobs/StudyLoader.h"
+#include "viewer/model/Document.h"
+#include "viewer/model/Paths.h"
+
+namespace fenestra::viewer {
+namespace {
+
+/// Reads what `paths` names, to be shown with `look`.
+StudyLoader::Reader readerOf(const PathsToOpen& paths, const Look& look) {
+  return [paths, look](const io::Progress& progress) { return readStudy(paths, look, progress); };
+}
+
+/// The single-file formats in a file dialog's filter.
+QString volumePatterns() {
+  QStringList patterns;
+  for (const std::string_view ending : io::volumeEndings)
+    patterns << QStringLiteral("*") + QLatin1String(ending.data(), static_cast<qsizetype>(ending.size()));
+  return patterns.join(QLatin1Char(' '));
+}
+
+}  // namespace
+
+FileOpener::FileOpener(QWidget& window, Document& document, StudyLoader& loader, Sessions& sessions, NoticeBar& notices)
+    : QObject(&window), window_(window), document_(document), loader_(loader), sessions_(sessions), notices_(notices) {}
+
+void FileOpener::open(const std::vector<std::filesystem::path>& paths) {
+  if (!sessions_.mayGo()) return;
+  if (paths.size() == 1 && io::isSession(paths.front())) {
+    sessions_.open(paths.front());
+    return;
+  }
+  try {
+    loader_.open(readerOf(interpret(paths), document_.scene().look));
+  } catch (const io::Error& error) {
+    notices_.add(NoticeBar::Kind::Error, QString::fromUtf8(error.what()));
+  }
+}
+
+void FileOpener::openSeries(const std::string& series) {
+  if (!sessions_.mayGo()) return;
+  PathsToOpen chosen;
+  chosen.volume = document_.study().path;
+  chosen.series = series;
+  loader_.open(readerOf(chosen, document_.scene().look));
+}
+
+void FileOpener::drop(const std::vector<std::filesystem::path>& paths, QPoint at) {
+  if (!document_.hasVolume() || paths.size() > 1 || io::isSession(paths.front()) ||
+      QFileInfo(toQString(paths.front())).isDir()) {
+    open(paths);
+    return;
+  }
+  // Asked from the event loop: the program that the file was dragged from waits until the drop has ended.
+  QTimer::singleShot(0, this, [this, path = paths.front(), at] {
+    QMenu menu;
+    connect(menu.addAction(tr("Open as volume")), &QAction::triggered, this, [this, path] { open({path}); });
+    connect(menu.addAction(tr("Open as labels of this volume")), &QAction::triggered, this,
+            [this, path] { loader_.openLabels(path); });
+    menu.exec(at);
+  });
+}
+
+void FileOpener::chooseFile() {
+  const QString file = QFileDialog::getOpenFileName(&window_, tr("Open a volume"), {},
+                                                    tr("Volumes (*.dcm %1);;All files (*)").arg(volumePatterns()));
+  if (!file.isEmpty()) open({toPath(file)});
+}
+
+void FileOpener::chooseFolder() {
+  const QString folder = QFileDialog::getExistingDirectory(&window_, tr("Open a DICOM folder"));
+  if (!folder.isEmpty()) open({toPath(folder)});
+}
+
+void FileOpener::chooseLabels() {
+  const QString file = QFileDialog::getOpenFileName(&window_, tr("Open a label map"), {},
+                                                    tr("Label maps (%1);;All files (*)").arg(volumePatterns()));
+  if (!file.isEmpty()) loader_.openLabels(toPath(file));
+}
+
+void FileOpener::chooseSeries() {
+  if (const std::optional<std::string> series = askForSeries(document_.study(), &window_)) openSeries(*series);
+}
+
+std::vector<std::filesystem::path> localPaths(const QMimeData& data) {
+  std::vector<std::filesystem::path> paths;
+  for (const QUrl& url : data.urls())
+    if (url.isLocalFile()) paths.push_back(toPath(url.toLocalFile()));
+  return paths;
+}
+
+}  // namespace fenestra::viewer

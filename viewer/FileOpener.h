@@ -1,0 +1,51 @@
+#pragma once
+// Opening data as a user does it: from dialogs, dropped onto the window, or named together on the command line.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <QObject>
+#include <QPoint>
+
+class QMimeData;
+class QWidget;
+
+namespace fenestra::viewer {
+
+class Document;
+class NoticeBar;
+class Sessions;
+class StudyLoader;
+
+class FileOpener : public QObject {
+  Q_OBJECT
+ public:
+  /// `window` is the dialogs' parent and owns this; all others outlive it.
+  FileOpener(QWidget& window, Document& document, StudyLoader& loader, Sessions& sessions, NoticeBar& notices);
+
+  /// A session, a volume, a volume and its label map, or slices of one folder. Asks before unsaved work is dropped.
+  void open(const std::vector<std::filesystem::path>& paths);
+  /// As open(). A single file beside an open volume may be a volume or its label map: a menu at `at`, in screen
+  /// coordinates, asks which.
+  void drop(const std::vector<std::filesystem::path>& paths, QPoint at);
+
+  void chooseFile();
+  void chooseFolder();
+  void chooseLabels();
+  void chooseSeries();
+
+ private:
+  void openSeries(const std::string& series);
+
+  QWidget& window_;
+  Document& document_;
+  StudyLoader& loader_;
+  Sessions& sessions_;
+  NoticeBar& notices_;
+};
+
+/// The files that a drag brings.
+std::vector<std::filesystem::path> localPaths(const QMimeData& data);
+
+}  // namespace fenestra::viewer

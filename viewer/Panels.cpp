@@ -1,0 +1,62 @@
+#include "viewer/Panels.h"
+
+#include <initializer_list>
+
+#include <QCoreApplication>
+#include <QDockWidget>
+#include <QMainWindow>
+
+#include "viewer/model/Workspace.h"
+#include "viewer/panels/AppearancePanel.h"
+#include "viewer/panels/BrushPanel.h"
+#include "viewer/panels/CamerasPanel.h"
+#include "viewer/panels/ContextLayerPanel.h"
+#include "viewer/panels/CutawayPanel.h"
+#include "viewer/panels/FocusPanel.h"
+
+namespace fenestra::viewer {
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("Panels", text); }
+
+}  // namespace
+
+Panels makePanels(QMainWindow& window, Workspace& workspace) {
+  Document& document = workspace.document;
+  const Panels panels{.focus = new FocusPanel(document),
+                      .appearance = new AppearancePanel(document),
+                      .cutaway = new CutawayPanel(document),
+                      .contextLayer = new ContextLayerPanel(document),
+                      .cameras = new CamerasPanel(document, workspace.cameras, workspace.placement),
+                      .brush = new BrushPanel(document, workspace.brush)};
+  const auto add = [&window](const QString& title, const char* name, QWidget* panel) {
+    auto* dock = new QDockWidget(title);
+    dock->setObjectName(QLatin1String(name));
+    dock->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable);
+    dock->setWidget(panel);
+    window.addDockWidget(Qt::RightDockWidgetArea, dock);
+    return dock;
+  };
+  window.setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
+  QDockWidget* focus = add(tr("Focus"), "focusDock", panels.focus);
+  window.tabifyDockWidget(focus, add(tr("Cameras"), "camerasDock", panels.cameras));
+  QDockWidget* brush = add(tr("Brush"), "brushDock", panels.brush);
+  window.tabifyDockWidget(focus, brush);
+  focus->raise();
+  QObject::connect(&workspace.brush, &Brush::activeChanged, brush, [brush](bool active) {
+    if (!active) return;
+    brush->show();
+    brush->raise();
+  });
+  add(tr("Context"), "contextDock", panels.appearance);
+  QDockWidget* cutaway = add(tr("Cutaway"), "cutawayDock", panels.cutaway);
+  window.tabifyDockWidget(cutaway, add(tr("Context edges"), "contextLayerDock", panels.contextLayer));
+  cutaway->raise();
+  // The list of structures takes the remaining height.
+  for (QWidget* panel : std::initializer_list<QWidget*>{panels.appearance, panels.cutaway, panels.contextLayer})
+    panel->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+  window.resizeDocks({focus}, {310}, Qt::Horizontal);
+  return panels;
+}
+
+}  // namespace fenestra::viewer

@@ -1,0 +1,29 @@
+#pragma once
+// The panels, in docks to the right of the views.
+
+class QMainWindow;
+
+namespace fenestra::viewer {
+
+class AppearancePanel;
+class BrushPanel;
+class CamerasPanel;
+class ContextLayerPanel;
+class CutawayPanel;
+class FocusPanel;
+struct Workspace;
+
+/// The window owns them.
+struct Panels {
+  FocusPanel* focus;
+  AppearancePanel* appearance;
+  CutawayPanel* cutaway;
+  ContextLayerPanel* contextLayer;
+  CamerasPanel* cameras;
+  BrushPanel* brush;
+};
+
+/// Makes the panels and docks them in the window.
+Panels makePanels(QMainWindow& window, Workspace& workspace);
+
+}  // namespace fenestra::viewer

@@ -1,0 +1,75 @@
+#include "viewer/StatusBar.h"
+
+#include <cmath>
+
+#include <QLabel>
+
+#include "viewer/model/Document.h"
+#include "viewer/model/LabelName.h"
+#include "viewer/views/GlSupport.h"
+#include "viewer/views/ViewArea.h"
+
+namespace fenestra::viewer {
+namespace {
+
+/// "L 12.3  P 45.0  S 101.2 mm": the patient's own directions instead of signs.
+QString patientCoordinates(glm::dvec3 world) {
+  const auto one = [](double value, char positive, char negative) {
+    return QStringLiteral("%1 %2").arg(QLatin1Char(value < 0.0 ? negative : positive)).arg(std::abs(value), 0, 'f', 1);
+  };
+  return QStringLiteral("%1   %2   %3 mm").arg(one(world.x, 'L', 'R'), one(world.y, 'P', 'A'), one(world.z, 'S', 'I'));
+}
+
+}  // namespace
+
+StatusBar::StatusBar(const Document& document, const ViewArea& views, const GlSupport& gl, QWidget* parent)
+    : QStatusBar(parent), document_(document), views_(views), pointer_(new QLabel), frame_(new QLabel) {
+  pointer_->setTextFormat(Qt::PlainText);
+  addWidget(pointer_, 1);
+  if (gl.software) {
+    auto* software = new QLabel(tr("Software OpenGL: smaller pictures while moving"));
+    software->setToolTip(gl.renderer);
+    addPermanentWidget(software);
+  } else if (!gl.available) {
+    addPermanentWidget(new QLabel(tr("No OpenGL: slices only")));
+  }
+  frame_->setToolTip(tr("Time until the last picture was on screen, and its sampling"));
+  addPermanentWidget(frame_);
+  addPermanentWidget(new QLabel(tr("Radiological convention")));
+
+  connect(&views, &ViewArea::pointed, this, &StatusBar::pointAt);
+  connect(&views, &ViewArea::left, pointer_, &QLabel::clear);
+  connect(&views, &ViewArea::drawn, this, &StatusBar::showFrame);
+}
+
+void StatusBar::pointAt(glm::dvec3 world) {
+  const std::optional<glm::ivec3> voxel = document_.voxelAt(world);
+  if (!voxel) {
+    pointer_->clear();
+    return;
+  }
+  const Volume& volume = *document_.scene().volume;
+  const int decimals = volume.range.high - volume.range.low < 20.0 ? 3 : 0;
+  QStringList parts{QStringLiteral("%1 %2")
+                        .arg(volume.value(*voxel), 0, 'f', decimals)
+                        .arg(QString::fromStdString(volume.unit))
+                        .trimmed(),
+                    patientCoordinates(world)};
+  if (const Label* label = document_.labelAt(world)) parts << nameOf(*label);
+  pointer_->setText(parts.join(QStringLiteral("     ")));
+}
+
+void StatusBar::showFrame() {
+  const std::optional<FramePacer::Measured>& last = views_.pacer().last();
+  if (!last) return;
+  const double milliseconds = last->milliseconds;
+  QString text = milliseconds < 1000.0 ? tr("%1 ms").arg(milliseconds, 0, 'f', milliseconds < 10.0 ? 1 : 0)
+                                       : tr("%1 s").arg(milliseconds / 1000.0, 0, 'f', 1);
+  if (last->effort.scale < 1.0)
+    text += tr(", %1 % size").arg(100.0 * last->effort.scale, 0, 'f', 0);
+  else
+    text += QStringLiteral(", ") + nameOf(last->effort);
+  frame_->setText(text);
+}
+
+}  // namespace fenestra::viewer

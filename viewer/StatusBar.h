@@ -1,0 +1,32 @@
+#pragma once
+// The line below the pictures: what is under the mouse, how the last picture was drawn, and what this machine can draw.
+
+#include <glm/glm.hpp>
+
+#include <QStatusBar>
+
+class QLabel;
+
+namespace fenestra::viewer {
+
+class Document;
+struct GlSupport;
+class ViewArea;
+
+class StatusBar : public QStatusBar {
+  Q_OBJECT
+ public:
+  StatusBar(const Document& document, const ViewArea& views, const GlSupport& gl, QWidget* parent = nullptr);
+
+ private:
+  /// Value, coordinates and label of a world position.
+  void pointAt(glm::dvec3 world);
+  /// Time and sampling of the last picture.
+  void showFrame();
+
+  const Document& document_;
+  const ViewArea& views_;
+  QLabel *pointer_, *frame_;
+};
+
+}  // namespace fenestra::viewer

@@ -1,0 +1,37 @@
+#pragma once
+// Standard views and resets. Each that moves the cameras is a step that can be undone.
+
+#include <functional>
+
+#include <QObject>
+
+#include "rendering/scene/Camera.h"
+
+class QString;
+
+namespace fenestra::viewer {
+
+class ViewArea;
+struct Workspace;
+
+class ViewCommands : public QObject {
+  Q_OBJECT
+ public:
+  /// Both outlive this.
+  ViewCommands(Workspace& workspace, ViewArea& views, QObject* parent = nullptr);
+
+  /// Turns the 3-D view that was used last to look from a side of the patient.
+  void face(StandardView side);
+  /// The slice with the keyboard focus, or else both cameras.
+  void resetActiveView();
+  void resetAllViews();
+
+ private:
+  void moveCameras(const QString& step, const std::function<void()>& move);
+
+  Workspace& workspace_;
+  ViewArea& views_;
+  int lastCamera_ = 0;  ///< of the 3-D view used last
+};
+
+}  // namespace fenestra::viewer

@@ -1,0 +1,49 @@
+#pragma once
+// Reads studies and label maps in the background and shows them in the document.
+
+#include <filesystem>
+#include <functional>
+#include <vector>
+
+#include <QObject>
+
+#include "io/session/OpenSession.h"
+#include "viewer/jobs/LoadJob.h"
+#include "viewer/model/Document.h"
+
+namespace fenestra::viewer {
+
+class StudyLoader : public QObject {
+  Q_OBJECT
+ public:
+  /// Reads a study on another thread.
+  using Reader = std::function<Study(const io::Progress&)>;
+  /// Called on the GUI thread when the reader does not find a session's data.
+  using Missing = std::function<void(const io::DataMissing&)>;
+
+  /// Completes a study that was read, on the reading thread.
+  using Prepare = std::function<void(Study&)>;
+
+  explicit StudyLoader(Document& document, Prepare prepare = {}, QObject* parent = nullptr);
+
+  /// The document keeps its study until the new one is read. Without `missing`, missing data is a failure.
+  void open(Reader read, Missing missing = {});
+  /// A label map for the document's volume.
+  void openLabels(const std::filesystem::path& path);
+
+  /// The job that reads: its progress, its failure, and cancelling it.
+  LoadJob& job() { return job_; }
+
+ Q_SIGNALS:
+  /// The document holds the study that was read.
+  void opened();
+  /// The document holds the label map that was read.
+  void labelsOpened(const std::vector<io::Warning>& warnings);
+
+ private:
+  Document& document_;
+  Prepare prepare_;
+  LoadJob job_;
+};
+
+}  // namespace fenestra::viewer

@@ -1,0 +1,26 @@
+#pragma once
+// The models of one window: the open study, and how it is viewed and edited.
+
+#include "viewer/model/Brush.h"
+#include "viewer/model/Document.h"
+#include "viewer/model/PlacementController.h"
+#include "viewer/model/Preferences.h"
+#include "viewer/model/SliceCursor.h"
+#include "viewer/model/ViewLink.h"
+#include "viewer/model/ViewOptions.h"
+
+namespace fenestra::viewer {
+
+struct Workspace {
+  explicit Workspace(Preferences::Mode mode = Preferences::Mode::Stored) : preferences(mode) {}
+
+  Document document;
+  SliceCursor cursor;
+  ViewLink cameras;
+  PlacementController placement{document, cameras};
+  ViewOptions options;
+  Brush brush;
+  Preferences preferences;
+};
+
+}  // namespace fenestra::viewer

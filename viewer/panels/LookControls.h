@@ -1,0 +1,97 @@
+#pragma once
+// Controls for the settings of one part of a document's look, made from their declarations in
+// rendering/scene/Settings.h: range, step, unit and tool tip. A change is a step of the history, as is a whole drag.
+
+#include <functional>
+#include <utility>
+#include <vector>
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFormLayout>
+
+#include "rendering/scene/Settings.h"
+#include "viewer/model/Document.h"
+#include "viewer/panels/ColourButton.h"
+#include "viewer/panels/SliderSpin.h"
+
+namespace fenestra::viewer {
+
+template <class Part>
+class LookControls {
+ public:
+  /// `step` names the steps of the history, with %1 for the setting's name.
+  LookControls(Document& document, Part Look::*part, QString step = QStringLiteral("%1"))
+      : document_(document), part_(part), step_(std::move(step)) {}
+  LookControls(const LookControls&) = delete;  // its controls refer to it
+  LookControls& operator=(const LookControls&) = delete;
+
+  SliderSpin* slider(double Part::*member) {
+    const auto& setting = settingOf(member);
+    auto* slider = new SliderSpin(setting);
+    makeDragsSteps(*slider, document_.history());
+    return bind(setting, slider, &SliderSpin::edited, [=](double value) { slider->setValue(value); });
+  }
+  QCheckBox* box(bool Part::*member) {
+    const auto& setting = settingOf(member);
+    auto* box = new QCheckBox(QString::fromUtf8(setting.name));
+    return bind(setting, box, &QCheckBox::clicked, [=](bool on) { box->setChecked(on); });
+  }
+  ColourButton* colour(glm::dvec3 Part::*member) {
+    const auto& setting = settingOf(member);
+    auto* button = new ColourButton(QString::fromUtf8(setting.description));
+    return bind(setting, button, &ColourButton::edited, [=](glm::dvec3 colour) { button->setColour(colour); });
+  }
+  template <class E>
+  QComboBox* choice(E Part::*member) {
+    const auto& setting = settingOf(member);
+    auto* choice = new QComboBox;
+    for (const Word<E>& word : wordsOf(E{}))
+      choice->addItem(QString::fromUtf8(word.name), static_cast<int>(word.value));
+    const auto show = [=](E value) { choice->setCurrentIndex(choice->findData(static_cast<int>(value))); };
+    QObject::connect(choice, &QComboBox::activated, &document_, [this, choice, &setting](int row) {
+      set(setting, static_cast<E>(choice->itemData(row).toInt()));
+    });
+    return added(setting, choice, show);
+  }
+  /// A row of the setting's name and its slider.
+  SliderSpin* addRow(QFormLayout& form, double Part::*member) {
+    SliderSpin* control = slider(member);
+    form.addRow(QString::fromUtf8(settingOf(member).name), control);
+    return control;
+  }
+
+  /// Shows what the document's look says.
+  void show() const {
+    for (const auto& control : controls_) control(document_.look().*part_);
+  }
+
+ private:
+  template <class Value>
+  void set(const Setting<Part, Value>& setting, const Value& value) {
+    Look look = document_.look();
+    (look.*part_).*setting.member = value;
+    document_.edit(step_.arg(QString::fromUtf8(setting.name)), std::move(look));
+  }
+
+  template <class Value, class Control, class Signal, class Show>
+  Control* bind(const Setting<Part, Value>& setting, Control* control, Signal edited, Show show) {
+    QObject::connect(control, edited, &document_, [this, &setting](const Value& value) { set(setting, value); });
+    return added(setting, control, show);
+  }
+
+  template <class Value, class Control, class Show>
+  Control* added(const Setting<Part, Value>& setting, Control* control, Show show) {
+    control->setObjectName(QString::fromUtf8(setting.key));
+    control->setToolTip(QString::fromUtf8(setting.description));
+    controls_.push_back([show, member = setting.member](const Part& part) { show(part.*member); });
+    return control;
+  }
+
+  Document& document_;
+  Part Look::*part_;
+  QString step_;
+  std::vector<std::function<void(const Part&)>> controls_;
+};
+
+}  // namespace fenestra::viewer

@@ -1,0 +1,52 @@
+#pragma once
+// How candidates for the cameras are measured and judged.
+
+#include <array>
+#include <functional>
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QWidget>
+
+class QFormLayout;
+
+namespace fenestra::viewer {
+
+class PlacementController;
+struct PlacementSettings;
+class SliderSpin;
+
+class PlacementForm : public QWidget {
+  Q_OBJECT
+ public:
+  static constexpr std::size_t weightCount = 7;
+
+  explicit PlacementForm(PlacementController& placement, QWidget* parent = nullptr);
+
+  QComboBox* sampling() const { return sampling_; }
+  QComboBox* region() const { return region_; }
+  QCheckBox* joint() const { return joint_; }
+  QCheckBox* follow() const { return follow_; }
+  /// Depth, size, centring; then the further ones.
+  SliderSpin* weight(std::size_t which) const { return weights_.at(which); }
+
+ Q_SIGNALS:
+  /// The user changed a setting; `change` applies the same change to other settings.
+  void edited(const std::function<void(PlacementSettings&)>& change);
+
+ private:
+  void makeChoices();
+  void makeRows();
+  void addWeights(QFormLayout& form);
+  void connectChoices();
+  void edit(const std::function<void(PlacementSettings&)>& change);
+  void show();
+
+  PlacementController& placement_;
+  QCheckBox *automatic_, *follow_, *joint_;
+  QComboBox *sampling_, *region_;
+  SliderSpin *streamHalfWidth_, *shareWeight_;
+  std::array<SliderSpin*, weightCount> weights_{};
+};
+
+}  // namespace fenestra::viewer
