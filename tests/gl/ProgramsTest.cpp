@@ -1,0 +1,234 @@
+// Every program that the renderer and camera placement link, in every variant, under both schedules: that it is GLSL
+// that others accept, that it fits what every OpenGL 4.5 driver must offer, and that a schedule does not change the
+// picture.
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+
+#include <unistd.h>
+
+#include "rendering/gpu/UniformBlocks.h"
+#include "rendering/placement/Placer.h"
+#include "tests/gl/GlTest.h"
+#include "tests/gl/SceneKinds.h"
+
+namespace fenestra::tests {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Linked {
+  std::string path;
+  gl::ProgramResources resources;
+  std::map<std::string, std::vector<std::pair<std::string, int>>> blocks;
+};
+
+/// By source, so that each counts once.
+using Programs = std::map<std::string, Linked>;
+
+const std::vector<std::string> blockNames{RayBlock::name,          VolumeBlock::name,     TransferBlock::name,
+                                          FocusBlock::name,        LightBlock::name,      IntegralBlock::name,
+                                          CutFaceBlock::name,      DerivativeBlock::name, CutawayBlock::name,
+                                          ContextLayerBlock::name, CandidateBlock::name};
+
+constexpr std::array schedules{Schedule::Plain, Schedule::Llvmpipe};
+
+void place(Scene scene, Schedule schedule) {
+  GpuScene gpu;
+  gpu.setSchedule(schedule);
+  placement::Placer placer;
+  placer.measure(gpu, scene, {.count = 12}, {});
+}
+
+/// What the scenes link under both schedules, and the pictures that come of it.
+struct Drawn {
+  Programs programs;
+  std::vector<SceneKind> kinds;
+  std::array<std::vector<std::vector<std::uint8_t>>, 2> pictures;  ///< by schedule, one a kind
+};
+
+Drawn drawAll() {
+  Drawn all;
+  all.kinds = allSceneKinds();
+  gl::ShaderProgram::listen([&](const gl::ShaderProgram& program, std::string_view path, const std::string& source) {
+    Linked& linked = all.programs[source];
+    linked.path = path;
+    linked.resources = program.resources();
+    for (const std::string& block : blockNames) linked.blocks[block] = program.blockLayout(block);
+  });
+  for (std::size_t i = 0; i < schedules.size(); ++i) {
+    // One renderer for all scenes: a program is linked once.
+    const auto gpu = std::make_shared<GpuScene>();
+    gpu->setSchedule(schedules[i]);
+    Renderer renderer(gpu);
+    for (const SceneKind& kind : all.kinds) {
+      renderer.render(kind.scene, kind.view);
+      all.pictures[i].push_back(renderer.readPicture());
+    }
+    for (const Focus& focus : {Focus(LabelFocus{{1}}), Focus(ValueFocus{{95.0, 1000.0}, 0.0})}) {
+      Scene scene = bodyWithOrgans<std::int16_t>(gridOf({26, 24, 22}));
+      scene.look.focus = focus;
+      place(scene, schedules[i]);
+    }
+  }
+  gl::ShaderProgram::listen({});
+  return all;
+}
+
+class ProgramsTest : public GlTest {
+ protected:
+  static const Drawn& drawn() {
+    static const Drawn all = drawAll();
+    return all;
+  }
+  static const Programs& programs() { return drawn().programs; }
+};
+
+/// Bytes of the `shared` arrays that a source declares.
+int sharedBytes(const std::string& source) {
+  const std::map<std::string, int> sizes{{"float", 4}, {"int", 4},   {"uint", 4},
+                                         {"vec2", 8},  {"vec4", 16}, {"ivec4", 16}};
+  const std::regex declaration(R"(\nshared (\w+) \w+\[(\d+)\];)");
+  int sum = 0;
+  for (std::sregex_iterator at(source.begin(), source.end(), declaration), end; at != end; ++at)
+    sum += sizes.at((*at)[1]) * std::stoi((*at)[2]);
+  return sum;
+}
+
+TEST_F(ProgramsTest, EveryShaderIsLinkedInSeveralVariants) {
+  std::map<std::string, int> variants;
+  for (const auto& [source, linked] : programs()) ++variants[linked.path];
+  for (const char* path :
+       {"HitPoints.comp", "PullPushAnalysis.comp", "PullPushSynthesis.comp", "FocusMask.comp", "FocusTiles.comp",
+        "DistanceRows.comp", "DistanceColumns.comp", "RayStart.comp", "EditMap.comp", "ContextLayer.comp",
+        "Composite.comp", "CandidateHits.comp", "CandidateOutlines.comp", "CandidateVisibility.comp"})
+    EXPECT_GE(variants[path], 2) << path << ": one for each schedule at least";
+  for (const char* path : {"PixelsBetween.comp", "CandidateEdges.comp", "CandidateAreas.comp", "CandidateSums.comp"})
+    EXPECT_GE(variants[path], 1) << path;
+  EXPECT_GE(variants["FocusLayer.comp"], 80);
+}
+
+TEST_F(ProgramsTest, EachStaysWithinWhatOpenGlGuarantees) {
+  // OpenGL 4.5 core, tables 23.60 to 23.72: the least that a driver may offer a compute shader.
+  for (const auto& [source, linked] : programs()) {
+    const gl::ProgramResources& used = linked.resources;
+    EXPECT_LE(used.images, 8) << linked.path;
+    EXPECT_LE(used.samplers, 16) << linked.path;
+    EXPECT_LE(used.storageBlocks, 8) << linked.path;
+    EXPECT_LE(used.uniformBlocks, 14) << linked.path;
+    EXPECT_LE(used.groupSize.x * used.groupSize.y * used.groupSize.z, 1024) << linked.path;
+    EXPECT_LE(sharedBytes(source), 32 * 1024) << linked.path;
+  }
+}
+
+TEST_F(ProgramsTest, EachPassesTheReferenceCompiler) {
+  ASSERT_EQ(std::system("glslangValidator --version > /dev/null"), 0) << "install glslang-tools";
+  const fs::path folder = fs::path(::testing::TempDir()) / ("fenestra-programs-" + std::to_string(::getpid()));
+  fs::create_directories(folder);
+  int number = 0;
+  std::string files;
+  for (const auto& [source, linked] : programs()) {
+    const fs::path file = folder / (std::to_string(number++) + (linked.path == "Present.frag" ? ".frag" : ".comp"));
+    // Line directives with file numbers are translated by our own errors; the validator shows its own lines.
+    std::ofstream(file) << source;
+    files += ' ' + file.string();
+  }
+  const std::string log = (folder / "log").string();
+  const int status = std::system(("glslangValidator" + files + " > " + log + " 2>&1").c_str());
+  std::ifstream stream(log);
+  std::string line, errors;
+  while (std::getline(stream, line))
+    if (line.find("ERROR") != std::string::npos) errors += line + '\n';
+  EXPECT_EQ(status, 0) << errors;
+  fs::remove_all(folder);
+}
+
+/// Offsets by name of a block's members on this side.
+using Layout = std::map<std::string, std::size_t>;
+
+TEST_F(ProgramsTest, BlocksHaveTheLayoutOfTheirStructs) {
+#define OFFSET(Block, member) \
+  { #member, offsetof(Block, member) }
+  const std::map<std::string, Layout> expected{
+      {RayBlock::name,
+       {OFFSET(RayBlock, cellsFromView), OFFSET(RayBlock, worldFromView), OFFSET(RayBlock, anchor),
+        OFFSET(RayBlock, distance), OFFSET(RayBlock, halfSize), OFFSET(RayBlock, spread), OFFSET(RayBlock, depth),
+        OFFSET(RayBlock, pictureSize)}},
+      {VolumeBlock::name, {OFFSET(VolumeBlock, dims)}},
+      {TransferBlock::name,
+       {OFFSET(TransferBlock, firstMaterial), OFFSET(TransferBlock, lastMaterial), OFFSET(TransferBlock, map),
+        OFFSET(TransferBlock, visibleEntries)}},
+      {FocusBlock::name,
+       {OFFSET(FocusBlock, material), OFFSET(FocusBlock, range), OFFSET(FocusBlock, paletteOrigin),
+        OFFSET(FocusBlock, smoothOrigin), OFFSET(FocusBlock, worldFromIndexGradient)}},
+      {LightBlock::name,
+       {OFFSET(LightBlock, direction), OFFSET(LightBlock, ambient), OFFSET(LightBlock, diffuse),
+        OFFSET(LightBlock, specular), OFFSET(LightBlock, shininess), OFFSET(LightBlock, meanIncidence),
+        OFFSET(LightBlock, gradientOrigin), OFFSET(LightBlock, certainLength)}},
+      {IntegralBlock::name, {OFFSET(IntegralBlock, leastTransmittance), OFFSET(IntegralBlock, maxError)}},
+      {CutFaceBlock::name, {OFFSET(CutFaceBlock, depth), OFFSET(CutFaceBlock, share)}},
+      {DerivativeBlock::name,
+       {OFFSET(DerivativeBlock, worldFromDerivative), OFFSET(DerivativeBlock, factor), OFFSET(DerivativeBlock, scale)}},
+      {CutawayBlock::name, {OFFSET(CutawayBlock, widths), OFFSET(CutawayBlock, borderColour)}},
+      {ContextLayerBlock::name,
+       {OFFSET(ContextLayerBlock, colour), OFFSET(ContextLayerBlock, strength),
+        OFFSET(ContextLayerBlock, curvatureWeight), OFFSET(ContextLayerBlock, silhouetteWeight),
+        OFFSET(ContextLayerBlock, illuminationWeight), OFFSET(ContextLayerBlock, valueWeight),
+        OFFSET(ContextLayerBlock, curvatureScale)}},
+      {CandidateBlock::name,
+       {OFFSET(CandidateBlock, sphereCentre), OFFSET(CandidateBlock, sphereRadius), OFFSET(CandidateBlock, focusLower),
+        OFFSET(CandidateBlock, focusUpper)}}};
+#undef OFFSET
+  std::map<std::string, int> compared;
+  for (const auto& [source, linked] : programs())
+    for (const auto& [block, members] : linked.blocks)
+      for (const auto& [member, offset] : members) {
+        ASSERT_TRUE(expected.at(block).contains(member)) << block << '.' << member;
+        EXPECT_EQ(static_cast<std::size_t>(offset), expected.at(block).at(member)) << block << '.' << member;
+        ++compared[block];
+      }
+  for (const std::string& block : blockNames) EXPECT_GT(compared[block], 0) << block << " is in no program";
+}
+
+#ifndef NDEBUG
+TEST_F(ProgramsTest, UnknownNamesAndWrongTypesAreAsserted) {
+  gl::ShaderProgram program = gl::ShaderProgram::compute("FocusTiles.comp", {{}, {scheduleChoice(Schedule::Plain)}});
+  program.set("reach", 1);
+  EXPECT_DEATH(program.set("reached", 1), "declares no uniform");
+  EXPECT_DEATH(program.set("reach", 1.0f), "Assertion");
+}
+#endif
+
+TEST_F(ProgramsTest, AMissingChoiceIsAnErrorThatNamesIt) {
+  try {
+    gl::ShaderProgram::compute("FocusTiles.comp");
+    FAIL();
+  } catch (const gl::ShaderError& error) {
+    EXPECT_NE(std::string(error.what()).find("<schedule>"), std::string::npos) << error.what();
+  }
+}
+
+TEST_F(ProgramsTest, SchedulesDrawTheSamePicture) {
+  for (std::size_t at = 0; at < drawn().kinds.size(); ++at) {
+    const std::vector<std::uint8_t>&plain = drawn().pictures[0][at], &inStep = drawn().pictures[1][at];
+    const SceneKind& kind = drawn().kinds[at];
+    ASSERT_EQ(plain.size(), inStep.size());
+    // Both run the same operations on the same numbers. A compiler may contract them differently, which moves a value
+    // that lies on the edge between two of 256 steps to the other one.
+    std::size_t differing = 0;
+    int most = 0;
+    for (std::size_t i = 0; i < plain.size(); ++i) {
+      const int difference = std::abs(int(plain[i]) - int(inStep[i]));
+      differing += difference > 0;
+      most = std::max(most, difference);
+    }
+    EXPECT_LE(most, 1) << kind.name;
+    EXPECT_LE(differing, plain.size() / 200) << kind.name;
+  }
+}
+
+}  // namespace
+}  // namespace fenestra::tests

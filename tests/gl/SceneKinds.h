@@ -1,0 +1,107 @@
+#pragma once
+// Small scenes that between them use every variant of every shader.
+
+#include <string>
+#include <vector>
+
+#include "rendering/Renderer.h"
+#include "tests/support/Scenes.h"
+
+namespace fenestra::tests {
+
+struct SceneKind {
+  std::string name;
+  Scene scene;
+  View view;
+};
+
+template <class T>
+Scene bodyWithOrgans(const Grid& grid) {
+  Scene scene;
+  const glm::dvec3 middle = (glm::dvec3(grid.dims) - 1.0) * 0.5;
+  scene.volume = volumeOf<T>(grid, [&](glm::ivec3 i) {
+    const double r = glm::length((glm::dvec3(i) - middle) / middle);
+    return std::clamp(120.0 * (1.1 - r) + 6.0 * std::sin(0.9 * i.x) * std::cos(0.7 * i.y + 0.5 * i.z), 0.0, 200.0);
+  });
+  const auto labels = labelsOf(grid, [&](glm::ivec3 i) {
+    const glm::dvec3 p = glm::dvec3(i) - middle;
+    return glm::length(p - glm::dvec3(3, 0, 0)) < 3.5 ? 1 : glm::length(p + glm::dvec3(4, 1, 0)) < 3.0 ? 2 : 0;
+  });
+  labels->labels = {{1, "one", {1.0, 0.4, 0.2}}, {2, "two", {0.2, 0.5, 1.0}}};
+  scene.labels = labels;
+  scene.look.context.function = {{{20.0, {glm::dvec3(0.8, 0.5, 0.4), 0.0}},
+                                  {60.0, {glm::dvec3(0.9, 0.7, 0.6), 0.3}},
+                                  {120.0, {glm::dvec3(1.0, 0.95, 0.9), 1.5}}}};
+  scene.look.cutaway.openWidth = 6.0;
+  return scene;
+}
+
+/// Every kind of focus, with and without light, opening, edges and strokes, in every sampling.
+template <class T>
+void addSceneKinds(const std::string& type, std::vector<SceneKind>& kinds) {
+  const Scene base = bodyWithOrgans<T>(gridOf({26, 24, 22}));
+  const std::vector<std::pair<std::string, Focus>> focuses{{"no focus", std::monostate{}},
+                                                           {"one label", LabelFocus{{1}}},
+                                                           {"labels of two colours", LabelFocus{{1, 2}}},
+                                                           {"values", ValueFocus{{95.0, 1000.0}, 0.0}}};
+  const auto sampled = [&](Quality quality, std::optional<double> maxError) {
+    View view{Camera::fromAngles(30.0, 20.0, base.volume->grid), {61, 53}, 1.0, quality};
+    view.maxError = maxError;
+    return view;
+  };
+  const std::vector<std::pair<std::string, View>> views{{"draft", sampled(Quality::Draft, {})},
+                                                        {"normal", sampled(Quality::Normal, {})},
+                                                        {"bound 8", sampled(Quality::Normal, 8.0)},
+                                                        {"bound 0.5", sampled(Quality::Normal, 0.5)}};
+  for (const auto& [focusName, focus] : focuses)
+    for (const bool lit : {false, true})
+      for (const bool open : {false, true})
+        for (const auto& [viewName, view] : views) {
+          Scene scene = base;
+          scene.look.focus = focus;
+          scene.look.shading.enabled = lit;
+          scene.look.cutaway.enabled = open;
+          kinds.push_back(
+              {type + ", " + focusName + (lit ? ", lit" : ", unlit") + (open ? ", open, " : ", closed, ") + viewName,
+               scene, view});
+        }
+}
+
+inline Scene brushed(Scene scene) {
+  BrushStroke stroke;
+  stroke.mode = BrushMode::Restore;
+  stroke.radius = 4.0;
+  stroke.depth = 6.0;
+  const Grid& grid = scene.volume->grid;
+  stroke.anchors = {grid.centre() - glm::dvec3(0.0, 6.0, 0.0), grid.centre() + glm::dvec3(3.0, -6.0, 1.0)};
+  scene.look.strokes = {stroke};
+  return scene;
+}
+
+/// All of them for one voxel type; of the others, whose shaders differ in how they read a voxel alone, every seventh.
+inline std::vector<SceneKind> allSceneKinds() {
+  std::vector<SceneKind> kinds, others;
+  addSceneKinds<std::int16_t>("int16", kinds);
+  addSceneKinds<std::uint8_t>("uint8", others);
+  addSceneKinds<float>("float", others);
+  for (std::size_t i = 0; i < others.size(); i += 7) kinds.push_back(others[i]);
+  const std::size_t plain = kinds.size();
+  for (std::size_t i = 0; i < plain; i += 13) {
+    if (!hasCutaway(kinds[i].scene)) continue;
+    SceneKind withStroke = kinds[i];
+    withStroke.name += ", brushed";
+    withStroke.scene = brushed(withStroke.scene);
+    kinds.push_back(withStroke);
+    SceneKind bare = withStroke;
+    bare.name += ", no edges";
+    bare.scene.look.contextLayer.strength = 0.0;
+    kinds.push_back(bare);
+    SceneKind parallel = kinds[i];
+    parallel.name += ", orthographic";
+    parallel.view.camera = Camera::fromAngles(-70.0, 35.0, parallel.scene.volume->grid, Projection::Orthographic);
+    kinds.push_back(parallel);
+  }
+  return kinds;
+}
+
+}  // namespace fenestra::tests
