@@ -15,6 +15,7 @@
 namespace fenestra {
 
 class GpuScene;
+struct PassChain;
 
 enum class Pass : std::uint8_t {
   HitPoints,
@@ -87,8 +88,7 @@ class Renderer {
   std::size_t imageBytes() const;
 
  private:
-  struct State;
-  std::unique_ptr<State> state_;
+  std::unique_ptr<PassChain> chain_;
 };
 
 }  // namespace fenestra

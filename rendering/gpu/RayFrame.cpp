@@ -61,4 +61,21 @@ double RayFrame::pixelSize(double depth) const {
 
 double RayFrame::depthOf(glm::dvec3 world) const { return glm::dot(world - camera_.eye, axes_.forward); }
 
+gl::Region RayFrame::around(const IndexBox& box, double reach) const {
+  const glm::dvec3 low = glm::dvec3(box.low) - 1.0, high = glm::dvec3(box.high) + 1.0;
+  const glm::dmat4 worldFromIndex = grid_.worldFromIndex();
+  const glm::dvec2 size(size_);
+  glm::dvec2 first(size), last(0.0);
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::dvec3 world(worldFromIndex * glm::dvec4(corner & 1 ? high.x : low.x, corner & 2 ? high.y : low.y,
+                                                       corner & 4 ? high.z : low.z, 1.0));
+    if (!(depthOf(world) > 0.0)) return {glm::ivec2(0), size_};  // it reaches behind the eye
+    const glm::dvec2 pixel = pixelOf(world);
+    first = glm::min(first, pixel - reach);
+    last = glm::max(last, pixel + reach);
+  }
+  const glm::ivec2 origin(glm::clamp(glm::floor(first), glm::dvec2(0.0), size));
+  return {origin, glm::max(glm::ivec2(glm::clamp(glm::ceil(last), glm::dvec2(0.0), size)) - origin, 0)};
+}
+
 }  // namespace fenestra

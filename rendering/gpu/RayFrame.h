@@ -2,6 +2,7 @@
 // The camera as the shaders see it: one ray set-up for every pass (shaders/lib/PixelRay.glsl).
 
 #include "rendering/gl/ShaderProgram.h"
+#include "rendering/gpu/Bricks.h"
 #include "rendering/scene/Camera.h"
 
 namespace fenestra {
@@ -28,6 +29,8 @@ class RayFrame {
   /// mm per rendered pixel at a view depth (mm from the eye along the view).
   double pixelSize(double depth) const;
   double depthOf(glm::dvec3 world) const;
+  /// What of the picture lies within `reach` pixels of a box of voxels.
+  gl::Region around(const IndexBox& box, double reach) const;
 
  private:
   glm::ivec2 size_;

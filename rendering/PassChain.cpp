@@ -1,0 +1,264 @@
+#include "rendering/PassChain.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace fenestra {
+namespace {
+
+/// Of images that may be presented: a draft is smaller than the rectangle it fills.
+constexpr gl::Filter presented = gl::Filter::Linear;
+
+/// A picture-sized image that lasts until the size changes or it is no longer used.
+gl::Texture& sized(gl::Texture& texture, gl::Format format, glm::ivec2 size, gl::Filter filter = gl::Filter::Nearest) {
+  if (!texture || glm::ivec2(texture.size()) != size) texture = gl::Texture::make2D(format, size, filter);
+  return texture;
+}
+
+/// Pixels from one ray that has to be followed to the next: a power of two, no more than a voxel is wide, so that what
+/// the volume holds does not slip through; or else `least`.
+int pitchOf(const Grid& grid, const RayFrame& rays, double least) {
+  constexpr int widest = 4;
+  const double finestSpacing = std::min({grid.spacing.x, grid.spacing.y, grid.spacing.z});
+  const double depth = rays.depthOf(grid.centre());
+  const double voxel = depth > 0.0 ? finestSpacing / rays.pixelSize(depth) : 0.0;  // pixels
+  int pitch = widest;
+  while (pitch > std::max(voxel, least)) pitch /= 2;
+  return pitch;
+}
+
+FocusLayerPass::Sampling samplingOf(const View& view, const Grid& grid, const RayFrame& rays) {
+  if (view.maxError) return {.maxError = *view.maxError / 255.0};
+  if (view.quality == Quality::High) return {.maxError = highQualityError / 255.0};
+  if (view.quality == Quality::Draft) return {.pitch = pitchOf(grid, rays, 2.0), .tolerance = 3.0 / 256.0};
+  return {.pitch = pitchOf(grid, rays, 1.0)};
+}
+
+/// Distance maps reach this far (rendered pixels) or the next power of two beyond what the widths need: a slider that
+/// moves within it leaves the map as it is.
+constexpr int leastDistanceRange = 64;
+
+/// Fills with zeros all of a picture but one region.
+void clearAround(const gl::Region& region, gl::Texture& picture) {
+  const glm::ivec2 size(picture.size()), first = region.origin, end = first + region.size;
+  picture.clear({0, 0}, {size.x, first.y});
+  picture.clear({0, end.y}, {size.x, size.y - end.y});
+  picture.clear({0, first.y}, {first.x, region.size.y});
+  picture.clear({end.x, first.y}, {size.x - end.x, region.size.y});
+}
+
+int distanceRange(glm::dvec2 widths, glm::ivec2 size) {
+  // Half a pixel more than the border's rim, which is anti-aliased.
+  const double needed = std::min(widths.x + widths.y + 1.0, std::hypot(size.x, size.y));
+  int range = leastDistanceRange;
+  while (range < needed) range *= 2;
+  return range;
+}
+
+}  // namespace
+
+bool PassChain::shows(glm::ivec2 pixel) const {
+  return picture() && glm::all(glm::greaterThanEqual(pixel, glm::ivec2(0))) &&
+         glm::all(glm::lessThan(pixel, glm::ivec2(picture().size())));
+}
+
+glm::vec2 PassChain::hitAt(glm::ivec2 pixel) {
+  if (hitPoints) return hitPoints.readTexel(pixel);
+  // A plain volume rendering has no hit points: find this pixel's alone.
+  hitPointPass.run(*gpu, *rays, sized(pickedHit, gl::Format::RG32F, glm::ivec2(1)), pixel);
+  return pickedHit.readTexel(glm::ivec2(0));
+}
+
+glm::dvec2 PassChain::widthsInPixels(const Scene& scene) const {
+  const glm::dvec2 wanted =
+      glm::max(glm::dvec2(scene.look.cutaway.openWidth, scene.look.cutaway.borderWidth), glm::dvec2(0.0));
+  if (scene.look.cutaway.unit == WidthUnit::Pixel) return wanted * pixelScale;
+  const Grid& grid = scene.volume->grid;
+  double depth = rays->depthOf(gpu->focus().centre(grid).value_or(grid.centre()));
+  if (!(depth > 0.0)) depth = rays->depthOf(grid.centre());
+  return wanted / rays->pixelSize(std::max(depth, 1e-3 * grid.boundingRadius()));
+}
+
+std::optional<gl::Region> PassChain::nearFocus(double reach) const {
+  const std::optional<IndexBox>& box = gpu->focus().box;
+  return box ? std::optional(rays->around(*box, reach)) : std::nullopt;
+}
+
+void PassChain::draw(const Scene& scene, const View& view) {
+  Frame frame = begin(scene, view);
+  if (frame.hasCutaway) {
+    findHitPoints(frame);
+    fillFocusHits();
+    mapDistances(frame);
+    startRays(frame);
+  } else {
+    dropCutaway();
+  }
+  drawFocusLayer(frame);
+  drawContextLayer(frame);
+  compose(frame);
+  strokes = std::move(frame.strokes);
+}
+
+PassChain::Frame PassChain::begin(const Scene& scene, const View& view) {
+  gpu->update(scene);
+  rays.emplace(view.camera, view.size, scene.volume->grid);
+  pixelScale = view.pixelScale;
+  background = glm::vec3(scene.look.background);
+
+  Frame frame{.scene = scene, .view = view, .sampling = samplingOf(view, scene.volume->grid, *rays)};
+  frame.hasCutaway = hasCutaway(scene);
+  frame.hasContextLayer = frame.hasCutaway && scene.look.contextLayer.strength > 0.0;
+  frame.startBefore = start.version();
+  widths = frame.hasCutaway ? widthsInPixels(scene) : glm::dvec2(0.0);
+
+  // Strokes are in no pass's key: all that depends on them is patched together, or not at all.
+  const std::optional<ProjectedStrokes> before = std::exchange(strokes, std::nullopt);
+  if (!before) forgetEdited();
+  if (frame.hasCutaway) frame.strokes = project(scene.look.strokes, *rays);
+  if (before) frame.changed = changedRegions(*before, frame.strokes, view.size, FocusLayerPass::reach(frame.sampling));
+  return frame;
+}
+
+void PassChain::findHitPoints(const Frame& frame) {
+  const GpuScene::Versions& version = gpu->versions();
+  const View& view = frame.view;
+  runIfStale(Pass::HitPoints, hits, HitKey{version.volume, version.focus, version.gaps, view.camera, view.size}, {},
+             [&](Regions) { hitPointPass.run(*gpu, *rays, sized(hitPoints, gl::Format::RG32F, view.size)); });
+}
+
+void PassChain::fillFocusHits() {
+  runIfStale(Pass::PullPush, fill, FillKey{hits.version()}, {}, [&](Regions) {
+    pullPushPass.run(gpu->schedule(), hitPoints, sized(focusFilled, gl::Format::R32F, rays->size()));
+  });
+}
+
+void PassChain::mapDistances(const Frame& frame) {
+  const int range = distanceRange(widths, frame.view.size);
+  runIfStale(Pass::DistanceMap, distance, DistanceKey{hits.version(), range}, {}, [&](Regions) {
+    distanceMapPass.run(gpu->schedule(), hitPoints, range, sized(distances, gl::Format::R32F, frame.view.size));
+  });
+}
+
+void PassChain::startRays(Frame& frame) {
+  const glm::ivec2 size = frame.view.size;
+  const RayStartKey key{hits.version(), fill.version(), distance.version(), widths.x};
+  const RayStartPass::Inputs inputs{hitPoints, focusFilled, distances, widths.x};
+  if (frame.strokes.empty())
+    releaseEdits();
+  else
+    runIfStale(Pass::EditMap, edits, key, frame.changed, [&](Regions regions) {
+      gl::Texture& map = sized(editMap, gl::Format::RG32F, size);
+      editMapPass.run(gpu->schedule(), *rays, inputs, frame.strokes, regions, map);
+    });
+  if (const auto& last = start.key(); last && last->hits == key.hits)
+    frame.moved = std::max(last->openWidth, key.openWidth) + 1.0;
+  runIfStale(
+      Pass::RayStart, start, key, frame.changed,
+      [&](Regions regions) {
+        rayStartPass.run(gpu->schedule(), *rays, inputs, editMap ? &editMap : nullptr, regions,
+                         sized(rayStart, gl::Format::R32F, size));
+      },
+      frame.moved ? nearFocus(*frame.moved) : std::nullopt);
+}
+
+/// A plain volume rendering keeps none of the cutaway's images.
+void PassChain::dropCutaway() {
+  for (gl::Texture* texture : {&hitPoints, &focusFilled, &distances, &rayStart}) *texture = {};
+  pullPushPass.release();
+  distanceMapPass.release();
+  releaseEdits();
+  hits.forget();
+  fill.forget();
+  distance.forget();
+  start.forget();
+}
+
+void PassChain::drawFocusLayer(const Frame& frame) {
+  const GpuScene::Versions& version = gpu->versions();
+  const Look& look = frame.scene.look;
+  const View& view = frame.view;
+  const int reach = FocusLayerPass::reach(frame.sampling);
+  const FocusLayerKey key{frame.hasCutaway ? std::optional(start.version()) : std::nullopt,
+                          version.volume,
+                          version.focus,
+                          version.transfer,
+                          version.gradient,
+                          version.palette,
+                          look.focusAppearance.extinction,
+                          look.shading,
+                          view.camera,
+                          view.size,
+                          frame.sampling};
+  FocusLayerKey keyBefore = key;
+  keyBefore.rayStart = frame.startBefore;
+  const bool onlyMoved = frame.moved && !focus.isStale(keyBefore), anew = !onlyMoved && focus.isStale(key);
+  // Rays outside of this miss the volume.
+  const gl::Region nearVolume = rays->around({glm::ivec3(0), frame.scene.volume->grid.dims - 1}, reach);
+  runIfStale(
+      Pass::FocusLayer, focus, key, anew ? Regions() : Regions(frame.changed),
+      [&](Regions regions) {
+        std::optional<FocusLayerPass::Opening> opening;
+        if (frame.hasCutaway) opening.emplace(FocusLayerPass::Opening{hitPoints, rayStart});
+        gl::Texture& layer = sized(focusLayer, gl::Format::RGBA32F, view.size, presented);
+        if (anew) clearAround(nearVolume, layer);
+        focusLayerPass.run(*gpu, look, *rays, opening, frame.sampling, regions, layer);
+      },
+      onlyMoved ? nearFocus(*frame.moved + reach) : nearVolume);
+}
+
+void PassChain::drawContextLayer(const Frame& frame) {
+  if (!frame.hasContextLayer) {
+    contextLayer = {};
+    silhouette = {};
+    context.forget();
+    return;
+  }
+  const Shading& shading = frame.scene.look.shading;
+  runIfStale(
+      Pass::ContextLayer, context, ContextLayerKey{hits.version(), gpu->versions().derivative, shading}, {},
+      [&](Regions regions) {
+        contextLayerPass.run(*gpu, shading, *rays, hitPoints, regions,
+                             sized(contextLayer, gl::Format::RGBA32F, frame.view.size),
+                             sized(silhouette, gl::Format::R32F, frame.view.size));
+      },
+      nearFocus(1.0));
+}
+
+void PassChain::compose(const Frame& frame) {
+  if (!frame.hasCutaway) {
+    composed = {};
+    composite.forget();
+    return;
+  }
+  const Look& look = frame.scene.look;
+  const bool hasLayer = frame.hasContextLayer;
+  const CompositeKey key{focus.version(),
+                         distance.version(),
+                         hasLayer ? std::optional(context.version()) : std::nullopt,
+                         hasLayer ? std::optional(gpu->versions().transfer) : std::nullopt,
+                         widths,
+                         look.cutaway.borderColour,
+                         look.contextLayer};
+  // What lies over the focus layer lies near the focus; elsewhere the picture is the focus layer.
+  const auto& last = composite.key();
+  const bool sameBelow = last && last->sameBelow(key), stale = composite.isStale(key);
+  const auto part = nearFocus(std::max(sameBelow ? last->reach() : 0.0, key.reach()));
+  runIfStale(
+      Pass::Composite, composite, key, frame.changed,
+      [&](Regions regions) {
+        gl::Texture& picture = sized(composed, gl::Format::RGBA32F, frame.view.size, presented);
+        if (stale && !sameBelow && part) picture.copy(focusLayer);
+        CompositePass::Inputs inputs{focusLayer, hitPoints, distances, widths};
+        if (editMap) inputs.editMap = &editMap;
+        if (hasLayer) {
+          inputs.contextLayer = &contextLayer;
+          inputs.silhouette = &silhouette;
+        }
+        compositePass.run(*gpu, inputs, look, regions, picture);
+      },
+      part);
+}
+
+}  // namespace fenestra

@@ -1,0 +1,81 @@
+#pragma once
+// What each pass last ran with: a pass runs again when its key has changed. A version in a key is that of an earlier
+// pass or of a part of the scene on the GPU.
+
+#include <cstdint>
+#include <optional>
+
+#include "rendering/passes/FocusLayerPass.h"
+#include "rendering/scene/Scene.h"
+
+namespace fenestra {
+
+/// What a pass last ran with. Its version grows with every run, so that later passes can have it in their own keys.
+template <class Key>
+class Memo {
+ public:
+  bool isStale(const Key& key) const { return key_ != key; }
+  void ran(Key key) {
+    key_ = std::move(key);
+    ++version_;
+  }
+  void forget() { key_.reset(); }
+  const std::optional<Key>& key() const { return key_; }  ///< of the last run, unless forgotten
+  std::uint64_t version() const { return version_; }
+
+ private:
+  std::optional<Key> key_;
+  std::uint64_t version_ = 0;
+};
+
+struct HitKey {
+  std::uint64_t volume, focus, gaps;
+  Camera camera;
+  glm::ivec2 size;
+  bool operator==(const HitKey&) const = default;
+};
+struct FillKey {
+  std::uint64_t hits;
+  bool operator==(const FillKey&) const = default;
+};
+struct DistanceKey {
+  std::uint64_t hits;
+  int range;
+  bool operator==(const DistanceKey&) const = default;
+};
+struct RayStartKey {
+  std::uint64_t hits, fill, distance;
+  double openWidth;
+  bool operator==(const RayStartKey&) const = default;
+};
+struct FocusLayerKey {
+  std::optional<std::uint64_t> rayStart;
+  std::uint64_t volume, focus, transfer, gradient, palette;
+  double focusExtinction;
+  Shading shading;
+  Camera camera;
+  glm::ivec2 size;
+  FocusLayerPass::Sampling sampling;
+  bool operator==(const FocusLayerKey&) const = default;
+};
+struct ContextLayerKey {
+  std::uint64_t hits, derivative;
+  Shading shading;
+  bool operator==(const ContextLayerKey&) const = default;
+};
+struct CompositeKey {
+  std::uint64_t focusLayer;
+  std::uint64_t distance;
+  std::optional<std::uint64_t> contextLayer, ownColours;
+  glm::dvec2 widths;
+  glm::dvec3 borderColour;
+  ContextLayer look;
+  bool operator==(const CompositeKey&) const = default;
+  /// Whether both lay something over the same picture.
+  bool sameBelow(const CompositeKey& other) const {
+    return focusLayer == other.focusLayer && distance == other.distance && contextLayer == other.contextLayer;
+  }
+  double reach() const { return widths.x + widths.y + 1.0; }  ///< rendered pixels around the focus, its rim included
+};
+
+}  // namespace fenestra
