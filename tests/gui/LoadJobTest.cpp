@@ -62,9 +62,9 @@ TEST(LoadJob, CancelEndsQuietly) {
   LoadJob job;
   QSignalSpy failed(&job, &LoadJob::failed), ended(&job, &LoadJob::ended), progressed(&job, &LoadJob::progressed);
   job.start(readForever);
-  const auto doing = [&] { return progressed.isEmpty() ? QString() : progressed.back()[1].toString(); };
-  ASSERT_TRUE(QTest::qWaitFor([&] { return doing() == QStringLiteral("reading"); }, patience));
-  EXPECT_DOUBLE_EQ(progressed.back()[0].toDouble(), 0.5);
+  // The first signal may be that of the range, with a value of 0.
+  const QVariantList reading{0.5, QStringLiteral("reading")};
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !progressed.isEmpty() && progressed.back() == reading; }, patience));
   job.cancel();
   ASSERT_TRUE(ended.wait(patience));
   EXPECT_EQ(failed.count(), 0);

@@ -31,7 +31,7 @@ void print(const char* title, const std::vector<Edge>& edges, const std::vector<
   for (const Edge& edge : edges) std::cout << "  " << edge.from << " → " << edge.to << "  (" << edge.where << ")\n";
 }
 
-TEST(Layers, IncludesFollowTheRule) {
+TEST(Architecture, IncludesFollowTheRule) {
   const LayerRule rule = layerRule(readSource("CONTRIBUTING.md"));
   const std::vector<Edge> edges = includeEdges(productSources(codeEndings));
   const std::vector<std::string> found = breaches(rule, edges);
@@ -41,7 +41,7 @@ TEST(Layers, IncludesFollowTheRule) {
   EXPECT_EQ(joined(cycleIn(edges), " → "), "");
 }
 
-TEST(Layers, LinkLinesFollowTheRule) {
+TEST(Architecture, LinkLinesFollowTheRule) {
   const LayerRule rule = layerRule(readSource("CONTRIBUTING.md"));
   const auto targets = cmakeTargets(productSources({"CMakeLists.txt"}));
   const std::vector<Edge> edges = linkEdges(targets, rule);
@@ -51,13 +51,13 @@ TEST(Layers, LinkLinesFollowTheRule) {
   EXPECT_TRUE(found.empty()) << joined(found);
 }
 
-TEST(Layers, WhatIsIncludedIsLinked) {
+TEST(Architecture, WhatIsIncludedIsLinked) {
   const auto targets = cmakeTargets(productSources({"CMakeLists.txt"}));
   const std::vector<std::string> found = unlinked(targets, includeEdges(productSources(codeEndings)));
   EXPECT_TRUE(found.empty()) << joined(found);
 }
 
-TEST(Layers, TheRuleHasNoCycleAndNoUnusedArrow) {
+TEST(Architecture, TheRuleHasNoCycleAndNoUnusedArrow) {
   const LayerRule rule = layerRule(readSource("CONTRIBUTING.md"));
   EXPECT_EQ(joined(cycleIn(edgesOf(rule)), " → "), "");
   std::vector<Edge> edges = includeEdges(productSources(codeEndings));
@@ -75,7 +75,7 @@ TEST(Layers, TheRuleHasNoCycleAndNoUnusedArrow) {
 constexpr const char* madeUpRule =
     "# A project\n```layers\nscene →\ngl → OpenGL, scene\nwindow → gl, Qt\n```\ntext →\n";
 
-TEST(LayersCheck, ReadsTheRule) {
+TEST(ArchitectureCheck, ReadsTheRule) {
   const LayerRule rule = layerRule(madeUpRule);
   ASSERT_EQ(rule.size(), 3u);
   EXPECT_TRUE(rule.at("scene").empty());
@@ -85,7 +85,7 @@ TEST(LayersCheck, ReadsTheRule) {
   EXPECT_THROW(layerRule("```layers\nscene →\nscene → gl\n```\n"), std::runtime_error);
 }
 
-TEST(LayersCheck, ReportsABreachWithItsPlace) {
+TEST(ArchitectureCheck, ReportsABreachWithItsPlace) {
   const std::vector<SourceFile> sources{
       {"scene/Volume.h", "#pragma once\n#include <vector>\n"},
       {"gl/Texture.cpp", "#include <epoxy/gl.h>\n#include \"scene/Volume.h\"\n"},
@@ -100,7 +100,7 @@ TEST(LayersCheck, ReportsABreachWithItsPlace) {
   EXPECT_EQ(joined(cycleIn(edges), " → "), "scene → gl → scene");
 }
 
-TEST(LayersCheck, ReportsLinkLinesThatBreakTheRuleOrAreMissing) {
+TEST(ArchitectureCheck, ReportsLinkLinesThatBreakTheRuleOrAreMissing) {
   const LayerRule rule = layerRule(madeUpRule);
   const auto targets = cmakeTargets({
       {"scene/CMakeLists.txt", "fenestra_library(scene SOURCES Volume.cpp PUBLIC fenestra::window)\n"},
@@ -113,7 +113,7 @@ TEST(LayersCheck, ReportsLinkLinesThatBreakTheRuleOrAreMissing) {
             (std::vector<std::string>{"window does not link gl (window/main.cpp:1)"}));
 }
 
-TEST(LayersCheck, FindsNoCycleWhereThereIsNone) {
+TEST(ArchitectureCheck, FindsNoCycleWhereThereIsNone) {
   EXPECT_TRUE(cycleIn({{"a", "b", ""}, {"a", "c", ""}, {"b", "c", ""}}).empty());
   EXPECT_EQ(joined(cycleIn({{"a", "b", ""}, {"b", "c", ""}, {"c", "b", ""}}), " "), "b c b");
 }
