@@ -1,6 +1,6 @@
 #pragma once
-// Options whose values are checked while the command line is parsed, with one form of message. Numbers are read with a
-// decimal point whatever the locale.
+// Options whose values are checked while the command line is parsed, with uniform messages. Numbers have a decimal
+// point in every locale.
 
 #include <algorithm>
 #include <array>
@@ -28,7 +28,7 @@ inline std::vector<std::string> split(const std::string& text, char separator) {
   }
 }
 
-/// The whole of `text` as a number, or nothing. std::from_chars knows no locale.
+/// The whole of `text` as a number, or nothing. std::from_chars ignores the locale.
 template <class T>
 std::optional<T> parseNumber(std::string_view text) {
   if (text.starts_with('+')) text.remove_prefix(1);

@@ -18,9 +18,9 @@
 // one another in the order they were painted. Restore takes depth·w from the ray start, Open adds it, each clamped
 // right away: never before the context's first surface, nor beyond the focus or the volume's end. On rays that meet the
 // focus, Restore acts only if the stroke covers the focus. Fade multiplies the context layer's share by 1 - amount·w,
-// Strengthen by 1 + amount·w. What Restore brings back over the focus needs no context layer: that gives way by the share
-// of the removed stretch that is back. The border marks the cut's own edge and not the brush's: Restore and Open multiply
-// it by 1 - w.
+// Strengthen by 1 + amount·w. What Restore brings back over the focus needs no context layer: that gives way by the
+// share of the removed stretch that is back. The border marks the cut's own edge and not the brush's: Restore and Open
+// multiply it by 1 - w.
 
 #include <cstdint>
 #include <string>
@@ -34,7 +34,7 @@ enum class BrushMode : std::uint8_t {
   Restore,     ///< brings the ray start back towards the eye: what the cutaway removed returns (an ear over a brain)
   Open,        ///< pushes the ray start away from the eye
   Fade,        ///< the context layer shows less under the stroke
-  Strengthen,  ///< and more
+  Strengthen,  ///< the context layer shows more under the stroke
 };
 
 /// A circular brush drawn along a polyline of points on what was seen.

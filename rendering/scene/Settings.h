@@ -1,7 +1,7 @@
 #pragma once
-// Every setting of a look, declared once: what it is called in files, on the command line and in the window, what it
-// means, and what it may be. A setting's default is its member's own initialiser. Session files and their published
-// schema, the options of the command line and the controls of the window are made from these tables.
+// Declares every setting of a look once: its name in files, on the command line and in the window, its meaning and its
+// range. A setting's default is its member's initialiser. Session files and their published schema, the options of the
+// command line and the controls of the window are made from these tables.
 
 #include <array>
 #include <concepts>
@@ -21,7 +21,7 @@ struct Range {
   bool operator==(const Range&) const = default;
 };
 inline constexpr Range fraction{0.0, 1.0};
-/// Coordinates and lengths in mm: 1000 km, far beyond any patient and far from overflowing a float's square.
+/// Coordinates and lengths in mm. The limit of 1000 km is far beyond any patient, and its square fits a float.
 inline constexpr Range millimetres{-1e9, 1e9}, positiveMillimetres{1e-9, 1e9};
 /// Greatest error of a colour that sampling may leave, in 1/255; below the least, rounding of the voxels' float32 sums
 /// dominates.
