@@ -171,10 +171,7 @@ void read(const Place& place, const Value& json, T& value, Range range) {
     const double number = json.get<double>();
     if (!std::isfinite(number) || !range.contains(number)) place.fail("is out of range");
     value = number;
-  } else if constexpr (std::same_as<T, std::string>) {
-    if (!json.is_string()) place.fail("is not a text");
-    value = json.get<std::string>();
-  } else if constexpr (std::same_as<T, std::filesystem::path>) {
+  } else if constexpr (std::same_as<T, std::string> || std::same_as<T, std::filesystem::path>) {
     if (!json.is_string()) place.fail("is not a text");
     value = json.get<std::string>();
   } else if constexpr (Enumeration<T>) {
