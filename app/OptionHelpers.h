@@ -1,6 +1,6 @@
 #pragma once
-// Options whose values are checked while the command line is parsed, with one form of message. Numbers are read with a
-// decimal point whatever the locale.
+// Options whose values are checked while the command line is parsed, with uniform messages. Numbers have a decimal
+// point in every locale.
 
 #include <algorithm>
 #include <array>

@@ -80,7 +80,7 @@ std::size_t countVoxels(const LabelMap& labels, const std::vector<std::uint16_t>
   });
 }
 
-/// What a phantom opens on: structures behind others, and the side from which the way in is worth seeing.
+/// The focus and camera that a phantom opens with: structures behind others, and a side that shows the cutaway well.
 struct PhantomView {
   std::vector<std::string> focus;
   CameraChoice camera;
@@ -114,7 +114,7 @@ OpenedData openWithLabels(const VolumeOptions& options, const fs::path& labels, 
     data.labels = std::move(phantom.labels);
   } else if (io::isSession(options.path)) {
     if (!options.series.empty() || options.raw)
-      throw io::Error(options.path, "says itself how its volume is read", "leave out --series and --raw");
+      throw io::Error(options.path, "records how its volume is read", "leave out --series and --raw");
     io::OpenedSession opened = io::openSession(options.path, {options.data, labels}, progress);
     data.volume = std::move(opened.volume);
     data.volume.warnings = std::move(opened.warnings);
@@ -133,7 +133,7 @@ OpenedData openWithLabels(const VolumeOptions& options, const fs::path& labels, 
   return data;
 }
 
-/// The focus that the options ask for, or the phantom's own; a session's stays otherwise.
+/// Sets the focus of the options, or the phantom's own; otherwise that of the session stays.
 void setFocus(const SceneOptions& options, LoadedScene& loaded) {
   Scene& scene = loaded.scene;
   std::vector<std::string> wanted = options.focusLabels;
@@ -152,7 +152,7 @@ void setFocus(const SceneOptions& options, LoadedScene& loaded) {
                                {options.labels.empty() ? fs::path(options.source()) : options.labels}});
 }
 
-/// Camera, size and sampling: what the options ask for, what the session's view has, or the usual.
+/// Camera, size and sampling: from the options, else from the session's view, else the defaults.
 void setView(const SceneOptions& options, LoadedScene& loaded) {
   View& view = loaded.view;
   view.size = {960, 720};
@@ -235,14 +235,13 @@ void addVolume(CLI::App& command, VolumeOptions& options, const std::function<vo
       .add_option_function<std::string>(
           "--data",
           [&options](const std::string& text) {
-            if (!io::isSession(options.path))
-              throw CLI::ValidationError("--data", "is about a session, and PATH is none");
+            if (!io::isSession(options.path)) throw CLI::ValidationError("--data", "needs a session as PATH");
             options.data = text;
           },
           "where the volume of a session is now, when it has moved or changed")
       ->type_name("PATH")
       ->excludes(phantom);
-  // --raw is known here.
+  // --raw has been parsed by now.
   addParsed(command, "--spacing", "X,Y,Z", "mm between the voxels of --raw", [&options](const std::string& text) {
     const auto spacing = parseNumbers<double, 3>(text, ',');
     if (!spacing || !std::all_of(spacing->begin(), spacing->end(), [](double mm) { return mm > 0.0; })) return false;
@@ -276,7 +275,7 @@ void addFocus(CLI::App& command, SceneOptions& options) {
             })
       ->excludes(focusLabels);
   addSetting(command, settingOf(&ValueFocus::minimumComponent), options.focusMinimumSize);
-  // Whether a focus by labels has labels to choose from is known only once the whole line is.
+  // Only after the whole line is parsed is it known whether there are labels for --focus-labels.
   command.parse_complete_callback([=, &options] {
     if (focusLabels->count() && !labels->count() && !phantom->count() && !io::isSession(options.path))
       throw CLI::RequiresError("--focus-labels", "--labels, --phantom or a session");
@@ -313,7 +312,7 @@ void addLook(CLI::App& command, SceneOptions& options) {
     presets += (presets.empty() ? "" : "|") + preset.id;
   command.add_option("--transfer-function", options.transferFunction, "optical properties of everything but the focus")
       ->type_name(presets + "|FILE.json");
-  // Added before what it sets, so that a look and then a width is that look with that width.
+  // Options apply in the order in which they are added: --look first, so that a width given beside it overrides it.
   std::string looks;
   for (const OpeningLook& each : openingLooks()) looks += (looks.empty() ? "" : "|") + std::string(each.id);
   addParsed(command, "--look", looks, "context layer and border ready made, default full",

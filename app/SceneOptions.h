@@ -1,6 +1,5 @@
 #pragma once
-// The options that describe what to show, the same for the window and the command line, and the one way from them to a
-// scene.
+// The options that describe what to show, common to the window and the command line, and how they become a scene.
 
 #include <cstdint>
 #include <filesystem>
@@ -22,7 +21,7 @@ class App;
 
 namespace fenestra::app {
 
-/// Which volume.
+/// The volume to open.
 struct VolumeOptions {
   std::filesystem::path path;  ///< empty with a phantom; may be a session
   std::string phantom;         ///< name of a built-in phantom, or empty
@@ -32,7 +31,7 @@ struct VolumeOptions {
   std::filesystem::path data;  ///< where the volume of a session is now; empty: where the session says
 
   bool empty() const { return path.empty() && phantom.empty(); }
-  /// What errors and titles call it: the path, or "phantom NAME".
+  /// Its name in errors and titles: the path, or "phantom NAME".
   std::string source() const;
 };
 
@@ -45,7 +44,7 @@ enum class PlacedView : std::uint8_t { Best, Dual };
 /// A standard view, angles, a camera file, or a placed camera.
 using CameraChoice = std::variant<StandardView, ViewAngles, std::filesystem::path, PlacedView>;
 
-/// Everything that --help lists under SCENE; unset members mean "what suits the data".
+/// All options of a scene; unset members take what suits the data.
 struct SceneOptions : VolumeOptions {
   std::filesystem::path labels;
   std::vector<std::string> focusLabels;  ///< values or names
@@ -56,18 +55,18 @@ struct SceneOptions : VolumeOptions {
   std::optional<Projection> projection;
   std::optional<glm::ivec2> size;  ///< rendered pixels
   std::filesystem::path strokes;   ///< file of brush strokes; empty: those of the look
-  Look look;                       ///< a session's to begin with; what the members above name takes its place
+  Look look;  ///< starts as the session's; the members above override its focus, context and strokes
   Quality quality = Quality::Normal;
   std::optional<double> maxError;  ///< in 1/255; see View
   int viewOfSession = 0;           ///< whose camera and picture size are taken from a session: 0 is C1, 1 is C2
 };
 
 /// Adds PATH, --phantom, --series, --raw, --spacing and --data. Values are checked while parsing, and mistakes throw
-/// CLI::ParseError. Numbers are read with a decimal point whatever the locale. `options` must outlive `command`.
+/// CLI::ParseError. Numbers have a decimal point in every locale. `options` must outlive `command`.
 void addVolumeOptions(CLI::App& command, VolumeOptions& options);
-/// Adds the above and everything else in SceneOptions. When PATH is a session, parsing reads it first and takes it for
-/// the defaults of all other options, which may throw io::Error; `onSession` may do the same with options of its own
-/// that are added later.
+/// Adds the above and everything else in SceneOptions. When PATH is a session, parsing reads it first, which may throw
+/// io::Error, and the session gives the defaults of all other options; `onSession` may set the caller's own options,
+/// added later, in the same way.
 void addSceneOptions(CLI::App& command, SceneOptions& options, std::function<void(const io::Session&)> onSession = {});
 
 /// Opens the volume or that of the session, or makes the phantom (format "phantom"). Throws io::Error, io::Cancelled.
@@ -82,8 +81,8 @@ struct LoadedScene {
   io::OpenedVolume volume;  ///< its warnings moved to `warnings`
   Scene scene;
   View view;
-  std::optional<PlacedView> placed;    ///< view.camera is still to be placed, which takes an OpenGL context
-  std::optional<io::Session> session;  ///< that this was made from, its data as they were found
+  std::optional<PlacedView> placed;    ///< the caller must place view.camera, which needs an OpenGL context
+  std::optional<io::Session> session;  ///< the session that this was made from, with the data that were opened
   std::vector<io::Warning> warnings;   ///< of volume, labels and focus
 };
 /// From options to a scene: opens the data, resolves labels and transfer function, places the camera. A phantom

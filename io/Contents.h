@@ -1,6 +1,6 @@
 #pragma once
-// Whether files still hold what they held: a SHA-256 of all of their bytes, so nothing that changes is missed. At about
-// 2 GB/s on a processor with instructions for it (0.5 GB/s without) it is a small part of reading a volume.
+// Detects changed files by a SHA-256 of all their bytes. Hashing runs at about 2 GB/s on a processor with instructions
+// for it (0.5 GB/s without), a small part of the time to read a volume.
 
 #include <cstdint>
 #include <filesystem>
@@ -12,7 +12,7 @@
 
 namespace fenestra::io {
 
-/// What a file held, or a set of files whatever their names.
+/// Contents of a file, or of a set of files regardless of their names.
 struct Contents {
   std::string hash;  ///< "sha256:HEX"; empty: not known
   std::uint64_t bytes = 0, files = 0;

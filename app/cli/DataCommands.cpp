@@ -95,7 +95,7 @@ Json describe(const std::vector<io::Warning>& warnings) {
   return json;
 }
 
-/// What a session is about, beside its volume.
+/// Focus, labels, strokes and views of a session.
 Json describe(const io::Session& session) {
   Json views = Json::array();
   for (const io::SessionView& view : session.views) views.push_back({{"size", {view.size.x, view.size.y}}});

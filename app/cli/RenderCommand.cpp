@@ -178,7 +178,7 @@ void render(const RenderOptions& options) {
   std::vector<std::uint8_t> picture;
   std::vector<double> frames;
   for (int frame = 0; frame < options.repeat; ++frame) {
-    // An unchanged view would run no pass: the eye moves by the least that a double can hold.
+    // An unchanged view would run no pass, so the eye moves by the smallest step of a double.
     if (frame > 0) view.camera.eye.x = std::nextafter(view.camera.eye.x, std::numeric_limits<double>::infinity());
     const auto start = std::chrono::steady_clock::now();
     renderer.render(scene, view);

@@ -1,5 +1,5 @@
 #pragma once
-// What a command says while it works and when it is done.
+// Progress, warnings and results of a command.
 
 #include <string>
 #include <vector>

@@ -28,7 +28,7 @@ namespace {
 
 constexpr int done = 0, failed = 1, misused = 2;
 
-/// A command: its options, and what to do with them; false is a failure that has been said.
+/// A command: its options, and how to run it; false is a failure that was already reported.
 struct Command {
   CLI::App* app;
   const app::VolumeOptions* source;  ///< what an error that names no file is about; may be null
@@ -42,7 +42,7 @@ void requireSource(CLI::App& command) {
   });
 }
 
-/// The nearest numbers of directions that HEALPix has, for who asked for another.
+/// The numbers of HEALPix directions nearest to `count`.
 std::string nearestCounts(int count) {
   int nside = 1;
   while (12 * (nside + 1) * (nside + 1) <= count) ++nside;

@@ -11,9 +11,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t deepest = 32, mostValues = std::size_t{1} << 22, mostMembers = 1000;
-constexpr const char* damagedHint = "the file is damaged, or something else; use an older copy of it";
+constexpr const char* damagedHint = "the file is damaged or not a file of Fenestra; use an older copy of it";
 
-/// Counts what a parser would have to hold, without holding it. What is no JSON passes: the parser says so.
+/// Counts what a parser would have to hold, without holding it. Text that is not JSON passes; the parser refuses it.
 void checkBounds(const fs::path& file, std::string_view text) {
   struct Container {
     bool object;
@@ -37,7 +37,7 @@ void checkBounds(const fs::path& file, std::string_view text) {
         break;
       case '{':
       case '[':
-        if (open.size() == deepest) throw Error(file, "nests too deep to be a file of ours", damagedHint);
+        if (open.size() == deepest) throw Error(file, "nests too deep", damagedHint);
         open.push_back({c == '{', 0});
         ++values;
         break;
@@ -57,7 +57,7 @@ void checkBounds(const fs::path& file, std::string_view text) {
   }
 }
 
-/// Whether everything that `known` says, `whole` says too.
+/// Whether `whole` contains everything in `known`.
 bool agrees(const Value& whole, const Value& known) {
   if (!known.is_object() || !whole.is_object()) return whole == known;
   return std::all_of(known.items().begin(), known.items().end(), [&](const auto& member) {
@@ -75,7 +75,7 @@ std::string readBounded(const fs::path& file, std::uintmax_t most) {
   const std::uintmax_t size = fs::file_size(file, failure);
   if (failure) throw Error(file, "cannot be read: " + failure.message(), "check its permissions");
   if (size > most)
-    throw Error(file, "is larger than " + std::to_string(most >> 20) + " MB, which no file of ours is", damagedHint);
+    throw Error(file, "is larger than " + std::to_string(most >> 20) + " MB, more than Fenestra writes", damagedHint);
   std::ifstream stream(file, std::ios::binary);
   std::string text(size, '\0');
   stream.read(text.data(), static_cast<std::streamsize>(size));
@@ -93,7 +93,7 @@ Value parse(const fs::path& file, std::string_view text) {
     } else if (event == Value::parse_event_t::object_end) {
       members.pop_back();
     } else if (event == Value::parse_event_t::key && !members.back().insert(parsed.get<std::string>()).second) {
-      throw Error(file, "says " + parsed.dump().substr(0, 60) + " twice", damagedHint);
+      throw Error(file, "has the member " + parsed.dump().substr(0, 60) + " twice", damagedHint);
     }
     return true;
   };
@@ -102,7 +102,7 @@ Value parse(const fs::path& file, std::string_view text) {
   } catch (const Value::parse_error& error) {
     throw Error(file, "is not valid JSON near byte " + std::to_string(error.byte), damagedHint);
   } catch (const Value::out_of_range&) {
-    throw Error(file, "holds a number beyond what a computer's numbers hold", damagedHint);
+    throw Error(file, "holds a number that no double can hold", damagedHint);
   }
 }
 
@@ -134,8 +134,8 @@ void addUnknown(Value& written, const Value& unknown) {
         addUnknown(*at, value);
     }
   } else if (written.is_array() && unknown.is_array()) {
-    // Elements that stayed come in their old order, so each search goes on behind the last find; and not far, or a list
-    // of which nothing stayed would take its length squared.
+    // Remaining elements keep their order, so each search starts behind the last match. It is short, because a list
+    // with no remaining element would otherwise take quadratic time.
     constexpr std::size_t reach = 1000;
     std::size_t next = 0;
     for (std::size_t i = 0; i < written.size(); ++i) {

@@ -1,6 +1,6 @@
 #pragma once
-// JSON that may come from anywhere: parsed within bounds, read member by member with the place of every mistake, and
-// written so that it comes back bit for bit. Private to io/session.
+// JSON from untrusted files: parses within bounds, reads member by member, reports the place of every mistake, and
+// writes numbers so that they come back bit for bit. Private to io/session.
 //
 // An overload of members(io, object) lists a struct's members once: io("size", view.size, {1.0, 16384.0}, {"Pixels"}).
 // A Reader, a Writer and a SchemaWriter (JsonSchema.h) all run it. A member that is missing keeps its default.
@@ -30,18 +30,18 @@ using Value = nlohmann::ordered_json;
 /// The whole of a regular file, of `most` bytes at most. Throws Error.
 std::string readBounded(const std::filesystem::path& file, std::uintmax_t most);
 
-/// Parses `text`. Throws Error when it is no JSON, nests deeper than 32, holds more than four million values or a
-/// thousand members in one object, or says a member twice; so what it takes is bounded, whatever the text.
+/// Parses `text`. Throws Error when it is not JSON, nests deeper than 32, holds more than four million values or a
+/// thousand members in one object, or repeats a member. These limits bound time and memory for any text.
 Value parse(const std::filesystem::path& file, std::string_view text);
 
 /// Indented, with numbers that bring back the same double.
 std::string textOf(const Value& value);
 
-/// What `read` holds that `known`, written from what was understood of it, does not: members of objects at any level.
-/// Null when there is nothing.
+/// Members of objects, at any level, that `read` has and `known` lacks; `known` was written from what a Reader took
+/// from `read`. Null when there are none.
 Value unknownIn(const Value& read, const Value& known);
-/// Adds to `written` what unknownIn found. An element of a list keeps what belonged to one that says the same, or else,
-/// in a list that kept its length, to the one in its place.
+/// Adds to `written` what unknownIn found. An element of a list gets back the unknown members of the element that
+/// equals it, or else, in a list that kept its length, of the element in its place.
 void addUnknown(Value& written, const Value& unknown);
 
 /// Where in a file a value is, for messages.
@@ -171,10 +171,7 @@ void read(const Place& place, const Value& json, T& value, Range range) {
     const double number = json.get<double>();
     if (!std::isfinite(number) || !range.contains(number)) place.fail("is out of range");
     value = number;
-  } else if constexpr (std::same_as<T, std::string>) {
-    if (!json.is_string()) place.fail("is not a text");
-    value = json.get<std::string>();
-  } else if constexpr (std::same_as<T, std::filesystem::path>) {
+  } else if constexpr (std::same_as<T, std::string> || std::same_as<T, std::filesystem::path>) {
     if (!json.is_string()) place.fail("is not a text");
     value = json.get<std::string>();
   } else if constexpr (Enumeration<T>) {

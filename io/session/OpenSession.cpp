@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Bounds of a search, so that a session in a home folder does not walk a whole archive.
+/// Limits of a search, so that a session in a home folder does not make it walk a whole archive.
 constexpr std::size_t mostEntries = 100000, mostFolders = 64;
 constexpr int deepest = 16;
 
@@ -29,7 +29,7 @@ bool isWithin(const fs::path& path, const fs::path& folder) {
   return !relative.empty() && *relative.begin() != "..";
 }
 
-/// Whether files hold exactly that; the cheap differences first.
+/// Whether files have exactly these contents; cheap comparisons come first.
 bool hold(const std::vector<fs::path>& files, const Contents& contents, const Progress& progress) {
   if (files.size() != contents.files) return false;
   std::uint64_t bytes = 0;
@@ -65,7 +65,7 @@ class Search {
     }
     std::sort(named_.begin(), named_.end());
     std::sort(alike_.begin(), alike_.end());
-    // The folder with the fewest files besides is the one that is meant, not those above it.
+    // The folder with the fewest other files is the best candidate; its parent folders hold more.
     std::vector<std::pair<std::size_t, fs::path>> folders;
     for (const auto& [path, files] : filesBelow)
       if (files >= data.contents.files) folders.emplace_back(files, path);
@@ -74,13 +74,13 @@ class Search {
     for (auto& [files, path] : folders) alike_.push_back(std::move(path));
   }
 
-  /// The first place whose files, as `filesAt` lists them, hold what the data held.
+  /// The first place whose files, as `filesAt` lists them, have the contents of the data.
   template <class FilesAt>
   fs::path find(const FilesAt& filesAt, const Progress& progress) const {
     for (const std::vector<fs::path>* places : {&named_, &alike_})
       for (const fs::path& place : *places) try {
           if (hold(filesAt(place), data_.contents, progress)) return place;
-        } catch (const Error&) {  // something else
+        } catch (const Error&) {  // not the data
         }
     return {};
   }
@@ -148,7 +148,7 @@ auto openMoved(DataMissing::Data which, SessionData& data, const fs::path& place
   return take(found, open(found));
 }
 
-/// The files that a volume's or a label map's contents are: those of the series, and the one that was named.
+/// Files whose contents identify a volume or a label map: those of the series, and the named one.
 std::vector<fs::path> filesOf(const fs::path& path, const SeriesInfo& series) {
   std::vector<fs::path> files = series.files;
   std::error_code failure;
@@ -219,7 +219,7 @@ OpenedSession openSession(const fs::path& file, const SessionPlaces& places, con
       volume = openVolume(path, options);
     } catch (const Error&) {
       if (places.volume.empty() || options.series.empty()) throw;
-      // A study that was exported anew has other UIDs.
+      // A newly exported study has other UIDs.
       options.series.clear();
       volume = openVolume(path, options);
     }

@@ -1,10 +1,10 @@
 #pragma once
-// A session with its data: found where the session says, or where they have moved to.
+// Opens a session with its data, at their recorded place or where they have moved to.
 //
-// What lies at the recorded path is used when its contents are those that were saved. Changed contents are used, with a
-// warning, only within the session's folder: a session that someone sends must not open whatever it points at
-// elsewhere. Data that are not there are looked for below the session's folder, by name and then by contents; only
-// equal contents count as found. For the rest the user is asked.
+// Data at the recorded path are used when their contents are unchanged. Fenestra reports changed data and uses them
+// only within the session's folder: a session from a stranger must not open arbitrary files elsewhere. Missing data are
+// searched below the session's folder, by name and then by contents; only equal contents count as found. Otherwise the
+// user is asked.
 
 #include <memory>
 #include <vector>
@@ -13,7 +13,7 @@
 
 namespace fenestra::io {
 
-/// The session's data are not to be found, or not what they were; who reads the session must say where they are.
+/// The session's data are missing or have changed; the caller must say where they are.
 class DataMissing : public Error {
  public:
   enum class Data : std::uint8_t { Volume, Labels };
@@ -25,16 +25,16 @@ class DataMissing : public Error {
   Data data_;
 };
 
-/// Where the user says that data are; empty: where the session says. What is there is used whatever it holds.
+/// Places of the data that the user gave; empty: the session's own. Data there are used whatever their contents.
 struct SessionPlaces {
   std::filesystem::path volume, labels;
 };
 
 struct OpenedSession {
-  Session session;      ///< its data where and as they were found
+  Session session;      ///< with the paths and contents of the data that were opened
   OpenedVolume volume;  ///< its warnings moved to `warnings`
   std::shared_ptr<const LabelMap> labels;
-  std::vector<Warning> warnings;  ///< of the data, and what has moved or changed
+  std::vector<Warning> warnings;  ///< of the data, and which of them moved or changed
 };
 
 /// Reads the session and opens its data. Throws DataMissing, Error, Cancelled.
@@ -45,8 +45,8 @@ OpenedSession openSession(const std::filesystem::path& file, const SessionPlaces
 SessionVolume sessionVolume(const std::filesystem::path& path, const OpenedVolume& volume,
                             const std::optional<RawDescription>& raw = {});
 SessionData sessionLabels(const std::filesystem::path& path);
-/// Hashes what is not hashed yet, which takes a while. Files that cannot be read leave contents unknown: a session can
-/// be saved while the disk with its data is away. Throws Cancelled.
+/// Hashes the data that have no hash yet, which takes a while. Unreadable files leave the contents unknown, so that a
+/// session can be saved while the disk with its data is not mounted. Throws Cancelled.
 void noteContents(Session& session, const Progress& progress = {});
 
 }  // namespace fenestra::io

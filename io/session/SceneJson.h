@@ -1,6 +1,6 @@
 #pragma once
-// The members of a look and of what belongs to it in JSON, for sessions and for files of strokes. The settings come
-// from their tables in rendering/scene/Settings.h. Private to io/session.
+// The members of a look and of its parts in JSON, for sessions and for files of strokes. Settings come from their
+// tables in rendering/scene/Settings.h. Private to io/session.
 
 #include "io/session/JsonSchema.h"
 #include "rendering/scene/Settings.h"

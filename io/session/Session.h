@@ -1,9 +1,10 @@
 #pragma once
 // Everything a user did to a study, and where the study is; plain data. SessionFile keeps it in one file.
 //
-// Nothing in it comes from what the data say about a patient: the series is named by a hash of its UID, because a UID
-// leads whoever has the archive to the patient. Paths are the names that the user gave to files and folders; they are
-// kept relative to the session's file, so folders above both are not named. A folder named after a patient names them.
+// It takes nothing from the data that identifies a patient: a hash of its UID names the series, because the UID itself
+// identifies the patient to anyone with access to the archive. Paths are the user's names of files and folders; they
+// are kept relative to the session's file, so it does not name the folders above both. A folder named after a patient
+// does name the patient.
 
 #include <array>
 #include <filesystem>
@@ -23,8 +24,8 @@ namespace fenestra::io {
 /// A file or folder that a session needs.
 struct SessionData {
   std::filesystem::path path;                ///< absolute; empty: none
-  Contents contents;                         ///< what it held when the session was saved; no hash: not known
-  std::vector<std::filesystem::path> files;  ///< what `contents` is of, while the data are open; not kept
+  Contents contents;                         ///< when the session was saved; no hash: not known
+  std::vector<std::filesystem::path> files;  ///< the files that `contents` hashes, while the data are open; not saved
   bool operator==(const SessionData&) const = default;
 };
 
@@ -46,7 +47,7 @@ struct SessionView {
   Camera camera;
   glm::ivec2 size{960, 720};  ///< pixels
   double pixelScale = 1.0;    ///< pixels per device-independent pixel
-  /// In a picture higher than wide the field of view is widened so that what fits across still does, as in the window.
+  /// Whether a picture higher than wide gets a wider field of view, as in the window; see Camera::fittedTo.
   bool fitsWidth = true;
   bool operator==(const SessionView&) const = default;
 };
@@ -81,16 +82,16 @@ struct Session {
   std::array<SessionView, 2> views;  ///< C1 and C2
   std::array<Camera, 2> home;        ///< where resetting the views goes
   bool linked = true;
-  std::optional<WindowLevel> window;  ///< of the slices; unset: as the data ask
+  std::optional<WindowLevel> window;  ///< of the slices; unset: Volume::defaultWindow
   std::optional<glm::dvec3> crosshair;
   SessionOverlays overlays;
   std::string maximised;  ///< the view that has the whole area: "C1", "C2", "axial", …; empty: none
   std::string layout;     ///< the window's own, in Base64
   SessionPlacement placement;
 
-  /// The session that this one, saved by itself, is ahead of; empty: it has no file yet, or is no automatic copy.
+  /// In an automatic copy, the file of the session that it is newer than; empty: there is none, or this is no copy.
   std::filesystem::path autosaveOf;
-  /// What the file held that this version does not know, as JSON text: it is written back. Empty: nothing.
+  /// Members of the file that this version does not know, as JSON text, to be written back. Empty: none.
   std::string unknown;
 
   bool operator==(const Session&) const = default;

@@ -13,7 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 using json::Value;
 
-/// Room for a million anchors; what bounds the memory that a file can ask for is json::parse.
+/// Enough for a million anchors; json::parse bounds the memory that a file can ask for.
 constexpr std::uintmax_t largest = std::uintmax_t{128} << 20;
 
 /// Version 1 had the data's paths alone, cameras without their pictures, and the widths under their symbols.
@@ -38,7 +38,7 @@ void fromVersion1(Value& root) {
 constexpr void (*migrations[])(Value&) = {fromVersion1};
 static_assert(std::size(migrations) == sessionVersion - 1);
 
-/// The folder that a session's paths start from, without links, so that ".." means what the system takes it for.
+/// The folder that a session's paths start from, without links, so that ".." means the same as to the system.
 fs::path folderOf(const fs::path& file) {
   std::error_code failure;
   const fs::path folder = fs::absolute(file).parent_path();
@@ -46,7 +46,7 @@ fs::path folderOf(const fs::path& file) {
   return failure ? folder.lexically_normal() : canonical;
 }
 
-/// Without "." and "..", and without a slash at the end, behind which a folder has no name.
+/// Without "." and "..", and without a slash at the end, so that a folder has a file name.
 fs::path tidy(const fs::path& path) {
   const fs::path normal = path.lexically_normal();
   return normal.has_filename() || !normal.has_relative_path() ? normal : normal.parent_path();
@@ -68,17 +68,17 @@ bool isOrdered(const std::vector<T>& list, Less less) {
   return std::is_sorted(list.begin(), list.end(), less);
 }
 
-/// What members cannot say one by one.
+/// Refuses what spans several members.
 void check(const Session& session, const json::Reader& top) {
   const bool hasVolume = !session.volume.path.empty();
-  refuseUnless(hasVolume != session.phantom.has_value(), top, "names neither one volume nor one phantom");
+  refuseUnless(hasVolume != session.phantom.has_value(), top, "must name either a volume or a phantom");
   if (const auto* labels = std::get_if<LabelFocus>(&session.look.focus)) {
     refuseUnless(!session.labels.path.empty() || session.phantom, top, "has a focus of labels, but no labels");
     refuseUnless(!labels->labels.empty() && isOrdered(labels->labels, std::less_equal<>()), top,
-                 "has labels in the focus that are not in order, each once");
+                 "has labels in the focus that do not ascend");
   }
   if (const auto* values = std::get_if<ValueFocus>(&session.look.focus))
-    refuseUnless(values->values.low <= values->values.high, top, "has a focus of values that ends before it begins");
+    refuseUnless(values->values.low <= values->values.high, top, "has a focus of values whose low exceeds its high");
   refuseUnless(
       isOrdered(session.look.context.function.nodes, [](const auto& a, const auto& b) { return a.value < b.value; }),
       top, "has a transfer function whose nodes are not in order");
@@ -90,7 +90,7 @@ Session readSession(const fs::path& file) {
   Value root = json::parse(file, json::readBounded(file, largest));
   const auto format = root.is_object() ? root.find("format") : root.end();
   if (format == root.end() || *format != sessionFormat)
-    throw Error(file, "is no session", "give a .fenestra file that Fenestra wrote");
+    throw Error(file, "is not a session", "give a .fenestra file that Fenestra wrote");
   const json::Place top{file};
   const json::Reader reader(top, root);
   int version = 0;

@@ -19,7 +19,7 @@ BrushStrokes readStrokes(const std::filesystem::path& file) {
   std::string format;
   int version = 0;
   reader("format", format);
-  if (format != formatName) throw Error(file, "is no file of strokes", "give one that Fenestra wrote");
+  if (format != formatName) throw Error(file, "is not a file of strokes", "give one that Fenestra wrote");
   reader("version", version, {1.0, 1e6});
   if (version > newestVersion)
     throw Error(file, "was written by a newer version of Fenestra", "open it with that version");

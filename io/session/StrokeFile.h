@@ -5,7 +5,7 @@
 //   "anchors": [[x, y, z], …] (world, mm), "radius": mm, "softness": 0..1, "depth": mm, "amount": 0..1,
 //   "covers_focus": false, "hidden": false, "view": -1 (all) | 0 (C1) | 1 (C2)}, … ] }
 //
-// A member that is left out has rendering/scene/BrushStroke.h's default. In a session, "strokes" is the same list.
+// A missing member has its default of rendering/scene/BrushStroke.h. In a session, "strokes" is the same list.
 
 #include <filesystem>
 
@@ -16,7 +16,7 @@ namespace fenestra::io {
 
 /// Throws Error.
 BrushStrokes readStrokes(const std::filesystem::path& file);
-/// Written beside and renamed. Throws Error.
+/// Writes a temporary file beside `file` and renames it. Throws Error.
 void writeStrokes(const std::filesystem::path& file, const BrushStrokes& strokes);
 
 }  // namespace fenestra::io

@@ -9,7 +9,7 @@ namespace {
 
 bool isFinite(glm::dvec3 p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
-/// Anchors this share of the radius apart or less are one: the rim then moves by less than 1/16 of the radius.
+/// Anchors closer than this share of the radius count as one: the rim moves by less than 1/16 of the radius.
 constexpr double leastStep = 1.0 / 16.0;
 
 }  // namespace

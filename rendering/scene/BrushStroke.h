@@ -34,7 +34,7 @@ enum class BrushMode : std::uint8_t {
   Restore,     ///< brings the ray start back towards the eye: what the cutaway removed returns (an ear over a brain)
   Open,        ///< pushes the ray start away from the eye
   Fade,        ///< the context layer shows less under the stroke
-  Strengthen,  ///< and more
+  Strengthen,  ///< the context layer shows more under the stroke
 };
 
 /// A circular brush drawn along a polyline of points on what was seen.

@@ -48,7 +48,7 @@ Camera::Axes Camera::axes() const {
   const double length = glm::length(forward);
   forward = length > 0.0 ? forward / length : glm::dvec3(0.0, 1.0, 0.0);
   glm::dvec3 right = glm::cross(forward, up);
-  // Below a hundred-thousandth the cross product of the two is rounding noise.
+  // Below 1e-5 the cross product of the two is rounding noise.
   if (!(glm::length(right) > 1e-5 * glm::length(up))) right = glm::cross(forward, leastAlignedAxis(forward));
   right = glm::normalize(right);
   return {right, glm::cross(right, forward), forward};
@@ -150,7 +150,7 @@ Camera Camera::fromDirection(glm::dvec3 towardsEye, const Grid& grid, Projection
 Camera Camera::fromAngles(double azimuth, double elevation, const Grid& grid, Projection projection) {
   const double az = glm::radians(azimuth), el = glm::radians(elevation);
   const glm::dvec3 towardsEye(std::sin(az) * std::cos(el), -std::cos(az) * std::cos(el), std::sin(el));
-  // Looking along the body axis, "up" is where the head would tip to: towards the azimuth's far side.
+  // For a view along the body axis, "up" points away from the azimuth's side, where the head would tip to.
   const glm::dvec3 up = std::abs(std::cos(el)) > 1e-6
                             ? glm::dvec3(0.0, 0.0, 1.0)
                             : glm::dvec3(-std::sin(az), std::cos(az), 0.0) * (el > 0.0 ? 1.0 : -1.0);

@@ -46,8 +46,8 @@ struct Camera {
   /// The second camera of a pair: a quarter turn to this one's right, the patient upright. For an anterior view it
   /// looks from the patient's left.
   Camera beside() const;
-  /// For a picture of that aspect, width over height: in one higher than wide the field of view is widened so that what
-  /// fits across a square one still does.
+  /// This camera for a picture of `aspect`, width over height. A picture higher than wide gets a wider field of view,
+  /// so that it shows everything that a square one does.
   Camera fittedTo(double aspect) const;
 
   static Camera standard(StandardView view, const Grid& grid, Projection projection = Projection::Perspective);

@@ -1,5 +1,5 @@
 #pragma once
-// Where a grid of voxels lies in the patient, and the frames everything else speaks of.
+// Where a grid of voxels lies in the patient, and the coordinate frames of the whole project.
 //
 // Frames (a transform is named bFromA):
 //   world    patient frame, LPS, mm (DICOM PS3.3 C.7.6.2.1.1)

@@ -1,5 +1,5 @@
 #pragma once
-// A label map on the volume's grid, and what its labels are called.
+// A label map on the volume's grid, and the names of its labels.
 
 #include <cstdint>
 #include <string>
@@ -28,7 +28,7 @@ struct LabelMap {
   const Label* find(std::uint16_t value) const;
 };
 
-/// A colour for a label that the file gives none: well-separated hues, fixed per value.
+/// The colour of a label whose file gives it none: hues are well separated and fixed per value.
 glm::dvec3 defaultLabelColour(std::uint16_t value);
 
 }  // namespace fenestra

@@ -1,5 +1,5 @@
 #pragma once
-// The lighting model in numbers: what the renderer and its reference both follow.
+// The lighting model that the renderer and its reference share.
 //
 // At every voxel, the world-space gradient by central differences of the stored values (one-sided at the volume's
 // border) gives a unit normal n and a gate g = smoothstep(gradientGateLow, gradientGateHigh, |gradient| · finest

@@ -51,7 +51,7 @@ struct Look {
   ContextLayer contextLayer;
   Shading shading;
   glm::dvec3 background{0.0};  ///< display RGB 0..1
-  BrushStrokes strokes;        ///< edits of the opening; without any, nothing is kept or run for them
+  BrushStrokes strokes;        ///< edits of the opening; without any, no pass runs and no memory is used for them
   bool operator==(const Look&) const = default;
 };
 

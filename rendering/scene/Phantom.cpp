@@ -217,8 +217,9 @@ Grid latticeFor(glm::dvec3 extent, int voxels) {
   return grid;
 }
 
-/// The mean value of each voxel of a row: the sum over sub-rows of how far each segment reaches into the voxel. A
-/// segment's end at x changes the voxel it lies in partly and all later ones fully, so a row costs its surfaces alone.
+/// The mean value of each voxel of a row: the sum over sub-rows of the length of each segment within the voxel. A
+/// segment that ends at x changes its voxel partly and all later ones fully, so the cost of a row is that of its
+/// surfaces.
 class RowAverage {
  public:
   RowAverage(const Grid& grid, double background)
@@ -265,8 +266,8 @@ class RowAverage {
   int subRows_ = 0;
 };
 
-/// Spreads each value over its neighbours by 1 2 1 along every axis (borders repeat), as a scanner does whose
-/// resolution is its voxel's: without it, layers of a voxel's thickness would beat with the lattice.
+/// Spreads each value over its neighbours by 1 2 1 along every axis (borders repeat), like a scanner whose resolution
+/// is one voxel. Without it, layers one voxel thick would alias with the lattice.
 void spread(std::span<const float> means, const Grid& grid, std::span<std::int16_t> values) {
   const glm::ivec3 dims = grid.dims;
   const auto rowLength = static_cast<std::size_t>(dims.x);
@@ -372,7 +373,7 @@ Phantom::Rasterised Phantom::rasterise(int voxels) const {
   const std::span<std::uint16_t> labels = map->voxels.as<std::uint16_t>();
   const auto rowLength = static_cast<std::size_t>(dims.x);
 
-  // Painted in the order of the bodies: the later wins, as everywhere.
+  // Bodies are painted in their order: the later one wins, as everywhere.
   const auto paintLabels = [&](const std::vector<BodyInterval>& intervals, std::span<std::uint16_t> row) {
     std::fill(row.begin(), row.end(), std::uint16_t{0});
     for (const BodyInterval& i : intervals) {

@@ -1,5 +1,5 @@
 #pragma once
-// Bodies with closed-form surfaces: the built-in data set, and the truth that the renderer is tested against.
+// Bodies with closed-form surfaces: built-in data sets, and exact values to test the renderer against.
 
 #include <cstdint>
 #include <memory>

@@ -7,9 +7,9 @@ namespace fenestra::placement {
 
 /// Quality = Σ weight · descriptor. The paper's depth term prefers views through more context when its weight is
 /// positive. The defaults are among those with which the pair sees most of the surface of the structures that
-/// tests/bench/results measures: a heavy depth weight of either sign draws both cameras to one side of the focus. What
-/// is left of it decides between opposite views, whose outlines are the same, for the nearer side: less is cut away. A
-/// little the other way C1 would see some more.
+/// tests/bench/results measures: a heavy depth weight of either sign draws both cameras to one side of the focus. The
+/// small weight that remains decides between opposite views, whose outlines are the same: it prefers the nearer side,
+/// where less is cut away. A small positive weight would let C1 see slightly more.
 struct Weights {
   double visibility = -0.02, coverage = 16.0, location = 0.5;
   double entropy = 0.0, mutualInformation = 0.0, stability = 0.0, orientation = 0.0;

@@ -1,18 +1,18 @@
 #pragma once
-// How the integral along rays is found.
+// How densely the integral along rays is sampled.
 
 #include <cstdint>
 
 namespace fenestra {
 
-/// Draft and normal go along rays from face to face of the cells, the transfer function integrated between, and
-/// interpolate between rays where the picture is smooth.
+/// Draft and normal integrate the transfer function along each ray from one cell face to the next, and interpolate
+/// between rays where the picture is smooth.
 enum class Quality : std::uint8_t {
-  Draft,   ///< rays two pixels apart at least, and three times as much taken for smooth: while dragging
-  Normal,  ///< rays closer than voxels are wide
+  Draft,   ///< while dragging: rays at least two pixels apart, three times the tolerance for smooth
+  Normal,  ///< rays closer together than the width of a voxel
   High,    ///< every ray, with an error of at most highQualityError
 };
-/// Of a pixel's colour, in 1/255.
+/// Error of a pixel's colour, in 1/255.
 inline constexpr double highQualityError = 0.5;
 
 }  // namespace fenestra

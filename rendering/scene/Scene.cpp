@@ -13,7 +13,7 @@ bool hasCutaway(const Scene& scene) {
 }
 
 Grid visibleGrid(const Volume& volume, const TransferFunction& context) {
-  constexpr double visibleOpacity = 0.05;  // of 1 mm: haze is not what a picture is framed for
+  constexpr double visibleOpacity = 0.05;  // of 1 mm: the frame leaves haze out
   constexpr double leastShare = 0.01;      // of the fullest slab
   const Grid& grid = volume.grid;
   const std::vector<ValueGap> gaps = context.transparentGaps(visibleOpacity);
@@ -29,7 +29,7 @@ Grid visibleGrid(const Volume& volume, const TransferFunction& context) {
     parallelFor(static_cast<std::size_t>(grid.dims.z), 4, [&](std::size_t begin, std::size_t end) {
       auto local = counts;
       for (auto& axis : local) std::fill(axis.begin(), axis.end(), std::size_t{0});
-      // Every other row is plenty to find an extent.
+      // Every other row is enough to find the extent.
       for (std::size_t z = begin; z < end; ++z)
         for (int y = static_cast<int>(z % 2); y < grid.dims.y; y += 2) {
           const auto* row = scalars.data() + grid.offset({0, y, static_cast<int>(z)});

@@ -1,5 +1,5 @@
 #pragma once
-// Everything one picture needs and nothing more; plain data, no GL. Copies are cheap: voxels are shared.
+// Everything that one picture needs; plain data, no GL. Copies are cheap, because they share the voxels.
 
 #include <memory>
 
@@ -21,8 +21,8 @@ struct Scene {
 /// A scene has an opening when it has a focus and its cutaway is on.
 bool hasCutaway(const Scene& scene);
 
-/// The part of the volume's grid in which `context` shows anything, for a camera to frame: scans hold much air. Slabs
-/// of voxels with next to nothing in them (a table's edge, noise) do not count. The whole grid when nothing shows.
+/// The part of the volume's grid that `context` shows, for a camera to frame: scans hold much air. Nearly empty slabs
+/// of voxels (a table's edge, noise) do not count. The whole grid when the context shows nothing.
 Grid visibleGrid(const Volume& volume, const TransferFunction& context);
 
 }  // namespace fenestra

@@ -1,7 +1,7 @@
 #pragma once
-// Every setting of a look, declared once: what it is called in files, on the command line and in the window, what it
-// means, and what it may be. A setting's default is its member's own initialiser. Session files and their published
-// schema, the options of the command line and the controls of the window are made from these tables.
+// Declares every setting of a look once: its name in files, on the command line and in the window, its meaning and its
+// range. A setting's default is its member's initialiser. Session files and their published schema, the options of the
+// command line and the controls of the window are made from these tables.
 
 #include <array>
 #include <concepts>
@@ -18,19 +18,16 @@ namespace fenestra {
 struct Range {
   double low = std::numeric_limits<double>::lowest(), high = std::numeric_limits<double>::max();
   constexpr bool contains(double number) const { return number >= low && number <= high; }
-  bool operator==(const Range&) const = default;
 };
 inline constexpr Range fraction{0.0, 1.0};
-/// Coordinates and lengths in mm: 1000 km, far beyond any patient and far from overflowing a float's square.
+/// Coordinates and lengths in mm. The limit of 1000 km is far beyond any patient, and its square fits a float.
 inline constexpr Range millimetres{-1e9, 1e9}, positiveMillimetres{1e-9, 1e9};
 /// Greatest error of a colour that sampling may leave, in 1/255; below the least, rounding of the voxels' float32 sums
 /// dominates.
 inline constexpr Range maxErrors{0.05, 255.0};
 
-/// One member of `Owner`: a number, a switch (bool), a choice (an enumeration with wordsOf) or a colour (display RGB).
-template <class Owner, class Value>
-struct Setting {
-  Value Owner::*member;
+/// What a setting is called, means and may be.
+struct Declaration {
   const char* key;               ///< in files
   const char* option = nullptr;  ///< on the command line; null: it has none
   const char* name;              ///< label in the window
@@ -39,6 +36,14 @@ struct Setting {
   Range range = {};      ///< of a number
   Range slider = range;  ///< the part of `range` that a slider spans
   double step = 0.0;     ///< of a slider
+};
+
+/// One member of `Owner`: a number, a switch (bool), a choice (an enumeration with wordsOf) or a colour (display RGB).
+template <class Owner, class Value>
+struct Setting : Declaration {
+  constexpr Setting(Value Owner::*which, const Declaration& declaration) : Declaration(declaration), member(which) {}
+
+  Value Owner::*member;
 };
 
 /// One value of an enumeration.
@@ -84,201 +89,174 @@ inline constexpr std::tuple settingsOf{};
 
 template <>
 inline constexpr std::tuple settingsOf<Cutaway>{
-    Setting{.member = &Cutaway::enabled,
-            .key = "enabled",
-            .option = "--cutaway",
-            .name = "Open the context around the focus",
-            .description = "Whether the context is cut away around the focus"},
-    Setting{.member = &Cutaway::openWidth,
-            .key = "open_width",
-            .option = "--w-open",
-            .name = "Opening",
-            .description = "How far the opening reaches beyond the focus (w_open)",
-            .range = {0.0, 1e5},
-            .slider = {0.0, 120.0},
-            .step = 1.0},
-    Setting{.member = &Cutaway::borderWidth,
-            .key = "border_width",
-            .option = "--w-border",
-            .name = "Border",
-            .description = "Width of the line around the opening (w_border)",
-            .range = {0.0, 1e5},
-            .slider = {0.0, 20.0},
-            .step = 0.5},
-    Setting{.member = &Cutaway::unit,
-            .key = "unit",
-            .option = "--width-unit",
-            .name = "Unit",
-            .description = "Unit of both widths: pixels of the screen, or mm at the depth of the focus, which keep the "
-                           "opening still while zooming"},
-    Setting{.member = &Cutaway::borderColour,
-            .key = "border_colour",
-            .option = "--border-colour",
-            .name = "Border colour",
-            .description = "Colour of the line around the opening"}};
+    Setting(&Cutaway::enabled, {.key = "enabled",
+                                .option = "--cutaway",
+                                .name = "Open the context around the focus",
+                                .description = "Whether the context is cut away around the focus"}),
+    Setting(&Cutaway::openWidth, {.key = "open_width",
+                                  .option = "--w-open",
+                                  .name = "Opening",
+                                  .description = "How far the opening reaches beyond the focus (w_open)",
+                                  .range = {0.0, 1e5},
+                                  .slider = {0.0, 120.0},
+                                  .step = 1.0}),
+    Setting(&Cutaway::borderWidth, {.key = "border_width",
+                                    .option = "--w-border",
+                                    .name = "Border",
+                                    .description = "Width of the line around the opening (w_border)",
+                                    .range = {0.0, 1e5},
+                                    .slider = {0.0, 20.0},
+                                    .step = 0.5}),
+    Setting(
+        &Cutaway::unit,
+        {.key = "unit",
+         .option = "--width-unit",
+         .name = "Unit",
+         .description = "Unit of both widths: pixels of the screen, or mm at the depth of the focus, which keep the "
+                        "opening still while zooming"}),
+    Setting(&Cutaway::borderColour, {.key = "border_colour",
+                                     .option = "--border-colour",
+                                     .name = "Border colour",
+                                     .description = "Colour of the line around the opening"})};
 
 template <>
 inline constexpr std::tuple settingsOf<ContextLayer>{
-    Setting{.member = &ContextLayer::strength,
-            .key = "strength",
-            .option = "--context-layer",
-            .name = "Strength",
-            .description = "How strongly the edges of the removed context are drawn over the focus; 0 draws none",
-            .range = fraction,
-            .step = 0.05},
-    Setting{.member = &ContextLayer::curvatureWeight,
-            .key = "curvature_weight",
-            .option = "--context-curvature",
-            .name = "Curvature",
-            .description = "How much bends of the context's surface count as edges: eyes, nose, ears",
-            .range = {0.0, 100.0},
-            .slider = {0.0, 2.0},
-            .step = 0.05},
-    Setting{.member = &ContextLayer::silhouetteWeight,
-            .key = "silhouette_weight",
-            .option = "--context-silhouette",
-            .name = "Silhouette",
-            .description = "How much the context's outlines, where its surface is seen edge-on, count as edges",
-            .range = {0.0, 100.0},
-            .slider = {0.0, 2.0},
-            .step = 0.05},
-    Setting{.member = &ContextLayer::illuminationWeight,
-            .key = "illumination_weight",
-            .option = "--context-illumination",
-            .name = "Illumination",
-            .description = "How much the light on the context's surface shades its edges; 0 draws them flat",
-            .range = fraction,
-            .step = 0.05},
-    Setting{.member = &ContextLayer::valueWeight,
-            .key = "value_weight",
-            .option = "--context-value",
-            .name = "Value",
-            .description = "How much the edges take the context's own colour",
-            .range = fraction,
-            .step = 0.05},
-    Setting{.member = &ContextLayer::colour,
-            .key = "colour",
-            .option = "--context-colour",
-            .name = "Colour",
-            .description = "Colour of the context's edges"}};
+    Setting(&ContextLayer::strength,
+            {.key = "strength",
+             .option = "--context-layer",
+             .name = "Strength",
+             .description = "How strongly the edges of the removed context are drawn over the focus; 0 draws none",
+             .range = fraction,
+             .step = 0.05}),
+    Setting(&ContextLayer::curvatureWeight,
+            {.key = "curvature_weight",
+             .option = "--context-curvature",
+             .name = "Curvature",
+             .description = "How much bends of the context's surface count as edges: eyes, nose, ears",
+             .range = {0.0, 100.0},
+             .slider = {0.0, 2.0},
+             .step = 0.05}),
+    Setting(&ContextLayer::silhouetteWeight,
+            {.key = "silhouette_weight",
+             .option = "--context-silhouette",
+             .name = "Silhouette",
+             .description = "How much the context's outlines, where its surface is seen edge-on, count as edges",
+             .range = {0.0, 100.0},
+             .slider = {0.0, 2.0},
+             .step = 0.05}),
+    Setting(&ContextLayer::illuminationWeight,
+            {.key = "illumination_weight",
+             .option = "--context-illumination",
+             .name = "Illumination",
+             .description = "How much the light on the context's surface shades its edges; 0 draws them flat",
+             .range = fraction,
+             .step = 0.05}),
+    Setting(&ContextLayer::valueWeight, {.key = "value_weight",
+                                         .option = "--context-value",
+                                         .name = "Value",
+                                         .description = "How much the edges take the context's own colour",
+                                         .range = fraction,
+                                         .step = 0.05}),
+    Setting(&ContextLayer::colour, {.key = "colour",
+                                    .option = "--context-colour",
+                                    .name = "Colour",
+                                    .description = "Colour of the context's edges"})};
 
 template <>
 inline constexpr std::tuple settingsOf<Shading>{
-    Setting{.member = &Shading::enabled,
-            .key = "enabled",
-            .option = "--shading",
-            .name = "Shading",
-            .description = "Whether surfaces are lit by the gradient of the values"},
-    Setting{.member = &Shading::ambient,
-            .key = "ambient",
-            .name = "Ambient",
-            .description = "Light from all sides",
-            .range = {0.0, 100.0}},
-    Setting{.member = &Shading::diffuse,
-            .key = "diffuse",
-            .name = "Diffuse",
-            .description = "Light that a matt surface scatters",
-            .range = {0.0, 100.0}},
-    Setting{.member = &Shading::specular,
-            .key = "specular",
-            .name = "Specular",
-            .description = "Strength of the highlights",
-            .range = {0.0, 100.0}},
-    Setting{.member = &Shading::shininess,
-            .key = "shininess",
-            .name = "Shininess",
-            .description = "Exponent of the highlights: a larger one makes them smaller and sharper",
-            .range = {0.0, 1e4}},
-    Setting{.member = &Shading::lightAzimuth,
-            .key = "light_azimuth",
-            .name = "Light azimuth",
-            .description = "Where the light comes from: 0 is behind the viewer, 90 the right of the picture",
-            .unit = "°",
-            .range = {-180.0, 180.0},
-            .step = 1.0},
-    Setting{.member = &Shading::lightElevation,
-            .key = "light_elevation",
-            .name = "Light elevation",
-            .description = "How high the light stands: 90 is the top of the picture, -90 the bottom",
-            .unit = "°",
-            .range = {-90.0, 90.0},
-            .step = 1.0}};
+    Setting(&Shading::enabled, {.key = "enabled",
+                                .option = "--shading",
+                                .name = "Shading",
+                                .description = "Whether surfaces are lit by the gradient of the values"}),
+    Setting(&Shading::ambient,
+            {.key = "ambient", .name = "Ambient", .description = "Light from all sides", .range = {0.0, 100.0}}),
+    Setting(&Shading::diffuse, {.key = "diffuse",
+                                .name = "Diffuse",
+                                .description = "Light that a matt surface scatters",
+                                .range = {0.0, 100.0}}),
+    Setting(
+        &Shading::specular,
+        {.key = "specular", .name = "Specular", .description = "Strength of the highlights", .range = {0.0, 100.0}}),
+    Setting(&Shading::shininess,
+            {.key = "shininess",
+             .name = "Shininess",
+             .description = "Exponent of the highlights: a larger one makes them smaller and sharper",
+             .range = {0.0, 1e4}}),
+    Setting(&Shading::lightAzimuth,
+            {.key = "light_azimuth",
+             .name = "Light azimuth",
+             .description = "Where the light comes from: 0 is behind the viewer, 90 the right of the picture",
+             .unit = "°",
+             .range = {-180.0, 180.0},
+             .step = 1.0}),
+    Setting(&Shading::lightElevation,
+            {.key = "light_elevation",
+             .name = "Light elevation",
+             .description = "How high the light stands: 90 is the top of the picture, -90 the bottom",
+             .unit = "°",
+             .range = {-90.0, 90.0},
+             .step = 1.0})};
 
 template <>
 inline constexpr std::tuple settingsOf<FocusAppearance>{
-    Setting{.member = &FocusAppearance::colour,
-            .key = "colour",
-            .name = "Colour",
-            .description = "Colour of a focus of values; labels have colours of their own"},
-    Setting{.member = &FocusAppearance::extinction,
-            .key = "extinction",
-            .name = "Extinction",
-            .description = "Extinction coefficient of the focus",
-            .unit = "1/mm",
-            .range = {0.0, 1e9}}};
+    Setting(&FocusAppearance::colour, {.key = "colour",
+                                       .name = "Colour",
+                                       .description = "Colour of a focus of values; labels have colours of their own"}),
+    Setting(&FocusAppearance::extinction, {.key = "extinction",
+                                           .name = "Extinction",
+                                           .description = "Extinction coefficient of the focus",
+                                           .unit = "1/mm",
+                                           .range = {0.0, 1e9}})};
 
 template <>
-inline constexpr std::tuple settingsOf<ValueFocus>{
-    Setting{.member = &ValueFocus::minimumComponent,
-            .key = "minimum_component",
-            .option = "--focus-min-size",
-            .name = "Smallest island",
-            .description = "Volume below which an island of a focus of values is left out",
-            .unit = "mm³",
-            .range = {0.0, 1e12}}};
+inline constexpr std::tuple settingsOf<ValueFocus>{Setting(
+    &ValueFocus::minimumComponent, {.key = "minimum_component",
+                                    .option = "--focus-min-size",
+                                    .name = "Smallest island",
+                                    .description = "Volume below which an island of a focus of values is left out",
+                                    .unit = "mm³",
+                                    .range = {0.0, 1e12}})};
 
 template <>
 inline constexpr std::tuple settingsOf<ContextFunction>{
-    Setting{.member = &ContextFunction::shift,
-            .key = "shift",
-            .name = "Shift",
-            .description = "Moves the whole transfer function along the values"}};
+    Setting(&ContextFunction::shift,
+            {.key = "shift", .name = "Shift", .description = "Moves the whole transfer function along the values"})};
 
 template <>
-inline constexpr std::tuple settingsOf<Look>{Setting{.member = &Look::background,
-                                                     .key = "background",
-                                                     .option = "--background",
-                                                     .name = "Background",
-                                                     .description = "Colour behind the volume"}};
+inline constexpr std::tuple settingsOf<Look>{Setting(
+    &Look::background,
+    {.key = "background", .option = "--background", .name = "Background", .description = "Colour behind the volume"})};
 
 template <>
 inline constexpr std::tuple settingsOf<BrushStroke>{
-    Setting{.member = &BrushStroke::mode, .key = "mode", .name = "Mode", .description = "What the stroke does"},
-    Setting{.member = &BrushStroke::radius,
-            .key = "radius",
-            .name = "Radius",
-            .description = "Radius of the brush",
-            .unit = "mm",
-            .range = positiveMillimetres},
-    Setting{.member = &BrushStroke::softness,
-            .key = "softness",
-            .name = "Softness",
-            .description = "Share of the radius over which the effect fades out",
-            .range = fraction},
-    Setting{.member = &BrushStroke::depth,
-            .key = "depth",
-            .name = "Depth",
-            .description = "How far along the ray Restore and Open move its start at most",
-            .unit = "mm",
-            .range = {0.0, 1e9}},
-    Setting{.member = &BrushStroke::amount,
-            .key = "amount",
-            .name = "Amount",
-            .description = "How much of the context's edges Fade takes or Strengthen adds",
-            .range = fraction},
-    Setting{.member = &BrushStroke::coversFocus,
-            .key = "covers_focus",
-            .name = "May cover the focus",
-            .description = "Whether restored context may hide the focus"},
-    Setting{.member = &BrushStroke::hidden,
-            .key = "hidden",
-            .name = "Hidden",
-            .description = "Whether the stroke is kept without effect"},
-    Setting{.member = &BrushStroke::view,
-            .key = "view",
-            .name = "View",
-            .description = "View in which it shows: 0 for C1, 1 for C2, -1 for both",
-            .range = {-1.0, 1.0}}};
+    Setting(&BrushStroke::mode, {.key = "mode", .name = "Mode", .description = "What the stroke does"}),
+    Setting(&BrushStroke::radius, {.key = "radius",
+                                   .name = "Radius",
+                                   .description = "Radius of the brush",
+                                   .unit = "mm",
+                                   .range = positiveMillimetres}),
+    Setting(&BrushStroke::softness, {.key = "softness",
+                                     .name = "Softness",
+                                     .description = "Share of the radius over which the effect fades out",
+                                     .range = fraction}),
+    Setting(&BrushStroke::depth, {.key = "depth",
+                                  .name = "Depth",
+                                  .description = "How far along the ray Restore and Open move its start at most",
+                                  .unit = "mm",
+                                  .range = {0.0, 1e9}}),
+    Setting(&BrushStroke::amount, {.key = "amount",
+                                   .name = "Amount",
+                                   .description = "How much of the context's edges Fade takes or Strengthen adds",
+                                   .range = fraction}),
+    Setting(&BrushStroke::coversFocus, {.key = "covers_focus",
+                                        .name = "May cover the focus",
+                                        .description = "Whether restored context may hide the focus"}),
+    Setting(&BrushStroke::hidden,
+            {.key = "hidden", .name = "Hidden", .description = "Whether the stroke is kept without effect"}),
+    Setting(&BrushStroke::view, {.key = "view",
+                                 .name = "View",
+                                 .description = "View in which it shows: 0 for C1, 1 for C2, -1 for both",
+                                 .range = {-1.0, 1.0}})};
 
 /// Calls use(setting) for every setting of `Owner`.
 template <class Owner>

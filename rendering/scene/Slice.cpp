@@ -26,7 +26,7 @@ std::array<int, 3> indexAxes(const glm::dmat3& direction) {
   return best;
 }
 
-/// One way across a picture: the index axis that runs that way, and whether backwards.
+/// A direction across a picture: its index axis, and whether it runs backwards.
 struct Side {
   int axis = 0;
   glm::dvec3 step{0.0};   ///< world, mm per voxel, along the picture's side
@@ -134,9 +134,9 @@ SliceGeometry sliceGeometry(const Grid& grid, SlicePlane plane) {
   for (const Side& s : {right, down, normal})
     if (s.reversed) first -= s.step * static_cast<double>(grid.dims[s.axis] - 1);
 
-  // A sheared plane: the side nearer to its patient axis stays (the table's travel under a tilted gantry), the other
-  // one loses its component along it, and the picture grows along the first by what the shear shifts. Columns (or rows)
-  // still fall on the voxels'; only the way along them is interpolated.
+  // A sheared plane keeps the side nearer to its patient axis (the table's travel under a tilted gantry). The other
+  // side loses its component along the first, and the picture grows along the first by the shift of the shear. Columns
+  // (or rows) still fall on those of the voxels; values are interpolated along them only.
   const auto alignment = [](const Side& s) {
     const glm::dvec3 unit = glm::abs(glm::normalize(s.step));
     return std::max({unit.x, unit.y, unit.z});
@@ -148,7 +148,7 @@ SliceGeometry sliceGeometry(const Grid& grid, SlicePlane plane) {
   const int turnedPixels = keepDown ? geometry.width : geometry.height;
   const double shiftPerPixel = glm::dot(turned.step, kept.step) / glm::dot(kept.step, kept.step);
   const double shift = shiftPerPixel * (turnedPixels - 1);
-  // Direction cosines are often stored with six digits: less than half a pixel across the picture is no shear.
+  // Direction cosines are often stored with six digits, so a shift of less than half a pixel does not count as shear.
   if (std::abs(shift) > 0.5) {
     turned.step -= shiftPerPixel * kept.step;
     keptPixels += static_cast<int>(std::ceil(std::abs(shift)));

@@ -1,5 +1,5 @@
 #pragma once
-// Axial, sagittal and coronal slices on the CPU: they work where 3-D cannot start.
+// Axial, sagittal and coronal slices on the CPU, which work without OpenGL.
 //
 // A slice follows the volume's own index planes (the plane whose axis is nearest to the anatomical one), so that an
 // oblique acquisition shows its pixels as acquired; sheared grids are resampled into an orthogonal picture plane.

@@ -6,8 +6,8 @@
 namespace fenestra {
 
 double extinctionFromOpacity(double opacityPerMm) {
-  // Fully opaque in 1 mm would be an infinite extinction; the largest opacity that 8 bits tell from 1 is cut at 1 -
-  // 1e-6.
+  // Full opacity over 1 mm would need an infinite extinction; opacities end at 1 - 1e-6, which 8 bits cannot tell
+  // from 1.
   return -std::log1p(-std::clamp(opacityPerMm, 0.0, 1.0 - 1e-6));
 }
 

@@ -68,7 +68,7 @@ WindowLevel Volume::defaultWindow() const {
   if (!windows.empty()) return windows.front();
   if (isInHounsfieldUnits()) return {400.0, 40.0};  // soft tissue, what CT is read with first
   if (!(range.high > range.low)) return {1.0, range.low};
-  // A histogram of up to about a million voxels is plenty for two percentiles.
+  // About a million voxels are enough for two percentiles.
   constexpr std::size_t bins = 1024;
   std::vector<std::size_t> histogram(bins, 0);
   std::size_t total = 0;

@@ -43,8 +43,8 @@ struct Volume {
   double sample(glm::dvec3 index) const;
   /// Fills `range` from the voxels (all cores). Readers call it once.
   void computeRange();
-  /// Whether values are to be taken for Hounsfield units: said so and below zero somewhere, or of a range that only CT
-  /// has (air is -1000 HU, fat -100, bone above 150). A CT rescaled to 0..1 or offset by 1024 is not.
+  /// Whether values are Hounsfield units: the file says so and some lie below zero, or their range is one that only CT
+  /// has (air is -1000 HU, fat -100, bone above 150). A CT rescaled to 0..1 or offset by 1024 is not in HU.
   bool isInHounsfieldUnits() const;
   /// A sensible first display window: the file's own, soft tissue for CT in HU, or one that spans the
   /// data's 1st to 99th percentile.

@@ -17,6 +17,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/ImageWriter.h"
+#include "rendering/scene/Settings.h"
 #include "tests/support/TestData.h"
 
 namespace fenestra {
@@ -138,6 +139,33 @@ TEST_F(CommandLine, WrongUsageExitsWithTwo) {
     EXPECT_TRUE(result.error.starts_with("fenestra-cli: ")) << line << result.error;
     EXPECT_EQ(std::count(result.error.begin(), result.error.end(), '\n'), 1) << line << result.error;
   }
+  EXPECT_TRUE(nothingLeftBehind());
+}
+
+/// Every setting with an option is in --help with its description, and refuses numbers outside its range.
+TEST_F(CommandLine, OptionsOfSettingsAreAsDeclared) {
+  const std::string help = run({"render", "--help"}).out, png = at("a.png");
+  int options = 0;
+  const auto check = [&]<class Part>(const Part& part) {
+    forEachSetting<Part>([&](const auto& setting) {
+      if (!setting.option) return;
+      ++options;
+      EXPECT_NE(help.find(std::string("  ") + setting.option + " "), std::string::npos) << setting.option;
+      EXPECT_NE(help.find(setting.description + 1), std::string::npos) << setting.option;
+      if constexpr (std::same_as<std::remove_cvref_t<decltype(part.*setting.member)>, double>) {
+        for (const double outside : {setting.range.low - 1.0, setting.range.high * 1.01}) {
+          const auto result = run({"render", "--phantom", "head", setting.option, std::to_string(outside), "-o", png});
+          EXPECT_EQ(result.exitCode, 2) << setting.option << " " << outside;
+        }
+      }
+    });
+  };
+  check(Cutaway{});
+  check(ContextLayer{});
+  check(Shading{});
+  check(ValueFocus{});
+  check(Look{});
+  EXPECT_EQ(options, 14);
   EXPECT_TRUE(nothingLeftBehind());
 }
 

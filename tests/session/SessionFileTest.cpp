@@ -228,7 +228,7 @@ TEST(SessionFile, RefusesANewerVersionAndOtherFiles) {
   EXPECT_NE(errorOf([&] { io::readSession(file); }).find("newer version"), std::string::npos);
   for (const char* text : {"{}", "[]", "3", "\"fenestra-session\"", R"({"format": 3})", R"({"format": "vtk"})"}) {
     writeFile(file, text);
-    EXPECT_NE(errorOf([&] { io::readSession(file); }).find("is no session"), std::string::npos) << text;
+    EXPECT_NE(errorOf([&] { io::readSession(file); }).find("is not a session"), std::string::npos) << text;
   }
   EXPECT_NE(errorOf([&] { io::readSession(file.parent_path() / "none.fenestra"); }).find("does not exist"),
             std::string::npos);

@@ -63,12 +63,12 @@ TEST(StrokeFile, SaysWhereTheMistakeIs) {
   expectSaid(R"([{"view": 2}])", "out of range");
   expectSaid(R"([{"view": 0.5}])", "is not a whole number");
   expectSaid(R"([{"hidden": 1}])", "is neither true nor false");
-  expectSaid(R"([{"radius": 1, "radius": 2}])", "says \"radius\" twice");
+  expectSaid(R"([{"radius": 1, "radius": 2}])", "has the member \"radius\" twice");
   expectSaid("7", "\"/strokes\" is not a list");
   writeFile(file, R"({"format": "fenestra-strokes", "version": 2})");
   EXPECT_NE(errorOf([&] { io::readStrokes(file); }).find("newer version"), std::string::npos);
   writeFile(file, R"({"nodes": []})");
-  EXPECT_NE(errorOf([&] { io::readStrokes(file); }).find("is no file of strokes"), std::string::npos);
+  EXPECT_NE(errorOf([&] { io::readStrokes(file); }).find("is not a file of strokes"), std::string::npos);
 }
 
 TEST(StrokeFile, WritesNoNumberThatIsNone) {
