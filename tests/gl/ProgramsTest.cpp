@@ -202,6 +202,11 @@ TEST_F(ProgramsTest, UnknownNamesAndWrongTypesAreAsserted) {
 }
 #endif
 
+TEST_F(ProgramsTest, RunOnTheDriverThatTheTestAsksFor) {
+  const char* wanted = std::getenv("MESA_LOADER_DRIVER_OVERRIDE");
+  if (wanted) EXPECT_TRUE(gl::description().starts_with(wanted)) << gl::description();
+}
+
 TEST_F(ProgramsTest, AMissingChoiceIsAnErrorThatNamesIt) {
   try {
     gl::ShaderProgram::compute("FocusTiles.comp");
