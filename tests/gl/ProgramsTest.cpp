@@ -204,7 +204,9 @@ TEST_F(ProgramsTest, UnknownNamesAndWrongTypesAreAsserted) {
 
 TEST_F(ProgramsTest, RunOnTheDriverThatTheTestAsksFor) {
   const char* wanted = std::getenv("MESA_LOADER_DRIVER_OVERRIDE");
-  if (wanted) EXPECT_TRUE(gl::description().starts_with(wanted)) << gl::description();
+  if (wanted) {
+    EXPECT_TRUE(gl::description().starts_with(wanted)) << gl::description();
+  }
 }
 
 TEST_F(ProgramsTest, AMissingChoiceIsAnErrorThatNamesIt) {
