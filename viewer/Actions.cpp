@@ -270,7 +270,8 @@ void Actions::makeFocusMenu() {
 void Actions::makeHelpMenu() {
   QMenu* menu = targets_.window.menuBar()->addMenu(tr("&Help"));
   menu->addAction(action(tr("&Keys and mouse"), QKeySequence(tr("?")), [this] { showKeys(&targets_.window); }));
-  menu->addAction(action(tr("&About Fenestra"), {}, [this] { showAbout(targets_.gl, &targets_.window); }));
+  menu->addAction(action(tr("&About Fenestra"), {},
+                         [this] { showAbout(targets_.gl, targets_.views.schedule(), &targets_.window); }));
 }
 
 void Actions::addSample(const QString& name, StudyLoader::Reader read) {

@@ -115,7 +115,9 @@ void showKeys(QWidget* parent) {
   dialog.exec();
 }
 
-void showAbout(const GlSupport& gl, QWidget* parent) {
+void showAbout(const GlSupport& gl, std::optional<Schedule> schedule, QWidget* parent) {
+  QString views = gl.available ? gl.renderer.toHtmlEscaped() : tr("not available");
+  if (schedule) views += tr(" (shader schedule: %1)").arg(QString::fromStdString(std::string(nameOf(*schedule))));
   QMessageBox::about(
       parent, tr("About Fenestra"),
       tr("<h3>Fenestra %1</h3>"
@@ -123,7 +125,7 @@ void showAbout(const GlSupport& gl, QWidget* parent) {
          "<p><b>Not for diagnostic use.</b></p>"
          "<p>Free software under the GNU General Public License, version 3 or later. It comes with no warranty.</p>"
          "<p>3-D views: %2</p>")
-          .arg(QApplication::applicationVersion(), gl.available ? gl.renderer.toHtmlEscaped() : tr("not available")));
+          .arg(QApplication::applicationVersion(), views));
 }
 
 }  // namespace fenestra::viewer

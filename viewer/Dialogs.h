@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "rendering/gpu/Schedule.h"
 #include "viewer/model/Document.h"
 #include "viewer/views/GlSupport.h"
 
@@ -15,6 +16,6 @@ namespace fenestra::viewer {
 std::optional<std::string> askForSeries(const Study& study, QWidget* parent);
 /// Lists what keys and mouse do.
 void showKeys(QWidget* parent);
-void showAbout(const GlSupport& gl, QWidget* parent);
+void showAbout(const GlSupport& gl, std::optional<Schedule> schedule, QWidget* parent);
 
 }  // namespace fenestra::viewer

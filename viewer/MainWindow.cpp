@@ -53,8 +53,9 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
   setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
 
   connectModels();  // before the views connect, so that the models are up to date when a view draws
-  views_ = new ViewArea(workspace_.document, workspace_.cursor, workspace_.cameras, workspace_.options,
-                        workspace_.brush, gl_, setup.atRest.value_or(workspace_.preferences.atRest()));
+  views_ =
+      new ViewArea(workspace_.document, workspace_.cursor, workspace_.cameras, workspace_.options, workspace_.brush,
+                   gl_, setup.atRest.value_or(workspace_.preferences.atRest()), setup.chooseSchedule);
   notices_ = new NoticeBar;
   sessions_ = new Sessions(*this, workspace_, loader_, *notices_,
                            {.describe = [this](io::Session& session) { views_->describe(session); },

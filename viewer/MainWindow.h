@@ -12,6 +12,7 @@
 #include "viewer/jobs/StudyLoader.h"
 #include "viewer/model/Workspace.h"
 #include "viewer/views/GlSupport.h"
+#include "viewer/views/VolumeView.h"
 
 class QStackedWidget;
 
@@ -28,8 +29,9 @@ class MainWindow : public QMainWindow {
  public:
   struct Setup {
     GlSupport gl;
-    std::optional<Effort> atRest = {};  ///< of the 3-D views when nothing moves; unset: as remembered
-    bool remember = true;               ///< restore and save layout, recent files and `atRest`
+    std::optional<Effort> atRest = {};               ///< of the 3-D views when nothing moves; unset: as remembered
+    VolumeView::ChooseSchedule chooseSchedule = {};  ///< unset: by the renderer's name
+    bool remember = true;                            ///< restore and save layout, recent files and `atRest`
   };
 
   explicit MainWindow(const Setup& setup, QWidget* parent = nullptr);

@@ -15,6 +15,7 @@
 
 #include "app/SceneOptions.h"
 #include "app/SceneSession.h"
+#include "app/ScheduleChoice.h"
 #include "io/ImageWriter.h"
 #include "io/PhantomFile.h"
 #include "io/SessionName.h"
@@ -87,6 +88,7 @@ struct Request {
   app::SceneOptions scene;
   std::filesystem::path screenshot;  ///< empty: stay open
   std::optional<Effort> atRest;      ///< unset: as remembered
+  std::optional<Schedule> schedule;  ///< unset: the faster one
 };
 
 /// Reads the command line into `request`. Returns an exit code when the program should end at once.
@@ -96,6 +98,7 @@ std::optional<int> parse(int argc, char** argv, Request& request) {
   program.set_version_flag("--version", FENESTRA_VERSION);
   app::SceneOptions& options = request.scene;
   app::addSceneOptions(program, options);
+  app::addScheduleOption(program, request.schedule);
   std::vector<std::string> morePaths;
   program.add_option("MORE", morePaths, "further slices of PATH's folder, or a label map")->type_name("PATH ...");
   program
@@ -175,7 +178,12 @@ int main(int argc, char** argv) {
   const bool stays = request.screenshot.empty();
   const GlSupport gl = probeOpenGl();
   if (!gl.available && !stays) tell(gl.problem.toStdString());
-  MainWindow window({.gl = gl, .atRest = request.atRest, .remember = stays});
+  MainWindow window(
+      {.gl = gl,
+       .atRest = request.atRest,
+       .chooseSchedule = [asked = request.schedule](const std::shared_ptr<GpuScene>& gpu, const Scene& scene,
+                                                    const View& view) { app::chooseSchedule(asked, gpu, scene, view); },
+       .remember = stays});
   for (const std::string& name : io::phantomNames())
     window.addSample(QString::fromStdString(io::loadPhantom(name).name), phantomReader(name));
   if (request.scene.size) window.resize(request.scene.size->x, request.scene.size->y);

@@ -47,13 +47,11 @@ GlSupport probeOpenGl() {
 
   const QString renderer = QString::fromStdString(gl::description());
   const QString reason = QString::fromStdString(gl::unsupportedReason());
+  const bool software = gl::isSoftwareRasteriser();
   context.doneCurrent();
   if (!reason.isEmpty())
     return unavailable(tr("%1 (LIBGL_ALWAYS_SOFTWARE=1 in the environment selects it).").arg(reason), renderer);
-  GlSupport support{.available = true, .renderer = renderer};
-  for (const char* name : {"llvmpipe", "softpipe", "swrast", "SWR"})
-    if (renderer.contains(QLatin1String(name), Qt::CaseInsensitive)) support.software = true;
-  return support;
+  return {.available = true, .software = software, .renderer = renderer};
 }
 
 }  // namespace fenestra::viewer

@@ -12,7 +12,8 @@
 namespace fenestra::viewer {
 
 ViewArea::ViewArea(Document& document, SliceCursor& cursor, ViewLink& cameras, ViewOptions& options, Brush& brush,
-                   const GlSupport& gl, const Effort& atRest, QWidget* parent)
+                   const GlSupport& gl, const Effort& atRest, const VolumeView::ChooseSchedule& chooseSchedule,
+                   QWidget* parent)
     : QWidget(parent),
       pacer_(std::make_shared<FramePacer>(atRest)),
       rows_(new QSplitter(Qt::Vertical)),
@@ -36,7 +37,8 @@ ViewArea::ViewArea(Document& document, SliceCursor& cursor, ViewLink& cameras, V
     connect(view, &View::maximiseRequested, this, [this, view] { toggleMaximised(view); });
   };
   if (gl.available) {
-    const VolumeView::Shared shared{std::make_shared<GpuScene>(), pacer_};
+    const VolumeView::Shared shared{std::make_shared<GpuScene>(), pacer_, chooseSchedule};
+    gpuScene_ = shared.gpuScene;
     for (int index = 0; index < ViewLink::count; ++index) {
       auto* view = new VolumeView(index, document, cursor, cameras, options, brush, shared);
       connectView(view);
@@ -62,6 +64,11 @@ ViewArea::ViewArea(Document& document, SliceCursor& cursor, ViewLink& cameras, V
     slices_.push_back(view);
   }
   rows_->setSizes({560, 440});
+}
+
+std::optional<Schedule> ViewArea::schedule() const {
+  const std::shared_ptr<const GpuScene> gpuScene = gpuScene_.lock();
+  return gpuScene ? std::optional(gpuScene->schedule()) : std::nullopt;
 }
 
 bool ViewArea::isSettled() const {

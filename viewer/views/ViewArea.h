@@ -20,10 +20,13 @@ class ViewArea : public QWidget {
  public:
   /// Without OpenGL a text in place of the 3-D views says why; the slices work all the same.
   ViewArea(Document& document, SliceCursor& cursor, ViewLink& cameras, ViewOptions& options, Brush& brush,
-           const GlSupport& gl, const Effort& atRest, QWidget* parent = nullptr);
+           const GlSupport& gl, const Effort& atRest, const VolumeView::ChooseSchedule& chooseSchedule,
+           QWidget* parent = nullptr);
 
   const std::vector<VolumeView*>& volumeViews() const { return volumes_; }  ///< empty without OpenGL
   const std::vector<SliceView*>& sliceViews() const { return slices_; }     ///< axial, sagittal, coronal
+  /// The schedule that the shaders of the 3-D views follow; empty without OpenGL.
+  std::optional<Schedule> schedule() const;
   /// Every visible view shows the scene at full quality.
   bool isSettled() const;
 
@@ -35,6 +38,7 @@ class ViewArea : public QWidget {
   /// How the 3-D views are drawn when nothing moves.
   Effort atRest() const { return pacer_->atRest(); }
   void setAtRest(Quality quality, std::optional<double> maxError);
+  std::weak_ptr<const GpuScene> gpuScene_;  ///< the views own it and destroy it in their context
   const FramePacer& pacer() const { return *pacer_; }
 
   /// Write and restore the pictures' sizes, their sampling and the layout.

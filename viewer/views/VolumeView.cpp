@@ -173,7 +173,12 @@ void VolumeView::renderScene() {
   const View view = viewFor(effort_);
   if (!cold_ && !settled_ && !partial_) shared_.pacer->begin(effort_, now());
   if (!renderer_) renderer_.emplace(shared_.gpuScene);
-  renderer_->render(shownScene(), view);
+  const Scene scene = shownScene();
+  if (shared_.chooseSchedule && scheduledFor_.lock() != scene.volume) {
+    shared_.chooseSchedule(shared_.gpuScene, scene, view);
+    scheduledFor_ = scene.volume;
+  }
+  renderer_->render(scene, view);
   renderer_->present(defaultFramebufferObject(), {0, 0, device.width(), device.height()});
   shown_ = view;
   cold_ = partial_ = false;

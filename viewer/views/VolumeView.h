@@ -29,10 +29,13 @@ class ViewOptions;
 class VolumeView : public QOpenGLWidget {
   Q_OBJECT
  public:
+  /// Makes a new volume's shaders follow the schedule that suits this machine; called with the context current.
+  using ChooseSchedule = std::function<void(const std::shared_ptr<GpuScene>&, const Scene&, const View&)>;
   /// What all 3-D views of a window share: voxels on the GPU, and the measured speed of the machine.
   struct Shared {
     std::shared_ptr<GpuScene> gpuScene;
     std::shared_ptr<FramePacer> pacer;
+    ChooseSchedule chooseSchedule;  ///< may be empty
   };
 
   /// `index` is the camera's place in `cameras`.
@@ -114,7 +117,8 @@ class VolumeView : public QOpenGLWidget {
   BrushTool brushTool_;
   Shared shared_;
 
-  std::optional<Renderer> renderer_;  ///< empty before the first picture, and where there is a problem
+  std::optional<Renderer> renderer_;          ///< empty before the first picture, and where there is a problem
+  std::weak_ptr<const Volume> scheduledFor_;  ///< the volume that a schedule was chosen for
   QString problem_;
   View shown_;     ///< of the last picture; size 0 before the first
   Effort effort_;  ///< to draw the next picture with
