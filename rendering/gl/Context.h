@@ -1,5 +1,5 @@
 #pragma once
-// What the renderer needs to know about, and put back in, the context it runs in.
+// The context that the renderer runs in: what it offers, its errors and times, and the state that must be restored.
 
 #include <array>
 #include <cstdint>
@@ -41,7 +41,7 @@ class TimerQuery {
 /// Name of the first OpenGL error since the last call, and clears them all; empty when there is none. Tests end with
 /// it.
 std::string takeError();
-/// Keeps pending errors for takeError(), so that what follows can be told apart.
+/// Keeps pending errors for takeError(), so that errors of later calls can be told from them.
 void noteErrors();
 /// "RENDERER, VERSION" of the current context.
 std::string description();

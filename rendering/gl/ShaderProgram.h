@@ -59,8 +59,7 @@ class ShaderProgram {
  public:
   ShaderProgram() = default;
   /// `path` below rendering/shaders, e.g. "HitPoints.comp". `#include "lib/Ray.glsl"` is resolved against the same
-  /// root,
-  /// `#include <name>` by the variant's choices, each file once. Throws ShaderError.
+  /// root, `#include <name>` by the variant's choices; each file is included once. Throws ShaderError.
   static ShaderProgram compute(std::string_view path, const Variant& variant = {});
   static ShaderProgram graphics(std::string_view vertexPath, std::string_view fragmentPath);
   ~ShaderProgram();
@@ -98,8 +97,8 @@ class ShaderProgram {
   /// empty when the variant does not use the block.
   std::vector<std::pair<std::string, int>> blockLayout(std::string_view block) const;
 
-  /// Is told of each program that is linked from now on, with its path and the complete source of its last stage; for
-  /// tests. An empty one ends it.
+  /// Called for each program linked from now on, with its path and the complete source of its last stage; for tests. An
+  /// empty listener ends the calls.
   using Listener = std::function<void(const ShaderProgram&, std::string_view path, const std::string& source)>;
   static void listen(Listener listener);
 

@@ -48,7 +48,7 @@ void setSampling(GLuint name, Filter filter) {
     glTextureParameteri(name, axis, GL_CLAMP_TO_EDGE);
 }
 
-/// Makes the storage of a texture by `store`, telling its failure from errors that earlier calls left behind.
+/// Makes the storage of a texture by `store`. Errors that earlier calls left behind do not count as its failure.
 template <class Store>
 void allocate(glm::ivec3 size, std::size_t texelBytes, const Store& store) {
   noteErrors();

@@ -10,9 +10,9 @@
 
 namespace fenestra {
 
-/// Built on the CPU, uploaded by GpuScene, read by shaders/lib/FocusIndex.glsl.
+/// Built on the CPU, uploaded by GpuScene, read by shaders/lib/focus.
 struct FocusIndex {
-  enum class Kind : int { None = 0, Labels = 1, Values = 2 };  ///< FOCUS_KIND in the shaders
+  enum class Kind : int { None = 0, Labels = 1, Values = 2 };
 
   Kind kind = Kind::None;
   glm::ivec3 bricks{0};

@@ -8,8 +8,8 @@
 namespace fenestra {
 
 /// Separable and limited to a range: rows by bit scans over a packed mask, columns by an outward search that stops once
-/// it cannot improve, neither where no focus is near. Squared distances are integers, so the result is exact to one
-/// rounding of the square root.
+/// it cannot find a nearer pixel. Tiles with no focus within range are skipped. Squared distances are integers, so the
+/// result is exact to one rounding of the square root.
 class DistanceMapPass {
  public:
   static constexpr float beyond = 1e30f;  ///< value of pixels farther than the range

@@ -13,21 +13,23 @@ namespace fenestra {
 
 namespace {
 
-/// A ray ends where less than this is left of its light, and is then off by half of it at most.
+/// Early ray termination: a ray ends where its transmittance falls below this. Its colour is then wrong by half of it
+/// at most.
 double leastTransmittance(const FocusLayerPass::Sampling& sampling) {
   return sampling.maxError ? *sampling.maxError / 4.0 : sampling.tolerance;
 }
 
-/// What the cells of a ray may seem to be wrong by together, of the bound; the rest is for the ray's end, and for what
-/// is estimated too low.
+/// The share of the bound that the estimated errors of a ray's cells may sum to. The rest covers the ray's termination,
+/// and estimates that are too low.
 constexpr double shareOfBound = 0.4;
 
-/// From this bound on two pieces of a cell, each as if all of its mean material, are as good a beginning as three that
-/// know what they hide of themselves: on the ten scenes of tests/bench/results their errors stay below it.
+/// For this bound and greater ones a cell begins with two pieces of constant material each, instead of three pieces
+/// that account for attenuation inside a piece. On the ten scenes of tests/bench/results the errors stay below the
+/// bound.
 constexpr double coarseBound = 4.0 / 255.0;
 
-/// What interpolated pixels may seem to be off by. Lit pictures are wrong by more from face to face. Where less is
-/// known, less is trusted: over squares of more than two pixels it is as much less.
+/// The estimated error up to which a pixel is interpolated. Lit pictures have a greater error of their own from face to
+/// face, so more is allowed. Over larger squares the estimate is less certain, so less is allowed.
 double toleranceOf(const FocusLayerPass::Sampling& sampling, bool lit, int halfSide) {
   return sampling.tolerance * (lit ? 1.5 : 1.0) / halfSide;
 }
@@ -42,7 +44,8 @@ int raysTogether(Schedule schedule, const FocusLayerPass::Sampling& sampling, bo
 constexpr unsigned listBlock = 2;
 constexpr std::array<std::uint32_t, 4> emptyList{16, 0, 1, 0};
 
-/// Boxes of so many pixels, counted from the picture's top left, that the regions lie in.
+/// The regions in units of boxes of `sides` pixels, counted from the picture's top left; a box counts when any of its
+/// pixels does.
 std::vector<gl::Region> inBoxes(std::span<const gl::Region> regions, glm::ivec2 sides) {
   std::vector<gl::Region> boxes;
   for (const gl::Region& region : regions) {
@@ -52,7 +55,7 @@ std::vector<gl::Region> inBoxes(std::span<const gl::Region> regions, glm::ivec2 
   return boxes;
 }
 
-/// With room for two pixels of each square of two, in whole groups of 8×8 squares.
+/// Bytes of a list with room for two pixels of each 2×2 square, in whole groups of 8×8 squares.
 std::size_t bytesOfList(std::span<const gl::Region> squares) {
   std::size_t groups = 0;
   for (const gl::Region& region : squares)

@@ -18,17 +18,19 @@ class FocusLayerPass {
     const gl::Texture& hitPoints;
     const gl::Texture& rayStart;
   };
-  /// How the integral is found: with a bound (of a pixel's colour, 0..1) cell by cell, else from face to face of the
-  /// cells. Rays are followed on every pitch-th row and column of pixels (a power of two), and between them where
-  /// interpolated pixels may be off by more than a tolerance. Half of it is what ends of rays may be off by.
+  /// How the integral is found: cell by cell within a bound on the error of a pixel's colour (0..1), or without one
+  /// from face to face of the cells. Rays are traced through every pitch-th pixel of every pitch-th row (a power of
+  /// two). A pixel between them is interpolated where the estimated error is within `tolerance`, else it gets a ray of
+  /// its own. Early ray termination may change a colour by half the tolerance.
   struct Sampling {
     std::optional<double> maxError{};
     int pitch = 1;
     double tolerance = 1.0 / 256.0;
     bool operator==(const Sampling&) const = default;
   };
-  /// A pixel's result depends on the ray starts this many pixels around it: interpolated ones on those up to four half
-  /// sides of the lattice's squares away, at each of its sizes; a cut face's normal on its neighbours.
+  /// A pixel's result depends on the ray starts within this many pixels of it: an interpolated pixel on those up to
+  /// four half sides of the lattice's squares away, at each size of the squares; a cut face's normal on the next
+  /// pixels.
   static int reach(const Sampling& sampling) { return 4 * (sampling.pitch - 1) + 1; }
   /// Writes premultiplied RGBA32F. Without an opening rays start where they enter the volume.
   void run(const GpuScene& gpu, const Look& look, const RayFrame& rays, const std::optional<Opening>& opening,
@@ -49,7 +51,7 @@ class FocusLayerPass {
   gl::ShaderProgram& prepared(bool listed, const Drawn& drawn);
 
   gl::ShaderVariants programs_{"FocusLayer.comp"}, between_{"PixelsBetween.comp"};
-  gl::Buffer list_;  // of pixels between those of the lattice, while there are any
+  gl::Buffer list_;  // pixels between those of the lattice that get a ray; empty when every pixel has one
 };
 
 }  // namespace fenestra

@@ -21,7 +21,7 @@ void PullPushPass::run(Schedule schedule, const gl::Texture& hitPoints, gl::Text
     up.dispatch(glm::ivec2(known_[level].size()));
   }
   for (std::size_t level = known_.size(); level-- > 0;) {
-    // The coarsest level is one pixel: known, or there is nothing to fill with.
+    // The coarsest level is one pixel: known, or no pixel of the picture is.
     const gl::Texture& coarse = level + 1 == known_.size() ? known_.back() : filled_[level];
     gl::Texture& target = level == 0 ? filled : filled_[level - 1];
     gl::ShaderProgram& down = synthesis_.get({{{"FINEST", level == 0}}, {scheduleChoice(schedule)}});

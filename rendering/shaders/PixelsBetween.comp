@@ -1,7 +1,7 @@
-// Adaptive sampling of the picture (after Levoy, "Volume rendering by adaptive refinement", 1990). Rays are followed on
-// a lattice of pixels first. Between points that vary smoothly pixels are interpolated; the others are listed, for
-// their own rays to be followed: first the centres of the lattice's squares, then the middles of the squares' sides,
-// which have a known pixel on every side by then.
+// Adaptive sampling of the picture (after Levoy, "Volume rendering by adaptive refinement", 1990). Rays are traced through
+// a lattice of pixels first. A pixel between lattice points is interpolated where the picture varies smoothly; otherwise it
+// is put on a list and gets a ray of its own. First come the centres of the lattice's squares, then the middles of the
+// squares' sides, which then have a known pixel on each side.
 #include "lib/PixelList.glsl"
 #include "lib/Region.glsl"
 
@@ -25,7 +25,8 @@ void main() {
   for (int i = 0; i < 4; ++i) at[i] = 2 * halfSide * clamp(square + i - 1, ivec2(0), last);
   vec4 corners[4];
   for (int i = 0; i < 4; ++i) corners[i] = known(ivec2(at[1 + (i & 1)].x, at[1 + (i >> 1)].y));
-  // Eight times what interpolation between two points is off by is the second difference; so is half the twist.
+  // The error of linear interpolation half way between two points is an eighth of the second difference, or of half the
+  // twist.
   vec4 bend = 0.5 * abs(corners[0] - corners[1] - corners[2] + corners[3]), beyond = vec4(0.0);
   for (int side = 0; side < 4; ++side) {
     int which = side & 1;
@@ -45,8 +46,8 @@ void main() {
 
 #else
 
-// Whether the ray of a pixel in the middle of a side has to be followed. If not, the pixel is interpolated. `along`:
-// from it to the side's end; `aside`: to the square's centre.
+// Whether a pixel in the middle of a side needs a ray of its own; otherwise it is interpolated here. `along`: from the pixel
+// to the side's end; `aside`: to the square's centre.
 bool varies(ivec2 pixel, ivec2 along, ivec2 aside) {
   if (any(greaterThanEqual(pixel, pictureSize))) return false;
   if (any(lessThan(pixel, aside)) || any(greaterThanEqual(pixel + along + aside, pictureSize))) return true;

@@ -23,7 +23,7 @@ vec3 bernstein(vec3 b[4], float u) {
   return mix(mix(mix(b[0], b[1], u), mix(b[1], b[2], u), u), mix(mix(b[1], b[2], u), mix(b[2], b[3], u), u), u);
 }
 
-// Whether the hull reaches out of (low, high): necessary for a crossing, and nearly always sufficient.
+// Whether the hull reaches out of (low, high). Without that there is no crossing; with it there nearly always is one.
 bool leavesHull(vec4 b, float low, float high) {
   return any(lessThanEqual(b, vec4(low))) || any(greaterThanEqual(b, vec4(high)));
 }
@@ -73,8 +73,8 @@ float firstExit(vec4 b, float low, float high) {
   float end = bernstein(b, piece.y);
   bool down = end <= low;
   float level = down ? low : high;
-  // Newton's method from where a straight line would cross, kept inside what is left of the piece; it ends with a step
-  // below float's own resolution of most positions. Where it converges slowly, at an extremum, it halves its error.
+  // Newton's method from the point where a straight line would cross, kept inside the bracket that remains. It ends when
+  // a step is below float's resolution of most positions. At an extremum it converges slowly and halves its error.
   float u = mix(piece.x, piece.y, clamp((b.x - level) / (b.x - end), 0.0, 1.0));
   for (int i = 0; i < 22; ++i) {
     vec3 c = mix(b.xyz, b.yzw, u);

@@ -1,8 +1,8 @@
 // First hit of the focus, or of the context, along a ray.
 //
-// A search goes through stages, each dearer than the one before: leap to a cell that may hold any of what is looked for;
-// look whether the field's hull in that cell reaches out of the gap of values that the ray has to leave; solve for the
-// point where it does. Where rays run in step, a stage waits until every one of them needs it.
+// A search goes through stages, each more expensive than the one before: leap to a cell that may hold a hit; look whether
+// the hull of the field along the ray in that cell reaches out of the gap of values that the ray has to leave; solve for
+// the point where the field does. Where neighbouring rays run in step, a ray waits until all of them need the next stage.
 #include <schedule>
 #include <focus>
 #include "lib/Crossing.glsl"

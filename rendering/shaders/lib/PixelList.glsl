@@ -1,5 +1,5 @@
-// Pixels whose rays are still to be followed, in rows of groups as glDispatchComputeIndirect takes them. Each of the
-// 64 invocations of a group has RAYS of them.
+// The pixels that still need a ray, in rows of work groups as glDispatchComputeIndirect takes them. Each of the 64
+// invocations of a group traces RAYS of them.
 
 const uint GROUP_SIZE = 64u * uint(RAYS), ROW_SIZE = 16u * GROUP_SIZE;  // pixels
 
@@ -19,7 +19,7 @@ void enlist(bvec2 which, ivec2 first, ivec2 second) {
   if (which.y) pixels[at] = uint(second.x | second.y << 16);
 }
 
-// Of this invocation; outside of every picture where there are more of them than pixels.
+// The i-th pixel of this invocation; a pixel outside of every picture when the list has ended.
 ivec2 listedPixel(int i) {
   uint at = gl_WorkGroupID.y * ROW_SIZE + gl_WorkGroupID.x * GROUP_SIZE;
   at += gl_LocalInvocationIndex * uint(RAYS) + uint(i);

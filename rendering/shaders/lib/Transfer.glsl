@@ -21,7 +21,7 @@ vec4 materialAt(float entry) {
   return texelOf(transferTables, ivec2(int(clamp(entry, 0.0, LAST_ENTRY) + 0.5), 0));
 }
 
-// An entry, whole and not clamped, and the tables' integral up to there inside them.
+// A table entry as a whole number, not clamped to the table, and the integrals at the nearest entry inside the table.
 struct Bound {
   float entry;
   vec4 integral;
@@ -34,11 +34,11 @@ Bound boundAt(float entry) {
   return bound;
 }
 
-// Below this many entries between two of the table's integrals (float32), their difference keeps too few digits, and
-// one entry stands for all.
+// Over fewer entries than this the difference of two integrals (float32) keeps too few digits; the middle entry is used
+// instead.
 const float LEAST_SPAN = 8.0;
 
-// The one of the entries phase + 2 n LEAST_SPAN that is nearest: those of two phases are LEAST_SPAN apart.
+// The nearest of the entries phase + 2 n LEAST_SPAN. Bounds of the phases 0 and LEAST_SPAN are LEAST_SPAN apart at least.
 Bound boundNear(float entry, float phase) {
   Bound bound;
   bound.entry = 2.0 * LEAST_SPAN * floor(entry / (2.0 * LEAST_SPAN) + (0.5 - phase / (2.0 * LEAST_SPAN))) + phase;

@@ -2,8 +2,7 @@
 // 1987), with empty-space skipping: bricks of cells know the Chebyshev distance to the nearest brick that is not empty,
 // and a ray crosses all that is empty around it in one step. First hits and both integrals walk by these rules.
 //
-// The walk ends after as many steps as a ray can cross cells: every step moves the cell on along the ray, by at least one
-// along one axis and never back.
+// A walk always ends: each step moves on by at least one cell along one axis, and never back along any.
 #include "lib/Ray.glsl"
 #include "lib/Grid.glsl"
 

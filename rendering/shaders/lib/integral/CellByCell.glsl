@@ -6,8 +6,8 @@
 // so the difference between two numbers of pieces tells how many are enough (Richardson extrapolation), and extrapolates
 // the result.
 //
-// A walk goes through stages, each dearer than the one before: leap to a cell that is not empty; look what is in it;
-// integrate it. Where rays run in step, a stage waits until every one of them needs it.
+// A walk goes through stages, each more expensive than the one before: leap to a cell that is not empty; look into it;
+// integrate it. Where neighbouring rays run in step, a ray waits until all of them need the next stage.
 #include <focus>
 #include <light>
 #include <opening>
@@ -32,12 +32,12 @@ struct CellPath {
 float lowest(vec4 v) { return min(min(v.x, v.y), min(v.z, v.w)); }
 float highest(vec4 v) { return max(max(v.x, v.y), max(v.z, v.w)); }
 
-// The corners of the cells along a ray are kept in a frame turned so that it runs upwards along every axis: then a step
-// along an axis leaves a cell by its upper face, whose corners are the next cell's lower ones.
+// The corners of a cell are numbered in a frame in which the ray runs upwards along every axis. A step along an axis then
+// leaves the cell by its upper face, whose corners are the lower corners of the next cell.
 ivec3 turned(Ray ray) { return ivec3(lessThanEqual(ray.direction, vec3(0.0))); }
 
 void stepInto(Ray ray, ivec3 cell, int axis, inout float f[8]) {
-  // Of the upper corners, 7 is one for each axis.
+  // Corner 7 is an upper corner for each axis.
   int upper[4] = int[4](1 << axis, axis < 2 ? 3 : 5, axis < 1 ? 5 : 6, 7);
   float g[4];
   for (int j = 0; j < 4; ++j)
@@ -47,7 +47,7 @@ void stepInto(Ray ray, ivec3 cell, int axis, inout float f[8]) {
                x ? f[5] : y ? f[6] : g[0], x ? g[2] : y ? f[7] : g[1], x ? f[7] : g[2], g[3]);
 }
 
-// Where a ray comes from that enters a cell along `axis`.
+// The cell that a ray left when it entered `cell` along `axis`.
 ivec3 cellBefore(Ray ray, ivec3 cell, int axis) {
   cell[axis] -= ray.direction[axis] > 0.0 ? 1 : -1;
   return cell;
@@ -85,7 +85,7 @@ float sideOf(float value) {
   return value < range.x ? -1.0 : value > range.y ? 1.0 : 0.0;
 }
 
-// Where after u, at most at 1, the focus begins or ends.
+// The first u' > u, at most 1, where the focus begins or ends.
 float nextChange(vec4 along, float u) {
   vec2 turns = turningPoints(along);
   float from = u, to = 1.0, side = sideOf(bernstein(along, u));
@@ -118,14 +118,14 @@ struct Section {
 };
 
 #if FINE
-// Between so many entries what is hidden tells more than rounding (float32).
+// Over fewer or more entries than these the attenuation inside a piece is lost in rounding (float32).
 const float LEAST_HIDDEN = 256.0, MOST_HIDDEN = 1e6;
 const int FEWEST_PIECES = 3;
 #else
 const int FEWEST_PIECES = 2;
 #endif
 
-// A bound with both integrals carried on beyond the table.
+// A bound with both integrals continued beyond the table's ends.
 struct End {
   Bound bound;
 #if FINE
@@ -147,8 +147,8 @@ End endAt(float entry) {
   return end;
 }
 
-// What a stretch of values hides of itself more than if it were all of its mean material, for a length of 1: of second
-// order. Where values run evenly, ∫∫ emission(x) extinction(y) over y < x, y in front.
+// Attenuation inside a piece, to second order, for a length of 1: ∫∫ emission(x) extinction(y) dy dx over y in front of x,
+// less the same for the piece's mean material. Values are taken to change evenly along the piece.
 vec3 hiddenBetween(End front, End back, vec4 material) {
 #if FINE
   float span = back.bound.entry - front.bound.entry;
@@ -160,7 +160,7 @@ vec3 hiddenBetween(End front, End back, vec4 material) {
   return vec3(0.0);
 }
 
-// `doubt`: how wrong its colour may be, from what it hides of itself, which is right for light that hardly fades.
+// `doubt`: estimated error of its colour, from the attenuation inside it, which is exact only for small opacities.
 vec4 pieceIn(Section section, Ray ray, Cut cut, End front, End back, float from, float to, out float doubt) {
   float size = (to - from) * (section.sTo - section.sFrom);
   vec4 material = meanMaterial(front.bound, back.bound);
@@ -180,21 +180,22 @@ vec4 pieceIn(Section section, Ray ray, Cut cut, End front, End back, float from,
   return piece;
 }
 
-// So many pieces, up to what is worth it.
+// Rounded up, MOST_PIECES at most.
 int piecesFor(float count) { return int(ceil(min(count, float(MOST_PIECES)))); }
 
-// `transmittance` in front of it; `share` of the ray's length is in it.
+// `transmittance`: in front of the section; `share`: its share of the ray's length.
 vec4 integrateSection(Section section, Ray ray, Cut cut, float transmittance, float share) {
   End first = endAt(section.entries.x), last = endAt(section.entries.w);
   float doubt;
   vec4 coarse = pieceIn(section, ray, cut, first, last, 0.0, 1.0, doubt);
-  // A cell may be wrong by its share of the picture or of the ray: either sums to at most 1 over the ray.
+  // A section's allowed error is its share of the bound, by its opacity or by its length: each sums to at most 1 over the
+  // ray.
   float shown = transmittance * coarse.a, allowed = integral.maxError * max(shown, share);
   int countBefore = 1, count = FEWEST_PIECES;
-  // Where light dies within a piece, it is the surface's place in it that is not known.
+  // Where a piece is opaque, the position of the visible surface inside it is uncertain.
   bool surface = !section.inFocus && coarse.a > 0.99;
   count = max(count, piecesFor(piecesOfLight(section.normals, section.inFocus, ray.world, shown / allowed, surface)));
-  // One loop over the pieces of all rounds: rays that run side by side wait for each other at its end alone.
+  // One loop over the pieces of all refinements, so that rays that run in step wait for each other only once.
   vec4 fine = vec4(0.0);
   End front = first;
   float from = 0.0, doubtful = 0.0;
@@ -208,7 +209,7 @@ vec4 integrateSection(Section section, Ray ray, Cut cut, float transmittance, fl
     front = back;
     from = to;
     if (i == count) {
-      // Of second order: n pieces are wrong by 1/n² of what one is; of first order where a surface is looked for.
+      // Richardson extrapolation: the error of n pieces falls as 1/n², at an opaque surface as 1/n.
       float ratio = float(countBefore) / float(count);
       if (!surface) ratio *= ratio;
       vec4 error = (fine - coarse) * (ratio / (1.0 - ratio));
@@ -265,7 +266,7 @@ vec4 integrateFocusCell(CellPath path, Ray ray, Cut cut, float transmittance, fl
   return result;
 }
 
-// How far a ray has got.
+// The state of a ray's walk.
 struct Walk {
   Ray ray;
   Cut cut;
@@ -297,7 +298,7 @@ Walk walkFrom(Ray ray, Cut cut, bool visible) {
   return walk;
 }
 
-// Moves on to what lies behind a block.
+// Crosses a block.
 void moveOn(inout Walk walk, Block block) {
   Face face = faceBehind(block, walk.ray, walk.upwards, walk.s);
   walk.s = face.s;

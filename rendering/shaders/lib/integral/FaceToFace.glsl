@@ -22,7 +22,7 @@ struct RayPoint {
   vec3 gated;    // normal
 };
 
-// How far a ray has got. No member is a bool: drivers refuse arrays of those.
+// The state of a ray's walk. No member is a bool: lavapipe refuses local arrays that hold one.
 struct Walk {
   Ray ray;
   Cut cut;
@@ -163,7 +163,7 @@ void lookAhead(Walk walk, out Face face, out Block behind) {
   behind = blockAt(cell, walk.upwards, distanceToVisible(cell));
 }
 
-// The same after leaps from one empty block to the next. What a lane finds goes through an `if`, see lib/schedule/Llvmpipe.
+// The same after leaps from one empty block to the next. Results pass through an `if`; lib/schedule/Llvmpipe says why.
 void leapAhead(inout Walk walk, out Face face, out Block behind) {
   bool leaps = true;
   do {
@@ -189,7 +189,7 @@ void composite(inout Walk walk, Block crossed, vec4 piece) {
 
 // Every ray takes a step, through the block ahead of it. `mayMeetFocus`: false where no block ahead holds any of the focus.
 //
-// The rays take each part of the step together: what one waits for, from voxel to colour, leaves the other work to do.
+// The rays take each part of the step together, so that one has instructions to run while the other waits for memory.
 void takeStep(inout Walk walks[RAYS], const bool mayMeetFocus) {
   Face faces[RAYS];
   Block crossed[RAYS], behind[RAYS];

@@ -2,14 +2,13 @@
 // unit. Nothing in a schedule changes the picture; lib/schedule/Plain.glsl is the other one.
 //
 // What was found in the code that llvmpipe (Mesa 22.3) compiles:
-// - A loop ends for all lanes when it ends for the last one, and the rest of its body runs once more after a `break`.
-//   Loops therefore test their condition at their end, and a dear step waits in a loop of its own until every lane
-//   needs it.
-// - A value that a lane computes in such a loop, and that depends on memory, must go through an `if` in the loop's body
-//   or be carried from one turn to the next; otherwise the lanes that stay longer overwrite it.
+// - A loop ends when its last lane leaves it, and a lane's `break` skips no instructions. Loops therefore test their condition
+//   at their end, and an expensive step stands outside an inner loop that ends when every lane needs the step.
+// - A value that is loaded from memory in a loop and used behind it must be assigned inside an `if` in the loop's body.
+//   Otherwise a lane that leaves the loop early loses the value: the lanes that stay overwrite it.
 // - texelFetch computes a level of detail lane by lane, some 200 instructions; imageLoad does not.
-// - A uniform that is named in a loop is loaded again in each turn. A copy at the start of main() is not, where it is a
-//   copy of a block's member.
+// - A uniform that is read in a loop is loaded again in each iteration. A copy of a block's member, made at the start of
+//   main(), is not.
 
 const bool IN_STEP = true;
 
