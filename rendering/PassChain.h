@@ -97,8 +97,9 @@ struct PassChain {
                   const std::optional<gl::Region>& part = std::nullopt) {
     const bool stale = memo.isStale(key);
     if (!stale && changed.empty()) return;
+    const gl::Region whole{glm::ivec2(0), rays->size()};
     std::vector<gl::Region> regions;
-    if (stale) regions.push_back(part.value_or(gl::Region{glm::ivec2(0), rays->size()}));
+    if (stale) regions.push_back(part ? *part : whole);
     if (!stale || part) regions.insert(regions.end(), changed.begin(), changed.end());
     PassStats& mine = stats[static_cast<std::size_t>(pass)];
     if (timing) {
