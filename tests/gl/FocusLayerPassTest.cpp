@@ -1,0 +1,273 @@
+// Stage 5 alone, against the reference and closed forms: with an opening and without one, cell by cell and from face to
+// face. Rays between those of a lattice have a file of their own (AdaptiveSamplingTest).
+
+#include "rendering/passes/FocusLayerPass.h"
+
+#include "rendering/reference/Picture.h"
+#include "tests/gl/PassTest.h"
+
+namespace fenestra::tests {
+namespace {
+
+using Sampling = FocusLayerPass::Sampling;
+
+/// Waves of values around a ball of label 1, in a translucent context.
+Scene waves(bool lit) {
+  const Grid grid = gridOf({22, 18, 20}, {1.0, 1.2, 1.1});
+  Scene scene;
+  scene.volume = volumeOf<std::int16_t>(grid, [](glm::ivec3 i) {
+    const glm::dvec3 p = glm::dvec3(i) / 4.0;
+    return 500.0 + 400.0 * std::sin(p.x + 0.7 * p.z) * std::cos(p.y - 0.4 * p.x);
+  });
+  scene.labels = labelsOf(
+      grid, [](glm::ivec3 i) { return glm::distance(glm::dvec3(i), glm::dvec3(11.0, 8.0, 9.5)) < 5.0 ? 1 : 0; });
+  scene.look.focus = LabelFocus{{1}};
+  scene.look.focusAppearance.extinction = 0.1;
+  scene.look.context.function = {
+      {{100.0, {{1.0, 0.2, 0.1}, 0.0}}, {500.0, {{0.8, 0.7, 0.3}, 0.05}}, {900.0, {{0.2, 0.4, 1.0}, 0.15}}}};
+  scene.look.cutaway.openWidth = 5.0;
+  scene.look.cutaway.borderWidth = 0.0;
+  scene.look.contextLayer.strength = 0.0;
+  scene.look.shading.enabled = lit;
+  return scene;
+}
+
+Camera aside(const Scene& scene, Projection projection = Projection::Perspective) {
+  return Camera::fromAngles(33.0, 21.0, scene.volume->grid, projection);
+}
+
+/// What the pass reads: stages 1 to 4 of the reference, rounded to float32, and the same for the reference.
+struct MadeOpening {
+  std::vector<glm::vec2> hits;
+  std::vector<float> starts;
+  reference::Stages truth;
+
+  MadeOpening(const Scene& scene, const Camera& camera, glm::ivec2 size)
+      : truth(reference::geometricStages(scene, camera, size)) {
+    const RayFrame rays(camera, size, scene.volume->grid);
+    for (std::size_t i = 0; i < pixelsIn(size); ++i) {
+      hits.emplace_back(positionOf(truth.hits.tContext[i], rays), positionOf(truth.hits.tFocus[i], rays));
+      starts.push_back(positionOf(truth.tStart[i], rays));
+      truth.hits.tContext[i] = timeOf(hits[i].x, rays);
+      truth.hits.tFocus[i] = timeOf(hits[i].y, rays);
+      truth.tStart[i] = timeOf(starts[i], rays);
+    }
+  }
+};
+
+/// A scene on the GPU and a picture of it.
+class Drawing {
+ public:
+  Drawing(const Scene& scene, const Camera& camera, glm::ivec2 size, Schedule schedule)
+      : look_(scene.look), size_(size), rays_(camera, size, scene.volume->grid) {
+    gpu_.setSchedule(schedule);
+    gpu_.update(scene);
+  }
+
+  void run(const MadeOpening* made, const Sampling& sampling, std::span<const gl::Region> regions, gl::Texture& image) {
+    if (!made) return pass_.run(gpu_, look_, rays_, std::nullopt, sampling, regions, image);
+    const gl::Texture hits = imageOf(made->hits, size_), starts = imageOf(made->starts, size_);
+    pass_.run(gpu_, look_, rays_, FocusLayerPass::Opening{hits, starts}, sampling, regions, image);
+  }
+  std::vector<glm::vec4> pixels(const MadeOpening* made, const Sampling& sampling) {
+    gl::Texture image = blank<glm::vec4>(size_);
+    run(made, sampling, whole(size_), image);
+    return texelsOf<glm::vec4>(image);
+  }
+  std::size_t bytes() const { return pass_.bytes(); }
+
+ private:
+  GpuScene gpu_;
+  Look look_;
+  glm::ivec2 size_;
+  RayFrame rays_;
+  FocusLayerPass pass_;
+};
+
+/// Differences of the worst channel, in 1/255.
+struct Errors {
+  double worst = 0.0, rms = 0.0;
+};
+
+Errors errorsOf(const std::vector<glm::vec4>& here, const std::vector<glm::dvec4>& truth) {
+  if (here.size() != truth.size()) return {infinity, infinity};
+  Errors errors;
+  for (std::size_t i = 0; i < here.size(); ++i) {
+    double most = 0.0;
+    for (int channel = 0; channel < 4; ++channel) {
+      const double error = 255.0 * std::abs(here[i][channel] - truth[i][channel]);
+      most = std::isnan(error) ? infinity : std::max(most, error);
+    }
+    errors.worst = std::max(errors.worst, most);
+    errors.rms += most * most;
+  }
+  errors.rms = std::sqrt(errors.rms / static_cast<double>(here.size()));
+  return errors;
+}
+
+constexpr double bound = 0.5 / 255.0;
+
+/// Holds both integrals against the reference, in both schedules. Without an opening rays start at the box's entry.
+void expectMatch(Scene scene, const Camera& camera, glm::ivec2 size, bool open) {
+  scene.look.cutaway.enabled = open;
+  std::optional<MadeOpening> made;
+  if (open) made.emplace(scene, camera, size);
+  const std::vector<glm::dvec4> truth =
+      reference::picture(scene, camera, size, made ? made->truth : reference::Stages(), {}).focusLayer;
+  for (const Schedule schedule : schedules) {
+    SCOPED_TRACE(named(schedule, size) + (open ? ", open" : ", closed"));
+    Drawing drawing(scene, camera, size, schedule);
+    // The bound is what cell by cell is asked for.
+    EXPECT_LE(errorsOf(drawing.pixels(made ? &*made : nullptr, {.maxError = bound}), truth).worst, 0.5);
+    // From face to face there is no bound: the focus's surface, a cubic along a ray, is taken for its chord, so that a
+    // ray that grazes it is off by some ten steps of 8 bits, and all together by about one.
+    EXPECT_LE(errorsOf(drawing.pixels(made ? &*made : nullptr, {}), truth).rms, 1.5);
+  }
+}
+
+using FocusLayerPassTest = GlTest;
+
+TEST_F(FocusLayerPassTest, UnlitPicturesOfAnySize) {
+  const Scene scene = waves(false);
+  for (const glm::ivec2 size : awkwardSizes)
+    for (const bool open : {false, true}) expectMatch(scene, aside(scene), size, open);
+  for (const bool open : {false, true}) expectMatch(scene, aside(scene, Projection::Orthographic), {33, 17}, open);
+}
+
+TEST_F(FocusLayerPassTest, LitPictures) {
+  const Scene scene = waves(true);
+  for (const glm::ivec2 size : {glm::ivec2(1, 1), glm::ivec2(33, 17)})
+    for (const bool open : {false, true}) expectMatch(scene, aside(scene), size, open);
+}
+
+TEST_F(FocusLayerPassTest, FocusNowhereAndEverywhere) {
+  Scene none = waves(false), absent = none, everywhere = none;
+  none.look.focus = {};
+  none.labels = nullptr;
+  expectMatch(none, aside(none), {33, 17}, false);
+  absent.look.focus = LabelFocus{{7}};
+  expectMatch(absent, aside(absent), {33, 17}, true);
+  everywhere.labels = labelsOf(everywhere.volume->grid, [](glm::ivec3) { return 1; });
+  for (const bool open : {false, true}) expectMatch(everywhere, aside(everywhere), {33, 17}, open);
+}
+
+/// Greatest error in a medium that is the same everywhere, against Beer's law.
+double errorInAnEvenMedium(double extinction, Schedule schedule, const Sampling& sampling) {
+  Scene scene = waves(false);
+  scene.look.focus = {};
+  scene.labels = nullptr;
+  const OpticalProperties even{{0.9, 0.5, 0.2}, extinction};
+  scene.look.context.function = {{{0.0, even}, {1000.0, even}}};
+  constexpr glm::ivec2 size{33, 17};
+  const Camera camera = aside(scene);
+  std::vector<glm::dvec4> truth;
+  for (std::size_t i = 0; i < pixelsIn(size); ++i) {
+    const auto span = reference::clip(reference::pixelRay(camera, size, pixelAt(i, size)), scene.volume->grid);
+    const double opacity = span ? 1.0 - std::exp(-even.extinction * (span->tOut - span->tIn)) : 0.0;
+    truth.push_back(opacity * glm::dvec4(even.colour, 1.0));
+  }
+  return errorsOf(Drawing(scene, camera, size, schedule).pixels(nullptr, sampling), truth).worst;
+}
+
+TEST_F(FocusLayerPassTest, AnEvenMediumFollowsBeersLaw) {
+  for (const Schedule schedule : schedules)
+    for (const Sampling& sampling : {Sampling{.maxError = bound}, Sampling{}}) {
+      // Some forty pieces of a ray, each with an exponential in float32.
+      EXPECT_LE(errorInAnEvenMedium(0.06, schedule, sampling), 0.01);
+      EXPECT_LE(errorInAnEvenMedium(0.0, schedule, sampling), 0.0);
+    }
+}
+
+TEST_F(FocusLayerPassTest, ARayEndsWhereHalfOfWhatIsLeftIsLittle) {
+  for (const Schedule schedule : schedules) {
+    // A ray with a bound ends at a quarter of it, one from face to face at the tolerance of a 256th, and either is off
+    // by half of that.
+    EXPECT_LE(errorInAnEvenMedium(0.6, schedule, {.maxError = bound}), 0.5 * 0.5 / 4.0 + 0.01);
+    EXPECT_LE(errorInAnEvenMedium(0.6, schedule, {}), 0.5 + 0.01);
+  }
+}
+
+TEST_F(FocusLayerPassTest, ShowsNothingWhereRaysStartNowhereOrThereIsNothing) {
+  const Scene scene = waves(false);
+  constexpr glm::ivec2 size{33, 17};
+  const Camera camera = aside(scene);
+  MadeOpening made(scene, camera, size);
+  made.starts.assign(pixelsIn(size), nothing);
+  Scene clear = scene;
+  clear.look.focus = {};
+  clear.labels = nullptr;
+  clear.look.context.function = opaqueFrom(1e6);
+  for (const Schedule schedule : schedules)
+    for (const Sampling& sampling : {Sampling{.maxError = bound}, Sampling{}, Sampling{.pitch = 4}}) {
+      SCOPED_TRACE(nameOf(schedule));
+      for (const glm::vec4 pixel : Drawing(scene, camera, size, schedule).pixels(&made, sampling))
+        EXPECT_EQ(pixel, glm::vec4(0.0f));
+      for (const glm::vec4 pixel : Drawing(clear, camera, size, schedule).pixels(nullptr, sampling))
+        EXPECT_EQ(pixel, glm::vec4(0.0f));
+    }
+}
+
+TEST_F(FocusLayerPassTest, PartsMakeTheWhole) {
+  const Scene scene = waves(true);
+  for (const glm::ivec2 size : awkwardSizes) {
+    const Camera camera = aside(scene);
+    const MadeOpening made(scene, camera, size);
+    for (const Schedule schedule : schedules) {
+      SCOPED_TRACE(named(schedule, size));
+      Drawing drawing(scene, camera, size, schedule);
+      const Sampling every{};
+      expectPartsMakeTheWhole(drawing.pixels(&made, every), size,
+                              [&](const std::vector<gl::Region>& regions, gl::Texture& image) {
+                                drawing.run(&made, every, regions, image);
+                              });
+      EXPECT_EQ(drawing.bytes(), 0u) << "there is no list of pixels where every ray is followed";
+      // Between the rays of a lattice, parts are drawn into a picture that has all of the lattice.
+      for (const int pitch : {2, 4}) {
+        const Sampling some{.pitch = pitch};
+        gl::Texture image = blank<glm::vec4>(size);
+        drawing.run(&made, some, whole(size), image);
+        const std::vector<glm::vec4> all = texelsOf<glm::vec4>(image);
+        for (const gl::Region& region : parts(size)) drawing.run(&made, some, std::span(&region, 1), image);
+        EXPECT_TRUE(sameBits(texelsOf<glm::vec4>(image), all)) << "pitch " << pitch;
+      }
+    }
+  }
+}
+
+TEST_F(FocusLayerPassTest, AMovedStartChangesNoPixelBeyondTheReach) {
+  const Scene scene = waves(true);
+  constexpr glm::ivec2 size{61, 47};
+  const Camera camera = aside(scene);
+  const MadeOpening made(scene, camera, size);
+  MadeOpening moved = made;
+  // A ray of the lattice that starts on a cut face, as the one beside it does: a cut face's light depends on both.
+  const auto isCut = [&](glm::ivec2 pixel) {
+    const std::size_t i = offsetOf(pixel, size);
+    return !isSomething(made.hits[i].y) && isSomething(made.hits[i].x) && made.starts[i] > made.hits[i].x + 2.5f;
+  };
+  glm::ivec2 at(0);
+  for (int j = 16; j < 32; j += 4)
+    for (int i = 16; i < 46; i += 4)
+      if (isCut({i, j}) && isCut({i + 1, j})) at = {i, j};
+  ASSERT_NE(at, glm::ivec2(0));
+  moved.starts[offsetOf(at, size)] += 4.0f;
+  for (const Schedule schedule : schedules)
+    for (const int pitch : {1, 2, 4}) {
+      SCOPED_TRACE(named(schedule, size) + ", pitch " + std::to_string(pitch));
+      // Nearly everything between the lattice's rays is taken for smooth, so that what moved spreads as far as it can.
+      const Sampling sampling{.pitch = pitch, .tolerance = 0.5};
+      Drawing drawing(scene, camera, size, schedule);
+      const std::vector<glm::vec4> before = drawing.pixels(&made, sampling), after = drawing.pixels(&moved, sampling);
+      int farthest = -1;
+      for (std::size_t i = 0; i < before.size(); ++i) {
+        const glm::ivec2 off = glm::abs(pixelAt(i, size) - at);
+        if (before[i] == after[i]) continue;
+        farthest = std::max({farthest, off.x, off.y});
+      }
+      EXPECT_LE(farthest, FocusLayerPass::reach(sampling));
+      EXPECT_GE(farthest, pitch == 1 ? 1 : 2 * pitch) << "too little to tell";
+    }
+}
+
+}  // namespace
+}  // namespace fenestra::tests
