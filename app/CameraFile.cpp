@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "io/ImageWriter.h"
+#include "io/base/AtomicFile.h"
 
 namespace fenestra::app {
 namespace {

@@ -8,7 +8,7 @@
 
 #include <filesystem>
 
-#include "io/Error.h"
+#include "io/base/Error.h"
 #include "rendering/scene/Camera.h"
 
 namespace fenestra::app {

@@ -15,7 +15,7 @@
 #include <CLI/CLI.hpp>
 #include <glm/glm.hpp>
 
-#include "io/Text.h"
+#include "io/base/Text.h"
 
 namespace fenestra::app {
 

@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/OptionHelpers.h"
-#include "io/Error.h"
-#include "io/ImageWriter.h"
+#include "io/base/AtomicFile.h"
+#include "io/base/Error.h"
 #include "rendering/gpu/GpuScene.h"
 
 namespace fenestra::app {

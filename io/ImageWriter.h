@@ -3,19 +3,12 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <span>
-#include <string>
 #include <vector>
 
 #include <glm/glm.hpp>
 
 namespace fenestra::io {
-
-/// Runs `write(temporary path)` and renames the result to `path`; removes the temporary when it throws. Throws Error.
-void writeAtomically(const std::filesystem::path& path, const std::function<void(const std::filesystem::path&)>& write);
-/// `text` as the whole of a file.
-void writeText(const std::filesystem::path& path, const std::string& text);
 
 /// 8-bit PNG, row by row from the top, `channels` 1 (grey), 3 (RGB) or 4 (RGBA, not premultiplied).
 void writePng(const std::filesystem::path& path, glm::ivec2 size, int channels, std::span<const std::uint8_t> pixels);

@@ -5,10 +5,11 @@
 #include <numeric>
 #include <set>
 
-#include "io/ImageFile.h"
 #include "io/Probe.h"
-#include "io/Text.h"
 #include "io/VolumeReader.h"
+#include "io/base/Memory.h"
+#include "io/base/Text.h"
+#include "io/formats/ImageFile.h"
 #include "rendering/scene/Parallel.h"
 
 namespace fenestra::io {

@@ -1,9 +1,7 @@
 #pragma once
 // Which format a file is, by its content, and what every way of opening one has in common.
 
-#include <new>
-
-#include "io/ImageFile.h"
+#include "io/formats/ImageFile.h"
 
 namespace fenestra::io {
 
@@ -16,15 +14,5 @@ Format formatOf(const std::filesystem::path& path);
 /// Any format but Dicom.
 ImageFile readImageHeader(const std::filesystem::path& path, Format format);
 SeriesInfo describe(const ImageFile& image);
-
-/// read(), with an allocation that fails as an Error.
-template <class F>
-auto withinMemory(const std::filesystem::path& path, F&& read) {
-  try {
-    return read();
-  } catch (const std::bad_alloc&) {
-    throw Error(path, "needs more memory than is free", "close other programs, or make the volume smaller first");
-  }
-}
 
 }  // namespace fenestra::io

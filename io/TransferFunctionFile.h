@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "io/Error.h"
+#include "io/base/Error.h"
 #include "rendering/scene/Look.h"
 #include "rendering/scene/Volume.h"
 

@@ -4,11 +4,11 @@
 #include <array>
 #include <cmath>
 
-#include "io/Contents.h"
-#include "io/Dicom.h"
-#include "io/ImageFile.h"
 #include "io/Probe.h"
-#include "io/Text.h"
+#include "io/base/Memory.h"
+#include "io/base/Text.h"
+#include "io/dicom/Dicom.h"
+#include "io/formats/ImageFile.h"
 
 namespace fenestra::io {
 namespace fs = std::filesystem;
@@ -73,8 +73,6 @@ RawDescription parseRawDescription(std::string_view text) {
   }
   return description;
 }
-
-std::string seriesKey(const std::string& id) { return hashOf(id); }
 
 SeriesInfo describe(const ImageFile& image) {
   SeriesInfo info;

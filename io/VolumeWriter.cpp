@@ -18,10 +18,10 @@
 #include <zlib.h>
 #include <glm/gtc/quaternion.hpp>
 
-#include "io/ByteStream.h"
-#include "io/ImageWriter.h"
-#include "io/Text.h"
-#include "io/VoxelSink.h"
+#include "io/base/AtomicFile.h"
+#include "io/base/ByteStream.h"
+#include "io/base/Text.h"
+#include "io/base/VoxelSink.h"
 #include "rendering/scene/Parallel.h"
 
 namespace fenestra::io {

@@ -9,7 +9,7 @@
 #include <QTimer>
 #include <QUrl>
 
-#include "io/SessionName.h"
+#include "io/base/SessionName.h"
 #include "viewer/Dialogs.h"
 #include "viewer/NoticeBar.h"
 #include "viewer/Sessions.h"

@@ -14,6 +14,7 @@
 #include "app/ScheduleChoice.h"
 #include "app/cli/Report.h"
 #include "io/ImageWriter.h"
+#include "io/base/AtomicFile.h"
 #include "io/session/OpenSession.h"
 #include "io/session/SessionFile.h"
 #include "rendering/Renderer.h"

@@ -18,7 +18,7 @@
 #include "app/ScheduleChoice.h"
 #include "io/ImageWriter.h"
 #include "io/PhantomFile.h"
-#include "io/SessionName.h"
+#include "io/base/SessionName.h"
 #include "viewer/MainWindow.h"
 #include "viewer/Sessions.h"
 #include "viewer/jobs/ReadStudy.h"

@@ -20,7 +20,7 @@
 #include <glm/glm.hpp>
 #include <nlohmann/json.hpp>
 
-#include "io/Error.h"
+#include "io/base/Error.h"
 #include "rendering/scene/Settings.h"
 
 namespace fenestra::io::json {

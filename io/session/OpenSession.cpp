@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "io/PhantomFile.h"
+#include "io/base/Contents.h"
 #include "io/session/SessionFile.h"
 
 namespace fenestra::io {

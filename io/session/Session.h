@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "io/Contents.h"
 #include "io/VolumeReader.h"
+#include "io/base/Contents.h"
 #include "rendering/scene/Camera.h"
 #include "rendering/scene/Look.h"
 #include "rendering/scene/PlacementOptions.h"

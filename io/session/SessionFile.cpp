@@ -4,7 +4,7 @@
 #include <functional>
 #include <system_error>
 
-#include "io/ImageWriter.h"
+#include "io/base/AtomicFile.h"
 #include "io/session/SessionJson.h"
 
 namespace fenestra::io {

@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <string>
 
-#include "io/SessionName.h"
+#include "io/base/SessionName.h"
 #include "io/session/Session.h"
 
 namespace fenestra::io {

@@ -1,6 +1,6 @@
 #include "io/session/StrokeFile.h"
 
-#include "io/ImageWriter.h"
+#include "io/base/AtomicFile.h"
 #include "io/session/SceneJson.h"
 
 namespace fenestra::io {

@@ -9,7 +9,7 @@
 
 #include <filesystem>
 
-#include "io/Error.h"
+#include "io/base/Error.h"
 #include "rendering/scene/BrushStroke.h"
 
 namespace fenestra::io {

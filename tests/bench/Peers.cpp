@@ -6,8 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "io/Error.h"
 #include "io/ImageWriter.h"
+#include "io/base/Error.h"
 
 namespace fenestra::bench {
 namespace {

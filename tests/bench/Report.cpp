@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "io/ImageWriter.h"
+#include "io/base/AtomicFile.h"
 
 namespace fenestra::bench {
 namespace {

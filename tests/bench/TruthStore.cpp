@@ -5,8 +5,8 @@
 #include <sstream>
 #include <system_error>
 
-#include "io/Error.h"
-#include "io/ImageWriter.h"
+#include "io/base/AtomicFile.h"
+#include "io/base/Error.h"
 #include "rendering/scene/Settings.h"
 
 namespace fenestra::bench {

@@ -3,8 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "io/Error.h"
 #include "io/ImageWriter.h"
+#include "io/base/AtomicFile.h"
+#include "io/base/Error.h"
 #include "tests/io/IoTesting.h"
 #include "tests/support/TestData.h"
 

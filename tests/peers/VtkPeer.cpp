@@ -28,6 +28,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/ImageWriter.h"
+#include "io/base/AtomicFile.h"
 #include "tests/bench/Subjects.h"
 
 namespace fenestra::peers {

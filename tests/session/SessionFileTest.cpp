@@ -14,7 +14,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "io/ImageWriter.h"
+#include "io/base/AtomicFile.h"
 #include "io/session/SessionFile.h"
 #include "io/session/SessionSchema.h"
 #include "tests/io/IoTesting.h"

@@ -1,4 +1,4 @@
-#include "io/ByteStream.h"
+#include "io/base/ByteStream.h"
 
 #include <algorithm>
 #include <array>

@@ -7,7 +7,7 @@
 #include <memory>
 #include <span>
 
-#include "io/DicomHeader.h"
+#include "io/dicom/DicomHeader.h"
 
 namespace fenestra::io {
 

@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "io/ByteStream.h"
-#include "io/VolumeReader.h"
-#include "io/VoxelSink.h"
+#include "io/base/ByteStream.h"
+#include "io/base/Reading.h"
+#include "io/base/VoxelSink.h"
 
 namespace fenestra::io {
 
@@ -79,10 +79,5 @@ T byteSwapped(T value) {
   std::reverse(bytes.begin(), bytes.end());
   return std::bit_cast<T>(bytes);
 }
-
-/// Throws Error when `bytes` is more than this machine's memory.
-void checkMemory(const std::filesystem::path& path, std::uint64_t bytes);
-/// a·b, or the greatest number when it overflows.
-std::uint64_t saturatingProduct(std::uint64_t a, std::uint64_t b);
 
 }  // namespace fenestra::io

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "io/VolumeReader.h"
+#include "io/base/Reading.h"
 
 namespace fenestra::io {
 
@@ -25,5 +25,8 @@ Contents contentsOf(const std::vector<std::filesystem::path>& files, const Progr
 
 /// "sha256:HEX" of a text.
 std::string hashOf(std::string_view text);
+
+/// A name for a series that gives nothing of it away: a hash of its id.
+std::string seriesKey(const std::string& id);
 
 }  // namespace fenestra::io

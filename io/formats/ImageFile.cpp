@@ -1,6 +1,6 @@
-#include "io/ImageFile.h"
+#include "io/formats/ImageFile.h"
+#include "io/base/Memory.h"
 
-#include <unistd.h>
 #include <algorithm>
 #include <bit>
 #include <charconv>
@@ -13,10 +13,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t blockBytes = 4u << 20;
-
-std::string megabytes(std::uint64_t bytes) {
-  return std::to_string(bytes / 1000000) + (bytes < 1000000 ? " MB (" + std::to_string(bytes) + " bytes)" : " MB");
-}
 
 /// Decimal numbers turned into scalars of one type in this machine's byte order.
 class TextScalars : public ByteStream {
@@ -191,19 +187,6 @@ std::string numberedName(const std::string& pattern, long number, const fs::path
 }
 
 fs::path besideHeader(const fs::path& header, const std::string& name) { return header.parent_path() / fs::path(name); }
-
-void checkMemory(const fs::path& path, std::uint64_t bytes) {
-  const std::uint64_t memory = saturatingProduct(static_cast<std::uint64_t>(::sysconf(_SC_PHYS_PAGES)),
-                                                 static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE)));
-  if (bytes > memory)
-    throw Error(path, "describes a volume larger than this machine's memory of " + megabytes(memory),
-                "the header is damaged, or the volume must be made smaller first");
-}
-
-std::uint64_t saturatingProduct(std::uint64_t a, std::uint64_t b) {
-  std::uint64_t product = 0;
-  return __builtin_mul_overflow(a, b, &product) ? std::numeric_limits<std::uint64_t>::max() : product;
-}
 
 std::vector<Voxels> readVoxels(const ImageFile& image, std::int64_t layers, const Progress& progress,
                                std::vector<Warning>& warnings) {

@@ -1,4 +1,4 @@
-#include "io/VoxelSink.h"
+#include "io/base/VoxelSink.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "io/Error.h"
+#include "io/base/Error.h"
 
 namespace fenestra::io {
 

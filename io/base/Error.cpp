@@ -1,4 +1,4 @@
-#include "io/Error.h"
+#include "io/base/Error.h"
 
 #include <utility>
 

@@ -1,4 +1,4 @@
-#include "io/Contents.h"
+#include "io/base/Contents.h"
 
 #include <algorithm>
 #include <array>
@@ -92,5 +92,7 @@ std::string hashOf(std::string_view text) {
   hash.add(text.data(), text.size());
   return named(hash.end());
 }
+
+std::string seriesKey(const std::string& id) { return hashOf(id); }
 
 }  // namespace fenestra::io

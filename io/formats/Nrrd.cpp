@@ -6,8 +6,8 @@
 #include <map>
 #include <optional>
 
-#include "io/ImageFile.h"
-#include "io/Text.h"
+#include "io/base/Text.h"
+#include "io/formats/ImageFile.h"
 
 namespace fenestra::io {
 namespace fs = std::filesystem;

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "io/VolumeReader.h"
+#include "io/base/Reading.h"
 
 namespace fenestra::io {
 

@@ -1,4 +1,4 @@
-#include "io/DicomDecoder.h"
+#include "io/dicom/DicomDecoder.h"
 
 #include <algorithm>
 #include <bit>
@@ -17,8 +17,8 @@
 #include <dcmtk/oflog/oflog.h>
 #include <openjpeg.h>
 
-#include "io/Dcmtk.h"
-#include "io/Error.h"
+#include "io/base/Error.h"
+#include "io/dicom/Dcmtk.h"
 
 namespace fenestra::io {
 

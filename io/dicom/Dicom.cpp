@@ -1,4 +1,4 @@
-#include "io/Dicom.h"
+#include "io/dicom/Dicom.h"
 
 #include <algorithm>
 #include <atomic>
@@ -10,11 +10,12 @@
 #include <optional>
 #include <set>
 
-#include "io/DicomDecoder.h"
-#include "io/DicomStack.h"
-#include "io/ImageFile.h"
-#include "io/SessionName.h"
-#include "io/VoxelSink.h"
+#include "io/base/Contents.h"
+#include "io/base/Memory.h"
+#include "io/base/SessionName.h"
+#include "io/base/VoxelSink.h"
+#include "io/dicom/DicomDecoder.h"
+#include "io/dicom/DicomStack.h"
 #include "rendering/scene/Parallel.h"
 
 namespace fenestra::io {

@@ -1,4 +1,4 @@
-#include "io/DicomStack.h"
+#include "io/dicom/DicomStack.h"
 
 #include <algorithm>
 #include <cmath>

@@ -10,7 +10,8 @@
 #include <nifti2.h>
 #include <glm/gtc/quaternion.hpp>
 
-#include "io/ImageFile.h"
+#include "io/base/Memory.h"
+#include "io/formats/ImageFile.h"
 
 namespace fenestra::io {
 namespace fs = std::filesystem;

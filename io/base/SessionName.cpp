@@ -1,6 +1,6 @@
-#include "io/SessionName.h"
+#include "io/base/SessionName.h"
 
-#include "io/Text.h"
+#include "io/base/Text.h"
 
 namespace fenestra::io {
 

@@ -1,4 +1,4 @@
-#include "io/DicomHeader.h"
+#include "io/dicom/DicomHeader.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,11 +8,12 @@
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dcspchrs.h>
 
-#include "io/Dcmtk.h"
-#include "io/Dicom.h"
-#include "io/Error.h"
-#include "io/ImageFile.h"
-#include "io/Text.h"
+#include "io/base/ByteStream.h"
+#include "io/base/Error.h"
+#include "io/base/Memory.h"
+#include "io/base/Text.h"
+#include "io/dicom/Dcmtk.h"
+#include "io/dicom/Dicom.h"
 
 namespace fenestra::io {
 namespace fs = std::filesystem;

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "io/DicomHeader.h"
-#include "io/VolumeReader.h"
+#include "io/base/Reading.h"
+#include "io/dicom/DicomHeader.h"
 
 namespace fenestra::io {
 

@@ -1,0 +1,81 @@
+#pragma once
+// What every reader takes, gives and throws: progress, options, warnings, the volume or label map that was read.
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/base/Error.h"
+#include "rendering/scene/LabelMap.h"
+#include "rendering/scene/Volume.h"
+
+namespace fenestra::io {
+
+/// Called now and then, from one thread at a time, with a fraction in [0, 1] and what is being done; false cancels.
+using Progress = std::function<bool(double fraction, std::string_view doing)>;
+
+/// What was noticed about a file's geometry or content that the user must know; the volume is still usable.
+struct Warning {
+  enum class Kind {
+    GantryTilt,
+    UnevenSpacing,
+    MissingSlices,
+    DuplicateSlices,
+    MixedSizes,
+    MixedOrientations,
+    UnreadableFiles,
+    NoGeometry,
+    PrecisionLoss,
+    TimePoints,   ///< the file or series holds further volumes of the same place (time, repeats, layers); one is shown
+    MovedData,    ///< a session's data lie elsewhere now
+    ChangedData,  ///< a session's data are not what they were
+    Other
+  };
+  Kind kind = Kind::Other;
+  std::string text;                          ///< one sentence, with figures
+  std::vector<std::filesystem::path> files;  ///< which files it is about; may be empty
+};
+
+/// How to read bytes without a header.
+struct RawDescription {
+  glm::ivec3 dims{0};
+  ScalarType type = ScalarType::UInt8;
+  bool bigEndian = false;
+  std::size_t skip = 0;  ///< bytes before the first voxel
+  glm::dvec3 spacing{1.0};
+  bool operator==(const RawDescription&) const = default;
+};
+struct OpenOptions {
+  std::string series = {};  ///< a series' id as listSeries gives it, or its seriesKey(); empty: the largest
+  std::optional<RawDescription> raw = {};  ///< read PATH as raw bytes
+  Progress progress = {};                  ///< may be empty
+};
+
+/// A stack of images that forms one volume. `id` tells stacks of one SeriesInstanceUID apart ("UID", "UID#2", …; an
+/// empty UID reads "no-uid"); outside DICOM it is the file's name.
+struct SeriesInfo {
+  std::string id;
+  std::string modality;     ///< "CT", "MR", …; empty outside DICOM
+  std::string description;  ///< SeriesDescription; may hold anything the operator typed
+  glm::ivec3 dims{0};
+  std::vector<std::filesystem::path> files;
+};
+
+struct OpenedVolume {
+  std::shared_ptr<const Volume> volume;
+  std::string format;  ///< "DICOM", "NIfTI", "NRRD", "MetaImage", "raw"
+  SeriesInfo series;
+  std::vector<SeriesInfo> otherSeries;
+  std::vector<Warning> warnings;
+};
+
+struct OpenedLabels {
+  std::shared_ptr<const LabelMap> labels;
+  std::vector<Warning> warnings;  ///< e.g. that it was resampled, or lies outside the volume
+};
+
+}  // namespace fenestra::io
