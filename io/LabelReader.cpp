@@ -7,16 +7,16 @@
 
 #include "io/Probe.h"
 #include "io/VolumeReader.h"
+#include "io/base/LabelReading.h"
 #include "io/base/Memory.h"
 #include "io/base/Text.h"
+#include "io/dicom/DicomLabels.h"
 #include "io/formats/ImageFile.h"
 #include "rendering/scene/Parallel.h"
 
 namespace fenestra::io {
 namespace fs = std::filesystem;
 namespace {
-
-constexpr std::uint16_t greatestLabel = 65535;
 
 /// One segment of 3D Slicer's SegmentN_* fields (the "Segmentation" NRRD layout of 3D Slicer's documentation).
 struct Segment {
@@ -112,44 +112,40 @@ std::vector<std::uint16_t> labelsOf(const Voxels& voxels, const ImageFile& image
   return labels;
 }
 
-/// All layers in one map; of overlapping labels the later layer's stays.
+/// All layers in one map.
 std::vector<std::uint16_t> mergedLayers(const std::vector<Voxels>& layers, const std::vector<Segment>& segments,
                                         const ImageFile& image, std::vector<Warning>& warnings) {
-  std::vector<std::uint16_t> merged;
-  std::size_t hidden = 0;
+  if (layers.size() == 1 && segments.empty()) return labelsOf(layers.front(), image);
+  std::vector<std::vector<std::uint16_t>> maps;
+  std::vector<std::uint64_t> voxels(greatestLabel + 1u, 0);
   for (std::size_t layer = 0; layer < layers.size(); ++layer) {
     std::vector<std::uint16_t> labels = labelsOf(layers[layer], image);
     std::vector<std::uint16_t> renamed(greatestLabel + 1u);
     std::iota(renamed.begin(), renamed.end(), std::uint16_t{0});
     for (const Segment& segment : segments)
       if (segment.layer == static_cast<std::int64_t>(layer)) renamed[segment.storedValue] = segment.label.value;
-    for (std::uint16_t& label : labels) label = renamed[label];
-    if (layer == 0) {
-      merged = std::move(labels);
-      continue;
-    }
-    for (std::size_t i = 0; i < merged.size(); ++i) {
-      if (labels[i] == 0) continue;
-      hidden += merged[i] != 0;
-      merged[i] = labels[i];
-    }
+    for (std::uint16_t& label : labels) ++voxels[label = renamed[label]];
+    maps.push_back(std::move(labels));
   }
-  if (hidden > 0)
-    warnings.push_back(
-        {Warning::Kind::Other,
-         "labels overlap at " + std::to_string(hidden) + " voxels; the later layer's label is kept there",
-         {image.path}});
+  LabelOverlap overlap;
+  std::vector<Label> known;
+  for (const Segment& segment : segments) {
+    overlap.add(segment.label.value, voxels[segment.label.value]);
+    known.push_back(segment.label);
+  }
+  std::vector<std::uint16_t> merged = std::move(maps.front());
+  for (std::size_t layer = 1; layer < maps.size(); ++layer)
+    for (std::size_t i = 0; i < merged.size(); ++i) merged[i] = overlap.keep(merged[i], maps[layer][i]);
+  overlap.warn(image.path, known, warnings);
   return merged;
 }
 
-/// Whether `from`'s voxel centres are `to`'s, up to the axes' order and direction, within a twentieth of a voxel:
-/// headers store single precision, whose rounding adds up to hundredths over a long axis.
+/// Whether `from`'s voxel centres are `to`'s, up to the axes' order and direction.
 bool isSameLattice(const glm::dmat4& toFromFrom, const Grid& from) {
   for (int corner = 0; corner < 8; ++corner) {
     const glm::dvec3 index((corner & 1) ? from.dims.x - 1 : 0, (corner & 2) ? from.dims.y - 1 : 0,
                            (corner & 4) ? from.dims.z - 1 : 0);
-    const glm::dvec3 at(toFromFrom * glm::dvec4(index, 1.0));
-    if (glm::any(glm::greaterThan(glm::abs(at - glm::round(at)), glm::dvec3(0.05)))) return false;
+    if (!isVoxelCentre(glm::dvec3(toFromFrom * glm::dvec4(index, 1.0)))) return false;
   }
   for (int column = 0; column < 3; ++column)
     if (std::abs(glm::length(glm::dvec3(toFromFrom[column])) - 1.0) > 0.01) return false;
@@ -175,22 +171,7 @@ std::vector<std::uint16_t> resampled(const std::vector<std::uint16_t>& labels, c
       }
     }
   });
-  const auto count = [](const std::vector<std::uint16_t>& map) {
-    return map.size() - static_cast<std::size_t>(std::count(map.begin(), map.end(), std::uint16_t{0}));
-  };
-  const std::size_t before = count(labels), after = count(result);
-  if (before > 0 && after == 0) {
-    warnings.push_back(
-        {Warning::Kind::Other, "every label lies outside the volume; is this the volume's label map?", {path}});
-  } else if (!sameLattice) {
-    warnings.push_back(
-        {Warning::Kind::Other, "the label map was resampled to the volume's grid by nearest label", {path}});
-  } else if (after < before) {
-    warnings.push_back(
-        {Warning::Kind::Other,
-         std::to_string(before - after) + " of " + std::to_string(before) + " labelled voxels lie outside the volume",
-         {path}});
-  }
+  warnOfPlacement(path, labelledVoxels(labels), labelledVoxels(result), sameLattice, warnings);
   return result;
 }
 
@@ -203,31 +184,35 @@ bool isSameGrid(const Grid& a, const Grid& b) {
   return true;
 }
 
-OpenedLabels readLabels(const fs::path& path, const Grid& target, const Progress& progress) {
-  const Format format = formatOf(path);
-  if (format == Format::Dicom)
-    throw Error(path, "is DICOM, not a label map", "label maps are read from NIfTI, NRRD and MetaImage");
+/// Labels of NIfTI, NRRD or MetaImage.
+LabelsOnGrid readImageLabels(const fs::path& path, Format format, const Grid& target, const Progress& progress) {
   ImageFile image = readImageHeader(path, format);
   const std::vector<Segment> segments = slicerSegments(image);
-  const bool layered = image.layers() > 1;
-  if (layered && segments.empty())
+  if (image.layers() > 1 && segments.empty())
     throw Error(path, "holds " + std::to_string(image.layers()) + " volumes, not one label map",
                 "extract one of them first");
-
-  OpenedLabels opened;
-  opened.warnings = std::move(image.warnings);
-  std::vector<std::uint16_t> values;
+  LabelsOnGrid read;
+  read.warnings = std::move(image.warnings);
   {
-    const std::vector<Voxels> layers = readVoxels(image, image.layers(), progress, opened.warnings);
-    values = mergedLayers(layers, segments, image, opened.warnings);
+    const std::vector<Voxels> layers = readVoxels(image, image.layers(), progress, read.warnings);
+    read.values = mergedLayers(layers, segments, image, read.warnings);
   }
-  if (!isSameGrid(image.grid, target)) values = resampled(values, image.grid, target, path, opened.warnings);
+  if (!isSameGrid(image.grid, target)) read.values = resampled(read.values, image.grid, target, path, read.warnings);
+  for (const auto& [value, name] : namesBeside(path)) read.labels.push_back({value, name, defaultLabelColour(value)});
+  // Later entries replace earlier ones: the file's own names win over the table's.
+  for (const Segment& segment : segments) read.labels.push_back(segment.label);
+  return read;
+}
 
+OpenedLabels readLabels(const fs::path& path, const Grid& target, const Progress& progress) {
+  const Format format = formatOf(path);
+  LabelsOnGrid read = format == Format::Dicom ? readDicomLabels(path, target, progress)
+                                              : readImageLabels(path, format, target, progress);
+  const std::vector<std::uint16_t>& values = read.values;
   std::vector<bool> present(greatestLabel + 1u, false);
   for (const std::uint16_t value : values) present[value] = true;
   std::map<std::uint16_t, Label> labels;
-  for (const auto& [value, name] : namesBeside(path)) labels[value] = {value, name, defaultLabelColour(value)};
-  for (const Segment& segment : segments) labels[segment.label.value] = segment.label;
+  for (const Label& label : read.labels) labels[label.value] = label;
   for (std::uint32_t value = 1; value <= greatestLabel; ++value) {
     const auto label = static_cast<std::uint16_t>(value);
     if (present[label] && (!labels.contains(label) || labels[label].name.empty()))
@@ -235,6 +220,8 @@ OpenedLabels readLabels(const fs::path& path, const Grid& target, const Progress
                        labels.contains(label) ? labels[label].colour : defaultLabelColour(label)};
   }
 
+  OpenedLabels opened;
+  opened.warnings = std::move(read.warnings);
   auto map = std::make_shared<LabelMap>();
   map->grid = target;
   for (const auto& [value, label] : labels) map->labels.push_back(label);

@@ -65,11 +65,20 @@ struct SeriesInfo {
   std::vector<std::filesystem::path> files;
 };
 
+/// A segmentation that lies beside a DICOM series and belongs to it; openLabels opens its file.
+struct SegmentationInfo {
+  std::filesystem::path file;
+  std::string kind;                     ///< "SEG" or "RTSTRUCT"
+  std::string description;              ///< its series' description or its own label; may hold anything typed
+  std::vector<std::string> structures;  ///< their names, in the file's order
+};
+
 struct OpenedVolume {
   std::shared_ptr<const Volume> volume;
   std::string format;  ///< "DICOM", "NIfTI", "NRRD", "MetaImage", "raw"
   SeriesInfo series;
   std::vector<SeriesInfo> otherSeries;
+  std::vector<SegmentationInfo> segmentations;  ///< of the series, among the files that were opened with it
   std::vector<Warning> warnings;
 };
 

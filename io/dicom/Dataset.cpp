@@ -9,6 +9,7 @@
 
 #include "io/base/ByteStream.h"
 #include "io/base/Error.h"
+#include "io/base/Memory.h"
 #include "io/base/Text.h"
 
 namespace fenestra::io {
@@ -83,6 +84,23 @@ void loadHeader(const fs::path& path, DcmFileFormat& file) {
                                                    DCM_MaxReadLength, ERM_autoDetect, DCM_PixelData);
   if (loaded.bad())
     throw Error(path, std::string("its DICOM header cannot be read (") + loaded.text() + ")",
+                "the file is truncated or damaged");
+}
+
+void checkFrameBytes(DcmDataset& dataset, const fs::path& path, std::int64_t frames, int rows, int columns, int bits) {
+  // The fewest bytes that a frame can take: its pixels, of which deflate packs at most 1032 into one byte, or the
+  // header of its fragment.
+  std::error_code failure;
+  const std::uint64_t fileBytes = fs::file_size(path, failure);
+  const std::uint64_t frameBits =
+      static_cast<std::uint64_t>(rows) * static_cast<std::uint64_t>(columns) * static_cast<std::uint64_t>(bits);
+  const bool encapsulated = DcmXfer(dataset.getOriginalXfer()).isEncapsulated();
+  const bool deflated = dataset.getOriginalXfer() == EXS_DeflatedLittleEndianExplicit;
+  const std::uint64_t leastBits = encapsulated ? 64 : deflated ? frameBits / 1032 : frameBits;
+  if (frames < 1 || saturatingProduct(static_cast<std::uint64_t>(frames), leastBits) / 8 > fileBytes)
+    throw Error(path,
+                "holds " + std::to_string(fileBytes) + " bytes where its header describes " + std::to_string(frames) +
+                    " frames of " + std::to_string(columns) + " x " + std::to_string(rows),
                 "the file is truncated or damaged");
 }
 

@@ -18,6 +18,11 @@ namespace fenestra::io {
 /// Everything before the pixel data. Throws Error when the file is no DICOM file, is damaged, or nests too deep.
 void loadHeader(const std::filesystem::path& path, DcmFileFormat& file);
 
+/// Throws Error when the file is too short for `frames` (at least one) of `bits` a pixel, packed or compressed as its
+/// transfer syntax says.
+void checkFrameBytes(DcmDataset& dataset, const std::filesystem::path& path, std::int64_t frames, int rows, int columns,
+                     int bits);
+
 /// A finite number; nothing when it is missing.
 std::optional<double> number(DcmItem& item, const DcmTagKey& tag, unsigned long position = 0);
 std::optional<std::int64_t> integer(DcmItem& item, const DcmTagKey& tag);

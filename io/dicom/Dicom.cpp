@@ -56,6 +56,7 @@ struct Scan {
   std::vector<std::string> unreadableCauses;
   std::vector<fs::path> notImages;                       ///< other files of the folder
   std::map<std::string, std::vector<fs::path>> refused;  ///< DICOM objects that are no scalar images, by reason
+  std::vector<DicomFile> segmentations;                  ///< and structure sets
   std::vector<fs::path> repeated;                        ///< the same image (SOP instance) again
 };
 
@@ -110,6 +111,8 @@ Scan scanHeaders(const fs::path& path, const OpenOptions& options) {
     } else if (!outcome.file) {
       scan.unreadable.push_back(paths[i]);
       scan.unreadableCauses.push_back(outcome.failure);
+    } else if (outcome.file->labels) {
+      scan.segmentations.push_back(std::move(*outcome.file));
     } else if (!outcome.file->refusal.empty()) {
       scan.refused[outcome.file->refusal].push_back(paths[i]);
     } else if (!outcome.file->instance.empty() &&
@@ -120,6 +123,9 @@ Scan scanHeaders(const fs::path& path, const OpenOptions& options) {
     }
   }
   if (scan.files.empty()) {
+    if (scan.refused.empty() && !scan.segmentations.empty())
+      throw Error(scan.segmentations.front().path, scan.segmentations.front().refusal,
+                  "open the series that it belongs to, then this file as labels");
     if (!scan.refused.empty()) {
       const auto& [reason, refused] = *scan.refused.begin();
       throw Error(refused.size() == 1 ? refused.front() : path, reason,
@@ -185,6 +191,21 @@ std::size_t chosen(const std::vector<Candidate>& candidates, const fs::path& pat
   for (std::size_t i = 0; i < candidates.size(); ++i)
     if (candidates[i].info.id == id || seriesKey(candidates[i].info.id) == id) return i;
   throw Error(path, "has no series " + id, "list its series with: fenestra-cli info " + path.string());
+}
+
+/// Those of the segmentations that belong to a stack; of the others, a warning a reason.
+void addSegmentations(const Scan& scan, const DicomStack& stack, OpenedVolume& opened) {
+  const DicomFrame& frame = stack.frames.front();
+  std::map<std::string, std::vector<fs::path>> others;
+  for (const DicomFile& file : scan.segmentations)
+    if (file.labels->belongsTo(scan.files[frame.file].series, frame.frameOfReference))
+      opened.segmentations.push_back(file.labels->info);
+    else
+      others[file.refusal + "; it belongs to another series"].push_back(file.path);
+  for (const auto& [reason, paths] : others)
+    opened.warnings.push_back(
+        {Warning::Kind::Other,
+         std::to_string(paths.size()) + (paths.size() == 1 ? " file" : " files") + " left out: " + reason, paths});
 }
 
 void addScanWarnings(const Scan& scan, std::vector<Warning>& warnings) {
@@ -401,6 +422,7 @@ OpenedVolume openDicom(const fs::path& path, const OpenOptions& options) {
     opened.format = "DICOM";
     opened.warnings = stack.warnings;
     addContentWarnings(stack, scan.files, opened.warnings);
+    addSegmentations(scan, stack, opened);
     addScanWarnings(scan, opened.warnings);
     for (std::size_t i = 0; i < candidates.size(); ++i)
       if (i == choice)

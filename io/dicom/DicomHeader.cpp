@@ -8,10 +8,10 @@
 
 #include "io/base/ByteStream.h"
 #include "io/base/Error.h"
-#include "io/base/Memory.h"
 #include "io/base/Text.h"
 #include "io/dicom/Dataset.h"
 #include "io/dicom/Dicom.h"
+#include "io/dicom/LabelObject.h"
 
 namespace fenestra::io {
 namespace fs = std::filesystem;
@@ -169,7 +169,8 @@ std::shared_ptr<const ModalityLut> modalityLut(DcmItem& dataset, const PixelForm
 
 /// Why a dataset is no stack of scalar images; empty when it is one.
 std::string refusalOf(DcmItem& dataset, const PixelFormat& format, const std::string& sopClass) {
-  if (sopClass == UID_SegmentationStorage) return "is a DICOM segmentation, not an image";
+  if (sopClass == UID_RTStructureSetStorage) return "is a DICOM structure set, not an image";
+  if (isLabelClass(sopClass)) return "is a DICOM segmentation, not an image";
   if (format.rows < 1 || format.columns < 1) return "holds no image";
   const std::string photometric = text(dataset, DCM_PhotometricInterpretation);
   if (integer(dataset, DCM_SamplesPerPixel).value_or(1) != 1 ||
@@ -207,6 +208,7 @@ DicomFile readDicomHeader(const fs::path& path) {
   format.highBit = static_cast<int>(integer(dataset, DCM_HighBit).value_or(format.bitsStored - 1));
   format.isSigned = integer(dataset, DCM_PixelRepresentation).value_or(0) == 1;
   file.refusal = refusalOf(dataset, format, sopClass);
+  if (isLabelClass(sopClass)) file.labels = std::make_shared<DicomLabelObject>(labelObjectIn(dataset, path));
   if (!file.refusal.empty()) return file;
 
   file.monochrome1 = text(dataset, DCM_PhotometricInterpretation) == "MONOCHROME1";
@@ -216,20 +218,7 @@ DicomFile readDicomHeader(const fs::path& path) {
   if (file.modality == "PT") file.unit = text(dataset, DCM_Units);
 
   const std::int64_t frames = integer(dataset, DCM_NumberOfFrames).value_or(1);
-  const DcmXfer syntax(dataset.getOriginalXfer());
-  // The fewest bytes that a frame can take: its pixels, of which deflate packs at most 1032 into one byte, or the
-  // header of its fragment.
-  std::error_code failure;
-  const std::uint64_t fileBytes = fs::file_size(path, failure);
-  const bool deflated = dataset.getOriginalXfer() == EXS_DeflatedLittleEndianExplicit;
-  const std::uint64_t leastBytes = syntax.isEncapsulated() ? 8
-                                   : deflated              ? format.frameBytes() / 1032
-                                                           : format.frameBytes();
-  if (frames < 1 || saturatingProduct(static_cast<std::uint64_t>(frames), leastBytes) > fileBytes)
-    throw Error(path,
-                "holds " + std::to_string(fileBytes) + " bytes where its header describes " + std::to_string(frames) +
-                    " frames of " + std::to_string(format.columns) + " x " + std::to_string(format.rows),
-                "the file is truncated or damaged");
+  checkFrameBytes(dataset, path, frames, format.rows, format.columns, format.bitsAllocated);
 
   DcmSequenceOfItems* perFrame = nullptr;
   dataset.findAndGetSequence(DCM_PerFrameFunctionalGroupsSequence, perFrame);

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "io/dicom/DicomLabels.h"
 #include "rendering/scene/Volume.h"
 
 namespace fenestra::io {
@@ -55,7 +56,8 @@ struct DicomFrame {
 struct DicomFile {
   std::filesystem::path path;
   std::string instance, series, modality, description, unit;
-  std::string refusal;  ///< why this is no scalar image; empty when it is one
+  std::string refusal;                             ///< why this is no scalar image; empty when it is one
+  std::shared_ptr<const DicomLabelObject> labels;  ///< of a segmentation or structure set
   PixelFormat format;
   bool monochrome1 = false;
   bool mosaicUnsplit = false;  ///< a mosaic whose layout is unknown; it stays one slice

@@ -1,0 +1,67 @@
+#include "io/dicom/DicomLabels.h"
+
+#include "io/dicom/Dataset.h"
+#include "io/dicom/LabelObject.h"
+#include "io/dicom/RtStruct.h"
+#include "io/dicom/Segmentation.h"
+
+namespace fenestra::io {
+namespace {
+
+void addText(DcmItem& item, const DcmTagKey& tag, std::set<std::string>& texts) {
+  if (std::string value = text(item, tag); !value.empty()) texts.insert(std::move(value));
+}
+
+}  // namespace
+
+bool DicomLabelObject::belongsTo(const std::string& seriesUid, const std::string& frame) const {
+  if (!series.empty()) return series.contains(seriesUid);
+  return !frame.empty() && frame == frameOfReference;
+}
+
+bool isLabelClass(const std::string& sopClass) {
+  return sopClass == UID_SegmentationStorage || sopClass == labelMapSegmentationClass ||
+         sopClass == UID_RTStructureSetStorage;
+}
+
+DicomLabelObject labelObjectIn(DcmDataset& dataset, const std::filesystem::path& path) {
+  DicomLabelObject object;
+  object.info.file = path;
+  object.info.description = typedText(dataset, DCM_SeriesDescription);
+  object.frameOfReference = text(dataset, DCM_FrameOfReferenceUID);
+  const bool structureSet = text(dataset, DCM_SOPClassUID) == UID_RTStructureSetStorage;
+  object.info.kind = structureSet ? "RTSTRUCT" : "SEG";
+  if (structureSet) {
+    if (std::string label = typedText(dataset, DCM_StructureSetLabel); !label.empty()) object.info.description = label;
+    forEachItem(dataset, DCM_StructureSetROISequence,
+                [&](DcmItem& roi) { object.info.structures.push_back(typedText(roi, DCM_ROIName, &dataset)); });
+    forEachItem(dataset, DCM_ReferencedFrameOfReferenceSequence, [&](DcmItem& frame) {
+      if (object.frameOfReference.empty()) object.frameOfReference = text(frame, DCM_FrameOfReferenceUID);
+      forEachItem(frame, DCM_RTReferencedStudySequence, [&](DcmItem& study) {
+        forEachItem(study, DCM_RTReferencedSeriesSequence,
+                    [&](DcmItem& series) { addText(series, DCM_SeriesInstanceUID, object.series); });
+      });
+    });
+    return object;
+  }
+  forEachItem(dataset, DCM_SegmentSequence,
+              [&](DcmItem& segment) { object.info.structures.push_back(segmentName(segment, dataset)); });
+  forEachItem(dataset, DCM_ReferencedSeriesSequence,
+              [&](DcmItem& series) { addText(series, DCM_SeriesInstanceUID, object.series); });
+  return object;
+}
+
+LabelsOnGrid readDicomLabels(const std::filesystem::path& path, const Grid& target, const Progress& progress) {
+  if (std::filesystem::is_directory(path))
+    throw Error(path, "is a folder, not a label map", "name the file with the labels");
+  DcmFileFormat file;
+  loadHeader(path, file);
+  DcmDataset& dataset = *file.getDataset();
+  const std::string sopClass = text(dataset, DCM_SOPClassUID);
+  if (!isLabelClass(sopClass))
+    throw Error(path, "is DICOM, but neither a segmentation nor a structure set", "open it as a volume");
+  if (sopClass == UID_RTStructureSetStorage) return readStructureSet(dataset, path, target, progress);
+  return readSegmentation(dataset, path, target, progress);
+}
+
+}  // namespace fenestra::io
