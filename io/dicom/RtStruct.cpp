@@ -88,6 +88,7 @@ std::vector<Structure> structuresIn(DcmDataset& dataset, const fs::path& path) {
       refuse(path, "two of its structures have the number " + std::to_string(structure.number));
     structures.push_back(std::move(structure));
   });
+  if (structures.empty()) refuse(path, "it describes no structures");
   if (structures.size() > greatestLabel) refuse(path, "it has more structures than fit 16 bits");
   std::set<std::int64_t> taken;
   const auto isLabel = [](std::int64_t number) { return number >= 1 && number <= greatestLabel; };
@@ -117,6 +118,7 @@ std::string spaced(std::string values) {
 StructureSet readContours(DcmDataset& dataset, const fs::path& path) {
   StructureSet set;
   set.structures = structuresIn(dataset, path);
+  if (!dataset.tagExists(DCM_ROIContourSequence)) refuse(path, "it has no contours");
   forEachItem(dataset, DCM_ROIContourSequence, [&](DcmItem& item) {
     const std::int64_t number = integer(item, DCM_ReferencedROINumber).value_or(-1);
     const auto at = std::find_if(set.structures.begin(), set.structures.end(),
@@ -152,16 +154,41 @@ struct PlaneAxes {
   glm::dvec3 of(const glm::dvec3& world) const { return {glm::dot(world, u), glm::dot(world, v), glm::dot(world, w)}; }
 };
 
-/// The normal is that of the largest contour, or the target's slice normal where that differs by rounding alone. Along
-/// the target's rows v is constant where the planes allow it: a row of voxels is then one line across the contours.
-PlaneAxes axesOf(const std::vector<Structure>& structures, const Grid& target) {
-  glm::dvec3 largest(0.0);
+/// The normal that most contours have.
+glm::dvec3 usualNormal(const std::vector<Structure>& structures, const glm::dvec3& otherwise) {
+  struct Group {
+    glm::dvec3 normal, largest;
+    std::size_t count;
+  };
+  constexpr std::size_t most = 16;  // directions to tell apart; a series has one
+  std::vector<Group> groups;
   for (const Structure& structure : structures)
-    for (const Contour& contour : structure.contours)
-      if (const glm::dvec3 area = areaVector(contour); glm::length(area) > glm::length(largest)) largest = area;
+    for (const Contour& contour : structure.contours) {
+      const glm::dvec3 area = areaVector(contour);
+      if (!(glm::length(area) > 0.0)) continue;
+      const glm::dvec3 normal = glm::normalize(area);
+      // A hundredth of a radian: small contours have few digits.
+      const auto group = std::find_if(groups.begin(), groups.end(), [&](const Group& each) {
+        return glm::length(glm::cross(each.normal, normal)) < 0.01;
+      });
+      if (group != groups.end()) {
+        ++group->count;
+        if (glm::length(area) > glm::length(group->largest)) group->largest = area;
+      } else if (groups.size() < most) {
+        groups.push_back({normal, area, 1});
+      }
+    }
+  const auto usual =
+      std::max_element(groups.begin(), groups.end(), [](const Group& a, const Group& b) { return a.count < b.count; });
+  return usual == groups.end() ? otherwise : glm::normalize(usual->largest);
+}
+
+/// The normal is that of most contours, or the target's slice normal where that differs by rounding alone. Along the
+/// target's rows v is constant: a row of voxels meets one line of each plane that it crosses.
+PlaneAxes axesOf(const std::vector<Structure>& structures, const Grid& target) {
   PlaneAxes axes;
   const glm::dvec3 slice = glm::normalize(glm::cross(target.direction[0], target.direction[1]));
-  axes.w = glm::length(largest) > 0.0 ? glm::normalize(largest) : slice;
+  axes.w = usualNormal(structures, slice);
   // A thousandth of a radian: coordinates are written with few decimals.
   if (glm::length(glm::cross(axes.w, slice)) < 1e-3) axes.w = slice;
   const auto flattened = [&](const glm::dvec3& direction) { return direction - glm::dot(direction, axes.w) * axes.w; };
@@ -299,17 +326,16 @@ std::vector<Run> voxelsOf(const Planes& planes, double step, const PlaneAxes& ax
   return all;
 }
 
-/// Refuses contours that would take hours: a target across the planes asks for each voxel's line anew.
+/// Refuses contours that would take hours.
 void checkCost(const Planes& planes, double step, const PlaneAxes& axes, const Grid& target, const fs::path& path) {
   const VoxelBox box = voxelsWithin(planes, axes, step, target);
   const glm::dvec3 size = glm::max(glm::dvec3(box.high - box.low + 1), glm::dvec3(0.0));
-  const glm::dvec3 along = axes.of(target.direction[0]);
-  const bool aligned = std::abs(along.y) + std::abs(along.z) < 1e-12;
   double edges = 0.0;
   for (const ContourFill& fill : planes.fills) edges += fill.edgesPerLine();
-  if (!aligned) edges /= static_cast<double>(std::max<std::size_t>(planes.fills.size(), 1));
-  const double looks = edges * (aligned ? size.y : size.x * size.y * size.z);
-  constexpr double most = 2e11;  // some minutes
+  // On a grid whose slices are parallel to the contours, the slices of a slab share its lines.
+  const bool aligned = std::abs(axes.of(target.direction[0]).z) + std::abs(axes.of(target.direction[1]).z) < 1e-12;
+  const double looks = edges * size.y * (aligned ? 1.0 : size.z);
+  constexpr double most = 2e11;  // a minute or two
   if (looks > most)
     throw Error(path, "its contours have too many edges to be filled on this volume", "open them on their own series");
 }

@@ -2,6 +2,7 @@
 
 #include "io/VolumeReader.h"
 #include "tests/io/IoTesting.h"
+#include "tests/io/LabelFiles.h"
 #include "tests/support/TestData.h"
 
 namespace fenestra::tests {
@@ -14,16 +15,6 @@ std::string metaImage(const std::string& geometry, const std::string& dims, cons
                       const std::string& data) {
   return "NDims = 3\nDimSize = " + dims + "\n" + geometry + "ElementType = " + type + "\nElementDataFile = LOCAL\n" +
          data;
-}
-
-Grid gridOf(glm::ivec3 dims) {
-  Grid grid;
-  grid.dims = dims;
-  return grid;
-}
-
-std::vector<int> valuesOf(const LabelMap& map) {
-  return map.voxels.visit([](auto scalars) { return std::vector<int>(scalars.begin(), scalars.end()); });
 }
 
 }  // namespace
