@@ -42,8 +42,10 @@ std::string contourText(DcmItem& contour) {
   Uint8* bytes = nullptr;
   if (element->ident() == EVR_UN && element->getUint8Array(bytes).good() && bytes)
     return {reinterpret_cast<const char*>(bytes), element->getLength()};
-  OFString value;
-  return element->getOFStringArray(value).good() ? std::string(value.data(), value.size()) : std::string();
+  // The raw text: DCMTK looks for each value of a string array from the first one on.
+  char* value = nullptr;
+  Uint32 length = 0;
+  return element->getString(value, length).good() && value ? std::string(value, length) : std::string();
 }
 
 Contour pointsOf(DcmItem& contour, const std::string& structure, const fs::path& path) {

@@ -239,6 +239,8 @@ TEST(RtStruct, EdgesBeyondCountEndInBoundedTime) {
   std::vector<glm::dvec3> zigzag;
   for (int i = 0; i < 4000; ++i) zigzag.push_back({0.01 * i, i % 2 ? 100.0 : 0.0, 0.0});
   for (int i = 0; i < 30; ++i) spec.rois[0].contours.push_back(closed(zigzag));
+  // The zigzag's area is zero: a square shows how the plane lies.
+  spec.rois[0].contours.push_back(closed(rectangle(0, 0, 40, 100, 0)));
   const fs::path path = scratchFolder() / "plan.dcm";
   writeRtStruct(path, spec);
   const auto start = std::chrono::steady_clock::now();
