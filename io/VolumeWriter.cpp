@@ -10,6 +10,7 @@
 #include <limits>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <sstream>
 #include <vector>
 
@@ -85,9 +86,10 @@ void forEachBlock(const Volume& volume, ScalarType type,
 
 class Output {
  public:
-  Output(const fs::path& path, bool gzip) : path_(path) {
+  enum class Mode { Plain, Gzip, GzipAtEnd };
+  Output(const fs::path& path, Mode mode) : path_(path) {
     // Level 1: volumes are written while someone waits, and noise hardly shrinks further.
-    file_ = ::gzopen(path.c_str(), gzip ? "wb1" : "wbT");
+    file_ = ::gzopen(path.c_str(), mode == Mode::Plain ? "wbT" : mode == Mode::Gzip ? "wb1" : "ab1");
     if (!file_) throw Error(path, "cannot be written: " + systemCause(), "check the folder and its permissions");
     ::gzbuffer(file_, 256 * 1024);
   }
@@ -124,7 +126,7 @@ std::ostringstream exactText() {
   return text;
 }
 
-std::string metaImageHeader(const Grid& grid, ScalarType type) {
+std::string metaImageHeader(const Grid& grid, ScalarType type, const NrrdOptions&) {
   const auto name = [&] {
     switch (type) {
       case ScalarType::UInt8:
@@ -158,7 +160,7 @@ std::string metaImageHeader(const Grid& grid, ScalarType type) {
   return text.str();
 }
 
-std::string nrrdHeader(const Grid& grid, ScalarType type) {
+std::string nrrdHeader(const Grid& grid, ScalarType type, const NrrdOptions& options) {
   const char* name = type == ScalarType::Float32 ? "float" : type == ScalarType::Float64 ? "double" : nameOf(type);
   auto text = exactText();
   const auto vector = [&](const glm::dvec3& v) { text << " (" << v.x << ',' << v.y << ',' << v.z << ')'; };
@@ -166,9 +168,11 @@ std::string nrrdHeader(const Grid& grid, ScalarType type) {
        << grid.dims.y << ' ' << grid.dims.z << "\nspace directions:";
   for (int axis = 0; axis < 3; ++axis) vector(grid.direction[axis] * grid.spacing[axis]);
   text << "\nkinds: domain domain domain\nendian: " << (bigEndian ? "big" : "little")
-       << "\nencoding: raw\nspace origin:";
+       << "\nencoding: " << (options.packNrrd ? "gzip" : "raw") << "\nspace origin:";
   vector(grid.origin);
-  text << "\n\n";
+  text << '\n';
+  for (const auto& [key, value] : options.nrrdFields) text << key << ":=" << value << '\n';
+  text << '\n';
   return text.str();
 }
 
@@ -244,7 +248,7 @@ void fillNifti(Header& header, const Grid& grid, ScalarType type) {
 }
 
 /// NIfTI-1, or NIfTI-2 where an axis is longer than NIfTI-1's 16-bit sizes.
-std::string niftiHeader(const Grid& grid, ScalarType type) {
+std::string niftiHeader(const Grid& grid, ScalarType type, const NrrdOptions&) {
   constexpr int longestAxis = 32767;
   constexpr std::string_view noExtension("\0\0\0\0", 4);
   std::string bytes;
@@ -267,9 +271,9 @@ std::string niftiHeader(const Grid& grid, ScalarType type) {
 
 }  // namespace
 
-void writeVolume(const Volume& volume, const fs::path& path) {
+void writeVolume(const Volume& volume, const fs::path& path, const NrrdOptions& options) {
   const std::string name = lowered(path.filename().string());
-  using MakeHeader = std::string (*)(const Grid&, ScalarType);
+  using MakeHeader = std::string (*)(const Grid&, ScalarType, const NrrdOptions&);
   MakeHeader makeHeader = nullptr;
   if (name.ends_with(".mha")) makeHeader = metaImageHeader;
   if (name.ends_with(".nii") || name.ends_with(".nii.gz")) makeHeader = niftiHeader;
@@ -278,11 +282,16 @@ void writeVolume(const Volume& volume, const fs::path& path) {
     throw Error(path, "has an ending that names no volume format", "end it in .mha, .nii.gz, .nii or .nrrd");
   const ScalarType type = narrowestType(volume);
   writeAtomically(path, [&](const fs::path& temporary) {
-    Output output(temporary, name.ends_with(".gz"));
-    const std::string header = makeHeader(volume.grid, type);
-    output.write(header.data(), header.size());
-    forEachBlock(volume, type, [&](const std::byte* bytes, std::size_t size) { output.write(bytes, size); });
-    output.close();
+    std::optional<Output> output(std::in_place, temporary,
+                                 name.ends_with(".gz") ? Output::Mode::Gzip : Output::Mode::Plain);
+    const std::string header = makeHeader(volume.grid, type, options);
+    output->write(header.data(), header.size());
+    if (makeHeader == nrrdHeader && options.packNrrd) {
+      output->close();
+      output.emplace(temporary, Output::Mode::GzipAtEnd);
+    }
+    forEachBlock(volume, type, [&](const std::byte* bytes, std::size_t size) { output->write(bytes, size); });
+    output->close();
   });
 }
 

@@ -195,6 +195,7 @@ DicomFile readDicomHeader(const fs::path& path) {
   const std::string sopClass = text(dataset, DCM_SOPClassUID);
   if (sopClass.empty() && !dataset.tagExists(DCM_Rows))
     throw Error(path, "its DICOM header names no object", "the file is truncated or damaged");
+  file.sopClass = sopClass;
   file.instance = text(dataset, DCM_SOPInstanceUID);
   file.series = text(dataset, DCM_SeriesInstanceUID);
   file.modality = text(dataset, DCM_Modality);

@@ -55,7 +55,7 @@ struct DicomFrame {
 
 struct DicomFile {
   std::filesystem::path path;
-  std::string instance, series, modality, description, unit;
+  std::string sopClass, instance, series, modality, description, unit;
   std::string refusal;                             ///< why this is no scalar image; empty when it is one
   std::shared_ptr<const DicomLabelObject> labels;  ///< of a segmentation or structure set
   PixelFormat format;

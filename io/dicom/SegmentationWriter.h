@@ -1,0 +1,21 @@
+#pragma once
+// Label maps as DICOM segmentations that other programs show on their series.
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "io/base/Reading.h"
+
+namespace fenestra::io {
+
+/// Writes the labels `wanted` (those without voxels are left out) as a binary segmentation (PS3.3 A.51), one frame for
+/// each label and slice that holds it. Segments are numbered from 1, as the standard demands. `series` are the DICOM
+/// files that the labels' volume was read from: patient, study, frame of reference and references to slices come from
+/// them; without files the segmentation has a new study of an unnamed patient. Written beside and renamed. Throws
+/// Error, Cancelled.
+void writeSegmentation(const LabelMap& labels, const std::vector<std::uint16_t>& wanted,
+                       const std::vector<std::filesystem::path>& series, const std::filesystem::path& file,
+                       const Progress& progress = {});
+
+}  // namespace fenestra::io
