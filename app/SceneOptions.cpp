@@ -105,34 +105,6 @@ io::Progress part(const io::Progress& progress, double begin, double end) {
   return [=](double fraction, std::string_view doing) { return progress(std::lerp(begin, end, fraction), doing); };
 }
 
-/// `labels` may be empty; a session then has its own.
-OpenedData openWithLabels(const VolumeOptions& options, const fs::path& labels, const io::Progress& progress) {
-  OpenedData data;
-  if (!options.phantom.empty()) {
-    io::OpenedPhantom phantom = io::openPhantom(options.phantom, options.phantomVoxels, progress);
-    data.volume = std::move(phantom.volume);
-    data.labels = std::move(phantom.labels);
-  } else if (io::isSession(options.path)) {
-    if (!options.series.empty() || options.raw)
-      throw io::Error(options.path, "records how its volume is read", "leave out --series and --raw");
-    io::OpenedSession opened = io::openSession(options.path, {options.data, labels}, progress);
-    data.volume = std::move(opened.volume);
-    data.volume.warnings = std::move(opened.warnings);
-    data.labels = std::move(opened.labels);
-    data.session = std::move(opened.session);
-  } else {
-    const double volumeShare = labels.empty() ? 1.0 : 0.8;
-    data.volume = io::openVolume(
-        options.path, {.series = options.series, .raw = options.raw, .progress = part(progress, 0.0, volumeShare)});
-    if (!labels.empty()) {
-      io::OpenedLabels opened = io::openLabels(labels, data.volume.volume->grid, part(progress, volumeShare, 1.0));
-      data.labels = std::move(opened.labels);
-      std::move(opened.warnings.begin(), opened.warnings.end(), std::back_inserter(data.volume.warnings));
-    }
-  }
-  return data;
-}
-
 /// Sets the focus of the options, or the phantom's own; otherwise that of the session stays.
 void setFocus(const SceneOptions& options, LoadedScene& loaded) {
   Scene& scene = loaded.scene;
@@ -251,10 +223,11 @@ void addVolume(CLI::App& command, VolumeOptions& options, const std::function<vo
   command.option_defaults()->group("Options");
 }
 
-/// Labels and the values or labels to open the view to.
-void addFocus(CLI::App& command, SceneOptions& options) {
+/// Labels, and those of them that matter. Returns the option of the latter.
+CLI::Option* addLabelChoice(CLI::App& command, SceneOptions& options) {
   auto* phantom = command.get_option("--phantom");
-  auto* labels = addParsed(command, "--labels", "FILE", "label map, resampled to the volume where its grid differs",
+  auto* labels = addParsed(command, "--labels", "FILE",
+                           "label map, DICOM SEG or RTSTRUCT, resampled to the volume where its grid differs",
                            [&options](const std::string& text) {
                              options.labels = text;
                              return !text.empty();
@@ -266,6 +239,17 @@ void addFocus(CLI::App& command, SceneOptions& options) {
                                   return std::none_of(options.focusLabels.begin(), options.focusLabels.end(),
                                                       [](const std::string& label) { return label.empty(); });
                                 });
+  // Only after the whole line is parsed is it known whether there are labels for --focus-labels.
+  command.parse_complete_callback([=, &options] {
+    if (focusLabels->count() && !labels->count() && !phantom->count() && !io::isSession(options.path))
+      throw CLI::RequiresError("--focus-labels", "--labels, --phantom or a session");
+  });
+  return focusLabels;
+}
+
+/// Labels and the values or labels to open the view to.
+void addFocus(CLI::App& command, SceneOptions& options) {
+  auto* focusLabels = addLabelChoice(command, options);
   addParsed(command, "--focus-range", "LOW:HIGH", "values to open the view to, e.g. 300:3000",
             [&options](const std::string& text) {
               const auto range = parseNumbers<double, 2>(text, ':');
@@ -275,11 +259,6 @@ void addFocus(CLI::App& command, SceneOptions& options) {
             })
       ->excludes(focusLabels);
   addSetting(command, settingOf(&ValueFocus::minimumComponent), options.focusMinimumSize);
-  // Only after the whole line is parsed is it known whether there are labels for --focus-labels.
-  command.parse_complete_callback([=, &options] {
-    if (focusLabels->count() && !labels->count() && !phantom->count() && !io::isSession(options.path))
-      throw CLI::RequiresError("--focus-labels", "--labels, --phantom or a session");
-  });
 }
 
 /// Camera, picture size, and which view of a session they come from.
@@ -375,13 +354,47 @@ void addSceneOptions(CLI::App& command, SceneOptions& options, std::function<voi
   command.option_defaults()->group("Options");
 }
 
+void addLabelOptions(CLI::App& command, SceneOptions& options) {
+  addVolume(command, options, [] {});
+  command.option_defaults()->group("Labels");
+  addLabelChoice(command, options);
+  command.option_defaults()->group("Options");
+}
+
 OpenedData openData(const VolumeOptions& options, const io::Progress& progress) {
-  return openWithLabels(options, {}, progress);
+  return openData(options, {}, progress);
+}
+
+OpenedData openData(const VolumeOptions& options, const fs::path& labels, const io::Progress& progress) {
+  OpenedData data;
+  if (!options.phantom.empty()) {
+    io::OpenedPhantom phantom = io::openPhantom(options.phantom, options.phantomVoxels, progress);
+    data.volume = std::move(phantom.volume);
+    data.labels = std::move(phantom.labels);
+  } else if (io::isSession(options.path)) {
+    if (!options.series.empty() || options.raw)
+      throw io::Error(options.path, "records how its volume is read", "leave out --series and --raw");
+    io::OpenedSession opened = io::openSession(options.path, {options.data, labels}, progress);
+    data.volume = std::move(opened.volume);
+    data.volume.warnings = std::move(opened.warnings);
+    data.labels = std::move(opened.labels);
+    data.session = std::move(opened.session);
+  } else {
+    const double volumeShare = labels.empty() ? 1.0 : 0.8;
+    data.volume = io::openVolume(
+        options.path, {.series = options.series, .raw = options.raw, .progress = part(progress, 0.0, volumeShare)});
+    if (!labels.empty()) {
+      io::OpenedLabels opened = io::openLabels(labels, data.volume.volume->grid, part(progress, volumeShare, 1.0));
+      data.labels = std::move(opened.labels);
+      std::move(opened.warnings.begin(), opened.warnings.end(), std::back_inserter(data.volume.warnings));
+    }
+  }
+  return data;
 }
 
 LoadedScene loadScene(const SceneOptions& options, const io::Progress& progress) {
   LoadedScene loaded;
-  OpenedData data = openWithLabels(options, options.labels, progress);
+  OpenedData data = openData(options, options.labels, progress);
   loaded.volume = std::move(data.volume);
   loaded.warnings = std::move(loaded.volume.warnings);
   loaded.volume.warnings.clear();

@@ -69,6 +69,9 @@ void addVolumeOptions(CLI::App& command, VolumeOptions& options);
 /// added later, in the same way.
 void addSceneOptions(CLI::App& command, SceneOptions& options, std::function<void(const io::Session&)> onSession = {});
 
+/// Adds the options of addVolumeOptions, --labels, --focus-labels and what else describes the focus.
+void addLabelOptions(CLI::App& command, SceneOptions& options);
+
 /// Opens the volume or that of the session, or makes the phantom (format "phantom"). Throws io::Error, io::Cancelled.
 struct OpenedData {
   io::OpenedVolume volume;
@@ -76,6 +79,8 @@ struct OpenedData {
   std::optional<io::Session> session;      ///< as opened
 };
 OpenedData openData(const VolumeOptions& options, const io::Progress& progress = {});
+/// With the label map of a file, when `labels` names one; a session or phantom has its own otherwise.
+OpenedData openData(const VolumeOptions& options, const std::filesystem::path& labels, const io::Progress& progress);
 
 struct LoadedScene {
   io::OpenedVolume volume;  ///< its warnings moved to `warnings`

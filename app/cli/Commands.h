@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "app/SceneOptions.h"
+#include "io/surface/Surface.h"
 #include "rendering/gpu/Schedule.h"
 #include "rendering/placement/Placer.h"
 #include "rendering/scene/Slice.h"
@@ -19,7 +20,7 @@ struct InfoOptions {
 void info(const InfoOptions& options);
 
 struct ConvertOptions {
-  app::VolumeOptions volume;
+  app::SceneOptions scene;  ///< its volume, labels and focus labels; with labels, the label map is written
   std::filesystem::path output;
 };
 void convert(const ConvertOptions& options);
@@ -33,6 +34,15 @@ struct SliceOptions {
   std::filesystem::path output;
 };
 void slice(const SliceOptions& options);
+
+struct SurfaceOptions {
+  app::SceneOptions scene;
+  std::filesystem::path output;
+  io::SurfaceFrame frame = io::SurfaceFrame::Lps;
+  bool raw = false;  ///< without smoothing
+};
+/// Writes the focus as triangles; prints its volume, box and numbers of points and triangles as JSON.
+void surface(const SurfaceOptions& options);
 
 struct RenderOptions {
   app::SceneOptions scene;

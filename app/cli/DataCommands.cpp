@@ -1,4 +1,4 @@
-// info, convert and slice: commands on a volume, without a picture in 3-D.
+// info, convert, slice and surface: commands on a volume and its labels, without a picture in 3-D.
 
 #include "app/cli/Commands.h"
 
@@ -9,7 +9,10 @@
 
 #include "app/cli/Report.h"
 #include "io/ImageWriter.h"
+#include "io/LabelWriter.h"
 #include "io/VolumeWriter.h"
+#include "io/base/Text.h"
+#include "io/surface/Surface.h"
 
 namespace fenestra::cli {
 namespace {
@@ -95,6 +98,17 @@ Json describe(const std::vector<io::Warning>& warnings) {
   return json;
 }
 
+/// Names of structures are not free texts: they are what --focus-labels takes.
+Json describe(const std::vector<io::SegmentationInfo>& segmentations, bool descriptions) {
+  Json json = Json::array();
+  for (const io::SegmentationInfo& segmentation : segmentations) {
+    json.push_back(
+        {{"file", segmentation.file.string()}, {"kind", segmentation.kind}, {"structures", segmentation.structures}});
+    if (descriptions) json.back()["description"] = segmentation.description;
+  }
+  return json;
+}
+
 /// Focus, labels, strokes and views of a session.
 Json describe(const io::Session& session) {
   Json views = Json::array();
@@ -139,6 +153,7 @@ void info(const InfoOptions& options) {
       {"default_window", {{"width", shown.width}, {"level", shown.level}}},
       {"series", describe(opened.series, options.descriptions)},
       {"other_series", std::move(others)},
+      {"segmentations", describe(opened.segmentations, options.descriptions)},
       {"warnings", describe(opened.warnings)},
   };
   if (data.session) json["session"] = describe(*data.session);
@@ -146,9 +161,36 @@ void info(const InfoOptions& options) {
 }
 
 void convert(const ConvertOptions& options) {
-  const io::OpenedVolume opened = app::openData(options.volume, progressOnTerminal()).volume;
-  printWarnings(opened.warnings);
-  io::writeVolume(*opened.volume, options.output);
+  const app::SceneOptions& scene = options.scene;
+  const app::OpenedData data = app::openData(scene, scene.labels, progressOnTerminal());
+  printWarnings(data.volume.warnings);
+  const bool segmentation = io::lowered(options.output.extension().string()) == ".dcm";
+  if (scene.labels.empty() && scene.focusLabels.empty() && !segmentation)
+    return io::writeVolume(*data.volume.volume, options.output);
+  const std::filesystem::path source = scene.labels.empty() ? std::filesystem::path(scene.source()) : scene.labels;
+  if (!data.labels) throw io::Error(source, "has no labels to write", "name a label map with --labels");
+  io::LabelOutput output;
+  if (!scene.focusLabels.empty()) output.only = app::resolveLabels(*data.labels, scene.focusLabels, source);
+  if (data.volume.format == "DICOM") output.series = data.volume.series.files;
+  io::writeLabels(*data.labels, options.output, output, progressOnTerminal());
+}
+
+void surface(const SurfaceOptions& options) {
+  const app::LoadedScene loaded = app::loadScene(options.scene, progressOnTerminal());
+  printWarnings(loaded.warnings);
+  const io::Surface surface =
+      io::extractSurface(loaded.scene, options.scene.source(), {.smooth = !options.raw}, progressOnTerminal());
+  io::writeSurface(surface, options.output, options.frame);
+  glm::dvec3 low = surface.points.front(), high = low;
+  for (const glm::dvec3& point : surface.points) {
+    low = glm::min(low, point);
+    high = glm::max(high, point);
+  }
+  printJson(Json{{"points", surface.points.size()},
+                 {"triangles", surface.triangles.size()},
+                 {"volume_ml", surface.volume() / 1000.0},
+                 {"box_lps", {list(low), list(high)}},
+                 {"frame", options.frame == io::SurfaceFrame::Ras ? "ras" : "lps"}});
 }
 
 void slice(const SliceOptions& options) {

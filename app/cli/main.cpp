@@ -161,12 +161,25 @@ Command addInfo(CLI::App& program, InfoOptions& options) {
 }
 
 Command addConvert(CLI::App& program, ConvertOptions& options) {
-  CLI::App* command =
-      program.add_subcommand("convert", "write the volume's real values to .mha, .nii.gz, .nii or .nrrd");
-  app::addVolumeOptions(*command, options.volume);
+  CLI::App* command = program.add_subcommand(
+      "convert",
+      "write the volume's real values to .mha, .nii.gz, .nii or .nrrd; with --labels, --focus-labels or a .dcm, the "
+      "label map instead, .dcm being a DICOM segmentation");
+  app::addLabelOptions(*command, options.scene);
   command->add_option("-o,--output", options.output, "file to write")->required()->type_name("FILE");
   requireSource(*command);
-  return {command, &options.volume, [&] { return convert(options), true; }};
+  return {command, &options.scene, [&] { return convert(options), true; }};
+}
+
+Command addSurface(CLI::App& program, SurfaceOptions& options) {
+  CLI::App* command = program.add_subcommand("surface", "the focus as a closed surface of triangles");
+  app::addSceneOptions(*command, options.scene);
+  command->add_option("-o,--output", options.output, "STL, PLY or OBJ to write")->required()->type_name("FILE");
+  app::addChoice<io::SurfaceFrame>(*command, "--frame", "axes of the coordinates in mm, default lps",
+                                   {{"lps", io::SurfaceFrame::Lps}, {"ras", io::SurfaceFrame::Ras}}, options.frame);
+  command->add_flag("--raw-surface", options.raw, "the level set as it is, without smoothing");
+  requireSource(*command);
+  return {command, &options.scene, [&] { return surface(options), true; }};
 }
 
 Command addSlice(CLI::App& program, SliceOptions& options) {
@@ -245,12 +258,14 @@ int main(int argc, char** argv) {
   InfoOptions infoOptions;
   ConvertOptions convertOptions;
   SliceOptions sliceOptions;
+  SurfaceOptions surfaceOptions;
   RenderOptions renderOptions;
   PlaceOptions placeOptions;
   CompareOptions compareOptions;
-  const std::array commands{addInfo(program, infoOptions),   addConvert(program, convertOptions),
-                            addSlice(program, sliceOptions), addRender(program, renderOptions),
-                            addPlace(program, placeOptions), addCompare(program, compareOptions)};
+  const std::array commands{addInfo(program, infoOptions),      addConvert(program, convertOptions),
+                            addSlice(program, sliceOptions),    addRender(program, renderOptions),
+                            addPlace(program, placeOptions),    addCompare(program, compareOptions),
+                            addSurface(program, surfaceOptions)};
 
   try {
     program.parse(argc, argv);
@@ -258,7 +273,7 @@ int main(int argc, char** argv) {
     return program.exit(success);
   } catch (const CLI::ParseError& error) {
     const bool named = !program.get_subcommands().empty();
-    const std::string what = named ? error.what() : "expected info, convert, slice, render, place or compare";
+    const std::string what = named ? error.what() : "expected info, convert, slice, render, place, compare or surface";
     std::cerr << oneLine("fenestra-cli: " + what + "; see --help") << '\n';
     return misused;
   } catch (const io::Error& error) {  // of a session, which is read while parsing

@@ -1,8 +1,8 @@
 #include "io/dicom/SegmentationWriter.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <memory>
 #include <optional>
 #include <set>
@@ -46,11 +46,11 @@ void require(const OFCondition& condition, const fs::path& file, const char* wha
 /// A decimal string holds 16 characters.
 OFString decimal(double value) {
   char text[40];
-  for (int digits = 15; digits > 5; --digits) {
-    std::snprintf(text, sizeof text, "%.*g", digits, value);
-    if (std::string_view(text).size() <= 16) break;
+  for (int digits = 15;; --digits) {
+    // Not printf, whose decimal point is the locale's.
+    const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::general, digits).ptr;
+    if (const auto length = static_cast<std::size_t>(end - text); length <= 16 || digits == 1) return {text, length};
   }
-  return text;
 }
 
 Source sourceOf(const std::vector<fs::path>& series, const Grid& grid) {

@@ -72,6 +72,17 @@ struct Header {
   std::uint64_t bytes = 0;                    ///< length with the blank line
 };
 
+/// The value of a pair without NRRD's escapes.
+std::string unescaped(const std::string& value) {
+  std::string result;
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    const bool escape = value[i] == '\\' && i + 1 < value.size() && (value[i + 1] == '\\' || value[i + 1] == 'n');
+    result += !escape ? value[i] : value[i + 1] == 'n' ? '\n' : '\\';
+    i += escape;
+  }
+  return result;
+}
+
 Header readLines(const fs::path& path) {
   const auto stream = openStream(path, 0, Packing::None);
   Header header;
@@ -101,7 +112,7 @@ Header readLines(const fs::path& path) {
     } else if (!first && line.front() != '#') {
       const std::size_t colon = line.find(": "), pair = line.find(":=");
       if (pair != std::string::npos && (colon == std::string::npos || pair < colon)) {
-        header.pairs[line.substr(0, pair)] = trimmed(line.substr(pair + 2));
+        header.pairs[line.substr(0, pair)] = unescaped(trimmed(line.substr(pair + 2)));
       } else if (colon != std::string::npos || line.back() == ':') {
         const std::size_t end = colon == std::string::npos ? line.size() - 1 : colon;
         const std::string name = withoutBlanks(line.substr(0, end));

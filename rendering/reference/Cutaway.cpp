@@ -2,7 +2,7 @@
 #include <cmath>
 #include <limits>
 
-#include "rendering/reference/FocusCells.h"
+#include "rendering/scene/FocusCells.h"
 #include "rendering/reference/Reference.h"
 #include "rendering/reference/Strokes.h"
 #include "rendering/scene/Parallel.h"

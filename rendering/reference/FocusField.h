@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "rendering/reference/Cells.h"
-#include "rendering/reference/FocusCells.h"
+#include "rendering/scene/FocusCells.h"
 
 namespace fenestra::reference {
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "rendering/reference/FocusCells.h"
+#include "rendering/scene/FocusCells.h"
 #include "rendering/reference/Reference.h"
 #include "rendering/scene/Phantom.h"
 #include "tests/support/Scenes.h"

@@ -8,7 +8,7 @@
 #include "rendering/scene/Focus.h"
 #include "rendering/scene/Volume.h"
 
-namespace fenestra::reference {
+namespace fenestra {
 
 /// The volume's values as the geometric stages see them. Calls f(valueAt), where valueAt(glm::ivec3) is a real value.
 template <class F>
@@ -35,4 +35,4 @@ struct FocusCells {
 /// `focus.minimumComponent` (the number of cells times the voxel's volume).
 FocusCells focusCells(const Volume& volume, const ValueFocus& focus);
 
-}  // namespace fenestra::reference
+}  // namespace fenestra

@@ -1,10 +1,10 @@
-#include "rendering/reference/FocusCells.h"
+#include "rendering/scene/FocusCells.h"
 
 #include <algorithm>
 
 #include "rendering/scene/Parallel.h"
 
-namespace fenestra::reference {
+namespace fenestra {
 namespace {
 
 constexpr std::uint8_t inactive = 0, kept = 1, unvisited = 2;
@@ -70,4 +70,4 @@ FocusCells focusCells(const Volume& volume, const ValueFocus& focus) {
   return {cells.dims, std::move(state)};
 }
 
-}  // namespace fenestra::reference
+}  // namespace fenestra

@@ -1,0 +1,83 @@
+#include <locale>
+#include <sstream>
+
+#include <vtkCellArray.h>
+#include <vtkErrorCode.h>
+#include <vtkNew.h>
+#include <vtkObject.h>
+#include <vtkPLYWriter.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkSTLWriter.h>
+
+#include "io/base/AtomicFile.h"
+#include "io/base/Text.h"
+#include "io/surface/Surface.h"
+
+namespace fenestra::io {
+namespace fs = std::filesystem;
+namespace {
+
+/// VTK's writers take files by name and say whether they failed.
+template <class Writer>
+void writeWithVtk(Writer& writer, const Surface& surface, const fs::path& file) {
+  vtkNew<vtkPoints> points;
+  points->SetNumberOfPoints(static_cast<vtkIdType>(surface.points.size()));
+  for (std::size_t i = 0; i < surface.points.size(); ++i)
+    points->SetPoint(static_cast<vtkIdType>(i), &surface.points[i].x);
+  vtkNew<vtkCellArray> cells;
+  for (const auto& triangle : surface.triangles) {
+    const vtkIdType corners[3] = {triangle[0], triangle[1], triangle[2]};
+    cells->InsertNextCell(3, corners);
+  }
+  vtkNew<vtkPolyData> mesh;
+  mesh->SetPoints(points);
+  mesh->SetPolys(cells);
+  writer.SetInputData(mesh);
+  writer.SetFileName(file.c_str());
+  writer.SetFileTypeToBinary();
+  // The failure is reported by the exception, not on the error stream.
+  const int said = vtkObject::GetGlobalWarningDisplay();
+  vtkObject::GlobalWarningDisplayOff();
+  const bool written = writer.Write() == 1 && writer.GetErrorCode() == vtkErrorCode::NoError;
+  vtkObject::SetGlobalWarningDisplay(said);
+  if (!written) failToWrite(file);
+}
+
+/// By hand: VTK's writer keeps six digits and leaves no room for the frame.
+void writeObj(const Surface& surface, const std::string& note, const fs::path& file) {
+  // Streams and not printf, whose decimal point is the locale's.
+  std::ostringstream stream;
+  stream.imbue(std::locale::classic());
+  stream.precision(9);
+  stream << "# " << note << '\n';
+  for (const glm::dvec3& p : surface.points) stream << "v " << p.x << ' ' << p.y << ' ' << p.z << '\n';
+  for (const auto& [a, b, c] : surface.triangles) stream << "f " << a + 1 << ' ' << b + 1 << ' ' << c + 1 << '\n';
+  const std::string text = std::move(stream).str();
+  writeBytes(file, {{text.data(), text.size()}});
+}
+
+}  // namespace
+
+void writeSurface(const Surface& surface, const fs::path& path, SurfaceFrame frame) {
+  const std::string ending = lowered(path.extension().string());
+  if (ending != ".stl" && ending != ".ply" && ending != ".obj")
+    throw Error(path, "has an ending that names no surface format", "end it in .stl, .ply or .obj");
+  Surface placed = surface;
+  if (frame == SurfaceFrame::Ras)  // half a turn about z: triangles keep their side
+    for (glm::dvec3& point : placed.points) point = {-point.x, -point.y, point.z};
+  const std::string note = std::string("Fenestra output. SPACE=") + (frame == SurfaceFrame::Ras ? "RAS" : "LPS");
+  writeAtomically(path, [&](const fs::path& temporary) {
+    if (ending == ".obj") return writeObj(placed, note, temporary);
+    if (ending == ".stl") {
+      vtkNew<vtkSTLWriter> writer;
+      writer->SetHeader(note.c_str());
+      return writeWithVtk(*writer, placed, temporary);
+    }
+    vtkNew<vtkPLYWriter> writer;
+    writer->AddComment(note.substr(note.find("SPACE")));
+    writeWithVtk(*writer, placed, temporary);
+  });
+}
+
+}  // namespace fenestra::io
