@@ -84,13 +84,18 @@ std::string segmentLabel(const Label& label) {
   return name.substr(0, end);
 }
 
+Label describedBy(const LabelMap& labels, std::uint16_t value) {
+  const Label* label = labels.find(value);
+  return label ? *label : Label{value, {}, defaultLabelColour(value)};
+}
+
 void addSegment(DcmSegmentation& document, const Label& label, const fs::path& file) {
   // The most general codes (SNOMED CT): what a structure is stands in its name alone.
   const CodeSequenceMacro tissue("85756007", "SCT", "Tissue");
   DcmSegment* made = nullptr;
-  require(
-      DcmSegment::create(made, segmentLabel(label).c_str(), tissue, tissue, DcmSegTypes::SAT_SEMIAUTOMATIC, "Fenestra"),
-      file, "a segment");
+  // Named in the dataset: DCMTK's check of a segment knows no characters beyond ASCII.
+  require(DcmSegment::create(made, "segment", tissue, tissue, DcmSegTypes::SAT_SEMIAUTOMATIC, "Fenestra"), file,
+          "a segment");
   double lightness = 0.0, a = 0.0, b = 0.0;
   IODCIELabUtil::rgb2DicomLab(lightness, a, b, label.colour.r, label.colour.g, label.colour.b);
   const auto word = [](double value) { return static_cast<Uint16>(std::clamp(std::round(value), 0.0, 65535.0)); };
@@ -175,8 +180,31 @@ void addFrame(DcmSegmentation& document, std::vector<Uint8>& pixels, std::size_t
   require(document.addFrame(pixels.data(), static_cast<Uint16>(segment), groups), file, "a frame");
 }
 
-void addFrames(DcmSegmentation& document, const LabelMap& labels, const std::vector<std::uint16_t>& wanted,
-               const Source& source, const fs::path& file, const Progress& progress) {
+/// Frames of one bit a pixel after each other without padding, the lowest bit first (PS3.5 8.1.1).
+class PackedFrames {
+ public:
+  void append(const std::vector<Uint8>& pixels) {
+    for (const Uint8 pixel : pixels) {
+      if (bits_ % 8 == 0) bytes_.push_back(0);
+      bytes_.back() = static_cast<Uint8>(bytes_.back() | pixel << (bits_ % 8));
+      ++bits_;
+    }
+  }
+  /// Pixel data has an even length.
+  const std::vector<Uint8>& bytes() {
+    if (bytes_.size() % 2) bytes_.push_back(0);
+    return bytes_;
+  }
+
+ private:
+  std::vector<Uint8> bytes_;
+  std::uint64_t bits_ = 0;
+};
+
+/// Returns the pixels of all frames.
+PackedFrames addFrames(DcmSegmentation& document, const LabelMap& labels, const std::vector<std::uint16_t>& wanted,
+                       const Source& source, const fs::path& file, const Progress& progress) {
+  PackedFrames packed;
   const Grid& grid = labels.grid;
   const std::size_t count = static_cast<std::size_t>(grid.dims.x) * static_cast<std::size_t>(grid.dims.y);
   std::vector<Uint8> pixels(count);
@@ -190,9 +218,11 @@ void addFrames(DcmSegmentation& document, const LabelMap& labels, const std::vec
         if (!present[wanted[i]]) continue;
         for (std::size_t at = 0; at < count; ++at) pixels[at] = static_cast<std::uint16_t>(values[at]) == wanted[i];
         addFrame(document, pixels, i + 1, slice, grid, source, file);
+        packed.append(pixels);
       }
     }
   });
+  return packed;
 }
 
 /// Common Instance Reference (PS3.3 C.12.2): the images that the labels were drawn on.
@@ -244,13 +274,17 @@ void writeSegmentation(const LabelMap& labels, const std::vector<std::uint16_t>&
   const std::unique_ptr<DcmSegmentation> document(made);
   describeOrigin(*document, series, file);
   describeGrid(*document, labels.grid, file);
-  for (const std::uint16_t value : present) {
-    const Label* label = labels.find(value);
-    addSegment(*document, label ? *label : Label{value, {}, defaultLabelColour(value)}, file);
-  }
-  addFrames(*document, labels, present, source, file, progress);
+  for (const std::uint16_t value : present) addSegment(*document, describedBy(labels, value), file);
+  PackedFrames pixels = addFrames(*document, labels, present, source, file, progress);
   DcmFileFormat whole;
   require(document->writeDataset(*whole.getDataset()), file, "the dataset");
+  std::size_t segment = 0;
+  forEachItem(*whole.getDataset(), DCM_SegmentSequence, [&](DcmItem& item) {
+    item.putAndInsertString(DCM_SegmentLabel, segmentLabel(describedBy(labels, present[segment++])).c_str());
+  });
+  // DCMTK 3.6.7 packs frames wrongly whose number of pixels is no multiple of eight.
+  const std::vector<Uint8>& bytes = pixels.bytes();
+  require(whole.getDataset()->putAndInsertUint8Array(DCM_PixelData, bytes.data(), bytes.size()), file, "the pixels");
   addReferences(*whole.getDataset(), source);
   writeAtomically(file, [&](const fs::path& temporary) {
     const OFCondition saved = whole.saveFile(OFFilename(temporary.c_str()), EXS_LittleEndianExplicit);

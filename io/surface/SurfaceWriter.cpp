@@ -9,6 +9,8 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSTLWriter.h>
+#include <vtkSmartPointer.h>
+#include <vtkWriter.h>
 
 #include "io/base/AtomicFile.h"
 #include "io/base/Text.h"
@@ -18,9 +20,7 @@ namespace fenestra::io {
 namespace fs = std::filesystem;
 namespace {
 
-/// VTK's writers take files by name and say whether they failed.
-template <class Writer>
-void writeWithVtk(Writer& writer, const Surface& surface, const fs::path& file) {
+vtkSmartPointer<vtkPolyData> meshOf(const Surface& surface) {
   vtkNew<vtkPoints> points;
   points->SetNumberOfPoints(static_cast<vtkIdType>(surface.points.size()));
   for (std::size_t i = 0; i < surface.points.size(); ++i)
@@ -30,18 +30,47 @@ void writeWithVtk(Writer& writer, const Surface& surface, const fs::path& file) 
     const vtkIdType corners[3] = {triangle[0], triangle[1], triangle[2]};
     cells->InsertNextCell(3, corners);
   }
-  vtkNew<vtkPolyData> mesh;
+  auto mesh = vtkSmartPointer<vtkPolyData>::New();
   mesh->SetPoints(points);
   mesh->SetPolys(cells);
-  writer.SetInputData(mesh);
-  writer.SetFileName(file.c_str());
-  writer.SetFileTypeToBinary();
-  // The failure is reported by the exception, not on the error stream.
+  return mesh;
+}
+
+/// Whether the file was written; the failure is the caller's to report, not the error stream's.
+bool writeQuietly(vtkWriter& writer) {
   const int said = vtkObject::GetGlobalWarningDisplay();
   vtkObject::GlobalWarningDisplayOff();
   const bool written = writer.Write() == 1 && writer.GetErrorCode() == vtkErrorCode::NoError;
   vtkObject::SetGlobalWarningDisplay(said);
-  if (!written) failToWrite(file);
+  return written;
+}
+
+void writeStl(const Surface& surface, const std::string& note, const fs::path& file) {
+  const vtkSmartPointer<vtkPolyData> mesh = meshOf(surface);
+  vtkNew<vtkSTLWriter> writer;
+  writer->SetInputData(mesh);
+  writer->SetFileName(file.c_str());
+  writer->SetFileTypeToBinary();
+  writer->SetHeader(note.c_str());
+  if (!writeQuietly(*writer)) failToWrite(file);
+}
+
+void writePly(const Surface& surface, const std::string& note, const fs::path& file) {
+  const vtkSmartPointer<vtkPolyData> mesh = meshOf(surface);
+  vtkNew<vtkPLYWriter> writer;
+  writer->SetInputData(mesh);
+  writer->SetFileTypeToBinary();
+  writer->AddComment(note);
+  // It adds ".ply" to names without it.
+  const fs::path named = fs::path(file) += ".ply";
+  writer->SetFileName(named.c_str());
+  const bool written = writeQuietly(*writer);
+  std::error_code failure;
+  if (written) fs::rename(named, file, failure);
+  if (!written || failure) {
+    fs::remove(named, failure);
+    failToWrite(file);
+  }
 }
 
 /// By hand: VTK's writer keeps six digits and leaves no room for the frame.
@@ -69,14 +98,8 @@ void writeSurface(const Surface& surface, const fs::path& path, SurfaceFrame fra
   const std::string note = std::string("Fenestra output. SPACE=") + (frame == SurfaceFrame::Ras ? "RAS" : "LPS");
   writeAtomically(path, [&](const fs::path& temporary) {
     if (ending == ".obj") return writeObj(placed, note, temporary);
-    if (ending == ".stl") {
-      vtkNew<vtkSTLWriter> writer;
-      writer->SetHeader(note.c_str());
-      return writeWithVtk(*writer, placed, temporary);
-    }
-    vtkNew<vtkPLYWriter> writer;
-    writer->AddComment(note.substr(note.find("SPACE")));
-    writeWithVtk(*writer, placed, temporary);
+    if (ending == ".stl") return writeStl(placed, note, temporary);
+    writePly(placed, note, temporary);
   });
 }
 
