@@ -7,6 +7,7 @@
 
 #include "io/VolumeWriter.h"
 #include "io/base/Text.h"
+#include "io/dicom/Dicom.h"
 #include "io/dicom/SegmentationWriter.h"
 
 namespace fenestra::io {
@@ -90,7 +91,9 @@ void writeLabels(const LabelMap& labels, const std::filesystem::path& path, cons
   if (name.ends_with(".dcm")) {
     std::vector<std::uint16_t> values;
     for (const Label& label : wanted) values.push_back(label.value);
-    return writeSegmentation(labels, values, output.series, path, progress);
+    const bool series = !output.series.empty() && looksLikeDicom(output.series.front());
+    return writeSegmentation(labels, values, series ? output.series : std::vector<std::filesystem::path>(), path,
+                             progress);
   }
   if (!name.ends_with(".nii") && !name.ends_with(".nii.gz") && !name.ends_with(".nrrd") && !name.ends_with(".mha"))
     throw Error(path, "has an ending that names no format for labels", std::string("end it in ") + labelEndings);

@@ -11,7 +11,8 @@ namespace fenestra::io {
 
 struct LabelOutput {
   std::vector<std::uint16_t> only = {};            ///< labels to write, ascending; empty: all
-  std::vector<std::filesystem::path> series = {};  ///< of a DICOM segmentation: the files of the labels' volume
+  std::vector<std::filesystem::path> series = {};  ///< the files of the labels' volume; a DICOM segmentation
+                                                   ///< refers to them where they are DICOM
 };
 
 /// The file endings that writeLabels knows, for dialogs and messages.

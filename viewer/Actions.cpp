@@ -9,7 +9,9 @@
 #include <QToolBar>
 
 #include "viewer/Dialogs.h"
+#include "viewer/Exports.h"
 #include "viewer/FileOpener.h"
+#include "viewer/SegmentationMenu.h"
 #include "viewer/Sessions.h"
 #include "viewer/model/Paths.h"
 #include "viewer/model/WindowPresets.h"
@@ -98,11 +100,44 @@ void Actions::makeFileMenu() {
   samples_->menuAction()->setVisible(false);
   menu->addSeparator();
   menu->addActions({series, labels});
+  addSegmentationMenu(*menu);
   menu->addSeparator();
   menu->addActions({save, saveAs});
+  addExports(*menu);
   menu->addSeparator();
   menu->addAction(action(tr("&Quit"), QKeySequence::Quit, [this] { targets_.window.close(); }));
   tools_ << QList<QAction*>{folder, file, labels, save};
+}
+
+void Actions::addSegmentationMenu(QMenu& menu) {
+  QMenu* segmentations = menu.addMenu(tr("Se&gmentations of this series"));
+  segmentations->menuAction()->setVisible(false);
+  connect(&targets_.workspace.document, &Document::volumeChanged, segmentations, [this, segmentations] {
+    const auto& found = targets_.workspace.document.study().segmentations;
+    fillSegmentationMenu(*segmentations, found, targets_.loader);
+    segmentations->menuAction()->setVisible(!found.empty());
+  });
+}
+
+void Actions::addExports(QMenu& menu) {
+  Exports& exports = targets_.exports;
+  QMenu* group = menu.addMenu(tr("&Export"));
+  QAction* all = group->addAction(tr("All &labels…"));
+  QAction* focus = group->addAction(tr("The &focus as labels…"));
+  QAction* surface = group->addAction(tr("The focus as a &surface…"));
+  connect(all, &QAction::triggered, this, [&exports] { exports.chooseLabelFile(Exports::Labels::All); });
+  connect(focus, &QAction::triggered, this, [&exports] { exports.chooseLabelFile(Exports::Labels::Focus); });
+  connect(surface, &QAction::triggered, this, [&exports] { exports.chooseSurfaceFile(); });
+  const auto enable = [&exports, all, focus, surface] {
+    all->setEnabled(exports.canWriteLabels(Exports::Labels::All));
+    focus->setEnabled(exports.canWriteLabels(Exports::Labels::Focus));
+    surface->setEnabled(exports.canWriteSurface());
+  };
+  Document& document = targets_.workspace.document;
+  connect(&document, &Document::volumeChanged, group, enable);
+  connect(&document, &Document::labelsChanged, group, enable);
+  connect(&document, &Document::focusChanged, group, enable);
+  enable();
 }
 
 void Actions::makeEditMenu() {

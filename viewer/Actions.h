@@ -17,6 +17,7 @@ class QMainWindow;
 
 namespace fenestra::viewer {
 
+class Exports;
 class FileOpener;
 class Sessions;
 class ViewArea;
@@ -31,6 +32,7 @@ class Actions : public QObject {
     Workspace& workspace;
     StudyLoader& loader;
     FileOpener& files;
+    Exports& exports;
     Sessions& sessions;
     ViewArea& views;
     GlSupport gl;
@@ -49,6 +51,9 @@ class Actions : public QObject {
   QAction* toggle(const QString& text, const QKeySequence& keys, bool on, std::function<void(bool)> does);
 
   void makeFileMenu();
+  /// The segmentations beside the series; hidden while there are none.
+  void addSegmentationMenu(QMenu& menu);
+  void addExports(QMenu& menu);
   void makeEditMenu();
   void makeViewMenu();
   void makeLookFromMenu(QMenu& menu);

@@ -89,7 +89,7 @@ void FileOpener::chooseFolder() {
 
 void FileOpener::chooseLabels() {
   const QString file = QFileDialog::getOpenFileName(&window_, tr("Open a label map"), {},
-                                                    tr("Label maps (%1);;All files (*)").arg(volumePatterns()));
+                                                    tr("Label maps (*.dcm %1);;All files (*)").arg(volumePatterns()));
   if (!file.isEmpty()) loader_.openLabels(toPath(file));
 }
 

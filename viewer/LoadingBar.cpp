@@ -9,7 +9,7 @@
 
 namespace fenestra::viewer {
 
-LoadingBar::LoadingBar(LoadJob& job, QWidget* parent) : QWidget(parent) {
+LoadingBar::LoadingBar(LoadJob& job, const QString& title, QWidget* parent) : QWidget(parent) {
   auto* text = new QLabel;
   auto* progress = new QProgressBar;
   progress->setRange(0, 100);
@@ -23,8 +23,8 @@ LoadingBar::LoadingBar(LoadJob& job, QWidget* parent) : QWidget(parent) {
   hide();
 
   connect(cancel, &QPushButton::clicked, &job, &LoadJob::cancel);
-  connect(&job, &LoadJob::started, this, [this, text, progress] {
-    text->setText(tr("Opening…"));
+  connect(&job, &LoadJob::started, this, [this, text, progress, title] {
+    text->setText(title);
     progress->setValue(0);
     show();
   });

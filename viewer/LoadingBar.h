@@ -1,5 +1,5 @@
 #pragma once
-// Shows what is being read and how far, with a button to cancel. Hidden while nothing is being read.
+// Shows what is being read or written and how far, with a button to cancel. Hidden while nothing is.
 
 #include <QWidget>
 
@@ -10,8 +10,8 @@ class LoadJob;
 class LoadingBar : public QWidget {
   Q_OBJECT
  public:
-  /// The job outlives this.
-  explicit LoadingBar(LoadJob& job, QWidget* parent = nullptr);
+  /// `title` shows until the job says what it is doing. The job outlives this.
+  LoadingBar(LoadJob& job, const QString& title, QWidget* parent = nullptr);
 };
 
 }  // namespace fenestra::viewer

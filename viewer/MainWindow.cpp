@@ -4,6 +4,7 @@
 
 #include <QCloseEvent>
 #include <QDragEnterEvent>
+#include <QMenu>
 #include <QPainter>
 #include <QStackedWidget>
 #include <QTimer>
@@ -11,9 +12,11 @@
 
 #include "rendering/gpu/FocusIndex.h"
 #include "viewer/Actions.h"
+#include "viewer/Exports.h"
 #include "viewer/FileOpener.h"
 #include "viewer/LoadingBar.h"
 #include "viewer/NoticeBar.h"
+#include "viewer/SegmentationMenu.h"
 #include "viewer/Sessions.h"
 #include "viewer/StatusBar.h"
 #include "viewer/StructureMenu.h"
@@ -61,9 +64,10 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
                            {.describe = [this](io::Session& session) { views_->describe(session); },
                             .restore = [this](const io::Session& session) { views_->restore(session); }});
   files_ = new FileOpener(*this, workspace_.document, loader_, *sessions_, *notices_);
+  exports_ = new Exports(*this, workspace_.document, *notices_);
   setCentralWidget(makeCentre());
   panels_ = makePanels(*this, workspace_);
-  actions_ = new Actions({*this, workspace_, loader_, *files_, *sessions_, *views_, gl_});
+  actions_ = new Actions({*this, workspace_, loader_, *files_, *exports_, *sessions_, *views_, gl_});
   setStatusBar(new StatusBar(workspace_.document, *views_, gl_));
 
   connectViews();
@@ -81,7 +85,8 @@ QWidget* MainWindow::makeCentre() {
   auto* column = new QVBoxLayout(centre);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
-  column->addWidget(new LoadingBar(loader_.job()));
+  column->addWidget(new LoadingBar(loader_.job(), tr("Opening…")));
+  column->addWidget(new LoadingBar(exports_->job(), tr("Writing…")));
   column->addWidget(notices_);
   column->addWidget(pages_, 1);
   return centre;
@@ -168,9 +173,31 @@ void MainWindow::studyOpened() {
                       .arg(study.otherSeries.size() + 1)
                       .arg(describe(study.series)),
                   tr("Choose…"), [this] { files_->chooseSeries(); });
+  offerSegmentations();
   notices_->addWarnings(study.warnings);
   if (study.placeCameras) workspace_.placement.placeAutomatically();
   Q_EMIT opened();
+}
+
+void MainWindow::offerSegmentations() {
+  const Study& study = workspace_.document.study();
+  if (study.segmentations.empty() || study.scene.labels) return;
+  if (study.segmentations.size() == 1) {
+    notices_->add(NoticeBar::Kind::Warning,
+                  tr("A segmentation of this series lies beside it: %1.").arg(titleOf(study.segmentations.front())),
+                  tr("Open"), [this, file = study.segmentations.front().file] { loader_.openLabels(file); });
+    return;
+  }
+  notices_->add(NoticeBar::Kind::Warning,
+                tr("%1 segmentations of this series lie beside it.").arg(study.segmentations.size()), tr("Choose…"),
+                [this] {
+                  // From the event loop: the notice may be gone while the menu is open.
+                  QTimer::singleShot(0, this, [this] {
+                    QMenu menu;
+                    fillSegmentationMenu(menu, workspace_.document.study().segmentations, loader_);
+                    menu.exec(QCursor::pos());
+                  });
+                });
 }
 
 void MainWindow::showError(const QString& message) { notices_->add(NoticeBar::Kind::Error, message); }
@@ -184,8 +211,9 @@ void MainWindow::goToFocus() {
 }
 
 bool MainWindow::isIdle() {
-  return !loader_.job().isRunning() && !focusSearch_.isRunning() && !workspace_.placement.isBusy() &&
-         !workspace_.cameras.isFlying() && !panels_.cameras->bestViews().isDrawing() && views_->isSettled();
+  return !loader_.job().isRunning() && !exports_->job().isRunning() && !focusSearch_.isRunning() &&
+         !workspace_.placement.isBusy() && !workspace_.cameras.isFlying() &&
+         !panels_.cameras->bestViews().isDrawing() && views_->isSettled();
 }
 
 void MainWindow::whenDrawn(std::function<void()> done) {

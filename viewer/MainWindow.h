@@ -19,6 +19,7 @@ class QStackedWidget;
 namespace fenestra::viewer {
 
 class Actions;
+class Exports;
 class FileOpener;
 class NoticeBar;
 class Sessions;
@@ -52,6 +53,7 @@ class MainWindow : public QMainWindow {
 
   Workspace& workspace() { return workspace_; }
   Sessions& sessions() { return *sessions_; }
+  Exports& exports() { return *exports_; }
   ViewArea& views() { return *views_; }
   NoticeBar& notices() { return *notices_; }
 
@@ -78,6 +80,8 @@ class MainWindow : public QMainWindow {
   void followVolume();
   void studyOpened();
   void showError(const QString& message);
+  /// Says which segmentations lie beside the series, with a way to open one.
+  void offerSegmentations();
   /// Moves the crosshair to the centre of the focus once another thread has found it.
   void goToFocus();
   /// Nothing is being read, measured or drawn.
@@ -92,6 +96,7 @@ class MainWindow : public QMainWindow {
   NoticeBar* notices_;
   Sessions* sessions_;
   FileOpener* files_;
+  Exports* exports_;
   QStackedWidget* pages_;
   Panels panels_;
   Actions* actions_;

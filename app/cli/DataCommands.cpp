@@ -171,7 +171,7 @@ void convert(const ConvertOptions& options) {
   if (!data.labels) throw io::Error(source, "has no labels to write", "name a label map with --labels");
   io::LabelOutput output;
   if (!scene.focusLabels.empty()) output.only = app::resolveLabels(*data.labels, scene.focusLabels, source);
-  if (data.volume.format == "DICOM") output.series = data.volume.series.files;
+  output.series = data.volume.series.files;
   io::writeLabels(*data.labels, options.output, output, progressOnTerminal());
 }
 

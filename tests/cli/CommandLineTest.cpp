@@ -568,5 +568,51 @@ TEST_F(CommandLine, RenderLooksFromThePlacedCameras) {
   }
 }
 
+TEST_F(CommandLine, LabelsAreWrittenByNumberAndName) {
+  const std::vector<std::string> phantom{"--phantom", "torso", "--phantom-voxels", "48"};
+  const auto convert = [&](std::vector<std::string> more) {
+    std::vector<std::string> all{"convert"};
+    all.insert(all.end(), phantom.begin(), phantom.end());
+    all.insert(all.end(), more.begin(), more.end());
+    return run(all);
+  };
+  EXPECT_EQ(convert({"-o", at("volume.nrrd")}).exitCode, 0);
+  EXPECT_EQ(convert({"--focus-labels", "left kidney,right kidney", "-o", at("kidneys.nrrd")}).exitCode, 0);
+  EXPECT_NE(contents(at("kidneys.nrrd")).find("Segment1_Name:=right kidney"), std::string::npos);
+  EXPECT_EQ(contents(at("kidneys.nrrd")).find("Segment2_"), std::string::npos);
+  // The whole label map, because a .dcm is a segmentation; back as labels of the volume, and out again.
+  EXPECT_EQ(convert({"-o", at("all.dcm")}).exitCode, 0);
+  const Result again = run({"convert", at("volume.nrrd"), "--labels", at("all.dcm"), "--focus-labels", "left kidney",
+                            "-o", at("left.nii.gz")});
+  EXPECT_EQ(again.exitCode, 0) << again.error;
+  EXPECT_EQ(again.error, "");
+  expectFailure(run({"convert", at("volume.nrrd"), "-o", at("x.dcm")}), at("volume.nrrd"));
+  expectFailure(convert({"--focus-labels", "aorta", "-o", at("x.png")}), at("x.png"));
+  EXPECT_EQ(run({"convert", at("volume.nrrd"), "--focus-labels", "3", "-o", at("x.nrrd")}).exitCode, 2);
+}
+
+TEST_F(CommandLine, ASurfaceIsWrittenAndMeasured) {
+  const std::vector<std::string> scene{"surface", "--phantom",      "torso",       "--phantom-voxels",
+                                       "64",      "--focus-labels", "left kidney", "-o"};
+  std::vector<double> volumes;
+  for (const char* name : {"a.stl", "a.ply", "a.obj"}) {
+    std::vector<std::string> all = scene;
+    all.insert(all.end(), {at(name), "--frame", "ras"});
+    const Result result = run(all);
+    ASSERT_EQ(result.exitCode, 0) << result.error;
+    volumes.push_back(result.json().at("volume_ml"));
+    EXPECT_EQ(result.json().at("frame"), "ras");
+    EXPECT_GT(fs::file_size(at(name)), 1000u);
+  }
+  // A kidney has some 150 ml.
+  EXPECT_GT(volumes[0], 50.0);
+  EXPECT_LT(volumes[0], 400.0);
+  EXPECT_EQ(volumes[0], volumes[1]);
+  std::vector<std::string> all = scene;
+  all.push_back(at("a.vtk"));
+  expectFailure(run(all), at("a.vtk"));
+  EXPECT_EQ(run({"surface", "--phantom", "torso"}).exitCode, 2);
+}
+
 }  // namespace
 }  // namespace fenestra

@@ -1,5 +1,6 @@
 #pragma once
-// Reading data off the GUI thread, with progress and cancel. One job at a time: a new start replaces the running one.
+// Reading and writing data off the GUI thread, with progress and cancel. One job at a time: a new start replaces the
+// running one.
 
 #include <functional>
 #include <string>
@@ -16,7 +17,7 @@ class LoadJob : public QObject {
  public:
   /// Shows the result, on the GUI thread.
   using Show = std::function<void()>;
-  /// Reads on another thread. May throw io::Error, io::Cancelled.
+  /// Reads or writes on another thread. May throw io::Error, io::Cancelled.
   using Read = std::function<Show(const io::Progress&)>;
 
   explicit LoadJob(QObject* parent = nullptr);

@@ -18,6 +18,7 @@ Study readStudy(const PathsToOpen& paths, const Look& look, const io::Progress& 
   study.session.volume = io::sessionVolume(paths.volume, opened);
   study.series = std::move(opened.series);
   study.otherSeries = std::move(opened.otherSeries);
+  study.segmentations = std::move(opened.segmentations);
   study.warnings = std::move(opened.warnings);
   if (!paths.labels.empty()) {
     io::OpenedLabels labels = io::openLabels(paths.labels, study.scene.volume->grid, progress);
@@ -36,6 +37,7 @@ Study readSession(const std::filesystem::path& file, const io::SessionPlaces& pl
   study.path = opened.session.volume.path;
   study.series = std::move(opened.volume.series);
   study.otherSeries = std::move(opened.volume.otherSeries);
+  study.segmentations = std::move(opened.volume.segmentations);
   study.warnings = std::move(opened.warnings);
   study.session = std::move(opened.session);
   study.restoresSession = true;

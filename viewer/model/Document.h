@@ -27,6 +27,7 @@ struct Study {
   std::filesystem::path path;             ///< what the user opened; empty for a phantom
   io::SeriesInfo series;
   std::vector<io::SeriesInfo> otherSeries;
+  std::vector<io::SegmentationInfo> segmentations;  ///< of the series, in what was opened
   std::vector<io::Warning> warnings;
   io::Session session;                ///< where the data are; all of the session that the study was opened from
   bool restoresSession = false;       ///< there is one: the window becomes what it says

@@ -1,0 +1,98 @@
+#include "viewer/Exports.h"
+
+#include <QFileDialog>
+#include <QMainWindow>
+#include <QStatusBar>
+
+#include "io/LabelWriter.h"
+#include "viewer/NoticeBar.h"
+#include "viewer/model/Document.h"
+#include "viewer/model/Paths.h"
+
+namespace fenestra::viewer {
+namespace {
+
+/// What a file dialog offers: a name for the kind of file, and its ending.
+struct Kind {
+  QString name, ending;
+};
+
+/// The file that the user chose, with the ending of the kind unless it has one; empty when cancelled. `chosen` is the
+/// kind's index.
+std::filesystem::path askForFile(QWidget& window, const QString& title, const QList<Kind>& kinds, qsizetype& chosen) {
+  QStringList filters;
+  for (const Kind& kind : kinds) filters << QStringLiteral("%1 (*%2)").arg(kind.name, kind.ending);
+  QString filter = filters.front();
+  QString file = QFileDialog::getSaveFileName(&window, title, {}, filters.join(QStringLiteral(";;")), &filter);
+  if (file.isEmpty()) return {};
+  chosen = std::max<qsizetype>(0, filters.indexOf(filter));
+  if (!file.endsWith(kinds[chosen].ending, Qt::CaseInsensitive) && QFileInfo(file).suffix().isEmpty())
+    file += kinds[chosen].ending;
+  return toPath(file);
+}
+
+}  // namespace
+
+Exports::Exports(QMainWindow& window, const Document& document, NoticeBar& notices)
+    : QObject(&window), window_(window), document_(document) {
+  connect(&job_, &LoadJob::failed, this,
+          [&notices](const QString& message) { notices.add(NoticeBar::Kind::Error, message); });
+}
+
+bool Exports::canWriteLabels(Labels which) const {
+  return document_.hasVolume() && document_.scene().labels &&
+         (which == Labels::All || std::holds_alternative<LabelFocus>(document_.focus()));
+}
+
+bool Exports::canWriteSurface() const {
+  return document_.hasVolume() && !std::holds_alternative<std::monostate>(document_.focus());
+}
+
+void Exports::chooseLabelFile(Labels which) {
+  const QList<Kind> kinds{{tr("NRRD, with names and colours"), QStringLiteral(".nrrd")},
+                          {tr("DICOM segmentation, with names and colours"), QStringLiteral(".dcm")},
+                          {tr("NIfTI"), QStringLiteral(".nii.gz")},
+                          {tr("MetaImage"), QStringLiteral(".mha")}};
+  qsizetype chosen = 0;
+  const QString title = which == Labels::All ? tr("Export all labels") : tr("Export the focus as labels");
+  const std::filesystem::path path = askForFile(window_, title, kinds, chosen);
+  if (!path.empty()) writeLabels(path, which);
+}
+
+void Exports::chooseSurfaceFile() {
+  QList<Kind> kinds;
+  for (const QString& axes : {QStringLiteral("LPS"), QStringLiteral("RAS")})
+    for (const QString& format : {QStringLiteral("STL"), QStringLiteral("PLY"), QStringLiteral("OBJ")})
+      kinds << Kind{tr("%1 in mm, %2 axes").arg(format, axes), QStringLiteral(".") + format.toLower()};
+  qsizetype chosen = 0;
+  const std::filesystem::path path = askForFile(window_, tr("Export the focus as a surface"), kinds, chosen);
+  if (!path.empty()) writeSurface(path, chosen < kinds.size() / 2 ? io::SurfaceFrame::Lps : io::SurfaceFrame::Ras);
+}
+
+void Exports::writeLabels(const std::filesystem::path& path, Labels which) {
+  if (!canWriteLabels(which)) return;
+  io::LabelOutput output;
+  if (which == Labels::Focus) output.only = std::get<LabelFocus>(document_.focus()).labels;
+  output.series = document_.study().series.files;
+  job_.start([this, path, output, labels = document_.scene().labels](const io::Progress& progress) {
+    io::writeLabels(*labels, path, output, progress);
+    return written(path);
+  });
+}
+
+void Exports::writeSurface(const std::filesystem::path& path, io::SurfaceFrame frame) {
+  if (!canWriteSurface()) return;
+  job_.start([this, path, frame, scene = document_.scene()](const io::Progress& progress) {
+    io::writeSurface(io::extractSurface(scene, path, {}, progress), path, frame);
+    return written(path);
+  });
+}
+
+LoadJob::Show Exports::written(const std::filesystem::path& path) {
+  return [this, path] {
+    constexpr int milliseconds = 8000;
+    window_.statusBar()->showMessage(tr("Wrote %1").arg(toQString(path.filename())), milliseconds);
+  };
+}
+
+}  // namespace fenestra::viewer

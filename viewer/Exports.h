@@ -1,0 +1,45 @@
+#pragma once
+// Labels and the focus's surface to files, in the background.
+
+#include <filesystem>
+
+#include <QObject>
+
+#include "io/surface/Surface.h"
+#include "viewer/jobs/LoadJob.h"
+
+class QMainWindow;
+
+namespace fenestra::viewer {
+
+class Document;
+class NoticeBar;
+
+class Exports : public QObject {
+  Q_OBJECT
+ public:
+  enum class Labels { All, Focus };
+
+  /// `window` is the dialogs' parent, shows in its status bar what was written, and owns this; all others outlive it.
+  Exports(QMainWindow& window, const Document& document, NoticeBar& notices);
+
+  bool canWriteLabels(Labels which) const;
+  bool canWriteSurface() const;
+  /// Ask for the file, then write it.
+  void chooseLabelFile(Labels which);
+  void chooseSurfaceFile();
+  /// Write in the background what the document shows now; failures become notices.
+  void writeLabels(const std::filesystem::path& path, Labels which);
+  void writeSurface(const std::filesystem::path& path, io::SurfaceFrame frame);
+
+  LoadJob& job() { return job_; }
+
+ private:
+  LoadJob::Show written(const std::filesystem::path& path);
+
+  QMainWindow& window_;
+  const Document& document_;
+  LoadJob job_;
+};
+
+}  // namespace fenestra::viewer
