@@ -238,6 +238,15 @@ OpenedLabels readLabels(const fs::path& path, const Grid& target, const Progress
 
 }  // namespace
 
+std::vector<fs::path> labelFiles(const fs::path& path) {
+  checkExists(path);
+  return withinMemory(path, [&]() -> std::vector<fs::path> {
+    const Format format = formatOf(path);
+    if (format == Format::Dicom) return {path};
+    return readImageHeader(path, format).source.files;
+  });
+}
+
 OpenedLabels openLabels(const fs::path& path, const Grid& target, const Progress& progress) {
   checkExists(path);
   return withinMemory(path, [&] { return readLabels(path, target, progress); });

@@ -27,9 +27,11 @@ std::vector<SeriesInfo> listSeries(const std::filesystem::path& path, const Open
 /// Cancelled.
 OpenedVolume openVolume(const std::filesystem::path& path, const OpenOptions& options = {});
 
-/// Opens a label map (NIfTI, NRRD incl. Slicer's segment fields, MetaImage) and resamples it to `target` by nearest
-/// label when its grid differs. Names come from the file, or from a table of "value name" lines beside it: the file's
-/// own name with .txt or .tsv, or labels.tsv. Throws Error, Cancelled.
+/// Opens a label map (NIfTI, NRRD incl. Slicer's segment fields, MetaImage), a DICOM segmentation or a structure set,
+/// and resamples it to `target` by nearest label when its grid differs. Names come from the file, or from a table of
+/// "value name" lines beside it: the file's own name with .txt or .tsv, or labels.tsv. Throws Error, Cancelled.
 OpenedLabels openLabels(const std::filesystem::path& path, const Grid& target, const Progress& progress = {});
+/// The files that hold a label map: the named one, and those that its header names. Throws Error.
+std::vector<std::filesystem::path> labelFiles(const std::filesystem::path& path);
 
 }  // namespace fenestra::io

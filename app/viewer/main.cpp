@@ -61,6 +61,7 @@ Study readScene(const app::SceneOptions& options, const io::Progress& progress) 
   study.path = study.session.volume.path;
   study.series = std::move(loaded.volume.series);
   study.otherSeries = std::move(loaded.volume.otherSeries);
+  study.segmentations = std::move(loaded.volume.segmentations);
   study.warnings = std::move(loaded.warnings);
   return study;
 }

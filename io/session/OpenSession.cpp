@@ -150,8 +150,7 @@ auto openMoved(DataMissing::Data which, SessionData& data, const fs::path& place
 }
 
 /// Files whose contents identify a volume or a label map: those of the series, and the named one.
-std::vector<fs::path> filesOf(const fs::path& path, const SeriesInfo& series) {
-  std::vector<fs::path> files = series.files;
+std::vector<fs::path> filesOf(const fs::path& path, std::vector<fs::path> files) {
   std::error_code failure;
   const bool listed = std::any_of(files.begin(), files.end(), [&](const fs::path& file) {
     return file == path || fs::equivalent(file, path, failure);
@@ -159,7 +158,7 @@ std::vector<fs::path> filesOf(const fs::path& path, const SeriesInfo& series) {
   if (!listed && fs::is_regular_file(path, failure)) files.push_back(path);
   return files;
 }
-std::vector<fs::path> labelFilesAt(const fs::path& path) { return filesOf(path, listSeries(path).front()); }
+std::vector<fs::path> labelFilesAt(const fs::path& path) { return filesOf(path, labelFiles(path)); }
 
 Progress part(const Progress& progress, double begin, double end) {
   if (!progress) return {};
@@ -172,7 +171,7 @@ SessionVolume sessionVolume(const fs::path& path, const OpenedVolume& volume,
                             const std::optional<RawDescription>& raw) {
   SessionVolume data;
   data.path = fs::absolute(path);
-  data.files = filesOf(path, volume.series);
+  data.files = filesOf(path, volume.series.files);
   if (volume.format == "DICOM") data.series = seriesKey(volume.series.id);
   data.raw = raw;
   return data;
@@ -224,14 +223,15 @@ OpenedSession openSession(const fs::path& file, const SessionPlaces& places, con
       options.series.clear();
       volume = openVolume(path, options);
     }
-    std::vector<fs::path> files = filesOf(path, volume.series);
+    std::vector<fs::path> files = filesOf(path, volume.series.files);
     return Opened{std::move(volume), contentsOf(files, part(progress, 0.7, 0.8)), files};
   };
   const auto volumeFilesAt = [&](const fs::path& path) {
     OpenOptions options;
     options.raw = session.volume.raw;
     for (const SeriesInfo& series : listSeries(path, options))
-      if (session.volume.series.empty() || session.volume.series == seriesKey(series.id)) return filesOf(path, series);
+      if (session.volume.series.empty() || session.volume.series == seriesKey(series.id))
+        return filesOf(path, series.files);
     return std::vector<fs::path>();
   };
   opened.volume = openMoved(DataMissing::Data::Volume, session.volume, places.volume, folder, progress, opened.warnings,

@@ -578,7 +578,7 @@ TEST_F(CommandLine, LabelsAreWrittenByNumberAndName) {
   };
   EXPECT_EQ(convert({"-o", at("volume.nrrd")}).exitCode, 0);
   EXPECT_EQ(convert({"--focus-labels", "left kidney,right kidney", "-o", at("kidneys.nrrd")}).exitCode, 0);
-  EXPECT_NE(contents(at("kidneys.nrrd")).find("Segment1_Name:=right kidney"), std::string::npos);
+  EXPECT_NE(contents(at("kidneys.nrrd")).find("Segment1_Name:=left kidney"), std::string::npos);
   EXPECT_EQ(contents(at("kidneys.nrrd")).find("Segment2_"), std::string::npos);
   // The whole label map, because a .dcm is a segmentation; back as labels of the volume, and out again.
   EXPECT_EQ(convert({"-o", at("all.dcm")}).exitCode, 0);

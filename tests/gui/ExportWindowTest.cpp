@@ -64,7 +64,8 @@ TEST_F(Window, SegmentationsOfTheSeriesAreOfferedByName) {
                           [](const QString& text) { return text.contains(QStringLiteral("Leber, Niere")); }));
   ASSERT_FALSE(document().scene().labels);
   menu->menu()->actions().front()->trigger();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return document().scene().labels != nullptr; }, patience));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return document().scene().labels != nullptr; }, patience))
+      << window_->notices().texts().join(QLatin1Char('\n')).toStdString();
   EXPECT_EQ(document().scene().labels->value({1, 0, 1}), 1);
   EXPECT_EQ(document().scene().labels->find(2)->name, "Niere");
 }

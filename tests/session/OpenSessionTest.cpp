@@ -10,6 +10,7 @@
 #include "io/session/SessionFile.h"
 #include "tests/io/DicomWriter.h"
 #include "tests/io/IoTesting.h"
+#include "tests/io/LabelFiles.h"
 #include "tests/session/SessionTesting.h"
 #include "tests/support/TestData.h"
 
@@ -71,6 +72,19 @@ class OpenSession : public testing::Test {
 
   fs::path top_, project_;
 };
+
+TEST_F(OpenSession, LabelsMayBeADicomSegmentation) {
+  SegSpec spec;
+  spec.columns = 4;
+  spec.frames = {{1, glm::dvec3(0, 0, 2), {0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}}};
+  writeSeg(project_ / "study" / "seg.dcm", spec);
+  const fs::path file = save(project_ / "a.fenestra", project_ / "study", project_ / "study" / "seg.dcm");
+  const io::OpenedSession opened = io::openSession(file);
+  ASSERT_TRUE(opened.labels);
+  EXPECT_EQ(opened.labels->value({1, 0, 2}), 1);
+  EXPECT_EQ(opened.labels->find(1)->name, "first");
+  EXPECT_EQ(kindsOf(opened.warnings), "");
+}
 
 TEST_F(OpenSession, FindsDataWhereTheyAre) {
   const fs::path file = save(project_ / "a.fenestra", project_ / "study", project_ / "labels.nii.gz");
