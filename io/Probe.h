@@ -5,7 +5,7 @@
 
 namespace fenestra::io {
 
-enum class Format { Dicom, Nifti, Nrrd, MetaImage };
+enum class Format { Dicom, Nifti, Nrrd, MetaImage, Mgh, Analyze };
 
 /// Throws Error for a path that is missing, empty, or neither a file nor a folder.
 void checkExists(const std::filesystem::path& path);

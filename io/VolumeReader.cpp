@@ -90,6 +90,10 @@ ImageFile readImageHeader(const fs::path& path, Format format) {
       return readNiftiHeader(path);
     case Format::Nrrd:
       return readNrrdHeader(path);
+    case Format::Mgh:
+      return readMghHeader(path);
+    case Format::Analyze:
+      return readAnalyzeHeader(path);
     default:
       return readMetaImageHeader(path);
   }
@@ -110,12 +114,16 @@ Format formatOf(const fs::path& path) {
   if (looksLikeNrrd(path)) return Format::Nrrd;
   if (looksLikeMetaImage(path)) return Format::MetaImage;
   if (looksLikeDicom(path)) return Format::Dicom;
+  // Last, because neither has a signature.
+  if (looksLikeMgh(path)) return Format::Mgh;
+  if (looksLikeAnalyze(path)) return Format::Analyze;
   const std::string_view ending = lowered(path.extension().string()) == ".dcm" ? ".dcm" : volumeEnding(path);
   if (!ending.empty())
     throw Error(path, "is named " + std::string(ending) + " but its content is something else",
                 "the file is damaged or misnamed");
   throw Error(path, "holds no volume in a known format",
-              "DICOM, NIfTI, NRRD and MetaImage are recognised by content; raw voxels need a description (--raw)");
+              "DICOM, NIfTI, NRRD, MetaImage, MGH and Analyze are recognised by content; raw voxels need a description "
+                  "(--raw)");
 }
 
 std::string_view volumeEnding(const fs::path& path) {
