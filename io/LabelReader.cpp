@@ -184,7 +184,7 @@ bool isSameGrid(const Grid& a, const Grid& b) {
   return true;
 }
 
-/// Labels of NIfTI, NRRD or MetaImage.
+/// Labels of any format but DICOM.
 LabelsOnGrid readImageLabels(const fs::path& path, Format format, const Grid& target, const Progress& progress) {
   ImageFile image = readImageHeader(path, format);
   const std::vector<Segment> segments = slicerSegments(image);
@@ -204,8 +204,15 @@ LabelsOnGrid readImageLabels(const fs::path& path, Format format, const Grid& ta
   return read;
 }
 
-OpenedLabels readLabels(const fs::path& path, const Grid& target, const Progress& progress) {
+/// Throws Error for formats that hold no label map.
+Format labelFormatOf(const fs::path& path) {
   const Format format = formatOf(path);
+  if (format == Format::Archive) throw Error(path, "is an archive", "unpack it and open the label map in it");
+  return format;
+}
+
+OpenedLabels readLabels(const fs::path& path, const Grid& target, const Progress& progress) {
+  const Format format = labelFormatOf(path);
   LabelsOnGrid read = format == Format::Dicom ? readDicomLabels(path, target, progress)
                                               : readImageLabels(path, format, target, progress);
   const std::vector<std::uint16_t>& values = read.values;
@@ -241,7 +248,7 @@ OpenedLabels readLabels(const fs::path& path, const Grid& target, const Progress
 std::vector<fs::path> labelFiles(const fs::path& path) {
   checkExists(path);
   return withinMemory(path, [&]() -> std::vector<fs::path> {
-    const Format format = formatOf(path);
+    const Format format = labelFormatOf(path);
     if (format == Format::Dicom) return {path};
     return readImageHeader(path, format).source.files;
   });

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
 
 #include "io/Probe.h"
+#include "io/base/Archive.h"
 #include "io/base/Memory.h"
 #include "io/base/Text.h"
 #include "io/dicom/Dicom.h"
@@ -34,6 +36,43 @@ OpenedVolume openImage(ImageFile image, const OpenOptions& options) {
   volume->computeRange();
   opened.volume = std::move(volume);
   return opened;
+}
+
+/// What to open of an unpacked archive: its only file, the header of its only volume in two files, or the whole folder.
+fs::path contentOf(const UnpackedArchive& archive) {
+  std::vector<fs::path> files, headers;
+  for (const auto& entry : fs::recursive_directory_iterator(archive.folder())) {
+    if (!entry.is_regular_file()) continue;
+    files.push_back(entry.path());
+    const std::string_view ending = volumeEnding(entry.path());
+    if (!ending.empty() && ending != ".img") headers.push_back(entry.path());
+  }
+  if (files.size() == 1) return files.front();
+  return headers.size() == 1 ? headers.front() : archive.folder();
+}
+
+/// read(archive, content, options) for what an archive holds; errors name the archive. Archives in archives are
+/// refused.
+template <class Read>
+auto readArchive(const fs::path& path, const OpenOptions& options, const Read& read) {
+  OpenOptions inside = options;
+  // Unpacking and reading take about as long as each other.
+  const auto half = [&options](double begin) -> Progress {
+    if (!options.progress) return {};
+    return [&options, begin](double fraction, std::string_view doing) {
+      return options.progress(begin + 0.5 * fraction, doing);
+    };
+  };
+  const UnpackedArchive archive(path, half(0.0));
+  inside.progress = half(0.5);
+  try {
+    const fs::path content = contentOf(archive);
+    if (formatOf(content) == Format::Archive)
+      throw Error(content, "is an archive in an archive", "unpack it and open what it holds");
+    return read(archive, content, inside);
+  } catch (const Error& error) {
+    throw Error(archive.named(error.file()), error.cause(), error.hint());
+  }
 }
 
 }  // namespace
@@ -90,9 +129,17 @@ ImageFile readImageHeader(const fs::path& path, Format format) {
       return readNiftiHeader(path);
     case Format::Nrrd:
       return readNrrdHeader(path);
-    default:
+    case Format::Mgh:
+      return readMghHeader(path);
+    case Format::Analyze:
+      return readAnalyzeHeader(path);
+    case Format::MetaImage:
       return readMetaImageHeader(path);
+    case Format::Dicom:
+    case Format::Archive:
+      break;
   }
+  throw std::invalid_argument("readImageHeader: not the format of an image file");
 }
 
 void checkExists(const fs::path& path) {
@@ -109,13 +156,19 @@ Format formatOf(const fs::path& path) {
   if (looksLikeNifti(path)) return Format::Nifti;
   if (looksLikeNrrd(path)) return Format::Nrrd;
   if (looksLikeMetaImage(path)) return Format::MetaImage;
+  // Before archives: it may be packed by gzip.
+  if (looksLikeMgh(path)) return Format::Mgh;
+  if (looksLikeArchive(path)) return Format::Archive;
   if (looksLikeDicom(path)) return Format::Dicom;
+  // Last, because it has no signature.
+  if (looksLikeAnalyze(path)) return Format::Analyze;
   const std::string_view ending = lowered(path.extension().string()) == ".dcm" ? ".dcm" : volumeEnding(path);
   if (!ending.empty())
     throw Error(path, "is named " + std::string(ending) + " but its content is something else",
                 "the file is damaged or misnamed");
   throw Error(path, "holds no volume in a known format",
-              "DICOM, NIfTI, NRRD and MetaImage are recognised by content; raw voxels need a description (--raw)");
+              "DICOM, NIfTI, NRRD, MetaImage, MGH and Analyze are recognised by content; raw voxels need a description "
+              "(--raw)");
 }
 
 std::string_view volumeEnding(const fs::path& path) {
@@ -130,6 +183,13 @@ std::vector<SeriesInfo> listSeries(const fs::path& path, const OpenOptions& opti
   return withinMemory(path, [&]() -> std::vector<SeriesInfo> {
     if (options.raw) return {describe(describeRaw(path, *options.raw))};
     const Format format = formatOf(path);
+    if (format == Format::Archive)
+      return readArchive(path, options,
+                         [&](const UnpackedArchive&, const fs::path& content, const OpenOptions& inside) {
+                           std::vector<SeriesInfo> all = listSeries(content, inside);
+                           for (SeriesInfo& series : all) series.files = {path};
+                           return all;
+                         });
     if (format == Format::Dicom) return listDicomSeries(path, options);
     return {describe(readImageHeader(path, format))};
   });
@@ -140,6 +200,23 @@ OpenedVolume openVolume(const fs::path& path, const OpenOptions& options) {
   return withinMemory(path, [&] {
     if (options.raw) return openImage(describeRaw(path, *options.raw), options);
     const Format format = formatOf(path);
+    if (format == Format::Archive)
+      return readArchive(path, options,
+                         [&](const UnpackedArchive& archive, const fs::path& content, const OpenOptions& inside) {
+                           OpenedVolume opened = openVolume(content, inside);
+                           opened.series.files = {path};
+                           for (SeriesInfo& series : opened.otherSeries) series.files = {path};
+                           for (Warning& warning : opened.warnings)
+                             for (fs::path& file : warning.files) file = archive.named(file);
+                           // Their files are gone with the unpacked copy.
+                           if (!opened.segmentations.empty())
+                             opened.warnings.push_back({Warning::Kind::Other,
+                                                        "the archive also holds segmentations of the series; unpack it "
+                                                        "to open them",
+                                                        {path}});
+                           opened.segmentations.clear();
+                           return opened;
+                         });
     if (format == Format::Dicom) return openDicom(path, options);
     return openImage(readImageHeader(path, format), options);
   });

@@ -75,7 +75,7 @@ struct SegmentationInfo {
 
 struct OpenedVolume {
   std::shared_ptr<const Volume> volume;
-  std::string format;  ///< "DICOM", "NIfTI", "NRRD", "MetaImage", "raw"
+  std::string format;  ///< "DICOM", "NIfTI", "NRRD", "MetaImage", "MGH", "Analyze", "raw"
   SeriesInfo series;
   std::vector<SeriesInfo> otherSeries;
   std::vector<SegmentationInfo> segmentations;  ///< of the series, among the files that were opened with it

@@ -15,6 +15,7 @@
 #include "io/base/SessionName.h"
 #include "io/base/VoxelSink.h"
 #include "io/dicom/DicomDecoder.h"
+#include "io/dicom/DicomDir.h"
 #include "io/dicom/DicomStack.h"
 #include "rendering/scene/Parallel.h"
 
@@ -58,6 +59,7 @@ struct Scan {
   std::map<std::string, std::vector<fs::path>> refused;  ///< DICOM objects that are no scalar images, by reason
   std::vector<DicomFile> segmentations;                  ///< and structure sets
   std::vector<fs::path> repeated;                        ///< the same image (SOP instance) again
+  std::vector<fs::path> missing;                         ///< listed in the DICOMDIR that was opened
 };
 
 std::vector<fs::path> filesBelow(const fs::path& folder) {
@@ -75,12 +77,20 @@ std::vector<fs::path> filesBelow(const fs::path& folder) {
   return paths;
 }
 
+/// A folder's files, a DICOMDIR's, or the file itself. A DICOMDIR without usable records stands for its folder.
+std::vector<fs::path> filesToScan(const fs::path& path, std::vector<fs::path>& missing) {
+  if (fs::is_directory(path)) return filesBelow(path);
+  if (path.filename() != "DICOMDIR") return {path};
+  DicomDir directory = readDicomDir(path);
+  if (directory.files.empty()) return filesBelow(fs::absolute(path).parent_path());
+  missing = std::move(directory.missing);
+  return std::move(directory.files);
+}
+
 Scan scanHeaders(const fs::path& path, const OpenOptions& options) {
   const bool folder = fs::is_directory(path);
-  // A DICOMDIR lists the files beside and below it. Their own headers say more, so the folder is read instead.
-  const bool directoryFile = !folder && path.filename() == "DICOMDIR";
-  const fs::path root = directoryFile ? fs::absolute(path).parent_path() : path;
-  const std::vector<fs::path> paths = folder || directoryFile ? filesBelow(root) : std::vector<fs::path>{path};
+  Scan scan;
+  const std::vector<fs::path> paths = filesToScan(path, scan.missing);
   if (paths.empty()) throw Error(path, "is an empty folder", "name a folder with DICOM files");
 
   struct Outcome {
@@ -102,7 +112,6 @@ Scan scanHeaders(const fs::path& path, const OpenOptions& options) {
     }
   });
 
-  Scan scan;
   std::set<std::string> instances;
   for (std::size_t i = 0; i < paths.size(); ++i) {
     Outcome& outcome = outcomes[i];
@@ -220,6 +229,9 @@ void addScanWarnings(const Scan& scan, std::vector<Warning>& warnings) {
   if (!scan.notImages.empty())
     warnings.push_back(
         {Warning::Kind::UnreadableFiles, count(scan.notImages) + " of the folder left out: not DICOM", scan.notImages});
+  if (!scan.missing.empty())
+    warnings.push_back(
+        {Warning::Kind::UnreadableFiles, count(scan.missing) + " listed in the DICOMDIR missing", scan.missing});
   for (const auto& [reason, paths] : scan.refused)
     warnings.push_back({Warning::Kind::Other, count(paths) + " left out: " + reason, paths});
   if (!scan.repeated.empty())
