@@ -8,6 +8,7 @@
 #include "io/Probe.h"
 #include "io/VolumeReader.h"
 #include "io/base/Memory.h"
+#include "io/base/PlausibleGrid.h"
 #include "io/base/Text.h"
 #include "io/formats/ImageFile.h"
 #include "rendering/scene/Parallel.h"
@@ -203,11 +204,12 @@ bool isSameGrid(const Grid& a, const Grid& b) {
   return true;
 }
 
-OpenedLabels readLabels(const fs::path& path, const Grid& target, const Progress& progress) {
+OpenedLabels readLabels(const fs::path& path, const Grid& target, const Progress& progress, bool allowOutside) {
   const Format format = formatOf(path);
   if (format == Format::Dicom)
     throw Error(path, "is DICOM, not a label map", "label maps are read from NIfTI, NRRD and MetaImage");
-  ImageFile image = readImageHeader(path, format);
+  ImageFile image = readImageHeader(path, format, allowOutside);
+  checkGeometry(path, image.grid);
   const std::vector<Segment> segments = slicerSegments(image);
   const bool layered = image.layers() > 1;
   if (layered && segments.empty())
@@ -218,7 +220,7 @@ OpenedLabels readLabels(const fs::path& path, const Grid& target, const Progress
   opened.warnings = std::move(image.warnings);
   std::vector<std::uint16_t> values;
   {
-    const std::vector<Voxels> layers = readVoxels(image, image.layers(), progress, opened.warnings);
+    const std::vector<Voxels> layers = readVoxels(image, {0, image.layers()}, progress, opened.warnings);
     values = mergedLayers(layers, segments, image, opened.warnings);
   }
   if (!isSameGrid(image.grid, target)) values = resampled(values, image.grid, target, path, opened.warnings);
@@ -251,9 +253,9 @@ OpenedLabels readLabels(const fs::path& path, const Grid& target, const Progress
 
 }  // namespace
 
-OpenedLabels openLabels(const fs::path& path, const Grid& target, const Progress& progress) {
+OpenedLabels openLabels(const fs::path& path, const Grid& target, const Progress& progress, bool allowOutside) {
   checkExists(path);
-  return withinMemory(path, [&] { return readLabels(path, target, progress); });
+  return withinMemory(path, [&] { return readLabels(path, target, progress, allowOutside); });
 }
 
 }  // namespace fenestra::io

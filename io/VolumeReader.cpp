@@ -6,6 +6,7 @@
 
 #include "io/Probe.h"
 #include "io/base/Memory.h"
+#include "io/base/PlausibleGrid.h"
 #include "io/base/Text.h"
 #include "io/dicom/Dicom.h"
 #include "io/formats/ImageFile.h"
@@ -14,15 +15,51 @@ namespace fenestra::io {
 namespace fs = std::filesystem;
 namespace {
 
+/// One of a file's volumes as a series, counted from 0.
+SeriesInfo seriesAt(const ImageFile& image, std::int64_t layer) {
+  SeriesInfo info = describe(image);
+  if (image.layers() < 2) return info;
+  info.time = static_cast<int>(layer) + 1;
+  info.times = static_cast<int>(image.layers());
+  if (layer > 0) info.id.append("#").append(std::to_string(info.time));
+  return info;
+}
+
+/// The volume and its time points, each as a series.
+std::vector<SeriesInfo> seriesIn(const ImageFile& image) {
+  // More than a list of series can show; --time reaches the others.
+  constexpr std::int64_t mostListed = 1000;
+  std::vector<SeriesInfo> series;
+  for (std::int64_t layer = 0; layer < std::min(image.layers(), mostListed); ++layer)
+    series.push_back(seriesAt(image, layer));
+  return series;
+}
+
+/// The volume that the options ask for, counted from 0.
+std::int64_t chosenLayer(const ImageFile& image, const OpenOptions& options) {
+  if (options.time) {
+    if (*options.time < 1 || *options.time > image.layers())
+      throwNoTime(image.path, *options.time, static_cast<int>(image.layers()));
+    return *options.time - 1;
+  }
+  if (options.series.empty()) return 0;
+  for (std::int64_t layer = 0; layer < image.layers(); ++layer)
+    if (seriesAt(image, layer).id == options.series) return layer;
+  throw Error(image.path, "has no series " + options.series,
+              "list its series with: fenestra-cli info " + image.path.string());
+}
+
 OpenedVolume openImage(ImageFile image, const OpenOptions& options) {
+  checkGeometry(image.path, image.grid);
   OpenedVolume opened;
   opened.format = image.format;
-  opened.series = describe(image);
+  const std::int64_t layer = chosenLayer(image, options);
   if (image.layers() > 1)
-    image.warnings.push_back(
-        {Warning::Kind::TimePoints,
-         "the file holds " + std::to_string(image.layers()) + " volumes (time points or layers); the first is shown",
-         {image.path}});
+    image.warnings.push_back({Warning::Kind::TimePoints,
+                              "the file holds " + std::to_string(image.layers()) +
+                                  " volumes (time points or layers); number " + std::to_string(layer + 1) +
+                                  " is shown, --time N chooses another",
+                              {image.path}});
   opened.warnings = std::move(image.warnings);
   auto volume = std::make_shared<Volume>();
   volume->grid = image.grid;
@@ -30,9 +67,12 @@ OpenedVolume openImage(ImageFile image, const OpenOptions& options) {
   volume->intercept = image.intercept;
   volume->modality = image.modality;
   if (image.modality == Modality::CT) volume->unit = "HU";
-  volume->voxels = std::move(readVoxels(image, 1, options.progress, opened.warnings).front());
+  volume->voxels = std::move(readVoxels(image, {layer, 1}, options.progress, opened.warnings).front());
   volume->computeRange();
   opened.volume = std::move(volume);
+  opened.series = seriesAt(image, layer);
+  for (SeriesInfo& series : seriesIn(image))
+    if (series.id != opened.series.id) opened.otherSeries.push_back(std::move(series));
   return opened;
 }
 
@@ -84,15 +124,11 @@ SeriesInfo describe(const ImageFile& image) {
   return info;
 }
 
-ImageFile readImageHeader(const fs::path& path, Format format) {
-  switch (format) {
-    case Format::Nifti:
-      return readNiftiHeader(path);
-    case Format::Nrrd:
-      return readNrrdHeader(path);
-    default:
-      return readMetaImageHeader(path);
-  }
+ImageFile readImageHeader(const fs::path& path, Format format, bool allowOutside) {
+  if (format == Format::Nifti) return readNiftiHeader(path);
+  ImageFile image = format == Format::Nrrd ? readNrrdHeader(path) : readMetaImageHeader(path);
+  if (!allowOutside) refuseOutside(image);
+  return image;
 }
 
 void checkExists(const fs::path& path) {
@@ -128,10 +164,10 @@ std::string_view volumeEnding(const fs::path& path) {
 std::vector<SeriesInfo> listSeries(const fs::path& path, const OpenOptions& options) {
   checkExists(path);
   return withinMemory(path, [&]() -> std::vector<SeriesInfo> {
-    if (options.raw) return {describe(describeRaw(path, *options.raw))};
+    if (options.raw) return seriesIn(describeRaw(path, *options.raw));
     const Format format = formatOf(path);
     if (format == Format::Dicom) return listDicomSeries(path, options);
-    return {describe(readImageHeader(path, format))};
+    return seriesIn(readImageHeader(path, format, options.allowOutside));
   });
 }
 
@@ -141,7 +177,7 @@ OpenedVolume openVolume(const fs::path& path, const OpenOptions& options) {
     if (options.raw) return openImage(describeRaw(path, *options.raw), options);
     const Format format = formatOf(path);
     if (format == Format::Dicom) return openDicom(path, options);
-    return openImage(readImageHeader(path, format), options);
+    return openImage(readImageHeader(path, format, options.allowOutside), options);
   });
 }
 

@@ -5,68 +5,17 @@
 #include <cstring>
 #include <optional>
 
-#include <dcmtk/config/osconfig.h>
-#include <dcmtk/dcmdata/dcspchrs.h>
-
 #include "io/base/ByteStream.h"
 #include "io/base/Error.h"
 #include "io/base/Memory.h"
 #include "io/base/Text.h"
-#include "io/dicom/Dcmtk.h"
 #include "io/dicom/Dicom.h"
+#include "io/dicom/DicomValues.h"
+#include "io/dicom/Mosaic.h"
 
 namespace fenestra::io {
 namespace fs = std::filesystem;
 namespace {
-
-std::optional<double> number(DcmItem& item, const DcmTagKey& tag, unsigned long position = 0) {
-  Float64 value = 0.0;
-  if (item.findAndGetFloat64(tag, value, position).bad() || !std::isfinite(value)) return std::nullopt;
-  return value;
-}
-
-std::optional<std::int64_t> integer(DcmItem& item, const DcmTagKey& tag) {
-  Uint16 us = 0;
-  if (item.findAndGetUint16(tag, us).good()) return us;
-  Uint32 ul = 0;
-  if (item.findAndGetUint32(tag, ul).good()) return ul;
-  long is = 0;
-  if (item.findAndGetLongInt(tag, is).good()) return is;
-  return std::nullopt;
-}
-
-template <int N>
-std::optional<glm::vec<N, double>> numbers(DcmItem& item, const DcmTagKey& tag) {
-  glm::vec<N, double> result;
-  for (int i = 0; i < N; ++i) {
-    const auto value = number(item, tag, static_cast<unsigned long>(i));
-    if (!value) return std::nullopt;
-    result[i] = *value;
-  }
-  return result;
-}
-
-std::string text(DcmItem& item, const DcmTagKey& tag) {
-  OFString value;
-  return item.findAndGetOFStringArray(tag, value).good() ? trimmed({value.data(), value.size()}) : std::string();
-}
-
-/// Text that an operator typed, as UTF-8; of an unknown character set only the ASCII part.
-std::string typedText(DcmItem& item, const DcmTagKey& tag) {
-  OFString value, utf8;
-  if (item.findAndGetOFStringArray(tag, value).bad()) return {};
-  DcmSpecificCharacterSet converter;
-  const bool converted = converter.selectCharacterSet(item).good() && converter.convertString(value, utf8).good();
-  std::string result =
-      trimmed(converted ? std::string_view(utf8.data(), utf8.size()) : std::string_view(value.data(), value.size()));
-  if (!converted) std::erase_if(result, [](char c) { return static_cast<unsigned char>(c) >= 0x80; });
-  return result;
-}
-
-DcmItem* firstItem(DcmItem* item, const DcmTagKey& sequence) {
-  DcmItem* found = nullptr;
-  return item && item->findAndGetSequenceItem(sequence, found, 0).good() ? found : nullptr;
-}
 
 /// The places a frame's attributes may be: its own functional groups, the shared ones, the dataset itself.
 struct Scopes {
@@ -86,31 +35,45 @@ std::vector<WindowLevel> windowsIn(DcmItem& item) {
   std::vector<WindowLevel> windows;
   // 16: more windows than any menu shows.
   for (unsigned long i = 0; i < 16; ++i) {
-    const auto level = number(item, DCM_WindowCenter, i), width = number(item, DCM_WindowWidth, i);
+    const auto level = numberOf(item, DCM_WindowCenter, i), width = numberOf(item, DCM_WindowWidth, i);
     if (!level || !width) break;
     if (*width > 0.0) windows.push_back({*width, *level});
   }
   return windows;
 }
 
+/// Pixel Spacing, else that of the detector, else 1 mm.
+void readSpacing(DcmItem* measures, DicomFrame& frame) {
+  const auto positive = [](const std::optional<glm::dvec2>& spacing) {
+    return spacing && spacing->x > 0.0 && spacing->y > 0.0;
+  };
+  // Both are (between rows, between columns).
+  for (const DcmTagKey& tag : {DCM_PixelSpacing, DCM_ImagerPixelSpacing}) {
+    const auto spacing = measures ? numbersOf<2>(*measures, tag) : std::nullopt;
+    if (!positive(spacing)) continue;
+    frame.spacing = {spacing->y, spacing->x};
+    if (tag == DCM_ImagerPixelSpacing) frame.assumed |= assumed::detectorSpacing;
+    return;
+  }
+  const bool given = measures && !textOf(*measures, DCM_PixelSpacing).empty();
+  frame.assumed |= given ? assumed::garbledSpacing : assumed::spacing;
+}
+
 void readGeometry(const Scopes& scopes, DicomFrame& frame) {
   DcmItem* measures = scopes.group(DCM_PixelMeasuresSequence);
+  readSpacing(measures, frame);
   if (measures) {
-    auto spacing = numbers<2>(*measures, DCM_PixelSpacing);
-    if (!spacing) spacing = numbers<2>(*measures, DCM_ImagerPixelSpacing);
-    // Pixel Spacing is (between rows, between columns).
-    if (spacing && spacing->x > 0.0 && spacing->y > 0.0) frame.spacing = {spacing->y, spacing->x};
-    frame.thickness = std::max(0.0, number(*measures, DCM_SliceThickness).value_or(0.0));
-    if (frame.thickness == 0.0) frame.thickness = std::abs(number(*measures, DCM_SpacingBetweenSlices).value_or(0.0));
+    frame.thickness = std::max(0.0, numberOf(*measures, DCM_SliceThickness).value_or(0.0));
+    if (frame.thickness == 0.0) frame.thickness = std::abs(numberOf(*measures, DCM_SpacingBetweenSlices).value_or(0.0));
   }
   DcmItem* place = scopes.group(DCM_PlanePositionSequence);
   DcmItem* plane = scopes.group(DCM_PlaneOrientationSequence);
   if (!place || !plane) return;
-  const auto position = numbers<3>(*place, DCM_ImagePositionPatient);
+  const auto position = numbersOf<3>(*place, DCM_ImagePositionPatient);
   glm::dvec3 row(0.0), column(0.0);
   for (unsigned i = 0; i < 3; ++i) {
-    row[static_cast<int>(i)] = number(*plane, DCM_ImageOrientationPatient, i).value_or(0.0);
-    column[static_cast<int>(i)] = number(*plane, DCM_ImageOrientationPatient, i + 3).value_or(0.0);
+    row[static_cast<int>(i)] = numberOf(*plane, DCM_ImageOrientationPatient, i).value_or(0.0);
+    column[static_cast<int>(i)] = numberOf(*plane, DCM_ImageOrientationPatient, i + 3).value_or(0.0);
   }
   // Direction cosines are unit vectors at right angles; a damaged pair cannot place the image.
   const bool usable = std::abs(glm::length(row) - 1.0) < 0.1 && std::abs(glm::length(column) - 1.0) < 0.1 &&
@@ -123,10 +86,23 @@ void readGeometry(const Scopes& scopes, DicomFrame& frame) {
 
 std::string frameTypeOf(const Scopes& scopes) {
   for (const DcmTagKey& sequence :
-       {DCM_MRImageFrameTypeSequence, DCM_CTImageFrameTypeSequence, DCM_PETFrameTypeSequence})
+       {DCM_MRImageFrameTypeSequence, DCM_CTImageFrameTypeSequence, DCM_PETFrameTypeSequence,
+        DCM_ParametricMapFrameTypeSequence})
     for (DcmItem* groups : {scopes.perFrame, scopes.shared})
-      if (DcmItem* item = firstItem(groups, sequence)) return text(*item, DCM_FrameType);
+      if (DcmItem* item = firstItem(groups, sequence)) return textOf(*item, DCM_FrameType);
   return {};
+}
+
+/// A factor or summand of stored values: the attribute, or `otherwise` and a bit of DicomFrame::assumed when its value
+/// is no usable number.
+double mappingNumber(DcmItem& item, const DcmTagKey& tag, double otherwise, unsigned bit, DicomFrame& frame) {
+  if (!item.tagExists(tag)) return otherwise;
+  // 1e30: beyond it the values of an image would fit no float.
+  const auto value = numberOf(item, tag);
+  const bool isFactor = otherwise != 0.0;
+  if (value && std::abs(*value) < 1e30 && !(isFactor && *value == 0.0)) return *value;
+  frame.assumed |= bit;
+  return otherwise;
 }
 
 DicomFrame readFrame(const Scopes& scopes, const DicomFile& file, int index) {
@@ -136,34 +112,32 @@ DicomFrame readFrame(const Scopes& scopes, const DicomFile& file, int index) {
   readGeometry(scopes, frame);
   DcmItem* transform = scopes.group(DCM_PixelValueTransformationSequence);
   if (!transform) transform = &scopes.dataset;
-  // A slope of 0 would erase the image; it stands for "not set" in the files that have it.
-  const double slope = number(*transform, DCM_RescaleSlope).value_or(1.0);
-  frame.slope = slope == 0.0 ? 1.0 : slope;
-  frame.intercept = number(*transform, DCM_RescaleIntercept).value_or(0.0);
+  frame.slope = mappingNumber(*transform, DCM_RescaleSlope, 1.0, assumed::slope, frame);
+  frame.intercept = mappingNumber(*transform, DCM_RescaleIntercept, 0.0, assumed::intercept, frame);
   DcmItem* display = scopes.group(DCM_FrameVOILUTSequence);
   frame.windows = windowsIn(display ? *display : scopes.dataset);
-  frame.frameOfReference = text(scopes.dataset, DCM_FrameOfReferenceUID);
+  frame.frameOfReference = textOf(scopes.dataset, DCM_FrameOfReferenceUID);
   frame.frameType = frameTypeOf(scopes);
   for (DcmItem* groups : {scopes.perFrame, scopes.shared})
     if (DcmItem* content = firstItem(groups, DCM_FrameContentSequence)) {
-      frame.stack = text(*content, DCM_StackID);
-      frame.temporal = integer(*content, DCM_TemporalPositionIndex).value_or(0);
+      frame.stack = textOf(*content, DCM_StackID);
+      frame.temporal = integerOf(*content, DCM_TemporalPositionIndex).value_or(0);
       break;
     }
-  if (!scopes.perFrame) frame.temporal = integer(scopes.dataset, DCM_TemporalPositionIdentifier).value_or(0);
-  frame.acquisition = integer(scopes.dataset, DCM_AcquisitionNumber).value_or(0);
-  frame.instance = integer(scopes.dataset, DCM_InstanceNumber).value_or(0);
+  if (!scopes.perFrame) frame.temporal = integerOf(scopes.dataset, DCM_TemporalPositionIdentifier).value_or(0);
+  frame.acquisition = integerOf(scopes.dataset, DCM_AcquisitionNumber).value_or(0);
+  frame.instance = integerOf(scopes.dataset, DCM_InstanceNumber).value_or(0);
   return frame;
 }
 
 /// RT dose (PS3.3 C.8.8.3): frames along the normal at Grid Frame Offset Vector's offsets.
 void placeDoseFrames(DcmItem& dataset, DicomFile& file) {
-  const double scaling = number(dataset, DCM_DoseGridScaling).value_or(1.0);
-  const double first = number(dataset, DCM_GridFrameOffsetVector, 0).value_or(0.0);
+  const double first = numberOf(dataset, DCM_GridFrameOffsetVector, 0).value_or(0.0);
   for (std::size_t i = 0; i < file.frames.size(); ++i) {
     DicomFrame& frame = file.frames[i];
-    frame.slope = scaling;
-    const auto offset = number(dataset, DCM_GridFrameOffsetVector, i);
+    if (!dataset.tagExists(DCM_DoseGridScaling)) frame.assumed |= assumed::doseScaling;
+    frame.slope = mappingNumber(dataset, DCM_DoseGridScaling, 1.0, assumed::doseScaling, frame);
+    const auto offset = numberOf(dataset, DCM_GridFrameOffsetVector, i);
     if (!offset) {
       frame.hasGeometry = frame.hasGeometry && file.frames.size() == 1;
       continue;
@@ -171,69 +145,8 @@ void placeDoseFrames(DcmItem& dataset, DicomFile& file) {
     // Offsets start at 0, or are the slices' own z (C.8.8.3.2): both give distances from the first.
     frame.position += glm::cross(frame.axes[0], frame.axes[1]) * (*offset - first);
   }
-  const std::string units = text(dataset, DCM_DoseUnits);
+  const std::string units = textOf(dataset, DCM_DoseUnits);
   file.unit = units == "GY" ? "Gy" : lowered(units);
-}
-
-/// Numbers of one element of a Siemens CSA header (version SV10): tags of named strings.
-std::vector<double> csaNumbers(const Uint8* data, unsigned long size, const std::string& name) {
-  const auto word = [&](unsigned long at) -> std::uint64_t {
-    if (at + 4 > size) return 0;
-    return std::uint64_t{data[at]} | std::uint64_t{data[at + 1]} << 8 | std::uint64_t{data[at + 2]} << 16 |
-           std::uint64_t{data[at + 3]} << 24;
-  };
-  std::vector<double> values;
-  if (size < 16 || std::memcmp(data, "SV10", 4) != 0) return values;
-  const std::uint64_t tags = word(8);
-  unsigned long at = 16;
-  for (std::uint64_t tag = 0; tag < tags && at + 84 <= size; ++tag) {
-    const char* tagName = reinterpret_cast<const char*>(data + at);
-    const bool wanted = std::string(tagName, ::strnlen(tagName, 64)) == name;
-    const std::uint64_t items = word(at + 76);
-    at += 84;
-    for (std::uint64_t item = 0; item < items && at + 16 <= size; ++item) {
-      const std::uint64_t length = word(at + 4);
-      at += 16;
-      if (length > size - at) return values;
-      const char* itemText = reinterpret_cast<const char*>(data + at);
-      const auto value = numberIn<double>(trimmed({itemText, ::strnlen(itemText, length)}));
-      if (wanted && value) values.push_back(*value);
-      at += (length + 3) / 4 * 4;
-      if (at > size) return values;
-    }
-    if (wanted) return values;
-  }
-  return values;
-}
-
-/// Siemens mosaic: the slices of a volume as tiles of one square picture, row by row. The stored position is that of
-/// the whole picture laid around the slices' centre.
-void splitMosaic(DcmItem& dataset, DicomFile& file) {
-  file.mosaicUnsplit = true;
-  const Uint8* csa = nullptr;
-  unsigned long size = 0;
-  if (dataset.findAndGetUint8Array(DcmTag(0x0029, 0x1010, EVR_OB), csa, &size).bad() || !csa) return;
-  const auto count = csaNumbers(csa, size, "NumberOfImagesInMosaic");
-  const auto normal = csaNumbers(csa, size, "SliceNormalVector");
-  const double step = number(dataset, DCM_SpacingBetweenSlices).value_or(file.frames[0].thickness);
-  // 1024: more slices than a mosaic of any scanner holds.
-  if (count.empty() || !(count[0] >= 1 && count[0] <= 1024) || normal.size() != 3 || !(step > 0.0)) return;
-  const DicomFrame whole = file.frames[0];
-  const int tiles = static_cast<int>(std::ceil(std::sqrt(count[0])));
-  if (!whole.hasGeometry || whole.size.x % tiles != 0 || whole.size.y % tiles != 0) return;
-
-  file.mosaicUnsplit = false;
-  file.frames.clear();
-  const glm::ivec2 tile = whole.size / tiles;
-  const glm::dvec2 margin = glm::dvec2(whole.size - tile) * 0.5 * whole.spacing;
-  for (int slice = 0; slice < static_cast<int>(count[0]); ++slice) {
-    DicomFrame frame = whole;
-    frame.tile = glm::ivec2(slice % tiles, slice / tiles) * tile;
-    frame.size = tile;
-    frame.position =
-        whole.position + whole.axes * margin + glm::dvec3(normal[0], normal[1], normal[2]) * (step * slice);
-    file.frames.push_back(frame);
-  }
 }
 
 std::shared_ptr<const ModalityLut> modalityLut(DcmItem& dataset, const PixelFormat& format) {
@@ -260,35 +173,25 @@ std::shared_ptr<const ModalityLut> modalityLut(DcmItem& dataset, const PixelForm
   return lut;
 }
 
-/// A file's bytes from the dataset on when that is deflated, else all of them.
-std::unique_ptr<ByteStream> openDataset(const fs::path& path) {
-  // Preamble, "DICM" and the group length element, whose value is the length of the rest of the meta header (PS3.10
-  // 7.1).
-  constexpr std::size_t metaStart = 144;
-  std::array<char, 1024> head{};
-  const auto stream = openStream(path, 0, Packing::None);
-  const std::size_t got = stream->read(reinterpret_cast<std::byte*>(head.data()), head.size());
-  const std::string_view text(head.data(), got);
-  const bool deflated = text.find(UID_DeflatedExplicitVRLittleEndianTransferSyntax) != std::string_view::npos;
-  if (!deflated || got < metaStart) return openStream(path, 0, Packing::None);
-  std::uint32_t length = 0;
-  for (std::size_t i = 0; i < 4; ++i)
-    length |= std::uint32_t{static_cast<unsigned char>(head[metaStart - 4 + i])} << (8 * i);
-  return openStream(path, metaStart + length, Packing::RawDeflate);
-}
-
 /// DCMTK's parser calls itself once a level, so that a header of nothing but nested sequences would exhaust the stack.
-/// Follows the item tags up to the pixel data and throws Error when they nest deeper than any real header.
-void refuseDeepNesting(const fs::path& path) {
+/// Follows the item tags up to the pixel data and throws Error when they nest deeper than any real header, or a packed
+/// header unpacks to more than any.
+void refuseHostileHeader(const fs::path& path) {
   constexpr std::size_t deepest = 256;
+  // DCMTK keeps all of a packed header in memory, of which a small file may unpack to gigabytes. Enhanced multi-frame
+  // headers of thousands of frames have some 10 MB.
+  constexpr std::uint64_t longestPackedHeader = 64'000'000;
   constexpr std::size_t tagAndLength = 8;
   constexpr std::uint64_t open = ~std::uint64_t{0};  // ends at a delimiter
-  const auto stream = openDataset(path);
+  const DatasetStream dataset = openDataset(path);
   std::vector<unsigned char> bytes(64 * 1024);
   std::vector<std::uint64_t> ends;
   std::uint64_t start = 0;  // of `bytes` in the stream
   std::size_t kept = 0;
-  while (const std::size_t got = stream->read(reinterpret_cast<std::byte*>(bytes.data() + kept), bytes.size() - kept)) {
+  while (const std::size_t got = dataset.bytes->read(reinterpret_cast<std::byte*>(bytes.data() + kept), bytes.size() - kept)) {
+    if (dataset.deflated && start > longestPackedHeader)
+      throw Error(path, "its packed DICOM header unpacks to more than " + std::to_string(longestPackedHeader) + " bytes",
+                  "the file is damaged");
     const std::size_t filled = kept + got;
     std::size_t at = 0;
     for (; at + tagAndLength <= filled; ++at) {
@@ -319,75 +222,121 @@ void refuseDeepNesting(const fs::path& path) {
   }
 }
 
+PixelFormat pixelFormatOf(DcmItem& dataset, const PixelPlace& pixels) {
+  PixelFormat format;
+  format.rows = static_cast<int>(integerOf(dataset, DCM_Rows).value_or(0));
+  format.columns = static_cast<int>(integerOf(dataset, DCM_Columns).value_or(0));
+  format.bitsAllocated = static_cast<int>(integerOf(dataset, DCM_BitsAllocated).value_or(0));
+  format.bitsStored = static_cast<int>(integerOf(dataset, DCM_BitsStored).value_or(format.bitsAllocated));
+  format.highBit = static_cast<int>(integerOf(dataset, DCM_HighBit).value_or(format.bitsStored - 1));
+  format.isSigned = integerOf(dataset, DCM_PixelRepresentation).value_or(0) == 1;
+  if (pixels.floatBytes != 0) format.sample = pixels.floatBytes == 4 ? Sample::Float32 : Sample::Float64;
+  return format;
+}
+
 /// Why a dataset is no stack of scalar images; empty when it is one.
 std::string refusalOf(DcmItem& dataset, const PixelFormat& format, const std::string& sopClass) {
   if (sopClass == UID_SegmentationStorage) return "is a DICOM segmentation, not an image";
   if (format.rows < 1 || format.columns < 1) return "holds no image";
-  const std::string photometric = text(dataset, DCM_PhotometricInterpretation);
-  if (integer(dataset, DCM_SamplesPerPixel).value_or(1) != 1 ||
-      (!photometric.empty() && !photometric.starts_with("MONOCHROME")))
-    return "holds colours (" + (photometric.empty() ? "several samples a pixel" : photometric) + "), not values";
+  const std::string photometric = textOf(dataset, DCM_PhotometricInterpretation);
+  const std::int64_t samples = integerOf(dataset, DCM_SamplesPerPixel).value_or(1);
+  const bool monochrome = photometric.empty() || photometric.starts_with("MONOCHROME");
+  if (!monochrome) return "holds colours (" + photometric + "), not values";
+  if (samples != 1)
+    return "says " + std::to_string(samples) + " samples a pixel, where a " +
+           (photometric.empty() ? "picture of values" : photometric + " picture") + " has 1";
+  const std::string bits = "has pixels of " + std::to_string(format.bitsStored) + " bits in " +
+                           std::to_string(format.bitsAllocated) + ", which is not supported";
+  if (format.sample != Sample::Integer)
+    return format.bitsAllocated == (format.sample == Sample::Float32 ? 32 : 64) ? std::string() : bits;
   const bool whole = format.bitsAllocated == 8 || format.bitsAllocated == 16 || format.bitsAllocated == 32;
   if (!whole || format.bitsStored < 1 || format.bitsStored > format.bitsAllocated ||
       format.highBit + 1 < format.bitsStored || format.highBit >= format.bitsAllocated)
-    return "has pixels of " + std::to_string(format.bitsStored) + " bits in " + std::to_string(format.bitsAllocated) +
-           ", which is not supported";
+    return bits;
   return {};
+}
+
+/// How many frames the header describes. Throws Error when the file cannot hold them.
+std::int64_t countFrames(DcmItem& dataset, const DicomFile& file) {
+  const std::int64_t frames = integerOf(dataset, DCM_NumberOfFrames).value_or(1);
+  // The fewest bytes that a frame can take: its pixels, of which deflate packs at most 1032 into one byte, or the
+  // header of its fragment.
+  std::error_code failure;
+  const std::uint64_t fileBytes = fs::file_size(file.path, failure), frameBytes = file.format.frameBytes();
+  const std::uint64_t leastBytes = file.pixels.encapsulated ? 8 : file.pixels.deflated ? frameBytes / 1032 : frameBytes;
+  const auto refuse = [&](std::uint64_t bytes, const char* what) {
+    throw Error(file.path,
+                "holds " + std::to_string(bytes) + " bytes" + what + " where its header describes " +
+                    std::to_string(frames) + (frames == 1 ? " frame of " : " frames of ") +
+                    std::to_string(file.format.columns) + " x " + std::to_string(file.format.rows),
+                "the file is truncated or damaged");
+  };
+  if (frames < 1 || saturatingProduct(static_cast<std::uint64_t>(frames), leastBytes) > fileBytes) refuse(fileBytes, "");
+  const std::uint64_t needed = saturatingProduct(static_cast<std::uint64_t>(frames), frameBytes);
+  if (file.pixels.encapsulated) return frames;
+  if (file.pixels.length < needed) refuse(file.pixels.length, " of pixels");
+  if (!file.pixels.deflated && file.pixels.offset + needed > fileBytes)
+    refuse(fileBytes - std::min(fileBytes, file.pixels.offset), " of pixels");
+  return frames;
+}
+
+/// Bits of DicomFrame::assumed that all frames of a file share.
+unsigned assumedOf(DcmItem& dataset, const DicomFile& file) {
+  unsigned bits = 0;
+  if (file.format.sample == Sample::Integer) {
+    const auto representation = integerOf(dataset, DCM_PixelRepresentation);
+    if (!representation || *representation < 0 || *representation > 1) bits |= assumed::representation;
+  } else {
+    DcmItem* shared = firstItem(&dataset, DCM_SharedFunctionalGroupsSequence);
+    DcmItem* mapping = firstItem(shared ? shared : &dataset, DCM_RealWorldValueMappingSequence);
+    if (mapping && (numberOf(*mapping, DCM_RealWorldValueSlope).value_or(1.0) != 1.0 ||
+                    numberOf(*mapping, DCM_RealWorldValueIntercept).value_or(0.0) != 0.0))
+      bits |= assumed::realWorldValues;
+  }
+  if (textOf(dataset, DCM_PhotometricInterpretation).empty()) bits |= assumed::photometric;
+  if (firstItem(&dataset, DCM_ModalityLUTSequence) && !file.lut) bits |= assumed::lut;
+  return bits;
 }
 
 }  // namespace
 
 DicomFile readDicomHeader(const fs::path& path) {
   prepareDcmtk();
-  refuseDeepNesting(path);
+  refuseHostileHeader(path);
   DcmFileFormat fileFormat;
   const OFCondition loaded = fileFormat.loadFileUntilTag(OFFilename(path.c_str()), EXS_Unknown, EGL_noChange,
-                                                         DCM_MaxReadLength, ERM_autoDetect, DCM_PixelData);
+                                                         DCM_MaxReadLength, ERM_autoDetect, DCM_FloatPixelData);
   if (loaded.bad())
     throw Error(path, std::string("its DICOM header cannot be read (") + loaded.text() + ")",
                 "the file is truncated or damaged");
   DcmDataset& dataset = *fileFormat.getDataset();
   DicomFile file;
   file.path = path;
-  const std::string sopClass = text(dataset, DCM_SOPClassUID);
+  const std::string sopClass = textOf(dataset, DCM_SOPClassUID);
   if (sopClass.empty() && !dataset.tagExists(DCM_Rows))
     throw Error(path, "its DICOM header names no object", "the file is truncated or damaged");
-  file.instance = text(dataset, DCM_SOPInstanceUID);
-  file.series = text(dataset, DCM_SeriesInstanceUID);
-  file.modality = text(dataset, DCM_Modality);
-  file.description = typedText(dataset, DCM_SeriesDescription);
+  file.instance = textOf(dataset, DCM_SOPInstanceUID);
+  file.series = textOf(dataset, DCM_SeriesInstanceUID);
+  file.modality = textOf(dataset, DCM_Modality);
+  file.description = typedTextOf(dataset, DCM_SeriesDescription);
 
-  PixelFormat& format = file.format;
-  format.rows = static_cast<int>(integer(dataset, DCM_Rows).value_or(0));
-  format.columns = static_cast<int>(integer(dataset, DCM_Columns).value_or(0));
-  format.bitsAllocated = static_cast<int>(integer(dataset, DCM_BitsAllocated).value_or(0));
-  format.bitsStored = static_cast<int>(integer(dataset, DCM_BitsStored).value_or(format.bitsAllocated));
-  format.highBit = static_cast<int>(integer(dataset, DCM_HighBit).value_or(format.bitsStored - 1));
-  format.isSigned = integer(dataset, DCM_PixelRepresentation).value_or(0) == 1;
-  file.refusal = refusalOf(dataset, format, sopClass);
-  if (!file.refusal.empty()) return file;
-
-  file.monochrome1 = text(dataset, DCM_PhotometricInterpretation) == "MONOCHROME1";
-  file.lut = modalityLut(dataset, format);
-  const std::string rescaleType = text(dataset, DCM_RescaleType);
-  if (file.modality == "CT") file.unit = rescaleType.empty() || rescaleType == "US" ? "HU" : rescaleType;
-  if (file.modality == "PT") file.unit = text(dataset, DCM_Units);
-
-  const std::int64_t frames = integer(dataset, DCM_NumberOfFrames).value_or(1);
+  file.transferSyntax = dataset.getOriginalXfer();
   const DcmXfer syntax(dataset.getOriginalXfer());
-  // The fewest bytes that a frame can take: its pixels, of which deflate packs at most 1032 into one byte, or the
-  // header of its fragment.
-  std::error_code failure;
-  const std::uint64_t fileBytes = fs::file_size(path, failure);
-  const bool deflated = dataset.getOriginalXfer() == EXS_DeflatedLittleEndianExplicit;
-  const std::uint64_t leastBytes = syntax.isEncapsulated() ? 8
-                                   : deflated              ? format.frameBytes() / 1032
-                                                           : format.frameBytes();
-  if (frames < 1 || saturatingProduct(static_cast<std::uint64_t>(frames), leastBytes) > fileBytes)
-    throw Error(path,
-                "holds " + std::to_string(fileBytes) + " bytes where its header describes " + std::to_string(frames) +
-                    " frames of " + std::to_string(format.columns) + " x " + std::to_string(format.rows),
-                "the file is truncated or damaged");
+  const auto pixels = findPixels(path, {syntax.isExplicitVR() != 0, syntax.isBigEndian() != 0});
+  file.pixels = pixels.value_or(PixelPlace{});
+  file.format = pixelFormatOf(dataset, file.pixels);
+  file.refusal = refusalOf(dataset, file.format, sopClass);
+  if (!file.refusal.empty()) return file;
+  if (!pixels) throw Error(path, "its pixels cannot be read (there are none)", "the file is truncated or damaged");
+
+  file.monochrome1 = textOf(dataset, DCM_PhotometricInterpretation) == "MONOCHROME1";
+  file.lut = modalityLut(dataset, file.format);
+  const std::string rescaleType = textOf(dataset, DCM_RescaleType);
+  if (file.modality == "CT") file.unit = rescaleType.empty() || rescaleType == "US" ? "HU" : rescaleType;
+  if (file.modality == "PT") file.unit = textOf(dataset, DCM_Units);
+
+  const std::int64_t frames = countFrames(dataset, file);
+  const unsigned assumed = assumedOf(dataset, file);
 
   DcmSequenceOfItems* perFrame = nullptr;
   dataset.findAndGetSequence(DCM_PerFrameFunctionalGroupsSequence, perFrame);
@@ -398,13 +347,14 @@ DicomFile readDicomHeader(const fs::path& path) {
     if (perFrame) next = perFrame->nextInContainer(next);
     if (!next) perFrame = nullptr;  // fewer items than frames
     file.frames.push_back(readFrame({dynamic_cast<DcmItem*>(next), shared, dataset}, file, static_cast<int>(index)));
+    file.frames.back().assumed |= assumed;
   }
   if (sopClass == UID_RTDoseStorage)
     placeDoseFrames(dataset, file);
   else if (frames > 1 && !hasGroups)
     // One position for many frames: the format says nothing about where the others are.
     for (DicomFrame& frame : file.frames) frame.hasGeometry = false;
-  if (frames == 1 && text(dataset, DCM_ImageType).find("MOSAIC") != std::string::npos) splitMosaic(dataset, file);
+  if (frames == 1 && textOf(dataset, DCM_ImageType).find("MOSAIC") != std::string::npos) splitMosaic(dataset, file);
   return file;
 }
 

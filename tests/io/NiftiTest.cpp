@@ -189,12 +189,13 @@ TEST(Nifti, QformIsUsedWithoutSformAndNothingIsSaidToBeUnknown) {
 TEST(Nifti, MetresAndMicronsBecomeMillimetres) {
   const fs::path path = scratchFolder() / "image.nii";
   const auto spacingIn = [&](int units) {
-    writeFile(path, headerOf({.sform = 1, .units = units, .srow = {2, 0, 0, 10, 0, 2, 0, 0, 0, 0, 2, 0}}) +
+    writeFile(path, headerOf({.sform = 1, .units = units, .srow = {0.2, 0, 0, 1, 0, 0.2, 0, 0, 0, 0, 0.2, 0}}) +
                         bytesOf(counting<std::int16_t>(24)));
     return io::openVolume(path).volume->grid.spacing.x;
   };
-  EXPECT_DOUBLE_EQ(spacingIn(1), 2000.0);
-  EXPECT_DOUBLE_EQ(spacingIn(3), 0.002);
+  // The header stores single precision.
+  EXPECT_FLOAT_EQ(static_cast<float>(spacingIn(1)), 200.0f);
+  EXPECT_FLOAT_EQ(static_cast<float>(spacingIn(3)), 0.0002f);
 }
 
 TEST(Nifti, WithoutOrientationItSaysSo) {
