@@ -195,7 +195,7 @@ void warnOfImplausibleSeries(const std::vector<Candidate>& candidates, std::vect
       warnings.push_back({Warning::Kind::NoGeometry, "a series cannot be opened: " + *wrong, candidate.info.files});
 }
 
-/// Compressed samples that do not fit the bits that the header gives them.
+/// Compressed samples that the header rules out.
 void warnOfSamplesOutside(const DecodedStack& decoded, const std::vector<DicomFile>& files,
                           std::vector<Warning>& warnings) {
   std::size_t samples = 0;
@@ -206,9 +206,9 @@ void warnOfSamplesOutside(const DecodedStack& decoded, const std::vector<DicomFi
   }
   if (samples > 0)
     warnings.push_back({Warning::Kind::DamagedPixels,
-                        std::to_string(samples) + " pixels hold values outside the bits that the header gives them (" +
-                            std::to_string(files[decoded.samplesOutside.begin()->first].format.bitsStored) +
-                            " Bits Stored), which are cut off; the pixels may be damaged",
+                        std::to_string(samples) +
+                            " pixels hold values that the header rules out (Bits Stored, or Smallest and Largest Image "
+                            "Pixel Value); the compressed pixels may be damaged",
                         std::move(paths)});
 }
 

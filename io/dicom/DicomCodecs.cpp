@@ -337,6 +337,12 @@ Compression compressionOf(int transferSyntax) {
   return DcmCodecList::canChangeCoding(syntax, EXS_LittleEndianExplicit) ? Compression::Jpeg : Compression::Unknown;
 }
 
+bool isLossless(int transferSyntax) {
+  const auto syntax = static_cast<E_TransferSyntax>(transferSyntax);
+  return syntax == EXS_RLELossless || syntax == EXS_JPEG2000LosslessOnly || syntax == EXS_JPEGLSLossless ||
+         syntax == EXS_JPEGProcess14 || syntax == EXS_JPEGProcess14SV1;
+}
+
 void decodeFrame(std::vector<std::uint8_t> codestream, int transferSyntax, const PixelFormat& format,
                  std::span<std::byte> words) {
   switch (compressionOf(transferSyntax)) {

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,9 @@ class CodecError : public std::runtime_error {
 enum class Compression : std::uint8_t { Rle, Jpeg, JpegLs, Jpeg2000, Unknown };
 /// Of a transfer syntax (DCMTK's E_TransferSyntax).
 Compression compressionOf(int transferSyntax);
+
+/// Whether decoded samples are those that were compressed.
+bool isLossless(int transferSyntax);
 
 /// Decodes one frame into `words`, rows · columns words of bitsAllocated bits in this machine's byte order. Throws
 /// CodecError.

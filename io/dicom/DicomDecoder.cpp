@@ -8,36 +8,39 @@
 #include "io/base/Error.h"
 #include "io/dicom/Dcmtk.h"
 #include "io/dicom/DicomCodecs.h"
+#include "io/dicom/StoredIntegers.h"
 
 namespace fenestra::io {
 namespace {
 
-/// Samples with other bits set above Bits Stored than those of their sign. Uncompressed files may keep overlays there;
-/// a compressed sample that does not fit was decoded wrongly, or its header is wrong.
+/// Samples with other bits set above Bits Stored than those of their sign, or outside `limits`. Uncompressed files may
+/// keep overlays in these bits; a compressed sample that does not fit was decoded wrongly, or its header is wrong.
 template <class Word>
-std::size_t countOutside(std::span<const std::byte> words, const PixelFormat& format) {
+std::size_t countOutside(std::span<const std::byte> words, const PixelFormat& format,
+                         const std::optional<ValueLimits>& limits) {
   const auto above = static_cast<Word>(~((std::uint64_t{2} << format.highBit) - 1));
   const auto sign = static_cast<Word>(std::uint64_t{1} << format.highBit);
+  const StoredIntegers<Word> stored(format);
   std::size_t outside = 0;
   for (std::size_t at = 0; at < words.size(); at += sizeof(Word)) {
     Word word{};
     std::memcpy(&word, words.data() + at, sizeof word);
     const auto excess = static_cast<Word>(word & above);
     const bool extendsSign = format.isSigned && excess == above && (word & sign) != 0;
-    outside += excess != 0 && !extendsSign;
+    outside += (excess != 0 && !extendsSign) || (limits && !limits->contain(stored(word)));
   }
   return outside;
 }
 
-std::size_t countOutside(std::span<const std::byte> words, const PixelFormat& format) {
-  if (format.highBit + 1 >= format.bitsAllocated) return 0;
+std::size_t countOutside(std::span<const std::byte> words, const PixelFormat& format,
+                         const std::optional<ValueLimits>& limits) {
   switch (format.bitsAllocated) {
     case 8:
-      return countOutside<std::uint8_t>(words, format);
+      return countOutside<std::uint8_t>(words, format, limits);
     case 16:
-      return countOutside<std::uint16_t>(words, format);
+      return countOutside<std::uint16_t>(words, format, limits);
     default:
-      return countOutside<std::uint32_t>(words, format);
+      return countOutside<std::uint32_t>(words, format, limits);
   }
 }
 
@@ -81,7 +84,8 @@ std::span<const std::byte> DicomDecoder::decode(int number) {
                 "the pixels of frame " + std::to_string(number + 1) + " cannot be decoded (" + error.what() + ")",
                 "the file is truncated or damaged");
   }
-  samplesOutside_ = countOutside(words, file_.format);
+  // What lossy compression changes may well lie outside the original's limits.
+  samplesOutside_ = countOutside(words, file_.format, isLossless(file_.transferSyntax) ? file_.limits : std::nullopt);
   return words;
 }
 

@@ -21,7 +21,8 @@ class DicomDecoder {
   /// The words of stored frame `number` in this machine's byte order, rows · columns of bitsAllocated bits, unused bits
   /// as stored; valid until the next call. Throws Error.
   std::span<const std::byte> decode(int number);
-  /// How many samples of the last compressed frame do not fit the bits that the header gives them.
+  /// How many samples of the last compressed frame the header rules out, by Bits Stored or by its least and greatest
+  /// value.
   std::size_t samplesOutside() const { return samplesOutside_; }
 
  private:

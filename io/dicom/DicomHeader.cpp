@@ -256,6 +256,26 @@ std::string refusalOf(DcmItem& dataset, const PixelFormat& format, const std::st
   return {};
 }
 
+std::optional<ValueLimits> limitsOf(DcmItem& dataset, const PixelFormat& format) {
+  // Both VRs occur whatever the pixels are.
+  const auto stored = [&](const DcmTagKey& tag) -> std::optional<std::int64_t> {
+    auto value = integerOf(dataset, tag);
+    Sint16 negative = 0;
+    if (!value && dataset.findAndGetSint16(tag, negative).good()) value = negative;
+    if (value && format.isSigned && format.bitsAllocated == 16) value = static_cast<std::int16_t>(*value);
+    return value;
+  };
+  const auto least = stored(DCM_SmallestImagePixelValue), greatest = stored(DCM_LargestImagePixelValue);
+  if (!least || !greatest || *least >= *greatest) return std::nullopt;
+  ValueLimits limits{*least, *greatest};
+  if (const auto padding = stored(DCM_PixelPaddingValue)) {
+    const std::int64_t other = stored(DCM_PixelPaddingRangeLimit).value_or(*padding);
+    limits.leastPadding = std::min(*padding, other);
+    limits.greatestPadding = std::max(*padding, other);
+  }
+  return limits;
+}
+
 /// How many frames the header describes. Throws Error when the file cannot hold them.
 std::int64_t countFrames(DcmItem& dataset, const DicomFile& file) {
   const std::int64_t frames = integerOf(dataset, DCM_NumberOfFrames).value_or(1);
@@ -331,6 +351,7 @@ DicomFile readDicomHeader(const fs::path& path) {
 
   file.monochrome1 = textOf(dataset, DCM_PhotometricInterpretation) == "MONOCHROME1";
   file.lut = modalityLut(dataset, file.format);
+  file.limits = limitsOf(dataset, file.format);
   const std::string rescaleType = textOf(dataset, DCM_RescaleType);
   if (file.modality == "CT") file.unit = rescaleType.empty() || rescaleType == "US" ? "HU" : rescaleType;
   if (file.modality == "PT") file.unit = textOf(dataset, DCM_Units);

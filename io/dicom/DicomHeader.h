@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,15 @@ struct PixelFormat {
   std::size_t frameBytes() const {
     return static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns) *
            static_cast<std::size_t>(bitsAllocated / 8);
+  }
+};
+
+/// Stored values that an image holds, as its header says.
+struct ValueLimits {
+  std::int64_t least = 0, greatest = 0;                 ///< Smallest and Largest Image Pixel Value
+  std::int64_t leastPadding = 1, greatestPadding = 0;   ///< of padding, which these leave out; empty when reversed
+  bool contain(std::int64_t value) const {
+    return (value >= least && value <= greatest) || (value >= leastPadding && value <= greatestPadding);
   }
 };
 
@@ -82,6 +92,7 @@ struct DicomFile {
   bool monochrome1 = false;
   bool mosaicUnsplit = false;  ///< a mosaic whose layout is unknown; it stays one slice
   std::shared_ptr<const ModalityLut> lut;
+  std::optional<ValueLimits> limits;
   std::vector<DicomFrame> frames;
 };
 

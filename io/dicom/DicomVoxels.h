@@ -20,7 +20,7 @@ Mapping mappingOf(const DicomStack& stack, const std::vector<DicomFile>& files);
 struct DecodedStack {
   Voxels voxels;                                      ///< unusable when a file failed
   std::map<std::size_t, std::string> failed;          ///< causes, by index of the file
-  std::map<std::size_t, std::size_t> samplesOutside;  ///< samples that do not fit Bits Stored, by index of the file
+  std::map<std::size_t, std::size_t> samplesOutside;  ///< samples that the header rules out, by index of the file
 };
 /// `begin` is the share of the whole progress that is done before. Throws Error, Cancelled.
 DecodedStack decodeStack(const DicomStack& stack, const std::vector<DicomFile>& files, const Mapping& mapping,
