@@ -278,7 +278,10 @@ std::optional<ValueLimits> limitsOf(DcmItem& dataset, const PixelFormat& format)
 
 /// How many frames the header describes. Throws Error when the file cannot hold them.
 std::int64_t countFrames(DcmItem& dataset, const DicomFile& file) {
-  const std::int64_t frames = integerOf(dataset, DCM_NumberOfFrames).value_or(1);
+  const auto given = integerOf(dataset, DCM_NumberOfFrames);
+  if (!given && !textOf(dataset, DCM_NumberOfFrames).empty())
+    throw Error(file.path, "its header gives no number of frames", "the file is damaged");
+  const std::int64_t frames = given.value_or(1);
   // The fewest bytes that a frame can take: its pixels, of which deflate packs at most 1032 into one byte, or the
   // header of its fragment.
   std::error_code failure;

@@ -137,20 +137,19 @@ class Stacker {
       for (std::size_t time = 0; time < times; ++time) {
         std::vector<DicomFrame> volume;
         for (const auto& place : places) volume.push_back(place[time]);
-        const bool first = time == 0;
         const std::size_t before = stacks_.size();
         splitAtFarGaps(std::move(volume), normal);
         for (std::size_t i = before; i < stacks_.size(); ++i) {
           stacks_[i].time = static_cast<int>(time) + 1;
           stacks_[i].times = static_cast<int>(times);
         }
-        if (first)
-          stacks_.back().warnings.push_back(
-              {Warning::Kind::TimePoints,
-               (places.size() == 1 ? "all " + std::to_string(times) + " frames lie at one position"
-                                   : std::to_string(times) + " frames lie at each position") +
-                   " (time points or repeats, no deeper volume); each forms a volume of its own, which --time N chooses",
-               pathsOf(group)});
+        stacks_.back().warnings.push_back(
+            {Warning::Kind::TimePoints,
+             (places.size() == 1 ? "all " + std::to_string(times) + " frames lie at one position"
+                                 : std::to_string(times) + " frames lie at each position") +
+                 " (time points or repeats, no deeper volume); each forms a volume of its own: number " +
+                 std::to_string(time + 1) + " is shown, --time N chooses another",
+             pathsOf(group)});
       }
       return;
     }
