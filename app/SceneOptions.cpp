@@ -128,8 +128,8 @@ OpenedData openWithLabels(const VolumeOptions& options, const fs::path& labels, 
                                                 .allowOutside = options.allowOutside,
                                                 .progress = part(progress, 0.0, volumeShare)});
     if (!labels.empty()) {
-      io::OpenedLabels opened = io::openLabels(labels, data.volume.volume->grid,
-                                                   part(progress, volumeShare, 1.0), options.allowOutside);
+      io::OpenedLabels opened =
+          io::openLabels(labels, data.volume.volume->grid, part(progress, volumeShare, 1.0), options.allowOutside);
       data.labels = std::move(opened.labels);
       std::move(opened.warnings.begin(), opened.warnings.end(), std::back_inserter(data.volume.warnings));
     }

@@ -25,8 +25,9 @@ std::optional<std::string> askForSeries(const Study& study, QWidget* parent) {
     auto* row = new QTreeWidgetItem(list);
     row->setText(0, QString::fromStdString(series.modality));
     const QString description = QString::fromStdString(series.description);
-    row->setText(1, series.times > 1 ? tr("%1 time point %2 of %3").arg(description).arg(series.time).arg(series.times).trimmed()
-                                     : description);
+    row->setText(1, series.times > 1
+                        ? tr("%1 time point %2 of %3").arg(description).arg(series.time).arg(series.times).trimmed()
+                        : description);
     row->setText(2, QStringLiteral("%1×%2×%3").arg(series.dims.x).arg(series.dims.y).arg(series.dims.z));
     row->setText(3, QString::number(series.files.size()));
     row->setData(0, Qt::UserRole, QString::fromStdString(series.id));

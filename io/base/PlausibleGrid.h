@@ -9,8 +9,8 @@
 
 namespace fenestra::io {
 
-/// What is wrong with a grid's geometry, in one clause; empty when it is plausible: finite, with three independent axes,
-/// voxels from 1 nm to 1 m, no side over 100 m and nothing further than 1 km from the origin of the world.
+/// What is wrong with a grid's geometry, in one clause; empty when it is plausible: finite, with three independent
+/// axes, voxels from 1 nm to 1 m, no side over 100 m and nothing further than 1 km from the origin of the world.
 std::optional<std::string> implausibility(const Grid& grid);
 /// Whether unit vectors span the space, as far as the single precision in headers can tell.
 bool areIndependent(const glm::dmat3& axes);

@@ -58,7 +58,7 @@ struct OpenOptions {
   std::optional<RawDescription> raw = {};  ///< read PATH as raw bytes
   /// Whether the header of a detached volume may name voxel files anywhere, not only in its own folder and below.
   bool allowOutside = false;
-  Progress progress = {};                  ///< may be empty
+  Progress progress = {};  ///< may be empty
 };
 
 /// A stack of images that forms one volume. `id` tells stacks of one SeriesInstanceUID apart ("UID", "UID#2", …; an

@@ -181,7 +181,9 @@ std::size_t chosen(const std::vector<Candidate>& candidates, const fs::path& pat
   const std::size_t series = chosenSeries(candidates, path, options.series);
   const Candidate& there = candidates[series];
   if (!options.time || *options.time == std::max(there.info.time, 1)) return series;
-  const auto uidOf = [](const Candidate& candidate) { return candidate.info.id.substr(0, candidate.info.id.find('#')); };
+  const auto uidOf = [](const Candidate& candidate) {
+    return candidate.info.id.substr(0, candidate.info.id.find('#'));
+  };
   for (std::size_t i = 0; i < candidates.size(); ++i)
     if (uidOf(candidates[i]) == uidOf(there) && candidates[i].stack.group == there.stack.group &&
         candidates[i].info.time == *options.time)

@@ -166,7 +166,9 @@ void decodeJpeg(std::vector<std::uint8_t> bytes, int transferSyntax, const Pixel
 
   const bool wide = header->precision > 8;
   DcmDataset dataset;
-  const auto put = [&](const DcmTagKey& tag, int value) { dataset.putAndInsertUint16(tag, static_cast<Uint16>(value)); };
+  const auto put = [&](const DcmTagKey& tag, int value) {
+    dataset.putAndInsertUint16(tag, static_cast<Uint16>(value));
+  };
   put(DCM_SamplesPerPixel, 1);
   dataset.putAndInsertString(DCM_PhotometricInterpretation, "MONOCHROME2");
   put(DCM_Rows, format.rows);

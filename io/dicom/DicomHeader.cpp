@@ -85,9 +85,8 @@ void readGeometry(const Scopes& scopes, DicomFrame& frame) {
 }
 
 std::string frameTypeOf(const Scopes& scopes) {
-  for (const DcmTagKey& sequence :
-       {DCM_MRImageFrameTypeSequence, DCM_CTImageFrameTypeSequence, DCM_PETFrameTypeSequence,
-        DCM_ParametricMapFrameTypeSequence})
+  for (const DcmTagKey& sequence : {DCM_MRImageFrameTypeSequence, DCM_CTImageFrameTypeSequence,
+                                    DCM_PETFrameTypeSequence, DCM_ParametricMapFrameTypeSequence})
     for (DcmItem* groups : {scopes.perFrame, scopes.shared})
       if (DcmItem* item = firstItem(groups, sequence)) return textOf(*item, DCM_FrameType);
   return {};
@@ -188,9 +187,11 @@ void refuseHostileHeader(const fs::path& path) {
   std::vector<std::uint64_t> ends;
   std::uint64_t start = 0;  // of `bytes` in the stream
   std::size_t kept = 0;
-  while (const std::size_t got = dataset.bytes->read(reinterpret_cast<std::byte*>(bytes.data() + kept), bytes.size() - kept)) {
+  while (const std::size_t got =
+             dataset.bytes->read(reinterpret_cast<std::byte*>(bytes.data() + kept), bytes.size() - kept)) {
     if (dataset.deflated && start > longestPackedHeader)
-      throw Error(path, "its packed DICOM header unpacks to more than " + std::to_string(longestPackedHeader) + " bytes",
+      throw Error(path,
+                  "its packed DICOM header unpacks to more than " + std::to_string(longestPackedHeader) + " bytes",
                   "the file is damaged");
     const std::size_t filled = kept + got;
     std::size_t at = 0;
@@ -294,7 +295,8 @@ std::int64_t countFrames(DcmItem& dataset, const DicomFile& file) {
                     std::to_string(file.format.columns) + " x " + std::to_string(file.format.rows),
                 "the file is truncated or damaged");
   };
-  if (frames < 1 || saturatingProduct(static_cast<std::uint64_t>(frames), leastBytes) > fileBytes) refuse(fileBytes, "");
+  if (frames < 1 || saturatingProduct(static_cast<std::uint64_t>(frames), leastBytes) > fileBytes)
+    refuse(fileBytes, "");
   const std::uint64_t needed = saturatingProduct(static_cast<std::uint64_t>(frames), frameBytes);
   if (file.pixels.encapsulated) return frames;
   if (file.pixels.length < needed) refuse(file.pixels.length, " of pixels");

@@ -33,8 +33,8 @@ struct PixelFormat {
 
 /// Stored values that an image holds, as its header says.
 struct ValueLimits {
-  std::int64_t least = 0, greatest = 0;                 ///< Smallest and Largest Image Pixel Value
-  std::int64_t leastPadding = 1, greatestPadding = 0;   ///< of padding, which these leave out; empty when reversed
+  std::int64_t least = 0, greatest = 0;                ///< Smallest and Largest Image Pixel Value
+  std::int64_t leastPadding = 1, greatestPadding = 0;  ///< of padding, which these leave out; empty when reversed
   bool contain(std::int64_t value) const {
     return (value >= least && value <= greatest) || (value >= leastPadding && value <= greatestPadding);
   }
@@ -56,8 +56,8 @@ inline constexpr unsigned slope = 8;            ///< none or 0 or no number: 1
 inline constexpr unsigned intercept = 16;       ///< no number: 0
 inline constexpr unsigned doseScaling = 32;     ///< none or 0 or no number: 1
 inline constexpr unsigned lut = 64;             ///< a Modality LUT that cannot be read: ignored
-inline constexpr unsigned representation = 128; ///< neither signed nor unsigned: unsigned
-inline constexpr unsigned photometric = 256;    ///< none: MONOCHROME2
+inline constexpr unsigned representation = 128;   ///< neither signed nor unsigned: unsigned
+inline constexpr unsigned photometric = 256;      ///< none: MONOCHROME2
 inline constexpr unsigned realWorldValues = 512;  ///< a mapping to physical values: not applied
 }  // namespace assumed
 

@@ -86,8 +86,7 @@ std::optional<Element> nextElement(Cursor& cursor, ElementCoding coding) {
   if (!cursor.read(head)) return std::nullopt;
   const std::span<const unsigned char> bytes(head);
   Element element;
-  element.tag =
-      number(bytes.subspan(0, 2), coding.bigEndian) << 16 | number(bytes.subspan(2, 2), coding.bigEndian);
+  element.tag = number(bytes.subspan(0, 2), coding.bigEndian) << 16 | number(bytes.subspan(2, 2), coding.bigEndian);
   if (!coding.explicitVr || element.tag >> 16 == 0xfffe) {
     element.length = number(bytes.subspan(4), coding.bigEndian);
     return element;
@@ -199,7 +198,8 @@ void NativePixels::read(std::uint64_t start, std::span<std::byte> into) {
     std::vector<std::byte> bytes(static_cast<std::size_t>(to - from));
     stream_->readAll(bytes.data(), bytes.size(), path_);
     for (std::size_t i = 0; i < bytes.size(); i += unit)
-      std::reverse(bytes.begin() + static_cast<std::ptrdiff_t>(i), bytes.begin() + static_cast<std::ptrdiff_t>(i + unit));
+      std::reverse(bytes.begin() + static_cast<std::ptrdiff_t>(i),
+                   bytes.begin() + static_cast<std::ptrdiff_t>(i + unit));
     std::copy_n(bytes.begin() + static_cast<std::ptrdiff_t>(start - from), into.size(), into.begin());
   }
   at_ = to;

@@ -44,7 +44,8 @@ void storeSlice(std::span<const std::byte> words, const DicomFrame& frame, const
       const auto last = static_cast<std::int64_t>(file.lut->values.size()) - 1;
       for (std::size_t x = 0; x < width; ++x) {
         const auto entry = static_cast<std::int64_t>(stored(row[x])) - file.lut->first;
-        to[x] = static_cast<Voxel>(file.lut->values[static_cast<std::size_t>(std::clamp<std::int64_t>(entry, 0, last))]);
+        to[x] =
+            static_cast<Voxel>(file.lut->values[static_cast<std::size_t>(std::clamp<std::int64_t>(entry, 0, last))]);
       }
     } else {
       for (std::size_t x = 0; x < width; ++x)

@@ -265,7 +265,8 @@ std::vector<Voxels> readVoxels(const ImageFile& image, Layers layers, const Prog
   checkSizes(image, saturatingProduct(voxels, static_cast<std::uint64_t>(layers.count)), bytes);
 
   const std::size_t interleaved = static_cast<std::size_t>(image.interleaved);
-  const std::size_t first = static_cast<std::size_t>(layers.first), end = first + static_cast<std::size_t>(layers.count);
+  const std::size_t first = static_cast<std::size_t>(layers.first),
+                    end = first + static_cast<std::size_t>(layers.count);
   const std::size_t firstVolume = first / interleaved, endVolume = (end + interleaved - 1) / interleaved;
   std::vector<VoxelSink> sinks;
   for (std::size_t layer = first; layer < end; ++layer) sinks.emplace_back(static_cast<std::size_t>(voxels));

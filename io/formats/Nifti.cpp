@@ -152,7 +152,8 @@ class Interpreter {
       negative |= usable && given < 0.0;
       if (usable) spacing[axis] = std::abs(given);
     }
-    if (garbled) warn(Warning::Kind::NoGeometry, "its pixdim is not three positive numbers; 1 mm is assumed for the others");
+    if (garbled)
+      warn(Warning::Kind::NoGeometry, "its pixdim is not three positive numbers; 1 mm is assumed for the others");
     if (negative) warn(Warning::Kind::NoGeometry, "its pixdim is negative; the sign is ignored");
     return spacing;
   }

@@ -325,7 +325,8 @@ class Reader {
                   "save it as raw, gzip, bzip2, hex or ascii");
     }
     const std::string endian = lowered(field("endian"));
-    if (sizeOf(image_.type) > 1 && source.text != VoxelText::Decimal && endian != "little" && endian != "big") refuseField("endian");
+    if (sizeOf(image_.type) > 1 && source.text != VoxelText::Decimal && endian != "little" && endian != "big")
+      refuseField("endian");
     image_.bigEndian = endian == "big";
 
     const std::string lines = header_.fields.contains("lineskip") ? field("lineskip") : "0";

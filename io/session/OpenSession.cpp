@@ -250,8 +250,7 @@ OpenedSession openSession(const fs::path& file, const SessionPlaces& places, con
   if (!places.labels.empty() || !session.labels.path.empty()) {
     const auto labelFiles = [&](const fs::path& path) { return labelFilesAt(path, places.allowOutside); };
     const auto openLabelsAt = [&](const fs::path& path) {
-      OpenedLabels labels = openLabels(path, opened.volume.volume->grid, part(progress, 0.8, 0.9),
-                                       places.allowOutside);
+      OpenedLabels labels = openLabels(path, opened.volume.volume->grid, part(progress, 0.8, 0.9), places.allowOutside);
       std::vector<fs::path> files = labelFiles(path);
       return Opened{std::move(labels), contentsOf(files, part(progress, 0.9, 1.0)), files};
     };

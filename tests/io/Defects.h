@@ -29,8 +29,8 @@ struct Defect {
   /// Writes the files into an empty folder and returns the path to open; an empty path where real data are missing.
   std::function<std::filesystem::path(const std::filesystem::path& folder)> make;
   Expected expected;
-  std::string raw = {};            ///< description of raw voxels
-  std::optional<int> time = {};    ///< time point to open
+  std::string raw = {};          ///< description of raw voxels
+  std::optional<int> time = {};  ///< time point to open
 
   io::OpenOptions options() const;
   /// The same for the command line.

@@ -13,8 +13,8 @@ class DicomBytes {
  public:
   explicit DicomBytes(const std::string& file);
 
-  /// Replaces an element's value, or adds the element. Values are padded to an even length; those of encapsulated pixels
-  /// are their items.
+  /// Replaces an element's value, or adds the element. Values are padded to an even length; those of encapsulated
+  /// pixels are their items.
   void set(std::uint32_t tag, const std::string& vr, std::string value);
   void drop(std::uint32_t tag);
   /// The same bytes under the VR "unknown", as servers store elements that they do not know.

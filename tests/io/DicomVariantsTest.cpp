@@ -150,7 +150,8 @@ TEST(DicomVariants, NarrowCodestreamsFillWiderPixels) {
       spec.bitsAllocated = 8;
       spec.bitsStored = stored;
       spec.highBit = stored - 1;
-      for (std::uint32_t& word : spec.words) word %= 1u << stored;
+      // Smooth: DCMTK's JPEG-LS encoder overruns its buffer where packing does not make the picture smaller.
+      for (std::size_t i = 0; i < spec.words.size(); ++i) spec.words[i] = static_cast<std::uint32_t>(i / 10);
       writeDicom(path, spec);
       edit(path, [&](DicomBytes& bytes) { bytes.set(0x00280100, "US", shortValue(allocated)); });
       EXPECT_EQ(realValues(*io::openVolume(path).volume), valuesOf(spec));

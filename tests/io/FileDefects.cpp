@@ -67,8 +67,12 @@ Make unplacedNrrd(Fields fields) {
 }
 
 Make metaImage(const Fields& fields, const std::string& voxels = counting(24)) {
-  Fields all{{"NDims", "3"},           {"DimSize", "2 3 4"},         {"ElementSpacing", "1 1 1"},
-             {"Offset", "0 0 0"},      {"ElementType", "MET_SHORT"}, {"BinaryData", "True"},
+  Fields all{{"NDims", "3"},
+             {"DimSize", "2 3 4"},
+             {"ElementSpacing", "1 1 1"},
+             {"Offset", "0 0 0"},
+             {"ElementType", "MET_SHORT"},
+             {"BinaryData", "True"},
              {"ElementDataFile", "LOCAL"}};
   for (const auto& [name, value] : fields) all[name] = value;
   std::string header;
@@ -96,7 +100,8 @@ std::vector<Defect> niftiDefects() {
   const Expected implausible = error("its geometry is not plausible");
   const Expected scaling = warning("its scl_slope or scl_inter is no number; values are shown as stored");
   const Expected pixdim = warning("its pixdim is not three positive numbers; 1 mm is assumed");
-  const float floatNan = std::numeric_limits<float>::quiet_NaN(), floatInfinite = std::numeric_limits<float>::infinity();
+  const float floatNan = std::numeric_limits<float>::quiet_NaN(),
+              floatInfinite = std::numeric_limits<float>::infinity();
   return {
       {"nifti", nifti({}), opens},
       {"nifti with NaN in its sform", niftiSform({nan, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}), ignoredSform},
@@ -129,7 +134,8 @@ std::vector<Defect> niftiDefects() {
       {"nifti of 20000 a side", nifti({.dims = {20000, 20000, 20000}}), error("")},
       {"nifti cut", nifti({}, counting(10)), error("holds 20 bytes of voxels where its header describes 48")},
       {"nifti without its voxels", nifti({.pair = true}), error("a .hdr file needs the .img file beside it")},
-      {"nifti cut in its header", file("a.nii", niftiHeader({}).substr(0, 200)), error("its content is something else")},
+      {"nifti cut in its header", file("a.nii", niftiHeader({}).substr(0, 200)),
+       error("its content is something else")},
       {"packed nifti cut",
        [](const fs::path& folder) {
          const std::string packed = gzipped(niftiHeader({}) + counting(24));
@@ -140,14 +146,16 @@ std::vector<Defect> niftiDefects() {
       {"nifti of three time points", nifti({.dims = {2, 3, 4, 3}}, counting(72)),
        warning("holds 3 volumes (time points or layers); number 1 is shown, --time N chooses another")},
       {"nifti's third time point", nifti({.dims = {2, 3, 4, 3}}, counting(72)), warning("number 3 is shown"), "", 3},
-      {"nifti's time point beyond the last", nifti({.dims = {2, 3, 4, 3}}, counting(72)),
-       error("has no time point 7"), "", 7},
+      {"nifti's time point beyond the last", nifti({.dims = {2, 3, 4, 3}}, counting(72)), error("has no time point 7"),
+       "", 7},
   };
 }
 
 std::vector<Defect> nrrdDefects() {
   const Expected implausible = error("its geometry is not plausible");
-  const auto notUnderstood = [](const std::string& name) { return error("its header's '" + name + "' is not understood"); };
+  const auto notUnderstood = [](const std::string& name) {
+    return error("its header's '" + name + "' is not understood");
+  };
   std::string hex;
   for (const char c : counting(24)) {
     constexpr const char* digits = "0123456789abcdef";
@@ -163,7 +171,8 @@ std::vector<Defect> nrrdDefects() {
   return {
       {"nrrd", nrrd({}), opens},
       {"nrrd in hexadecimal", nrrd({{"encoding", "hex"}}, hex), opens},
-      {"nrrd of half its hexadecimal digits", nrrd({{"encoding", "hex"}}, hex.substr(0, 50)), error("where its header")},
+      {"nrrd of half its hexadecimal digits", nrrd({{"encoding", "hex"}}, hex.substr(0, 50)),
+       error("where its header")},
       {"nrrd of other digits", nrrd({{"encoding", "hex"}}, std::string(200, 'x')), error("no hexadecimal digits")},
       {"nrrd of two dimensions",
        nrrd({{"dimension", "2"},
@@ -204,11 +213,12 @@ std::vector<Defect> nrrdDefects() {
       {"nrrd of words", nrrd({{"encoding", "ascii"}}, std::string(200, 'w')), error("where a number of its type")},
       {"nrrd of too few numbers", nrrd({{"encoding", "ascii"}}, "1 2 3 4"),
        error("holds 7 characters of voxels where its header describes 24 numbers")},
-      {"nrrd of vectors", nrrd({{"dimension", "4"},
-                                {"sizes", "3 2 3 4"},
-                                {"kinds", "vector domain domain domain"},
-                                {"space directions", "none (1,0,0) (0,1,0) (0,0,1)"}},
-                               counting(72)),
+      {"nrrd of vectors",
+       nrrd({{"dimension", "4"},
+             {"sizes", "3 2 3 4"},
+             {"kinds", "vector domain domain domain"},
+             {"space directions", "none (1,0,0) (0,1,0) (0,0,1)"}},
+            counting(72)),
        error("holds 3 values at each voxel (vector)")},
       {"nrrd with a line that is no field", file("a.nrrd", "NRRD0004\nnonsense\n\n"), error("a line that is no field")},
       {"nrrd of a missing file", nrrd({{"data file", "absent.raw"}}), error("cannot be opened")},
@@ -217,7 +227,8 @@ std::vector<Defect> nrrdDefects() {
       {"nrrd of a file of the machine", outside("a.nhdr", nrrdBytes({{"data file", "/etc/passwd"}})),
        error("allow it with --allow-outside")},
       {"nrrd with a wild pattern", nrrd({{"data file", "s%s 1 4 1"}}), error("pattern 's%s' is not understood")},
-      {"nrrd skipping more lines than it has", nrrd({{"line skip", "999999"}}), error("fewer lines than its header skips")},
+      {"nrrd skipping more lines than it has", nrrd({{"line skip", "999999"}}),
+       error("fewer lines than its header skips")},
   };
 }
 
@@ -226,7 +237,8 @@ std::vector<Defect> metaImageDefects() {
   const auto notUnderstood = [](const std::string& name) { return error("its header's " + name); };
   return {
       {"metaimage", metaImage({}), opens},
-      {"metaimage without spacing", metaImage({{"ElementSpacing", "-"}}), warning("no ElementSpacing; 1 mm is assumed")},
+      {"metaimage without spacing", metaImage({{"ElementSpacing", "-"}}),
+       warning("no ElementSpacing; 1 mm is assumed")},
       {"metaimage with negative spacing", metaImage({{"ElementSpacing", "1 -2 1"}}),
        warning("its ElementSpacing is negative; the sign is ignored")},
       {"metaimage with zero spacing", metaImage({{"ElementSpacing", "1 0 1"}}), notUnderstood("ElementSpacing")},

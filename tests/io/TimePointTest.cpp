@@ -64,8 +64,10 @@ TEST(TimePoint, OfNifti) {
 
 TEST(TimePoint, OfMetaImage) {
   const fs::path path = scratchFolder() / "a.mha";
-  writeFile(path, "NDims = 4\nDimSize = 2 3 4 3\nElementSpacing = 1 1 1 1\nElementType = MET_SHORT\nElementDataFile = "
-                  "LOCAL\n" + bytesOf(counting()));
+  writeFile(path,
+            "NDims = 4\nDimSize = 2 3 4 3\nElementSpacing = 1 1 1 1\nElementType = MET_SHORT\nElementDataFile = "
+            "LOCAL\n" +
+                bytesOf(counting()));
   expectTimePoints(path, "a.mha", counting());
 }
 
@@ -85,8 +87,10 @@ TEST(TimePoint, OfNrrdWithTimeAsItsFastestAxis) {
   for (int voxel = 0; voxel < voxels; ++voxel)
     for (int time = 0; time < times; ++time)
       interleaved.push_back(counting()[static_cast<std::size_t>(time * voxels + voxel)]);
-  writeFile(path, nrrd + "space: LPS\nsizes: 3 2 3 4\nkinds: time domain domain domain\nspace directions: none (1,0,0) "
-                         "(0,1,0) (0,0,1)\nencoding: raw\n\n" + bytesOf(interleaved));
+  writeFile(path, nrrd +
+                      "space: LPS\nsizes: 3 2 3 4\nkinds: time domain domain domain\nspace directions: none (1,0,0) "
+                      "(0,1,0) (0,0,1)\nencoding: raw\n\n" +
+                      bytesOf(interleaved));
   expectTimePoints(path, "a.nrrd", counting());
 }
 
@@ -95,8 +99,9 @@ TEST(TimePoint, OfNrrdInAFileEach) {
   const std::string all = bytesOf(counting());
   for (std::size_t time = 0; time < 3; ++time)
     writeFile(folder / std::string("t").append(std::to_string(time)).append(".raw"), all.substr(time * 48, 48));
-  writeFile(folder / "a.nhdr", nrrd + "space: LPS\nsizes: 2 3 4 3\nspace directions: (1,0,0) (0,1,0) (0,0,1) none\n"
-                               "encoding: raw\ndata file: LIST\nt0.raw\nt1.raw\nt2.raw\n");
+  writeFile(folder / "a.nhdr", nrrd +
+                                   "space: LPS\nsizes: 2 3 4 3\nspace directions: (1,0,0) (0,1,0) (0,0,1) none\n"
+                                   "encoding: raw\ndata file: LIST\nt0.raw\nt1.raw\nt2.raw\n");
   expectTimePoints(folder / "a.nhdr", "a.nhdr", counting());
 }
 
