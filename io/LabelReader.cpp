@@ -208,6 +208,7 @@ OpenedLabels readLabels(const fs::path& path, const Grid& target, const Progress
   const Format format = formatOf(path);
   if (format == Format::Dicom)
     throw Error(path, "is DICOM, not a label map", "label maps are read from NIfTI, NRRD and MetaImage");
+  if (format == Format::Archive) throw Error(path, "is an archive", "unpack it and open the label map in it");
   ImageFile image = readImageHeader(path, format, allowOutside);
   checkGeometry(path, image.grid);
   const std::vector<Segment> segments = slicerSegments(image);

@@ -5,13 +5,13 @@
 
 namespace fenestra::io {
 
-enum class Format { Dicom, Nifti, Nrrd, MetaImage };
+enum class Format { Dicom, Nifti, Nrrd, MetaImage, Mgh, Analyze, Archive };
 
 /// Throws Error for a path that is missing, empty, or neither a file nor a folder.
 void checkExists(const std::filesystem::path& path);
 /// Throws Error when no format fits.
 Format formatOf(const std::filesystem::path& path);
-/// Any format but Dicom. `allowOutside` as in OpenOptions.
+/// Any format but Dicom and Archive. `allowOutside` as in OpenOptions.
 ImageFile readImageHeader(const std::filesystem::path& path, Format format, bool allowOutside);
 SeriesInfo describe(const ImageFile& image);
 

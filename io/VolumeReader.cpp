@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <stdexcept>
 
 #include "io/Probe.h"
+#include "io/base/Archive.h"
 #include "io/base/Memory.h"
 #include "io/base/PlausibleGrid.h"
 #include "io/base/Text.h"
@@ -15,20 +18,26 @@ namespace fenestra::io {
 namespace fs = std::filesystem;
 namespace {
 
+/// More volumes of one file than a list of series can show; --time reaches the others.
+constexpr std::int64_t mostListed = 1000;
+
+/// How many volumes a header describes; it may say anything.
+int timesOf(const ImageFile& image) {
+  return static_cast<int>(std::min<std::int64_t>(image.layers(), std::numeric_limits<int>::max()));
+}
+
 /// One of a file's volumes as a series, counted from 0.
 SeriesInfo seriesAt(const ImageFile& image, std::int64_t layer) {
   SeriesInfo info = describe(image);
   if (image.layers() < 2) return info;
   info.time = static_cast<int>(layer) + 1;
-  info.times = static_cast<int>(image.layers());
+  info.times = timesOf(image);
   if (layer > 0) info.id.append("#").append(std::to_string(info.time));
   return info;
 }
 
 /// The volume and its time points, each as a series.
 std::vector<SeriesInfo> seriesIn(const ImageFile& image) {
-  // More than a list of series can show; --time reaches the others.
-  constexpr std::int64_t mostListed = 1000;
   std::vector<SeriesInfo> series;
   for (std::int64_t layer = 0; layer < std::min(image.layers(), mostListed); ++layer)
     series.push_back(seriesAt(image, layer));
@@ -39,11 +48,11 @@ std::vector<SeriesInfo> seriesIn(const ImageFile& image) {
 std::int64_t chosenLayer(const ImageFile& image, const OpenOptions& options) {
   if (options.time) {
     if (*options.time < 1 || *options.time > image.layers())
-      throwNoTime(image.path, *options.time, static_cast<int>(image.layers()));
+      throwNoTime(image.path, *options.time, timesOf(image));
     return *options.time - 1;
   }
   if (options.series.empty()) return 0;
-  for (std::int64_t layer = 0; layer < image.layers(); ++layer)
+  for (std::int64_t layer = 0; layer < std::min(image.layers(), mostListed); ++layer)
     if (seriesAt(image, layer).id == options.series) return layer;
   throw Error(image.path, "has no series " + options.series,
               "list its series with: fenestra-cli info " + image.path.string());
@@ -74,6 +83,43 @@ OpenedVolume openImage(ImageFile image, const OpenOptions& options) {
   for (SeriesInfo& series : seriesIn(image))
     if (series.id != opened.series.id) opened.otherSeries.push_back(std::move(series));
   return opened;
+}
+
+/// What to open of an unpacked archive: its only file, the header of its only volume in two files, or the whole folder.
+fs::path contentOf(const UnpackedArchive& archive) {
+  std::vector<fs::path> files, headers;
+  for (const auto& entry : fs::recursive_directory_iterator(archive.folder())) {
+    if (!entry.is_regular_file()) continue;
+    files.push_back(entry.path());
+    const std::string_view ending = volumeEnding(entry.path());
+    if (!ending.empty() && ending != ".img") headers.push_back(entry.path());
+  }
+  if (files.size() == 1) return files.front();
+  return headers.size() == 1 ? headers.front() : archive.folder();
+}
+
+/// read(archive, content, options) for what an archive holds; errors name the archive. Archives in archives are
+/// refused.
+template <class Read>
+auto readArchive(const fs::path& path, const OpenOptions& options, const Read& read) {
+  OpenOptions inside = options;
+  // Unpacking and reading take about as long as each other.
+  const auto half = [&options](double begin) -> Progress {
+    if (!options.progress) return {};
+    return [&options, begin](double fraction, std::string_view doing) {
+      return options.progress(begin + 0.5 * fraction, doing);
+    };
+  };
+  const UnpackedArchive archive(path, half(0.0));
+  inside.progress = half(0.5);
+  try {
+    const fs::path content = contentOf(archive);
+    if (formatOf(content) == Format::Archive)
+      throw Error(content, "is an archive in an archive", "unpack it and open what it holds");
+    return read(archive, content, inside);
+  } catch (const Error& error) {
+    throw Error(archive.named(error.file()), error.cause(), error.hint());
+  }
 }
 
 }  // namespace
@@ -125,10 +171,26 @@ SeriesInfo describe(const ImageFile& image) {
 }
 
 ImageFile readImageHeader(const fs::path& path, Format format, bool allowOutside) {
-  if (format == Format::Nifti) return readNiftiHeader(path);
-  ImageFile image = format == Format::Nrrd ? readNrrdHeader(path) : readMetaImageHeader(path);
-  if (!allowOutside) refuseOutside(image);
-  return image;
+  const auto inside = [&](ImageFile image) {
+    if (!allowOutside) refuseOutside(image);
+    return image;
+  };
+  switch (format) {
+    case Format::Nifti:
+      return readNiftiHeader(path);
+    case Format::Nrrd:
+      return inside(readNrrdHeader(path));
+    case Format::Mgh:
+      return readMghHeader(path);
+    case Format::Analyze:
+      return readAnalyzeHeader(path);
+    case Format::MetaImage:
+      return inside(readMetaImageHeader(path));
+    case Format::Dicom:
+    case Format::Archive:
+      break;
+  }
+  throw std::invalid_argument("readImageHeader: not the format of an image file");
 }
 
 void checkExists(const fs::path& path) {
@@ -145,13 +207,19 @@ Format formatOf(const fs::path& path) {
   if (looksLikeNifti(path)) return Format::Nifti;
   if (looksLikeNrrd(path)) return Format::Nrrd;
   if (looksLikeMetaImage(path)) return Format::MetaImage;
+  // Before archives: it may be packed by gzip.
+  if (looksLikeMgh(path)) return Format::Mgh;
+  if (looksLikeArchive(path)) return Format::Archive;
   if (looksLikeDicom(path)) return Format::Dicom;
+  // Last, because it has no signature.
+  if (looksLikeAnalyze(path)) return Format::Analyze;
   const std::string_view ending = lowered(path.extension().string()) == ".dcm" ? ".dcm" : volumeEnding(path);
   if (!ending.empty())
     throw Error(path, "is named " + std::string(ending) + " but its content is something else",
                 "the file is damaged or misnamed");
   throw Error(path, "holds no volume in a known format",
-              "DICOM, NIfTI, NRRD and MetaImage are recognised by content; raw voxels need a description (--raw)");
+              "DICOM, NIfTI, NRRD, MetaImage, MGH and Analyze are recognised by content; raw voxels need a description "
+              "(--raw)");
 }
 
 std::string_view volumeEnding(const fs::path& path) {
@@ -166,6 +234,13 @@ std::vector<SeriesInfo> listSeries(const fs::path& path, const OpenOptions& opti
   return withinMemory(path, [&]() -> std::vector<SeriesInfo> {
     if (options.raw) return seriesIn(describeRaw(path, *options.raw));
     const Format format = formatOf(path);
+    if (format == Format::Archive)
+      return readArchive(path, options,
+                         [&](const UnpackedArchive&, const fs::path& content, const OpenOptions& inside) {
+                           std::vector<SeriesInfo> all = listSeries(content, inside);
+                           for (SeriesInfo& series : all) series.files = {path};
+                           return all;
+                         });
     if (format == Format::Dicom) return listDicomSeries(path, options);
     return seriesIn(readImageHeader(path, format, options.allowOutside));
   });
@@ -176,6 +251,16 @@ OpenedVolume openVolume(const fs::path& path, const OpenOptions& options) {
   return withinMemory(path, [&] {
     if (options.raw) return openImage(describeRaw(path, *options.raw), options);
     const Format format = formatOf(path);
+    if (format == Format::Archive)
+      return readArchive(path, options,
+                         [&](const UnpackedArchive& archive, const fs::path& content, const OpenOptions& inside) {
+                           OpenedVolume opened = openVolume(content, inside);
+                           opened.series.files = {path};
+                           for (SeriesInfo& series : opened.otherSeries) series.files = {path};
+                           for (Warning& warning : opened.warnings)
+                             for (fs::path& file : warning.files) file = archive.named(file);
+                           return opened;
+                         });
     if (format == Format::Dicom) return openDicom(path, options);
     return openImage(readImageHeader(path, format, options.allowOutside), options);
   });

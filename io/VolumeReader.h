@@ -1,5 +1,6 @@
 #pragma once
-// One call opens any volume: a DICOM folder or file, NIfTI, NRRD, MetaImage, or raw bytes with a description.
+// One call opens any volume: a DICOM folder or file, NIfTI, NRRD, MetaImage, MGH, Analyze, an archive of
+// these, or raw bytes with a description.
 
 #include <array>
 #include <filesystem>
@@ -13,8 +14,8 @@ namespace fenestra::io {
 
 /// Endings of the formats that hold a volume in one or two files, in lower case. Reading goes by content; endings serve
 /// file dialogs, dropped files and messages.
-inline constexpr std::array<std::string_view, 8> volumeEndings{".nii",  ".nii.gz", ".hdr", ".img",
-                                                               ".nrrd", ".nhdr",   ".mha", ".mhd"};
+inline constexpr std::array<std::string_view, 10> volumeEndings{".nii",  ".nii.gz", ".hdr", ".img", ".nrrd",
+                                                                ".nhdr", ".mha",    ".mhd", ".mgh", ".mgz"};
 /// The one of them that a file's name ends in, whatever the case; empty when there is none.
 std::string_view volumeEnding(const std::filesystem::path& path);
 
@@ -27,7 +28,7 @@ std::vector<SeriesInfo> listSeries(const std::filesystem::path& path, const Open
 /// Cancelled.
 OpenedVolume openVolume(const std::filesystem::path& path, const OpenOptions& options = {});
 
-/// Opens a label map (NIfTI, NRRD incl. Slicer's segment fields, MetaImage) and resamples it to `target` by nearest
+/// Opens a label map (NRRD incl. Slicer's segment fields, or another format of volumes) and resamples it to `target` by nearest
 /// label when its grid differs. Names come from the file, or from a table of "value name" lines beside it: the file's
 /// own name with .txt or .tsv, or labels.tsv. `allowOutside` as in OpenOptions. Throws Error, Cancelled.
 OpenedLabels openLabels(const std::filesystem::path& path, const Grid& target, const Progress& progress = {},

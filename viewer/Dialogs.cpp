@@ -5,7 +5,6 @@
 #include <QDialogButtonBox>
 #include <QMessageBox>
 #include <QTextBrowser>
-#include <QTreeWidget>
 #include <QVBoxLayout>
 
 namespace fenestra::viewer {
@@ -14,40 +13,6 @@ namespace {
 QString tr(const char* text) { return QCoreApplication::translate("Dialogs", text); }
 
 }  // namespace
-
-std::optional<std::string> askForSeries(const Study& study, QWidget* parent) {
-  QDialog dialog(parent);
-  dialog.setWindowTitle(tr("Choose a series"));
-  auto* list = new QTreeWidget;
-  list->setRootIsDecorated(false);
-  list->setHeaderLabels({tr("Type"), tr("Description"), tr("Size"), tr("Images")});
-  const auto add = [&](const io::SeriesInfo& series) {
-    auto* row = new QTreeWidgetItem(list);
-    row->setText(0, QString::fromStdString(series.modality));
-    const QString description = QString::fromStdString(series.description);
-    row->setText(1, series.times > 1
-                        ? tr("%1 time point %2 of %3").arg(description).arg(series.time).arg(series.times).trimmed()
-                        : description);
-    row->setText(2, QStringLiteral("%1×%2×%3").arg(series.dims.x).arg(series.dims.y).arg(series.dims.z));
-    row->setText(3, QString::number(series.files.size()));
-    row->setData(0, Qt::UserRole, QString::fromStdString(series.id));
-    return row;
-  };
-  list->setCurrentItem(add(study.series));
-  for (const io::SeriesInfo& series : study.otherSeries) add(series);
-  for (int column = 0; column < list->columnCount(); ++column) list->resizeColumnToContents(column);
-  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Open | QDialogButtonBox::Cancel);
-  QObject::connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
-  QObject::connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
-  QObject::connect(list, &QTreeWidget::itemDoubleClicked, &dialog, &QDialog::accept);
-  auto* column = new QVBoxLayout(&dialog);
-  column->addWidget(list);
-  column->addWidget(buttons);
-  dialog.resize(640, 320);
-  if (dialog.exec() != QDialog::Accepted || !list->currentItem()) return std::nullopt;
-  const std::string chosen = list->currentItem()->data(0, Qt::UserRole).toString().toStdString();
-  return chosen == study.series.id ? std::nullopt : std::optional(chosen);
-}
 
 void showKeys(QWidget* parent) {
   struct Line {

@@ -10,8 +10,8 @@
 #include <QUrl>
 
 #include "io/base/SessionName.h"
-#include "viewer/Dialogs.h"
 #include "viewer/NoticeBar.h"
+#include "viewer/SeriesChooser.h"
 #include "viewer/Sessions.h"
 #include "viewer/jobs/ReadStudy.h"
 #include "viewer/jobs/StudyLoader.h"
@@ -94,7 +94,9 @@ void FileOpener::chooseLabels() {
 }
 
 void FileOpener::chooseSeries() {
-  if (const std::optional<std::string> series = askForSeries(document_.study(), &window_)) openSeries(*series);
+  SeriesChooser chooser(document_.study(), &window_);
+  if (chooser.exec() != QDialog::Accepted) return;
+  if (const std::optional<std::string> series = chooser.chosen()) openSeries(*series);
 }
 
 std::vector<std::filesystem::path> localPaths(const QMimeData& data) {

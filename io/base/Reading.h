@@ -74,7 +74,7 @@ struct SeriesInfo {
 
 struct OpenedVolume {
   std::shared_ptr<const Volume> volume;
-  std::string format;  ///< "DICOM", "NIfTI", "NRRD", "MetaImage", "raw"
+  std::string format;  ///< "DICOM", "NIfTI", "NRRD", "MetaImage", "MGH", "Analyze", "raw"
   SeriesInfo series;
   std::vector<SeriesInfo> otherSeries;
   std::vector<Warning> warnings;

@@ -9,6 +9,7 @@
 #include "io/base/PlausibleGrid.h"
 #include "io/base/SessionName.h"
 #include "io/base/VoxelSink.h"
+#include "io/dicom/DicomDir.h"
 #include "io/dicom/DicomRemarks.h"
 #include "io/dicom/DicomStack.h"
 #include "io/dicom/DicomVoxels.h"
@@ -30,6 +31,7 @@ struct Scan {
   std::vector<fs::path> notImages;                       ///< other files of the folder
   std::map<std::string, std::vector<fs::path>> refused;  ///< DICOM objects that are no scalar images, by reason
   std::vector<fs::path> repeated;                        ///< the same image (SOP instance) again
+  std::vector<fs::path> missing;                         ///< listed in the DICOMDIR that was opened
 };
 
 /// All files below a folder. Folders that cannot be listed are added to `closed`; throws Error when the first one is.
@@ -54,14 +56,20 @@ std::vector<fs::path> filesBelow(const fs::path& folder, std::vector<fs::path>& 
   return paths;
 }
 
+/// A folder's files, a DICOMDIR's, or the file itself. A DICOMDIR without usable records stands for its folder.
+std::vector<fs::path> filesToScan(const fs::path& path, Scan& scan) {
+  if (fs::is_directory(path)) return filesBelow(path, scan.closed);
+  if (path.filename() != "DICOMDIR") return {path};
+  DicomDir directory = readDicomDir(path);
+  if (directory.files.empty()) return filesBelow(fs::absolute(path).parent_path(), scan.closed);
+  scan.missing = std::move(directory.missing);
+  return std::move(directory.files);
+}
+
 Scan scanHeaders(const fs::path& path, const OpenOptions& options) {
   const bool folder = fs::is_directory(path);
-  // A DICOMDIR lists the files beside and below it. Their own headers say more, so the folder is read instead.
-  const bool directoryFile = !folder && path.filename() == "DICOMDIR";
-  const fs::path root = directoryFile ? fs::absolute(path).parent_path() : path;
   Scan scan;
-  const std::vector<fs::path> paths =
-      folder || directoryFile ? filesBelow(root, scan.closed) : std::vector<fs::path>{path};
+  const std::vector<fs::path> paths = filesToScan(path, scan);
   if (paths.empty() && !scan.closed.empty())
     throw Error(scan.closed.front(), "cannot be listed", "check the folder's permissions");
   if (paths.empty()) throw Error(path, "is an empty folder", "name a folder with DICOM files");
@@ -231,6 +239,9 @@ void addScanWarnings(const Scan& scan, std::vector<Warning>& warnings) {
   if (!scan.notImages.empty())
     warnings.push_back(
         {Warning::Kind::UnreadableFiles, count(scan.notImages) + " of the folder left out: not DICOM", scan.notImages});
+  if (!scan.missing.empty())
+    warnings.push_back(
+        {Warning::Kind::UnreadableFiles, count(scan.missing) + " listed in the DICOMDIR missing", scan.missing});
   for (const auto& [reason, paths] : scan.refused)
     warnings.push_back({Warning::Kind::Other, count(paths) + " left out: " + reason, paths});
   if (!scan.repeated.empty())

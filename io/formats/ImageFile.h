@@ -1,5 +1,5 @@
 #pragma once
-// What a volume file's header says, the same for NIfTI, NRRD, MetaImage and raw, and how its voxels are read.
+// What a volume file's header says, the same for every format, and how its voxels are read.
 
 #include <algorithm>
 #include <array>
@@ -67,11 +67,15 @@ std::filesystem::path besideHeader(const std::filesystem::path& header, const st
 bool looksLikeNifti(const std::filesystem::path& path);
 bool looksLikeNrrd(const std::filesystem::path& path);
 bool looksLikeMetaImage(const std::filesystem::path& path);
+bool looksLikeMgh(const std::filesystem::path& path);
+bool looksLikeAnalyze(const std::filesystem::path& path);
 
 /// Each reads the header alone and throws Error for what cannot become a scalar volume.
 ImageFile readNiftiHeader(const std::filesystem::path& path);
 ImageFile readNrrdHeader(const std::filesystem::path& path);
 ImageFile readMetaImageHeader(const std::filesystem::path& path);
+ImageFile readMghHeader(const std::filesystem::path& path);
+ImageFile readAnalyzeHeader(const std::filesystem::path& path);
 ImageFile describeRaw(const std::filesystem::path& path, const RawDescription& description);
 
 /// Throws Error when the header names voxel files that are neither in its own folder nor below it: a header from a

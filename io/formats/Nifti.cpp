@@ -12,37 +12,11 @@
 
 #include "io/base/Memory.h"
 #include "io/formats/ImageFile.h"
+#include "io/formats/NiftiParts.h"
 
 namespace fenestra::io {
 namespace fs = std::filesystem;
 namespace {
-
-std::optional<ElementType> elementType(int datatype) {
-  switch (datatype) {
-    case DT_UINT8:
-      return ElementType::UInt8;
-    case DT_INT8:
-      return ElementType::Int8;
-    case DT_UINT16:
-      return ElementType::UInt16;
-    case DT_INT16:
-      return ElementType::Int16;
-    case DT_UINT32:
-      return ElementType::UInt32;
-    case DT_INT32:
-      return ElementType::Int32;
-    case DT_UINT64:
-      return ElementType::UInt64;
-    case DT_INT64:
-      return ElementType::Int64;
-    case DT_FLOAT32:
-      return ElementType::Float32;
-    case DT_FLOAT64:
-      return ElementType::Float64;
-    default:
-      return std::nullopt;
-  }
-}
 
 double millimetres(int units) {
   switch (XYZT_TO_SPACE(units)) {
@@ -107,7 +81,7 @@ class Interpreter {
 
   void readType() {
     const int datatype = field(header_.datatype);
-    const auto type = elementType(datatype);
+    const auto type = niftiElementType(datatype);
     if (!type)
       throw Error(image_.path,
                   datatype == DT_RGB24 || datatype == DT_RGBA32
@@ -231,8 +205,36 @@ std::optional<Headers> readHeaders(const fs::path& path) {
   return std::nullopt;
 }
 
-/// The pair's other file: `path` with "hdr" in place of "img" or the other way, ".gz" kept or not, as it exists.
-fs::path partner(const fs::path& path, const std::string& extension) {
+}  // namespace
+
+std::optional<ElementType> niftiElementType(int datatype) {
+  switch (datatype) {
+    case DT_UINT8:
+      return ElementType::UInt8;
+    case DT_INT8:
+      return ElementType::Int8;
+    case DT_UINT16:
+      return ElementType::UInt16;
+    case DT_INT16:
+      return ElementType::Int16;
+    case DT_UINT32:
+      return ElementType::UInt32;
+    case DT_INT32:
+      return ElementType::Int32;
+    case DT_UINT64:
+      return ElementType::UInt64;
+    case DT_INT64:
+      return ElementType::Int64;
+    case DT_FLOAT32:
+      return ElementType::Float32;
+    case DT_FLOAT64:
+      return ElementType::Float64;
+    default:
+      return std::nullopt;
+  }
+}
+
+fs::path pairPartner(const fs::path& path, const std::string& extension) {
   fs::path stem = path;
   if (stem.extension() == ".gz") stem.replace_extension();
   fs::path plain = stem, packed = stem;
@@ -242,15 +244,13 @@ fs::path partner(const fs::path& path, const std::string& extension) {
   return fs::exists(packed, unknown) && !fs::exists(plain, unknown) ? packed : plain;
 }
 
-bool isImg(const fs::path& path) {
+bool isPairImage(const fs::path& path) {
   return path.extension() == ".img" || (path.extension() == ".gz" && path.stem().extension() == ".img");
 }
 
-}  // namespace
-
 bool looksLikeNifti(const fs::path& path) {
-  if (isImg(path)) {
-    const fs::path header = partner(path, ".hdr");
+  if (isPairImage(path)) {
+    const fs::path header = pairPartner(path, ".hdr");
     std::error_code unknown;
     return fs::is_regular_file(header, unknown) && readHeaders(header).has_value();
   }
@@ -261,7 +261,7 @@ ImageFile readNiftiHeader(const fs::path& path) {
   ImageFile image;
   image.path = path;
   image.format = "NIfTI";
-  const fs::path headerPath = isImg(path) ? partner(path, ".hdr") : path;
+  const fs::path headerPath = isPairImage(path) ? pairPartner(path, ".hdr") : path;
   const auto headers = readHeaders(headerPath);
   if (!headers) throw Error(headerPath, "has no NIfTI header", "the file is damaged or no NIfTI file");
 
@@ -272,7 +272,7 @@ ImageFile readNiftiHeader(const fs::path& path) {
   };
   const bool pair = headers->one ? interpret(*headers->one) : interpret(*headers->two);
   image.bigEndian = headers->swapped != (std::endian::native == std::endian::big);
-  const fs::path data = pair ? partner(headerPath, ".img") : headerPath;
+  const fs::path data = pair ? pairPartner(headerPath, ".img") : headerPath;
   std::error_code unknown;
   if (!fs::exists(data, unknown)) throw Error(data, "does not exist", "a .hdr file needs the .img file beside it");
   image.source.files = {data};

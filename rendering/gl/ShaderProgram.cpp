@@ -174,6 +174,7 @@ ShaderProgram::ShaderProgram(ShaderProgram&& other) noexcept
     : name_(std::exchange(other.name_, 0)),
       isCompute_(other.isCompute_),
       uniforms_(std::move(other.uniforms_)),
+      textures_(std::move(other.textures_)),
       blocks_(std::move(other.blocks_)),
       source_(std::move(other.source_)) {}
 
@@ -181,6 +182,7 @@ ShaderProgram& ShaderProgram::operator=(ShaderProgram&& other) noexcept {
   std::swap(name_, other.name_);
   std::swap(isCompute_, other.isCompute_);
   std::swap(uniforms_, other.uniforms_);
+  std::swap(textures_, other.textures_);
   std::swap(blocks_, other.blocks_);
   std::swap(source_, other.source_);
   return *this;
@@ -188,16 +190,20 @@ ShaderProgram& ShaderProgram::operator=(ShaderProgram&& other) noexcept {
 
 /// Finds the active uniforms and blocks, and gives each texture a unit and each block a binding of its own.
 void ShaderProgram::inspect() {
-  int images = 0, samplers = 0;
+  unsigned images = 0, samplers = 0;
   for (int i = 0; i < resourceCount(name_, GL_UNIFORM); ++i) {
     const auto [type, location, block] =
         resourceValues<3>(name_, GL_UNIFORM, i, {GL_TYPE, GL_LOCATION, GL_BLOCK_INDEX});
     if (block >= 0) continue;
-    Uniform uniform{location, static_cast<unsigned>(type)};
-    if (isImage(uniform.type)) uniform.unit = images++;
-    if (isSampler(uniform.type)) uniform.unit = samplers++;
-    if (uniform.unit >= 0) glProgramUniform1i(name_, location, uniform.unit);
-    uniforms_.emplace(resourceName(name_, GL_UNIFORM, static_cast<GLuint>(i)), uniform);
+    const auto kind = static_cast<unsigned>(type);
+    std::string name = resourceName(name_, GL_UNIFORM, static_cast<GLuint>(i));
+    if (isImage(kind) || isSampler(kind)) {
+      const unsigned unit = isImage(kind) ? images++ : samplers++;
+      glProgramUniform1i(name_, location, static_cast<GLint>(unit));
+      textures_.push_back({std::move(name), isImage(kind), unit});
+    } else {
+      uniforms_.emplace(std::move(name), Uniform{location, kind});
+    }
   }
   for (int i = 0; i < resourceCount(name_, GL_UNIFORM_BLOCK); ++i) {
     const auto [size] = resourceValues<1>(name_, GL_UNIFORM_BLOCK, i, {GL_BUFFER_DATA_SIZE});
@@ -217,12 +223,12 @@ void ShaderProgram::assertDeclared([[maybe_unused]] std::string_view name) const
 #endif
 }
 
-ShaderProgram::Uniform* ShaderProgram::find(std::string_view uniform,
-                                            [[maybe_unused]] std::initializer_list<unsigned> types) {
+const ShaderProgram::Uniform* ShaderProgram::find(std::string_view uniform,
+                                                  [[maybe_unused]] std::initializer_list<unsigned> types) const {
   assertDeclared(uniform);
   const auto at = uniforms_.find(uniform);
   if (at == uniforms_.end()) return nullptr;
-  assert(types.size() == 0 || std::ranges::find(types, at->second.type) != types.end());
+  assert(std::ranges::find(types, at->second.type) != types.end());
   return &at->second;
 }
 
@@ -257,27 +263,25 @@ void ShaderProgram::setBlock(std::string_view name, std::span<const std::byte> b
 }
 
 void ShaderProgram::bind(std::string_view name, const Texture& texture, Access access) {
-  Uniform* uniform = find(name, {});
-  if (!uniform) return;
-  assert(uniform->unit >= 0);
-  uniform->texture = texture.name();
-  uniform->format = texture.format();
-  uniform->access = access;
+  assertDeclared(name);
+  const auto at = std::ranges::find(textures_, name, &TextureUnit::name);
+  if (at == textures_.end()) return;
+  at->texture = texture.name();
+  at->format = texture.format();
+  at->access = access;
 }
 
 /// Makes the program current, with its textures and blocks.
 void ShaderProgram::use() {
   glUseProgram(name_);
-  for (const auto& [name, uniform] : uniforms_) {
-    if (uniform.unit < 0) continue;
-    const auto unit = static_cast<GLuint>(uniform.unit);
-    if (isImage(uniform.type)) {
-      const GLenum mode = uniform.access == Access::Read    ? GL_READ_ONLY
-                          : uniform.access == Access::Write ? GL_WRITE_ONLY
-                                                            : GL_READ_WRITE;
-      glBindImageTexture(unit, uniform.texture, 0, GL_TRUE, 0, mode, internalFormat(uniform.format));
+  for (const TextureUnit& bound : textures_) {
+    if (bound.isImage) {
+      const GLenum mode = bound.access == Access::Read    ? GL_READ_ONLY
+                          : bound.access == Access::Write ? GL_WRITE_ONLY
+                                                          : GL_READ_WRITE;
+      glBindImageTexture(bound.unit, bound.texture, 0, GL_TRUE, 0, mode, internalFormat(bound.format));
     } else {
-      glBindTextureUnit(unit, uniform.texture);
+      glBindTextureUnit(bound.unit, bound.texture);
     }
   }
   for (const auto& [name, block] : blocks_)
@@ -313,10 +317,7 @@ void ShaderProgram::dispatchIndirect(const Buffer& groups) {
 
 ProgramResources ShaderProgram::resources() const {
   ProgramResources used;
-  for (const auto& [name, uniform] : uniforms_) {
-    used.images += isImage(uniform.type);
-    used.samplers += isSampler(uniform.type);
-  }
+  for (const TextureUnit& texture : textures_) ++(texture.isImage ? used.images : used.samplers);
   used.storageBlocks = resourceCount(name_, GL_SHADER_STORAGE_BLOCK);
   used.uniformBlocks = static_cast<int>(blocks_.size());
   if (isCompute_) glGetProgramiv(name_, GL_COMPUTE_WORK_GROUP_SIZE, &used.groupSize.x);

@@ -106,7 +106,11 @@ class ShaderProgram {
   struct Uniform {
     int location = -1;
     unsigned type = 0;  ///< OpenGL's name
-    int unit = -1;      ///< of a texture
+  };
+  struct TextureUnit {
+    std::string name;
+    bool isImage = false;  ///< images and samplers are numbered each from 0
+    unsigned unit = 0;
     std::uint32_t texture = 0;
     Format format{};
     Access access = Access::Read;
@@ -120,14 +124,15 @@ class ShaderProgram {
 
   void inspect();
   /// Null: the variant does not use it.
-  Uniform* find(std::string_view uniform, std::initializer_list<unsigned> types);
+  const Uniform* find(std::string_view uniform, std::initializer_list<unsigned> types) const;
   void setBlock(std::string_view name, std::span<const std::byte> bytes);
   void use();
   void assertDeclared(std::string_view name) const;
 
   std::uint32_t name_ = 0;
   bool isCompute_ = false;
-  std::map<std::string, Uniform, std::less<>> uniforms_;  ///< active, outside of blocks
+  std::map<std::string, Uniform, std::less<>> uniforms_;  ///< active, outside of blocks; no textures
+  std::vector<TextureUnit> textures_;
   std::map<std::string, Block, std::less<>> blocks_;
   std::string source_;  ///< of all stages, to assert names; empty in release builds
 };

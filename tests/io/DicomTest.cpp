@@ -449,7 +449,26 @@ TEST(Dicom, FoldersWithoutImagesAreErrors) {
   EXPECT_NE(errorOf([&] { io::openVolume(folder); }).find("no DICOM images"), std::string::npos);
 }
 
-TEST(Dicom, ADicomdirStandsForItsFolder) {
+TEST(Dicom, ADicomdirNamesTheFilesToOpen) {
+  const fs::path folder = scratchFolder();
+  writeSeries(folder / "IMAGES" / "A", along({0, 0, 1}, 3));
+  writeFile(folder / "IMAGES" / "other.dcm", "not on the list, and not DICOM");
+  // As copied by a system that changes case, with a file that was lost and one that points elsewhere.
+  writeDicomDir(folder / "DICOMDIR", {{"images\\a\\S2-0"},
+                                      {"images\\a\\S1-1"},
+                                      {"images\\a\\S0-2", false},
+                                      {"images\\a\\S2-9"},
+                                      {"..\\..\\etc\\passwd"}});
+
+  const io::OpenedVolume opened = io::openVolume(folder / "DICOMDIR");
+  EXPECT_EQ(opened.volume->grid.dims.z, 2);
+  const io::Warning missing = warningOf(opened.warnings, io::Warning::Kind::UnreadableFiles);
+  EXPECT_EQ(missing.text, "2 files listed in the DICOMDIR missing");
+  ASSERT_EQ(missing.files.size(), 2u);
+  EXPECT_EQ(missing.files[0].filename(), "S2-9");
+}
+
+TEST(Dicom, ADicomdirWithoutRecordsStandsForItsFolder) {
   const fs::path folder = scratchFolder();
   writeSeries(folder / "images" / "deep", along({0, 0, 1}, 3));
   fs::copy_file(folder / "images" / "deep" / "s2-0", folder / "DICOMDIR");

@@ -171,4 +171,18 @@ void writeDicom(const std::filesystem::path& path, const DicomSpec& spec) {
   ASSERT_TRUE(saved.good()) << saved.text();
 }
 
+void writeDicomDir(const std::filesystem::path& path, const std::vector<DirectoryRecord>& records) {
+  DcmDataset dataset;
+  for (const DirectoryRecord& record : records) {
+    auto* item = new DcmItem;
+    item->putAndInsertUint16(DCM_RecordInUseFlag, record.inUse ? 0xFFFF : 0);
+    item->putAndInsertString(DCM_DirectoryRecordType, "IMAGE");
+    item->putAndInsertString(DCM_ReferencedFileID, record.fileId.c_str());
+    dataset.insertSequenceItem(DCM_DirectoryRecordSequence, item);
+  }
+  DcmFileFormat file(&dataset);
+  const OFCondition saved = file.saveFile(path.c_str(), EXS_LittleEndianExplicit);
+  ASSERT_TRUE(saved.good()) << saved.text();
+}
+
 }  // namespace fenestra::tests

@@ -50,4 +50,11 @@ struct DicomSpec {
 
 void writeDicom(const std::filesystem::path& path, const DicomSpec& spec);
 
+/// An image record of a DICOMDIR.
+struct DirectoryRecord {
+  std::string fileId;  ///< parts between backslashes
+  bool inUse = true;
+};
+void writeDicomDir(const std::filesystem::path& path, const std::vector<DirectoryRecord>& records);
+
 }  // namespace fenestra::tests

@@ -1,0 +1,65 @@
+// The list of a study's series.
+
+#include <gtest/gtest.h>
+
+#include <QSignalSpy>
+#include <QTest>
+
+#include "io/VolumeReader.h"
+#include "tests/io/DicomWriter.h"
+#include "tests/support/TestData.h"
+#include "viewer/SeriesChooser.h"
+
+namespace fenestra::viewer {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Two series: a scout of one image, and three slices with a bright left half.
+Study writeStudy(const fs::path& folder) {
+  fs::create_directories(folder);
+  for (int image = 0; image < 4; ++image) {
+    tests::DicomSpec spec;
+    spec.series = image == 0 ? "1.2.1" : "1.2.2";
+    spec.description = image == 0 ? "Scout" : "Head 1.0";
+    spec.instance = "1.2.9." + std::to_string(image);
+    spec.columns = spec.rows = 16;
+    spec.window = "50 100";
+    spec.position = glm::dvec3(0, 0, image);
+    for (int i = 0; i < 256; ++i) spec.words.push_back(i % 16 < 8 ? 100 : 0);
+    tests::writeDicom(folder / std::to_string(image), spec);
+  }
+  io::OpenedVolume opened = io::openVolume(folder);
+  Study study;
+  study.series = std::move(opened.series);
+  study.otherSeries = std::move(opened.otherSeries);
+  return study;
+}
+
+TEST(SeriesChooser, ListsTheSeriesWithTheirPictures) {
+  SeriesChooser chooser(writeStudy(tests::scratchFolder() / "study"));
+  chooser.show();
+  ASSERT_EQ(chooser.list()->topLevelItemCount(), 2);
+  EXPECT_EQ(chooser.list()->topLevelItem(0)->text(2), QStringLiteral("Head 1.0"));
+  EXPECT_EQ(chooser.list()->topLevelItem(1)->text(2), QStringLiteral("Scout"));
+  EXPECT_EQ(chooser.list()->topLevelItem(0)->text(4), QStringLiteral("3"));
+  const auto colourAt = [&](int row, double across) {
+    const QImage picture = chooser.list()->topLevelItem(row)->icon(0).pixmap(chooser.list()->iconSize()).toImage();
+    return picture.pixelColor(static_cast<int>(across * picture.width()), picture.height() / 2);
+  };
+  // The pictures come from another thread.
+  for (int row = 0; row < 2; ++row) {
+    EXPECT_TRUE(QTest::qWaitFor([&] { return colourAt(row, 0.25) == QColor(Qt::white); })) << row;
+    EXPECT_EQ(colourAt(row, 0.75), QColor(Qt::black)) << row;
+  }
+}
+
+TEST(SeriesChooser, AnswersWithAnotherSeriesOnly) {
+  SeriesChooser chooser(writeStudy(tests::scratchFolder() / "study"));
+  EXPECT_EQ(chooser.chosen(), std::nullopt) << "the series that is open";
+  chooser.list()->setCurrentItem(chooser.list()->topLevelItem(1));
+  EXPECT_EQ(chooser.chosen(), "1.2.1");
+}
+
+}  // namespace
+}  // namespace fenestra::viewer

@@ -1,0 +1,30 @@
+#pragma once
+// The series of a study in a list, with small pictures that appear as they are made.
+
+#include <optional>
+#include <string>
+
+#include <QDialog>
+#include <QTreeWidget>
+
+#include "viewer/jobs/Thumbnails.h"
+#include "viewer/model/Document.h"
+
+namespace fenestra::viewer {
+
+class SeriesChooser : public QDialog {
+  Q_OBJECT
+ public:
+  explicit SeriesChooser(const Study& study, QWidget* parent = nullptr);
+
+  QTreeWidget* list() const { return list_; }
+  /// The id of the series that is selected; empty when it is the one that is open.
+  std::optional<std::string> chosen() const;
+
+ private:
+  std::string open_;
+  QTreeWidget* list_;
+  Thumbnails* thumbnails_;
+};
+
+}  // namespace fenestra::viewer
