@@ -47,8 +47,7 @@ std::vector<SeriesInfo> seriesIn(const ImageFile& image) {
 /// The volume that the options ask for, counted from 0.
 std::int64_t chosenLayer(const ImageFile& image, const OpenOptions& options) {
   if (options.time) {
-    if (*options.time < 1 || *options.time > image.layers())
-      throwNoTime(image.path, *options.time, timesOf(image));
+    if (*options.time < 1 || *options.time > image.layers()) throwNoTime(image.path, *options.time, timesOf(image));
     return *options.time - 1;
   }
   if (options.series.empty()) return 0;

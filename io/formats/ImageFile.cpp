@@ -193,6 +193,34 @@ void checkSizes(const ImageFile& image, std::uint64_t voxels, std::uint64_t byte
   }
 }
 
+/// Turns a block of one of the file's volumes into this machine's byte order, and appends the wanted layers of it to
+/// their sinks.
+void appendBlock(const ImageFile& image, std::span<std::byte> block, std::size_t volume, Layers layers,
+                 std::vector<VoxelSink>& sinks) {
+  const bool swap =
+      image.source.text != VoxelText::Decimal && image.bigEndian != (std::endian::native == std::endian::big);
+  const auto interleaved = static_cast<std::size_t>(image.interleaved);
+  const auto first = static_cast<std::size_t>(layers.first);
+  visitElement(image.type, [&](auto scalar) {
+    using T = decltype(scalar);
+    const std::span<T> values(reinterpret_cast<T*>(block.data()), block.size() / sizeof(T));
+    if constexpr (sizeof(T) > 1)
+      if (swap)
+        for (T& value : values) value = byteSwapped(value);
+    if (interleaved == 1) {
+      sinks[volume - first].append(std::span<const T>(values));
+      return;
+    }
+    std::vector<T> one(values.size() / interleaved);
+    for (std::size_t i = 0; i < interleaved; ++i) {
+      const std::size_t layer = volume * interleaved + i;
+      if (layer < first || layer - first >= sinks.size()) continue;
+      for (std::size_t v = 0; v < one.size(); ++v) one[v] = values[v * interleaved + i];
+      sinks[layer - first].append(std::span<const T>(one));
+    }
+  });
+}
+
 }  // namespace
 
 void setDims(ImageFile& image, std::int64_t x, std::int64_t y, std::int64_t z) {
@@ -279,8 +307,6 @@ std::vector<Voxels> readVoxels(const ImageFile& image, Layers layers, const Prog
   auto stream = openShare(image, image.source.files[file], share, begin % share);
   std::vector<std::byte> block(std::max(blockBytes / voxelBytes, std::size_t{1}) * voxelBytes);
 
-  const bool swap =
-      image.source.text != VoxelText::Decimal && image.bigEndian != (std::endian::native == std::endian::big);
   std::uint64_t done = 0;
   for (std::size_t volume = firstVolume; volume < endVolume; ++volume) {
     for (std::uint64_t voxel = 0; voxel < voxels;) {
@@ -302,24 +328,7 @@ std::vector<Voxels> readVoxels(const ImageFile& image, Layers layers, const Prog
         std::byte beyond{};
         if (leftInFile == 0 && image.source.packing != Packing::None) stream->read(&beyond, 1);
       }
-      visitElement(image.type, [&](auto scalar) {
-        using T = decltype(scalar);
-        const std::span<T> values(reinterpret_cast<T*>(block.data()), count * interleaved);
-        if constexpr (sizeof(T) > 1)
-          if (swap)
-            for (T& value : values) value = byteSwapped(value);
-        if (interleaved == 1) {
-          sinks[volume - firstVolume].append(std::span<const T>(values));
-          return;
-        }
-        std::vector<T> layer(count);
-        for (std::size_t i = 0; i < interleaved; ++i) {
-          const std::size_t at = volume * interleaved + i;
-          if (at < first || at >= end) continue;
-          for (std::size_t v = 0; v < count; ++v) layer[v] = values[v * interleaved + i];
-          sinks[at - first].append(std::span<const T>(layer));
-        }
-      });
+      appendBlock(image, {block.data(), count * voxelBytes}, volume, layers, sinks);
       voxel += count;
       done += count * voxelBytes;
     }

@@ -145,7 +145,6 @@ Edit marker(int code, std::size_t at, const std::string& replacement) {
 }
 std::string big(int value) { return {static_cast<char>(value >> 8), static_cast<char>(value & 0xff)}; }
 
-const std::string itemStart = "\xfe\xff\x00\xe0";
 const std::string sequenceEnd("\xfe\xff\xdd\xe0\0\0\0\0", 8);
 
 /// Encapsulated pixels: an empty offset table, fragments, the end.
