@@ -97,6 +97,9 @@ struct Opened {
   Contents contents;
   std::vector<fs::path> files;
 };
+// Clang deduces no aggregate's arguments before version 17.
+template <class Data>
+Opened(Data, Contents, std::vector<fs::path>) -> Opened<Data>;
 
 /// Opens data by `open(path)`, which also says what they hold.
 template <class Open, class FilesAt>

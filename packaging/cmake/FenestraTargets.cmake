@@ -18,10 +18,15 @@ function(fenestra_own_code TARGET)
   target_compile_features(${TARGET} PUBLIC cxx_std_20)
   target_compile_options(${TARGET} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Werror)
   if(FENESTRA_SANITIZE)
-    # With sanitizers GCC 12 calls parts of std::regex and std::optional uninitialised that are not (GCC bug 105562).
-    target_compile_options(${TARGET} PRIVATE -Wno-maybe-uninitialized)
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+      # With sanitizers GCC 12 calls parts of std::regex and std::optional uninitialised that are not (GCC bug 105562).
+      target_compile_options(${TARGET} PRIVATE -Wno-maybe-uninitialized)
+    endif()
     target_compile_options(${TARGET} PUBLIC -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
     target_link_options(${TARGET} PUBLIC -fsanitize=address,undefined)
+  endif()
+  if(FENESTRA_FUZZ)
+    target_compile_options(${TARGET} PUBLIC -fsanitize=fuzzer-no-link)
   endif()
 endfunction()
 

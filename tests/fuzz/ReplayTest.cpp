@@ -1,0 +1,51 @@
+// Every seed and everything that fuzzing ever found, opened again: the readers answer with a volume or an io::Error.
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "tests/fuzz/Targets.h"
+#include "tests/io/IoTesting.h"
+
+namespace fenestra::fuzz {
+namespace fs = std::filesystem;
+
+class Replay : public ::testing::TestWithParam<Target> {};
+
+TEST_P(Replay, SeedsAreGoodFiles) {
+  const std::vector<std::string> seeds = seedsOf(GetParam());
+  ASSERT_FALSE(seeds.empty());
+  const fs::path folder = fs::temp_directory_path() / ("fenestra-replay-" + std::string(GetParam().name));
+  fs::create_directories(folder);
+  for (const std::string& seed : seeds) {
+    tests::writeFile(folder / GetParam().file, seed);
+    EXPECT_NO_THROW(GetParam().open(folder / GetParam().file));
+  }
+  fs::remove_all(folder);
+}
+
+TEST_P(Replay, FindingsStayMended) {
+  const fs::path corpus = fs::path(FENESTRA_SOURCE_DIR) / "tests/fuzz/corpus" / GetParam().name;
+  if (!fs::exists(corpus)) return;
+  for (const auto& entry : fs::directory_iterator(corpus)) {
+    const std::string bytes = tests::readFile(entry.path());
+    SCOPED_TRACE(entry.path().filename());
+    EXPECT_NO_THROW(run(GetParam(), std::as_bytes(std::span(bytes))));
+  }
+}
+
+// Every truncation of every seed, as a first round of what a fuzzer does.
+TEST_P(Replay, TruncatedSeedsNeverCrash) {
+  for (const std::string& seed : seedsOf(GetParam()))
+    for (std::size_t size = 0; size < seed.size(); size += 1 + seed.size() / 40)
+      EXPECT_NO_THROW(run(GetParam(), std::as_bytes(std::span(seed).first(size))));
+}
+
+INSTANTIATE_TEST_SUITE_P(Targets, Replay, ::testing::ValuesIn(targets().begin(), targets().end()),
+                         [](const auto& given) {
+                           std::string name(given.param.name);
+                           std::ranges::replace(name, '-', '_');
+                           return name;
+                         });
+
+}  // namespace fenestra::fuzz

@@ -1,0 +1,125 @@
+#include <array>
+
+#include <zlib.h>
+
+#include "io/VolumeWriter.h"
+#include "io/session/SessionFile.h"
+#include "io/session/StrokeFile.h"
+#include "tests/fuzz/Targets.h"
+#include "tests/io/DicomWriter.h"
+#include "tests/io/IoTesting.h"
+#include "tests/session/SessionTesting.h"
+#include "tests/support/TestData.h"
+
+namespace fenestra::fuzz {
+namespace fs = std::filesystem;
+namespace {
+
+using tests::bytesOf;
+using tests::readFile;
+
+std::vector<std::string> dicomSeeds(const fs::path& folder) {
+  using tests::Syntax;
+  std::vector<std::string> seeds;
+  tests::DicomSpec spec;
+  const auto add = [&] {
+    tests::writeDicom(folder / "a", spec);
+    seeds.push_back(readFile(folder / "a"));
+  };
+  for (const Syntax syntax : {Syntax::ExplicitLittle, Syntax::ImplicitLittle, Syntax::ExplicitBig, Syntax::Deflated,
+                              Syntax::Rle, Syntax::JpegLossless, Syntax::JpegLs}) {
+    spec.syntax = syntax;
+    add();
+  }
+  spec.syntax = Syntax::Rle;
+  spec.frames = {tests::FrameSpec{{0, 0, 0}}, tests::FrameSpec{{0, 0, 1}}};
+  add();
+  return seeds;
+}
+
+Volume smallVolume() {
+  Volume volume;
+  volume.grid.dims = {4, 3, 2};
+  volume.voxels = Voxels(ScalarType::Int16, 24);
+  for (std::size_t i = 0; i < 24; ++i) volume.voxels.as<std::int16_t>()[i] = static_cast<std::int16_t>(i * 40 - 300);
+  return volume;
+}
+
+std::vector<std::string> volumeSeeds(const fs::path& folder, std::initializer_list<const char*> names) {
+  std::vector<std::string> seeds;
+  for (const char* name : names) {
+    io::writeVolume(smallVolume(), folder / name);
+    seeds.push_back(readFile(folder / name));
+  }
+  return seeds;
+}
+
+std::vector<std::string> nrrdSeeds(const fs::path& folder) {
+  std::vector<std::string> seeds = volumeSeeds(folder, {"a.nrrd"});
+  const std::string raw = bytesOf(std::vector<std::uint8_t>(24, 7));
+  const std::string header =
+      "NRRD0005\ntype: uchar\ndimension: 3\nsizes: 4 3 2\nspace: left-posterior-superior\n"
+      "space directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (0,0,0)\n";
+  seeds.push_back(header + "encoding: gzip\n\n" + tests::gzipped(raw));
+  seeds.push_back(header + "encoding: ascii\n\n1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24");
+  return seeds;
+}
+
+std::vector<std::string> labelSeeds() {
+  const std::string raw = bytesOf(std::vector<std::uint8_t>(24, 1));
+  return {
+      "NRRD0004\ntype: uchar\ndimension: 3\nspace: LPS\nsizes: 4 3 2\nspace directions: (1,0,0) (0,1,0) (0,0,1)\n"
+      "encoding: raw\nSegment0_ID:=a\nSegment0_Name:=kidney\nSegment0_LabelValue:=1\nSegment0_Color:=1 0 0.5\n"
+      "Segment0_Layer:=0\n\n" +
+      raw};
+}
+
+std::string mghSeed() {
+  std::string bytes;
+  for (const std::int32_t value : {1, 4, 3, 2, 1, 0, 0}) bytes += bytesOf(value, true);
+  bytes += bytesOf(std::int16_t{1}, true);
+  for (const float value : {1.f, 1.f, 1.f, -1.f, 0.f, 0.f, 0.f, 0.f, -1.f, 0.f, 1.f, 0.f, 0.f, 0.f, 0.f})
+    bytes += bytesOf(value, true);
+  bytes.resize(284 + 24);
+  return bytes;
+}
+
+/// A zip with one stored file, field by field as APPNOTE.TXT lists them; its checksum is not set, which readers notice
+/// last.
+std::string zipSeed(const std::string& content) {
+  const std::string name = "a.nrrd";
+  const uLong checksum = ::crc32(0, reinterpret_cast<const Bytef*>(content.data()), static_cast<uInt>(content.size()));
+  const auto sizes = bytesOf(static_cast<std::uint32_t>(checksum)) +
+                     bytesOf(static_cast<std::uint32_t>(content.size())) +
+                     bytesOf(static_cast<std::uint32_t>(content.size())) +
+                     bytesOf(static_cast<std::uint16_t>(name.size())) + bytesOf(std::uint16_t{0});
+  const std::string common = bytesOf(std::uint16_t{20}) + std::string(8, '\0') + sizes;
+  const std::string local = "PK\x03\x04" + common + name + content;
+  const std::string central = "PK\x01\x02" + bytesOf(std::uint16_t{20}) + common + std::string(14, '\0') + name;
+  return local + central + "PK\x05\x06" + std::string(4, '\0') + bytesOf(std::uint16_t{1}) + bytesOf(std::uint16_t{1}) +
+         bytesOf(static_cast<std::uint32_t>(central.size())) + bytesOf(static_cast<std::uint32_t>(local.size())) +
+         bytesOf(std::uint16_t{0});
+}
+
+}  // namespace
+
+std::vector<std::string> seedsOf(const Target& target) {
+  const fs::path folder = fs::temp_directory_path() / "fenestra-seeds";
+  fs::create_directories(folder);
+  if (target.name == "dicom") return dicomSeeds(folder);
+  if (target.name == "nifti") return volumeSeeds(folder, {"a.nii", "a.nii.gz"});
+  if (target.name == "nrrd") return nrrdSeeds(folder);
+  if (target.name == "metaimage") return volumeSeeds(folder, {"a.mha"});
+  if (target.name == "mgh") return {mghSeed(), tests::gzipped(mghSeed())};
+  if (target.name == "archive") return {zipSeed(nrrdSeeds(folder).front())};
+  if (target.name == "labels") return labelSeeds();
+  if (target.name == "session") return {io::textOf(tests::fullSession(folder), folder / "a.fenestra")};
+  if (target.name == "strokes") {
+    io::writeStrokes(folder / "a.json", tests::fullSession(folder).look.strokes);
+    return {readFile(folder / "a.json")};
+  }
+  return {R"({"name": "x", "domain": "value", "nodes": [
+    {"value": -100, "colour": [1, 0, 0], "opacity": 0}, {"value": 300, "colour": [1, 1, 1], "opacity": 0.5}]})"};
+}
+
+}  // namespace fenestra::fuzz
