@@ -190,6 +190,16 @@ void addVolume(CLI::App& command, VolumeOptions& options, const std::function<vo
   command.add_option("--series", options.series, "the series' UID; the largest series otherwise")
       ->type_name("UID")
       ->excludes(phantom);
+  addParsed(command, "--time", "N", "time point, from 1, where PATH holds several volumes of one place",
+            [&options](const std::string& text) {
+              options.time = parseNumber<int>(text);
+              return options.time && *options.time >= 1;
+            })
+      ->excludes(phantom);
+  command
+      .add_flag("--allow-outside", options.allowOutside,
+                "let a header name voxel files outside its folder; only for headers that you trust")
+      ->excludes(phantom);
   auto* raw = command
                   .add_option_function<std::string>(
                       "--raw",
@@ -372,19 +382,23 @@ OpenedData openData(const VolumeOptions& options, const fs::path& labels, const 
     data.volume = std::move(phantom.volume);
     data.labels = std::move(phantom.labels);
   } else if (io::isSession(options.path)) {
-    if (!options.series.empty() || options.raw)
-      throw io::Error(options.path, "records how its volume is read", "leave out --series and --raw");
-    io::OpenedSession opened = io::openSession(options.path, {options.data, labels}, progress);
+    if (!options.series.empty() || options.raw || options.time)
+      throw io::Error(options.path, "records how its volume is read", "leave out --series, --time and --raw");
+    io::OpenedSession opened = io::openSession(options.path, {options.data, labels, options.allowOutside}, progress);
     data.volume = std::move(opened.volume);
     data.volume.warnings = std::move(opened.warnings);
     data.labels = std::move(opened.labels);
     data.session = std::move(opened.session);
   } else {
     const double volumeShare = labels.empty() ? 1.0 : 0.8;
-    data.volume = io::openVolume(
-        options.path, {.series = options.series, .raw = options.raw, .progress = part(progress, 0.0, volumeShare)});
+    data.volume = io::openVolume(options.path, {.series = options.series,
+                                                .time = options.time,
+                                                .raw = options.raw,
+                                                .allowOutside = options.allowOutside,
+                                                .progress = part(progress, 0.0, volumeShare)});
     if (!labels.empty()) {
-      io::OpenedLabels opened = io::openLabels(labels, data.volume.volume->grid, part(progress, volumeShare, 1.0));
+      io::OpenedLabels opened =
+          io::openLabels(labels, data.volume.volume->grid, part(progress, volumeShare, 1.0), options.allowOutside);
       data.labels = std::move(opened.labels);
       std::move(opened.warnings.begin(), opened.warnings.end(), std::back_inserter(data.volume.warnings));
     }

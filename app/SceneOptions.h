@@ -27,7 +27,9 @@ struct VolumeOptions {
   std::string phantom;         ///< name of a built-in phantom, or empty
   int phantomVoxels = 256;     ///< along its longest side
   std::string series;
+  std::optional<int> time;  ///< time point, from 1
   std::optional<io::RawDescription> raw;
+  bool allowOutside = false;   ///< see io::OpenOptions
   std::filesystem::path data;  ///< where the volume of a session is now; empty: where the session says
 
   bool empty() const { return path.empty() && phantom.empty(); }

@@ -9,6 +9,7 @@
 #include "io/VolumeReader.h"
 #include "io/base/LabelReading.h"
 #include "io/base/Memory.h"
+#include "io/base/PlausibleGrid.h"
 #include "io/base/Text.h"
 #include "io/dicom/DicomLabels.h"
 #include "io/formats/ImageFile.h"
@@ -185,8 +186,10 @@ bool isSameGrid(const Grid& a, const Grid& b) {
 }
 
 /// Labels of any format but DICOM.
-LabelsOnGrid readImageLabels(const fs::path& path, Format format, const Grid& target, const Progress& progress) {
-  ImageFile image = readImageHeader(path, format);
+LabelsOnGrid readImageLabels(const fs::path& path, Format format, const Grid& target, const Progress& progress,
+                             bool allowOutside) {
+  ImageFile image = readImageHeader(path, format, allowOutside);
+  checkGeometry(path, image.grid);
   const std::vector<Segment> segments = slicerSegments(image);
   if (image.layers() > 1 && segments.empty())
     throw Error(path, "holds " + std::to_string(image.layers()) + " volumes, not one label map",
@@ -194,7 +197,7 @@ LabelsOnGrid readImageLabels(const fs::path& path, Format format, const Grid& ta
   LabelsOnGrid read;
   read.warnings = std::move(image.warnings);
   {
-    const std::vector<Voxels> layers = readVoxels(image, image.layers(), progress, read.warnings);
+    const std::vector<Voxels> layers = readVoxels(image, {0, image.layers()}, progress, read.warnings);
     read.values = mergedLayers(layers, segments, image, read.warnings);
   }
   if (!isSameGrid(image.grid, target)) read.values = resampled(read.values, image.grid, target, path, read.warnings);
@@ -211,10 +214,10 @@ Format labelFormatOf(const fs::path& path) {
   return format;
 }
 
-OpenedLabels readLabels(const fs::path& path, const Grid& target, const Progress& progress) {
+OpenedLabels readLabels(const fs::path& path, const Grid& target, const Progress& progress, bool allowOutside) {
   const Format format = labelFormatOf(path);
   LabelsOnGrid read = format == Format::Dicom ? readDicomLabels(path, target, progress)
-                                              : readImageLabels(path, format, target, progress);
+                                              : readImageLabels(path, format, target, progress, allowOutside);
   const std::vector<std::uint16_t>& values = read.values;
   std::vector<bool> present(greatestLabel + 1u, false);
   for (const std::uint16_t value : values) present[value] = true;
@@ -245,18 +248,18 @@ OpenedLabels readLabels(const fs::path& path, const Grid& target, const Progress
 
 }  // namespace
 
-std::vector<fs::path> labelFiles(const fs::path& path) {
+std::vector<fs::path> labelFiles(const fs::path& path, bool allowOutside) {
   checkExists(path);
   return withinMemory(path, [&]() -> std::vector<fs::path> {
     const Format format = labelFormatOf(path);
     if (format == Format::Dicom) return {path};
-    return readImageHeader(path, format).source.files;
+    return readImageHeader(path, format, allowOutside).source.files;
   });
 }
 
-OpenedLabels openLabels(const fs::path& path, const Grid& target, const Progress& progress) {
+OpenedLabels openLabels(const fs::path& path, const Grid& target, const Progress& progress, bool allowOutside) {
   checkExists(path);
-  return withinMemory(path, [&] { return readLabels(path, target, progress); });
+  return withinMemory(path, [&] { return readLabels(path, target, progress, allowOutside); });
 }
 
 }  // namespace fenestra::io

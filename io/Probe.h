@@ -11,8 +11,8 @@ enum class Format { Dicom, Nifti, Nrrd, MetaImage, Mgh, Analyze, Archive };
 void checkExists(const std::filesystem::path& path);
 /// Throws Error when no format fits.
 Format formatOf(const std::filesystem::path& path);
-/// Any format but Dicom and Archive.
-ImageFile readImageHeader(const std::filesystem::path& path, Format format);
+/// Any format but Dicom and Archive. `allowOutside` as in OpenOptions.
+ImageFile readImageHeader(const std::filesystem::path& path, Format format, bool allowOutside);
 SeriesInfo describe(const ImageFile& image);
 
 }  // namespace fenestra::io

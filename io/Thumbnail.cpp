@@ -42,7 +42,11 @@ Thumbnail makeThumbnail(const SeriesInfo& series, int side, const Progress& prog
   if (series.files.empty()) throw Error(series.id, "has no files", "open the study again");
   OpenOptions options;
   options.progress = progress;
-  const OpenedVolume opened = openVolume(series.files[series.files.size() / 2], options);
+  const std::filesystem::path& file = series.files[series.files.size() / 2];
+  // One file may hold several series, such as time points.
+  for (const SeriesInfo& inside : listSeries(file))
+    if (inside.id == series.id) options.series = series.id;
+  const OpenedVolume opened = openVolume(file, options);
   const Volume& volume = *opened.volume;
   const SliceGeometry slice = sliceGeometry(volume.grid, planeOf(volume.grid));
   const std::vector<std::uint8_t> grey =

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "io/Probe.h"
 #include "io/base/Archive.h"
 #include "io/base/Memory.h"
+#include "io/base/PlausibleGrid.h"
 #include "io/base/Text.h"
 #include "io/dicom/Dicom.h"
 #include "io/formats/ImageFile.h"
@@ -16,15 +18,56 @@ namespace fenestra::io {
 namespace fs = std::filesystem;
 namespace {
 
+/// More volumes of one file than a list of series can show; --time reaches the others.
+constexpr std::int64_t mostListed = 1000;
+
+/// How many volumes a header describes; it may say anything.
+int timesOf(const ImageFile& image) {
+  return static_cast<int>(std::min<std::int64_t>(image.layers(), std::numeric_limits<int>::max()));
+}
+
+/// One of a file's volumes as a series, counted from 0.
+SeriesInfo seriesAt(const ImageFile& image, std::int64_t layer) {
+  SeriesInfo info = describe(image);
+  if (image.layers() < 2) return info;
+  info.time = static_cast<int>(layer) + 1;
+  info.times = timesOf(image);
+  if (layer > 0) info.id.append("#").append(std::to_string(info.time));
+  return info;
+}
+
+/// The volume and its time points, each as a series.
+std::vector<SeriesInfo> seriesIn(const ImageFile& image) {
+  std::vector<SeriesInfo> series;
+  for (std::int64_t layer = 0; layer < std::min(image.layers(), mostListed); ++layer)
+    series.push_back(seriesAt(image, layer));
+  return series;
+}
+
+/// The volume that the options ask for, counted from 0.
+std::int64_t chosenLayer(const ImageFile& image, const OpenOptions& options) {
+  if (options.time) {
+    if (*options.time < 1 || *options.time > image.layers()) throwNoTime(image.path, *options.time, timesOf(image));
+    return *options.time - 1;
+  }
+  if (options.series.empty()) return 0;
+  for (std::int64_t layer = 0; layer < std::min(image.layers(), mostListed); ++layer)
+    if (seriesAt(image, layer).id == options.series) return layer;
+  throw Error(image.path, "has no series " + options.series,
+              "list its series with: fenestra-cli info " + image.path.string());
+}
+
 OpenedVolume openImage(ImageFile image, const OpenOptions& options) {
+  checkGeometry(image.path, image.grid);
   OpenedVolume opened;
   opened.format = image.format;
-  opened.series = describe(image);
+  const std::int64_t layer = chosenLayer(image, options);
   if (image.layers() > 1)
-    image.warnings.push_back(
-        {Warning::Kind::TimePoints,
-         "the file holds " + std::to_string(image.layers()) + " volumes (time points or layers); the first is shown",
-         {image.path}});
+    image.warnings.push_back({Warning::Kind::TimePoints,
+                              "the file holds " + std::to_string(image.layers()) +
+                                  " volumes (time points or layers); number " + std::to_string(layer + 1) +
+                                  " is shown, --time N chooses another",
+                              {image.path}});
   opened.warnings = std::move(image.warnings);
   auto volume = std::make_shared<Volume>();
   volume->grid = image.grid;
@@ -32,9 +75,12 @@ OpenedVolume openImage(ImageFile image, const OpenOptions& options) {
   volume->intercept = image.intercept;
   volume->modality = image.modality;
   if (image.modality == Modality::CT) volume->unit = "HU";
-  volume->voxels = std::move(readVoxels(image, 1, options.progress, opened.warnings).front());
+  volume->voxels = std::move(readVoxels(image, {layer, 1}, options.progress, opened.warnings).front());
   volume->computeRange();
   opened.volume = std::move(volume);
+  opened.series = seriesAt(image, layer);
+  for (SeriesInfo& series : seriesIn(image))
+    if (series.id != opened.series.id) opened.otherSeries.push_back(std::move(series));
   return opened;
 }
 
@@ -123,18 +169,22 @@ SeriesInfo describe(const ImageFile& image) {
   return info;
 }
 
-ImageFile readImageHeader(const fs::path& path, Format format) {
+ImageFile readImageHeader(const fs::path& path, Format format, bool allowOutside) {
+  const auto inside = [&](ImageFile image) {
+    if (!allowOutside) refuseOutside(image);
+    return image;
+  };
   switch (format) {
     case Format::Nifti:
       return readNiftiHeader(path);
     case Format::Nrrd:
-      return readNrrdHeader(path);
+      return inside(readNrrdHeader(path));
     case Format::Mgh:
       return readMghHeader(path);
     case Format::Analyze:
       return readAnalyzeHeader(path);
     case Format::MetaImage:
-      return readMetaImageHeader(path);
+      return inside(readMetaImageHeader(path));
     case Format::Dicom:
     case Format::Archive:
       break;
@@ -181,7 +231,7 @@ std::string_view volumeEnding(const fs::path& path) {
 std::vector<SeriesInfo> listSeries(const fs::path& path, const OpenOptions& options) {
   checkExists(path);
   return withinMemory(path, [&]() -> std::vector<SeriesInfo> {
-    if (options.raw) return {describe(describeRaw(path, *options.raw))};
+    if (options.raw) return seriesIn(describeRaw(path, *options.raw));
     const Format format = formatOf(path);
     if (format == Format::Archive)
       return readArchive(path, options,
@@ -191,7 +241,7 @@ std::vector<SeriesInfo> listSeries(const fs::path& path, const OpenOptions& opti
                            return all;
                          });
     if (format == Format::Dicom) return listDicomSeries(path, options);
-    return {describe(readImageHeader(path, format))};
+    return seriesIn(readImageHeader(path, format, options.allowOutside));
   });
 }
 
@@ -218,7 +268,7 @@ OpenedVolume openVolume(const fs::path& path, const OpenOptions& options) {
                            return opened;
                          });
     if (format == Format::Dicom) return openDicom(path, options);
-    return openImage(readImageHeader(path, format), options);
+    return openImage(readImageHeader(path, format, options.allowOutside), options);
   });
 }
 

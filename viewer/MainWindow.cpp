@@ -168,11 +168,14 @@ void MainWindow::studyOpened() {
   const std::filesystem::path& path = study.sessionFile.empty() ? study.path : study.sessionFile;
   if (!path.empty()) workspace_.preferences.addRecent(path);
   if (!study.otherSeries.empty() && !study.restoresSession)
-    notices_->add(NoticeBar::Kind::Warning,
-                  tr("There are %1 series here; this is the largest, %2.")
-                      .arg(study.otherSeries.size() + 1)
-                      .arg(describe(study.series)),
-                  tr("Choose…"), [this] { files_->chooseSeries(); });
+    notices_->add(
+        NoticeBar::Kind::Warning,
+        study.series.times > 1
+            ? tr("There are %1 time points here; this is number %2.").arg(study.series.times).arg(study.series.time)
+            : tr("There are %1 series here; this is the largest, %2.")
+                  .arg(study.otherSeries.size() + 1)
+                  .arg(describe(study.series)),
+        tr("Choose…"), [this] { files_->chooseSeries(); });
   offerSegmentations();
   notices_->addWarnings(study.warnings);
   if (study.placeCameras) workspace_.placement.placeAutomatically();

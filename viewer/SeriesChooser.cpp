@@ -15,6 +15,12 @@ std::vector<io::SeriesInfo> allSeries(const Study& study) {
   return series;
 }
 
+QString descriptionOf(const io::SeriesInfo& series) {
+  const QString description = QString::fromStdString(series.description);
+  if (series.times < 2) return description;
+  return SeriesChooser::tr("%1 time point %2 of %3").arg(description).arg(series.time).arg(series.times).trimmed();
+}
+
 }  // namespace
 
 SeriesChooser::SeriesChooser(const Study& study, QWidget* parent) : QDialog(parent), open_(study.series.id) {
@@ -32,7 +38,7 @@ SeriesChooser::SeriesChooser(const Study& study, QWidget* parent) : QDialog(pare
     auto* row = new QTreeWidgetItem(list_);
     row->setIcon(0, blank);
     row->setText(1, QString::fromStdString(series.modality));
-    row->setText(2, QString::fromStdString(series.description));
+    row->setText(2, descriptionOf(series));
     row->setText(3, QStringLiteral("%1×%2×%3").arg(series.dims.x).arg(series.dims.y).arg(series.dims.z));
     row->setText(4, QString::number(series.files.size()));
     row->setData(0, Qt::UserRole, QString::fromStdString(series.id));

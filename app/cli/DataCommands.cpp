@@ -55,6 +55,8 @@ const char* nameOf(io::Warning::Kind kind) {
       return "unreadable files";
     case Kind::NoGeometry:
       return "no geometry";
+    case Kind::DamagedPixels:
+      return "damaged pixels";
     case Kind::PrecisionLoss:
       return "precision loss";
     case Kind::TimePoints:

@@ -29,6 +29,7 @@ struct Warning {
     MixedOrientations,
     UnreadableFiles,
     NoGeometry,
+    DamagedPixels,  ///< values that the header rules out; the volume is shown as decoded
     PrecisionLoss,
     TimePoints,   ///< the file or series holds further volumes of the same place (time, repeats, layers); one is shown
     MovedData,    ///< a session's data lie elsewhere now
@@ -51,18 +52,24 @@ struct RawDescription {
 };
 struct OpenOptions {
   std::string series = {};  ///< a series' id as listSeries gives it, or its seriesKey(); empty: the largest
+  /// A time point, from 1, of a file or series that holds several volumes of one place; unset: the first, or that of
+  /// `series`.
+  std::optional<int> time = {};
   std::optional<RawDescription> raw = {};  ///< read PATH as raw bytes
-  Progress progress = {};                  ///< may be empty
+  /// Whether the header of a detached volume may name voxel files anywhere, not only in its own folder and below.
+  bool allowOutside = false;
+  Progress progress = {};  ///< may be empty
 };
 
 /// A stack of images that forms one volume. `id` tells stacks of one SeriesInstanceUID apart ("UID", "UID#2", …; an
-/// empty UID reads "no-uid"); outside DICOM it is the file's name.
+/// empty UID reads "no-uid"); outside DICOM it is the file's name ("NAME", and "NAME#2", … for later time points).
 struct SeriesInfo {
   std::string id;
   std::string modality;     ///< "CT", "MR", …; empty outside DICOM
   std::string description;  ///< SeriesDescription; may hold anything the operator typed
   glm::ivec3 dims{0};
   std::vector<std::filesystem::path> files;
+  int time = 0, times = 0;  ///< which of how many time points, from 1; 0: it is the only one
 };
 
 /// A segmentation that lies beside a DICOM series and belongs to it; openLabels opens its file.
@@ -86,5 +93,8 @@ struct OpenedLabels {
   std::shared_ptr<const LabelMap> labels;
   std::vector<Warning> warnings;  ///< e.g. that it was resampled, or lies outside the volume
 };
+
+/// Throws the Error for a time point of `path` that does not exist among `times`; 0 or 1: there is only one volume.
+[[noreturn]] void throwNoTime(const std::filesystem::path& path, int time, int times);
 
 }  // namespace fenestra::io

@@ -1,50 +1,40 @@
 #include "io/dicom/Dataset.h"
 
 #include <algorithm>
-#include <array>
-#include <string_view>
+#include <cmath>
+#include <string>
 #include <vector>
-
-#include <dcmtk/dcmdata/dcspchrs.h>
 
 #include "io/base/ByteStream.h"
 #include "io/base/Error.h"
 #include "io/base/Memory.h"
-#include "io/base/Text.h"
+#include "io/dicom/DicomValues.h"
 
 namespace fenestra::io {
 namespace fs = std::filesystem;
 namespace {
 
-/// A file's bytes from the dataset on when that is deflated, else all of them.
-std::unique_ptr<ByteStream> openDataset(const fs::path& path) {
-  // Preamble, "DICM" and the group length element, whose value is the length of the rest of the meta header (PS3.10
-  // 7.1).
-  constexpr std::size_t metaStart = 144;
-  std::array<char, 1024> head{};
-  const auto stream = openStream(path, 0, Packing::None);
-  const std::size_t got = stream->read(reinterpret_cast<std::byte*>(head.data()), head.size());
-  const std::string_view text(head.data(), got);
-  const bool deflated = text.find(UID_DeflatedExplicitVRLittleEndianTransferSyntax) != std::string_view::npos;
-  if (!deflated || got < metaStart) return openStream(path, 0, Packing::None);
-  std::uint32_t length = 0;
-  for (std::size_t i = 0; i < 4; ++i)
-    length |= std::uint32_t{static_cast<unsigned char>(head[metaStart - 4 + i])} << (8 * i);
-  return openStream(path, metaStart + length, Packing::RawDeflate);
-}
-
 /// DCMTK's parser calls itself once a level, so that a header of nothing but nested sequences would exhaust the stack.
-/// Follows the item tags up to the pixel data and throws Error when they nest deeper than any real header.
-void refuseDeepNesting(const fs::path& path) {
+/// Follows the item tags up to the pixel data and throws Error when they nest deeper than any real header, or a packed
+/// header unpacks to more than any.
+void refuseHostileHeader(const fs::path& path) {
   constexpr std::size_t deepest = 256;
+  // DCMTK keeps all of a packed header in memory, of which a small file may unpack to gigabytes. Enhanced multi-frame
+  // headers of thousands of frames have some 10 MB.
+  constexpr std::uint64_t longestPackedHeader = 64'000'000;
   constexpr std::size_t tagAndLength = 8;
   constexpr std::uint64_t open = ~std::uint64_t{0};  // ends at a delimiter
-  const auto stream = openDataset(path);
+  const DatasetStream dataset = openDataset(path);
   std::vector<unsigned char> bytes(64 * 1024);
   std::vector<std::uint64_t> ends;
   std::uint64_t start = 0;  // of `bytes` in the stream
   std::size_t kept = 0;
-  while (const std::size_t got = stream->read(reinterpret_cast<std::byte*>(bytes.data() + kept), bytes.size() - kept)) {
+  while (const std::size_t got =
+             dataset.bytes->read(reinterpret_cast<std::byte*>(bytes.data() + kept), bytes.size() - kept)) {
+    if (dataset.deflated && start > longestPackedHeader)
+      throw Error(path,
+                  "its packed DICOM header unpacks to more than " + std::to_string(longestPackedHeader) + " bytes",
+                  "the file is damaged");
     const std::size_t filled = kept + got;
     std::size_t at = 0;
     for (; at + tagAndLength <= filled; ++at) {
@@ -75,71 +65,70 @@ void refuseDeepNesting(const fs::path& path) {
   }
 }
 
+/// Pixel Spacing, else that of the detector, else 1 mm.
+void readSpacing(DcmItem* measures, DicomFrame& frame) {
+  const auto positive = [](const std::optional<glm::dvec2>& spacing) {
+    return spacing && spacing->x > 0.0 && spacing->y > 0.0;
+  };
+  // Both are (between rows, between columns).
+  for (const DcmTagKey& tag : {DCM_PixelSpacing, DCM_ImagerPixelSpacing}) {
+    const auto spacing = measures ? numbersOf<2>(*measures, tag) : std::nullopt;
+    if (!positive(spacing)) continue;
+    frame.spacing = {spacing->y, spacing->x};
+    if (tag == DCM_ImagerPixelSpacing) frame.assumed |= assumed::detectorSpacing;
+    return;
+  }
+  const bool given = measures && !textOf(*measures, DCM_PixelSpacing).empty();
+  frame.assumed |= given ? assumed::garbledSpacing : assumed::spacing;
+}
+
 }  // namespace
 
 void loadHeader(const fs::path& path, DcmFileFormat& file) {
   prepareDcmtk();
-  refuseDeepNesting(path);
+  refuseHostileHeader(path);
   const OFCondition loaded = file.loadFileUntilTag(OFFilename(path.c_str()), EXS_Unknown, EGL_noChange,
-                                                   DCM_MaxReadLength, ERM_autoDetect, DCM_PixelData);
+                                                   DCM_MaxReadLength, ERM_autoDetect, DCM_FloatPixelData);
   if (loaded.bad())
     throw Error(path, std::string("its DICOM header cannot be read (") + loaded.text() + ")",
                 "the file is truncated or damaged");
 }
 
-void checkFrameBytes(DcmDataset& dataset, const fs::path& path, std::int64_t frames, int rows, int columns, int bits) {
+std::optional<PixelPlace> pixelsOf(DcmDataset& dataset, const fs::path& path) {
+  const DcmXfer syntax(dataset.getOriginalXfer());
+  return findPixels(path, {syntax.isExplicitVR() != 0, syntax.isBigEndian() != 0});
+}
+
+std::int64_t countFrames(DcmItem& dataset, const DicomFile& file) {
+  const auto given = integerOf(dataset, DCM_NumberOfFrames);
+  if (!given && !textOf(dataset, DCM_NumberOfFrames).empty())
+    throw Error(file.path, "its header gives no number of frames", "the file is damaged");
+  const std::int64_t frames = given.value_or(1);
   // The fewest bytes that a frame can take: its pixels, of which deflate packs at most 1032 into one byte, or the
   // header of its fragment.
   std::error_code failure;
-  const std::uint64_t fileBytes = fs::file_size(path, failure);
-  const std::uint64_t frameBits =
-      static_cast<std::uint64_t>(rows) * static_cast<std::uint64_t>(columns) * static_cast<std::uint64_t>(bits);
-  const bool encapsulated = DcmXfer(dataset.getOriginalXfer()).isEncapsulated();
-  const bool deflated = dataset.getOriginalXfer() == EXS_DeflatedLittleEndianExplicit;
-  const std::uint64_t leastBits = encapsulated ? 64 : deflated ? frameBits / 1032 : frameBits;
-  if (frames < 1 || saturatingProduct(static_cast<std::uint64_t>(frames), leastBits) / 8 > fileBytes)
-    throw Error(path,
-                "holds " + std::to_string(fileBytes) + " bytes where its header describes " + std::to_string(frames) +
-                    " frames of " + std::to_string(columns) + " x " + std::to_string(rows),
+  const std::uint64_t fileBytes = fs::file_size(file.path, failure);
+  const std::uint64_t frameBits = static_cast<std::uint64_t>(file.format.rows) *
+                                  static_cast<std::uint64_t>(file.format.columns) *
+                                  static_cast<std::uint64_t>(file.format.bitsAllocated);
+  const std::uint64_t leastBits = file.pixels.encapsulated ? 64 : file.pixels.deflated ? frameBits / 1032 : frameBits;
+  const auto refuse = [&](std::uint64_t bytes, const char* what) {
+    throw Error(file.path,
+                "holds " + std::to_string(bytes) + " bytes" + what + " where its header describes " +
+                    std::to_string(frames) + (frames == 1 ? " frame of " : " frames of ") +
+                    std::to_string(file.format.columns) + " x " + std::to_string(file.format.rows),
                 "the file is truncated or damaged");
-}
-
-std::optional<double> number(DcmItem& item, const DcmTagKey& tag, unsigned long position) {
-  Float64 value = 0.0;
-  if (item.findAndGetFloat64(tag, value, position).bad() || !std::isfinite(value)) return std::nullopt;
-  return value;
-}
-
-std::optional<std::int64_t> integer(DcmItem& item, const DcmTagKey& tag) {
-  Uint16 us = 0;
-  if (item.findAndGetUint16(tag, us).good()) return us;
-  Uint32 ul = 0;
-  if (item.findAndGetUint32(tag, ul).good()) return ul;
-  long is = 0;
-  if (item.findAndGetLongInt(tag, is).good()) return is;
-  return std::nullopt;
-}
-
-std::string text(DcmItem& item, const DcmTagKey& tag) {
-  OFString value;
-  return item.findAndGetOFStringArray(tag, value).good() ? trimmed({value.data(), value.size()}) : std::string();
-}
-
-std::string typedText(DcmItem& item, const DcmTagKey& tag, DcmItem* dataset) {
-  OFString value, utf8;
-  if (item.findAndGetOFStringArray(tag, value).bad()) return {};
-  DcmSpecificCharacterSet converter;
-  const bool converted =
-      converter.selectCharacterSet(dataset ? *dataset : item).good() && converter.convertString(value, utf8).good();
-  std::string result =
-      trimmed(converted ? std::string_view(utf8.data(), utf8.size()) : std::string_view(value.data(), value.size()));
-  if (!converted) std::erase_if(result, [](char c) { return static_cast<unsigned char>(c) >= 0x80; });
-  return result;
-}
-
-DcmItem* firstItem(DcmItem* item, const DcmTagKey& sequence) {
-  DcmItem* found = nullptr;
-  return item && item->findAndGetSequenceItem(sequence, found, 0).good() ? found : nullptr;
+  };
+  if (frames < 1 || saturatingProduct(static_cast<std::uint64_t>(frames), leastBits) / 8 > fileBytes)
+    refuse(fileBytes, "");
+  // Frames of one bit a pixel follow each other without padding.
+  const std::uint64_t bits = saturatingProduct(static_cast<std::uint64_t>(frames), frameBits);
+  const std::uint64_t needed = bits / 8 + (bits % 8 != 0);
+  if (file.pixels.encapsulated) return frames;
+  if (file.pixels.length < needed) refuse(file.pixels.length, " of pixels");
+  if (!file.pixels.deflated && file.pixels.offset + needed > fileBytes)
+    refuse(fileBytes - std::min(fileBytes, file.pixels.offset), " of pixels");
+  return frames;
 }
 
 DcmItem* Scopes::group(const DcmTagKey& sequence) const {
@@ -150,22 +139,19 @@ DcmItem* Scopes::group(const DcmTagKey& sequence) const {
 
 void readGeometry(const Scopes& scopes, DicomFrame& frame) {
   DcmItem* measures = scopes.group(DCM_PixelMeasuresSequence);
+  readSpacing(measures, frame);
   if (measures) {
-    auto spacing = numbers<2>(*measures, DCM_PixelSpacing);
-    if (!spacing) spacing = numbers<2>(*measures, DCM_ImagerPixelSpacing);
-    // Pixel Spacing is (between rows, between columns).
-    if (spacing && spacing->x > 0.0 && spacing->y > 0.0) frame.spacing = {spacing->y, spacing->x};
-    frame.thickness = std::max(0.0, number(*measures, DCM_SliceThickness).value_or(0.0));
-    if (frame.thickness == 0.0) frame.thickness = std::abs(number(*measures, DCM_SpacingBetweenSlices).value_or(0.0));
+    frame.thickness = std::max(0.0, numberOf(*measures, DCM_SliceThickness).value_or(0.0));
+    if (frame.thickness == 0.0) frame.thickness = std::abs(numberOf(*measures, DCM_SpacingBetweenSlices).value_or(0.0));
   }
   DcmItem* place = scopes.group(DCM_PlanePositionSequence);
   DcmItem* plane = scopes.group(DCM_PlaneOrientationSequence);
   if (!place || !plane) return;
-  const auto position = numbers<3>(*place, DCM_ImagePositionPatient);
+  const auto position = numbersOf<3>(*place, DCM_ImagePositionPatient);
   glm::dvec3 row(0.0), column(0.0);
   for (unsigned i = 0; i < 3; ++i) {
-    row[static_cast<int>(i)] = number(*plane, DCM_ImageOrientationPatient, i).value_or(0.0);
-    column[static_cast<int>(i)] = number(*plane, DCM_ImageOrientationPatient, i + 3).value_or(0.0);
+    row[static_cast<int>(i)] = numberOf(*plane, DCM_ImageOrientationPatient, i).value_or(0.0);
+    column[static_cast<int>(i)] = numberOf(*plane, DCM_ImageOrientationPatient, i + 3).value_or(0.0);
   }
   // Direction cosines are unit vectors at right angles; a damaged pair cannot place the image.
   const bool usable = std::abs(glm::length(row) - 1.0) < 0.1 && std::abs(glm::length(column) - 1.0) < 0.1 &&

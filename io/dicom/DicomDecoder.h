@@ -1,32 +1,38 @@
 #pragma once
-// Stored frames of one DICOM file as words: native, deflated, JPEG and JPEG-LS by DCMTK, JPEG 2000 by OpenJPEG, RLE
-// here.
+// Stored frames of one DICOM file as words, whatever their transfer syntax.
 
 #include <cstddef>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "io/dicom/DicomHeader.h"
+#include "io/dicom/DicomPixels.h"
 
 namespace fenestra::io {
 
-/// One file held open; use one decoder from one thread.
+/// One file; use one decoder from one thread.
 class DicomDecoder {
  public:
-  /// Throws Error when the file cannot be read.
+  /// Throws Error when the file cannot be read or its transfer syntax is not supported. `file` must outlive this.
   explicit DicomDecoder(const DicomFile& file);
-  ~DicomDecoder();
 
   /// The words of stored frame `number` in this machine's byte order, rows · columns of bitsAllocated bits, unused bits
   /// as stored; valid until the next call. Throws Error.
   std::span<const std::byte> decode(int number);
+  /// How many samples of the last compressed frame the header rules out, by Bits Stored or by its least and greatest
+  /// value.
+  std::size_t samplesOutside() const { return samplesOutside_; }
 
  private:
-  struct State;
+  void readNative(std::uint64_t frame, std::span<std::byte> words);
+
   const DicomFile& file_;
-  std::unique_ptr<State> state_;
+  NativePixels native_;
+  std::optional<Fragments> fragments_;
   std::unique_ptr<std::byte[]> words_;
+  std::size_t samplesOutside_ = 0;
 };
 
 }  // namespace fenestra::io

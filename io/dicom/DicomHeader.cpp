@@ -1,7 +1,6 @@
 #include "io/dicom/DicomHeader.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstring>
 #include <optional>
@@ -11,7 +10,9 @@
 #include "io/base/Text.h"
 #include "io/dicom/Dataset.h"
 #include "io/dicom/Dicom.h"
+#include "io/dicom/DicomValues.h"
 #include "io/dicom/LabelObject.h"
+#include "io/dicom/Mosaic.h"
 
 namespace fenestra::io {
 namespace fs = std::filesystem;
@@ -21,7 +22,7 @@ std::vector<WindowLevel> windowsIn(DcmItem& item) {
   std::vector<WindowLevel> windows;
   // 16: more windows than any menu shows.
   for (unsigned long i = 0; i < 16; ++i) {
-    const auto level = number(item, DCM_WindowCenter, i), width = number(item, DCM_WindowWidth, i);
+    const auto level = numberOf(item, DCM_WindowCenter, i), width = numberOf(item, DCM_WindowWidth, i);
     if (!level || !width) break;
     if (*width > 0.0) windows.push_back({*width, *level});
   }
@@ -29,11 +30,23 @@ std::vector<WindowLevel> windowsIn(DcmItem& item) {
 }
 
 std::string frameTypeOf(const Scopes& scopes) {
-  for (const DcmTagKey& sequence :
-       {DCM_MRImageFrameTypeSequence, DCM_CTImageFrameTypeSequence, DCM_PETFrameTypeSequence})
+  for (const DcmTagKey& sequence : {DCM_MRImageFrameTypeSequence, DCM_CTImageFrameTypeSequence,
+                                    DCM_PETFrameTypeSequence, DCM_ParametricMapFrameTypeSequence})
     for (DcmItem* groups : {scopes.perFrame, scopes.shared})
-      if (DcmItem* item = firstItem(groups, sequence)) return text(*item, DCM_FrameType);
+      if (DcmItem* item = firstItem(groups, sequence)) return textOf(*item, DCM_FrameType);
   return {};
+}
+
+/// A factor or summand of stored values: the attribute, or `otherwise` and a bit of DicomFrame::assumed when its value
+/// is no usable number.
+double mappingNumber(DcmItem& item, const DcmTagKey& tag, double otherwise, unsigned bit, DicomFrame& frame) {
+  if (!item.tagExists(tag)) return otherwise;
+  // 1e30: beyond it the values of an image would fit no float.
+  const auto value = numberOf(item, tag);
+  const bool isFactor = otherwise != 0.0;
+  if (value && std::abs(*value) < 1e30 && !(isFactor && *value == 0.0)) return *value;
+  frame.assumed |= bit;
+  return otherwise;
 }
 
 DicomFrame readFrame(const Scopes& scopes, const DicomFile& file, int index) {
@@ -43,34 +56,32 @@ DicomFrame readFrame(const Scopes& scopes, const DicomFile& file, int index) {
   readGeometry(scopes, frame);
   DcmItem* transform = scopes.group(DCM_PixelValueTransformationSequence);
   if (!transform) transform = &scopes.dataset;
-  // A slope of 0 would erase the image; it stands for "not set" in the files that have it.
-  const double slope = number(*transform, DCM_RescaleSlope).value_or(1.0);
-  frame.slope = slope == 0.0 ? 1.0 : slope;
-  frame.intercept = number(*transform, DCM_RescaleIntercept).value_or(0.0);
+  frame.slope = mappingNumber(*transform, DCM_RescaleSlope, 1.0, assumed::slope, frame);
+  frame.intercept = mappingNumber(*transform, DCM_RescaleIntercept, 0.0, assumed::intercept, frame);
   DcmItem* display = scopes.group(DCM_FrameVOILUTSequence);
   frame.windows = windowsIn(display ? *display : scopes.dataset);
-  frame.frameOfReference = text(scopes.dataset, DCM_FrameOfReferenceUID);
+  frame.frameOfReference = textOf(scopes.dataset, DCM_FrameOfReferenceUID);
   frame.frameType = frameTypeOf(scopes);
   for (DcmItem* groups : {scopes.perFrame, scopes.shared})
     if (DcmItem* content = firstItem(groups, DCM_FrameContentSequence)) {
-      frame.stack = text(*content, DCM_StackID);
-      frame.temporal = integer(*content, DCM_TemporalPositionIndex).value_or(0);
+      frame.stack = textOf(*content, DCM_StackID);
+      frame.temporal = integerOf(*content, DCM_TemporalPositionIndex).value_or(0);
       break;
     }
-  if (!scopes.perFrame) frame.temporal = integer(scopes.dataset, DCM_TemporalPositionIdentifier).value_or(0);
-  frame.acquisition = integer(scopes.dataset, DCM_AcquisitionNumber).value_or(0);
-  frame.instance = integer(scopes.dataset, DCM_InstanceNumber).value_or(0);
+  if (!scopes.perFrame) frame.temporal = integerOf(scopes.dataset, DCM_TemporalPositionIdentifier).value_or(0);
+  frame.acquisition = integerOf(scopes.dataset, DCM_AcquisitionNumber).value_or(0);
+  frame.instance = integerOf(scopes.dataset, DCM_InstanceNumber).value_or(0);
   return frame;
 }
 
 /// RT dose (PS3.3 C.8.8.3): frames along the normal at Grid Frame Offset Vector's offsets.
 void placeDoseFrames(DcmItem& dataset, DicomFile& file) {
-  const double scaling = number(dataset, DCM_DoseGridScaling).value_or(1.0);
-  const double first = number(dataset, DCM_GridFrameOffsetVector, 0).value_or(0.0);
+  const double first = numberOf(dataset, DCM_GridFrameOffsetVector, 0).value_or(0.0);
   for (std::size_t i = 0; i < file.frames.size(); ++i) {
     DicomFrame& frame = file.frames[i];
-    frame.slope = scaling;
-    const auto offset = number(dataset, DCM_GridFrameOffsetVector, i);
+    if (!dataset.tagExists(DCM_DoseGridScaling)) frame.assumed |= assumed::doseScaling;
+    frame.slope = mappingNumber(dataset, DCM_DoseGridScaling, 1.0, assumed::doseScaling, frame);
+    const auto offset = numberOf(dataset, DCM_GridFrameOffsetVector, i);
     if (!offset) {
       frame.hasGeometry = frame.hasGeometry && file.frames.size() == 1;
       continue;
@@ -78,69 +89,8 @@ void placeDoseFrames(DcmItem& dataset, DicomFile& file) {
     // Offsets start at 0, or are the slices' own z (C.8.8.3.2): both give distances from the first.
     frame.position += glm::cross(frame.axes[0], frame.axes[1]) * (*offset - first);
   }
-  const std::string units = text(dataset, DCM_DoseUnits);
+  const std::string units = textOf(dataset, DCM_DoseUnits);
   file.unit = units == "GY" ? "Gy" : lowered(units);
-}
-
-/// Numbers of one element of a Siemens CSA header (version SV10): tags of named strings.
-std::vector<double> csaNumbers(const Uint8* data, unsigned long size, const std::string& name) {
-  const auto word = [&](unsigned long at) -> std::uint64_t {
-    if (at + 4 > size) return 0;
-    return std::uint64_t{data[at]} | std::uint64_t{data[at + 1]} << 8 | std::uint64_t{data[at + 2]} << 16 |
-           std::uint64_t{data[at + 3]} << 24;
-  };
-  std::vector<double> values;
-  if (size < 16 || std::memcmp(data, "SV10", 4) != 0) return values;
-  const std::uint64_t tags = word(8);
-  unsigned long at = 16;
-  for (std::uint64_t tag = 0; tag < tags && at + 84 <= size; ++tag) {
-    const char* tagName = reinterpret_cast<const char*>(data + at);
-    const bool wanted = std::string(tagName, ::strnlen(tagName, 64)) == name;
-    const std::uint64_t items = word(at + 76);
-    at += 84;
-    for (std::uint64_t item = 0; item < items && at + 16 <= size; ++item) {
-      const std::uint64_t length = word(at + 4);
-      at += 16;
-      if (length > size - at) return values;
-      const char* itemText = reinterpret_cast<const char*>(data + at);
-      const auto value = numberIn<double>(trimmed({itemText, ::strnlen(itemText, length)}));
-      if (wanted && value) values.push_back(*value);
-      at += (length + 3) / 4 * 4;
-      if (at > size) return values;
-    }
-    if (wanted) return values;
-  }
-  return values;
-}
-
-/// Siemens mosaic: the slices of a volume as tiles of one square picture, row by row. The stored position is that of
-/// the whole picture laid around the slices' centre.
-void splitMosaic(DcmItem& dataset, DicomFile& file) {
-  file.mosaicUnsplit = true;
-  const Uint8* csa = nullptr;
-  unsigned long size = 0;
-  if (dataset.findAndGetUint8Array(DcmTag(0x0029, 0x1010, EVR_OB), csa, &size).bad() || !csa) return;
-  const auto count = csaNumbers(csa, size, "NumberOfImagesInMosaic");
-  const auto normal = csaNumbers(csa, size, "SliceNormalVector");
-  const double step = number(dataset, DCM_SpacingBetweenSlices).value_or(file.frames[0].thickness);
-  // 1024: more slices than a mosaic of any scanner holds.
-  if (count.empty() || !(count[0] >= 1 && count[0] <= 1024) || normal.size() != 3 || !(step > 0.0)) return;
-  const DicomFrame whole = file.frames[0];
-  const int tiles = static_cast<int>(std::ceil(std::sqrt(count[0])));
-  if (!whole.hasGeometry || whole.size.x % tiles != 0 || whole.size.y % tiles != 0) return;
-
-  file.mosaicUnsplit = false;
-  file.frames.clear();
-  const glm::ivec2 tile = whole.size / tiles;
-  const glm::dvec2 margin = glm::dvec2(whole.size - tile) * 0.5 * whole.spacing;
-  for (int slice = 0; slice < static_cast<int>(count[0]); ++slice) {
-    DicomFrame frame = whole;
-    frame.tile = glm::ivec2(slice % tiles, slice / tiles) * tile;
-    frame.size = tile;
-    frame.position =
-        whole.position + whole.axes * margin + glm::dvec3(normal[0], normal[1], normal[2]) * (step * slice);
-    file.frames.push_back(frame);
-  }
 }
 
 std::shared_ptr<const ModalityLut> modalityLut(DcmItem& dataset, const PixelFormat& format) {
@@ -167,21 +117,77 @@ std::shared_ptr<const ModalityLut> modalityLut(DcmItem& dataset, const PixelForm
   return lut;
 }
 
+PixelFormat pixelFormatOf(DcmItem& dataset, const PixelPlace& pixels) {
+  PixelFormat format;
+  format.rows = static_cast<int>(integerOf(dataset, DCM_Rows).value_or(0));
+  format.columns = static_cast<int>(integerOf(dataset, DCM_Columns).value_or(0));
+  format.bitsAllocated = static_cast<int>(integerOf(dataset, DCM_BitsAllocated).value_or(0));
+  format.bitsStored = static_cast<int>(integerOf(dataset, DCM_BitsStored).value_or(format.bitsAllocated));
+  format.highBit = static_cast<int>(integerOf(dataset, DCM_HighBit).value_or(format.bitsStored - 1));
+  format.isSigned = integerOf(dataset, DCM_PixelRepresentation).value_or(0) == 1;
+  if (pixels.floatBytes != 0) format.sample = pixels.floatBytes == 4 ? Sample::Float32 : Sample::Float64;
+  return format;
+}
+
 /// Why a dataset is no stack of scalar images; empty when it is one.
 std::string refusalOf(DcmItem& dataset, const PixelFormat& format, const std::string& sopClass) {
   if (sopClass == UID_RTStructureSetStorage) return "is a DICOM structure set, not an image";
   if (isLabelClass(sopClass)) return "is a DICOM segmentation, not an image";
   if (format.rows < 1 || format.columns < 1) return "holds no image";
-  const std::string photometric = text(dataset, DCM_PhotometricInterpretation);
-  if (integer(dataset, DCM_SamplesPerPixel).value_or(1) != 1 ||
-      (!photometric.empty() && !photometric.starts_with("MONOCHROME")))
-    return "holds colours (" + (photometric.empty() ? "several samples a pixel" : photometric) + "), not values";
+  const std::string photometric = textOf(dataset, DCM_PhotometricInterpretation);
+  const std::int64_t samples = integerOf(dataset, DCM_SamplesPerPixel).value_or(1);
+  const bool monochrome = photometric.empty() || photometric.starts_with("MONOCHROME");
+  if (!monochrome) return "holds colours (" + photometric + "), not values";
+  if (samples != 1)
+    return "says " + std::to_string(samples) + " samples a pixel, where a " +
+           (photometric.empty() ? "picture of values" : photometric + " picture") + " has 1";
+  const std::string bits = "has pixels of " + std::to_string(format.bitsStored) + " bits in " +
+                           std::to_string(format.bitsAllocated) + ", which is not supported";
+  if (format.sample != Sample::Integer)
+    return format.bitsAllocated == (format.sample == Sample::Float32 ? 32 : 64) ? std::string() : bits;
   const bool whole = format.bitsAllocated == 8 || format.bitsAllocated == 16 || format.bitsAllocated == 32;
   if (!whole || format.bitsStored < 1 || format.bitsStored > format.bitsAllocated ||
       format.highBit + 1 < format.bitsStored || format.highBit >= format.bitsAllocated)
-    return "has pixels of " + std::to_string(format.bitsStored) + " bits in " + std::to_string(format.bitsAllocated) +
-           ", which is not supported";
+    return bits;
   return {};
+}
+
+std::optional<ValueLimits> limitsOf(DcmItem& dataset, const PixelFormat& format) {
+  // Both VRs occur whatever the pixels are.
+  const auto stored = [&](const DcmTagKey& tag) -> std::optional<std::int64_t> {
+    auto value = integerOf(dataset, tag);
+    Sint16 negative = 0;
+    if (!value && dataset.findAndGetSint16(tag, negative).good()) value = negative;
+    if (value && format.isSigned && format.bitsAllocated == 16) value = static_cast<std::int16_t>(*value);
+    return value;
+  };
+  const auto least = stored(DCM_SmallestImagePixelValue), greatest = stored(DCM_LargestImagePixelValue);
+  if (!least || !greatest || *least >= *greatest) return std::nullopt;
+  ValueLimits limits{*least, *greatest};
+  if (const auto padding = stored(DCM_PixelPaddingValue)) {
+    const std::int64_t other = stored(DCM_PixelPaddingRangeLimit).value_or(*padding);
+    limits.leastPadding = std::min(*padding, other);
+    limits.greatestPadding = std::max(*padding, other);
+  }
+  return limits;
+}
+
+/// Bits of DicomFrame::assumed that all frames of a file share.
+unsigned assumedOf(DcmItem& dataset, const DicomFile& file) {
+  unsigned bits = 0;
+  if (file.format.sample == Sample::Integer) {
+    const auto representation = integerOf(dataset, DCM_PixelRepresentation);
+    if (!representation || *representation < 0 || *representation > 1) bits |= assumed::representation;
+  } else {
+    DcmItem* shared = firstItem(&dataset, DCM_SharedFunctionalGroupsSequence);
+    DcmItem* mapping = firstItem(shared ? shared : &dataset, DCM_RealWorldValueMappingSequence);
+    if (mapping && (numberOf(*mapping, DCM_RealWorldValueSlope).value_or(1.0) != 1.0 ||
+                    numberOf(*mapping, DCM_RealWorldValueIntercept).value_or(0.0) != 0.0))
+      bits |= assumed::realWorldValues;
+  }
+  if (textOf(dataset, DCM_PhotometricInterpretation).empty()) bits |= assumed::photometric;
+  if (firstItem(&dataset, DCM_ModalityLUTSequence) && !file.lut) bits |= assumed::lut;
+  return bits;
 }
 
 }  // namespace
@@ -192,34 +198,33 @@ DicomFile readDicomHeader(const fs::path& path) {
   DcmDataset& dataset = *fileFormat.getDataset();
   DicomFile file;
   file.path = path;
-  const std::string sopClass = text(dataset, DCM_SOPClassUID);
+  const std::string sopClass = textOf(dataset, DCM_SOPClassUID);
   if (sopClass.empty() && !dataset.tagExists(DCM_Rows))
     throw Error(path, "its DICOM header names no object", "the file is truncated or damaged");
   file.sopClass = sopClass;
-  file.instance = text(dataset, DCM_SOPInstanceUID);
-  file.series = text(dataset, DCM_SeriesInstanceUID);
-  file.modality = text(dataset, DCM_Modality);
-  file.description = typedText(dataset, DCM_SeriesDescription);
+  file.instance = textOf(dataset, DCM_SOPInstanceUID);
+  file.series = textOf(dataset, DCM_SeriesInstanceUID);
+  file.modality = textOf(dataset, DCM_Modality);
+  file.description = typedTextOf(dataset, DCM_SeriesDescription);
 
-  PixelFormat& format = file.format;
-  format.rows = static_cast<int>(integer(dataset, DCM_Rows).value_or(0));
-  format.columns = static_cast<int>(integer(dataset, DCM_Columns).value_or(0));
-  format.bitsAllocated = static_cast<int>(integer(dataset, DCM_BitsAllocated).value_or(0));
-  format.bitsStored = static_cast<int>(integer(dataset, DCM_BitsStored).value_or(format.bitsAllocated));
-  format.highBit = static_cast<int>(integer(dataset, DCM_HighBit).value_or(format.bitsStored - 1));
-  format.isSigned = integer(dataset, DCM_PixelRepresentation).value_or(0) == 1;
-  file.refusal = refusalOf(dataset, format, sopClass);
+  file.transferSyntax = dataset.getOriginalXfer();
+  const auto pixels = pixelsOf(dataset, path);
+  file.pixels = pixels.value_or(PixelPlace{});
+  file.format = pixelFormatOf(dataset, file.pixels);
+  file.refusal = refusalOf(dataset, file.format, sopClass);
   if (isLabelClass(sopClass)) file.labels = std::make_shared<DicomLabelObject>(labelObjectIn(dataset, path));
   if (!file.refusal.empty()) return file;
+  if (!pixels) throw Error(path, "its pixels cannot be read (there are none)", "the file is truncated or damaged");
 
-  file.monochrome1 = text(dataset, DCM_PhotometricInterpretation) == "MONOCHROME1";
-  file.lut = modalityLut(dataset, format);
-  const std::string rescaleType = text(dataset, DCM_RescaleType);
+  file.monochrome1 = textOf(dataset, DCM_PhotometricInterpretation) == "MONOCHROME1";
+  file.lut = modalityLut(dataset, file.format);
+  file.limits = limitsOf(dataset, file.format);
+  const std::string rescaleType = textOf(dataset, DCM_RescaleType);
   if (file.modality == "CT") file.unit = rescaleType.empty() || rescaleType == "US" ? "HU" : rescaleType;
-  if (file.modality == "PT") file.unit = text(dataset, DCM_Units);
+  if (file.modality == "PT") file.unit = textOf(dataset, DCM_Units);
 
-  const std::int64_t frames = integer(dataset, DCM_NumberOfFrames).value_or(1);
-  checkFrameBytes(dataset, path, frames, format.rows, format.columns, format.bitsAllocated);
+  const std::int64_t frames = countFrames(dataset, file);
+  const unsigned assumed = assumedOf(dataset, file);
 
   DcmSequenceOfItems* perFrame = nullptr;
   dataset.findAndGetSequence(DCM_PerFrameFunctionalGroupsSequence, perFrame);
@@ -230,13 +235,14 @@ DicomFile readDicomHeader(const fs::path& path) {
     if (perFrame) next = perFrame->nextInContainer(next);
     if (!next) perFrame = nullptr;  // fewer items than frames
     file.frames.push_back(readFrame({dynamic_cast<DcmItem*>(next), shared, dataset}, file, static_cast<int>(index)));
+    file.frames.back().assumed |= assumed;
   }
   if (sopClass == UID_RTDoseStorage)
     placeDoseFrames(dataset, file);
   else if (frames > 1 && !hasGroups)
     // One position for many frames: the format says nothing about where the others are.
     for (DicomFrame& frame : file.frames) frame.hasGeometry = false;
-  if (frames == 1 && text(dataset, DCM_ImageType).find("MOSAIC") != std::string::npos) splitMosaic(dataset, file);
+  if (frames == 1 && textOf(dataset, DCM_ImageType).find("MOSAIC") != std::string::npos) splitMosaic(dataset, file);
   return file;
 }
 

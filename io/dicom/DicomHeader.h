@@ -5,24 +5,39 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "io/dicom/DicomLabels.h"
+#include "io/dicom/DicomPixels.h"
 #include "rendering/scene/Volume.h"
 
 namespace fenestra::io {
 
+enum class Sample : std::uint8_t { Integer, Float32, Float64 };
+
 /// How samples lie in their words.
 struct PixelFormat {
+  Sample sample = Sample::Integer;
   int rows = 0, columns = 0;  ///< of the stored frame
   int bitsAllocated = 0, bitsStored = 0, highBit = 0;
   bool isSigned = false;
+  /// Of integers.
   std::int64_t least() const { return isSigned ? -(std::int64_t{1} << (bitsStored - 1)) : 0; }
   std::int64_t greatest() const { return (std::int64_t{1} << (isSigned ? bitsStored - 1 : bitsStored)) - 1; }
   std::size_t frameBytes() const {
     return static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns) *
            static_cast<std::size_t>(bitsAllocated / 8);
+  }
+};
+
+/// Stored values that an image holds, as its header says.
+struct ValueLimits {
+  std::int64_t least = 0, greatest = 0;                ///< Smallest and Largest Image Pixel Value
+  std::int64_t leastPadding = 1, greatestPadding = 0;  ///< of padding, which these leave out; empty when reversed
+  bool contain(std::int64_t value) const {
+    return (value >= least && value <= greatest) || (value >= leastPadding && value <= greatestPadding);
   }
 };
 
@@ -32,6 +47,20 @@ struct ModalityLut {
   std::vector<std::uint16_t> values;
   bool operator==(const ModalityLut&) const = default;
 };
+
+/// What a header lacks or garbles, so that a default takes its place or it is ignored; bits of DicomFrame::assumed.
+namespace assumed {
+inline constexpr unsigned spacing = 1;          ///< no pixel spacing: 1 mm
+inline constexpr unsigned garbledSpacing = 2;   ///< one that is not two positive numbers: 1 mm
+inline constexpr unsigned detectorSpacing = 4;  ///< that on the detector, which is magnified, in place of the patient's
+inline constexpr unsigned slope = 8;            ///< none or 0 or no number: 1
+inline constexpr unsigned intercept = 16;       ///< no number: 0
+inline constexpr unsigned doseScaling = 32;     ///< none or 0 or no number: 1
+inline constexpr unsigned lut = 64;             ///< a Modality LUT that cannot be read: ignored
+inline constexpr unsigned representation = 128;   ///< neither signed nor unsigned: unsigned
+inline constexpr unsigned photometric = 256;      ///< none: MONOCHROME2
+inline constexpr unsigned realWorldValues = 512;  ///< a mapping to physical values: not applied
+}  // namespace assumed
 
 /// One slice. Usually a whole stored frame; of a mosaic a tile of it.
 struct DicomFrame {
@@ -48,6 +77,7 @@ struct DicomFrame {
 
   double slope = 1.0, intercept = 0.0;
   std::vector<WindowLevel> windows;
+  unsigned assumed = 0;  ///< bits of fenestra::io::assumed
 
   std::string frameOfReference, frameType, stack;            ///< frames that differ here form different volumes
   std::int64_t temporal = 0, acquisition = 0, instance = 0;  ///< order among frames at one position
@@ -59,9 +89,12 @@ struct DicomFile {
   std::string refusal;                             ///< why this is no scalar image; empty when it is one
   std::shared_ptr<const DicomLabelObject> labels;  ///< of a segmentation or structure set
   PixelFormat format;
+  int transferSyntax = 0;  ///< DCMTK's E_TransferSyntax
+  PixelPlace pixels;
   bool monochrome1 = false;
   bool mosaicUnsplit = false;  ///< a mosaic whose layout is unknown; it stays one slice
   std::shared_ptr<const ModalityLut> lut;
+  std::optional<ValueLimits> limits;
   std::vector<DicomFrame> frames;
 };
 

@@ -1,6 +1,7 @@
 #include "io/dicom/DicomLabels.h"
 
 #include "io/dicom/Dataset.h"
+#include "io/dicom/DicomValues.h"
 #include "io/dicom/LabelObject.h"
 #include "io/dicom/RtStruct.h"
 #include "io/dicom/Segmentation.h"
@@ -9,7 +10,7 @@ namespace fenestra::io {
 namespace {
 
 void addText(DcmItem& item, const DcmTagKey& tag, std::set<std::string>& texts) {
-  if (std::string value = text(item, tag); !value.empty()) texts.insert(std::move(value));
+  if (std::string value = textOf(item, tag); !value.empty()) texts.insert(std::move(value));
 }
 
 }  // namespace
@@ -27,16 +28,17 @@ bool isLabelClass(const std::string& sopClass) {
 DicomLabelObject labelObjectIn(DcmDataset& dataset, const std::filesystem::path& path) {
   DicomLabelObject object;
   object.info.file = path;
-  object.info.description = typedText(dataset, DCM_SeriesDescription);
-  object.frameOfReference = text(dataset, DCM_FrameOfReferenceUID);
-  const bool structureSet = text(dataset, DCM_SOPClassUID) == UID_RTStructureSetStorage;
+  object.info.description = typedTextOf(dataset, DCM_SeriesDescription);
+  object.frameOfReference = textOf(dataset, DCM_FrameOfReferenceUID);
+  const bool structureSet = textOf(dataset, DCM_SOPClassUID) == UID_RTStructureSetStorage;
   object.info.kind = structureSet ? "RTSTRUCT" : "SEG";
   if (structureSet) {
-    if (std::string label = typedText(dataset, DCM_StructureSetLabel); !label.empty()) object.info.description = label;
+    if (std::string label = typedTextOf(dataset, DCM_StructureSetLabel); !label.empty())
+      object.info.description = label;
     forEachItem(dataset, DCM_StructureSetROISequence,
-                [&](DcmItem& roi) { object.info.structures.push_back(typedText(roi, DCM_ROIName, &dataset)); });
+                [&](DcmItem& roi) { object.info.structures.push_back(typedTextOf(roi, DCM_ROIName, &dataset)); });
     forEachItem(dataset, DCM_ReferencedFrameOfReferenceSequence, [&](DcmItem& frame) {
-      if (object.frameOfReference.empty()) object.frameOfReference = text(frame, DCM_FrameOfReferenceUID);
+      if (object.frameOfReference.empty()) object.frameOfReference = textOf(frame, DCM_FrameOfReferenceUID);
       forEachItem(frame, DCM_RTReferencedStudySequence, [&](DcmItem& study) {
         forEachItem(study, DCM_RTReferencedSeriesSequence,
                     [&](DcmItem& series) { addText(series, DCM_SeriesInstanceUID, object.series); });
@@ -57,7 +59,7 @@ LabelsOnGrid readDicomLabels(const std::filesystem::path& path, const Grid& targ
   DcmFileFormat file;
   loadHeader(path, file);
   DcmDataset& dataset = *file.getDataset();
-  const std::string sopClass = text(dataset, DCM_SOPClassUID);
+  const std::string sopClass = textOf(dataset, DCM_SOPClassUID);
   if (!isLabelClass(sopClass))
     throw Error(path, "is DICOM, but neither a segmentation nor a structure set", "open it as a volume");
   if (sopClass == UID_RTStructureSetStorage) return readStructureSet(dataset, path, target, progress);

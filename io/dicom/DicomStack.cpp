@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <numbers>
 #include <tuple>
 
@@ -52,7 +53,8 @@ class Stacker {
  public:
   explicit Stacker(const std::vector<DicomFile>& files) : files_(files) {}
 
-  std::vector<DicomStack> stack(const std::vector<DicomFrame>& frames) {
+  std::vector<DicomStack> stack(std::vector<DicomFrame> frames) {
+    dropReferencesOfSingleSlices(frames);
     std::vector<std::vector<DicomFrame>> groups;
     for (const DicomFrame& frame : frames) {
       const auto group = std::find_if(groups.begin(), groups.end(),
@@ -63,6 +65,7 @@ class Stacker {
         groups.push_back({frame});
     }
     for (auto& group : groups) {
+      ++group_;
       if (group.front().hasGeometry)
         placeGroup(std::move(group));
       else
@@ -72,6 +75,7 @@ class Stacker {
       return a.grid.voxelCount() > b.grid.voxelCount();
     });
     warnOfMixture();
+    warnOfReferences();
     return std::move(stacks_);
   }
 
@@ -82,6 +86,33 @@ class Stacker {
       if (std::find(paths.begin(), paths.end(), files_[frame.file].path) == paths.end())
         paths.push_back(files_[frame.file].path);
     return paths;
+  }
+
+  /// A frame of reference is the coordinate system that the slices of a scan share. Some anonymisers give every slice
+  /// one of its own: where more than half hold a single slice, they are dropped, and positions are taken to be in one
+  /// system.
+  void dropReferencesOfSingleSlices(std::vector<DicomFrame>& frames) {
+    const auto grouped = [](const DicomFrame& frame) { return frame.hasGeometry && !frame.frameOfReference.empty(); };
+    std::map<std::string, std::size_t> slices;
+    for (const DicomFrame& frame : frames)
+      if (grouped(frame)) ++slices[frame.frameOfReference];
+    const auto single = static_cast<std::size_t>(
+        std::count_if(slices.begin(), slices.end(), [](const auto& reference) { return reference.second == 1; }));
+    if (slices.size() < 2 || 2 * single <= slices.size()) return;
+    for (DicomFrame& frame : frames)
+      if (grouped(frame)) frame.frameOfReference.clear();
+    droppedReferences_ = slices.size();
+  }
+
+  void warnOfReferences() {
+    if (droppedReferences_ == 0) return;
+    for (DicomStack& stack : stacks_)
+      if (stack.frames.size() > 1)
+        stack.warnings.push_back({Warning::Kind::Other,
+                                  "the series names " + std::to_string(droppedReferences_) +
+                                      " frames of reference, most for a single slice; its slices are taken to lie in "
+                                      "one coordinate system",
+                                  {}});
   }
 
   /// Splits a group into volumes with one frame at each position and no far gaps.
@@ -106,15 +137,19 @@ class Stacker {
       for (std::size_t time = 0; time < times; ++time) {
         std::vector<DicomFrame> volume;
         for (const auto& place : places) volume.push_back(place[time]);
-        const bool first = time == 0;
+        const std::size_t before = stacks_.size();
         splitAtFarGaps(std::move(volume), normal);
-        if (first)
-          stacks_.back().warnings.push_back(
-              {Warning::Kind::TimePoints,
-               (places.size() == 1 ? "all " + std::to_string(times) + " frames lie at one position"
-                                   : std::to_string(times) + " frames lie at each position") +
-                   " (time points or repeats, no deeper volume); each forms a volume of its own",
-               pathsOf(group)});
+        for (std::size_t i = before; i < stacks_.size(); ++i) {
+          stacks_[i].time = static_cast<int>(time) + 1;
+          stacks_[i].times = static_cast<int>(times);
+        }
+        stacks_.back().warnings.push_back(
+            {Warning::Kind::TimePoints,
+             (places.size() == 1 ? "all " + std::to_string(times) + " frames lie at one position"
+                                 : std::to_string(times) + " frames lie at each position") +
+                 " (time points or repeats, no deeper volume); each forms a volume of its own: number " +
+                 std::to_string(time + 1) + " is shown, --time N chooses another",
+             pathsOf(group)});
       }
       return;
     }
@@ -166,6 +201,7 @@ class Stacker {
 
   void addStack(const std::vector<DicomFrame>& frames, const glm::dvec3& normal) {
     DicomStack stack;
+    stack.group = group_;
     stack.frames = frames;
     const DicomFrame& first = frames.front();
     const int count = static_cast<int>(frames.size());
@@ -241,6 +277,7 @@ class Stacker {
       return std::tie(a.instance, a.file, a.number) < std::tie(b.instance, b.file, b.number);
     });
     DicomStack stack;
+    stack.group = group_;
     const DicomFrame& first = frames.front();
     stack.grid.dims = {first.size.x, first.size.y, static_cast<int>(frames.size())};
     stack.grid.spacing = {first.spacing.x, first.spacing.y, first.thickness > 0.0 ? first.thickness : 1.0};
@@ -279,6 +316,8 @@ class Stacker {
 
   const std::vector<DicomFile>& files_;
   std::vector<DicomStack> stacks_;
+  int group_ = 0;                      ///< of slices that belong together, from 1
+  std::size_t droppedReferences_ = 0;  ///< frames of reference that were ignored
 };
 
 }  // namespace

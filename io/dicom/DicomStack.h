@@ -15,12 +15,15 @@ struct DicomStack {
   /// Sheared where the gantry was tilted. The step between slices is (last - first) / (n - 1): with uneven slices both
   /// ends are exact.
   Grid grid;
+  /// Time points of one place share a group, and are numbered from 1; 0: it is no time point.
+  int group = 0, time = 0, times = 0;
   std::vector<Warning> warnings;
 };
 
 /// The volumes among the frames of one series, largest first. `files` are the scanned files that frames refer to.
-/// Slices are told apart by size, orientation, spacing, frame of reference, frame type and stack; a slice further away
-/// than ten times the usual distance, and the second and later frames at one position, form volumes of their own.
+/// Slices are told apart by size, orientation, spacing, frame of reference, frame type and stack; frames of reference
+/// of single slices are none and do not count. A slice further away than ten times the usual distance, and the second
+/// and later frames at one position, form volumes of their own.
 std::vector<DicomStack> stackFrames(const std::vector<DicomFrame>& frames, const std::vector<DicomFile>& files);
 
 }  // namespace fenestra::io

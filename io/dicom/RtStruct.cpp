@@ -11,6 +11,7 @@
 #include "io/base/Text.h"
 #include "io/dicom/ContourFill.h"
 #include "io/dicom/Dataset.h"
+#include "io/dicom/DicomValues.h"
 #include "io/dicom/Slabs.h"
 #include "rendering/scene/Parallel.h"
 
@@ -69,7 +70,7 @@ Contour pointsOf(DcmItem& contour, const std::string& structure, const fs::path&
     refuse(path, "a contour of " + structure + " has " + std::to_string(numbers.size()) +
                      " coordinates, which are no whole points");
   const std::int64_t declared =
-      integer(contour, DCM_NumberOfContourPoints).value_or(static_cast<std::int64_t>(numbers.size() / 3));
+      integerOf(contour, DCM_NumberOfContourPoints).value_or(static_cast<std::int64_t>(numbers.size() / 3));
   if (declared != static_cast<std::int64_t>(numbers.size() / 3))
     refuse(path, "a contour of " + structure + " has " + std::to_string(numbers.size() / 3) + " points but says " +
                      std::to_string(declared));
@@ -84,8 +85,8 @@ std::vector<Structure> structuresIn(DcmDataset& dataset, const fs::path& path) {
   std::set<std::int64_t> numbers;
   forEachItem(dataset, DCM_StructureSetROISequence, [&](DcmItem& item) {
     Structure structure;
-    structure.number = integer(item, DCM_ROINumber).value_or(-1);
-    structure.label.name = typedText(item, DCM_ROIName, &dataset);
+    structure.number = integerOf(item, DCM_ROINumber).value_or(-1);
+    structure.label.name = typedTextOf(item, DCM_ROIName, &dataset);
     if (!numbers.insert(structure.number).second)
       refuse(path, "two of its structures have the number " + std::to_string(structure.number));
     structures.push_back(std::move(structure));
@@ -122,16 +123,16 @@ StructureSet readContours(DcmDataset& dataset, const fs::path& path) {
   set.structures = structuresIn(dataset, path);
   if (!dataset.tagExists(DCM_ROIContourSequence)) refuse(path, "it has no contours");
   forEachItem(dataset, DCM_ROIContourSequence, [&](DcmItem& item) {
-    const std::int64_t number = integer(item, DCM_ReferencedROINumber).value_or(-1);
+    const std::int64_t number = integerOf(item, DCM_ReferencedROINumber).value_or(-1);
     const auto at = std::find_if(set.structures.begin(), set.structures.end(),
                                  [&](const Structure& structure) { return structure.number == number; });
     if (at == set.structures.end())
       refuse(path, "it has contours of structure " + std::to_string(number) + ", which it does not describe");
-    if (const auto colour = numbersIn<double>(spaced(text(item, DCM_ROIDisplayColor))); colour && colour->size() == 3)
+    if (const auto colour = numbersIn<double>(spaced(textOf(item, DCM_ROIDisplayColor))); colour && colour->size() == 3)
       at->label.colour = glm::clamp(glm::dvec3((*colour)[0], (*colour)[1], (*colour)[2]) / 255.0, 0.0, 1.0);
     forEachItem(item, DCM_ContourSequence, [&](DcmItem& contour) {
       Contour points = pointsOf(contour, at->label.name, path);
-      const std::string type = text(contour, DCM_ContourGeometricType);
+      const std::string type = textOf(contour, DCM_ContourGeometricType);
       const bool closed = type.empty() || type == "CLOSED_PLANAR" || type == "CLOSEDPLANAR_XOR";
       if (closed && points.size() >= 3)
         at->contours.push_back(std::move(points));

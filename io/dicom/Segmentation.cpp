@@ -14,6 +14,7 @@
 #include "io/base/Memory.h"
 #include "io/dicom/Dataset.h"
 #include "io/dicom/DicomDecoder.h"
+#include "io/dicom/DicomValues.h"
 #include "io/dicom/LabelObject.h"
 #include "io/dicom/Slabs.h"
 #include "rendering/scene/Parallel.h"
@@ -33,9 +34,8 @@ struct Frame {
 };
 
 struct Header {
-  fs::path path;
+  DicomFile file;
   Type type = Type::Binary;
-  PixelFormat format;
   std::int64_t greatest = 1;    ///< the fractional value that stands for a whole voxel
   std::int64_t background = 0;  ///< pixel value of a label map where there is no segment
   std::vector<Label> labels;
@@ -46,7 +46,7 @@ struct Header {
 
   glm::dvec3 normal() const { return glm::normalize(glm::cross(axes[0], axes[1])); }
   std::size_t framePixels() const {
-    return static_cast<std::size_t>(format.rows) * static_cast<std::size_t>(format.columns);
+    return static_cast<std::size_t>(file.format.rows) * static_cast<std::size_t>(file.format.columns);
   }
 };
 
@@ -69,7 +69,7 @@ std::vector<Label> segmentsOf(DcmDataset& dataset, const fs::path& path) {
   std::vector<Label> labels;
   std::set<std::int64_t> taken;
   forEachItem(dataset, DCM_SegmentSequence, [&](DcmItem& segment) {
-    const std::int64_t number = integer(segment, DCM_SegmentNumber).value_or(-1);
+    const std::int64_t number = integerOf(segment, DCM_SegmentNumber).value_or(-1);
     if (number < 0 || number > greatestLabel) refuse(path, "one of its segments has no number");
     if (!taken.insert(number).second) refuse(path, "two of its segments have the number " + std::to_string(number));
     if (number == 0) return;  // a label map may describe its background
@@ -84,29 +84,29 @@ std::vector<Label> segmentsOf(DcmDataset& dataset, const fs::path& path) {
 }
 
 Type typeOf(DcmDataset& dataset, const fs::path& path) {
-  const std::string name = text(dataset, DCM_SegmentationType);
+  const std::string name = textOf(dataset, DCM_SegmentationType);
   if (name == "BINARY") return Type::Binary;
   if (name == "FRACTIONAL") return Type::Fractional;
-  if (name == "LABELMAP" || text(dataset, DCM_SOPClassUID) == labelMapSegmentationClass) return Type::LabelMap;
+  if (name == "LABELMAP" || textOf(dataset, DCM_SOPClassUID) == labelMapSegmentationClass) return Type::LabelMap;
   refuse(path, "its segmentation type is \"" + name + "\"");
 }
 
 void readFormat(DcmDataset& dataset, Header& header) {
-  PixelFormat& format = header.format;
-  format.rows = static_cast<int>(integer(dataset, DCM_Rows).value_or(0));
-  format.columns = static_cast<int>(integer(dataset, DCM_Columns).value_or(0));
-  const std::int64_t bits = integer(dataset, DCM_BitsAllocated).value_or(0);
-  if (format.rows < 1 || format.columns < 1) refuse(header.path, "it holds no frames");
+  PixelFormat& format = header.file.format;
+  format.rows = static_cast<int>(integerOf(dataset, DCM_Rows).value_or(0));
+  format.columns = static_cast<int>(integerOf(dataset, DCM_Columns).value_or(0));
+  const std::int64_t bits = integerOf(dataset, DCM_BitsAllocated).value_or(0);
+  if (format.rows < 1 || format.columns < 1) refuse(header.file.path, "it holds no frames");
   const bool possible =
       header.type == Type::LabelMap ? bits == 8 || bits == 16 : bits == 8 || (bits == 1 && header.type == Type::Binary);
   if (!possible)
-    refuse(header.path, "its pixels have " + std::to_string(bits) + " bits, which its type does not allow");
+    refuse(header.file.path, "its pixels have " + std::to_string(bits) + " bits, which its type does not allow");
   format.bitsAllocated = format.bitsStored = static_cast<int>(bits);
   format.highBit = format.bitsStored - 1;
-  header.greatest = integer(dataset, DCM_MaximumFractionalValue).value_or(255);
+  header.greatest = integerOf(dataset, DCM_MaximumFractionalValue).value_or(255);
   if (header.greatest < 1 || header.greatest > 255)
-    refuse(header.path, "its greatest fraction is " + std::to_string(header.greatest) + ", not from 1 to 255");
-  if (header.type == Type::LabelMap) header.background = integer(dataset, DCM_PixelPaddingValue).value_or(0);
+    refuse(header.file.path, "its greatest fraction is " + std::to_string(header.greatest) + ", not from 1 to 255");
+  if (header.type == Type::LabelMap) header.background = integerOf(dataset, DCM_PixelPaddingValue).value_or(0);
 }
 
 Frame readFrame(const Scopes& scopes, int number, Header& header) {
@@ -114,25 +114,29 @@ Frame readFrame(const Scopes& scopes, int number, Header& header) {
   readGeometry(scopes, place);
   const std::string name = "frame " + std::to_string(number + 1);
   if (!place.hasGeometry)
-    throw Error(header.path, "its " + name + " does not say where it lies in the patient",
+    throw Error(header.file.path, "its " + name + " does not say where it lies in the patient",
                 "only segmentations of volumes can be opened");
+  if (place.assumed & (assumed::spacing | assumed::garbledSpacing))
+    refuse(header.file.path, "its " + name + " has no pixel spacing");
   // A kilometre: beyond any scanner, and far from where arithmetic fails.
   if (glm::any(glm::greaterThan(glm::abs(place.position), glm::dvec3(1e6))))
-    refuse(header.path, "its " + name + " lies outside any scanner");
+    refuse(header.file.path, "its " + name + " lies outside any scanner");
   if (number == 0) {
     header.axes = place.axes;
     header.spacing = place.spacing;
     header.thickness = place.thickness;
     if (DcmItem* measures = scopes.group(DCM_PixelMeasuresSequence))
-      header.declaredStep = std::abs(fenestra::io::number(*measures, DCM_SpacingBetweenSlices).value_or(0.0));
+      header.declaredStep = std::abs(numberOf(*measures, DCM_SpacingBetweenSlices).value_or(0.0));
   }
   // A thousandth of a radian, and of the spacing: rounding leaves less.
   const bool parallel = glm::distance(place.axes[0], header.axes[0]) < 1e-3 &&
                         glm::distance(place.axes[1], header.axes[1]) < 1e-3 &&
                         glm::all(glm::lessThan(glm::abs(place.spacing - header.spacing), 1e-3 * header.spacing));
   if (!parallel)
-    throw Error(header.path, "its frames have several orientations or pixel spacings",
+    throw Error(header.file.path, "its frames have several orientations or pixel spacings",
                 "split it into one file for each");
+  place.number = number;
+  header.file.frames.push_back(place);
   Frame frame;
   frame.number = number;
   frame.origin = place.position;
@@ -141,24 +145,27 @@ Frame readFrame(const Scopes& scopes, int number, Header& header) {
   std::int64_t segment = 0;
   for (DcmItem* groups : {scopes.perFrame, scopes.shared})
     if (DcmItem* of = firstItem(groups, DCM_SegmentIdentificationSequence); of && segment == 0)
-      segment = integer(*of, DCM_ReferencedSegmentNumber).value_or(0);
+      segment = integerOf(*of, DCM_ReferencedSegmentNumber).value_or(0);
   const bool known = std::any_of(header.labels.begin(), header.labels.end(),
                                  [&](const Label& label) { return label.value == segment; });
   if (!known)
-    refuse(header.path,
+    refuse(header.file.path,
            "its " + name + " belongs to segment " + std::to_string(segment) + ", which it does not describe");
   frame.segment = static_cast<std::uint16_t>(segment);
   return frame;
 }
 
 void readFrames(DcmDataset& dataset, Header& header) {
-  const std::int64_t count = integer(dataset, DCM_NumberOfFrames).value_or(1);
-  checkFrameBytes(dataset, header.path, count, header.format.rows, header.format.columns, header.format.bitsAllocated);
+  const auto pixels = pixelsOf(dataset, header.file.path);
+  if (!pixels) refuse(header.file.path, "it has no pixels");
+  header.file.pixels = *pixels;
+  header.file.transferSyntax = dataset.getOriginalXfer();
+  const std::int64_t count = countFrames(dataset, header.file);
   DcmSequenceOfItems* perFrame = nullptr;
   dataset.findAndGetSequence(DCM_PerFrameFunctionalGroupsSequence, perFrame);
   const std::int64_t described = perFrame ? static_cast<std::int64_t>(perFrame->card()) : 0;
   if (described != count)
-    refuse(header.path, "it has " + std::to_string(count) + " frames but describes " + std::to_string(described));
+    refuse(header.file.path, "it has " + std::to_string(count) + " frames but describes " + std::to_string(described));
   DcmItem* shared = firstItem(&dataset, DCM_SharedFunctionalGroupsSequence);
   DcmObject* next = nullptr;
   for (int number = 0; (next = perFrame->nextInContainer(next)); ++number)
@@ -168,42 +175,27 @@ void readFrames(DcmDataset& dataset, Header& header) {
 /// Labelled pixels of frames. Binary frames of one bit a pixel follow each other without padding, the lowest bit first.
 class FramePixels {
  public:
-  explicit FramePixels(const Header& header) : header_(header) {
-    if (header.format.bitsAllocated > 1) {
-      decoded_.path = header.path;
-      decoded_.format = header.format;
-      for (const Frame& frame : header.frames) {
-        DicomFrame stored;
-        stored.number = frame.number;
-        decoded_.frames.push_back(stored);
-      }
-      decoder_.emplace(decoded_);
-      return;
-    }
-    const OFCondition loaded = file_.loadFile(OFFilename(header.path.c_str()));
-    if (loaded.bad()) refuse(header.path, std::string("its pixels cannot be read (") + loaded.text() + ")");
-    DcmElement* element = nullptr;
-    DcmDataset& dataset = *file_.getDataset();
-    if (dataset.findAndGetElement(DCM_PixelData, element).bad() || !element) refuse(header.path, "it has no pixels");
-    if (DcmXfer(dataset.getOriginalXfer()).isEncapsulated())
-      throw Error(header.path, "its frames of one bit a pixel are compressed", "store the segmentation uncompressed");
-    const std::uint64_t needed = (header.frames.size() * static_cast<std::uint64_t>(header.framePixels()) + 7) / 8;
-    if (element->getLength() < needed || element->getUint8Array(bits_).bad() || !bits_)
-      refuse(header.path,
-             "its pixels have " + std::to_string(element->getLength()) + " bytes of " + std::to_string(needed));
+  explicit FramePixels(const Header& header) : header_(header), native_(header.file.path, header.file.pixels) {
+    if (header.file.format.bitsAllocated > 1)
+      decoder_.emplace(header.file);
+    else if (header.file.pixels.encapsulated)
+      throw Error(header.file.path, "its frames of one bit a pixel are compressed",
+                  "store the segmentation uncompressed");
   }
 
   /// Calls visit(pixel, label) for each labelled pixel of a frame.
   template <class F>
   void forEach(const Frame& frame, F&& visit) {
     const std::size_t count = header_.framePixels();
-    if (bits_) {
+    if (!decoder_) {
       const std::uint64_t first = static_cast<std::uint64_t>(frame.number) * count;
+      bits_.resize((first + count + 7) / 8 - first / 8);
+      native_.read(first / 8, bits_);
       for (std::size_t i = 0; i < count; ++i) {
-        const std::uint64_t bit = first + i;
-        if (bit % 8 == 0 && bits_[bit / 8] == 0 && i + 8 <= count)
+        const std::size_t bit = first % 8 + i;
+        if (bit % 8 == 0 && bits_[bit / 8] == std::byte{0} && i + 8 <= count)
           i += 7;  // eight empty pixels
-        else if (bits_[bit / 8] >> (bit % 8) & 1)
+        else if ((bits_[bit / 8] >> (bit % 8) & std::byte{1}) != std::byte{0})
           visit(i, frame.segment);
       }
       return;
@@ -211,7 +203,7 @@ class FramePixels {
     const std::span<const std::byte> words = decoder_->decode(frame.number);
     for (std::size_t i = 0; i < count; ++i) {
       std::uint16_t value = 0;
-      if (header_.format.bitsAllocated == 16)
+      if (header_.file.format.bitsAllocated == 16)
         std::memcpy(&value, words.data() + 2 * i, 2);
       else
         value = static_cast<std::uint16_t>(words[i]);
@@ -225,10 +217,9 @@ class FramePixels {
 
  private:
   const Header& header_;
-  DicomFile decoded_;
-  std::optional<DicomDecoder> decoder_;
-  DcmFileFormat file_;
-  Uint8* bits_ = nullptr;
+  NativePixels native_;
+  std::optional<DicomDecoder> decoder_;  ///< of frames with whole bytes a pixel
+  std::vector<std::byte> bits_;
 };
 
 /// Labels on the planes that the frames lie on, in ascending order along the normal.
@@ -254,7 +245,7 @@ LabelPlanes planesOf(Header& header) {
       planes.origins.push_back(frame.origin);
     }
     if (glm::distance(frame.origin, planes.origins.back()) > 2.0 * tolerance)
-      throw Error(header.path, "several of its frames lie beside each other on one plane (tiles)",
+      throw Error(header.file.path, "several of its frames lie beside each other on one plane (tiles)",
                   "only segmentations of volumes can be opened");
     frame.plane = planes.positions.size() - 1;
   }
@@ -262,7 +253,7 @@ LabelPlanes planesOf(Header& header) {
 }
 
 void paint(const Header& header, const Progress& progress, LabelPlanes& planes, std::vector<Warning>& warnings) {
-  checkMemory(header.path, saturatingProduct(planes.positions.size(), 2 * header.framePixels()));
+  checkMemory(header.file.path, saturatingProduct(planes.positions.size(), 2 * header.framePixels()));
   planes.values.assign(planes.positions.size() * header.framePixels(), 0);
   FramePixels pixels(header);
   std::vector<std::uint64_t> sizes(greatestLabel + 1u, 0);
@@ -282,7 +273,7 @@ void paint(const Header& header, const Progress& progress, LabelPlanes& planes, 
     pixels.forEach(header.frames[i],
                    [&](std::size_t pixel, std::uint16_t label) { plane[pixel] = overlap.keep(plane[pixel], label); });
   }
-  overlap.warn(header.path, header.labels, warnings);
+  overlap.warn(header.file.path, header.labels, warnings);
 }
 
 /// The usual distance between planes: as declared, unless neighbours lie closer.
@@ -305,7 +296,7 @@ std::vector<std::uint16_t> onGrid(const Header& header, const LabelPlanes& plane
       glm::inverse(glm::dmat3(header.axes[0] * header.spacing.x, header.axes[1] * header.spacing.y, header.normal()));
   const glm::dmat4 worldFromIndex = target.worldFromIndex();
   const glm::dvec3 normal = header.normal(), along = glm::dvec3(worldFromIndex[0]);
-  const glm::dvec3 size(header.format.columns, header.format.rows, 1.0);
+  const glm::dvec3 size(header.file.format.columns, header.file.format.rows, 1.0);
   std::vector<std::uint16_t> result(target.voxelCount(), 0);
   const auto rows = static_cast<std::size_t>(target.dims.y), slices = static_cast<std::size_t>(target.dims.z);
   parallelFor(rows * slices, 64, [&](std::size_t begin, std::size_t end) {
@@ -320,7 +311,7 @@ std::vector<std::uint16_t> onGrid(const Header& header, const LabelPlanes& plane
         const glm::dvec3 pixel = glm::floor(pixelFromWorld * (world - planes.origins[index]) + 0.5);
         if (pixel.x < 0.0 || pixel.y < 0.0 || pixel.x >= size.x || pixel.y >= size.y) continue;
         to[x] = planes.values[index * header.framePixels() +
-                              static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(header.format.columns) +
+                              static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(header.file.format.columns) +
                               static_cast<std::size_t>(pixel.x)];
       }
     }
@@ -332,7 +323,7 @@ std::vector<std::uint16_t> onGrid(const Header& header, const LabelPlanes& plane
     for (const glm::dvec3& corner :
          {origin, origin + acrossColumns * (size.x - 1.0), origin + acrossRows * (size.y - 1.0)})
       sameLattice = sameLattice && isVoxelCentre(glm::dvec3(indexFromWorld * glm::dvec4(corner, 1.0)));
-  warnOfPlacement(header.path, labelledVoxels(planes.values), labelledVoxels(result), sameLattice, warnings);
+  warnOfPlacement(header.file.path, labelledVoxels(planes.values), labelledVoxels(result), sameLattice, warnings);
   return result;
 }
 
@@ -340,14 +331,14 @@ std::vector<std::uint16_t> onGrid(const Header& header, const LabelPlanes& plane
 
 std::string segmentName(DcmItem& segment, DcmDataset& dataset) {
   for (const DcmTagKey& tag : {DCM_SegmentLabel, DCM_SegmentDescription})
-    if (std::string name = typedText(segment, tag, &dataset); !name.empty()) return name;
+    if (std::string name = typedTextOf(segment, tag, &dataset); !name.empty()) return name;
   DcmItem* type = firstItem(&segment, DCM_SegmentedPropertyTypeCodeSequence);
-  return type ? typedText(*type, DCM_CodeMeaning, &dataset) : std::string();
+  return type ? typedTextOf(*type, DCM_CodeMeaning, &dataset) : std::string();
 }
 
 LabelsOnGrid readSegmentation(DcmDataset& dataset, const fs::path& path, const Grid& target, const Progress& progress) {
   Header header;
-  header.path = path;
+  header.file.path = path;
   header.type = typeOf(dataset, path);
   readFormat(dataset, header);
   header.labels = segmentsOf(dataset, path);

@@ -19,6 +19,7 @@
 
 #include "io/base/AtomicFile.h"
 #include "io/dicom/Dataset.h"
+#include "io/dicom/DicomValues.h"
 
 namespace fenestra::io {
 namespace fs = std::filesystem;
@@ -113,9 +114,9 @@ void describeOrigin(DcmSegmentation& document, const std::vector<fs::path>& seri
     // Names of segments are UTF-8, so everything is.
     dataset.convertToUTF8();
     require(document.importFromSourceImage(dataset), file, "patient and study");
-    if (text(dataset, DCM_LossyImageCompression) == "01")
-      document.setLossyImageCompressionFlag(text(dataset, DCM_LossyImageCompressionRatio).c_str(),
-                                            text(dataset, DCM_LossyImageCompressionMethod).c_str(), OFFalse);
+    if (textOf(dataset, DCM_LossyImageCompression) == "01")
+      document.setLossyImageCompressionFlag(textOf(dataset, DCM_LossyImageCompressionRatio).c_str(),
+                                            textOf(dataset, DCM_LossyImageCompressionMethod).c_str(), OFFalse);
   }
   char uid[100];
   OFString present;

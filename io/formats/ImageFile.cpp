@@ -1,5 +1,4 @@
 #include "io/formats/ImageFile.h"
-#include "io/base/Memory.h"
 
 #include <algorithm>
 #include <bit>
@@ -7,6 +6,9 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+
+#include "io/base/Memory.h"
+#include "io/base/PlausibleGrid.h"
 
 namespace fenestra::io {
 namespace fs = std::filesystem;
@@ -63,6 +65,45 @@ class TextScalars : public ByteStream {
   std::size_t next_ = 0, filled_ = 0;
 };
 
+/// Bytes written as two hexadecimal digits each; blanks and line ends between them are skipped.
+class HexBytes : public ByteStream {
+ public:
+  HexBytes(std::unique_ptr<ByteStream> source, fs::path path) : source_(std::move(source)), path_(std::move(path)) {}
+
+  std::size_t read(std::byte* into, std::size_t size) override {
+    std::size_t got = 0;
+    for (; got < size; ++got) {
+      const int high = nextDigit(), low = high < 0 ? -1 : nextDigit();
+      if (low < 0) break;
+      into[got] = static_cast<std::byte>(high * 16 + low);
+    }
+    return got;
+  }
+
+ private:
+  /// -1 at the end.
+  int nextDigit() {
+    for (;;) {
+      if (next_ == filled_) {
+        filled_ = source_->read(buffer_.data(), buffer_.size());
+        next_ = 0;
+        if (filled_ == 0) return -1;
+      }
+      const char c = static_cast<char>(buffer_[next_++]);
+      if (c >= '0' && c <= '9') return c - '0';
+      if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+      if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+      if (c != ' ' && c != '\t' && c != '\n' && c != '\r')
+        throw Error(path_, "holds characters that are no hexadecimal digits", "the file is damaged");
+    }
+  }
+
+  std::unique_ptr<ByteStream> source_;
+  fs::path path_;
+  std::vector<std::byte> buffer_ = std::vector<std::byte>(64 * 1024);
+  std::size_t next_ = 0, filled_ = 0;
+};
+
 std::uint64_t fileBytes(const fs::path& file) {
   std::error_code failure;
   const std::uint64_t bytes = fs::file_size(file, failure);
@@ -92,14 +133,16 @@ std::uint64_t unpackedBytes(const fs::path& file, std::uint64_t offset, Packing 
   return bytes;
 }
 
-/// The stream of one file's voxels, positioned on the first; `bytes` is what it must hold.
-std::unique_ptr<ByteStream> openShare(const ImageFile& image, const fs::path& file, std::uint64_t bytes) {
+/// The stream of one file's voxels, positioned on byte `begin` of them; `bytes` is what it must hold.
+std::unique_ptr<ByteStream> openShare(const ImageFile& image, const fs::path& file, std::uint64_t bytes,
+                                      std::uint64_t begin) {
   const VoxelSource& source = image.source;
   const std::uint64_t offset = offsetAfterLines(source, file);
-  if (source.packing == Packing::None && !source.text) {
+  if (source.packing == Packing::None && source.text == VoxelText::None) {
     const std::uint64_t size = fileBytes(file);
-    if (source.skip == VoxelSource::atEnd) return openStream(file, size - std::min(size, bytes), Packing::None);
-    return openStream(file, offset + static_cast<std::uint64_t>(source.skip), Packing::None);
+    const std::uint64_t first = source.skip == VoxelSource::atEnd ? size - std::min(size, bytes)
+                                                                  : offset + static_cast<std::uint64_t>(source.skip);
+    return openStream(file, first + begin, Packing::None);
   }
   auto stream = openStream(file, offset, source.packing);
   if (source.skip == VoxelSource::atEnd) {
@@ -108,7 +151,11 @@ std::unique_ptr<ByteStream> openShare(const ImageFile& image, const fs::path& fi
   } else {
     stream->skip(static_cast<std::uint64_t>(source.skip));
   }
-  if (source.text) return std::make_unique<TextScalars>(std::move(stream), image.type, file);
+  if (source.text == VoxelText::Decimal)
+    stream = std::make_unique<TextScalars>(std::move(stream), image.type, file);
+  else if (source.text == VoxelText::Hexadecimal)
+    stream = std::make_unique<HexBytes>(std::move(stream), file);
+  stream->skip(begin);
   return stream;
 }
 
@@ -129,13 +176,49 @@ void checkSizes(const ImageFile& image, std::uint64_t voxels, std::uint64_t byte
     std::uint64_t most = held;
     if (source.packing == Packing::Deflate) most = saturatingProduct(held, 1032);
     if (source.packing == Packing::Bzip2) most = std::numeric_limits<std::uint64_t>::max();
-    const std::uint64_t needed = source.text ? share / sizeOf(image.type) * 2 - 1 : share;
-    if (most < needed)
-      throw Error(
-          file,
-          "holds " + std::to_string(held) + " bytes of voxels where its header describes " + std::to_string(share),
-          "the file is truncated or its header is wrong");
+    const std::uint64_t numbers = share / sizeOf(image.type);
+    const std::uint64_t needed = source.text == VoxelText::Decimal       ? numbers * 2 - 1
+                                 : source.text == VoxelText::Hexadecimal ? share * 2
+                                                                         : share;
+    if (most >= needed) continue;
+    if (source.text == VoxelText::Decimal)
+      throw Error(file,
+                  "holds " + std::to_string(held) + " characters of voxels where its header describes " +
+                      std::to_string(numbers) + " numbers",
+                  "the file is truncated or its header is wrong");
+    throw Error(file,
+                "holds " + std::to_string(held) + (source.packing == Packing::None ? "" : " packed") +
+                    " bytes of voxels where its header describes " + std::to_string(needed),
+                "the file is truncated or its header is wrong");
   }
+}
+
+/// Turns a block of one of the file's volumes into this machine's byte order, and appends the wanted layers of it to
+/// their sinks.
+void appendBlock(const ImageFile& image, std::span<std::byte> block, std::size_t volume, Layers layers,
+                 std::vector<VoxelSink>& sinks) {
+  const bool swap =
+      image.source.text != VoxelText::Decimal && image.bigEndian != (std::endian::native == std::endian::big);
+  const auto interleaved = static_cast<std::size_t>(image.interleaved);
+  const auto first = static_cast<std::size_t>(layers.first);
+  visitElement(image.type, [&](auto scalar) {
+    using T = decltype(scalar);
+    const std::span<T> values(reinterpret_cast<T*>(block.data()), block.size() / sizeof(T));
+    if constexpr (sizeof(T) > 1)
+      if (swap)
+        for (T& value : values) value = byteSwapped(value);
+    if (interleaved == 1) {
+      sinks[volume - first].append(std::span<const T>(values));
+      return;
+    }
+    std::vector<T> one(values.size() / interleaved);
+    for (std::size_t i = 0; i < interleaved; ++i) {
+      const std::size_t layer = volume * interleaved + i;
+      if (layer < first || layer - first >= sinks.size()) continue;
+      for (std::size_t v = 0; v < one.size(); ++v) one[v] = values[v * interleaved + i];
+      sinks[layer - first].append(std::span<const T>(one));
+    }
+  });
 }
 
 }  // namespace
@@ -158,8 +241,7 @@ bool setGeometry(Grid& grid, const glm::dmat3& columns, const glm::dvec3& origin
     direction[axis] = columns[axis] / spacing[axis];
     if (!std::isfinite(spacing[axis]) || !(spacing[axis] > 0.0) || !std::isfinite(origin[axis])) return false;
   }
-  // Below this the axes lie in a plane as far as the single-precision numbers in headers can tell.
-  if (!(std::abs(glm::determinant(direction)) > 1e-4)) return false;
+  if (!areIndependent(direction)) return false;
   // Adding zero turns a -0 that a change of signs left into 0.
   grid.spacing = spacing;
   grid.direction = direction + glm::dmat3(0.0);
@@ -188,7 +270,18 @@ std::string numberedName(const std::string& pattern, long number, const fs::path
 
 fs::path besideHeader(const fs::path& header, const std::string& name) { return header.parent_path() / fs::path(name); }
 
-std::vector<Voxels> readVoxels(const ImageFile& image, std::int64_t layers, const Progress& progress,
+void refuseOutside(const ImageFile& image) {
+  const fs::path folder = fs::weakly_canonical(fs::absolute(image.path)).parent_path();
+  for (const fs::path& file : image.source.files) {
+    if (file == image.path) continue;
+    const fs::path inside = fs::weakly_canonical(fs::absolute(file)).lexically_relative(folder);
+    if (inside.empty() || *inside.begin() == "..")
+      throw Error(image.path, "names voxels outside its folder (" + file.string() + ")",
+                  "put the file beside the header, or allow it with --allow-outside where you trust the header");
+  }
+}
+
+std::vector<Voxels> readVoxels(const ImageFile& image, Layers layers, const Progress& progress,
                                std::vector<Warning>& warnings) {
   const std::uint64_t dims[] = {static_cast<std::uint64_t>(image.grid.dims.x),
                                 static_cast<std::uint64_t>(image.grid.dims.y),
@@ -197,24 +290,25 @@ std::vector<Voxels> readVoxels(const ImageFile& image, std::int64_t layers, cons
   const std::uint64_t scalars = saturatingProduct(voxels, static_cast<std::uint64_t>(image.layers()));
   const std::uint64_t bytes = saturatingProduct(scalars, sizeOf(image.type));
   // Before the sizes are compared: a product that saturated compares as too large for any file and any machine.
-  checkSizes(image, saturatingProduct(voxels, static_cast<std::uint64_t>(layers)), bytes);
+  checkSizes(image, saturatingProduct(voxels, static_cast<std::uint64_t>(layers.count)), bytes);
 
   const std::size_t interleaved = static_cast<std::size_t>(image.interleaved);
-  const std::size_t volumesToRead = (static_cast<std::size_t>(layers) + interleaved - 1) / interleaved;
+  const std::size_t first = static_cast<std::size_t>(layers.first),
+                    end = first + static_cast<std::size_t>(layers.count);
+  const std::size_t firstVolume = first / interleaved, endVolume = (end + interleaved - 1) / interleaved;
   std::vector<VoxelSink> sinks;
-  for (std::int64_t layer = 0; layer < layers; ++layer) sinks.emplace_back(static_cast<std::size_t>(voxels));
+  for (std::size_t layer = first; layer < end; ++layer) sinks.emplace_back(static_cast<std::size_t>(voxels));
 
-  const std::uint64_t share = bytes / image.source.files.size();
-  const std::uint64_t wanted = voxels * sizeOf(image.type) * interleaved * volumesToRead;
-  std::size_t file = 0;
-  std::uint64_t leftInFile = share;
-  auto stream = openShare(image, image.source.files[0], share);
   const std::size_t voxelBytes = sizeOf(image.type) * interleaved;
+  const std::uint64_t share = bytes / image.source.files.size(), begin = voxels * voxelBytes * firstVolume;
+  const std::uint64_t wanted = voxels * voxelBytes * (endVolume - firstVolume);
+  auto file = static_cast<std::size_t>(begin / share);
+  std::uint64_t leftInFile = share - begin % share;
+  auto stream = openShare(image, image.source.files[file], share, begin % share);
   std::vector<std::byte> block(std::max(blockBytes / voxelBytes, std::size_t{1}) * voxelBytes);
 
-  const bool swap = !image.source.text && image.bigEndian != (std::endian::native == std::endian::big);
   std::uint64_t done = 0;
-  for (std::size_t volume = 0; volume < volumesToRead; ++volume) {
+  for (std::size_t volume = firstVolume; volume < endVolume; ++volume) {
     for (std::uint64_t voxel = 0; voxel < voxels;) {
       if (progress && !progress(static_cast<double>(done) / static_cast<double>(wanted), "reading voxels"))
         throw Cancelled();
@@ -222,7 +316,7 @@ std::vector<Voxels> readVoxels(const ImageFile& image, std::int64_t layers, cons
           static_cast<std::size_t>(std::min<std::uint64_t>(block.size() / voxelBytes, voxels - voxel));
       for (std::size_t filled = 0; filled < count * voxelBytes;) {
         if (leftInFile == 0) {
-          stream = openShare(image, image.source.files[++file], share);
+          stream = openShare(image, image.source.files[++file], share, 0);
           leftInFile = share;
         }
         const std::size_t piece =
@@ -234,22 +328,7 @@ std::vector<Voxels> readVoxels(const ImageFile& image, std::int64_t layers, cons
         std::byte beyond{};
         if (leftInFile == 0 && image.source.packing != Packing::None) stream->read(&beyond, 1);
       }
-      visitElement(image.type, [&](auto scalar) {
-        using T = decltype(scalar);
-        const std::span<T> values(reinterpret_cast<T*>(block.data()), count * interleaved);
-        if constexpr (sizeof(T) > 1)
-          if (swap)
-            for (T& value : values) value = byteSwapped(value);
-        if (interleaved == 1) {
-          sinks[volume].append(std::span<const T>(values));
-          return;
-        }
-        std::vector<T> layer(count);
-        for (std::size_t i = 0; i < interleaved && volume * interleaved + i < sinks.size(); ++i) {
-          for (std::size_t v = 0; v < count; ++v) layer[v] = values[v * interleaved + i];
-          sinks[volume * interleaved + i].append(std::span<const T>(layer));
-        }
-      });
+      appendBlock(image, {block.data(), count * voxelBytes}, volume, layers, sinks);
       voxel += count;
       done += count * voxelBytes;
     }

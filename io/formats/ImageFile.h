@@ -17,6 +17,13 @@
 
 namespace fenestra::io {
 
+/// Voxels written as text.
+enum class VoxelText : std::uint8_t {
+  None,        ///< they are bytes
+  Decimal,     ///< numbers
+  Hexadecimal  ///< two digits a byte
+};
+
 /// Where the voxels are: `files` one after the other, each holding an equal share of them.
 struct VoxelSource {
   static constexpr std::int64_t atEnd = -1;
@@ -26,7 +33,7 @@ struct VoxelSource {
   std::uint64_t lines = 0;   ///< lines after them to skip
   std::int64_t skip = 0;     ///< then bytes to skip, of the unpacked data; atEnd: the voxels are the last bytes
   Packing packing = Packing::None;
-  bool text = false;  ///< decimal numbers instead of bytes
+  VoxelText text = VoxelText::None;
 };
 
 struct ImageFile {
@@ -71,9 +78,16 @@ ImageFile readMghHeader(const std::filesystem::path& path);
 ImageFile readAnalyzeHeader(const std::filesystem::path& path);
 ImageFile describeRaw(const std::filesystem::path& path, const RawDescription& description);
 
-/// Reads the first `layers` layers, one Voxels each, in the narrowest types. Checks the sizes against the files before
-/// anything is allocated. Adds to `warnings`. Throws Error, Cancelled.
-std::vector<Voxels> readVoxels(const ImageFile& image, std::int64_t layers, const Progress& progress,
+/// Throws Error when the header names voxel files that are neither in its own folder nor below it: a header from a
+/// stranger could name any file of the machine.
+void refuseOutside(const ImageFile& image);
+
+struct Layers {
+  std::int64_t first = 0, count = 1;
+};
+/// Reads these layers, one Voxels each, in the narrowest types. Checks the sizes against the files before anything is
+/// allocated. Adds to `warnings`. Throws Error, Cancelled.
+std::vector<Voxels> readVoxels(const ImageFile& image, Layers layers, const Progress& progress,
                                std::vector<Warning>& warnings);
 
 /// `value` with its bytes in the other order.

@@ -91,6 +91,11 @@ class Reader {
       image_.volumes = (*dims)[3];
     }
     image_.slope = number({"ElementToIntensityFunctionSlope"}, 1.0);
+    if (image_.slope == 0.0) {
+      image_.slope = 1.0;
+      image_.warnings.push_back(
+          {Warning::Kind::Other, "its ElementToIntensityFunctionSlope is 0; 1 is assumed", {image_.path}});
+    }
     image_.intercept = number({"ElementToIntensityFunctionOffset"}, 0.0);
     const std::string modality = field({"Modality"});
     if (modality == "MET_MOD_CT") image_.modality = Modality::CT;
@@ -135,8 +140,13 @@ class Reader {
     if (spacing.empty()) spacing = numbers({"ElementSize"});
     const std::vector<double> matrix = numbers({"TransformMatrix", "Rotation", "Orientation"}, rank_);
     const std::vector<double> offset = numbers({"Offset", "Position", "Origin"});
+    const auto warn = [&](const char* text) {
+      image_.warnings.push_back({Warning::Kind::NoGeometry, text, {image_.path}});
+    };
+    if (spacing.empty()) warn("its header has no ElementSpacing; 1 mm is assumed");
     glm::dmat3 columns(1.0);
     glm::dvec3 origin(0.0);
+    bool negative = false;
     const int axes = std::min(rank_, 3);
     for (int axis = 0; axis < axes; ++axis) {
       // The matrix is written axis by axis: its first three numbers are where the first index axis points.
@@ -146,9 +156,11 @@ class Reader {
       if (!(length > 0.0)) refuse("TransformMatrix");
       columns[axis] /= length;
       const double step = spacing.empty() ? 1.0 : std::abs(spacing[static_cast<std::size_t>(axis)]);
+      negative |= !spacing.empty() && spacing[static_cast<std::size_t>(axis)] < 0.0;
       columns[axis] *= step;
       if (!offset.empty()) origin[axis] = offset[static_cast<std::size_t>(axis)];
     }
+    if (negative) warn("its ElementSpacing is negative; the sign is ignored");
     if (!setGeometry(image_.grid, columns, origin)) refuse("ElementSpacing or TransformMatrix");
   }
 
@@ -157,7 +169,7 @@ class Reader {
     image_.bigEndian = flag({"BinaryDataByteOrderMSB", "ElementByteOrderMSB"});
     if (flag({"CompressedData"})) source.packing = Packing::Deflate;
     // Absent means text in the definition; every writer of the last twenty years says True, and so do readers.
-    source.text = header_.fields.contains("BinaryData") && !flag({"BinaryData"});
+    if (header_.fields.contains("BinaryData") && !flag({"BinaryData"})) source.text = VoxelText::Decimal;
     const auto skip = numberIn<std::int64_t>(field({"HeaderSize"}, "0"));
     if (!skip || *skip < -1) refuse("HeaderSize");
     source.skip = *skip;

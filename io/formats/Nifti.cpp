@@ -54,7 +54,9 @@ class Interpreter {
     readGeometry();
     // "If the scl_slope field is nonzero, then each voxel value in the dataset should be scaled" (nifti1.h).
     const double slope = real(header_.scl_slope), intercept = real(header_.scl_inter);
-    if (slope != 0.0 && std::isfinite(slope) && std::isfinite(intercept)) {
+    if (!std::isfinite(slope) || (slope != 0.0 && !std::isfinite(intercept))) {
+      warn(Warning::Kind::Other, "its scl_slope or scl_inter is no number; values are shown as stored");
+    } else if (slope != 0.0) {
       image_.slope = slope;
       image_.intercept = intercept;
     }
@@ -110,40 +112,65 @@ class Interpreter {
     image_.volumes = static_cast<std::int64_t>(volumes);
   }
 
+  void warn(Warning::Kind kind, const std::string& text) { image_.warnings.push_back({kind, text, {image_.path}}); }
+
+  /// pixdim, made positive; 1 where it is no positive number.
+  glm::dvec3 readSpacing() {
+    glm::dvec3 spacing(1.0);
+    bool garbled = false, negative = false;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double given = real(header_.pixdim[axis + 1]);
+      const bool usable = std::isfinite(given) && given != 0.0;
+      // A file of fewer dimensions has no spacing along the others.
+      garbled |= !usable && image_.grid.dims[axis] > 1;
+      negative |= usable && given < 0.0;
+      if (usable) spacing[axis] = std::abs(given);
+    }
+    if (garbled)
+      warn(Warning::Kind::NoGeometry, "its pixdim is not three positive numbers; 1 mm is assumed for the others");
+    if (negative) warn(Warning::Kind::NoGeometry, "its pixdim is negative; the sign is ignored");
+    return spacing;
+  }
+
+  /// World from index as the sform or qform gives it; false when it is unusable.
+  bool useSform(double unit) {
+    glm::dmat4 rasFromIndex(1.0);
+    for (int column = 0; column < 4; ++column) {
+      // Element by element: the version 2 header is packed, so that a pointer to its rows would be misaligned.
+      rasFromIndex[column].x = real(header_.srow_x[column]);
+      rasFromIndex[column].y = real(header_.srow_y[column]);
+      rasFromIndex[column].z = real(header_.srow_z[column]);
+    }
+    return setRasGeometry(image_.grid, rasFromIndex, unit);
+  }
+  bool useQform(const glm::dmat3& scale, double unit) {
+    // Method 2 of nifti1.h: a unit quaternion whose first part is implied, and the third axis' sign.
+    const glm::dvec3 imaginary(real(header_.quatern_b), real(header_.quatern_c), real(header_.quatern_d));
+    const double rest = 1.0 - glm::dot(imaginary, imaginary);
+    glm::dquat rotation(std::sqrt(std::max(rest, 0.0)), imaginary);
+    rotation = glm::normalize(rotation);
+    glm::dmat4 rasFromIndex(glm::mat3_cast(rotation) * scale);
+    if (real(header_.pixdim[0]) < 0.0) rasFromIndex[2] = -rasFromIndex[2];
+    rasFromIndex[3] = glm::dvec4(real(header_.qoffset_x), real(header_.qoffset_y), real(header_.qoffset_z), 1.0);
+    return setRasGeometry(image_.grid, rasFromIndex, unit);
+  }
+
   void readGeometry() {
     const double unit = millimetres(field(header_.xyzt_units));
-    glm::dvec3 spacing;
-    for (int axis = 0; axis < 3; ++axis) {
-      const double given = std::abs(real(header_.pixdim[axis + 1]));
-      spacing[axis] = std::isfinite(given) && given > 0.0 ? given : 1.0;
-    }
-    if (field(header_.sform_code) > 0) {
-      glm::dmat4 rasFromIndex(1.0);
-      for (int column = 0; column < 4; ++column) {
-        // Element by element: the version 2 header is packed, so that a pointer to its rows would be misaligned.
-        rasFromIndex[column].x = real(header_.srow_x[column]);
-        rasFromIndex[column].y = real(header_.srow_y[column]);
-        rasFromIndex[column].z = real(header_.srow_z[column]);
-      }
-      if (setRasGeometry(image_.grid, rasFromIndex, unit)) return;
-    }
+    const bool hasSform = field(header_.sform_code) > 0, hasQform = field(header_.qform_code) > 0;
+    if (hasSform && useSform(unit)) return;
+    const glm::dvec3 spacing = readSpacing();
     const glm::dmat3 scale(spacing.x, 0, 0, 0, spacing.y, 0, 0, 0, spacing.z);
-    if (field(header_.qform_code) > 0) {
-      // Method 2 of nifti1.h: a unit quaternion whose first part is implied, and the third axis' sign.
-      const glm::dvec3 imaginary(real(header_.quatern_b), real(header_.quatern_c), real(header_.quatern_d));
-      const double rest = 1.0 - glm::dot(imaginary, imaginary);
-      glm::dquat rotation(std::sqrt(std::max(rest, 0.0)), imaginary);
-      rotation = glm::normalize(rotation);
-      glm::dmat4 rasFromIndex(glm::mat3_cast(rotation) * scale);
-      if (real(header_.pixdim[0]) < 0.0) rasFromIndex[2] = -rasFromIndex[2];
-      rasFromIndex[3] = glm::dvec4(real(header_.qoffset_x), real(header_.qoffset_y), real(header_.qoffset_z), 1.0);
-      if (setRasGeometry(image_.grid, rasFromIndex, unit)) return;
-    }
+    const bool usedQform = hasQform && useQform(scale, unit);
+    if (hasSform)
+      warn(Warning::Kind::NoGeometry, std::string("its sform is not three independent axes; ") +
+                                          (usedQform ? "the qform takes its place" : "it is ignored"));
+    if (usedQform) return;
+    if (hasQform) warn(Warning::Kind::NoGeometry, "its qform is no rotation with a position; it is ignored");
     // Method 1: no orientation is stored, the axes are taken as right, anterior, superior.
-    setRasGeometry(image_.grid, glm::dmat4(scale), unit);
-    image_.warnings.push_back({Warning::Kind::NoGeometry,
-                               "the file stores no orientation; its axes are taken as right, anterior, superior",
-                               {image_.path}});
+    if (!setRasGeometry(image_.grid, glm::dmat4(scale), unit))
+      throw Error(image_.path, "its header gives no voxel size", "the header is damaged");
+    warn(Warning::Kind::NoGeometry, "the file stores no orientation; its axes are taken as right, anterior, superior");
   }
 
   const Header& header_;

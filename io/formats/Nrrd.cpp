@@ -129,9 +129,18 @@ Header readLines(const fs::path& path) {
   }
 }
 
-/// "(a,b,c)" or "none", one each, blanks allowed inside the parentheses.
-std::optional<std::vector<std::optional<glm::dvec3>>> vectorsIn(const std::string& text) {
-  std::vector<std::optional<glm::dvec3>> result;
+/// A direction or position in the file's space, which may have two dimensions, three, or time as a fourth.
+struct SpaceVector {
+  glm::dvec3 place{0.0};
+  double time = 0.0;
+  std::size_t dimension = 0;
+  bool isTime() const { return dimension == 4 && place == glm::dvec3(0.0) && time != 0.0; }
+};
+
+/// "(a,b,c)" or "none", one each, blanks allowed inside the parentheses; all of one dimension.
+std::optional<std::vector<std::optional<SpaceVector>>> vectorsIn(const std::string& text) {
+  std::vector<std::optional<SpaceVector>> result;
+  std::size_t dimension = 0;
   for (std::size_t at = 0; at < text.size();) {
     if (text[at] == ' ' || text[at] == '\t') {
       ++at;
@@ -145,8 +154,14 @@ std::optional<std::vector<std::optional<glm::dvec3>>> vectorsIn(const std::strin
       for (char& c : inside)
         if (c == ',') c = ' ';
       const auto numbers = numbersIn<double>(inside);
-      if (!numbers || numbers->size() != 3) return std::nullopt;
-      result.emplace_back(glm::dvec3((*numbers)[0], (*numbers)[1], (*numbers)[2]));
+      if (!numbers || numbers->size() < 2 || numbers->size() > 4) return std::nullopt;
+      if (dimension != 0 && numbers->size() != dimension) return std::nullopt;
+      dimension = numbers->size();
+      SpaceVector vector{.dimension = dimension};
+      for (std::size_t i = 0; i < std::min<std::size_t>(dimension, 3); ++i)
+        vector.place[static_cast<int>(i)] = (*numbers)[i];
+      if (dimension == 4) vector.time = (*numbers)[3];
+      result.emplace_back(vector);
       at = end + 1;
     } else {
       return std::nullopt;
@@ -160,15 +175,17 @@ struct Space {
   bool anatomical;
 };
 
-Space spaceNamed(const std::string& name, const fs::path& path) {
+/// Spaces with time are those without: time is an axis of its own.
+Space spaceNamed(std::string name, const fs::path& path) {
+  for (const std::string_view time : {"-time", "t"})
+    if (name.ends_with(time) && (time != "t" || name.size() == 4)) name.resize(name.size() - time.size());
   if (name == "left-posterior-superior" || name == "lps") return {{1, 1, 1}, true};
   if (name == "right-anterior-superior" || name == "ras") return {{-1, -1, 1}, true};
   if (name == "left-anterior-superior" || name == "las") return {{1, -1, 1}, true};
   if (name.empty() || name == "scanner-xyz" || name == "3d-right-handed") return {{1, 1, 1}, false};
   // One axis must turn round, or the patient would be mirrored; which one, the space does not say.
   if (name == "3d-left-handed") return {{1, 1, -1}, false};
-  throw Error(path, "its space '" + name + "' is not supported",
-              "only three-dimensional spaces without time can be opened");
+  throw Error(path, "its space '" + name + "' is not supported", "save it in a space such as left-posterior-superior");
 }
 
 double millimetres(const std::string& units) {
@@ -227,7 +244,7 @@ class Reader {
     const std::vector<std::string> kinds = words(field("kinds"));
 
     const auto isSpatial = [&](std::size_t axis) {
-      if (!directions->empty()) return (*directions)[axis].has_value();
+      if (!directions->empty()) return (*directions)[axis] && !(*directions)[axis]->isTime();
       if (kinds.size() == sizes->size()) return kinds[axis] == "domain" || kinds[axis] == "space";
       return sizes->size() <= 3 || axis < 3;
     };
@@ -261,19 +278,16 @@ class Reader {
     const auto directions = *vectorsIn(field("spacedirections"));
     glm::dmat3 columns(1.0);
     if (!directions.empty()) {
-      for (std::size_t i = 0; i < spatial_.size(); ++i) columns[static_cast<int>(i)] = *directions[spatial_[i]];
+      for (std::size_t i = 0; i < spatial_.size(); ++i) columns[static_cast<int>(i)] = directions[spatial_[i]]->place;
       if (spatial_.size() == 2) columns[2] = glm::cross(glm::normalize(columns[0]), glm::normalize(columns[1]));
     } else {
-      const std::vector<std::string> spacings = words(field("spacings"));
-      for (std::size_t i = 0; i < spatial_.size() && spatial_[i] < spacings.size(); ++i) {
-        const auto given = numberIn<double>(spacings[spatial_[i]]);
-        const double spacing = given ? std::abs(*given) : 0.0;
-        if (std::isfinite(spacing) && spacing > 0.0) columns[static_cast<int>(i)] *= spacing;
-      }
+      readSpacings(columns);
     }
     glm::dvec3 origin(0.0);
     if (const auto given = vectorsIn(field("spaceorigin")); given && given->size() == 1 && given->front())
-      origin = *given->front();
+      origin = given->front()->place;
+    else if (!field("spaceorigin").empty())
+      refuseField("space origin");
     for (int column = 0; column < 3; ++column) columns[column] *= space.lpsFrom * unit;
     if (!setGeometry(image_.grid, columns, origin * space.lpsFrom * unit)) refuseField("space directions");
     if (directions.empty() || !space.anatomical)
@@ -284,6 +298,28 @@ class Reader {
            {image_.path}});
   }
 
+  /// Per-axis spacings, of a file without directions.
+  void readSpacings(glm::dmat3& columns) {
+    const std::vector<std::string> spacings = words(field("spacings"));
+    bool garbled = false, negative = false;
+    for (std::size_t i = 0; i < spatial_.size(); ++i) {
+      const auto given =
+          spatial_[i] < spacings.size() ? numberIn<double>(spacings[spatial_[i]]) : std::optional<double>();
+      const bool usable = given && std::isfinite(*given) && *given != 0.0;
+      garbled |= !usable;
+      negative |= usable && *given < 0.0;
+      if (usable) columns[static_cast<int>(i)] *= std::abs(*given);
+    }
+    const auto warn = [&](const char* text) {
+      image_.warnings.push_back({Warning::Kind::NoGeometry, text, {image_.path}});
+    };
+    if (spacings.empty())
+      warn("its header has no spacings; 1 mm is assumed");
+    else if (garbled)
+      warn("its spacings are not positive numbers; 1 mm is assumed for the others");
+    if (negative) warn("its spacings are negative; the sign is ignored");
+  }
+
   void readEncoding() {
     const std::string encoding = lowered(required("encoding"));
     VoxelSource& source = image_.source;
@@ -292,13 +328,16 @@ class Reader {
     } else if (encoding == "bzip2" || encoding == "bz2") {
       source.packing = Packing::Bzip2;
     } else if (encoding == "ascii" || encoding == "text" || encoding == "txt") {
-      source.text = true;
+      source.text = VoxelText::Decimal;
+    } else if (encoding == "hex") {
+      source.text = VoxelText::Hexadecimal;
     } else if (encoding != "raw") {
       throw Error(image_.path, "its encoding '" + encoding + "' is not supported",
-                  "save it as raw, gzip, bzip2 or ascii");
+                  "save it as raw, gzip, bzip2, hex or ascii");
     }
     const std::string endian = lowered(field("endian"));
-    if (sizeOf(image_.type) > 1 && !source.text && endian != "little" && endian != "big") refuseField("endian");
+    if (sizeOf(image_.type) > 1 && source.text != VoxelText::Decimal && endian != "little" && endian != "big")
+      refuseField("endian");
     image_.bigEndian = endian == "big";
 
     const std::string lines = header_.fields.contains("lineskip") ? field("lineskip") : "0";
@@ -306,7 +345,7 @@ class Reader {
     const auto lineSkip = numberIn<std::uint64_t>(lines);
     const auto byteSkip = numberIn<std::int64_t>(bytes);
     if (!lineSkip) refuseField("line skip");
-    if (!byteSkip || *byteSkip < -1 || (*byteSkip == -1 && source.text)) refuseField("byte skip");
+    if (!byteSkip || *byteSkip < -1 || (*byteSkip == -1 && source.text != VoxelText::None)) refuseField("byte skip");
     source.lines = *lineSkip;
     source.skip = *byteSkip;
     readDataFiles();

@@ -161,7 +161,9 @@ std::vector<fs::path> filesOf(const fs::path& path, std::vector<fs::path> files)
   if (!listed && fs::is_regular_file(path, failure)) files.push_back(path);
   return files;
 }
-std::vector<fs::path> labelFilesAt(const fs::path& path) { return filesOf(path, labelFiles(path)); }
+std::vector<fs::path> labelFilesAt(const fs::path& path, bool allowOutside) {
+  return filesOf(path, labelFiles(path, allowOutside));
+}
 
 Progress part(const Progress& progress, double begin, double end) {
   if (!progress) return {};
@@ -175,7 +177,10 @@ SessionVolume sessionVolume(const fs::path& path, const OpenedVolume& volume,
   SessionVolume data;
   data.path = fs::absolute(path);
   data.files = filesOf(path, volume.series.files);
-  if (volume.format == "DICOM") data.series = seriesKey(volume.series.id);
+  if (volume.format == "DICOM")
+    data.series = seriesKey(volume.series.id);
+  else
+    data.time = std::max(volume.series.time, 1);
   data.raw = raw;
   return data;
 }
@@ -183,7 +188,7 @@ SessionVolume sessionVolume(const fs::path& path, const OpenedVolume& volume,
 SessionData sessionLabels(const fs::path& path) {
   SessionData data;
   data.path = fs::absolute(path);
-  data.files = labelFilesAt(path);
+  data.files = labelFilesAt(path, true);  // they have been opened
   return data;
 }
 
@@ -215,7 +220,9 @@ OpenedSession openSession(const fs::path& file, const SessionPlaces& places, con
   const auto openVolumeAt = [&](const fs::path& path) {
     OpenOptions options;
     options.series = session.volume.series;
+    if (session.volume.time > 1) options.time = session.volume.time;
     options.raw = session.volume.raw;
+    options.allowOutside = places.allowOutside;
     options.progress = part(progress, 0.0, 0.7);
     OpenedVolume volume;
     try {
@@ -232,6 +239,7 @@ OpenedSession openSession(const fs::path& file, const SessionPlaces& places, con
   const auto volumeFilesAt = [&](const fs::path& path) {
     OpenOptions options;
     options.raw = session.volume.raw;
+    options.allowOutside = places.allowOutside;
     for (const SeriesInfo& series : listSeries(path, options))
       if (session.volume.series.empty() || session.volume.series == seriesKey(series.id))
         return filesOf(path, series.files);
@@ -243,13 +251,14 @@ OpenedSession openSession(const fs::path& file, const SessionPlaces& places, con
   opened.volume.warnings.clear();
 
   if (!places.labels.empty() || !session.labels.path.empty()) {
+    const auto labelFiles = [&](const fs::path& path) { return labelFilesAt(path, places.allowOutside); };
     const auto openLabelsAt = [&](const fs::path& path) {
-      OpenedLabels labels = openLabels(path, opened.volume.volume->grid, part(progress, 0.8, 0.9));
-      std::vector<fs::path> files = labelFilesAt(path);
+      OpenedLabels labels = openLabels(path, opened.volume.volume->grid, part(progress, 0.8, 0.9), places.allowOutside);
+      std::vector<fs::path> files = labelFiles(path);
       return Opened{std::move(labels), contentsOf(files, part(progress, 0.9, 1.0)), files};
     };
     OpenedLabels labels = openMoved(DataMissing::Data::Labels, session.labels, places.labels, folder, progress,
-                                    opened.warnings, openLabelsAt, labelFilesAt);
+                                    opened.warnings, openLabelsAt, labelFiles);
     opened.labels = std::move(labels.labels);
     std::move(labels.warnings.begin(), labels.warnings.end(), std::back_inserter(opened.warnings));
   }

@@ -27,7 +27,8 @@ class DataMissing : public Error {
 
 /// Places of the data that the user gave; empty: the session's own. Data there are used whatever their contents.
 struct SessionPlaces {
-  std::filesystem::path volume, labels;
+  std::filesystem::path volume = {}, labels = {};
+  bool allowOutside = false;  ///< see OpenOptions
 };
 
 struct OpenedSession {

@@ -31,6 +31,7 @@ struct SessionData {
 
 struct SessionVolume : SessionData {
   std::string series;                 ///< seriesKey() of its id; empty where the file holds one volume
+  int time = 1;                       ///< time point outside DICOM, where each is a series
   std::optional<RawDescription> raw;  ///< how its bytes are read
   bool operator==(const SessionVolume&) const = default;
 };

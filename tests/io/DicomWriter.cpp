@@ -166,7 +166,8 @@ void writeDicom(const std::filesystem::path& path, const DicomSpec& spec) {
   if (spec.syntax == Syntax::JpegLs) parameter = &jpegLs;
   if (spec.syntax == Syntax::Rle) parameter = &rle;
   ASSERT_TRUE(dataset.chooseRepresentation(syntax, parameter).good());
-  const OFCondition saved = file.saveFile(OFFilename(path.c_str()), syntax);
+  const OFCondition saved =
+      file.saveFile(OFFilename(path.c_str()), syntax, spec.explicitLengths ? EET_ExplicitLength : EET_UndefinedLength);
   ASSERT_TRUE(saved.good()) << saved.text();
 }
 

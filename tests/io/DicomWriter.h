@@ -45,6 +45,7 @@ struct DicomSpec {
   std::vector<FrameSpec> frames;          ///< enhanced multi-frame when not empty
   std::string doseScaling, frameOffsets;  ///< RT dose
   int numberOfFrames = 1;                 ///< without functional groups
+  bool explicitLengths = false;           ///< of sequences
 };
 
 void writeDicom(const std::filesystem::path& path, const DicomSpec& spec);

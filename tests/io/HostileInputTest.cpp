@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <random>
+#include <set>
 
 #include <gtest/gtest.h>
 
@@ -88,12 +89,21 @@ TEST(HostileInput, TruncatedFilesAreErrors) {
   testing::internal::CaptureStderr();
   for (const Sample& sample : all) {
     SCOPED_TRACE(sample.name);
+    // Behind the last fragment of a compressed picture comes nothing that it needs.
+    const std::set<std::string> compressed{"rle", "jpeg", "jpegls", "j2k", "enhanced"};
+    writeFile(folder / sample.name, sample.bytes);
+    const std::vector<double> whole = realValues(*io::openVolume(folder / sample.name).volume);
     const std::size_t step = std::max<std::size_t>(1, sample.bytes.size() / 60);
     for (std::size_t size = 0; size < sample.bytes.size(); size += size < 16 ? 1 : step) {
       writeFile(folder / sample.name, sample.bytes.substr(0, size));
       openSomehow(folder / sample.name);
-      EXPECT_THROW(io::openVolume(folder / sample.name), io::Error)
-          << "cut to " << size << " of " << sample.bytes.size();
+      SCOPED_TRACE("cut to " + std::to_string(size) + " of " + std::to_string(sample.bytes.size()));
+      try {
+        const io::OpenedVolume opened = io::openVolume(folder / sample.name);
+        EXPECT_TRUE(compressed.contains(sample.name));
+        EXPECT_EQ(realValues(*opened.volume), whole);
+      } catch (const io::Error&) {
+      }
     }
     fs::remove(folder / sample.name);
   }

@@ -21,7 +21,8 @@ std::string metaImage(const std::string& geometry, const std::string& dims, cons
 
 TEST(Labels, AreReadWithNamesFromATableBeside) {
   const fs::path folder = scratchFolder();
-  writeFile(folder / "map.mha", metaImage("", "2 2 1", "MET_USHORT", bytesOf(std::vector<std::uint16_t>{0, 1, 2, 7})));
+  writeFile(folder / "map.mha", metaImage("ElementSpacing = 1 1 1\n", "2 2 1", "MET_USHORT",
+                                          bytesOf(std::vector<std::uint16_t>{0, 1, 2, 7})));
   writeFile(folder / "map.txt", "value name\n1 Left_kidney 2001\n7 Aorta 3\n9 Absent 4\n# comment\n");
   const io::OpenedLabels opened = io::openLabels(folder / "map.mha", gridOf({2, 2, 1}));
   EXPECT_EQ(valuesOf(*opened.labels), (std::vector<int>{0, 1, 2, 7}));

@@ -248,9 +248,10 @@ TEST(Segmentation, WhatCannotBeReadSaysWhy) {
   expectError("outside any scanner", [](SegSpec& s) { s.frames[1].position = glm::dvec3(1e9, 0, 0); });
   expectError("on one plane (tiles)", [](SegSpec& s) { s.frames[1].position = glm::dvec3(5, 0, 2); });
   expectError("segmentation type is \"OTHER\"", [](SegSpec& s) { s.type = "OTHER"; });
-  expectError("8 frames but describes 5", [](SegSpec& s) { s.numberOfFrames = 8; });
+  expectError("4 frames but describes 5", [](SegSpec& s) { s.numberOfFrames = 4; });
+  expectError("10 bytes of pixels where its header describes 8 frames", [](SegSpec& s) { s.numberOfFrames = 8; });
   expectError("bytes where its header describes 2000000000 frames", [](SegSpec& s) { s.numberOfFrames = 2000000000; });
-  expectError("4 bytes of 10", [](SegSpec& s) { s.pixelBytes = 4; });
+  expectError("4 bytes of pixels where its header describes 5 frames", [](SegSpec& s) { s.pixelBytes = 4; });
   expectError("16 bits, which its type does not allow", [](SegSpec& s) { s.bits = 16; });
   expectError("greatest fraction is 0", [](SegSpec& s) {
     s.type = "FRACTIONAL";

@@ -11,6 +11,7 @@
 #include "tests/io/DicomWriter.h"
 #include "tests/io/IoTesting.h"
 #include "tests/io/LabelFiles.h"
+#include "tests/io/NiftiBytes.h"
 #include "tests/session/SessionTesting.h"
 #include "tests/support/TestData.h"
 
@@ -84,6 +85,39 @@ TEST_F(OpenSession, LabelsMayBeADicomSegmentation) {
   EXPECT_EQ(opened.labels->value({1, 0, 2}), 1);
   EXPECT_EQ(opened.labels->find(1)->name, "first");
   EXPECT_EQ(kindsOf(opened.warnings), "");
+}
+
+TEST_F(OpenSession, KeepsTheTimePoint) {
+  std::vector<std::int16_t> values;
+  for (int i = 0; i < 72; ++i) values.push_back(static_cast<std::int16_t>(i));
+  const fs::path file = project_ / "perfusion.nii", session = project_ / "a.fenestra";
+  writeFile(file, niftiHeader({.dims = {2, 3, 4, 3}}) + bytesOf(values));
+  for (const int time : {1, 3}) {
+    const io::OpenedVolume opened = io::openVolume(file, {.time = time});
+    io::Session saved;
+    saved.volume = io::sessionVolume(file, opened);
+    io::noteContents(saved);
+    io::writeSession(session, saved);
+    const io::OpenedSession again = io::openSession(session);
+    EXPECT_EQ(again.session.volume.time, time);
+    EXPECT_EQ(realValues(*again.volume.volume), realValues(*opened.volume));
+    EXPECT_EQ(again.volume.volume->value({0, 0, 0}), (time - 1) * 24.0);
+  }
+}
+
+TEST_F(OpenSession, FilesOutsideAHeadersFolderNeedPermission) {
+  fs::create_directories(project_ / "inner");
+  writeFile(project_ / "voxels.raw", std::string(8, '\x05'));
+  const fs::path header = project_ / "inner" / "a.mhd", session = project_ / "a.fenestra";
+  writeFile(header,
+            "NDims = 3\nDimSize = 2 2 2\nElementSpacing = 1 1 1\nElementType = MET_UCHAR\nElementDataFile = "
+            "../voxels.raw\n");
+  io::Session saved;
+  saved.volume = io::sessionVolume(header, io::openVolume(header, {.allowOutside = true}));
+  io::noteContents(saved);
+  io::writeSession(session, saved);
+  EXPECT_NE(missing(session, io::DataMissing::Data::Volume).find("names voxels outside its folder"), std::string::npos);
+  EXPECT_EQ(io::openSession(session, {.allowOutside = true}).volume.volume->value({1, 1, 1}), 5.0);
 }
 
 TEST_F(OpenSession, FindsDataWhereTheyAre) {

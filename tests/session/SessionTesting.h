@@ -36,6 +36,7 @@ inline io::Session fullSession(const std::filesystem::path& folder) {
   session.volume.path = folder / "study";
   session.volume.contents = contents;
   session.volume.series = "sha256:" + std::string(64, '0');
+  session.volume.time = 3;
   session.volume.raw =
       io::RawDescription{{3, 4, 5}, ScalarType::Int32, true, std::size_t{1} << 40, {0.1, 0.2, 0.30000000000000004}};
   session.labels.path = folder / "labels.nii.gz";

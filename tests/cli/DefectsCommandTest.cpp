@@ -1,0 +1,121 @@
+// The table of defects through fenestra-cli: exit code, one line on standard error, time and memory.
+
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/io/Defects.h"
+#include "tests/io/IoTesting.h"
+#include "tests/support/TestData.h"
+
+namespace fenestra::tests {
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Ended {
+  int exitCode = -1;  ///< -1: ended by a signal
+  double seconds = 0.0;
+  std::uint64_t bytes = 0;  ///< the most memory in use
+  std::string out, error;
+};
+
+/// `fenestra-cli info` with its output in `logs`.
+Ended info(const fs::path& path, const std::vector<std::string>& options, const fs::path& logs) {
+  std::vector<std::string> words{FENESTRA_CLI, "info", path.string()};
+  words.insert(words.end(), options.begin(), options.end());
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  const fs::path out = logs.string() + ".out", error = logs.string() + ".error";
+  const auto start = std::chrono::steady_clock::now();
+  const pid_t child = ::fork();
+  if (child == 0) {
+    const auto redirect = [](const fs::path& file, int descriptor) {
+      ::dup2(::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), descriptor);
+    };
+    redirect(out, STDOUT_FILENO);
+    redirect(error, STDERR_FILENO);
+    ::execv(arguments[0], arguments.data());
+    ::_exit(127);
+  }
+  int status = 0;
+  rusage usage{};
+  ::wait4(child, &status, 0, &usage);
+  Ended run;
+  run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  run.exitCode = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  run.bytes = static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;  // in kilobytes on Linux
+  run.out = readFile(out);
+  run.error = readFile(error);
+  return run;
+}
+
+std::uint64_t bytesIn(const fs::path& folder) {
+  std::uint64_t bytes = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file()) bytes += entry.file_size();
+  return bytes;
+}
+
+}  // namespace
+
+class DefectsCommandTable : public ::testing::TestWithParam<Defect> {};
+
+TEST_P(DefectsCommandTable, EndsWithTheCodeAndTheLineThatTheTableSays) {
+  const Defect& defect = GetParam();
+  const fs::path folder = scratchFolder();
+  const fs::path path = defect.make(folder);
+  if (path.empty()) GTEST_SKIP() << "needs the real data";
+  const Ended run = info(path, defect.arguments(), folder.string());
+  EXPECT_LT(run.seconds, 10.0);
+#if !defined(__SANITIZE_ADDRESS__)  // keeps freed memory
+  EXPECT_LT(run.bytes, bytesIn(folder) + 300'000'000);
+#endif
+  if (defect.expected.outcome == Outcome::Error) {
+    EXPECT_EQ(run.exitCode, 1) << run.error;
+    EXPECT_EQ(std::count(run.error.begin(), run.error.end(), '\n'), 1) << run.error;
+    EXPECT_TRUE(run.error.starts_with("fenestra-cli: " + folder.string())) << run.error;
+    EXPECT_NE(run.error.find(defect.expected.says), std::string::npos) << run.error;
+    EXPECT_EQ(run.out, "");
+    return;
+  }
+  EXPECT_EQ(run.exitCode, 0) << run.error;
+  EXPECT_EQ(run.error, "");
+  const nlohmann::json report = nlohmann::json::parse(run.out, nullptr, false);
+  ASSERT_FALSE(report.is_discarded()) << run.out;
+  const nlohmann::json& warnings = report.at("warnings");
+  EXPECT_EQ(std::any_of(warnings.begin(), warnings.end(),
+                        [&](const nlohmann::json& warning) {
+                          return warning.at("text").get<std::string>().find(defect.expected.says) != std::string::npos;
+                        }),
+            defect.expected.outcome == Outcome::Warning)
+      << warnings.dump(1);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, DefectsCommandTable, ::testing::ValuesIn(allDefects()),
+                         [](const auto& test) { return testNameOf(test.param); });
+
+TEST(DefectsCommand, HeadersMayNameFilesOutsideWhenTheUserAllowsIt) {
+  const fs::path folder = scratchFolder();
+  fs::create_directories(folder / "inner");
+  writeFile(folder / "voxels.raw", std::string(8, '\x05'));
+  writeFile(folder / "inner" / "a.mhd",
+            "NDims = 3\nDimSize = 2 2 2\nElementSpacing = 1 1 1\nElementType = MET_UCHAR\nElementDataFile = "
+            "../voxels.raw\n");
+  const Ended refused = info(folder / "inner" / "a.mhd", {}, folder / "refused");
+  EXPECT_EQ(refused.exitCode, 1);
+  EXPECT_NE(refused.error.find("--allow-outside"), std::string::npos) << refused.error;
+  const Ended allowed = info(folder / "inner" / "a.mhd", {"--allow-outside"}, folder / "allowed");
+  EXPECT_EQ(allowed.exitCode, 0) << allowed.error;
+}
+
+}  // namespace fenestra::tests

@@ -1,0 +1,46 @@
+#include "tests/io/Defects.h"
+
+#include <cctype>
+#include <iterator>
+
+#include "io/VolumeReader.h"
+
+namespace fenestra::tests {
+
+Expected error(std::string says) { return {Outcome::Error, std::move(says)}; }
+Expected warning(std::string says) { return {Outcome::Warning, std::move(says)}; }
+
+io::OpenOptions Defect::options() const {
+  io::OpenOptions options;
+  if (!raw.empty()) options.raw = io::parseRawDescription(raw);
+  options.time = time;
+  return options;
+}
+
+std::vector<std::string> Defect::arguments() const {
+  std::vector<std::string> arguments;
+  if (!raw.empty()) arguments.insert(arguments.end(), {"--raw", raw});
+  if (time) arguments.insert(arguments.end(), {"--time", std::to_string(*time)});
+  return arguments;
+}
+
+std::ostream& operator<<(std::ostream& stream, const Defect& defect) { return stream << defect.name; }
+
+std::string testNameOf(const Defect& defect) {
+  std::string name;
+  bool start = true;
+  for (const char c : defect.name) {
+    const bool letter = std::isalnum(static_cast<unsigned char>(c)) != 0;
+    if (letter) name += start ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
+    start = !letter;
+  }
+  return name;
+}
+
+std::vector<Defect> allDefects() {
+  std::vector<Defect> all = dicomDefects(), files = fileDefects();
+  std::move(files.begin(), files.end(), std::back_inserter(all));
+  return all;
+}
+
+}  // namespace fenestra::tests

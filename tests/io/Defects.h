@@ -1,0 +1,48 @@
+#pragma once
+// A table of damaged, incomplete and contradictory files: how each is made, and the error or warning that it must give.
+// A row is added in DicomDefects.cpp or FileDefects.cpp.
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "io/base/Reading.h"
+
+namespace fenestra::tests {
+
+enum class Outcome { Error, Warning, Opens };
+
+/// What a defect must give: an error or a warning that holds `says`, or a volume without any warning.
+struct Expected {
+  Outcome outcome = Outcome::Opens;
+  std::string says;
+};
+Expected error(std::string says);
+Expected warning(std::string says);
+inline const Expected opens{};
+
+struct Defect {
+  std::string name;
+  /// Writes the files into an empty folder and returns the path to open; an empty path where real data are missing.
+  std::function<std::filesystem::path(const std::filesystem::path& folder)> make;
+  Expected expected;
+  std::string raw = {};          ///< description of raw voxels
+  std::optional<int> time = {};  ///< time point to open
+
+  io::OpenOptions options() const;
+  /// The same for the command line.
+  std::vector<std::string> arguments() const;
+};
+std::ostream& operator<<(std::ostream& stream, const Defect& defect);
+/// The name with what a test's name may hold.
+std::string testNameOf(const Defect& defect);
+
+std::vector<Defect> dicomDefects();
+std::vector<Defect> fileDefects();
+/// All of the above.
+std::vector<Defect> allDefects();
+
+}  // namespace fenestra::tests
