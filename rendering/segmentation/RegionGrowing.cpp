@@ -18,35 +18,25 @@ constexpr double brighterShare = 0.5;  // cost of a brighter value, as a share o
 constexpr double passRadius = 1.5;     // voxel sides: leaks narrower than this ball are closed
 constexpr double thinPathCost = 3.0;   // noise units, on top, for paths narrower than the ball
 constexpr double regrowth = 1.0;       // voxel sides, beyond the ball that closes leaks: brings corners back
-bool hull = getenv("HULL") != nullptr;
-double floorCost = getenv("FLOOR") ? atof(getenv("FLOOR")) : 0.0;
-constexpr double seedRadius = 1.0;  // voxel sides: the ball whose median is the seed's value
+constexpr double seedRadius = 1.0;     // voxel sides: the ball whose median is the seed's value
 
-/// The seeds' values, in noise units of the normalisation.
-using Tones = std::vector<float>;
-
-/// Costs by value: the distance to the nearest tone. Tabulated: a logarithm a voxel would take longer than the flood.
+/// Costs by value: the distance to the seeds' tones, where values between two of them belong too. Tabulated, because a
+/// logarithm a voxel would take longer than the flood.
 class CostTable {
  public:
-  explicit CostTable(Tones tones) : tones_(std::move(tones)) {
+  explicit CostTable(const std::vector<float>& tones)
+      : darkest_(*std::min_element(tones.begin(), tones.end())),
+        brightest_(*std::max_element(tones.begin(), tones.end())) {
     for (std::size_t i = 0; i < table_.size(); ++i) table_[i] = segmentation::levelOf(static_cast<double>(i) / perUnit);
   }
-  Level levelOf(float value) const {
-    float least = limit;
-    if (hull) {
-      float lo = *std::min_element(tones_.begin(), tones_.end()), hi = *std::max_element(tones_.begin(), tones_.end());
-      least = value > hi ? (value - hi) * (float)brighterShare : value < lo ? lo - value : 0.f;
-    } else
-      for (const float tone : tones_) {
-        const float above = value - tone;
-        least = std::min(least, above > 0.0f ? above * static_cast<float>(brighterShare) : -above);
-      }
-    return least < limit ? table_[static_cast<std::size_t>(least * perUnit + 0.5f)] : never;
+  Level levelOf(float tone) const {
+    const float cost = std::max(darkest_ - tone, static_cast<float>(brighterShare) * (tone - brightest_));
+    return cost < limit ? table_[static_cast<std::size_t>(std::max(cost, 0.0f) * perUnit + 0.5f)] : never;
   }
 
  private:
   static constexpr float perUnit = 128.0f, limit = 64.0f;  // 64 noise units are beyond the last level
-  Tones tones_;
+  float darkest_, brightest_;
   std::array<Level, static_cast<std::size_t>(perUnit* limit) + 1> table_{};
 };
 
@@ -134,9 +124,9 @@ class Grower {
     std::vector<CostTable> tables;
     for (Kind& kind : kinds_) {
       if (kind.seeds.empty()) continue;
-      Tones tones;
+      std::vector<float> tones;
       for (const glm::ivec3 seed : kind.seeds) tones.push_back(toneAt(seed, volume_, *scale_));
-      tables.emplace_back(std::move(tones));
+      tables.emplace_back(tones);
       kind.costs.resize(box_.count());
     }
     // A tile's intermediate arrays fit a core's cache.
@@ -169,11 +159,10 @@ class Grower {
   void preparePaths(Kind& kind) {
     kind.wide = greatestWithin(kind.costs, box_.dims(), ballOffsets(volume_.grid, passRadius * side_));
     kind.paths.emplace(box_.dims());
-    Level floor = kinds_[1].seeds.empty() ? 0 : segmentation::levelOf(floorCost);
     forRows([&](int y, int z, std::size_t begin) {
       Level* to = kind.paths->row(y, z);
       for (std::size_t x = 0; x < static_cast<std::size_t>(box_.dims().x); ++x)
-        to[x] = std::max(floor, std::min(thin_[kind.costs[begin + x]], kind.wide[begin + x]));
+        to[x] = std::min(thin_[kind.costs[begin + x]], kind.wide[begin + x]);
     });
     // The ball of a wide path need not have its centre at the seed.
     for (glm::ivec3& seed : kind.seeds) {
