@@ -9,6 +9,11 @@ namespace {
 /// ε of the guided filter in noise variances. Between 1 and 4 the regions hardly change; 8 blurs thin structures.
 constexpr float flatness = 3.0f;
 
+/// The window that CT is read with first. Not the file's own: the region must not depend on who wrote the file.
+constexpr WindowLevel softTissue{400.0, 40.0};
+/// Share of a display window that the eye tells apart in a texture.
+constexpr double seenShare = 0.02;
+
 /// Real value of a stored one, finite.
 template <class T>
 double finiteValue(T stored, const Volume& volume) {
@@ -70,16 +75,15 @@ Block tonesOf(std::span<const T> scalars, const Volume& volume, const Box& box, 
 }  // namespace
 
 ToneScale::ToneScale(const Volume& volume, double noise, double reference) : noise_(noise) {
-  if (volume.isInHounsfieldUnits()) {
-    const WindowLevel window = volume.defaultWindow();
-    seen_ = {window.level - 0.5 * window.width, window.level + 0.5 * window.width};
-  }
+  if (volume.isInHounsfieldUnits())
+    seen_ = {softTissue.level - 0.5 * softTissue.width, softTissue.level + 0.5 * softTissue.width};
   reference_ = toned(std::isfinite(reference) ? reference : volume.range.low);
 }
 
 double noiseOf(const Volume& volume) {
   const glm::ivec3 dims = volume.grid.dims;
-  const double least = (volume.range.high - volume.range.low) / 2000.0;
+  const double width = volume.isInHounsfieldUnits() ? softTissue.width : volume.defaultWindow().width;
+  const double least = seenShare * width;
   std::vector<float> differences;
   volume.voxels.visit([&](auto scalars) {
     // About half a million voxels are enough for a median.
@@ -90,11 +94,12 @@ double noiseOf(const Volume& volume) {
       for (int x = 1; x + 1 < dims.x; ++x) {
         const double second =
             finiteValue(at[x], volume) - 0.5 * (finiteValue(at[x - 1], volume) + finiteValue(at[x + 1], volume));
-        if (second != 0.0) differences.push_back(static_cast<float>(std::abs(second)));
+        if (second != 0.0 || finiteValue(at[x], volume) != volume.range.low)
+          differences.push_back(static_cast<float>(std::abs(second)));
       }
     }
   });
-  if (differences.empty()) return least > 0.0 ? least : 1.0;
+  if (differences.empty()) return least;
   const auto middle = differences.begin() + static_cast<std::ptrdiff_t>(differences.size() / 2);
   std::nth_element(differences.begin(), middle, differences.end());
   // The median of a normal deviate's magnitude is 0.6745 σ; the difference has variance 1.5 σ².

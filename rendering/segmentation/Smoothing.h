@@ -11,8 +11,8 @@
 namespace fenestra::segmentation {
 
 /// Standard deviation of the noise in real values, from second differences along the rows: their median ignores edges,
-/// which are few. Flat parts (padding) do not count. At least 1/2000 of the volume's range, which is the least that a
-/// display tells apart, so that volumes without noise have a unit too.
+/// which are few. Flat parts of the least value (padding) do not count. At least 2 %
+/// of the display window, which is the least that the eye tells apart, so that volumes without noise have a unit too.
 double noiseOf(const Volume& volume);
 
 /// Values as the eye compares them, in units of the noise: 0 at a reference value, and limited to ±256, beyond which
