@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "rendering/segmentation/Box.h"
 #include "rendering/segmentation/Levels.h"
+#include "rendering/segmentation/VoxelBox.h"
 
 namespace fenestra::segmentation {
 
@@ -25,7 +25,7 @@ class PaddedLevels {
   const std::vector<Level>& all() const { return levels_; }
 
  private:
-  Box padded_;
+  VoxelBox padded_;
   std::vector<Level> levels_;
 };
 

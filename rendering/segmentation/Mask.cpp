@@ -30,8 +30,8 @@ std::vector<BallRow> ballRows(const Grid& grid, double radius) {
 
 /// Calls visit(neighbour) for the up to 26 neighbours in `box`.
 template <class Visit>
-void forNeighbours(glm::ivec3 index, const Box& box, Visit visit) {
-  const Box around = Box{index - 1, index + 2}.clippedTo(box);
+void forNeighbours(glm::ivec3 index, const VoxelBox& box, Visit visit) {
+  const VoxelBox around = VoxelBox{index - 1, index + 2}.clippedTo(box);
   glm::ivec3 at;
   for (at.z = around.low.z; at.z < around.high.z; ++at.z)
     for (at.y = around.low.y; at.y < around.high.y; ++at.y)
@@ -40,7 +40,7 @@ void forNeighbours(glm::ivec3 index, const Box& box, Visit visit) {
 }
 
 template <class Visit>
-void forVoxels(const Box& box, Visit visit) {
+void forVoxels(const VoxelBox& box, Visit visit) {
   glm::ivec3 at;
   for (at.z = box.low.z; at.z < box.high.z; ++at.z)
     for (at.y = box.low.y; at.y < box.high.y; ++at.y)
@@ -49,10 +49,10 @@ void forVoxels(const Box& box, Visit visit) {
 
 /// Sets the balls around the voxels of `within` that are `value` to `value`. The balls of voxels inside change nothing
 /// that those of the surface do not.
-Mask spread(const Mask& mask, const Box& within, std::uint8_t value, double radius) {
+Mask spread(const Mask& mask, const VoxelBox& within, std::uint8_t value, double radius) {
   Mask result = mask;
   const Grid& grid = mask.grid;
-  const Box whole = wholeOf(grid.dims);
+  const VoxelBox whole = wholeOf(grid.dims);
   const std::vector<BallRow> rows = ballRows(grid, radius);
   forVoxels(within, [&](glm::ivec3 at) {
     if (mask.voxels[grid.offset(at)] != value) return;
@@ -74,7 +74,7 @@ Mask spread(const Mask& mask, const Box& within, std::uint8_t value, double radi
 std::vector<std::vector<std::size_t>> partsOf(const Mask& mask) {
   std::vector<std::vector<std::size_t>> parts;
   std::vector<std::uint8_t> left = mask.voxels;
-  const Box whole = wholeOf(mask.grid.dims);
+  const VoxelBox whole = wholeOf(mask.grid.dims);
   forVoxels(boundsOf(mask), [&](glm::ivec3 start) {
     if (!left[mask.grid.offset(start)]) return;
     std::vector<std::size_t>& part = parts.emplace_back();
@@ -135,12 +135,12 @@ std::shared_ptr<const LabelMap> labelMapOf(const Mask& mask, const Label& label)
   return labels;
 }
 
-Box boundsOf(const Mask& mask) {
+VoxelBox boundsOf(const Mask& mask) {
   const glm::ivec3 dims = mask.grid.dims;
-  Box bounds{dims, glm::ivec3(0)};
+  VoxelBox bounds{dims, glm::ivec3(0)};
   std::mutex mutex;
   parallelFor(static_cast<std::size_t>(dims.z), 4, [&](std::size_t begin, std::size_t end) {
-    Box local{dims, glm::ivec3(0)};
+    VoxelBox local{dims, glm::ivec3(0)};
     for (int z = static_cast<int>(begin); z < static_cast<int>(end); ++z)
       for (int y = 0; y < dims.y; ++y) {
         const std::uint8_t* row = mask.voxels.data() + mask.grid.offset({0, y, z});
@@ -153,7 +153,7 @@ Box boundsOf(const Mask& mask) {
     const std::scoped_lock lock(mutex);
     bounds = {glm::min(bounds.low, local.low), glm::max(bounds.high, local.high)};
   });
-  return bounds.empty() ? Box{} : bounds;
+  return bounds.empty() ? VoxelBox{} : bounds;
 }
 
 double volumeOf(const Mask& mask) {
@@ -163,13 +163,13 @@ double volumeOf(const Mask& mask) {
 Mask grown(const Mask& mask, double distance) { return spread(mask, boundsOf(mask), 1, distance); }
 
 Mask shrunk(const Mask& mask, double distance) {
-  const Box near = boundsOf(mask).grownBy(glm::ivec3(1)).clippedTo(wholeOf(mask.grid.dims));
+  const VoxelBox near = boundsOf(mask).grownBy(glm::ivec3(1)).clippedTo(wholeOf(mask.grid.dims));
   return spread(mask, near, 0, distance);
 }
 
 Mask withHolesFilled(const Mask& mask) {
-  const Box whole = wholeOf(mask.grid.dims);
-  const Box box = boundsOf(mask).grownBy(glm::ivec3(1)).clippedTo(whole);
+  const VoxelBox whole = wholeOf(mask.grid.dims);
+  const VoxelBox box = boundsOf(mask).grownBy(glm::ivec3(1)).clippedTo(whole);
   std::vector<std::uint8_t> open(box.count(), 0);
   std::vector<glm::ivec3> front;
   const auto reach = [&](glm::ivec3 at) {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "rendering/scene/LabelMap.h"
-#include "rendering/segmentation/Box.h"
 #include "rendering/segmentation/RegionGrowing.h"
+#include "rendering/segmentation/VoxelBox.h"
 
 namespace fenestra::segmentation {
 
@@ -25,7 +25,7 @@ Mask maskOf(const LabelMap& labels, std::uint16_t label);
 std::shared_ptr<const LabelMap> labelMapOf(const Mask& mask, const Label& label);
 
 /// The least box that holds the mask; empty without voxels.
-Box boundsOf(const Mask& mask);
+VoxelBox boundsOf(const Mask& mask);
 /// mm³.
 double volumeOf(const Mask& mask);
 

@@ -12,7 +12,7 @@ namespace {
 template <class Combine>
 void overRows(std::span<const Level> from, glm::ivec3 dims, const std::vector<glm::ivec3>& offsets, std::span<Level> to,
               Combine combine) {
-  const Box box = wholeOf(dims);
+  const VoxelBox box = wholeOf(dims);
   parallelFor(static_cast<std::size_t>(dims.z), 1, [&](std::size_t begin, std::size_t end) {
     for (int z = static_cast<int>(begin); z < static_cast<int>(end); ++z)
       for (int y = 0; y < dims.y; ++y) {

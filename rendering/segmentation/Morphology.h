@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "rendering/scene/Grid.h"
-#include "rendering/segmentation/Box.h"
 #include "rendering/segmentation/Levels.h"
+#include "rendering/segmentation/VoxelBox.h"
 
 namespace fenestra::segmentation {
 

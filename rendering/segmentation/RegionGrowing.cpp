@@ -50,7 +50,7 @@ std::array<Level, 256> thinPathLevels() {
 }
 
 /// The offsets of a ball that lead from `index` into `box`, as voxels.
-std::vector<glm::ivec3> ballAround(glm::ivec3 index, const Grid& grid, double radius, const Box& box) {
+std::vector<glm::ivec3> ballAround(glm::ivec3 index, const Grid& grid, double radius, const VoxelBox& box) {
   std::vector<glm::ivec3> voxels;
   for (const glm::ivec3 offset : ballOffsets(grid, radius))
     if (box.contains(index + offset)) voxels.push_back(index + offset);
@@ -61,7 +61,7 @@ std::vector<glm::ivec3> ballAround(glm::ivec3 index, const Grid& grid, double ra
 float toneAt(glm::ivec3 seed, const Volume& volume, const ToneScale& scale) {
   const std::vector<glm::ivec3> around =
       ballAround(seed, volume.grid, seedRadius * voxelSide(volume.grid), wholeOf(volume.grid.dims));
-  Box box{seed, seed + 1};
+  VoxelBox box{seed, seed + 1};
   for (const glm::ivec3 voxel : around) box = {glm::min(box.low, voxel), glm::max(box.high, voxel + 1)};
   const std::vector<float> values = smoothedTones(volume, box, scale);
   std::vector<float> chosen;
@@ -81,7 +81,7 @@ struct Kind {
 
 class Grower {
  public:
-  Grower(const Volume& volume, const Box& box, const Progress& progress)
+  Grower(const Volume& volume, const VoxelBox& box, const Progress& progress)
       : volume_(volume), box_(box), progress_(progress), side_(voxelSide(volume.grid)), thin_(thinPathLevels()) {}
 
   std::optional<Growth> run(const GrowSettings& settings) {
@@ -137,14 +137,14 @@ class Grower {
       parallelFor(static_cast<std::size_t>(tiles.x * tiles.y), 1, [&](std::size_t begin, std::size_t end) {
         for (int i = static_cast<int>(begin); i < static_cast<int>(end); ++i) {
           const glm::ivec3 low = box_.low + glm::ivec3(i % tiles.x, i / tiles.x, z) * tile;
-          costsOf(Box{low, low + tile}.clippedTo(box_), tables);
+          costsOf(VoxelBox{low, low + tile}.clippedTo(box_), tables);
         }
       });
     }
     return true;
   }
 
-  void costsOf(const Box& tile, const std::vector<CostTable>& tables) {
+  void costsOf(const VoxelBox& tile, const std::vector<CostTable>& tables) {
     const std::vector<float> values = smoothedTones(volume_, tile, *scale_);
     for (std::size_t k = 0; k < tables.size(); ++k)
       for (int z = tile.low.z; z < tile.high.z; ++z)
@@ -243,7 +243,7 @@ class Grower {
   }
 
   const Volume& volume_;
-  Box box_;
+  VoxelBox box_;
   const Progress& progress_;
   double side_;
   std::array<Level, 256> thin_;
@@ -274,15 +274,16 @@ std::optional<glm::ivec3> voxelAt(const Grid& grid, glm::dvec3 world) {
   return glm::clamp(glm::ivec3(glm::floor(index + 0.5)), glm::ivec3(0), grid.dims - 1);
 }
 
-Box previewBox(const Volume& volume, const GrowSettings& settings) {
+VoxelBox previewBox(const Volume& volume, const GrowSettings& settings) {
   constexpr int half = 56;  // voxels: 1.4 million in all
-  const Box whole = wholeOf(volume.grid.dims);
+  const VoxelBox whole = wholeOf(volume.grid.dims);
   for (const glm::dvec3 seed : settings.inside)
-    if (const auto voxel = voxelAt(volume.grid, seed)) return Box{*voxel - half, *voxel + half + 1}.clippedTo(whole);
+    if (const auto voxel = voxelAt(volume.grid, seed))
+      return VoxelBox{*voxel - half, *voxel + half + 1}.clippedTo(whole);
   return whole;
 }
 
-std::optional<Growth> growRegion(const Volume& volume, const GrowSettings& settings, const Box& reach,
+std::optional<Growth> growRegion(const Volume& volume, const GrowSettings& settings, const VoxelBox& reach,
                                  const Progress& progress) {
   return Grower(volume, reach.clippedTo(wholeOf(volume.grid.dims)), progress).run(settings);
 }

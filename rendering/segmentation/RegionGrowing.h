@@ -13,8 +13,8 @@
 
 #include "rendering/scene/LabelMap.h"
 #include "rendering/scene/Volume.h"
-#include "rendering/segmentation/Box.h"
 #include "rendering/segmentation/Curve.h"
+#include "rendering/segmentation/VoxelBox.h"
 
 namespace fenestra::segmentation {
 
@@ -31,7 +31,7 @@ struct Growth {
   /// On the volume's grid, UInt8: the first step that holds the voxel, 0 where no tolerance reaches. As a label map,
   /// the region of step n is the labels 1 … n, see focusAt.
   std::shared_ptr<const LabelMap> steps;
-  Box box;             ///< where `steps` may be other than 0
+  VoxelBox box;        ///< where `steps` may be other than 0
   double noise = 1.0;  ///< real values
   GrowthCurve curve;
 
@@ -49,12 +49,12 @@ using Progress = std::function<bool(double fraction)>;
 std::optional<glm::ivec3> voxelAt(const Grid& grid, glm::dvec3 world);
 
 /// The box of voxels around the first inside seed that shows a region at once: a few million voxels at most.
-Box previewBox(const Volume& volume, const GrowSettings& settings);
+VoxelBox previewBox(const Volume& volume, const GrowSettings& settings);
 
 /// Grows within `reach`, the whole volume for the final result or previewBox() for a first look. Seeds outside `reach`
 /// are ignored; `settings.tolerance` is not used. Empty when cancelled. Takes five bytes a voxel of `reach` while it
 /// runs, eight with outside seeds, beside the result's one. Runs on all cores; call it off the GUI thread.
-std::optional<Growth> growRegion(const Volume& volume, const GrowSettings& settings, const Box& reach,
+std::optional<Growth> growRegion(const Volume& volume, const GrowSettings& settings, const VoxelBox& reach,
                                  const Progress& progress = {});
 
 }  // namespace fenestra::segmentation

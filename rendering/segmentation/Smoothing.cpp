@@ -28,7 +28,7 @@ struct Block {
   glm::ivec3 dims;
   std::vector<float> values;
 
-  explicit Block(glm::ivec3 size) : dims(size), values(Box{glm::ivec3(0), size}.count()) {}
+  explicit Block(glm::ivec3 size) : dims(size), values(VoxelBox{glm::ivec3(0), size}.count()) {}
 };
 
 /// Sums of three neighbours along an axis, whose side shrinks by two.
@@ -43,7 +43,7 @@ Block sumsAlong(const Block& from, int axis) {
     for (int y = 0; y < dims.y; ++y) {
       const float* row =
           from.values.data() + static_cast<std::size_t>(y) * strides[1] + static_cast<std::size_t>(z) * strides[2];
-      float* sums = to.values.data() + Box{glm::ivec3(0), dims}.offset({0, y, z});
+      float* sums = to.values.data() + VoxelBox{glm::ivec3(0), dims}.offset({0, y, z});
       for (std::size_t x = 0; x < static_cast<std::size_t>(dims.x); ++x)
         sums[x] = row[x] + row[x + step] + row[x + 2 * step];
     }
@@ -59,7 +59,7 @@ Block means(const Block& from) {
 
 /// The voxels of `box`, which may reach beyond the volume: its edge is repeated there.
 template <class T>
-Block tonesOf(std::span<const T> scalars, const Volume& volume, const Box& box, const ToneScale& scale) {
+Block tonesOf(std::span<const T> scalars, const Volume& volume, const VoxelBox& box, const ToneScale& scale) {
   Block block(box.dims());
   const glm::ivec3 last = volume.grid.dims - 1;
   float* to = block.values.data();
@@ -106,8 +106,8 @@ double noiseOf(const Volume& volume) {
   return std::max(least, *middle / 0.6745 / std::sqrt(1.5));
 }
 
-std::vector<float> smoothedTones(const Volume& volume, const Box& box, const ToneScale& scale) {
-  const Box read = box.grownBy(glm::ivec3(2));
+std::vector<float> smoothedTones(const Volume& volume, const VoxelBox& box, const ToneScale& scale) {
+  const VoxelBox read = box.grownBy(glm::ivec3(2));
   const Block values = volume.voxels.visit([&](auto scalars) { return tonesOf(scalars, volume, read, scale); });
   Block squares(values.dims);
   std::transform(values.values.begin(), values.values.end(), squares.values.begin(), [](float v) { return v * v; });
@@ -121,7 +121,7 @@ std::vector<float> smoothedTones(const Volume& volume, const Box& box, const Ton
   slope = means(slope);
   intercept = means(intercept);
   std::vector<float> smoothed(box.count());
-  const Box all = wholeOf(values.dims);
+  const VoxelBox all = wholeOf(values.dims);
   const glm::ivec3 dims = box.dims();
   for (int z = 0; z < dims.z; ++z)
     for (int y = 0; y < dims.y; ++y) {

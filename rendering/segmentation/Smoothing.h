@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "rendering/scene/Volume.h"
-#include "rendering/segmentation/Box.h"
+#include "rendering/segmentation/VoxelBox.h"
 
 namespace fenestra::segmentation {
 
@@ -40,6 +40,6 @@ class ToneScale {
 /// "Guided Image Filtering", ECCV 2010, eqs. 5, 6 and 8. Where the variance is the noise's the result is nearly the
 /// mean; at edges it is the value. Neighbours outside the box are read too, so that the result does not depend on the
 /// box. `box` lies in the volume. NaN counts as the volume's least value, ±Inf as the ends of its range.
-std::vector<float> smoothedTones(const Volume& volume, const Box& box, const ToneScale& scale);
+std::vector<float> smoothedTones(const Volume& volume, const VoxelBox& box, const ToneScale& scale);
 
 }  // namespace fenestra::segmentation

@@ -31,7 +31,8 @@ namespace {
 using namespace segmentation;
 
 constexpr int seedsPerStructure = 20;
-constexpr double good = 0.8;  ///< Dice
+constexpr int phantomVoxels = 200;  ///< along the longest side
+constexpr double good = 0.8;        ///< Dice
 
 struct Structure {
   std::string name;
@@ -63,16 +64,16 @@ std::vector<Structure> structures() {
           {"both lungs (elastix)", lung, mask, {1}, true},
           {"right lung (chest)", chest, segments, {5}},
           {"left lung (chest)", chest, segments, {6}, true},
-          {"putamen", brain, regions, {73}},
-          {"thalamus", brain, regions, {77}, true},
-          {"caudate nucleus", brain, regions, {71}},
           {"phantom: right lung", "torso", "", {6}},
           {"phantom: liver", "torso", "", {12}},
           {"phantom: spleen", "torso", "", {17}},
           {"phantom: left kidney", "torso", "", {20}},
           {"phantom: lesion", "torso", "", {43}},
           {"phantom: tumour", "head", "", {25}},
-          {"phantom: ventricles", "head", "", {21}}};
+          {"phantom: ventricles", "head", "", {21}},
+          {"putamen", brain, regions, {73}},
+          {"thalamus", brain, regions, {77}, true},
+          {"caudate nucleus", brain, regions, {71}}};
 }
 
 struct Data {
@@ -87,7 +88,7 @@ std::optional<Data> dataOf(const Structure& structure) {
   if (known != opened.end()) return known->second;
   Data data;
   if (structure.labels.empty()) {
-    const io::OpenedPhantom phantom = io::openPhantom(structure.image, 256);
+    const io::OpenedPhantom phantom = io::openPhantom(structure.image, phantomVoxels);
     data = {phantom.volume.volume, phantom.labels};
   } else {
     const std::filesystem::path image = tests::findTestData(structure.image);
@@ -109,7 +110,7 @@ Mask truthOf(const Structure& structure, const LabelMap& labels) {
 
 /// Voxels whose six neighbours belong to the structure too; all of them where that leaves fewer than the seeds.
 std::vector<std::size_t> innerVoxels(const Mask& truth) {
-  const Box whole = wholeOf(truth.grid.dims);
+  const VoxelBox whole = wholeOf(truth.grid.dims);
   std::vector<std::size_t> inner, all;
   for (std::size_t i = 0; i < truth.voxels.size(); ++i) {
     if (!truth.voxels[i]) continue;
@@ -160,16 +161,20 @@ Scores scoresOf(const Growth& growth, const Mask& truth) {
 /// What a plain tolerance reaches: connected values within it of the mean of 3×3×3 around the seed. Best Dice.
 double plainDice(const Volume& volume, std::size_t seed, const Mask& truth) {
   const Grid& grid = volume.grid;
-  const Box whole = wholeOf(grid.dims);
+  const VoxelBox whole = wholeOf(grid.dims);
   const double noise = noiseOf(volume);
   const glm::ivec3 at = whole.at(seed);
-  const Box around = Box{at - 1, at + 2}.clippedTo(whole);
+  const VoxelBox around = VoxelBox{at - 1, at + 2}.clippedTo(whole);
   double sum = 0.0;
   for (std::size_t i = 0; i < around.count(); ++i) sum += volume.value(around.at(i));
   const double mean = sum / static_cast<double>(around.count());
   PaddedLevels costs(grid.dims);
-  for (std::size_t i = 0; i < whole.count(); ++i)
-    costs.all()[costs.offset(whole.at(i))] = levelOf(std::abs(volume.value(whole.at(i)) - mean) / noise);
+  volume.voxels.visit([&](auto scalars) {
+    for (std::size_t i = 0; i < scalars.size(); ++i) {
+      const double value = volume.slope * static_cast<double>(scalars[i]) + volume.intercept;
+      costs.all()[costs.offset(whole.at(i))] = levelOf(std::abs(value - mean) / noise);
+    }
+  });
   const Flooded flooded = flood({&costs, {at}}, {}, [](double) { return true; });
   std::vector<std::uint8_t> steps(whole.count());
   for (std::size_t i = 0; i < steps.size(); ++i)
@@ -178,17 +183,25 @@ double plainDice(const Volume& volume, std::size_t seed, const Mask& truth) {
   return scores.dice[scores.best];
 }
 
-/// The voxel of `wanted` farthest from any other, by peeling it; empty when there is none.
-std::optional<std::size_t> deepest(Mask wanted) {
-  const double step = std::min({wanted.grid.spacing.x, wanted.grid.spacing.y, wanted.grid.spacing.z});
+/// The voxel of `wanted` with the most steps over faces to any other; empty when there is none.
+std::optional<std::size_t> deepest(const Mask& wanted) {
+  const VoxelBox whole = wholeOf(wanted.grid.dims);
+  std::vector<std::uint8_t> left = wanted.voxels;
+  std::vector<std::size_t> front;
+  for (std::size_t i = 0; i < left.size(); ++i)
+    if (!left[i]) front.push_back(i);
   std::optional<std::size_t> last;
-  for (;;) {
-    const auto first = std::find(wanted.voxels.begin(), wanted.voxels.end(), 1);
-    if (first == wanted.voxels.end()) return last;
-    last = static_cast<std::size_t>(first - wanted.voxels.begin());
-    wanted = shrunk(wanted, step);
-    if (volumeOf(wanted) == wanted.grid.voxelVolume() * static_cast<double>(wanted.voxels.size())) return last;
-  }
+  for (std::size_t i = 0; i < front.size(); ++i)
+    for (int axis = 0; axis < 3; ++axis)
+      for (const int step : {-1, 1}) {
+        glm::ivec3 at = whole.at(front[i]);
+        at[axis] += step;
+        if (!whole.contains(at) || !left[wanted.grid.offset(at)]) continue;
+        last = wanted.grid.offset(at);
+        left[*last] = 0;
+        front.push_back(*last);
+      }
+  return last;
 }
 
 /// Voxels in `a` and not in `b`.
@@ -204,7 +217,7 @@ struct Outcome {
 };
 
 Outcome outcomeOf(const Volume& volume, const Mask& truth, std::size_t seed) {
-  const Box whole = wholeOf(volume.grid.dims);
+  const VoxelBox whole = wholeOf(volume.grid.dims);
   GrowSettings settings{{worldOf(volume.grid, seed)}, {}, {}};
   const Growth growth = *growRegion(volume, settings, whole);
   const Scores scores = scoresOf(growth, truth);

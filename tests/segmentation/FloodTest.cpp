@@ -21,7 +21,7 @@ bool always(double) { return true; }
 
 /// Minimax path costs by relaxation until nothing changes.
 std::vector<int> relaxed(const PaddedLevels& costs, glm::ivec3 seed) {
-  const Box box = wholeOf(costs.dims());
+  const VoxelBox box = wholeOf(costs.dims());
   std::vector<int> reached(box.count(), never);
   const auto costAt = [&](glm::ivec3 at) { return static_cast<int>(costs.all()[costs.offset(at)]); };
   reached[box.offset(seed)] = costAt(seed);

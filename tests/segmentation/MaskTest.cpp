@@ -26,7 +26,7 @@ void expectExactDistances(const Grid& grid, double reach) {
   std::mt19937 random(5);
   const Mask mask = maskOn(grid, [&](glm::ivec3) { return random() % 5 == 0; });
   const Mask larger = grown(mask, reach), smaller = shrunk(larger, reach);
-  const Box whole = wholeOf(grid.dims);
+  const VoxelBox whole = wholeOf(grid.dims);
   for (std::size_t i = 0; i < mask.voxels.size(); ++i) {
     bool near = false, farFromOutside = true;
     for (std::size_t j = 0; j < mask.voxels.size(); ++j) {
@@ -103,7 +103,7 @@ TEST(Mask, FullOnesStayFull) {
 
 TEST(Mask, KnowsItsBoundsAndVolume) {
   const Grid grid = tests::gridOf({10, 11, 12}, {1.0, 2.0, 3.0});
-  const Box box{{2, 3, 4}, {5, 9, 11}};
+  const VoxelBox box{{2, 3, 4}, {5, 9, 11}};
   const Mask mask = maskOn(grid, [&](glm::ivec3 at) { return box.contains(at); });
   EXPECT_EQ(boundsOf(mask), box);
   EXPECT_DOUBLE_EQ(volumeOf(mask), 3.0 * 6.0 * 7.0 * 6.0);

@@ -50,7 +50,7 @@ TEST(Morphology, ABallOnAShearedGridIsRoundInTheWorld) {
 TEST(Morphology, GreatestAndLeastAreThoseOfTheBall) {
   const glm::ivec3 dims(9, 7, 6);
   const Grid grid = obliqueGrid(dims);
-  const Box box = wholeOf(dims);
+  const VoxelBox box = wholeOf(dims);
   std::mt19937 random(1);
   std::vector<Level> levels(box.count());
   for (Level& level : levels) level = static_cast<Level>(random() % 256);

@@ -36,7 +36,7 @@ TEST(Smoothing, TakesNoiseAndKeepsEdges) {
   const glm::ivec3 dims(40, 24, 24);
   const double noise = 10.0, step = 200.0;
   const auto volume = noisy(dims, noise, step);
-  const Box box = wholeOf(dims);
+  const VoxelBox box = wholeOf(dims);
   const std::vector<float> tones = smoothedTones(*volume, box, ToneScale(*volume, noise, 0.0));
   double squares = 0.0, beside[2] = {0.0, 0.0};
   int flat = 0;
@@ -58,7 +58,7 @@ TEST(Smoothing, TakesNoiseAndKeepsEdges) {
 TEST(Smoothing, DoesNotDependOnTheBox) {
   const auto volume = noisy({20, 18, 16}, 5.0, 60.0);
   const ToneScale scale(*volume, 5.0, 10.0);
-  const Box all = wholeOf(volume->grid.dims), part{{0, 5, 7}, {13, 18, 12}};
+  const VoxelBox all = wholeOf(volume->grid.dims), part{{0, 5, 7}, {13, 18, 12}};
   const std::vector<float> whole = smoothedTones(*volume, all, scale), some = smoothedTones(*volume, part, scale);
   for (std::size_t i = 0; i < some.size(); ++i) EXPECT_EQ(some[i], whole[all.offset(part.at(i))]);
 }
@@ -70,7 +70,7 @@ TEST(Smoothing, ReadsStoredValuesThroughTheirScaling) {
   stored->intercept = -30.0;
   stored->computeRange();
   const auto real = volumeOf(grid, [](glm::ivec3 at) { return 20.0 * at.x - 30.0; });
-  const Box box = wholeOf(grid.dims);
+  const VoxelBox box = wholeOf(grid.dims);
   EXPECT_EQ(smoothedTones(*stored, box, ToneScale(*stored, 4.0, 0.0)),
             smoothedTones(*real, box, ToneScale(*real, 4.0, 0.0)));
 }

@@ -8,7 +8,7 @@
 namespace fenestra::segmentation {
 
 /// Voxels with low ≤ index < high on each axis.
-struct Box {
+struct VoxelBox {
   glm::ivec3 low{0}, high{0};
 
   glm::ivec3 dims() const { return high - low; }
@@ -33,11 +33,11 @@ struct Box {
     return low + glm::ivec3(static_cast<int>(offset % x), static_cast<int>(offset / x % y),
                             static_cast<int>(offset / (x * y)));
   }
-  Box grownBy(glm::ivec3 margin) const { return {low - margin, high + margin}; }
-  Box clippedTo(const Box& other) const { return {glm::max(low, other.low), glm::min(high, other.high)}; }
-  bool operator==(const Box&) const = default;
+  VoxelBox grownBy(glm::ivec3 margin) const { return {low - margin, high + margin}; }
+  VoxelBox clippedTo(const VoxelBox& other) const { return {glm::max(low, other.low), glm::min(high, other.high)}; }
+  bool operator==(const VoxelBox&) const = default;
 };
 
-inline Box wholeOf(glm::ivec3 dims) { return {glm::ivec3(0), dims}; }
+inline VoxelBox wholeOf(glm::ivec3 dims) { return {glm::ivec3(0), dims}; }
 
 }  // namespace fenestra::segmentation
