@@ -102,14 +102,20 @@ Mask keptParts(const Mask& mask, const std::vector<std::vector<std::size_t>>& pa
 }  // namespace
 
 Mask maskAt(const Growth& growth, int step) {
-  Mask mask{growth.steps->grid, std::vector<std::uint8_t>(growth.steps->voxels.count())};
+  Mask mask;
+  setMask(mask, growth, step);
+  return mask;
+}
+
+void setMask(Mask& mask, const Growth& growth, int step) {
   const auto steps = growth.steps->voxels.as<std::uint8_t>();
+  mask.grid = growth.steps->grid;
+  mask.voxels.resize(steps.size());
   // 0, no step, wraps to 255, so that one comparison is enough.
   const auto last = static_cast<std::uint8_t>(std::clamp(step, 0, stepCount));
   parallelFor(steps.size(), grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) mask.voxels[i] = static_cast<std::uint8_t>(steps[i] - 1) < last;
   });
-  return mask;
 }
 
 Mask maskOf(const LabelMap& labels, std::uint16_t label) {

@@ -68,7 +68,9 @@ TEST(RegionGrowing, AToleranceIsAThreshold) {
   }
   // As a focus: the labels up to the step.
   const int step = growth.curve.automatic;
-  const Mask mask = maskAt(growth, step);
+  Mask mask = maskAt(growth, stepCount);
+  setMask(mask, growth, step);
+  EXPECT_EQ(mask.voxels, maskAt(growth, step).voxels);
   tests::forEachVoxel(volume->grid.dims, [&](glm::ivec3 at) {
     const int label = growth.steps->value(at);
     EXPECT_EQ(label >= 1 && label <= step, mask.voxels[mask.grid.offset(at)] == 1);
