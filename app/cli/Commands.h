@@ -10,6 +10,7 @@
 #include "rendering/gpu/Schedule.h"
 #include "rendering/placement/Placer.h"
 #include "rendering/scene/Slice.h"
+#include "rendering/segmentation/RegionGrowing.h"
 
 namespace fenestra::cli {
 
@@ -50,6 +51,7 @@ struct RenderOptions {
   std::optional<Schedule> schedule;                      ///< empty: the faster one
   int repeat = 1;                                        ///< frames, each from the first pass on
   bool reference = false;                                ///< in double precision on the CPU
+  segmentation::GrowSettings seeds;                      ///< with an inside seed: the focus is the region grown from it
 };
 void render(const RenderOptions& options);
 
@@ -64,6 +66,14 @@ struct PlaceOptions {
   std::filesystem::path map;  ///< PNG of the quality over the sphere; empty: not written
 };
 void place(const PlaceOptions& options);
+
+struct GrowOptions {
+  app::VolumeOptions volume;
+  segmentation::GrowSettings settings;  ///< with an inside seed
+  bool curve = false;                   ///< also the volume at every tolerance
+  std::filesystem::path output;
+};
+void grow(const GrowOptions& options);
 
 struct CompareOptions {
   std::filesystem::path a, b;

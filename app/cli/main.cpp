@@ -16,6 +16,7 @@
 #include "app/SceneOptions.h"
 #include "app/ScheduleChoice.h"
 #include "app/cli/Commands.h"
+#include "app/cli/Growing.h"
 #include "app/cli/Report.h"
 #include "rendering/egl/EglContext.h"
 #include "rendering/gl/ShaderProgram.h"
@@ -203,6 +204,7 @@ Command addSlice(CLI::App& program, SliceOptions& options) {
 Command addRender(CLI::App& program, RenderOptions& options) {
   CLI::App* command = program.add_subcommand("render", "a picture with the adaptive cutaway");
   app::addSceneOptions(*command, options.scene);
+  CLI::Option* seed = addSeedOptions(*command, options.seeds);
   CLI::Option* output = command->add_option("-o,--output", options.output, "PNG to write")->type_name("FILE");
   CLI::Option* layers =
       command->add_option("--layers", options.layers, "folder for every stage, as .mha")->type_name("FOLDER");
@@ -216,6 +218,9 @@ Command addRender(CLI::App& program, RenderOptions& options) {
           ->check(CLI::Range(1, 10000))
           ->needs(output);
   app::addScheduleOption(*command, options.schedule);
+  // Sessions do not store seeds.
+  for (const char* other : {"--focus-labels", "--focus-range", "--save-session"})
+    seed->excludes(command->get_option(other));
   CLI::Option* reference =
       command->add_flag("--reference", options.reference,
                         "the picture, its layers or both in double precision on the CPU, without OpenGL; takes minutes "
@@ -240,6 +245,19 @@ Command addPlace(CLI::App& program, PlaceOptions& options) {
   return {command, &options.scene, [&] { return place(options), true; }};
 }
 
+Command addGrow(CLI::App& program, GrowOptions& options) {
+  CLI::App* command = program.add_subcommand(
+      "grow", "the structure around a point as a label map (0 and 1); its tolerance, volume and plateaus as JSON");
+  app::addVolumeOptions(*command, options.volume);
+  addSeedOptions(*command, options.settings)->required();
+  command->add_flag("--curve", options.curve, "also the volume at every tolerance");
+  command->add_option("-o,--output", options.output, ".nii.gz, .nii, .nrrd or .mha to write")
+      ->required()
+      ->type_name("FILE");
+  requireSource(*command);
+  return {command, &options.volume, [&] { return grow(options), true; }};
+}
+
 Command addCompare(CLI::App& program, CompareOptions& options) {
   CLI::App* command = program.add_subcommand("compare", "errors between two pictures or layers, as JSON");
   command->add_option("A", options.a, "PNG or .mha")->required()->type_name("");
@@ -261,11 +279,12 @@ int main(int argc, char** argv) {
   SurfaceOptions surfaceOptions;
   RenderOptions renderOptions;
   PlaceOptions placeOptions;
+  GrowOptions growOptions;
   CompareOptions compareOptions;
-  const std::array commands{addInfo(program, infoOptions),      addConvert(program, convertOptions),
-                            addSlice(program, sliceOptions),    addRender(program, renderOptions),
-                            addPlace(program, placeOptions),    addCompare(program, compareOptions),
-                            addSurface(program, surfaceOptions)};
+  const std::array commands{addInfo(program, infoOptions),       addConvert(program, convertOptions),
+                            addSlice(program, sliceOptions),     addRender(program, renderOptions),
+                            addPlace(program, placeOptions),     addGrow(program, growOptions),
+                            addSurface(program, surfaceOptions), addCompare(program, compareOptions)};
 
   try {
     program.parse(argc, argv);
@@ -273,7 +292,8 @@ int main(int argc, char** argv) {
     return program.exit(success);
   } catch (const CLI::ParseError& error) {
     const bool named = !program.get_subcommands().empty();
-    const std::string what = named ? error.what() : "expected info, convert, slice, render, place, compare or surface";
+    const std::string what =
+        named ? error.what() : "expected info, convert, slice, render, place, grow, surface or compare";
     std::cerr << oneLine("fenestra-cli: " + what + "; see --help") << '\n';
     return misused;
   } catch (const io::Error& error) {  // of a session, which is read while parsing

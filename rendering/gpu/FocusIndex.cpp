@@ -45,15 +45,18 @@ class BrickCorners {
   template <class T>
   BrickCorners(glm::ivec3 brick, std::span<const T> labels, const Grid& grid, const std::vector<std::uint8_t>& wanted) {
     const glm::ivec3 first = brick * brickSide - 1;  // index of the brick's first corner
+    const glm::ivec3 last = grid.dims - 1;
     for (int z = 0, at = 0; z < side; ++z)
-      for (int y = 0; y < side; ++y)
+      for (int y = 0; y < side; ++y) {
+        const T* row =
+            labels.data() + grid.offset({0, std::clamp(first.y + y, 0, last.y), std::clamp(first.z + z, 0, last.z)});
         for (int x = 0; x < side; ++x, ++at) {
-          const glm::ivec3 voxel = glm::clamp(first + glm::ivec3(x, y, z), glm::ivec3(0), grid.dims - 1);
-          const std::uint8_t in = wanted[labels[grid.offset(voxel)]];
+          const std::uint8_t in = wanted[row[std::clamp(first.x + x, 0, last.x)]];
           inside_[static_cast<std::size_t>(at)] = in;
           any_ |= in != 0;
           all_ &= in != 0;
         }
+      }
   }
   bool any() const { return any_; }
   bool all() const { return all_; }
@@ -73,6 +76,33 @@ class BrickCorners {
   bool any_ = false, all_ = true;
 };
 
+/// Bricks that the surface crosses, and their cells' corner masks, a byte each.
+class MixedBricks {
+ public:
+  void add(std::size_t brick, const BrickCorners& corners) {
+    bricks_.push_back(brick);
+    const std::size_t begin = cells_.size();
+    cells_.resize(begin + wordsPerBrick, 0);
+    glm::ivec3 cell;
+    for (cell.z = 0; cell.z < brickSide; ++cell.z)
+      for (cell.y = 0; cell.y < brickSide; ++cell.y)
+        for (cell.x = 0; cell.x < brickSide; ++cell.x) {
+          const std::size_t byte = cellInBrick(cell);
+          cells_[begin + byte / 4] |= corners.mask(cell) << (8 * (byte % 4));
+        }
+  }
+  void appendTo(FocusIndex& index) const {
+    auto slot = static_cast<std::uint32_t>(index.cells.size() / wordsPerBrick) + 2;
+    for (const std::size_t brick : bricks_) index.slots[brick] = slot++;
+    index.cells.insert(index.cells.end(), cells_.begin(), cells_.end());
+  }
+
+ private:
+  static constexpr std::size_t wordsPerBrick = cellsPerBrick / 4;
+  std::vector<std::size_t> bricks_;  ///< offsets
+  std::vector<std::uint32_t> cells_;
+};
+
 template <class T>
 void indexLabels(FocusIndex& index, std::span<const T> labels, const Grid& grid,
                  const std::vector<std::uint8_t>& wanted) {
@@ -80,29 +110,23 @@ void indexLabels(FocusIndex& index, std::span<const T> labels, const Grid& grid,
   if (!index.box) return;
   // The voxel at index i is a corner of cells i and i + 1 in the cell frame.
   const glm::ivec3 first = index.box->low / brickSide, last = (index.box->high + 1) / brickSide;
-  constexpr std::size_t wordsPerBrick = cellsPerBrick / 4;
-  glm::ivec3 brick;
-  for (brick.z = first.z; brick.z <= last.z; ++brick.z)
-    for (brick.y = first.y; brick.y <= last.y; ++brick.y)
-      for (brick.x = first.x; brick.x <= last.x; ++brick.x) {
-        const BrickCorners corners(brick, labels, grid, wanted);
-        if (!corners.any()) continue;
-        std::uint32_t& slot = index.slots[brickOffset(index.bricks, brick)];
-        if (corners.all()) {
-          slot = 1;
-          continue;
+  const auto layers = static_cast<std::size_t>(last.z - first.z + 1);
+  std::vector<MixedBricks> mixed(layers);
+  parallelFor(layers, 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t layer = begin; layer < end; ++layer) {
+      glm::ivec3 brick(0, 0, first.z + static_cast<int>(layer));
+      for (brick.y = first.y; brick.y <= last.y; ++brick.y)
+        for (brick.x = first.x; brick.x <= last.x; ++brick.x) {
+          const BrickCorners corners(brick, labels, grid, wanted);
+          const std::size_t at = brickOffset(index.bricks, brick);
+          if (corners.all())
+            index.slots[at] = 1;
+          else if (corners.any())
+            mixed[layer].add(at, corners);
         }
-        const std::size_t begin = index.cells.size();
-        slot = static_cast<std::uint32_t>(begin / wordsPerBrick) + 2;
-        index.cells.resize(begin + wordsPerBrick, 0);
-        glm::ivec3 cell;
-        for (cell.z = 0; cell.z < brickSide; ++cell.z)
-          for (cell.y = 0; cell.y < brickSide; ++cell.y)
-            for (cell.x = 0; cell.x < brickSide; ++cell.x) {
-              const std::size_t byte = cellInBrick(cell);
-              index.cells[begin + byte / 4] |= corners.mask(cell) << (8 * (byte % 4));
-            }
-      }
+    }
+  });
+  for (const MixedBricks& layer : mixed) layer.appendTo(index);
 }
 
 // --- values ---------------------------------------------------------------------------------------------------------

@@ -1,0 +1,291 @@
+#include "rendering/segmentation/RegionGrowing.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+
+#include "rendering/scene/Parallel.h"
+#include "rendering/segmentation/Flood.h"
+#include "rendering/segmentation/Morphology.h"
+#include "rendering/segmentation/Smoothing.h"
+
+namespace fenestra::segmentation {
+namespace {
+
+// Chosen on half of the structures of tests/bench/results/growing.md.
+constexpr double brighterShare = 0.5;  // cost of a brighter value, as a share of an equally darker one's
+constexpr double passRadius = 1.5;     // voxel sides: leaks narrower than this ball are closed
+constexpr double thinPathCost = 3.0;   // noise units, on top, for paths narrower than the ball
+constexpr double regrowth = 1.0;       // voxel sides, beyond the ball that closes leaks: brings corners back
+constexpr double seedRadius = 1.0;     // voxel sides: the ball whose median is the seed's value
+
+/// Costs by value: the distance to the seeds' tones, where values between two of them belong too. Tabulated, because a
+/// logarithm a voxel would take longer than the flood.
+class CostTable {
+ public:
+  explicit CostTable(const std::vector<float>& tones)
+      : darkest_(*std::min_element(tones.begin(), tones.end())),
+        brightest_(*std::max_element(tones.begin(), tones.end())) {
+    for (std::size_t i = 0; i < table_.size(); ++i) table_[i] = segmentation::levelOf(static_cast<double>(i) / perUnit);
+  }
+  Level levelOf(float tone) const {
+    const float cost = std::max(darkest_ - tone, static_cast<float>(brighterShare) * (tone - brightest_));
+    return cost < limit ? table_[static_cast<std::size_t>(std::max(cost, 0.0f) * perUnit + 0.5f)] : never;
+  }
+
+ private:
+  static constexpr float perUnit = 128.0f, limit = 64.0f;  // 64 noise units are beyond the last level
+  float darkest_, brightest_;
+  std::array<Level, static_cast<std::size_t>(perUnit* limit) + 1> table_{};
+};
+
+/// The levels of costs raised by thinPathCost.
+std::array<Level, 256> thinPathLevels() {
+  std::array<Level, 256> levels{};
+  for (int level = 0; level < levelCount; ++level)
+    levels[static_cast<std::size_t>(level)] = levelOf(costOf(level) + thinPathCost);
+  levels[never] = never;
+  return levels;
+}
+
+/// The offsets of a ball that lead from `index` into `box`, as voxels.
+std::vector<glm::ivec3> ballAround(glm::ivec3 index, const Grid& grid, double radius, const VoxelBox& box) {
+  std::vector<glm::ivec3> voxels;
+  for (const glm::ivec3 offset : ballOffsets(grid, radius))
+    if (box.contains(index + offset)) voxels.push_back(index + offset);
+  return voxels;
+}
+
+/// Median of the smoothed values around a seed.
+float toneAt(glm::ivec3 seed, const Volume& volume, const ToneScale& scale) {
+  const std::vector<glm::ivec3> around =
+      ballAround(seed, volume.grid, seedRadius * voxelSide(volume.grid), wholeOf(volume.grid.dims));
+  VoxelBox box{seed, seed + 1};
+  for (const glm::ivec3 voxel : around) box = {glm::min(box.low, voxel), glm::max(box.high, voxel + 1)};
+  const std::vector<float> values = smoothedTones(volume, box, scale);
+  std::vector<float> chosen;
+  for (const glm::ivec3 voxel : around) chosen.push_back(values[box.offset(voxel)]);
+  const auto middle = chosen.begin() + static_cast<std::ptrdiff_t>(chosen.size() / 2);
+  std::nth_element(chosen.begin(), middle, chosen.end());
+  return *middle;
+}
+
+/// One kind of seeds on its way to a flood.
+struct Kind {
+  std::vector<glm::ivec3> seeds;  ///< in the box's frame
+  std::vector<Level> costs;       ///< of the box's voxels
+  std::vector<Level> wide;        ///< costs of paths as wide as the ball
+  std::optional<PaddedLevels> paths;
+};
+
+class Grower {
+ public:
+  Grower(const Volume& volume, const VoxelBox& box, const Progress& progress)
+      : volume_(volume), box_(box), progress_(progress), side_(voxelSide(volume.grid)), thin_(thinPathLevels()) {}
+
+  std::optional<Growth> run(const GrowSettings& settings) {
+    const std::vector<glm::ivec3> inside = seedsIn(settings.inside), outside = seedsIn(settings.outside);
+    assert(!inside.empty());
+    noise_ = noiseOf(volume_);
+    scale_.emplace(volume_, noise_, volume_.value(inside.front()));
+    kinds_[0].seeds = inside;
+    kinds_[1].seeds = outside;
+    if (!computeCosts() || !goOn(0.4)) return std::nullopt;
+    for (Kind& kind : kinds_)
+      if (!kind.seeds.empty()) preparePaths(kind);
+    if (!goOn(0.5)) return std::nullopt;
+    std::optional<Flooded> flooded = floodBox();
+    if (!flooded) return std::nullopt;
+    const std::vector<Level> joins = putBallsBack(*flooded);
+    flooded.reset();
+    if (!goOn(0.9)) return std::nullopt;
+    Growth growth;
+    growth.box = box_;
+    growth.noise = noise_;
+    growth.curve = growthCurve(joins, kinds_[0].costs, volume_.grid, box_.dims());
+    growth.steps = stepsOf(joins);
+    goOn(1.0);
+    return growth;
+  }
+
+ private:
+  bool goOn(double fraction) const { return !progress_ || progress_(fraction); }
+
+  std::vector<glm::ivec3> seedsIn(const std::vector<glm::dvec3>& seeds) const {
+    std::vector<glm::ivec3> voxels;
+    for (const glm::dvec3 seed : seeds)
+      if (const auto voxel = voxelAt(volume_.grid, seed); voxel && box_.contains(*voxel)) voxels.push_back(*voxel);
+    return voxels;
+  }
+
+  /// False when cancelled.
+  bool computeCosts() {
+    std::vector<CostTable> tables;
+    for (Kind& kind : kinds_) {
+      if (kind.seeds.empty()) continue;
+      std::vector<float> tones;
+      for (const glm::ivec3 seed : kind.seeds) tones.push_back(toneAt(seed, volume_, *scale_));
+      tables.emplace_back(tones);
+      kind.costs.resize(box_.count());
+    }
+    // A tile's intermediate arrays fit a core's cache.
+    constexpr glm::ivec3 tile(128, 32, 32);
+    const glm::ivec3 tiles = (box_.dims() + tile - 1) / tile;
+    for (int z = 0; z < tiles.z; ++z) {
+      if (!goOn(0.35 * z / tiles.z)) return false;
+      parallelFor(static_cast<std::size_t>(tiles.x * tiles.y), 1, [&](std::size_t begin, std::size_t end) {
+        for (int i = static_cast<int>(begin); i < static_cast<int>(end); ++i) {
+          const glm::ivec3 low = box_.low + glm::ivec3(i % tiles.x, i / tiles.x, z) * tile;
+          costsOf(VoxelBox{low, low + tile}.clippedTo(box_), tables);
+        }
+      });
+    }
+    return true;
+  }
+
+  void costsOf(const VoxelBox& tile, const std::vector<CostTable>& tables) {
+    const std::vector<float> values = smoothedTones(volume_, tile, *scale_);
+    for (std::size_t k = 0; k < tables.size(); ++k)
+      for (int z = tile.low.z; z < tile.high.z; ++z)
+        for (int y = tile.low.y; y < tile.high.y; ++y) {
+          const float* row = values.data() + tile.offset({tile.low.x, y, z});
+          Level* to = kinds_[k].costs.data() + box_.offset({tile.low.x, y, z});
+          for (int x = 0; x < tile.dims().x; ++x) to[x] = tables[k].levelOf(row[x]);
+        }
+  }
+
+  /// A path's cost at a voxel: as wide as the ball, or thinner at the extra cost.
+  void preparePaths(Kind& kind) {
+    kind.wide = greatestWithin(kind.costs, box_.dims(), ballOffsets(volume_.grid, passRadius * side_));
+    kind.paths.emplace(box_.dims());
+    forRows([&](int y, int z, std::size_t begin) {
+      Level* to = kind.paths->row(y, z);
+      for (std::size_t x = 0; x < static_cast<std::size_t>(box_.dims().x); ++x)
+        to[x] = std::min(thin_[kind.costs[begin + x]], kind.wide[begin + x]);
+    });
+    // The ball of a wide path need not have its centre at the seed.
+    for (glm::ivec3& seed : kind.seeds) {
+      glm::ivec3 best = seed - box_.low;
+      for (const glm::ivec3 voxel : ballAround(seed, volume_.grid, passRadius * side_, box_)) {
+        const glm::ivec3 at = voxel - box_.low;
+        if (kind.paths->all()[kind.paths->offset(at)] < kind.paths->all()[kind.paths->offset(best)]) best = at;
+      }
+      seed = best;
+    }
+  }
+
+  std::optional<Flooded> floodBox() {
+    bool cancelled = false;
+    FloodSource inside{&*kinds_[0].paths, kinds_[0].seeds}, outside;
+    if (kinds_[1].paths) outside = {&*kinds_[1].paths, kinds_[1].seeds};
+    Flooded flooded = flood(inside, outside, [&](double fraction) {
+      cancelled = !goOn(0.5 + 0.3 * fraction);
+      return !cancelled;
+    });
+    if (cancelled) return std::nullopt;
+    for (Kind& kind : kinds_) kind.paths.reset();
+    return flooded;
+  }
+
+  /// The level at which each voxel of the box joins.
+  std::vector<Level> putBallsBack(const Flooded& flooded) {
+    std::vector<Level>& wide = kinds_[0].wide;
+    const std::vector<Level>& costs = kinds_[0].costs;
+    std::vector<Level> thin(box_.count()), joins(box_.count(), never);
+    forRows([&](int y, int z, std::size_t begin) {
+      const std::size_t padded = flooded.reached.offset({0, y, z});
+      for (std::size_t x = 0; x < static_cast<std::size_t>(box_.dims().x); ++x) {
+        const bool lost = !flooded.outside.empty() && flooded.outside[padded + x];
+        const Level reached = lost ? never : flooded.reached.all()[padded + x];
+        thin[begin + x] = std::max(reached, thin_[costs[begin + x]]);
+        wide[begin + x] = std::max(reached, wide[begin + x]);
+      }
+    });
+    lowerToLeastWithin(wide, box_.dims(), ballOffsets(volume_.grid, (passRadius + regrowth) * side_), joins);
+    lowerToLeastWithin(thin, box_.dims(), ballOffsets(volume_.grid, regrowth * side_), joins);
+    forRows([&](int y, int z, std::size_t begin) {
+      const std::size_t padded = flooded.reached.offset({0, y, z});
+      for (std::size_t x = 0; x < static_cast<std::size_t>(box_.dims().x); ++x) {
+        const bool lost = !flooded.outside.empty() && flooded.outside[padded + x];
+        joins[begin + x] = lost ? never : std::max(joins[begin + x], costs[begin + x]);
+      }
+    });
+    return joins;
+  }
+
+  std::shared_ptr<const LabelMap> stepsOf(const std::vector<Level>& joins) const {
+    auto steps = std::make_shared<LabelMap>();
+    steps->grid = volume_.grid;
+    steps->voxels = Voxels(ScalarType::UInt8, volume_.grid.voxelCount());
+    std::uint8_t* all = steps->voxels.as<std::uint8_t>().data();
+    if (box_ != wholeOf(volume_.grid.dims)) std::fill_n(all, volume_.grid.voxelCount(), std::uint8_t{0});
+    forRows([&](int y, int z, std::size_t begin) {
+      std::uint8_t* to = all + volume_.grid.offset(box_.low + glm::ivec3(0, y, z));
+      for (std::size_t x = 0; x < static_cast<std::size_t>(box_.dims().x); ++x)
+        to[x] = static_cast<std::uint8_t>(joins[begin + x] + 1);  // never, 255, becomes 0
+    });
+    for (int step = 1; step <= stepCount; ++step) {
+      const auto value = static_cast<std::uint16_t>(step);
+      steps->labels.push_back({value, {}, glm::dvec3(0.8)});
+    }
+    return steps;
+  }
+
+  /// visit(y, z, offset of the row) for all rows of the box, on all cores.
+  template <class Visit>
+  void forRows(Visit visit) const {
+    const glm::ivec3 dims = box_.dims();
+    parallelFor(static_cast<std::size_t>(dims.z), 1, [&](std::size_t begin, std::size_t end) {
+      for (int z = static_cast<int>(begin); z < static_cast<int>(end); ++z)
+        for (int y = 0; y < dims.y; ++y) visit(y, z, wholeOf(dims).offset({0, y, z}));
+    });
+  }
+
+  const Volume& volume_;
+  VoxelBox box_;
+  const Progress& progress_;
+  double side_;
+  std::array<Level, 256> thin_;
+  double noise_ = 1.0;
+  std::optional<ToneScale> scale_;
+  std::array<Kind, 2> kinds_;  ///< inside, outside
+};
+
+}  // namespace
+
+double Growth::toleranceOf(int step) const { return step > 0 ? costOf(step - 1) * noise : 0.0; }
+
+int Growth::stepOf(double tolerance) const {
+  const Level level = levelOf(std::max(0.0, tolerance) / noise);
+  return std::min<int>(level, levelCount - 1) + 1;
+}
+
+int Growth::stepOf(const GrowSettings& settings) const {
+  return settings.tolerance ? stepOf(*settings.tolerance) : curve.automatic;
+}
+
+std::optional<glm::ivec3> voxelAt(const Grid& grid, glm::dvec3 world) {
+  const glm::dvec3 index(grid.indexFromWorld() * glm::dvec4(world, 1.0));
+  // Compared before they are rounded: a far position has no int.
+  if (!glm::all(glm::greaterThanEqual(index, glm::dvec3(-0.5))) ||
+      !glm::all(glm::lessThan(index, glm::dvec3(grid.dims) - 0.5)))
+    return std::nullopt;
+  return glm::clamp(glm::ivec3(glm::floor(index + 0.5)), glm::ivec3(0), grid.dims - 1);
+}
+
+VoxelBox previewBox(const Volume& volume, const GrowSettings& settings) {
+  constexpr int half = 56;  // voxels: 1.4 million in all
+  const VoxelBox whole = wholeOf(volume.grid.dims);
+  for (const glm::dvec3 seed : settings.inside)
+    if (const auto voxel = voxelAt(volume.grid, seed))
+      return VoxelBox{*voxel - half, *voxel + half + 1}.clippedTo(whole);
+  return whole;
+}
+
+std::optional<Growth> growRegion(const Volume& volume, const GrowSettings& settings, const VoxelBox& reach,
+                                 const Progress& progress) {
+  return Grower(volume, reach.clippedTo(wholeOf(volume.grid.dims)), progress).run(settings);
+}
+
+}  // namespace fenestra::segmentation

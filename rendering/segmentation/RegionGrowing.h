@@ -1,0 +1,60 @@
+#pragma once
+// A region grown from a click, for all tolerances at once.
+//
+// The cost of a voxel is the distance of its value, freed of noise, from the seed's, in units of the noise. Values
+// brighter than the seed cost less than darker ones. A voxel joins the region at the least tolerance that lets a path
+// from the seed reach it. Paths are as wide as a small ball, so that a leak narrower than the ball stays shut; a
+// thinner path costs an extra amount, so that thin structures can be grown too. In the end the ball is put back.
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "rendering/scene/LabelMap.h"
+#include "rendering/scene/Volume.h"
+#include "rendering/segmentation/Curve.h"
+#include "rendering/segmentation/VoxelBox.h"
+
+namespace fenestra::segmentation {
+
+/// What the user set; a session stores it.
+struct GrowSettings {
+  std::vector<glm::dvec3> inside;   ///< world mm; the first is the click, at least one lies in the volume
+  std::vector<glm::dvec3> outside;  ///< world mm: in structures that the region must not enter
+  std::optional<double> tolerance;  ///< real values (HU for CT) below the seed's; empty: Growth::curve.automatic
+  bool operator==(const GrowSettings&) const = default;
+};
+
+/// Every region that can be grown from the seeds. A tolerance is a threshold of `steps`: nothing is flooded again.
+struct Growth {
+  /// On the volume's grid, UInt8: the first step that holds the voxel, 0 where no tolerance reaches. As a label map,
+  /// the region of step n is the labels 1 … n, see focusAt.
+  std::shared_ptr<const LabelMap> steps;
+  VoxelBox box;        ///< where `steps` may be other than 0
+  double noise = 1.0;  ///< real values
+  GrowthCurve curve;
+
+  /// Real values below the seed's that step n allows, and the step that allows `tolerance`.
+  double toleranceOf(int step) const;
+  int stepOf(double tolerance) const;
+  /// The step of the settings: their tolerance's, or the automatic one.
+  int stepOf(const GrowSettings& settings) const;
+};
+
+/// Called now and then from the calling thread with a fraction in [0, 1]; false cancels.
+using Progress = std::function<bool(double fraction)>;
+
+/// The voxel that holds a world position; empty outside the volume.
+std::optional<glm::ivec3> voxelAt(const Grid& grid, glm::dvec3 world);
+
+/// The box of voxels around the first inside seed that shows a region at once: a few million voxels at most.
+VoxelBox previewBox(const Volume& volume, const GrowSettings& settings);
+
+/// Grows within `reach`, the whole volume for the final result or previewBox() for a first look. Seeds outside `reach`
+/// are ignored; `settings.tolerance` is not used. Empty when cancelled. Takes five bytes a voxel of `reach` while it
+/// runs, eight with outside seeds, beside the result's one. Runs on all cores; call it off the GUI thread.
+std::optional<Growth> growRegion(const Volume& volume, const GrowSettings& settings, const VoxelBox& reach,
+                                 const Progress& progress = {});
+
+}  // namespace fenestra::segmentation

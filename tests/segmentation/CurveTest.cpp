@@ -1,0 +1,69 @@
+#include "rendering/segmentation/Curve.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/Scenes.h"
+
+namespace fenestra::segmentation {
+namespace {
+
+/// The curve of a volume whose voxels join at joinAt and cost the same.
+template <class JoinAt>
+GrowthCurve curveOf(const Grid& grid, JoinAt joinAt) {
+  std::vector<Level> joins;
+  tests::forEachVoxel(grid.dims, [&](glm::ivec3 at) { joins.push_back(static_cast<Level>(joinAt(at))); });
+  return growthCurve(joins, joins, grid, grid.dims);
+}
+
+/// Greatest distance to the centre along an axis.
+int shellOf(glm::ivec3 at, glm::ivec3 centre) {
+  const glm::ivec3 d = glm::abs(at - centre);
+  return std::max({d.x, d.y, d.z});
+}
+
+TEST(Curve, MeasuresABlock) {
+  const Grid grid = tests::gridOf(glm::ivec3(21), {2.0, 3.0, 4.0});
+  const GrowthCurve curve = curveOf(grid, [](glm::ivec3 at) { return shellOf(at, glm::ivec3(10)) <= 4 ? 10 : 100; });
+  EXPECT_EQ(curve.volume[10], 0.0);
+  const double volume = 729.0 * 24.0, area = 2.0 * (18.0 * 27.0 + 27.0 * 36.0 + 18.0 * 36.0);
+  for (const std::size_t step : {11u, 50u, 100u}) {
+    EXPECT_DOUBLE_EQ(curve.volume[step], volume);
+    // A rise of costs counts up to six times the noise.
+    EXPECT_NEAR(curve.contrast[step], std::min(6.0, costOf(100) - costOf(10)), 1e-9);
+    EXPECT_NEAR(curve.compactness[step], std::cbrt(36.0 * std::numbers::pi * volume * volume) / area, 1e-9);
+  }
+  EXPECT_DOUBLE_EQ(curve.volume[101], 9261.0 * 24.0);
+  EXPECT_EQ(curve.volume.size(), static_cast<std::size_t>(stepCount) + 1);
+}
+
+TEST(Curve, BeginsOnTheFirstPlateauBeforeALeak) {
+  // A block at level 60; from 120 on a comb of rods; at 200 everything.
+  const Grid grid = tests::gridOf(glm::ivec3(41));
+  const GrowthCurve curve = curveOf(grid, [](glm::ivec3 at) {
+    if (shellOf(at, glm::ivec3(20)) <= 6) return 60;
+    return at.x % 2 && at.y % 2 ? 120 : 200;
+  });
+  ASSERT_FALSE(curve.plateaus.empty());
+  EXPECT_EQ(curve.automatic, curve.plateaus.front().best);
+  EXPECT_DOUBLE_EQ(curve.volume[static_cast<std::size_t>(curve.automatic)], 13.0 * 13.0 * 13.0);
+  EXPECT_EQ(curve.plateaus.front().first, 61);
+  EXPECT_EQ(curve.plateaus.front().last, 120);
+}
+
+TEST(Curve, OfNothingBeginsNowhere) {
+  const GrowthCurve curve = curveOf(tests::gridOf(glm::ivec3(5)), [](glm::ivec3) { return never; });
+  EXPECT_TRUE(curve.plateaus.empty());
+  EXPECT_EQ(curve.automatic, 0);
+}
+
+TEST(Curve, OfAFewVoxelsBeginsWithThem) {
+  const GrowthCurve curve =
+      curveOf(tests::gridOf(glm::ivec3(5)), [](glm::ivec3 at) { return at == glm::ivec3(2) ? 30 : int{never}; });
+  EXPECT_EQ(curve.automatic, 31);
+}
+
+}  // namespace
+}  // namespace fenestra::segmentation
