@@ -1,5 +1,6 @@
 #include "viewer/MainWindow.h"
 
+#include <algorithm>
 #include <memory>
 
 #include <QCloseEvent>
@@ -170,8 +171,16 @@ void MainWindow::studyOpened() {
             : tr("There are %1 series here; this is the largest, %2.")
                   .arg(study.otherSeries.size() + 1)
                   .arg(describe(study.series)),
-        tr("Choose…"), [this] { files_->chooseSeries(); });
-  notices_->addWarnings(study.warnings);
+        {{tr("Choose…"), [this] { files_->chooseSeries(); }}});
+  std::vector<io::Warning> warnings = study.warnings;
+  if (study.geometry) {
+    const std::vector<io::Warning>& findings = study.geometry->findings;
+    std::erase_if(warnings, [&](const io::Warning& warning) {
+      return std::find(findings.begin(), findings.end(), warning) != findings.end();
+    });
+    notices_->addGeometry(*study.geometry, [this](io::Regularise choice) { sessions_->regularise(choice); });
+  }
+  notices_->addWarnings(warnings);
   if (study.placeCameras) workspace_.placement.placeAutomatically();
   Q_EMIT opened();
 }

@@ -62,6 +62,8 @@ const char* nameOf(io::Warning::Kind kind) {
       return "moved data";
     case Kind::ChangedData:
       return "changed data";
+    case Kind::Placement:
+      return "placement";
     case Kind::Other:
       break;
   }
@@ -95,6 +97,23 @@ Json describe(const std::vector<io::Warning>& warnings) {
     json.push_back({{"kind", nameOf(warning.kind)}, {"text", warning.text}, {"files", std::move(files)}});
   }
   return json;
+}
+
+Json describe(const std::optional<io::GeometryReport>& report) {
+  if (!report) return nullptr;
+  return {
+      {"findings", describe(report->findings)},
+      {"regularised", wordOf(report->applied).word},
+      {"slices", report->slices},
+      {"planes", report->planes},
+      {"sheared", report->sheared},
+      {"scanned_step", report->scannedStep},
+      {"step", report->step},
+      {"displacement", report->displacement},
+      {"displacement_as_is", report->displacementAsIs},
+      {"interpolated_planes", report->interpolatedPlanes},
+      {"empty_voxels", report->emptyVoxels},
+  };
 }
 
 /// Focus, labels, strokes and views of a session.
@@ -141,6 +160,7 @@ void info(const InfoOptions& options) {
       {"default_window", {{"width", shown.width}, {"level", shown.level}}},
       {"series", describe(opened.series, options.descriptions)},
       {"other_series", std::move(others)},
+      {"geometry", describe(opened.geometry)},
       {"warnings", describe(opened.warnings)},
   };
   if (data.session) json["session"] = describe(*data.session);

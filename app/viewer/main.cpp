@@ -62,6 +62,7 @@ Study readScene(const app::SceneOptions& options, const io::Progress& progress) 
   study.series = std::move(loaded.volume.series);
   study.otherSeries = std::move(loaded.volume.otherSeries);
   study.warnings = std::move(loaded.warnings);
+  study.geometry = std::move(loaded.volume.geometry);
   return study;
 }
 
