@@ -111,18 +111,17 @@ void NoticeBar::addGeometry(const io::GeometryReport& report, const std::functio
     if (!finding.files.empty()) details << texts.back() + QLatin1Char('\n') + namesOf(finding.files);
   }
   const QString all = texts.join(QLatin1Char(' '));
-  const QString figures =
-      tr("Slices scanned: %1, %2 mm apart for the most part\nPlanes shown: %3, %4 mm apart\n"
-         "Farthest from its place as shown: %5 mm; with the slices spread evenly: %6 mm\n"
-         "Planes in wide gaps: %7\nVoxels outside of what was scanned: %8")
-          .arg(report.slices)
-          .arg(report.scannedStep, 0, 'f', 3)
-          .arg(report.planes)
-          .arg(report.step, 0, 'f', 3)
-          .arg(report.displacement, 0, 'f', 3)
-          .arg(report.displacementAsIs, 0, 'f', 3)
-          .arg(report.interpolatedPlanes)
-          .arg(report.emptyVoxels);
+  const QString figures = tr("Slices scanned: %1, %2 mm apart for the most part\nPlanes shown: %3, %4 mm apart\n"
+                             "Farthest from its place as shown: %5 mm; with the slices spread evenly: %6 mm\n"
+                             "Planes in wide gaps: %7\nVoxels outside of what was scanned: %8")
+                              .arg(report.slices)
+                              .arg(report.scannedStep, 0, 'f', 3)
+                              .arg(report.planes)
+                              .arg(report.step, 0, 'f', 3)
+                              .arg(report.displacement, 0, 'f', 3)
+                              .arg(report.displacementAsIs, 0, 'f', 3)
+                              .arg(report.interpolatedPlanes)
+                              .arg(report.emptyVoxels);
   std::vector<Action> actions{
       {tr("Report…"), [this, all, text = (QStringList(figures) + details).join(QStringLiteral("\n\n"))] {
          showDetails(window(), tr("Geometry report"), all, text);
@@ -130,10 +129,9 @@ void NoticeBar::addGeometry(const io::GeometryReport& report, const std::functio
   const auto offer = [&](const QString& name, io::Regularise choice) {
     actions.push_back({name, [choose, choice] { choose(choice); }});
   };
-  const bool isPlaced = report.applied != io::Regularise::Off;
-  if (isPlaced || report.displacementAsIs > report.displacement)
+  if (report.applied != io::Regularise::Off)
     offer(tr("Load as is"), io::Regularise::Off);
-  else if (report.displacement > 0.0 && !report.sheared)
+  else if (report.displacement > io::GeometryReport::tolerance)
     offer(tr("Regularise"), io::Regularise::Automatic);
   if (report.sheared) offer(tr("Make straight"), io::Regularise::Linear);
   add(Kind::Warning, all, actions);

@@ -47,6 +47,9 @@ struct Warning {
 
 /// What is odd about the places of a series' slices, and what was done about it.
 struct GeometryReport {
+  /// mm; what is nearer to its place than this is not mentioned. Headers round to a hundredth and below.
+  static constexpr double tolerance = 0.01;
+
   /// What was found, in which files and how large; the last one is of Kind::Placement. OpenedVolume's warnings hold
   /// them too.
   std::vector<Warning> findings;

@@ -10,8 +10,8 @@
 
 namespace fenestra::io {
 
-/// Positions are compared to this many mm: headers round to a hundredth and below.
-constexpr double positionTolerance = 0.01;
+/// Positions are compared to this many mm.
+constexpr double positionTolerance = GeometryReport::tolerance;
 
 /// The slices' places in the frame of the first one.
 struct SliceLayout {
