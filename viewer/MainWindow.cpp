@@ -105,6 +105,10 @@ void MainWindow::connectViews() {
   connect(views_, &ViewArea::menuRequested, this,
           [this](glm::dvec3 world, QPoint at) { showStructureMenu(workspace_, world, at); });
   connect(views_, &ViewArea::failed, this, &MainWindow::showError, Qt::QueuedConnection);
+  connect(
+      views_, &ViewArea::reduced, this,
+      [this](const QString& notice) { notices_->add(NoticeBar::Kind::Warning, notice + QLatin1Char('.')); },
+      Qt::QueuedConnection);
 }
 
 void MainWindow::connectPanels() {
