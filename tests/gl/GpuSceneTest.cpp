@@ -101,7 +101,10 @@ TEST_F(GpuSceneTest, FactorsFollowTheMemoryAndTheFinestAxis) {
 /// Has no room for 3-D textures of more than so many texels.
 class CrampedDriver {
  public:
-  explicit CrampedDriver(std::int64_t most) : store_(epoxy_glTextureStorage3D) {
+  explicit CrampedDriver(std::int64_t most) {
+    // epoxy looks a function up at its first call, and replaces the pointer.
+    gl::Texture::make3D(gl::Format::R8, glm::ivec3(1));
+    store_ = epoxy_glTextureStorage3D;
     self_ = this;
     most_ = most;
     epoxy_glTextureStorage3D = [](GLuint name, GLsizei levels, GLenum format, GLsizei x, GLsizei y, GLsizei z) {
@@ -117,7 +120,7 @@ class CrampedDriver {
  private:
   inline static CrampedDriver* self_ = nullptr;
   std::int64_t most_ = 0;
-  PFNGLTEXTURESTORAGE3DPROC store_;
+  PFNGLTEXTURESTORAGE3DPROC store_ = nullptr;
 };
 
 TEST_F(GpuSceneTest, AFailedAllocationThinsTheVolumeAndOneThatNothingHelpsNamesItsSize) {
