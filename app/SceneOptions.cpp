@@ -213,6 +213,11 @@ void addVolume(CLI::App& command, VolumeOptions& options, const std::function<vo
                       "how to read PATH's bytes, e.g. 256x256x128:uint16:be:skip=512")
                   ->type_name("WxHxD:TYPE[:le|be][:skip=BYTES]")
                   ->excludes(phantom);
+  addChoice<io::Regularise>(command, "--regularise",
+                            "resample slices that lie unevenly or askew onto even planes, default auto: linearly where "
+                            "slices would be misplaced otherwise",
+                            options.regularise)
+      ->excludes(phantom);
   command
       .add_option_function<std::string>(
           "--data",
@@ -384,7 +389,8 @@ OpenedData openData(const VolumeOptions& options, const fs::path& labels, const 
   } else if (io::isSession(options.path)) {
     if (!options.series.empty() || options.raw || options.time)
       throw io::Error(options.path, "records how its volume is read", "leave out --series, --time and --raw");
-    io::OpenedSession opened = io::openSession(options.path, {options.data, labels, options.allowOutside}, progress);
+    io::OpenedSession opened =
+        io::openSession(options.path, {options.data, labels, options.allowOutside, options.regularise}, progress);
     data.volume = std::move(opened.volume);
     data.volume.warnings = std::move(opened.warnings);
     data.labels = std::move(opened.labels);
@@ -395,6 +401,7 @@ OpenedData openData(const VolumeOptions& options, const fs::path& labels, const 
                                                 .time = options.time,
                                                 .raw = options.raw,
                                                 .allowOutside = options.allowOutside,
+                                                .regularise = options.regularise.value_or(io::Regularise::Automatic),
                                                 .progress = part(progress, 0.0, volumeShare)});
     if (!labels.empty()) {
       io::OpenedLabels opened =

@@ -16,7 +16,9 @@ io::Session sessionOf(const SceneOptions& options, const LoadedScene& loaded) {
     session = *loaded.session;
   } else {
     if (options.phantom.empty())
-      session.volume = io::sessionVolume(options.path, loaded.volume, options.raw);
+      session.volume =
+          io::sessionVolume(options.path, loaded.volume,
+                            {.raw = options.raw, .regularise = options.regularise.value_or(io::Regularise::Automatic)});
     else
       session.phantom = {options.phantom, options.phantomVoxels};
     session.views[1].camera = loaded.view.camera.beside();

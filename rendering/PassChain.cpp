@@ -74,7 +74,7 @@ glm::dvec2 PassChain::widthsInPixels(const Scene& scene) const {
   const glm::dvec2 wanted =
       glm::max(glm::dvec2(scene.look.cutaway.openWidth, scene.look.cutaway.borderWidth), glm::dvec2(0.0));
   if (scene.look.cutaway.unit == WidthUnit::Pixel) return wanted * pixelScale;
-  const Grid& grid = scene.volume->grid;
+  const Grid& grid = gpu->grid();
   double depth = rays->depthOf(gpu->focus().centre(grid).value_or(grid.centre()));
   if (!(depth > 0.0)) depth = rays->depthOf(grid.centre());
   return wanted / rays->pixelSize(std::max(depth, 1e-3 * grid.boundingRadius()));
@@ -103,11 +103,11 @@ void PassChain::draw(const Scene& scene, const View& view) {
 
 PassChain::Frame PassChain::begin(const Scene& scene, const View& view) {
   gpu->update(scene);
-  rays.emplace(view.camera, view.size, scene.volume->grid);
+  rays.emplace(view.camera, view.size, gpu->grid());
   pixelScale = view.pixelScale;
   background = glm::vec3(scene.look.background);
 
-  Frame frame{.scene = scene, .view = view, .sampling = samplingOf(view, scene.volume->grid, *rays)};
+  Frame frame{.scene = scene, .view = view, .sampling = samplingOf(view, gpu->grid(), *rays)};
   frame.hasCutaway = hasCutaway(scene);
   frame.hasContextLayer = frame.hasCutaway && scene.look.contextLayer.strength > 0.0;
   frame.startBefore = start.version();
@@ -195,7 +195,7 @@ void PassChain::drawFocusLayer(const Frame& frame) {
   keyBefore.rayStart = frame.startBefore;
   const bool onlyMoved = frame.moved && !focus.isStale(keyBefore), anew = !onlyMoved && focus.isStale(key);
   // Rays outside of this miss the volume.
-  const gl::Region nearVolume = rays->around({glm::ivec3(0), frame.scene.volume->grid.dims - 1}, reach);
+  const gl::Region nearVolume = rays->around({glm::ivec3(0), gpu->grid().dims - 1}, reach);
   runIfStale(
       Pass::FocusLayer, focus, key, anew ? Regions() : Regions(frame.changed),
       [&](Regions regions) {

@@ -1,5 +1,6 @@
 #include "viewer/MainWindow.h"
 
+#include <algorithm>
 #include <memory>
 
 #include <QCloseEvent>
@@ -109,6 +110,10 @@ void MainWindow::connectViews() {
   connect(views_, &ViewArea::menuRequested, this,
           [this](glm::dvec3 world, QPoint at) { showStructureMenu(workspace_, world, at); });
   connect(views_, &ViewArea::failed, this, &MainWindow::showError, Qt::QueuedConnection);
+  connect(
+      views_, &ViewArea::reduced, this,
+      [this](const QString& notice) { notices_->add(NoticeBar::Kind::Warning, notice + QLatin1Char('.')); },
+      Qt::QueuedConnection);
 }
 
 void MainWindow::connectPanels() {
@@ -175,9 +180,17 @@ void MainWindow::studyOpened() {
             : tr("There are %1 series here; this is the largest, %2.")
                   .arg(study.otherSeries.size() + 1)
                   .arg(describe(study.series)),
-        tr("Choose…"), [this] { files_->chooseSeries(); });
+        {{tr("Choose…"), [this] { files_->chooseSeries(); }}});
   offerSegmentations();
-  notices_->addWarnings(study.warnings);
+  std::vector<io::Warning> warnings = study.warnings;
+  if (study.geometry) {
+    const std::vector<io::Warning>& findings = study.geometry->findings;
+    std::erase_if(warnings, [&](const io::Warning& warning) {
+      return std::find(findings.begin(), findings.end(), warning) != findings.end();
+    });
+    notices_->addGeometry(*study.geometry, [this](io::Regularise choice) { sessions_->regularise(choice); });
+  }
+  notices_->addWarnings(warnings);
   if (study.placeCameras) workspace_.placement.placeAutomatically();
   Q_EMIT opened();
 }
@@ -188,19 +201,19 @@ void MainWindow::offerSegmentations() {
   if (study.segmentations.size() == 1) {
     notices_->add(NoticeBar::Kind::Warning,
                   tr("A segmentation of this series lies beside it: %1.").arg(titleOf(study.segmentations.front())),
-                  tr("Open"), [this, file = study.segmentations.front().file] { loader_.openLabels(file); });
+                  {{tr("Open"), [this, file = study.segmentations.front().file] { loader_.openLabels(file); }}});
     return;
   }
   notices_->add(NoticeBar::Kind::Warning,
-                tr("%1 segmentations of this series lie beside it.").arg(study.segmentations.size()), tr("Choose…"),
-                [this] {
-                  // From the event loop: the notice may be gone while the menu is open.
-                  QTimer::singleShot(0, this, [this] {
-                    QMenu menu;
-                    fillSegmentationMenu(menu, workspace_.document.study().segmentations, loader_);
-                    menu.exec(QCursor::pos());
-                  });
-                });
+                tr("%1 segmentations of this series lie beside it.").arg(study.segmentations.size()),
+                {{tr("Choose…"), [this] {
+                    // From the event loop: the notice may be gone while the menu is open.
+                    QTimer::singleShot(0, this, [this] {
+                      QMenu menu;
+                      fillSegmentationMenu(menu, workspace_.document.study().segmentations, loader_);
+                      menu.exec(QCursor::pos());
+                    });
+                  }}});
 }
 
 void MainWindow::showError(const QString& message) { notices_->add(NoticeBar::Kind::Error, message); }

@@ -22,6 +22,18 @@ QString sentence(const std::string& clause) {
   return text.endsWith(QLatin1Char('.')) ? text : text + QLatin1Char('.');
 }
 
+QString namesOf(const std::vector<std::filesystem::path>& files) {
+  QStringList names;
+  for (const std::filesystem::path& file : files) names << toQString(file);
+  return names.join(QLatin1Char('\n'));
+}
+
+void showDetails(QWidget* window, const QString& title, const QString& text, const QString& details) {
+  QMessageBox box(QMessageBox::Information, title, text, QMessageBox::Close, window);
+  box.setDetailedText(details);
+  box.exec();
+}
+
 }  // namespace
 
 NoticeBar::NoticeBar(QWidget* parent) : QWidget(parent), rows_(new QVBoxLayout), unfold_(new QPushButton) {
@@ -48,7 +60,7 @@ void NoticeBar::fold() {
   setVisible(count > 0);
 }
 
-void NoticeBar::add(Kind kind, const QString& text, const QString& actionName, std::function<void()> action) {
+void NoticeBar::add(Kind kind, const QString& text, const std::vector<Action>& actions) {
   if (texts().contains(text)) return;
   auto* frame = new QFrame;
   frame->setObjectName(QStringLiteral("notice"));
@@ -64,9 +76,9 @@ void NoticeBar::add(Kind kind, const QString& text, const QString& actionName, s
   auto* row = new QHBoxLayout(frame);
   row->setContentsMargins(8, 5, 6, 5);
   row->addWidget(label, 1);
-  if (action) {
-    auto* button = new QPushButton(actionName);
-    connect(button, &QPushButton::clicked, this, std::move(action));
+  for (const Action& action : actions) {
+    auto* button = new QPushButton(action.name);
+    connect(button, &QPushButton::clicked, this, action.run);
     row->addWidget(button);
   }
   row->addWidget(close);
@@ -86,14 +98,43 @@ void NoticeBar::addWarnings(const std::vector<io::Warning>& warnings) {
       add(Kind::Warning, text);
       continue;
     }
-    QStringList files;
-    for (const std::filesystem::path& file : warning.files) files << toQString(file);
-    add(Kind::Warning, text, tr("Files…"), [this, text, files] {
-      QMessageBox box(QMessageBox::Information, tr("Files concerned"), text, QMessageBox::Close, window());
-      box.setDetailedText(files.join(QLatin1Char('\n')));
-      box.exec();
-    });
+    add(Kind::Warning, text, {{tr("Files…"), [this, text, files = namesOf(warning.files)] {
+                                 showDetails(window(), tr("Files concerned"), text, files);
+                               }}});
   }
+}
+
+void NoticeBar::addGeometry(const io::GeometryReport& report, const std::function<void(io::Regularise)>& choose) {
+  QStringList texts, details;
+  for (const io::Warning& finding : report.findings) {
+    texts << sentence(finding.text);
+    if (!finding.files.empty()) details << texts.back() + QLatin1Char('\n') + namesOf(finding.files);
+  }
+  const QString all = texts.join(QLatin1Char(' '));
+  const QString figures = tr("Slices scanned: %1, %2 mm apart for the most part\nPlanes shown: %3, %4 mm apart\n"
+                             "Farthest from its place as shown: %5 mm; with the slices spread evenly: %6 mm\n"
+                             "Planes in wide gaps: %7\nVoxels outside of what was scanned: %8")
+                              .arg(report.slices)
+                              .arg(report.scannedStep, 0, 'f', 3)
+                              .arg(report.planes)
+                              .arg(report.step, 0, 'f', 3)
+                              .arg(report.displacement, 0, 'f', 3)
+                              .arg(report.displacementAsIs, 0, 'f', 3)
+                              .arg(report.interpolatedPlanes)
+                              .arg(report.emptyVoxels);
+  std::vector<Action> actions{
+      {tr("Report…"), [this, all, text = (QStringList(figures) + details).join(QStringLiteral("\n\n"))] {
+         showDetails(window(), tr("Geometry report"), all, text);
+       }}};
+  const auto offer = [&](const QString& name, io::Regularise choice) {
+    actions.push_back({name, [choose, choice] { choose(choice); }});
+  };
+  if (report.applied != io::Regularise::Off)
+    offer(tr("Load as is"), io::Regularise::Off);
+  else if (report.displacement > io::GeometryReport::tolerance)
+    offer(tr("Regularise"), io::Regularise::Automatic);
+  if (report.sheared) offer(tr("Make straight"), io::Regularise::Linear);
+  add(Kind::Warning, all, actions);
 }
 
 void NoticeBar::clear() {

@@ -21,11 +21,18 @@ class NoticeBar : public QWidget {
 
   explicit NoticeBar(QWidget* parent = nullptr);
 
-  /// Adds a notice unless the same text is shown already. With an `action`, the notice has a button called
-  /// `actionName`.
-  void add(Kind kind, const QString& text, const QString& actionName = {}, std::function<void()> action = {});
+  /// A button of a notice.
+  struct Action {
+    QString name;
+    std::function<void()> run;
+  };
+  /// Adds a notice unless the same text is shown already.
+  void add(Kind kind, const QString& text, const std::vector<Action>& actions = {});
   /// A reader's warnings, each with the files that it concerns.
   void addWarnings(const std::vector<io::Warning>& warnings);
+  /// What is odd about a series' slices and where they are shown, with a button for the whole report and one for each
+  /// other way to place them.
+  void addGeometry(const io::GeometryReport& report, const std::function<void(io::Regularise)>& choose);
   void clear();
   /// The texts shown, from the top.
   QStringList texts() const;

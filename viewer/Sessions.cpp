@@ -150,6 +150,18 @@ void Sessions::open(Reader read, io::SessionPlaces places) {
                });
 }
 
+void Sessions::regularise(io::Regularise choice) {
+  // The choice is a change of a session that has a file, and unsaved work stays unsaved.
+  const bool unsaved = controller_.isModified() || !controller_.file().empty();
+  loader_.open(
+      [session = controller_.session(), file = controller_.file(), choice, unsaved](const io::Progress& progress) {
+        Study study = readAgain(session, choice, progress);
+        study.sessionFile = file;
+        study.isRecovered = unsaved;
+        return study;
+      });
+}
+
 void Sessions::choose() {
   if (const std::optional<fs::path> file = questions_.openWhich(); file && mayGo()) open(*file);
 }

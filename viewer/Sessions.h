@@ -48,6 +48,9 @@ class Sessions : public QObject {
 
   void open(const std::filesystem::path& file);
   void open(Reader read);
+  /// Reads the open study's slices again, placed in another way; everything else stays as it is. What could be undone
+  /// goes.
+  void regularise(io::Regularise choice);
   /// To be called when the window shows a new study. Restores the window from the study's session, if it has one.
   void studyShown();
   /// Asks for a session and opens it.

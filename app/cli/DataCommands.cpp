@@ -65,6 +65,8 @@ const char* nameOf(io::Warning::Kind kind) {
       return "moved data";
     case Kind::ChangedData:
       return "changed data";
+    case Kind::Placement:
+      return "placement";
     case Kind::Other:
       break;
   }
@@ -109,6 +111,23 @@ Json describe(const std::vector<io::SegmentationInfo>& segmentations, bool descr
     if (descriptions) json.back()["description"] = segmentation.description;
   }
   return json;
+}
+
+Json describe(const std::optional<io::GeometryReport>& report) {
+  if (!report) return nullptr;
+  return {
+      {"findings", describe(report->findings)},
+      {"regularised", wordOf(report->applied).word},
+      {"slices", report->slices},
+      {"planes", report->planes},
+      {"sheared", report->sheared},
+      {"scanned_step", report->scannedStep},
+      {"step", report->step},
+      {"displacement", report->displacement},
+      {"displacement_as_is", report->displacementAsIs},
+      {"interpolated_planes", report->interpolatedPlanes},
+      {"empty_voxels", report->emptyVoxels},
+  };
 }
 
 /// Focus, labels, strokes and views of a session.
@@ -156,6 +175,7 @@ void info(const InfoOptions& options) {
       {"series", describe(opened.series, options.descriptions)},
       {"other_series", std::move(others)},
       {"segmentations", describe(opened.segmentations, options.descriptions)},
+      {"geometry", describe(opened.geometry)},
       {"warnings", describe(opened.warnings)},
   };
   if (data.session) json["session"] = describe(*data.session);

@@ -62,6 +62,7 @@ void place(const PlaceOptions& options) {
   const auto uploading = std::chrono::steady_clock::now();
   gpu.update(scene);
   const double uploadTime = millisecondsSince(uploading);
+  printReduction(gpu);
 
   Placer placer;
   const Measured* measured = nullptr;

@@ -196,6 +196,7 @@ void render(const RenderOptions& options) {
     picture = renderer.readPicture();
     frames.push_back(millisecondsSince(start));
   }
+  printReduction(*gpuScene);
   io::writePng(options.output, view.size, 3, overBackground(picture, scene.look.background));
   if (!options.layers.empty()) writeLayers(options.layers, renderer.readLayers(), view, scene.volume->grid);
   if (!options.stats.empty())

@@ -7,6 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "rendering/gpu/GpuScene.h"
+
 namespace fenestra::cli {
 
 io::Progress progressOnTerminal() {
@@ -31,6 +33,11 @@ void printWarnings(const std::vector<io::Warning>& warnings) {
     if (!warning.files.empty()) line += ")";
     std::cerr << oneLine(line) << '\n';
   }
+}
+
+void printReduction(const GpuScene& gpu) {
+  if (const std::string notice = gpu.reductionNotice(); !notice.empty())
+    printWarnings({{io::Warning::Kind::Other, notice, {}}});
 }
 
 void printJson(const nlohmann::ordered_json& json) {

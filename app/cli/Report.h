@@ -8,12 +8,18 @@
 
 #include "io/VolumeReader.h"
 
+namespace fenestra {
+class GpuScene;
+}
+
 namespace fenestra::cli {
 
 /// A percentage on standard error while that is a terminal; empty otherwise.
 io::Progress progressOnTerminal();
 /// One line each on standard error.
 void printWarnings(const std::vector<io::Warning>& warnings);
+/// A warning where a scene's volume did not fit onto the device as a whole.
+void printReduction(const GpuScene& gpu);
 /// To standard output, indented; bytes that are not UTF-8 (file names) are replaced.
 void printJson(const nlohmann::ordered_json& json);
 /// What to do when no camera can be placed.

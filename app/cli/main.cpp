@@ -145,6 +145,8 @@ int run(const Command& command) {
   } catch (const gl::ShaderError& error) {
     return fail(source + ": the graphics driver refuses a shader: " + error.what() +
                 "; update the driver, or set LIBGL_ALWAYS_SOFTWARE=1");
+  } catch (const VoxelAllocationError& error) {
+    return fail(source + ": " + error.what() + "; close other programs or use a smaller volume");
   } catch (const std::bad_alloc&) {
     return fail(source + ": not enough memory; close other programs or use a smaller volume");
   } catch (const std::exception& error) {

@@ -63,6 +63,7 @@ Study readScene(const app::SceneOptions& options, const io::Progress& progress) 
   study.otherSeries = std::move(loaded.volume.otherSeries);
   study.segmentations = std::move(loaded.volume.segmentations);
   study.warnings = std::move(loaded.warnings);
+  study.geometry = std::move(loaded.volume.geometry);
   return study;
 }
 

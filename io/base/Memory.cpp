@@ -18,8 +18,10 @@ void checkMemory(const fs::path& path, std::uint64_t bytes) {
   const std::uint64_t memory = saturatingProduct(static_cast<std::uint64_t>(::sysconf(_SC_PHYS_PAGES)),
                                                  static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE)));
   if (bytes > memory)
-    throw Error(path, "describes a volume larger than this machine's memory of " + megabytes(memory),
-                "the header is damaged, or the volume must be made smaller first");
+    throw Error(
+        path,
+        "describes a volume of " + megabytes(bytes) + ", larger than this machine's memory of " + megabytes(memory),
+        "the header is damaged, or the volume must be made smaller first");
 }
 
 std::uint64_t saturatingProduct(std::uint64_t a, std::uint64_t b) {

@@ -6,6 +6,7 @@
 #include <new>
 
 #include "io/base/Error.h"
+#include "rendering/scene/Voxels.h"
 
 namespace fenestra::io {
 
@@ -19,6 +20,8 @@ template <class F>
 auto withinMemory(const std::filesystem::path& path, F&& read) {
   try {
     return read();
+  } catch (const VoxelAllocationError& error) {
+    throw Error(path, error.what(), "close other programs, or make the volume smaller first");
   } catch (const std::bad_alloc&) {
     throw Error(path, "needs more memory than is free", "close other programs, or make the volume smaller first");
   }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "io/base/Error.h"
+#include "io/base/Regularise.h"
 #include "rendering/scene/LabelMap.h"
 #include "rendering/scene/Volume.h"
 
@@ -34,11 +35,32 @@ struct Warning {
     TimePoints,   ///< the file or series holds further volumes of the same place (time, repeats, layers); one is shown
     MovedData,    ///< a session's data lie elsewhere now
     ChangedData,  ///< a session's data are not what they were
+    Placement,    ///< where the slices of an irregular series are shown, and how far from their true places
     Other
   };
   Kind kind = Kind::Other;
   std::string text;                          ///< one sentence, with figures
   std::vector<std::filesystem::path> files;  ///< which files it is about; may be empty
+
+  bool operator==(const Warning&) const = default;
+};
+
+/// What is odd about the places of a series' slices, and what was done about it.
+struct GeometryReport {
+  /// mm; what is nearer to its place than this is not mentioned. Headers round to a hundredth and below.
+  static constexpr double tolerance = 0.01;
+
+  /// What was found, in which files and how large; the last one is of Kind::Placement. OpenedVolume's warnings hold
+  /// them too.
+  std::vector<Warning> findings;
+  Regularise applied = Regularise::Off;  ///< Linear, Cubic or Off
+  double scannedStep = 0.0, step = 0.0;  ///< mm along the normal: the series' own, and between the planes shown
+  int slices = 0, planes = 0;            ///< scanned, and shown
+  bool sheared = false;                  ///< the planes are stacked askew, as a tilted gantry scans them
+  double displacement = 0.0;             ///< mm; no pixel is shown farther from its true place
+  double displacementAsIs = 0.0;         ///< the same with Regularise::Off
+  int interpolatedPlanes = 0;            ///< of those shown: inside gaps wider than one and a half of the own steps
+  std::size_t emptyVoxels = 0;           ///< outside what was scanned; they hold the least value of the volume
 };
 
 /// How to read bytes without a header.
@@ -58,6 +80,7 @@ struct OpenOptions {
   std::optional<RawDescription> raw = {};  ///< read PATH as raw bytes
   /// Whether the header of a detached volume may name voxel files anywhere, not only in its own folder and below.
   bool allowOutside = false;
+  Regularise regularise = Regularise::Automatic;
   Progress progress = {};  ///< may be empty
 };
 
@@ -87,6 +110,7 @@ struct OpenedVolume {
   std::vector<SeriesInfo> otherSeries;
   std::vector<SegmentationInfo> segmentations;  ///< of the series, among the files that were opened with it
   std::vector<Warning> warnings;
+  std::optional<GeometryReport> geometry;  ///< of a series whose slices do not lie straight behind each other, evenly
 };
 
 struct OpenedLabels {

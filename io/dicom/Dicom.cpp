@@ -13,6 +13,7 @@
 #include "io/dicom/DicomRemarks.h"
 #include "io/dicom/DicomStack.h"
 #include "io/dicom/DicomVoxels.h"
+#include "io/dicom/Placement.h"
 #include "io/dicom/SharedProgress.h"
 #include "rendering/scene/Parallel.h"
 
@@ -20,8 +21,8 @@ namespace fenestra::io {
 namespace fs = std::filesystem;
 namespace {
 
-/// How far the bar is after the headers; pixels take most of the time.
-constexpr double headersShare = 0.2;
+/// How far the bar is after the headers and after the pixels, which take most of the time.
+constexpr double headersShare = 0.2, pixelsShare = 0.95;
 
 struct Scan {
   std::vector<DicomFile> files;  ///< images
@@ -81,7 +82,7 @@ Scan scanHeaders(const fs::path& path, const OpenOptions& options) {
     bool dicom = true;
   };
   std::vector<Outcome> outcomes(paths.size());
-  SharedProgress progress(options.progress, 0.0, headersShare, paths.size(), "reading headers");
+  SharedProgress progress({options.progress, 0.0, headersShare}, paths.size(), "reading headers");
   parallelFor(paths.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       progress.step();
@@ -294,7 +295,8 @@ OpenedVolume openDicom(const fs::path& path, const OpenOptions& options) {
     const DicomFile& first = scan.files[stack.frames.front().file];
     checkGeometry(scan.files.size() == 1 ? first.path : path, stack.grid);
     const Mapping mapping = mappingOf(stack, scan.files);
-    DecodedStack decoded = decodeStack(stack, scan.files, mapping, options.progress, headersShare);
+    DecodedStack decoded = decodeStack(stack, scan.files, mapping,
+                                       {.progress = options.progress, .from = headersShare, .to = pixelsShare});
     const auto& failed = decoded.failed;
     if (!failed.empty()) {
       // The other slices are stacked again without them; their places count as missing slices.
@@ -312,20 +314,21 @@ OpenedVolume openDicom(const fs::path& path, const OpenOptions& options) {
     }
 
     auto volume = std::make_shared<Volume>();
-    volume->grid = stack.grid;
     volume->slope = mapping.slope;
     volume->intercept = mapping.intercept;
     volume->modality = modalityNamed(first.modality);
     volume->unit = first.unit;
     volume->windows = stack.frames[stack.frames.size() / 2].windows;
     volume->voxels = narrowed(std::move(decoded.voxels));
-    volume->computeRange();
     volume->lowIsWhite = first.monochrome1;
 
     OpenedVolume opened;
+    opened.geometry = placeSlices(stack, scan.files, options.regularise,
+                                  {.progress = options.progress, .from = pixelsShare, .to = 1.0}, *volume);
     opened.volume = std::move(volume);
     opened.format = "DICOM";
-    opened.warnings = stack.warnings;
+    if (opened.geometry) opened.warnings = opened.geometry->findings;
+    opened.warnings.insert(opened.warnings.end(), stack.warnings.begin(), stack.warnings.end());
     addSegmentations(scan, stack, opened);
     for (Warning& remark : remarksOn(stack, scan.files)) opened.warnings.push_back(std::move(remark));
     warnOfSamplesOutside(decoded, scan.files, opened.warnings);

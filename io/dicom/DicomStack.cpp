@@ -1,29 +1,16 @@
 #include "io/dicom/DicomStack.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
 #include <map>
-#include <numbers>
 #include <tuple>
+
+#include "io/dicom/SliceLayout.h"
 
 namespace fenestra::io {
 namespace fs = std::filesystem;
 namespace {
 
-/// Positions are compared to this many mm: headers round to a hundredth and below.
-constexpr double positionTolerance = 0.01;
 constexpr double outlierGaps = 10.0;
-
-std::string counted(std::size_t count, const char* noun) {
-  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-}
-
-std::string millimetres(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g mm", value);
-  return text;
-}
 
 glm::dvec3 normalOf(const DicomFrame& frame) { return glm::normalize(glm::cross(frame.axes[0], frame.axes[1])); }
 double alongNormal(const DicomFrame& frame, const glm::dvec3& normal) { return glm::dot(frame.position, normal); }
@@ -80,13 +67,7 @@ class Stacker {
   }
 
  private:
-  std::vector<fs::path> pathsOf(const std::vector<DicomFrame>& frames) const {
-    std::vector<fs::path> paths;
-    for (const DicomFrame& frame : frames)
-      if (std::find(paths.begin(), paths.end(), files_[frame.file].path) == paths.end())
-        paths.push_back(files_[frame.file].path);
-    return paths;
-  }
+  std::vector<fs::path> pathsOf(const std::vector<DicomFrame>& frames) const { return io::pathsOf(frames, files_); }
 
   /// A frame of reference is the coordinate system that the slices of a scan share. Some anonymisers give every slice
   /// one of its own: where more than half hold a single slice, they are dropped, and positions are taken to be in one
@@ -193,12 +174,6 @@ class Stacker {
            pathsOf(others)});
   }
 
-  static double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-  }
-
   void addStack(const std::vector<DicomFrame>& frames, const glm::dvec3& normal) {
     DicomStack stack;
     stack.group = group_;
@@ -212,64 +187,7 @@ class Stacker {
     stack.grid.origin = first.position;
     stack.grid.spacing = {first.spacing.x, first.spacing.y, glm::length(step)};
     stack.grid.direction = {first.axes[0], first.axes[1], glm::normalize(step)};
-    if (count > 1) {
-      warnOfTilt(stack, step, normal);
-      warnOfUnevenness(stack, step, normal);
-    }
     stacks_.push_back(std::move(stack));
-  }
-
-  void warnOfTilt(DicomStack& stack, const glm::dvec3& step, const glm::dvec3& normal) const {
-    const double along = glm::dot(step, normal), across = glm::length(step - along * normal);
-    if (across * static_cast<double>(stack.frames.size() - 1) <= positionTolerance) return;
-    char angle[32];
-    std::snprintf(angle, sizeof angle, "%.4g", std::atan2(across, along) * 180.0 / std::numbers::pi);
-    stack.warnings.push_back({Warning::Kind::GantryTilt,
-                              std::string("the slices are tilted by ") + angle +
-                                  " degrees against the direction they are stacked in (" + millimetres(across) +
-                                  " sideways from slice to slice); the volume is sheared accordingly",
-                              {}});
-  }
-
-  void warnOfUnevenness(DicomStack& stack, const glm::dvec3& step, const glm::dvec3& normal) const {
-    const auto& frames = stack.frames;
-    double farthest = 0.0;
-    for (std::size_t i = 0; i < frames.size(); ++i) {
-      const glm::dvec3 onGrid = frames.front().position + static_cast<double>(i) * step;
-      farthest = std::max(farthest, glm::distance(frames[i].position, onGrid));
-    }
-    if (farthest <= positionTolerance) return;
-    std::vector<double> gaps;
-    for (std::size_t i = 1; i < frames.size(); ++i)
-      gaps.push_back(alongNormal(frames[i], normal) - alongNormal(frames[i - 1], normal));
-    const auto [least, greatest] = std::minmax_element(gaps.begin(), gaps.end());
-    const std::string placed = "all are shown " + millimetres(glm::dot(step, normal)) + " apart, up to " +
-                               millimetres(farthest) + " from where they are";
-    // Gaps that are multiples of the usual distance are missing slices; where many are missing, of the least distance.
-    for (const double unit : {median(gaps), *least}) {
-      std::size_t missing = 0;
-      bool multiples = true;
-      std::vector<DicomFrame> beside;
-      for (std::size_t i = 0; i < gaps.size(); ++i) {
-        const double times = std::round(gaps[i] / unit);
-        multiples = multiples && times >= 1.0 && std::abs(gaps[i] - times * unit) < 0.05 * unit;
-        if (times <= 1.0) continue;
-        missing += static_cast<std::size_t>(times) - 1;
-        beside.push_back(frames[i]);
-        beside.push_back(frames[i + 1]);
-      }
-      if (!multiples || missing == 0 || 2 * missing > frames.size()) continue;
-      stack.warnings.push_back({Warning::Kind::MissingSlices,
-                                counted(missing, "slice") + " missing: neighbours lie " + millimetres(unit) +
-                                    " apart, but up to " + millimetres(*greatest) + " between the files named; " +
-                                    placed,
-                                pathsOf(beside)});
-      return;
-    }
-    stack.warnings.push_back(
-        {Warning::Kind::UnevenSpacing,
-         "the slices lie between " + millimetres(*least) + " and " + millimetres(*greatest) + " apart; " + placed,
-         {}});
   }
 
   void stackWithoutGeometry(std::vector<DicomFrame> frames) {

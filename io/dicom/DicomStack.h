@@ -13,11 +13,11 @@ namespace fenestra::io {
 struct DicomStack {
   std::vector<DicomFrame> frames;
   /// Sheared where the gantry was tilted. The step between slices is (last - first) / (n - 1): with uneven slices both
-  /// ends are exact.
+  /// ends are exact, and those between are displaced; SliceLayout.h says how far, Regular.h puts that right.
   Grid grid;
   /// Time points of one place share a group, and are numbered from 1; 0: it is no time point.
   int group = 0, time = 0, times = 0;
-  std::vector<Warning> warnings;
+  std::vector<Warning> warnings;  ///< which slices belong to it; not where they lie
 };
 
 /// The volumes among the frames of one series, largest first. `files` are the scanned files that frames refer to.

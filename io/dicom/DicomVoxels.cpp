@@ -127,7 +127,7 @@ Mapping mappingOf(const DicomStack& stack, const std::vector<DicomFile>& files) 
 }
 
 DecodedStack decodeStack(const DicomStack& stack, const std::vector<DicomFile>& files, const Mapping& mapping,
-                         const Progress& callback, double begin) {
+                         const ProgressPart& part) {
   const std::size_t sliceVoxels =
       static_cast<std::size_t>(stack.grid.dims.x) * static_cast<std::size_t>(stack.grid.dims.y);
   const fs::path& path = files[stack.frames.front().file].path;
@@ -154,7 +154,7 @@ DecodedStack decodeStack(const DicomStack& stack, const std::vector<DicomFile>& 
     }
   decoded.voxels = Voxels(mapping.type, stack.grid.voxelCount());
 
-  SharedProgress progress(callback, begin, 1.0, order.size(), "reading slices");
+  SharedProgress progress(part, order.size(), "reading slices");
   std::mutex mutex;
   parallelFor(order.size(), 1, [&](std::size_t from, std::size_t to) {
     std::optional<DicomDecoder> decoder;

@@ -6,6 +6,7 @@
 
 #include "io/base/Reading.h"
 #include "io/dicom/DicomStack.h"
+#include "io/dicom/SharedProgress.h"
 
 namespace fenestra::io {
 
@@ -22,8 +23,8 @@ struct DecodedStack {
   std::map<std::size_t, std::string> failed;          ///< causes, by index of the file
   std::map<std::size_t, std::size_t> samplesOutside;  ///< samples that the header rules out, by index of the file
 };
-/// `begin` is the share of the whole progress that is done before. Throws Error, Cancelled.
+/// Throws Error, Cancelled.
 DecodedStack decodeStack(const DicomStack& stack, const std::vector<DicomFile>& files, const Mapping& mapping,
-                         const Progress& progress, double begin);
+                         const ProgressPart& part);
 
 }  // namespace fenestra::io

@@ -172,8 +172,7 @@ Progress part(const Progress& progress, double begin, double end) {
 
 }  // namespace
 
-SessionVolume sessionVolume(const fs::path& path, const OpenedVolume& volume,
-                            const std::optional<RawDescription>& raw) {
+SessionVolume sessionVolume(const fs::path& path, const OpenedVolume& volume, const OpenOptions& options) {
   SessionVolume data;
   data.path = fs::absolute(path);
   data.files = filesOf(path, volume.series.files);
@@ -181,7 +180,8 @@ SessionVolume sessionVolume(const fs::path& path, const OpenedVolume& volume,
     data.series = seriesKey(volume.series.id);
   else
     data.time = std::max(volume.series.time, 1);
-  data.raw = raw;
+  data.raw = options.raw;
+  data.regularise = options.regularise;
   return data;
 }
 
@@ -204,21 +204,27 @@ void noteContents(Session& session, const Progress& progress) {
 }
 
 OpenedSession openSession(const fs::path& file, const SessionPlaces& places, const Progress& progress) {
+  Session session = readSession(file);
+  if (session.phantom && (!places.volume.empty() || !places.labels.empty()))
+    throw Error(file, "shows a phantom, which is not read from files", "leave out --data and --labels");
+  return openSession(std::move(session), fs::absolute(file).parent_path(), places, progress);
+}
+
+OpenedSession openSession(Session read, const fs::path& folder, const SessionPlaces& places, const Progress& progress) {
   OpenedSession opened;
-  opened.session = readSession(file);
+  opened.session = std::move(read);
   Session& session = opened.session;
-  const fs::path folder = fs::absolute(file).parent_path();
   if (session.phantom) {
-    if (!places.volume.empty() || !places.labels.empty())
-      throw Error(file, "shows a phantom, which is not read from files", "leave out --data and --labels");
     OpenedPhantom phantom = openPhantom(session.phantom->name, session.phantom->voxels, progress);
     opened.volume = std::move(phantom.volume);
     opened.labels = std::move(phantom.labels);
     return opened;
   }
 
+  session.volume.regularise = places.regularise.value_or(session.volume.regularise);
   const auto openVolumeAt = [&](const fs::path& path) {
     OpenOptions options;
+    options.regularise = session.volume.regularise;
     options.series = session.volume.series;
     if (session.volume.time > 1) options.time = session.volume.time;
     options.raw = session.volume.raw;

@@ -28,7 +28,8 @@ class DataMissing : public Error {
 /// Places of the data that the user gave; empty: the session's own. Data there are used whatever their contents.
 struct SessionPlaces {
   std::filesystem::path volume = {}, labels = {};
-  bool allowOutside = false;  ///< see OpenOptions
+  bool allowOutside = false;                  ///< see OpenOptions
+  std::optional<Regularise> regularise = {};  ///< of the volume's slices, in place of the session's choice
 };
 
 struct OpenedSession {
@@ -41,10 +42,13 @@ struct OpenedSession {
 /// Reads the session and opens its data. Throws DataMissing, Error, Cancelled.
 OpenedSession openSession(const std::filesystem::path& file, const SessionPlaces& places = {},
                           const Progress& progress = {});
+/// The data of `session`, as if it had been read from a file in `folder`.
+OpenedSession openSession(Session session, const std::filesystem::path& folder, const SessionPlaces& places,
+                          const Progress& progress);
 
 /// Open data as a session keeps them, without contents.
 SessionVolume sessionVolume(const std::filesystem::path& path, const OpenedVolume& volume,
-                            const std::optional<RawDescription>& raw = {});
+                            const OpenOptions& options = {});
 SessionData sessionLabels(const std::filesystem::path& path);
 /// Hashes the data that have no hash yet, which takes a while. Unreadable files leave the contents unknown, so that a
 /// session can be saved while the disk with its data is not mounted. Throws Cancelled.

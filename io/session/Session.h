@@ -33,6 +33,7 @@ struct SessionVolume : SessionData {
   std::string series;                 ///< seriesKey() of its id; empty where the file holds one volume
   int time = 1;                       ///< time point outside DICOM, where each is a series
   std::optional<RawDescription> raw;  ///< how its bytes are read
+  Regularise regularise = Regularise::Automatic;
   bool operator==(const SessionVolume&) const = default;
 };
 

@@ -1,5 +1,6 @@
 #include "rendering/gl/Context.h"
 
+#include <unistd.h>
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -100,6 +101,20 @@ std::string unsupportedReason() {
     return "3-D needs OpenGL 4.5, this machine offers " + description() +
            "; update the graphics driver, or install Mesa's software driver";
   return {};
+}
+
+std::optional<std::size_t> freeTextureMemory() {
+  constexpr std::size_t kibibyte = 1024;
+  std::array<GLint, 4> kibibytes{};
+  if (epoxy_has_gl_extension("GL_NVX_gpu_memory_info"))
+    glGetIntegerv(GL_GPU_MEMORY_INFO_CURRENT_AVAILABLE_VIDMEM_NVX, kibibytes.data());
+  else if (epoxy_has_gl_extension("GL_ATI_meminfo"))
+    glGetIntegerv(GL_TEXTURE_FREE_MEMORY_ATI, kibibytes.data());
+  // Software drivers may report the machine's memory there, of which they take no more than half here.
+  if (isSoftwareRasteriser())
+    return static_cast<std::size_t>(::sysconf(_SC_PHYS_PAGES)) * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE)) / 2;
+  if (kibibytes[0] <= 0) return std::nullopt;
+  return static_cast<std::size_t>(kibibytes[0]) * kibibyte;
 }
 
 int maxTextureSize3D() {

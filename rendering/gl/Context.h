@@ -2,6 +2,7 @@
 // The context that the renderer runs in: what it offers, its errors and times, and the state that must be restored.
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -51,5 +52,8 @@ bool isSoftwareRasteriser();
 std::string unsupportedReason();
 /// Longest side of a 3-D texture here, in texels.
 int maxTextureSize3D();
+/// Bytes of graphics memory that are free for textures, as the driver says (NVX_gpu_memory_info, ATI_meminfo); half of
+/// the main memory where the CPU draws; empty where nothing says so.
+std::optional<std::size_t> freeTextureMemory();
 
 }  // namespace fenestra::gl

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <exception>
 #include <limits>
 
 #include "rendering/scene/Lighting.h"
@@ -81,6 +82,41 @@ std::vector<std::uint8_t> focusOccupied(const FocusIndex& focus) {
 
 void GpuScene::update(const Scene& scene) {
   if (!schedule_) schedule_ = usualSchedule();
+  if (fitted_.isOfOther(scene)) {
+    release();  // first: two volumes may not fit, and the driver is asked how much is free
+    fitted_.take(scene, limits_ ? *limits_ : deviceLimits());
+  }
+  std::exception_ptr first;
+  for (;;) try {
+      return updateAll(fitted_.of(scene));
+    } catch (const gl::AllocationError&) {
+      // The first error names the size that the user can do something about.
+      if (!first) first = std::current_exception();
+      release();
+      if (!fitted_.coarsen()) std::rethrow_exception(first);
+    }
+}
+
+std::string GpuScene::reductionNotice() const {
+  const glm::ivec3 factor = fitted_.factor();
+  if (factor == glm::ivec3(1)) return {};
+  return "3-D pictures show " + std::to_string(factor.x) + "×" + std::to_string(factor.y) + "×" +
+         std::to_string(factor.z) + " voxels as one, because the whole volume does not fit into this machine's " +
+         "graphics memory or 3-D textures; slices show every voxel";
+}
+
+void GpuScene::release() {
+  volume_ = nullptr;
+  volumeTexture_ = {};
+  gradient_ = {};
+  derivative_ = {};
+  for (gl::Texture* texture :
+       {&contextSkip_, &occupiedSkip_, &focusBricks_, &focusSkip_, &focusPaletteIndex_, &focusPalette_, &focusSmooth_})
+    *texture = {};
+  focusCells_ = {};
+}
+
+void GpuScene::updateAll(const Scene& scene) {
   const bool volumeChanged = scene.volume != volume_;
   if (volumeChanged) updateVolume(scene);
 
@@ -118,13 +154,10 @@ void GpuScene::update(const Scene& scene) {
 }
 
 void GpuScene::updateVolume(const Scene& scene) {
-  // The old volume goes first: two of them may not fit.
-  volumeTexture_ = {};
-  gradient_ = {};
-  derivative_ = {};
+  release();
+  volumeTexture_ = makeVolumeTexture(*scene.volume);
+  bricks_ = brickRanges(*scene.volume);
   volume_ = scene.volume;
-  volumeTexture_ = makeVolumeTexture(*volume_);
-  bricks_ = brickRanges(*volume_);
   ++versions_.volume;
 }
 

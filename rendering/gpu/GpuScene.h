@@ -11,6 +11,7 @@
 #include "rendering/gl/Buffer.h"
 #include "rendering/gl/Texture.h"
 #include "rendering/gpu/Bricks.h"
+#include "rendering/gpu/FittedScene.h"
 #include "rendering/gpu/FocusIndex.h"
 #include "rendering/gpu/Schedule.h"
 #include "rendering/gpu/VolumeTexture.h"
@@ -20,8 +21,18 @@ namespace fenestra {
 
 class GpuScene {
  public:
-  /// Brings everything up to date. Needs a current context, as does destruction. Throws RenderError.
+  /// Brings everything up to date. Needs a current context, as does destruction. A volume that the device has no room
+  /// for is thinned by whole factors. Throws RenderError, gl::AllocationError.
   void update(const Scene& scene);
+  /// The scene whose voxels are on the device, of the volume that was last brought up to date: `scene` itself, or its
+  /// voxels thinned.
+  Scene drawn(const Scene& scene) { return fitted_.of(scene); }
+  /// Voxels along each axis that one voxel on the device stands for.
+  glm::ivec3 reduction() const { return fitted_.factor(); }
+  /// A sentence for the user about the reduction; empty where there is none.
+  std::string reductionNotice() const;
+  /// Replaces the device's own limits, for the next volume on.
+  void setLimits(const DeviceLimits& limits) { limits_ = limits; }
 
   /// How the shaders that draw this scene lay out their work; the usual schedule of the machine until one is set.
   Schedule schedule() const { return schedule_.value_or(Schedule::Plain); }
@@ -40,7 +51,7 @@ class GpuScene {
   };
   const Versions& versions() const { return versions_; }
 
-  const Grid& grid() const { return volume_->grid; }
+  const Grid& grid() const { return volume_->grid; }  ///< of the voxels on the device
   const VolumeTexture& volume() const { return volumeTexture_; }
   const gl::Texture& gradient() const { return gradient_; }
   glm::ivec3 gradientOrigin() const { return gradientBox_.low; }  ///< index of its first texel
@@ -78,6 +89,8 @@ class GpuScene {
   glm::ivec3 focusSmoothOrigin() const { return focusSmoothOrigin_; }  ///< index of its first texel
 
  private:
+  void release();
+  void updateAll(const Scene& scene);
   void updateVolume(const Scene& scene);
   void updateFocus(const Scene& scene);
   void updateFocusColours(const Scene& scene);
@@ -86,6 +99,8 @@ class GpuScene {
   void updateGradient();
 
   std::optional<Schedule> schedule_;
+  std::optional<DeviceLimits> limits_;
+  FittedScene fitted_;
   std::shared_ptr<const Volume> volume_;
   std::shared_ptr<const LabelMap> labels_;
   Focus focusWanted_;

@@ -39,7 +39,7 @@ void Placer::begin(GpuScene& gpu, const Scene& scene, const Sampling& sampling, 
                 sampling.refined ? std::optional(options) : std::nullopt};
   if (key_ == key) return;
   Task task{.key = key,
-            .surface = sampleSurface(scene, gpu.focus(), sampling.surfacePoints),
+            .surface = sampleSurface(gpu.drawn(scene), gpu.focus(), sampling.surfacePoints),
             .refinement = {},
             .batch = Batch(),
             .measured = {}};

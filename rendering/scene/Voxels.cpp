@@ -1,6 +1,23 @@
 #include "rendering/scene/Voxels.h"
 
+#include <limits>
+
 namespace fenestra {
+
+VoxelAllocationError::VoxelAllocationError(std::size_t bytes)
+    : text_(std::make_shared<const std::string>("no memory for voxels of " + std::to_string(bytes / 1000000) +
+                                                " MB in one piece")) {}
+
+Voxels::Voxels(ScalarType type, std::size_t count) : type_(type), count_(count) {
+  const std::size_t size = sizeOf(type);
+  if (count > std::numeric_limits<std::ptrdiff_t>::max() / size)
+    throw VoxelAllocationError(std::numeric_limits<std::ptrdiff_t>::max());
+  try {
+    bytes_ = std::make_unique_for_overwrite<std::byte[]>(count * size);
+  } catch (const std::bad_alloc&) {
+    throw VoxelAllocationError(count * size);
+  }
+}
 
 std::size_t sizeOf(ScalarType type) {
   switch (type) {

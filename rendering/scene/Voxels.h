@@ -4,7 +4,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <new>
 #include <span>
+#include <string>
 #include <type_traits>
 #include <utility>
 
@@ -38,13 +40,23 @@ constexpr ScalarType scalarTypeOf() {
   }
 }
 
+/// There is no memory for so many voxels; what() names the size.
+class VoxelAllocationError : public std::bad_alloc {
+ public:
+  explicit VoxelAllocationError(std::size_t bytes);
+  const char* what() const noexcept override { return text_->c_str(); }
+
+ private:
+  std::shared_ptr<const std::string> text_;  ///< shared, because copying an exception must not throw
+};
+
 /// Move-only storage of `count` scalars of one type. Freshly allocated memory is not cleared: a volume of gigabytes is
 /// written once, by the reader.
 class Voxels {
  public:
   Voxels() = default;
-  Voxels(ScalarType type, std::size_t count)
-      : type_(type), count_(count), bytes_(std::make_unique_for_overwrite<std::byte[]>(count * sizeOf(type))) {}
+  /// Throws VoxelAllocationError.
+  Voxels(ScalarType type, std::size_t count);
 
   ScalarType type() const { return type_; }
   std::size_t count() const { return count_; }

@@ -1,5 +1,12 @@
 // What a scene on the GPU tells about it on the CPU.
 
+#include <optional>
+
+#include <epoxy/gl.h>
+
+#include "rendering/gl/Texture.h"
+#include "rendering/gpu/FittedScene.h"
+#include "rendering/scene/Thinned.h"
 #include "tests/gl/GlTest.h"
 
 namespace fenestra::tests {
@@ -24,6 +31,127 @@ TEST_F(GpuSceneTest, FocusCentreIsTheSameWithAndWithoutIt) {
   EXPECT_EQ(gpu.focus().centre(grid), focusCentre(scene));
   const glm::dvec3 block(grid.worldFromIndex() * glm::dvec4(3.5, 3.0, 2.5, 1.0));
   EXPECT_LT(glm::distance(*gpu.focus().centre(grid), block), 1e-9);
+}
+
+/// A ball in a box of soft tissue with a label map of both.
+Scene largeScene() {
+  Scene scene;
+  const Grid grid = obliqueGrid({61, 40, 33});
+  const auto isBall = [](glm::ivec3 v) { return glm::distance(glm::dvec3(v), glm::dvec3(34, 18, 15)) < 9.0; };
+  scene.volume = volumeOf<std::int16_t>(grid, [&](glm::ivec3 v) {
+    return isBall(v) ? 900.0 : v.x > 5 && v.y > 4 && v.z > 4 ? 30.0 + v.x : -900.0;
+  });
+  scene.labels = labelsOf(grid, [&](glm::ivec3 v) { return isBall(v) ? 3 : 0; });
+  scene.look.context.function = opaqueFrom(0.0);
+  scene.look.focus = LabelFocus{{3}};
+  scene.look.contextLayer.strength = 1.0;
+  return scene;
+}
+
+std::vector<std::uint8_t> pictureOf(const Scene& scene, const std::optional<DeviceLimits>& limits = {}) {
+  const auto gpu = std::make_shared<GpuScene>();
+  if (limits) gpu->setLimits(*limits);
+  Renderer renderer(gpu);
+  renderer.render(scene, {.camera = Camera::standard(StandardView::Anterior, scene.volume->grid), .size = {90, 70}});
+  return renderer.readPicture();
+}
+
+double meanDifference(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += std::abs(static_cast<double>(a[i]) - static_cast<double>(b[i]));
+  return sum / static_cast<double>(a.size());
+}
+
+TEST_F(GpuSceneTest, AVolumeBeyondTheLimitsIsDrawnWithWholeVoxelsJoined) {
+  for (const bool values : {false, true}) {
+    Scene scene = largeScene();
+    if (values) scene.look.focus = ValueFocus{{800.0, 1000.0}, 0.0};
+    GpuScene gpu;
+    gpu.setLimits({.side = 32, .bytes = {}});
+    gpu.update(scene);
+    EXPECT_EQ(gpu.reduction(), glm::ivec3(2, 2, 2));
+    EXPECT_NE(gpu.reductionNotice().find("2×2×2"), std::string::npos);
+    const Scene thin{thinned(*scene.volume, {2, 2, 2}), thinned(*scene.labels, {2, 2, 2}), scene.look};
+    EXPECT_EQ(gpu.grid(), thin.volume->grid);
+    // The camera frames the whole volume in both.
+    Renderer direct(std::make_shared<GpuScene>());
+    direct.render(thin, {.camera = Camera::standard(StandardView::Anterior, scene.volume->grid), .size = {90, 70}});
+    const std::vector<std::uint8_t> reduced = pictureOf(scene, DeviceLimits{32, {}});
+    EXPECT_EQ(reduced, direct.readPicture()) << "as if the thinned volume had been opened";
+    // Of 255: voxels of twice the size move edges by a fraction of one.
+    EXPECT_LT(meanDifference(reduced, pictureOf(scene)), 8.0);
+    EXPECT_NE(reduced, pictureOf(scene));
+  }
+}
+
+TEST_F(GpuSceneTest, FactorsFollowTheMemoryAndTheFinestAxis) {
+  const Scene scene = largeScene();  // spacing 0.7, 1.3 and 2.1 mm
+  const std::size_t whole = deviceBytes(scene, glm::ivec3(1));
+  EXPECT_EQ(fittingFactor(scene, {2048, whole}), glm::ivec3(1));
+  EXPECT_EQ(fittingFactor(scene, {2048, {}}), glm::ivec3(1));
+  // Fewer voxels than are worth thinning.
+  EXPECT_EQ(fittingFactor(scene, {2048, 1000}), glm::ivec3(1));
+  Scene large = scene;
+  large.volume = volumeOf<std::int16_t>(gridOf({128, 96, 80}, {0.7, 1.3, 2.1}), [](glm::ivec3 v) { return v.x; });
+  const std::size_t bytes = deviceBytes(large, glm::ivec3(1));
+  EXPECT_EQ(fittingFactor(large, {2048, bytes - 1}), glm::ivec3(2, 1, 1));
+  EXPECT_EQ(fittingFactor(large, {100, {}}), glm::ivec3(2, 1, 1));
+}
+
+/// Has no room for 3-D textures of more than so many texels.
+class CrampedDriver {
+ public:
+  explicit CrampedDriver(std::int64_t most) {
+    // epoxy looks a function up at its first call, and replaces the pointer.
+    gl::Texture::make3D(gl::Format::R8, glm::ivec3(1));
+    store_ = epoxy_glTextureStorage3D;
+    self_ = this;
+    most_ = most;
+    epoxy_glTextureStorage3D = [](GLuint name, GLsizei levels, GLenum format, GLsizei x, GLsizei y, GLsizei z) {
+      const bool fits = std::int64_t{x} * y * z <= self_->most_;
+      // A texture of no size is refused by every driver.
+      self_->store_(name, levels, format, fits ? x : 0, y, z);
+    };
+  }
+  ~CrampedDriver() { epoxy_glTextureStorage3D = store_; }
+  CrampedDriver(const CrampedDriver&) = delete;
+  CrampedDriver& operator=(const CrampedDriver&) = delete;
+
+ private:
+  inline static CrampedDriver* self_ = nullptr;
+  std::int64_t most_ = 0;
+  PFNGLTEXTURESTORAGE3DPROC store_ = nullptr;
+};
+
+TEST_F(GpuSceneTest, AFailedAllocationThinsTheVolumeAndOneThatNothingHelpsNamesItsSize) {
+  Scene scene = largeScene();
+  scene.volume = volumeOf<std::int16_t>(gridOf({96, 80, 72}), [](glm::ivec3 v) { return v.x * 20 - 900; });
+  scene.labels = nullptr;
+  scene.look.focus = {};
+  {
+    const CrampedDriver driver(200000);
+    GpuScene gpu;
+    gpu.update(scene);
+    EXPECT_NE(gpu.reduction(), glm::ivec3(1));
+    EXPECT_LE(gpu.grid().voxelCount(), 200000u);
+    EXPECT_FALSE(pictureOf(scene).empty());
+  }
+  const CrampedDriver driver(10);
+  GpuScene gpu;
+  try {
+    gpu.update(scene);
+    FAIL() << "nothing fits";
+  } catch (const gl::AllocationError& error) {
+    EXPECT_NE(std::string(error.what()).find("96×80×72"), std::string::npos) << error.what();
+  }
+}
+
+TEST_F(GpuSceneTest, TheDriverSaysHowMuchItHolds) {
+  const DeviceLimits limits = deviceLimits();
+  EXPECT_GE(limits.side, 2048);  // OpenGL 4.5
+  if (gl::isSoftwareRasteriser()) {
+    EXPECT_GT(limits.bytes.value_or(0), std::size_t{1} << 28);
+  }
 }
 
 }  // namespace

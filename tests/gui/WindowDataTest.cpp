@@ -17,8 +17,10 @@
 
 #include "io/VolumeWriter.h"
 #include "tests/gui/WindowFixture.h"
+#include "tests/io/DicomWriter.h"
 #include "tests/support/TestData.h"
 #include "viewer/NoticeBar.h"
+#include "viewer/Sessions.h"
 #include "viewer/model/Paths.h"
 #include "viewer/panels/CamerasPanel.h"
 #include "viewer/panels/FocusPanel.h"
@@ -147,6 +149,51 @@ TEST_F(Window, WarningsAreShownOnceEach) {
             (QStringList{QStringLiteral("Slices are uneven."), QStringLiteral("The gantry was tilted.")}));
   open(markedBall());
   EXPECT_TRUE(window_->notices().texts().isEmpty());
+}
+
+/// A series of four slices of which the third one of five is missing.
+std::filesystem::path writeGap() {
+  const std::filesystem::path folder = tests::scratchFolder() / "gap";
+  std::filesystem::create_directories(folder);
+  for (const int slice : {0, 1, 3, 4}) {
+    tests::DicomSpec spec;
+    spec.instance = "1.2." + std::to_string(slice + 1);
+    spec.columns = spec.rows = 32;
+    spec.position = glm::dvec3(0.0, 0.0, 3.0 * slice);
+    writeDicom(folder / std::to_string(slice), spec);
+  }
+  return folder;
+}
+
+TEST_F(Window, SlicesThatLieUnevenlyCanBePlacedInEitherWay) {
+  window_->open(std::vector{writeGap()});
+  QSignalSpy opened(window_.get(), &MainWindow::opened);
+  ASSERT_TRUE(opened.wait(patience));
+  EXPECT_EQ(document().scene().volume->grid.dims.z, 5);
+  document().setFocus(ValueFocus{{100.0, 500.0}, 0.0});
+  cursor().moveTo({3.0, 4.0, 9.0});
+  const auto button = [&](const QString& name) -> QPushButton* {
+    for (QPushButton* each : window_->notices().findChildren<QPushButton*>())
+      if (each->isVisible() && each->text() == name) return each;
+    return nullptr;
+  };
+  ASSERT_EQ(window_->notices().texts().size(), 1) << "one notice for all of the geometry";
+  EXPECT_TRUE(window_->notices().texts().front().contains(QStringLiteral("1 slice missing")));
+  EXPECT_NE(button(QStringLiteral("Report…")), nullptr);
+  ASSERT_NE(button(QStringLiteral("Load as is")), nullptr);
+  QTest::mouseClick(button(QStringLiteral("Load as is")), Qt::LeftButton);
+  ASSERT_TRUE(opened.wait(patience));
+  EXPECT_EQ(document().scene().volume->grid.dims.z, 4);
+  EXPECT_EQ(document().focus(), Focus(ValueFocus{{100.0, 500.0}, 0.0})) << "everything else stays";
+  EXPECT_EQ(cursor().position(), glm::dvec3(3.0, 4.0, 9.0));
+  EXPECT_EQ(window_->sessions().controller().session().volume.regularise, io::Regularise::Off);
+  // A dismissed notice goes with the next events.
+  EXPECT_TRUE(QTest::qWaitFor([&] { return button(QStringLiteral("Load as is")) == nullptr; }, patience));
+  ASSERT_NE(button(QStringLiteral("Regularise")), nullptr);
+  QTest::mouseClick(button(QStringLiteral("Regularise")), Qt::LeftButton);
+  ASSERT_TRUE(opened.wait(patience));
+  EXPECT_EQ(document().scene().volume->grid.dims.z, 5);
+  waitUntilDrawn();
 }
 
 TEST_F(Window, ReadingCanBeCancelled) {

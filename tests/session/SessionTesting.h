@@ -39,6 +39,7 @@ inline io::Session fullSession(const std::filesystem::path& folder) {
   session.volume.time = 3;
   session.volume.raw =
       io::RawDescription{{3, 4, 5}, ScalarType::Int32, true, std::size_t{1} << 40, {0.1, 0.2, 0.30000000000000004}};
+  session.volume.regularise = io::Regularise::Cubic;
   session.labels.path = folder / "labels.nii.gz";
   session.labels.contents = contents;
   session.look.focus = ValueFocus{{-1000.5, 3071.0}, 12.5};

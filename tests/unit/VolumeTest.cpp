@@ -1,3 +1,4 @@
+#include "rendering/scene/Thinned.h"
 #include "rendering/scene/Volume.h"
 
 #include <cmath>
@@ -90,4 +91,46 @@ TEST(Volume, defaultWindowOfAConstantHasAWidth) {
 }
 
 }  // namespace
+TEST(Voxels, AnAllocationThatFailsNamesItsSize) {
+  try {
+    const Voxels voxels(ScalarType::Float64, std::size_t{1} << 55);
+    FAIL() << "no machine has 288 petabytes";
+  } catch (const std::bad_alloc& error) {
+    EXPECT_NE(std::string(error.what()).find("288230376151 MB"), std::string::npos) << error.what();
+  }
+  EXPECT_THROW(Voxels(ScalarType::Float64, std::size_t{1} << 62), VoxelAllocationError) << "bytes overflow";
+}
+
+TEST(Thinned, VoxelsAreTheMeansOfTheirBlocks) {
+  const Grid grid = tests::obliqueGrid({5, 4, 3});
+  const auto volume =
+      tests::volumeOf<std::int16_t>(grid, [](glm::ivec3 v) { return 10 * v.x + 100 * v.y + 1000 * v.z; });
+  const auto thin = thinned(*volume, {2, 1, 3});
+  EXPECT_EQ(thin->grid.dims, glm::ivec3(3, 4, 1));
+  EXPECT_EQ(thin->value({0, 0, 0}), 1005.0);
+  EXPECT_EQ(thin->value({2, 1, 0}), 1140.0) << "half a block";
+  EXPECT_EQ(thin->range, volume->range);
+  // Values of a ramp lie where they did.
+  const glm::dvec3 at(thin->grid.worldFromIndex() * glm::dvec4(1, 2, 0, 1));
+  const glm::dvec3 index(grid.indexFromWorld() * glm::dvec4(at, 1.0));
+  EXPECT_NEAR(thin->value({1, 2, 0}), volume->sample(index), 0.5);
+}
+
+TEST(Thinned, NotANumberCountsForNothing) {
+  const auto volume = tests::volumeOf<float>(tests::gridOf({4, 1, 1}), [](glm::ivec3 v) {
+    return v.x == 0 ? 7.0 : v.x == 1 ? tests::nan : tests::infinity;
+  });
+  const auto thin = thinned(*volume, {2, 1, 1});
+  EXPECT_EQ(thin->value({0, 0, 0}), 7.0);
+  EXPECT_TRUE(std::isnan(thin->value({1, 0, 0})));
+}
+
+TEST(Thinned, LabelsAreThoseInTheMiddle) {
+  const auto labels = tests::labelsOf(tests::gridOf({5, 3, 3}), [](glm::ivec3 v) { return v.x + 1; });
+  const auto thin = thinned(*labels, {3, 3, 3});
+  EXPECT_EQ(thin->grid.dims, glm::ivec3(2, 1, 1));
+  EXPECT_EQ(thin->value({0, 0, 0}), 2);
+  EXPECT_EQ(thin->value({1, 0, 0}), 5);
+}
+
 }  // namespace fenestra

@@ -41,6 +41,8 @@ void LoadJob::start(Read read) {
       outcome.show = read(progress);
     } catch (const io::Cancelled&) {
       return;
+    } catch (const VoxelAllocationError& error) {
+      outcome.error = std::string("There is ") + error.what() + "; close other programs or open a smaller series";
     } catch (const std::bad_alloc&) {
       outcome.error = "There is not enough memory for this data set; close other programs or open a smaller series";
     } catch (const std::exception& error) {

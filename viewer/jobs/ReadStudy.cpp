@@ -20,6 +20,7 @@ Study readStudy(const PathsToOpen& paths, const Look& look, const io::Progress& 
   study.otherSeries = std::move(opened.otherSeries);
   study.segmentations = std::move(opened.segmentations);
   study.warnings = std::move(opened.warnings);
+  study.geometry = std::move(opened.geometry);
   if (!paths.labels.empty()) {
     io::OpenedLabels labels = io::openLabels(paths.labels, study.scene.volume->grid, progress);
     study.session.labels = io::sessionLabels(paths.labels);
@@ -29,8 +30,9 @@ Study readStudy(const PathsToOpen& paths, const Look& look, const io::Progress& 
   return study;
 }
 
-Study readSession(const std::filesystem::path& file, const io::SessionPlaces& places, const io::Progress& progress) {
-  io::OpenedSession opened = io::openSession(file, places, progress);
+namespace {
+
+Study studyOf(io::OpenedSession opened) {
   Study study;
   study.scene = {opened.volume.volume, std::move(opened.labels), opened.session.look};
   study.camera = opened.session.views[0].camera;
@@ -39,10 +41,23 @@ Study readSession(const std::filesystem::path& file, const io::SessionPlaces& pl
   study.otherSeries = std::move(opened.volume.otherSeries);
   study.segmentations = std::move(opened.volume.segmentations);
   study.warnings = std::move(opened.warnings);
+  study.geometry = std::move(opened.volume.geometry);
   study.session = std::move(opened.session);
   study.restoresSession = true;
+  return study;
+}
+
+}  // namespace
+
+Study readSession(const std::filesystem::path& file, const io::SessionPlaces& places, const io::Progress& progress) {
+  Study study = studyOf(io::openSession(file, places, progress));
   study.sessionFile = file;
   return study;
+}
+
+Study readAgain(const io::Session& session, io::Regularise regularise, const io::Progress& progress) {
+  const io::SessionPlaces same{.volume = session.volume.path, .labels = session.labels.path, .regularise = regularise};
+  return studyOf(io::openSession(session, session.volume.path.parent_path(), same, progress));
 }
 
 PathsToOpen interpret(const std::vector<std::filesystem::path>& paths) {

@@ -25,4 +25,8 @@ Study readStudy(const PathsToOpen& paths, const Look& look, const io::Progress& 
 /// Opens a session with its data. Throws io::DataMissing, io::Error, io::Cancelled.
 Study readSession(const std::filesystem::path& file, const io::SessionPlaces& places, const io::Progress& progress);
 
+/// Reads the data of an open session again from where they are, with the slices placed in another way. Throws
+/// io::Error, io::Cancelled.
+Study readAgain(const io::Session& session, io::Regularise regularise, const io::Progress& progress);
+
 }  // namespace fenestra::viewer

@@ -29,10 +29,11 @@ struct Study {
   std::vector<io::SeriesInfo> otherSeries;
   std::vector<io::SegmentationInfo> segmentations;  ///< of the series, in what was opened
   std::vector<io::Warning> warnings;
+  std::optional<io::GeometryReport> geometry;  ///< its findings are among the warnings, too
   io::Session session;                ///< where the data are; all of the session that the study was opened from
   bool restoresSession = false;       ///< there is one: the window becomes what it says
   std::filesystem::path sessionFile;  ///< its file; empty without one
-  bool isRecovered = false;           ///< it was saved after a crash by none but the program
+  bool isRecovered = false;           ///< nobody saved it yet: it comes from a crash's copy, or was read again
 };
 
 class Document : public QObject {

@@ -43,6 +43,7 @@ ViewArea::ViewArea(Document& document, SliceCursor& cursor, ViewLink& cameras, V
       auto* view = new VolumeView(index, document, cursor, cameras, options, brush, shared);
       connectView(view);
       connect(view, &VolumeView::failed, this, &ViewArea::failed);
+      connect(view, &VolumeView::reduced, this, &ViewArea::reduced);
       connect(view, &VolumeView::drawn, this, &ViewArea::drawn);
       upper_->addWidget(view);
       volumes_.push_back(view);

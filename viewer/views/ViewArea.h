@@ -53,6 +53,8 @@ class ViewArea : public QWidget {
   void left();
   void menuRequested(glm::dvec3 world, QPoint globalPosition);
   void failed(const QString& problem);
+  /// See VolumeView.
+  void reduced(const QString& notice);
   void atRestChanged();
   /// A 3-D view has a new picture on screen.
   void drawn();

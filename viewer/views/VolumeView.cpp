@@ -52,6 +52,7 @@ VolumeView::VolumeView(int index, Document& document, SliceCursor& cursor, ViewL
   connect(&document, &Document::volumeChanged, this, [this] {
     cold_ = true;
     problem_.clear();  // another volume may fit where the last one did not
+    reduction_.clear();
   });
   connect(&document, &Document::sceneChanged, this, [this] { disturb(ViewLink::count); });
   connect(&document, &Document::strokesChanged, this, &VolumeView::refresh);
@@ -179,6 +180,10 @@ void VolumeView::renderScene() {
     scheduledFor_ = scene.volume;
   }
   renderer_->render(scene, view);
+  if (const QString notice = QString::fromStdString(shared_.gpuScene->reductionNotice()); notice != reduction_) {
+    reduction_ = notice;
+    if (!notice.isEmpty()) Q_EMIT reduced(notice);
+  }
   renderer_->present(defaultFramebufferObject(), {0, 0, device.width(), device.height()});
   shown_ = view;
   cold_ = partial_ = false;

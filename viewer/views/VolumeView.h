@@ -69,6 +69,8 @@ class VolumeView : public QOpenGLWidget {
   /// A picture is on screen.
   void drawn();
   void failed(const QString& problem);
+  /// The volume does not fit onto the device and is drawn with fewer voxels; `notice` says with how many.
+  void reduced(const QString& notice);
   void pointed(glm::dvec3 world);
   void left();
   void menuRequested(glm::dvec3 world, QPoint globalPosition);
@@ -120,8 +122,9 @@ class VolumeView : public QOpenGLWidget {
   std::optional<Renderer> renderer_;          ///< empty before the first picture, and where there is a problem
   std::weak_ptr<const Volume> scheduledFor_;  ///< the volume that a schedule was chosen for
   QString problem_;
-  View shown_;     ///< of the last picture; size 0 before the first
-  Effort effort_;  ///< to draw the next picture with
+  QString reduction_;  ///< the last notice of reduced()
+  View shown_;         ///< of the last picture; size 0 before the first
+  Effort effort_;      ///< to draw the next picture with
   bool held_ = false;
   bool settled_ = false;  ///< the last picture is of the present scene, at full quality
   bool cold_ = true;      ///< the next picture also uploads voxels, so its time is not measured
