@@ -97,6 +97,11 @@ fs::path contentOf(const UnpackedArchive& archive) {
   return headers.size() == 1 ? headers.front() : archive.folder();
 }
 
+void nameInArchive(std::vector<Warning>& warnings, const UnpackedArchive& archive) {
+  for (Warning& warning : warnings)
+    for (fs::path& file : warning.files) file = archive.named(file);
+}
+
 /// read(archive, content, options) for what an archive holds; errors name the archive. Archives in archives are
 /// refused.
 template <class Read>
@@ -256,8 +261,8 @@ OpenedVolume openVolume(const fs::path& path, const OpenOptions& options) {
                            OpenedVolume opened = openVolume(content, inside);
                            opened.series.files = {path};
                            for (SeriesInfo& series : opened.otherSeries) series.files = {path};
-                           for (Warning& warning : opened.warnings)
-                             for (fs::path& file : warning.files) file = archive.named(file);
+                           nameInArchive(opened.warnings, archive);
+                           if (opened.geometry) nameInArchive(opened.geometry->findings, archive);
                            // Their files are gone with the unpacked copy.
                            if (!opened.segmentations.empty())
                              opened.warnings.push_back({Warning::Kind::Other,

@@ -12,9 +12,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::uint32_t transferSyntax = 0x00020010, modality = 0x00080060, units = 0x00541001;
+constexpr std::uint32_t modality = 0x00080060, units = 0x00541001;
 constexpr std::uint32_t sliceThickness = 0x00180050, imagerSpacing = 0x00181164;
-constexpr std::uint32_t position = 0x00200032, orientation = 0x00200037, reference = 0x00200052;
+constexpr std::uint32_t position = 0x00200032, orientation = 0x00200037;
 constexpr std::uint32_t samples = 0x00280002, photometric = 0x00280004, frameCount = 0x00280008, rows = 0x00280010,
                         columns = 0x00280011, pixelSpacing = 0x00280030;
 constexpr std::uint32_t bitsAllocated = 0x00280100, bitsStored = 0x00280101, highBit = 0x00280102,
