@@ -119,11 +119,7 @@ ImageFile readAnalyzeHeader(const fs::path& path) {
   if (!std::isfinite(offset) || offset < 0.0 || offset > 9e15)
     throw Error(image.path, "its header gives no voxel offset", "the header is damaged");
   image.source.skip = static_cast<std::int64_t>(offset);
-  const fs::path data = pairPartner(headerPath, ".img");
-  std::error_code unknown;
-  if (!fs::exists(data, unknown)) throw Error(data, "does not exist", "a .hdr file needs the .img file beside it");
-  image.source.files = {data};
-  image.source.packing = isGzip(data) ? Packing::Deflate : Packing::None;
+  setVoxelFile(image, pairPartner(headerPath, ".img"));
   return image;
 }
 

@@ -248,6 +248,13 @@ bool isPairImage(const fs::path& path) {
   return path.extension() == ".img" || (path.extension() == ".gz" && path.stem().extension() == ".img");
 }
 
+void setVoxelFile(ImageFile& image, const fs::path& file) {
+  std::error_code unknown;
+  if (!fs::exists(file, unknown)) throw Error(file, "does not exist", "a .hdr file needs the .img file beside it");
+  image.source.files = {file};
+  image.source.packing = isGzip(file) ? Packing::Deflate : Packing::None;
+}
+
 bool looksLikeNifti(const fs::path& path) {
   if (isPairImage(path)) {
     const fs::path header = pairPartner(path, ".hdr");
@@ -272,11 +279,7 @@ ImageFile readNiftiHeader(const fs::path& path) {
   };
   const bool pair = headers->one ? interpret(*headers->one) : interpret(*headers->two);
   image.bigEndian = headers->swapped != (std::endian::native == std::endian::big);
-  const fs::path data = pair ? pairPartner(headerPath, ".img") : headerPath;
-  std::error_code unknown;
-  if (!fs::exists(data, unknown)) throw Error(data, "does not exist", "a .hdr file needs the .img file beside it");
-  image.source.files = {data};
-  image.source.packing = isGzip(data) ? Packing::Deflate : Packing::None;
+  setVoxelFile(image, pair ? pairPartner(headerPath, ".img") : headerPath);
   return image;
 }
 

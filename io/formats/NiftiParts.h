@@ -6,6 +6,7 @@
 #include <string>
 
 #include "io/base/VoxelSink.h"
+#include "io/formats/ImageFile.h"
 
 namespace fenestra::io {
 
@@ -18,5 +19,8 @@ bool isPairImage(const std::filesystem::path& path);
 /// A pair's other file: `path` with `extension` (".hdr" or ".img") in place of its own, ".gz" kept or not, as it
 /// exists.
 std::filesystem::path pairPartner(const std::filesystem::path& path, const std::string& extension);
+
+/// Makes `file` the one that holds the voxels, plain or as gzip. Throws Error when it does not exist.
+void setVoxelFile(ImageFile& image, const std::filesystem::path& file);
 
 }  // namespace fenestra::io

@@ -3,18 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
 #include <vtkFloatArray.h>
 #include <vtkFlyingEdges3D.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
 #include <vtkWindowedSincPolyDataFilter.h>
 
 #include "io/base/Memory.h"
+#include "io/surface/Mesh.h"
 #include "rendering/scene/FocusCells.h"
 
 namespace fenestra::io {
@@ -128,21 +126,8 @@ Surface levelSet(const Field& field) {
 
 /// Removes the steps of the voxels; points keep their order. World mm.
 std::vector<glm::dvec3> smoothed(const Surface& surface) {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(static_cast<vtkIdType>(surface.points.size()));
-  for (std::size_t i = 0; i < surface.points.size(); ++i)
-    points->SetPoint(static_cast<vtkIdType>(i), &surface.points[i].x);
-  vtkNew<vtkCellArray> cells;
-  for (const auto& triangle : surface.triangles) {
-    const vtkIdType corners[3] = {triangle[0], triangle[1], triangle[2]};
-    cells->InsertNextCell(3, corners);
-  }
-  vtkNew<vtkPolyData> mesh;
-  mesh->SetPoints(points);
-  mesh->SetPolys(cells);
   vtkNew<vtkWindowedSincPolyDataFilter> filter;
-  filter->SetInputData(mesh);
+  filter->SetInputData(meshOf(surface));
   // A pass band of 0.1 removes what is shorter than about six edges: the steps, not the shape.
   filter->SetPassBand(0.1);
   filter->SetNumberOfIterations(20);

@@ -1,40 +1,20 @@
 #include <locale>
 #include <sstream>
 
-#include <vtkCellArray.h>
 #include <vtkErrorCode.h>
-#include <vtkNew.h>
 #include <vtkObject.h>
 #include <vtkPLYWriter.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
 #include <vtkSTLWriter.h>
-#include <vtkSmartPointer.h>
 #include <vtkWriter.h>
 
 #include "io/base/AtomicFile.h"
 #include "io/base/Text.h"
+#include "io/surface/Mesh.h"
 #include "io/surface/Surface.h"
 
 namespace fenestra::io {
 namespace fs = std::filesystem;
 namespace {
-
-vtkSmartPointer<vtkPolyData> meshOf(const Surface& surface) {
-  vtkNew<vtkPoints> points;
-  points->SetNumberOfPoints(static_cast<vtkIdType>(surface.points.size()));
-  for (std::size_t i = 0; i < surface.points.size(); ++i)
-    points->SetPoint(static_cast<vtkIdType>(i), &surface.points[i].x);
-  vtkNew<vtkCellArray> cells;
-  for (const auto& triangle : surface.triangles) {
-    const vtkIdType corners[3] = {triangle[0], triangle[1], triangle[2]};
-    cells->InsertNextCell(3, corners);
-  }
-  auto mesh = vtkSmartPointer<vtkPolyData>::New();
-  mesh->SetPoints(points);
-  mesh->SetPolys(cells);
-  return mesh;
-}
 
 /// Whether the file was written; the failure is the caller's to report, not the error stream's.
 bool writeQuietly(vtkWriter& writer) {

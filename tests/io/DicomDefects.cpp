@@ -41,20 +41,8 @@ Edit change(std::uint32_t tag, const std::function<void(std::string&)>& how) {
   return [=](DicomBytes& file) { how(file.value(tag)); };
 }
 
-/// 40 x 30 pixels of 12 bits. DCMTK's JPEG-LS encoder overruns its buffer with images of a few pixels.
-DicomSpec plain(Syntax syntax = Syntax::ExplicitLittle) {
-  DicomSpec spec;
-  spec.syntax = syntax;
-  spec.columns = 40;
-  spec.rows = 30;
-  spec.bitsStored = 12;
-  spec.highBit = 11;
-  spec.isSigned = false;
-  for (int i = 0; i < 1200; ++i) spec.words.push_back(static_cast<std::uint32_t>(i * i % 3001));
-  return spec;
-}
 DicomSpec narrow(Syntax syntax, int allocated, int stored) {
-  DicomSpec spec = plain(syntax);
+  DicomSpec spec = pictureSpec(syntax);
   spec.bitsAllocated = allocated;
   spec.bitsStored = stored;
   spec.highBit = stored - 1;
@@ -63,7 +51,7 @@ DicomSpec narrow(Syntax syntax, int allocated, int stored) {
   return spec;
 }
 DicomSpec dose() {
-  DicomSpec spec = plain();
+  DicomSpec spec = pictureSpec();
   spec.sopClass = "1.2.840.10008.5.1.4.1.1.481.2";
   spec.modality = "RTDOSE";
   spec.numberOfFrames = 2;
@@ -73,7 +61,7 @@ DicomSpec dose() {
   return spec;
 }
 DicomSpec rescaled(const char* slopeText, const char* interceptText) {
-  DicomSpec spec = plain();
+  DicomSpec spec = pictureSpec();
   spec.slope = slopeText;
   spec.intercept = interceptText;
   return spec;
@@ -87,11 +75,11 @@ fs::path writeEdited(const fs::path& path, const DicomSpec& spec, const std::vec
   return path;
 }
 
-Make file(const std::vector<Edit>& edits, const DicomSpec& spec = plain()) {
+Make file(const std::vector<Edit>& edits, const DicomSpec& spec = pictureSpec()) {
   return [=](const fs::path& folder) { return writeEdited(folder / "a.dcm", spec, edits); };
 }
 /// The bytes of a written file changed as a whole.
-Make bytes(const std::function<std::string(std::string)>& how, const DicomSpec& spec = plain()) {
+Make bytes(const std::function<std::string(std::string)>& how, const DicomSpec& spec = pictureSpec()) {
   return [=](const fs::path& folder) {
     writeDicom(folder / "a.dcm", spec);
     writeFile(folder / "a.dcm", how(readFile(folder / "a.dcm")));
@@ -102,7 +90,7 @@ Make bytes(const std::function<std::string(std::string)>& how, const DicomSpec& 
 Make series(int count, const std::function<void(int slice, DicomSpec&)>& how, const std::vector<Edit>& edits = {}) {
   return [=](const fs::path& folder) {
     for (int slice = 0; slice < count; ++slice) {
-      DicomSpec spec = plain();
+      DicomSpec spec = pictureSpec();
       spec.instance = "1.2.3." + std::to_string(slice + 1);
       spec.instanceNumber = slice + 1;
       spec.position = glm::dvec3(0, 0, 2 * slice);
@@ -269,7 +257,7 @@ std::vector<Defect> geometryDefects() {
               }),
        warning("further from the others than ten times")},
       {"dicom beside a series that is not plausible", seriesAnd([](const fs::path& folder) {
-         DicomSpec spec = plain();
+         DicomSpec spec = pictureSpec();
          spec.series = "9.9";
          spec.pixelSpacing = "1e30\\1e30";
          writeDicom(folder / "other.dcm", spec);
@@ -311,7 +299,7 @@ std::vector<Defect> valueDefects() {
        warning("the slices differ in photometric interpretation (MONOCHROME1 in 1, MONOCHROME2 in 3)")},
       {"dicom series of two units",
        [](const fs::path& folder) {
-         DicomSpec spec = plain();
+         DicomSpec spec = pictureSpec();
          spec.modality = "PT";
          writeEdited(folder / "a", spec, {set(units, "CS", "BQML")});
          spec.instance = "1.2.7";
@@ -370,7 +358,7 @@ std::vector<Defect> fileStructureDefects() {
              all.replace(all.find(uid), uid.size(), "1.2.840.10008.1.2.4.99");
              return all;
            },
-           plain(Syntax::JpegLossless)),
+           pictureSpec(Syntax::JpegLossless)),
        error("transfer syntax is not supported")},
       {"dicom of 100000 nested sequences", bytes([](const std::string& all) {
          std::string nested;
@@ -383,13 +371,14 @@ std::vector<Defect> fileStructureDefects() {
       {"dicom without preamble and meta header",
        bytes([](const std::string& all) { return all.substr(DicomBytes(all).preamble.size()); }), opens},
       {"packed dicom cut",
-       bytes([](const std::string& all) { return all.substr(0, all.size() - 200); }, plain(Syntax::Deflated)),
+       bytes([](const std::string& all) { return all.substr(0, all.size() - 200); }, pictureSpec(Syntax::Deflated)),
        error("")},
       {"packed dicom of noise",
        bytes([](const std::string& all) { return all.substr(0, 340) + std::string(2000, '\x5a'); },
-             plain(Syntax::Deflated)),
+             pictureSpec(Syntax::Deflated)),
        error("")},
-      {"packed dicom of 400 MB", bytes(bomb, plain(Syntax::Deflated)), error("packed DICOM header unpacks to more")},
+      {"packed dicom of 400 MB", bytes(bomb, pictureSpec(Syntax::Deflated)),
+       error("packed DICOM header unpacks to more")},
       {"float pixels", file({floats<float>(floatPixels, "OF", 32)}), opens},
       {"double pixels", file({floats<double>(doublePixels, "OD", 64)}), opens},
       {"float pixels of 16 bits", file({floats<float>(floatPixels, "OF", 16)}), error("bits in 16")},
@@ -424,7 +413,8 @@ std::vector<Defect> unknownVrDefects() {
 }
 
 std::vector<Defect> compressionDefects() {
-  const DicomSpec jpeg = plain(Syntax::JpegLossless), jpegLs = plain(Syntax::JpegLs), rle = plain(Syntax::Rle);
+  const DicomSpec jpeg = pictureSpec(Syntax::JpegLossless), jpegLs = pictureSpec(Syntax::JpegLs),
+                  rle = pictureSpec(Syntax::Rle);
   const Expected damaged = error("cannot be decoded"), otherSize = error("where the header says 40 x 30");
   const Expected ruledOut = warning("pixels hold values that the header rules out");
   // The frame header: marker, length, precision, rows, columns, components.
@@ -518,7 +508,7 @@ std::vector<Defect> folderDefects() {
        }),
        warning("1 file left out, unreadable")},
       {"damaged compression among others", seriesAnd([](const fs::path& folder) {
-         DicomSpec spec = plain(Syntax::JpegLossless);
+         DicomSpec spec = pictureSpec(Syntax::JpegLossless);
          spec.instance = "1.2.3.50";
          spec.position = glm::dvec3(0, 0, 8);
          writeEdited(folder / "5.dcm", spec, {half});

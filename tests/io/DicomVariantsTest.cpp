@@ -18,19 +18,6 @@ using io::Warning;
 
 namespace {
 
-/// 40 x 30 pixels below 4096; DCMTK's JPEG-LS encoder overruns its buffer with images of a few pixels.
-DicomSpec sample(Syntax syntax = Syntax::ExplicitLittle) {
-  DicomSpec spec;
-  spec.syntax = syntax;
-  spec.columns = 40;
-  spec.rows = 30;
-  spec.bitsStored = 12;
-  spec.highBit = 11;
-  spec.isSigned = false;
-  for (int i = 0; i < 1200; ++i) spec.words.push_back(static_cast<std::uint32_t>(i * i % 4001));
-  return spec;
-}
-
 std::vector<double> valuesOf(const DicomSpec& spec) { return {spec.words.begin(), spec.words.end()}; }
 
 void edit(const fs::path& path, const std::function<void(DicomBytes&)>& how) {
@@ -43,7 +30,7 @@ void edit(const fs::path& path, const std::function<void(DicomBytes&)>& how) {
 
 TEST(DicomVariants, ElementsOfUnknownVrAreReadByTheDictionary) {
   const fs::path path = scratchFolder() / "image";
-  DicomSpec spec = sample();
+  DicomSpec spec = pictureSpec();
   spec.modality = "MR";
   spec.position = glm::dvec3(-10, 20, 30);
   spec.pixelSpacing = "0.859\\0.5";
@@ -68,7 +55,7 @@ TEST(DicomVariants, ElementsOfUnknownVrAreReadByTheDictionary) {
 
 TEST(DicomVariants, DosesOfUnknownVrAreScaled) {
   const fs::path path = scratchFolder() / "dose";
-  DicomSpec spec = sample();
+  DicomSpec spec = pictureSpec();
   spec.sopClass = "1.2.840.10008.5.1.4.1.1.481.2";
   spec.modality = "RTDOSE";
   spec.doseScaling = "0.001";
@@ -115,7 +102,7 @@ TEST(DicomVariants, FramesOfReferenceOfManySlicesStayApart) {
 TEST(DicomVariants, CompressedPixelsNeedNoEndOfSequence) {
   for (const Syntax syntax : {Syntax::Rle, Syntax::JpegLossless, Syntax::JpegLs}) {
     const fs::path path = scratchFolder() / "image";
-    const DicomSpec spec = sample(syntax);
+    const DicomSpec spec = pictureSpec(syntax);
     writeDicom(path, spec);
     const std::string bytes = readFile(path);
     writeFile(path, bytes.substr(0, bytes.size() - 8));
@@ -126,7 +113,7 @@ TEST(DicomVariants, CompressedPixelsNeedNoEndOfSequence) {
 TEST(DicomVariants, PreambleAndMetaHeaderMayBeMissing) {
   for (const Syntax syntax : {Syntax::ExplicitLittle, Syntax::ImplicitLittle}) {
     const fs::path path = scratchFolder() / "image";
-    const DicomSpec spec = sample(syntax);
+    const DicomSpec spec = pictureSpec(syntax);
     writeDicom(path, spec);
     const std::string bytes = readFile(path);
     const auto metaLength = static_cast<std::size_t>(static_cast<unsigned char>(bytes[140]));
@@ -146,7 +133,7 @@ TEST(DicomVariants, NarrowCodestreamsFillWiderPixels) {
     for (const int allocated : {8, 16, 32}) {
       SCOPED_TRACE(std::to_string(stored) + " in " + std::to_string(allocated));
       const fs::path path = scratchFolder() / "image";
-      DicomSpec spec = sample(syntax);
+      DicomSpec spec = pictureSpec(syntax);
       spec.bitsAllocated = 8;
       spec.bitsStored = stored;
       spec.highBit = stored - 1;
@@ -164,7 +151,7 @@ TEST(DicomVariants, FloatAndDoublePixelsKeepTheirValues) {
     using T = decltype(first);
     std::vector<T> values(1200);
     std::iota(values.begin(), values.end(), first);
-    DicomSpec spec = sample();
+    DicomSpec spec = pictureSpec();
     spec.slope = "0.5";
     spec.intercept = "10";
     writeDicom(path, spec);
@@ -204,7 +191,7 @@ TEST(DicomVariants, FloatFramesOfOneFileAreOrderedByPosition) {
 
 TEST(DicomVariants, FoldersThatCannotBeListedAreSaid) {
   const fs::path folder = scratchFolder();
-  writeDicom(folder / "image", sample());
+  writeDicom(folder / "image", pictureSpec());
   fs::create_directories(folder / "closed");
   fs::permissions(folder / "closed", fs::perms::none);
   // Permissions do not bind root.

@@ -1,6 +1,5 @@
 #include "tests/io/DicomWriter.h"
 
-#include <cstdio>
 #include <mutex>
 #include <numeric>
 
@@ -16,34 +15,9 @@
 #include <dcmtk/dcmjpls/djrparam.h>
 #include <dcmtk/oflog/oflog.h>
 
+#include "tests/io/DicomItems.h"
 namespace fenestra::tests {
 namespace {
-
-std::string numberText(double value) {
-  // 16 characters is what a decimal string holds.
-  char text[32];
-  for (int digits = 15; digits > 5; --digits) {
-    std::snprintf(text, sizeof text, "%.*g", digits, value);
-    if (std::string(text).size() <= 16) break;
-  }
-  return text;
-}
-
-std::string vectorText(const glm::dvec3& v) {
-  return numberText(v.x) + "\\" + numberText(v.y) + "\\" + numberText(v.z);
-}
-
-void put(DcmItem& item, const DcmTagKey& tag, const std::string& value) {
-  ASSERT_TRUE(item.putAndInsertString(tag, value.c_str()).good()) << value;
-}
-void put(DcmItem& item, const DcmTagKey& tag, int value) {
-  ASSERT_TRUE(item.putAndInsertUint16(tag, static_cast<Uint16>(value)).good());
-}
-DcmItem& itemOf(DcmItem& parent, const DcmTagKey& sequence, long index = 0) {
-  DcmItem* item = nullptr;
-  parent.findOrCreateSequenceItem(sequence, item, index);
-  return *item;
-}
 
 void putFunctionalGroups(DcmItem& dataset, const DicomSpec& spec) {
   DcmItem& shared = itemOf(dataset, DCM_SharedFunctionalGroupsSequence);
@@ -102,6 +76,18 @@ E_TransferSyntax transferSyntax(Syntax syntax) {
 }
 
 }  // namespace
+
+DicomSpec pictureSpec(Syntax syntax) {
+  DicomSpec spec;
+  spec.syntax = syntax;
+  spec.columns = 40;
+  spec.rows = 30;
+  spec.bitsStored = 12;
+  spec.highBit = 11;
+  spec.isSigned = false;
+  for (int i = 0; i < 1200; ++i) spec.words.push_back(static_cast<std::uint32_t>(i * i % 3001));
+  return spec;
+}
 
 void writeDicom(const std::filesystem::path& path, const DicomSpec& spec) {
   static std::once_flag once;

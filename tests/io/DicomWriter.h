@@ -48,6 +48,9 @@ struct DicomSpec {
   bool explicitLengths = false;           ///< of sequences
 };
 
+/// 40×30 pixels of 12 bits. DCMTK's JPEG-LS encoder overruns its buffer with images of a few pixels.
+DicomSpec pictureSpec(Syntax syntax = Syntax::ExplicitLittle);
+
 void writeDicom(const std::filesystem::path& path, const DicomSpec& spec);
 
 /// An image record of a DICOMDIR.

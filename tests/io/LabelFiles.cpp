@@ -1,7 +1,5 @@
 #include "tests/io/LabelFiles.h"
 
-#include <cstdio>
-
 #include <gtest/gtest.h>
 
 #include <dcmtk/config/osconfig.h>
@@ -9,28 +7,9 @@
 #include <dcmtk/dcmdata/dcrlerp.h>
 #include <dcmtk/dcmdata/dctk.h>
 
+#include "tests/io/DicomItems.h"
 namespace fenestra::tests {
 namespace {
-
-std::string numberText(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.10g", value);
-  return text;
-}
-std::string vectorText(const glm::dvec3& v) {
-  return numberText(v.x) + "\\" + numberText(v.y) + "\\" + numberText(v.z);
-}
-void put(DcmItem& item, const DcmTagKey& tag, const std::string& value) {
-  ASSERT_TRUE(item.putAndInsertString(tag, value.c_str()).good()) << value;
-}
-void put(DcmItem& item, const DcmTagKey& tag, int value) {
-  ASSERT_TRUE(item.putAndInsertUint16(tag, static_cast<Uint16>(value)).good());
-}
-DcmItem& itemOf(DcmItem& parent, const DcmTagKey& sequence, long index = 0) {
-  DcmItem* item = nullptr;
-  parent.findOrCreateSequenceItem(sequence, item, index);
-  return *item;
-}
 
 std::vector<Uint8> pixelBytes(const SegSpec& spec) {
   std::vector<Uint8> bytes;
