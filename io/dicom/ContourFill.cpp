@@ -51,7 +51,8 @@ void ContourFill::stretches(double v, std::vector<Stretch>& into) const {
   crossings.clear();
   const std::size_t band = bandOf(v);
   for (std::size_t i = starts_[band]; i < starts_[band + 1]; ++i) {
-    const auto& [from, to] = edges_[members_[i]];
+    // Not a structured binding: Clang captures none in lambdas before version 16.
+    const glm::dvec2 from = edges_[members_[i]].from, to = edges_[members_[i]].to;
     const auto at = [&](double height) { return from.x + (height - from.y) / (to.y - from.y) * (to.x - from.x); };
     // Half open: a vertex on the line counts once.
     if ((from.y <= v) != (to.y <= v)) crossings.push_back(at(v));
