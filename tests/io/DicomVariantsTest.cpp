@@ -1,6 +1,7 @@
 // Files as other systems write them, beyond the letter of the standard: each must read as the same image.
 
 #include <unistd.h>
+#include <cstdlib>
 #include <functional>
 #include <numeric>
 
@@ -190,7 +191,11 @@ TEST(DicomVariants, FloatFramesOfOneFileAreOrderedByPosition) {
 }
 
 TEST(DicomVariants, FoldersThatCannotBeListedAreSaid) {
-  const fs::path folder = scratchFolder();
+  // Not below the build folder: a checkout in root's home cannot be reached by the user that root becomes below.
+  std::string name = (fs::temp_directory_path() / "fenestra-closed-XXXXXX").string();
+  ASSERT_NE(::mkdtemp(name.data()), nullptr);
+  const fs::path folder = name;
+  fs::permissions(folder, fs::perms::others_read | fs::perms::others_exec, fs::perm_options::add);
   writeDicom(folder / "image", pictureSpec());
   fs::create_directories(folder / "closed");
   fs::permissions(folder / "closed", fs::perms::none);
@@ -207,6 +212,7 @@ TEST(DicomVariants, FoldersThatCannotBeListedAreSaid) {
     ASSERT_EQ(::seteuid(0), 0);
   }
   fs::permissions(folder / "closed", fs::perms::owner_all);
+  fs::remove_all(folder);
   EXPECT_NE(warningOf(warnings, Warning::Kind::UnreadableFiles).text.find("1 folder left out: not readable"),
             std::string::npos);
   EXPECT_NE(error.find("cannot be listed: Permission denied"), std::string::npos) << error;
