@@ -195,7 +195,7 @@ TEST(DicomVariants, FoldersThatCannotBeListedAreSaid) {
   std::string name = (fs::temp_directory_path() / "fenestra-closed-XXXXXX").string();
   ASSERT_NE(::mkdtemp(name.data()), nullptr);
   const fs::path folder = name;
-  fs::permissions(folder, fs::perms::others_read | fs::perms::others_exec, fs::perm_options::add);
+  fs::permissions(folder, fs::perms(0755));
   writeDicom(folder / "image", pictureSpec());
   fs::create_directories(folder / "closed");
   fs::permissions(folder / "closed", fs::perms::none);
