@@ -73,8 +73,12 @@ class DefectsCommandTable : public ::testing::TestWithParam<Defect> {};
 TEST_P(DefectsCommandTable, EndsWithTheCodeAndTheLineThatTheTableSays) {
   const Defect& defect = GetParam();
   const fs::path folder = scratchFolder();
-  const fs::path path = defect.make(folder);
-  if (path.empty()) GTEST_SKIP() << "needs the real data";
+  fs::path path;
+  try {
+    path = defect.make(folder);
+  } catch (const MissingTestData& missing) {
+    GTEST_SKIP() << "needs the test-data file " << missing.what();
+  }
   const Ended run = info(path, defect.arguments(), folder.string());
   EXPECT_LT(run.seconds, 10.0);
 #if !defined(__SANITIZE_ADDRESS__)  // keeps freed memory

@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 #include <ostream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -24,9 +25,14 @@ Expected error(std::string says);
 Expected warning(std::string says);
 inline const Expected opens{};
 
+/// A defect is made from real data that are not here; what() is the file's name in the collection.
+struct MissingTestData : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 struct Defect {
   std::string name;
-  /// Writes the files into an empty folder and returns the path to open; an empty path where real data are missing.
+  /// Writes the files into an empty folder and returns the path to open. Throws MissingTestData.
   std::function<std::filesystem::path(const std::filesystem::path& folder)> make;
   Expected expected;
   std::string raw = {};          ///< description of raw voxels

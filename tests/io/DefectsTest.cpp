@@ -27,8 +27,12 @@ class Defects : public ::testing::TestWithParam<Defect> {};
 
 TEST_P(Defects, GiveTheErrorOrWarningThatTheTableSays) {
   const Defect& defect = GetParam();
-  const fs::path path = defect.make(scratchFolder());
-  if (path.empty()) GTEST_SKIP() << "needs the real data";
+  fs::path path;
+  try {
+    path = defect.make(scratchFolder());
+  } catch (const MissingTestData& missing) {
+    GTEST_SKIP() << "needs the test-data file " << missing.what();
+  }
   testing::internal::CaptureStderr();
   try {
     const io::OpenedVolume opened = io::openVolume(path, defect.options());

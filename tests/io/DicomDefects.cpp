@@ -113,7 +113,7 @@ Make seriesAnd(const std::function<void(const fs::path& folder)>& how) {
 Make real(const char* name, const std::vector<Edit>& edits) {
   return [=](const fs::path& folder) {
     const fs::path from = findTestData(name);
-    if (from.empty()) return fs::path();
+    if (from.empty()) throw MissingTestData(name);
     DicomBytes image(readFile(from));
     for (const Edit& edit : edits) edit(image);
     writeFile(folder / "a.dcm", image.bytes());
