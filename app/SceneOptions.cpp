@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/CameraFile.h"
+#include "app/Growing.h"
 #include "app/SceneSession.h"
 #include "app/SettingOptions.h"
 #include "io/PhantomFile.h"
@@ -107,10 +108,13 @@ io::Progress part(const io::Progress& progress, double begin, double end) {
 
 /// Sets the focus of the options, or the phantom's own; otherwise that of the session stays.
 void setFocus(const SceneOptions& options, LoadedScene& loaded) {
-  Scene& scene = loaded.scene;
+  Scene& scene = loaded.asSet;
   std::vector<std::string> wanted = options.focusLabels;
-  if (!options.phantom.empty() && wanted.empty() && !options.focusRange) wanted = phantomView(options.phantom).focus;
-  if (options.focusRange) {
+  const bool given = options.focusRange || !options.region.inside.empty();
+  if (!options.phantom.empty() && wanted.empty() && !given) wanted = phantomView(options.phantom).focus;
+  if (!options.region.inside.empty()) {
+    scene.look.focus = options.region;
+  } else if (options.focusRange) {
     scene.look.focus = ValueFocus{*options.focusRange, options.focusMinimumSize};
   } else if (!wanted.empty()) {
     const fs::path file = options.labels.empty() ? fs::path(options.source()) : options.labels;
@@ -122,6 +126,20 @@ void setFocus(const SceneOptions& options, LoadedScene& loaded) {
     loaded.warnings.push_back({io::Warning::Kind::Other,
                                "the focus has no voxels in this volume",
                                {options.labels.empty() ? fs::path(options.source()) : options.labels}});
+}
+
+/// Grows the region in the focus, if there is one. That of a session may lie outside a volume that has changed.
+void growFocus(const SceneOptions& options, LoadedScene& loaded, const io::Progress& progress) {
+  Scene& scene = loaded.asSet;
+  if (const auto* region = std::get_if<RegionFocus>(&scene.look.focus)) {
+    if (options.region.inside.empty() && !segmentation::canGrow(*scene.volume, *region)) {
+      loaded.warnings.push_back({io::Warning::Kind::ChangedData, segmentation::cannotGrow, {options.path}});
+      scene.look.focus = std::monostate{};
+    } else {
+      loaded.growth = grow(*scene.volume, *region, options.source(), progress);
+    }
+  }
+  loaded.scene = loaded.growth ? segmentation::shownScene(scene, *loaded.growth) : scene;
 }
 
 /// Camera, size and sampling: from the options, else from the session's view, else the defaults.
@@ -273,6 +291,9 @@ void addFocus(CLI::App& command, SceneOptions& options) {
               return true;
             })
       ->excludes(focusLabels);
+  CLI::Option* seed = addSeedOptions(command, options.region);
+  for (const char* other : {"--focus-labels", "--focus-range"}) seed->excludes(command.get_option(other));
+  command.option_defaults()->group("Focus");
   addSetting(command, settingOf(&ValueFocus::minimumComponent), options.focusMinimumSize);
 }
 
@@ -420,7 +441,7 @@ LoadedScene loadScene(const SceneOptions& options, const io::Progress& progress)
   loaded.warnings = std::move(loaded.volume.warnings);
   loaded.volume.warnings.clear();
   loaded.session = std::move(data.session);
-  Scene& scene = loaded.scene;
+  Scene& scene = loaded.asSet;
   scene.volume = loaded.volume.volume;
   scene.labels = std::move(data.labels);
   scene.look = options.look;
@@ -429,6 +450,7 @@ LoadedScene loadScene(const SceneOptions& options, const io::Progress& progress)
         options.transferFunction.empty() ? io::defaultPreset(*scene.volume) : options.transferFunction, *scene.volume);
   setFocus(options, loaded);
   if (!options.strokes.empty()) scene.look.strokes = io::readStrokes(options.strokes);
+  growFocus(options, loaded, progress);
   setView(options, loaded);
   return loaded;
 }

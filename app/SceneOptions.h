@@ -14,6 +14,7 @@
 #include "io/session/Session.h"
 #include "rendering/scene/Scene.h"
 #include "rendering/scene/View.h"
+#include "rendering/segmentation/RegionGrowing.h"
 
 namespace CLI {
 class App;
@@ -58,7 +59,8 @@ struct SceneOptions : VolumeOptions {
   std::optional<Projection> projection;
   std::optional<glm::ivec2> size;  ///< rendered pixels
   std::filesystem::path strokes;   ///< file of brush strokes; empty: those of the look
-  Look look;  ///< starts as the session's; the members above override its focus, context and strokes
+  RegionFocus region;  ///< without an inside seed: none
+  Look look;           ///< starts as the session's; the members above override its focus, context and strokes
   Quality quality = Quality::Normal;
   std::optional<double> maxError;  ///< in 1/255; see View
   int viewOfSession = 0;           ///< whose camera and picture size are taken from a session: 0 is C1, 1 is C2
@@ -87,7 +89,9 @@ OpenedData openData(const VolumeOptions& options, const std::filesystem::path& l
 
 struct LoadedScene {
   io::OpenedVolume volume;  ///< its warnings moved to `warnings`
-  Scene scene;
+  Scene asSet;                                         ///< its focus may be a region
+  std::shared_ptr<const segmentation::Growth> growth;  ///< of that region, or null
+  Scene scene;                                         ///< as it is drawn
   View view;
   std::optional<PlacedView> placed;    ///< the caller must place view.camera, which needs an OpenGL context
   std::optional<io::Session> session;  ///< the session that this was made from, with the data that were opened

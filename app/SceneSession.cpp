@@ -24,7 +24,7 @@ io::Session sessionOf(const SceneOptions& options, const LoadedScene& loaded) {
     session.views[1].camera = loaded.view.camera.beside();
   }
   if (!options.labels.empty()) session.labels = io::sessionLabels(options.labels);
-  session.look = loaded.scene.look;
+  session.look = loaded.asSet.look;
   session.quality = loaded.view.quality;
   session.maxError = loaded.view.maxError;
 

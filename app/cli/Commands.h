@@ -51,7 +51,6 @@ struct RenderOptions {
   std::optional<Schedule> schedule;                      ///< empty: the faster one
   int repeat = 1;                                        ///< frames, each from the first pass on
   bool reference = false;                                ///< in double precision on the CPU
-  segmentation::GrowSettings seeds;                      ///< with an inside seed: the focus is the region grown from it
 };
 void render(const RenderOptions& options);
 
@@ -69,7 +68,7 @@ void place(const PlaceOptions& options);
 
 struct GrowOptions {
   app::VolumeOptions volume;
-  segmentation::GrowSettings settings;  ///< with an inside seed
+  RegionFocus region;   ///< with an inside seed
   bool curve = false;                   ///< also the volume at every tolerance
   std::filesystem::path output;
 };

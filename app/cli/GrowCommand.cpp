@@ -4,10 +4,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/Growing.h"
 #include "app/cli/Commands.h"
-#include "app/cli/Growing.h"
 #include "app/cli/Report.h"
-#include "io/VolumeWriter.h"
+#include "io/LabelWriter.h"
+#include "rendering/segmentation/Mask.h"
 
 namespace fenestra::cli {
 namespace {
@@ -40,37 +41,30 @@ Json curveOf(const Growth& growth) {
   return {{"tolerance", std::move(tolerances)}, {"volume_ml", std::move(volumes)}};
 }
 
-/// 0 and 1 on the mask's grid.
-Volume volumeOfLabels(const Mask& mask) {
-  Volume volume;
-  volume.grid = mask.grid;
-  volume.voxels = Voxels(ScalarType::UInt8, mask.voxels.size());
-  std::copy(mask.voxels.begin(), mask.voxels.end(), volume.voxels.as<std::uint8_t>().begin());
-  volume.range = {0.0, 1.0};
-  return volume;
-}
-
 }  // namespace
 
 void grow(const GrowOptions& options) {
   const app::OpenedData data = app::openData(options.volume, progressOnTerminal());
   printWarnings(data.volume.warnings);
   const Volume& volume = *data.volume.volume;
-  const GrownRegion region = growFromSeeds(volume, options.settings, options.volume.source());
-  io::writeVolume(volumeOfLabels(region.mask), options.output);
-  const Growth& growth = region.growth;
+  const auto grown = app::grow(volume, options.region, options.volume.source(), progressOnTerminal());
+  const Growth& growth = *grown;
+  const int step = growth.stepOf(options.region);
+  const Mask mask = maskAt(growth, step);
+  io::writeLabels(*labelMapOf(mask, {1, "region", regionColour}), options.output, {.series = data.volume.series.files},
+                  progressOnTerminal());
   Json plateaus = Json::array();
   for (const Plateau& plateau : growth.curve.plateaus) plateaus.push_back(describe(growth, plateau));
   Json json{
       {"source", options.volume.source()},
-      {"seeds", listOf(options.settings.inside)},
-      {"outside", listOf(options.settings.outside)},
-      {"tolerance", options.settings.tolerance.value_or(growth.toleranceOf(region.step))},
-      {"automatic", !options.settings.tolerance},
+      {"seeds", listOf(options.region.inside)},
+      {"outside", listOf(options.region.outside)},
+      {"tolerance", options.region.tolerance.value_or(growth.toleranceOf(step))},
+      {"automatic", !options.region.tolerance},
       {"unit", volume.unit},
       {"noise", growth.noise},
-      {"volume_ml", volumeOf(region.mask) / mm3PerMl},
-      {"voxels", std::lround(volumeOf(region.mask) / volume.grid.voxelVolume())},
+      {"volume_ml", volumeOf(mask) / mm3PerMl},
+      {"voxels", std::lround(volumeOf(mask) / volume.grid.voxelVolume())},
       {"plateaus", std::move(plateaus)},
   };
   if (options.curve) json["curve"] = curveOf(growth);

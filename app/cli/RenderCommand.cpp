@@ -12,7 +12,6 @@
 #include "app/CameraFile.h"
 #include "app/SceneSession.h"
 #include "app/ScheduleChoice.h"
-#include "app/cli/Growing.h"
 #include "app/cli/Report.h"
 #include "io/ImageWriter.h"
 #include "io/base/AtomicFile.h"
@@ -152,20 +151,11 @@ void saveSession(const fs::path& file, const app::SceneOptions& options, const a
   io::writeSession(file, session);
 }
 
-/// Opens the view to the region grown from the seeds.
-void focusOnSeeds(Scene& scene, const RenderOptions& options) {
-  const GrownRegion region = growFromSeeds(*scene.volume, options.seeds, options.scene.source());
-  const Label label{1, "grown", defaultLabelColour(1)};
-  scene.labels = segmentation::labelMapOf(region.mask, label);
-  scene.look.focus = LabelFocus{{label.value}};
-}
-
 }  // namespace
 
 void render(const RenderOptions& options) {
   app::LoadedScene loaded = app::loadScene(options.scene, progressOnTerminal());
   printWarnings(loaded.warnings);
-  if (!options.seeds.inside.empty()) focusOnSeeds(loaded.scene, options);
   const Scene& scene = loaded.scene;
   View& view = loaded.view;
   std::optional<egl::EglContext> context;

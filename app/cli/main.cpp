@@ -12,11 +12,11 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/Growing.h"
 #include "app/OptionHelpers.h"
 #include "app/SceneOptions.h"
 #include "app/ScheduleChoice.h"
 #include "app/cli/Commands.h"
-#include "app/cli/Growing.h"
 #include "app/cli/Report.h"
 #include "rendering/egl/EglContext.h"
 #include "rendering/gl/ShaderProgram.h"
@@ -206,7 +206,6 @@ Command addSlice(CLI::App& program, SliceOptions& options) {
 Command addRender(CLI::App& program, RenderOptions& options) {
   CLI::App* command = program.add_subcommand("render", "a picture with the adaptive cutaway");
   app::addSceneOptions(*command, options.scene);
-  CLI::Option* seed = addSeedOptions(*command, options.seeds);
   CLI::Option* output = command->add_option("-o,--output", options.output, "PNG to write")->type_name("FILE");
   CLI::Option* layers =
       command->add_option("--layers", options.layers, "folder for every stage, as .mha")->type_name("FOLDER");
@@ -220,9 +219,6 @@ Command addRender(CLI::App& program, RenderOptions& options) {
           ->check(CLI::Range(1, 10000))
           ->needs(output);
   app::addScheduleOption(*command, options.schedule);
-  // Sessions do not store seeds.
-  for (const char* other : {"--focus-labels", "--focus-range", "--save-session"})
-    seed->excludes(command->get_option(other));
   CLI::Option* reference =
       command->add_flag("--reference", options.reference,
                         "the picture, its layers or both in double precision on the CPU, without OpenGL; takes minutes "
@@ -251,7 +247,7 @@ Command addGrow(CLI::App& program, GrowOptions& options) {
   CLI::App* command = program.add_subcommand(
       "grow", "the structure around a point as a label map (0 and 1); its tolerance, volume and plateaus as JSON");
   app::addVolumeOptions(*command, options.volume);
-  addSeedOptions(*command, options.settings)->required();
+  app::addSeedOptions(*command, options.region)->required();
   command->add_flag("--curve", options.curve, "also the volume at every tolerance");
   command->add_option("-o,--output", options.output, ".nii.gz, .nii, .nrrd or .mha to write")
       ->required()

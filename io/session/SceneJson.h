@@ -48,6 +48,13 @@ void members(auto& io, io::json::Is<ValueFocus> auto& focus) {
   settings(io, focus);
 }
 
+void members(auto& io, io::json::Is<RegionFocus> auto& focus) {
+  io.required("inside", focus.inside, millimetres, {"Seeds in the structure, in the patient's mm (LPS)"});
+  io("outside", focus.outside, millimetres, {"Seeds in structures that the region must not enter"});
+  io.optional("tolerance", focus.tolerance, focus.tolerance.has_value(), io::json::nonNegative,
+              {"How far values may lie below the seed's, in the volume's unit; without it, chosen from the plateaus"});
+}
+
 void members(auto& io, io::json::Is<TransferFunction::Node> auto& node) {
   io("value", node.value);
   io("colour", node.properties.colour, fraction);
@@ -68,18 +75,22 @@ inline void focusMember(io::json::Writer& io, const Focus& focus) {
     io("focus", *labels);
   else if (const auto* values = std::get_if<ValueFocus>(&focus))
     io("focus", *values);
+  else if (const auto* region = std::get_if<RegionFocus>(&focus))
+    io("focus", *region);
 }
 inline void focusMember(const io::json::Reader& io, Focus& focus) {
   if (io["focus"].is_null()) return;
   if (io["focus"].contains("labels"))
     io("focus", focus.emplace<LabelFocus>());
+  else if (io["focus"].contains("inside"))
+    io("focus", focus.emplace<RegionFocus>());
   else
     io("focus", focus.emplace<ValueFocus>());
 }
 inline void focusMember(io::json::SchemaWriter& io, const Focus&) {
-  io.oneOf<LabelFocus, ValueFocus>("focus",
-                                   {"What the view opens to; without it, nothing. Either labels, or the values "
-                                    "from low to high"});
+  io.oneOf<LabelFocus, ValueFocus, RegionFocus>("focus",
+                                                {"What the view opens to; without it, nothing. Either labels, or the "
+                                                 "values from low to high, or the region grown from seeds"});
 }
 
 void members(auto& io, io::json::Is<Look> auto& look) {

@@ -16,6 +16,9 @@ using json::Value;
 /// Enough for a million anchors; json::parse bounds the memory that a file can ask for.
 constexpr std::uintmax_t largest = std::uintmax_t{128} << 20;
 
+/// Each seed takes the time of a small filter; see segmentation::growRegion.
+constexpr std::size_t mostSeeds = 10000;
+
 /// Version 1 had the data's paths alone, cameras without their pictures, and the widths under their symbols.
 void fromVersion1(Value& root) {
   for (const char* data : {"volume", "labels"})
@@ -79,6 +82,11 @@ void check(const Session& session, const json::Reader& top) {
   }
   if (const auto* values = std::get_if<ValueFocus>(&session.look.focus))
     refuseUnless(values->values.low <= values->values.high, top, "has a focus of values whose low exceeds its high");
+  if (const auto* region = std::get_if<RegionFocus>(&session.look.focus)) {
+    refuseUnless(!region->inside.empty(), top, "has a region in the focus without a seed inside");
+    refuseUnless(region->inside.size() + region->outside.size() <= mostSeeds, top,
+                 "has a region in the focus with more seeds than anybody clicks");
+  }
   refuseUnless(
       isOrdered(session.look.context.function.nodes, [](const auto& a, const auto& b) { return a.value < b.value; }),
       top, "has a transfer function whose nodes are not in order");

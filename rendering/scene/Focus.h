@@ -1,7 +1,8 @@
 #pragma once
-// What the user wants to see: a set of labels, or a range of values.
+// What the user wants to see: a set of labels, a range of values, or a region grown from a click.
 
 #include <cstdint>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -25,7 +26,16 @@ struct ValueFocus {
   bool operator==(const ValueFocus&) const = default;
 };
 
+/// The region grown from seeds, see rendering/segmentation. What draws a scene knows labels and values alone: a scene is
+/// drawn as segmentation::shownScene makes it, and as one without a focus otherwise.
+struct RegionFocus {
+  std::vector<glm::dvec3> inside;   ///< world mm; the first is the click, at least one lies in the volume
+  std::vector<glm::dvec3> outside;  ///< world mm: in structures that the region must not enter
+  std::optional<double> tolerance;  ///< real values (HU for CT) below the seed's; empty: chosen from the plateaus
+  bool operator==(const RegionFocus&) const = default;
+};
+
 /// std::monostate: no focus, a plain volume rendering.
-using Focus = std::variant<std::monostate, LabelFocus, ValueFocus>;
+using Focus = std::variant<std::monostate, LabelFocus, ValueFocus, RegionFocus>;
 
 }  // namespace fenestra

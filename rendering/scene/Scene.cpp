@@ -9,7 +9,8 @@
 namespace fenestra {
 
 bool hasCutaway(const Scene& scene) {
-  return scene.look.cutaway.enabled && !std::holds_alternative<std::monostate>(scene.look.focus);
+  return scene.look.cutaway.enabled &&
+         (std::holds_alternative<LabelFocus>(scene.look.focus) || std::holds_alternative<ValueFocus>(scene.look.focus));
 }
 
 Grid visibleGrid(const Volume& volume, const TransferFunction& context) {

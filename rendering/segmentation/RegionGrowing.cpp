@@ -84,7 +84,7 @@ class Grower {
   Grower(const Volume& volume, const VoxelBox& box, const Progress& progress)
       : volume_(volume), box_(box), progress_(progress), side_(voxelSide(volume.grid)), thin_(thinPathLevels()) {}
 
-  std::optional<Growth> run(const GrowSettings& settings) {
+  std::optional<Growth> run(const RegionFocus& settings) {
     const std::vector<glm::ivec3> inside = seedsIn(settings.inside), outside = seedsIn(settings.outside);
     assert(!inside.empty());
     noise_ = noiseOf(volume_);
@@ -227,7 +227,7 @@ class Grower {
     });
     for (int step = 1; step <= stepCount; ++step) {
       const auto value = static_cast<std::uint16_t>(step);
-      steps->labels.push_back({value, {}, glm::dvec3(0.8)});
+      steps->labels.push_back({value, {}, regionColour});
     }
     return steps;
   }
@@ -261,8 +261,28 @@ int Growth::stepOf(double tolerance) const {
   return std::min<int>(level, levelCount - 1) + 1;
 }
 
-int Growth::stepOf(const GrowSettings& settings) const {
+int Growth::stepOf(const RegionFocus& settings) const {
   return settings.tolerance ? stepOf(*settings.tolerance) : curve.automatic;
+}
+
+Scene shownScene(Scene scene, const Growth& growth) {
+  const auto* region = std::get_if<RegionFocus>(&scene.look.focus);
+  if (!region) return scene;
+  LabelFocus labels;
+  for (int label = 1; label <= growth.stepOf(*region); ++label)
+    labels.labels.push_back(static_cast<std::uint16_t>(label));
+  scene.labels = growth.steps;
+  scene.look.focus = labels.labels.empty() ? Focus() : Focus(std::move(labels));
+  return scene;
+}
+
+bool canGrow(const Volume& volume, const RegionFocus& region) {
+  return std::any_of(region.inside.begin(), region.inside.end(),
+                     [&](glm::dvec3 seed) { return voxelAt(volume.grid, seed).has_value(); });
+}
+
+bool haveSameSeeds(const RegionFocus& a, const RegionFocus& b) {
+  return a.inside == b.inside && a.outside == b.outside;
 }
 
 std::optional<glm::ivec3> voxelAt(const Grid& grid, glm::dvec3 world) {
@@ -274,7 +294,7 @@ std::optional<glm::ivec3> voxelAt(const Grid& grid, glm::dvec3 world) {
   return glm::clamp(glm::ivec3(glm::floor(index + 0.5)), glm::ivec3(0), grid.dims - 1);
 }
 
-VoxelBox previewBox(const Volume& volume, const GrowSettings& settings) {
+VoxelBox previewBox(const Volume& volume, const RegionFocus& settings) {
   constexpr int half = 56;  // voxels: 1.4 million in all
   const VoxelBox whole = wholeOf(volume.grid.dims);
   for (const glm::dvec3 seed : settings.inside)
@@ -283,7 +303,7 @@ VoxelBox previewBox(const Volume& volume, const GrowSettings& settings) {
   return whole;
 }
 
-std::optional<Growth> growRegion(const Volume& volume, const GrowSettings& settings, const VoxelBox& reach,
+std::optional<Growth> growRegion(const Volume& volume, const RegionFocus& settings, const VoxelBox& reach,
                                  const Progress& progress) {
   return Grower(volume, reach.clippedTo(wholeOf(volume.grid.dims)), progress).run(settings);
 }

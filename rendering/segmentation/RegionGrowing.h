@@ -11,25 +11,19 @@
 #include <optional>
 #include <vector>
 
-#include "rendering/scene/LabelMap.h"
-#include "rendering/scene/Volume.h"
+#include "rendering/scene/Scene.h"
 #include "rendering/segmentation/Curve.h"
 #include "rendering/segmentation/VoxelBox.h"
 
 namespace fenestra::segmentation {
 
-/// What the user set; a session stores it.
-struct GrowSettings {
-  std::vector<glm::dvec3> inside;   ///< world mm; the first is the click, at least one lies in the volume
-  std::vector<glm::dvec3> outside;  ///< world mm: in structures that the region must not enter
-  std::optional<double> tolerance;  ///< real values (HU for CT) below the seed's; empty: Growth::curve.automatic
-  bool operator==(const GrowSettings&) const = default;
-};
+/// How a region looks until it is kept as a label: display RGB.
+inline constexpr glm::dvec3 regionColour{0.95, 0.72, 0.30};
 
 /// Every region that can be grown from the seeds. A tolerance is a threshold of `steps`: nothing is flooded again.
 struct Growth {
   /// On the volume's grid, UInt8: the first step that holds the voxel, 0 where no tolerance reaches. As a label map,
-  /// the region of step n is the labels 1 … n, see focusAt.
+  /// the region of step n is the labels 1 … n, see shownScene.
   std::shared_ptr<const LabelMap> steps;
   VoxelBox box;        ///< where `steps` may be other than 0
   double noise = 1.0;  ///< real values
@@ -39,8 +33,20 @@ struct Growth {
   double toleranceOf(int step) const;
   int stepOf(double tolerance) const;
   /// The step of the settings: their tolerance's, or the automatic one.
-  int stepOf(const GrowSettings& settings) const;
+  int stepOf(const RegionFocus& settings) const;
 };
+
+/// The scene as it is drawn: a region in its focus becomes the labels of `growth`, which was grown from it. Another
+/// focus stays as it is.
+Scene shownScene(Scene scene, const Growth& growth);
+
+/// Whether a seed of the region lies in the volume.
+bool canGrow(const Volume& volume, const RegionFocus& region);
+/// Why a session's region is not shown where it cannot.
+inline constexpr const char* cannotGrow = "the region in focus cannot be grown: none of its seeds lies in this volume";
+
+/// Whether one growth serves both: they differ in their tolerance at most.
+bool haveSameSeeds(const RegionFocus& a, const RegionFocus& b);
 
 /// Called now and then from the calling thread with a fraction in [0, 1]; false cancels.
 using Progress = std::function<bool(double fraction)>;
@@ -49,12 +55,12 @@ using Progress = std::function<bool(double fraction)>;
 std::optional<glm::ivec3> voxelAt(const Grid& grid, glm::dvec3 world);
 
 /// The box of voxels around the first inside seed that shows a region at once: a few million voxels at most.
-VoxelBox previewBox(const Volume& volume, const GrowSettings& settings);
+VoxelBox previewBox(const Volume& volume, const RegionFocus& settings);
 
 /// Grows within `reach`, the whole volume for the final result or previewBox() for a first look. Seeds outside `reach`
 /// are ignored; `settings.tolerance` is not used. Empty when cancelled. Takes five bytes a voxel of `reach` while it
 /// runs, eight with outside seeds, beside the result's one. Runs on all cores; call it off the GUI thread.
-std::optional<Growth> growRegion(const Volume& volume, const GrowSettings& settings, const VoxelBox& reach,
+std::optional<Growth> growRegion(const Volume& volume, const RegionFocus& settings, const VoxelBox& reach,
                                  const Progress& progress = {});
 
 }  // namespace fenestra::segmentation

@@ -218,7 +218,7 @@ struct Outcome {
 
 Outcome outcomeOf(const Volume& volume, const Mask& truth, std::size_t seed) {
   const VoxelBox whole = wholeOf(volume.grid.dims);
-  GrowSettings settings{{worldOf(volume.grid, seed)}, {}, {}};
+  RegionFocus settings{{worldOf(volume.grid, seed)}, {}, {}};
   const Growth growth = *growRegion(volume, settings, whole);
   const Scores scores = scoresOf(growth, truth);
   Outcome outcome;
@@ -227,7 +227,7 @@ Outcome outcomeOf(const Volume& volume, const Mask& truth, std::size_t seed) {
   outcome.dragged = scores.dice[scores.best];
   outcome.seeded = outcome.dragged;
   outcome.seededAutomatic = outcome.automatic;
-  const auto consider = [&](const GrowSettings& more) {
+  const auto consider = [&](const RegionFocus& more) {
     const Growth again = *growRegion(volume, more, whole);
     const Scores after = scoresOf(again, truth);
     outcome.seeded = std::max(outcome.seeded, after.dice[after.best]);
@@ -235,7 +235,7 @@ Outcome outcomeOf(const Volume& volume, const Mask& truth, std::size_t seed) {
         std::max(outcome.seededAutomatic, after.dice[static_cast<std::size_t>(again.curve.automatic)]);
   };
   if (const auto missed = deepest(without(truth, maskAt(growth, static_cast<int>(scores.best))))) {
-    GrowSettings more = settings;
+    RegionFocus more = settings;
     more.inside.push_back(worldOf(volume.grid, *missed));
     consider(more);
   }
@@ -243,7 +243,7 @@ Outcome outcomeOf(const Volume& volume, const Mask& truth, std::size_t seed) {
   int leak = static_cast<int>(scores.best);
   while (leak < stepCount && growth.curve.volume[static_cast<std::size_t>(leak)] < 2.0 * volumeOf(truth)) ++leak;
   if (const auto wrong = deepest(without(maskAt(growth, leak), truth))) {
-    GrowSettings more = settings;
+    RegionFocus more = settings;
     more.outside.push_back(worldOf(volume.grid, *wrong));
     consider(more);
   }
@@ -314,7 +314,7 @@ void writeTimes(std::ostream& page) {
   const std::vector<std::pair<std::string, glm::ivec3>> seeds{
       {"brain", {256, 230, 200}}, {"bone", {256, 330, 120}}, {"muscle", {330, 300, 20}}};
   for (const auto& [name, index] : seeds) {
-    const GrowSettings settings{{worldOf(volume->grid, volume->grid.offset(index))}, {}, {}};
+    const RegionFocus settings{{worldOf(volume->grid, volume->grid.offset(index))}, {}, {}};
     Growth growth;
     const double first = timed([&] { growRegion(*volume, settings, previewBox(*volume, settings)); });
     const double whole = timed([&] { growth = *growRegion(*volume, settings, wholeOf(volume->grid.dims)); });

@@ -18,9 +18,9 @@ glm::dvec3 worldOf(const Grid& grid, glm::ivec3 index) {
   return glm::dvec3(grid.worldFromIndex() * glm::dvec4(glm::dvec3(index), 1.0));
 }
 
-GrowSettings seededAt(const Volume& volume, glm::ivec3 index) { return {{worldOf(volume.grid, index)}, {}, {}}; }
+RegionFocus seededAt(const Volume& volume, glm::ivec3 index) { return {{worldOf(volume.grid, index)}, {}, {}}; }
 
-Growth grow(const Volume& volume, const GrowSettings& settings) {
+Growth grow(const Volume& volume, const RegionFocus& settings) {
   return *growRegion(volume, settings, wholeOf(volume.grid.dims));
 }
 
@@ -102,7 +102,7 @@ TEST(RegionGrowing, AnOutsideSeedPartsWhatTouchesWidely) {
   const auto first = [&](glm::ivec3 at) { return inBall(at, left, 10.0) && at.x <= 25; };
   const auto volume =
       noisyBody(gridOf({51, 33, 33}), 8.0, [&](glm::ivec3 at) { return first(at) || inBall(at, right, 10.0); });
-  GrowSettings settings = seededAt(*volume, glm::ivec3(16));
+  RegionFocus settings = seededAt(*volume, glm::ivec3(16));
   const Growth one = grow(*volume, settings);
   EXPECT_LT(dice(maskAt(one, one.curve.automatic), first), 0.8);
   settings.outside.push_back(right);
@@ -122,7 +122,7 @@ TEST(RegionGrowing, AnInsideSeedAddsATissue) {
   const auto volume = volumeOf<float>(gridOf(glm::ivec3(41)), [&](glm::ivec3 at) {
     return noise(random) + (inBall(at, centre, 8.0) ? 150.0 : ball(at) ? 50.0 : 0.0);
   });
-  GrowSettings settings = seededAt(*volume, {20, 20, 31});
+  RegionFocus settings = seededAt(*volume, {20, 20, 31});
   settings.inside.push_back(centre);
   const Growth both = grow(*volume, settings);
   EXPECT_GT(dice(maskAt(both, both.curve.automatic), ball), 0.95);
@@ -144,7 +144,7 @@ TEST(RegionGrowing, GrowsAThinTube) {
 TEST(RegionGrowing, ThePreviewIsThePartOfTheWhole) {
   const auto ball = [](glm::ivec3 at) { return inBall(at, {90.0, 20.0, 20.0}, 14.0); };
   const auto volume = noisyBody(gridOf({180, 41, 41}), 8.0, ball);
-  const GrowSettings settings = seededAt(*volume, {90, 20, 20});
+  const RegionFocus settings = seededAt(*volume, {90, 20, 20});
   const VoxelBox near = previewBox(*volume, settings);
   ASSERT_LT(near.count(), volume->grid.voxelCount());
   const Growth preview = *growRegion(*volume, settings, near), whole = grow(*volume, settings);
@@ -163,7 +163,7 @@ TEST(RegionGrowing, KnowsTheVoxelOfAPosition) {
 
 TEST(RegionGrowing, StopsWhenAskedTo) {
   const auto volume = noisyBody(gridOf(glm::ivec3(20)), 5.0, [](glm::ivec3) { return true; });
-  const GrowSettings settings = seededAt(*volume, glm::ivec3(10));
+  const RegionFocus settings = seededAt(*volume, glm::ivec3(10));
   int all = 0;
   double last = -1.0;
   ASSERT_TRUE(growRegion(*volume, settings, wholeOf(volume->grid.dims), [&](double fraction) {
@@ -193,7 +193,7 @@ TEST(RegionGrowing, TakesVolumesOfAnyKind) {
 }
 
 TEST(RegionGrowing, SeedsAndSettingsCompare) {
-  GrowSettings a{{glm::dvec3(1.0)}, {}, 20.0}, b = a;
+  RegionFocus a{{glm::dvec3(1.0)}, {}, 20.0}, b = a;
   EXPECT_EQ(a, b);
   b.outside.push_back(glm::dvec3(2.0));
   EXPECT_NE(a, b);

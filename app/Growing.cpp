@@ -1,13 +1,12 @@
-#include "app/cli/Growing.h"
+#include "app/Growing.h"
 
 #include <algorithm>
 #include <sstream>
 
 #include "app/OptionHelpers.h"
-#include "app/cli/Report.h"
 #include "io/base/Error.h"
 
-namespace fenestra::cli {
+namespace fenestra::app {
 namespace {
 
 /// An option that may be given several times, one world position each.
@@ -19,7 +18,7 @@ CLI::Option* addPositions(CLI::App& command, const std::string& name, const std:
           name,
           [=, &positions](const std::vector<std::string>& texts) {
             for (const std::string& text : texts) {
-              const auto numbers = app::parseNumbers<double, 3>(text, ',');
+              const auto numbers = parseNumbers<double, 3>(text, ',');
               if (!numbers) throw CLI::ValidationError(name, "\"" + text + "\" is not " + form);
               positions.emplace_back((*numbers)[0], (*numbers)[1], (*numbers)[2]);
             }
@@ -49,41 +48,37 @@ void checkSeeds(const Grid& grid, const std::vector<glm::dvec3>& seeds, const st
 
 }  // namespace
 
-CLI::Option* addSeedOptions(CLI::App& command, segmentation::GrowSettings& settings) {
+CLI::Option* addSeedOptions(CLI::App& command, RegionFocus& region) {
   command.option_defaults()->group("Region growing");
   CLI::Option* seed =
-      addPositions(command, "--seed", "a point in the structure, mm; may be given several times", settings.inside);
+      addPositions(command, "--seed", "a point in the structure, mm; may be given several times", region.inside);
   addPositions(command, "--outside", "a point that the region must not reach, mm; may be given several times",
-               settings.outside)
+               region.outside)
       ->needs(seed);
-  app::addParsed(command, "--tolerance", "T",
-                 "how far values may lie below the seed's, in the volume's unit; chosen from the plateaus otherwise",
-                 [&settings](const std::string& text) {
-                   settings.tolerance = app::parseNumber<double>(text);
-                   return settings.tolerance && *settings.tolerance >= 0.0;
-                 })
+  addParsed(command, "--tolerance", "T",
+            "how far values may lie below the seed's, in the volume's unit; chosen from the plateaus otherwise",
+            [&region](const std::string& text) {
+              region.tolerance = parseNumber<double>(text);
+              return region.tolerance && *region.tolerance >= 0.0;
+            })
       ->needs(seed);
   command.option_defaults()->group("Options");
   return seed;
 }
 
-GrownRegion growFromSeeds(const Volume& volume, const segmentation::GrowSettings& settings, const std::string& source) {
-  checkSeeds(volume.grid, settings.inside, "--seed", source);
-  checkSeeds(volume.grid, settings.outside, "--outside", source);
-  const io::Progress shown = progressOnTerminal();
-  segmentation::Progress progress;
-  if (shown) progress = [&](double fraction) { return shown(fraction, "growing the region"); };
+std::shared_ptr<const segmentation::Growth> grow(const Volume& volume, const RegionFocus& region,
+                                                 const std::string& source, const io::Progress& progress) {
+  checkSeeds(volume.grid, region.inside, "--seed", source);
+  checkSeeds(volume.grid, region.outside, "--outside", source);
+  segmentation::Progress onward;
+  if (progress) onward = [&](double fraction) { return progress(fraction, "growing the region"); };
   std::optional<segmentation::Growth> growth =
-      segmentation::growRegion(volume, settings, segmentation::wholeOf(volume.grid.dims), progress);
+      segmentation::growRegion(volume, region, segmentation::wholeOf(volume.grid.dims), onward);
   if (!growth) throw io::Cancelled();
-  GrownRegion region;
-  region.growth = std::move(*growth);
-  region.step = region.growth.stepOf(settings);
-  region.mask = segmentation::maskAt(region.growth, region.step);
-  if (segmentation::volumeOf(region.mask) == 0.0)
+  if (growth->curve.volume[static_cast<std::size_t>(growth->stepOf(region))] == 0.0)
     throw io::Error(source, "has no region of this tolerance around the seed",
-                    settings.tolerance ? "raise --tolerance" : "choose another --seed, or remove an --outside");
-  return region;
+                    region.tolerance ? "raise --tolerance" : "choose another --seed, or remove an --outside");
+  return std::make_shared<const segmentation::Growth>(std::move(*growth));
 }
 
-}  // namespace fenestra::cli
+}  // namespace fenestra::app
