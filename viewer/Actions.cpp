@@ -13,6 +13,7 @@
 #include "viewer/FileOpener.h"
 #include "viewer/SegmentationMenu.h"
 #include "viewer/Sessions.h"
+#include "viewer/jobs/RegionGrower.h"
 #include "viewer/model/Paths.h"
 #include "viewer/model/WindowPresets.h"
 #include "viewer/model/Workspace.h"
@@ -298,8 +299,29 @@ void Actions::makeWindowLevelMenu() {
 
 void Actions::makeFocusMenu() {
   QMenu* menu = targets_.window.menuBar()->addMenu(tr("F&ocus"));
+  addRegionEntries(*menu);
+  menu->addSeparator();
   menu->addAction(volumeAction(tr("&No focus"), QKeySequence(tr("Ctrl+Backspace")),
                                [this] { targets_.workspace.document.setFocus(std::monostate{}); }));
+}
+
+void Actions::addRegionEntries(QMenu& menu) {
+  Document& document = targets_.workspace.document;
+  ViewOptions& options = targets_.workspace.options;
+  QAction* grows = toggle(tr("&Click grows a region"), QKeySequence(tr("G")), options.grows(),
+                          [&options](bool on) { options.setGrows(on); });
+  grows->setIcon(icon("grow"));
+  connect(&options, &ViewOptions::changed, grows, [&options, grows] { grows->setChecked(options.grows()); });
+  QAction* less = action(tr("&Lower tolerance"), QKeySequence(tr(",")), [&document] { document.moveTolerance(-1); });
+  QAction* more = action(tr("&Higher tolerance"), QKeySequence(tr(".")), [&document] { document.moveTolerance(1); });
+  const auto enable = [&document, less, more] {
+    less->setEnabled(document.growth());
+    more->setEnabled(document.growth());
+  };
+  connect(&document, &Document::focusChanged, this, enable);
+  enable();
+  menu.addActions({grows, less, more});
+  tools_ << QList<QAction*>{grows};
 }
 
 void Actions::makeHelpMenu() {
@@ -319,6 +341,8 @@ void Actions::addSample(const QString& name, StudyLoader::Reader read) {
 void Actions::stop() {
   if (targets_.loader.job().isRunning())
     targets_.loader.job().cancel();
+  else if (targets_.grower.isGrowing())
+    targets_.grower.cancel();
   else if (targets_.workspace.placement.isBusy())
     targets_.workspace.placement.cancel();
   else if (targets_.workspace.brush.isActive())

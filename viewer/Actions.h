@@ -19,6 +19,7 @@ namespace fenestra::viewer {
 
 class Exports;
 class FileOpener;
+class RegionGrower;
 class Sessions;
 class ViewArea;
 struct Workspace;
@@ -31,6 +32,7 @@ class Actions : public QObject {
     QMainWindow& window;  ///< gets the menu bar and the toolbar; has its docks already
     Workspace& workspace;
     StudyLoader& loader;
+    RegionGrower& grower;
     FileOpener& files;
     Exports& exports;
     Sessions& sessions;
@@ -62,9 +64,10 @@ class Actions : public QObject {
   void makeOverlayEntries(QMenu& menu);
   void makeWindowLevelMenu();
   void makeFocusMenu();
+  void addRegionEntries(QMenu& menu);
   void makeHelpMenu();
   void fillRecentMenu();
-  /// Cancels reading or measuring; without either, puts the brush down; without that, shows all views.
+  /// Cancels reading, growing or measuring; without any, puts the brush down; without that, shows all views.
   void stop();
 
   Targets targets_;

@@ -5,6 +5,7 @@
 #include <QStatusBar>
 
 #include "io/LabelWriter.h"
+#include "rendering/segmentation/Mask.h"
 #include "viewer/NoticeBar.h"
 #include "viewer/model/Document.h"
 #include "viewer/model/Paths.h"
@@ -40,12 +41,14 @@ Exports::Exports(QMainWindow& window, const Document& document, NoticeBar& notic
 }
 
 bool Exports::canWriteLabels(Labels which) const {
-  return document_.hasVolume() && document_.scene().labels &&
+  if (which == Labels::Focus && document_.region()) return document_.isWhole();
+  return document_.hasVolume() && document_.labels() &&
          (which == Labels::All || std::holds_alternative<LabelFocus>(document_.focus()));
 }
 
 bool Exports::canWriteSurface() const {
-  return document_.hasVolume() && !std::holds_alternative<std::monostate>(document_.focus());
+  return document_.hasVolume() && !document_.awaitsGrowth() &&
+         !std::holds_alternative<std::monostate>(document_.focus());
 }
 
 void Exports::chooseLabelFile(Labels which) {
@@ -72,9 +75,13 @@ void Exports::chooseSurfaceFile() {
 void Exports::writeLabels(const std::filesystem::path& path, Labels which) {
   if (!canWriteLabels(which)) return;
   io::LabelOutput output;
-  if (which == Labels::Focus) output.only = std::get<LabelFocus>(document_.focus()).labels;
+  const bool region = which == Labels::Focus && document_.region();
+  if (which == Labels::Focus && !region) output.only = std::get<LabelFocus>(document_.focus()).labels;
   output.series = document_.study().series.files;
-  job_.start([this, path, output, labels = document_.scene().labels](const io::Progress& progress) {
+  job_.start([this, path, output, scene = document_.scene(), region, all = document_.labels(),
+              name = tr("Region").toStdString()](const io::Progress& progress) {
+    // A region in focus is one label, whatever the number of its steps.
+    const auto labels = region ? segmentation::focusLabel(scene, {1, name, segmentation::regionColour}) : all;
     io::writeLabels(*labels, path, output, progress);
     return written(path);
   });

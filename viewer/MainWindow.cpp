@@ -8,6 +8,7 @@
 #include <QMenu>
 #include <QPainter>
 #include <QStackedWidget>
+#include <QStatusBar>
 #include <QTimer>
 #include <QVBoxLayout>
 
@@ -68,8 +69,10 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
   exports_ = new Exports(*this, workspace_.document, *notices_);
   setCentralWidget(makeCentre());
   panels_ = makePanels(*this, workspace_);
-  actions_ = new Actions({*this, workspace_, loader_, *files_, *exports_, *sessions_, *views_, gl_});
+  actions_ = new Actions({*this, workspace_, loader_, grower_, *files_, *exports_, *sessions_, *views_, gl_});
   setStatusBar(new StatusBar(workspace_.document, *views_, gl_));
+  // Not above the pictures: they would be drawn anew in another size with each click.
+  statusBar()->addPermanentWidget(new LoadingBar(grower_.job(), tr("Growing the region")));
 
   connectViews();
   connectPanels();
@@ -107,6 +110,7 @@ void MainWindow::connectViews() {
   connect(&workspace_.placement, &PlacementController::changed, this, [this] {
     for (VolumeView* view : views_->volumeViews()) view->hold(workspace_.placement.isBusy());
   });
+  connect(&grower_, &RegionGrower::failed, this, &MainWindow::showError);
   connect(views_, &ViewArea::menuRequested, this,
           [this](glm::dvec3 world, QPoint at) { showStructureMenu(workspace_, world, at); });
   connect(views_, &ViewArea::failed, this, &MainWindow::showError, Qt::QueuedConnection);
@@ -197,7 +201,7 @@ void MainWindow::studyOpened() {
 
 void MainWindow::offerSegmentations() {
   const Study& study = workspace_.document.study();
-  if (study.segmentations.empty() || study.scene.labels) return;
+  if (study.segmentations.empty() || workspace_.document.labels()) return;
   if (study.segmentations.size() == 1) {
     notices_->add(NoticeBar::Kind::Warning,
                   tr("A segmentation of this series lies beside it: %1.").arg(titleOf(study.segmentations.front())),
@@ -228,7 +232,7 @@ void MainWindow::goToFocus() {
 
 bool MainWindow::isIdle() {
   return !loader_.job().isRunning() && !exports_->job().isRunning() && !focusSearch_.isRunning() &&
-         !workspace_.placement.isBusy() && !workspace_.cameras.isFlying() &&
+         !grower_.isGrowing() && !workspace_.placement.isBusy() && !workspace_.cameras.isFlying() &&
          !panels_.cameras->bestViews().isDrawing() && views_->isSettled();
 }
 

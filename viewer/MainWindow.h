@@ -9,6 +9,7 @@
 #include <QMainWindow>
 
 #include "viewer/Panels.h"
+#include "viewer/jobs/RegionGrower.h"
 #include "viewer/jobs/StudyLoader.h"
 #include "viewer/model/Workspace.h"
 #include "viewer/views/GlSupport.h"
@@ -90,6 +91,7 @@ class MainWindow : public QMainWindow {
   GlSupport gl_;
   Workspace workspace_;
   StudyLoader loader_;
+  RegionGrower grower_{workspace_.document};
   LoadJob focusSearch_;  ///< of goToFocus()
 
   ViewArea* views_;

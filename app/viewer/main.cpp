@@ -55,7 +55,8 @@ Study readScene(const app::SceneOptions& options, const io::Progress& progress) 
   study.session = app::sessionOf(options, loaded);
   study.restoresSession = loaded.session.has_value();
   if (study.restoresSession) study.sessionFile = options.path;
-  study.scene = std::move(loaded.scene);
+  study.scene = std::move(loaded.asSet);
+  study.growth = std::move(loaded.growth);
   study.camera = loaded.view.camera;
   study.placeCameras = loaded.placed.has_value();
   study.path = study.session.volume.path;

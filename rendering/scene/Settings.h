@@ -215,7 +215,9 @@ inline constexpr std::tuple settingsOf<ValueFocus>{Setting(
                                     .name = "Smallest island",
                                     .description = "Volume below which an island of a focus of values is left out",
                                     .unit = "mm³",
-                                    .range = {0.0, 1e12}})};
+                                    .range = {0.0, 1e12},
+                                    .slider = {0.0, 5000.0},
+                                    .step = 10.0})};
 
 template <>
 inline constexpr std::tuple settingsOf<ContextFunction>{

@@ -141,6 +141,18 @@ std::shared_ptr<const LabelMap> labelMapOf(const Mask& mask, const Label& label)
   return labels;
 }
 
+std::shared_ptr<const LabelMap> focusLabel(const Scene& scene, const Label& label) {
+  std::vector<std::uint8_t> wanted(65536, 0);
+  for (const std::uint16_t value : std::get<LabelFocus>(scene.look.focus).labels) wanted[value] = 1;
+  Mask mask{scene.labels->grid, std::vector<std::uint8_t>(scene.labels->voxels.count())};
+  scene.labels->voxels.visit([&](auto values) {
+    parallelFor(values.size(), grain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) mask.voxels[i] = wanted[static_cast<std::uint16_t>(values[i])];
+    });
+  });
+  return labelMapOf(mask, label);
+}
+
 VoxelBox boundsOf(const Mask& mask) {
   const glm::ivec3 dims = mask.grid.dims;
   VoxelBox bounds{dims, glm::ivec3(0)};

@@ -25,6 +25,8 @@ void setMask(Mask& mask, const Growth& growth, int step);
 Mask maskOf(const LabelMap& labels, std::uint16_t label);
 /// A label map of one label.
 std::shared_ptr<const LabelMap> labelMapOf(const Mask& mask, const Label& label);
+/// The labels in the focus of a scene as one label; the scene has labels in its focus.
+std::shared_ptr<const LabelMap> focusLabel(const Scene& scene, const Label& label);
 
 /// The least box that holds the mask; empty without voxels.
 VoxelBox boundsOf(const Mask& mask);

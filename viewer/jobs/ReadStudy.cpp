@@ -32,7 +32,24 @@ Study readStudy(const PathsToOpen& paths, const Look& look, const io::Progress& 
 
 namespace {
 
-Study studyOf(io::OpenedSession opened) {
+/// Grows the region in the study's focus again. A volume that has changed may not hold its seeds any more.
+void growFocus(Study& study, const io::Progress& progress) {
+  const auto* region = std::get_if<RegionFocus>(&study.scene.look.focus);
+  if (!region) return;
+  const Volume& volume = *study.scene.volume;
+  if (!segmentation::canGrow(volume, *region)) {
+    study.warnings.push_back({io::Warning::Kind::ChangedData, segmentation::cannotGrow, {study.path}});
+    study.scene.look.focus = std::monostate{};
+    return;
+  }
+  auto growth = segmentation::growRegion(
+      volume, *region, segmentation::wholeOf(volume.grid.dims),
+      [&](double fraction) { return !progress || progress(fraction, "growing the region in focus"); });
+  if (!growth) throw io::Cancelled();
+  study.growth = std::make_shared<const segmentation::Growth>(std::move(*growth));
+}
+
+Study studyOf(io::OpenedSession opened, const io::Progress& progress) {
   Study study;
   study.scene = {opened.volume.volume, std::move(opened.labels), opened.session.look};
   study.camera = opened.session.views[0].camera;
@@ -44,20 +61,21 @@ Study studyOf(io::OpenedSession opened) {
   study.geometry = std::move(opened.volume.geometry);
   study.session = std::move(opened.session);
   study.restoresSession = true;
+  growFocus(study, progress);
   return study;
 }
 
 }  // namespace
 
 Study readSession(const std::filesystem::path& file, const io::SessionPlaces& places, const io::Progress& progress) {
-  Study study = studyOf(io::openSession(file, places, progress));
+  Study study = studyOf(io::openSession(file, places, progress), progress);
   study.sessionFile = file;
   return study;
 }
 
 Study readAgain(const io::Session& session, io::Regularise regularise, const io::Progress& progress) {
   const io::SessionPlaces same{.volume = session.volume.path, .labels = session.labels.path, .regularise = regularise};
-  return studyOf(io::openSession(session, session.volume.path.parent_path(), same, progress));
+  return studyOf(io::openSession(session, session.volume.path.parent_path(), same, progress), progress);
 }
 
 PathsToOpen interpret(const std::vector<std::filesystem::path>& paths) {

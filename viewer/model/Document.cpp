@@ -7,6 +7,13 @@
 #include "io/TransferFunctionFile.h"
 
 namespace fenestra::viewer {
+namespace {
+
+/// Bytes that the growths of regions may hold together; the latest stays whatever its size. A growth has one a voxel.
+constexpr std::size_t mostGrownBytes = std::size_t{256} << 20;
+
+}  // namespace
+
 /// From one look to another. Of the strokes only those are kept that differ: everything between what both lists begin
 /// with and what both end with.
 class Document::LookChange : public Change {
@@ -61,6 +68,8 @@ class Document::LookChange : public Change {
     for (const BrushStroke& stroke : look.strokes) bytes += stroke.anchors.capacity() * sizeof(glm::dvec3);
     if (const auto* focus = std::get_if<LabelFocus>(&look.focus))
       bytes += focus->labels.capacity() * sizeof(focus->labels[0]);
+    if (const auto* focus = std::get_if<RegionFocus>(&look.focus))
+      bytes += (focus->inside.capacity() + focus->outside.capacity()) * sizeof(glm::dvec3);
     return bytes;
   }
 
@@ -73,6 +82,11 @@ void Document::open(Study study) {
   study_ = std::move(study);
   window_ = study_.session.window.value_or(study_.scene.volume->defaultWindow());
   history_.clear();
+  shown_ = {};
+  preview_ = {};
+  grown_.clear();
+  if (study_.growth) grown_.push_back({std::get<RegionFocus>(study_.scene.look.focus), std::move(study_.growth)});
+  updateShown();
   Q_EMIT volumeChanged();
   Q_EMIT labelsChanged();
   Q_EMIT focusChanged();
@@ -84,8 +98,19 @@ void Document::open(Study study) {
   Q_EMIT sceneChanged();
 }
 
+void Document::updateShown() {
+  const Scene before = std::exchange(shown_, study_.scene);
+  if (const segmentation::Growth* grown = growth()) {
+    shown_ = segmentation::shownScene(study_.scene, *grown);
+  } else if (region()) {
+    shown_.labels = before.labels;
+    shown_.look.focus = before.look.focus;
+  }
+}
+
 void Document::show(Look look) {
   const Look before = std::exchange(study_.scene.look, std::move(look));
+  updateShown();
   const Look& now = this->look();
   const bool focus = now.focus != before.focus || now.focusAppearance != before.focusAppearance;
   const bool context = now.context != before.context;
@@ -114,6 +139,7 @@ void Document::noteContents(const io::Session& session) {
 void Document::setLabels(std::shared_ptr<const LabelMap> labels, io::SessionData from) {
   study_.scene.labels = std::move(labels);
   study_.session.labels = std::move(from);
+  updateShown();
   Q_EMIT labelsChanged();
   if (std::holds_alternative<LabelFocus>(focus())) {
     Look without = look();
@@ -154,6 +180,60 @@ void Document::setFocus(Focus focus) {
   Look changed = look();
   changed.focus = std::move(focus);
   edit(tr("Focus"), std::move(changed));
+}
+
+const segmentation::Growth* Document::growth() const {
+  const RegionFocus* wanted = region();
+  if (!wanted) return nullptr;
+  for (const Grown& each : grown_)
+    if (segmentation::haveSameSeeds(each.seeds, *wanted)) return each.growth.get();
+  return preview_.growth && segmentation::haveSameSeeds(preview_.seeds, *wanted) ? preview_.growth.get() : nullptr;
+}
+
+void Document::setGrowth(const RegionFocus& seeds, std::shared_ptr<const segmentation::Growth> growth, bool whole) {
+  if (whole) {
+    preview_ = {};
+    grown_.push_back({seeds, std::move(growth)});
+    std::size_t bytes = 0;
+    for (const Grown& each : grown_) bytes += each.growth->steps->voxels.byteCount();
+    while (grown_.size() > 1 && bytes > mostGrownBytes) {
+      bytes -= grown_.front().growth->steps->voxels.byteCount();
+      grown_.erase(grown_.begin());
+    }
+  } else {
+    preview_ = {seeds, std::move(growth)};
+  }
+  if (!region() || !segmentation::haveSameSeeds(seeds, *region())) return;
+  updateShown();
+  Q_EMIT focusChanged();
+  Q_EMIT sceneChanged();
+}
+
+void Document::growFrom(glm::dvec3 world) {
+  Look changed = look();
+  changed.focus = RegionFocus{{world}, {}, {}};
+  edit(tr("Region"), std::move(changed));
+}
+
+void Document::addSeed(glm::dvec3 world, bool inside) {
+  if (!region()) return growFrom(world);
+  Look changed = look();
+  auto& seeds = std::get<RegionFocus>(changed.focus);
+  (inside ? seeds.inside : seeds.outside).push_back(world);
+  edit(inside ? tr("Add to the region") : tr("Take away from the region"), std::move(changed));
+}
+
+void Document::setTolerance(std::optional<double> tolerance) {
+  if (!region() || region()->tolerance == tolerance) return;
+  Look changed = look();
+  std::get<RegionFocus>(changed.focus).tolerance = tolerance;
+  edit(tr("Tolerance"), std::move(changed));
+}
+
+void Document::moveTolerance(int steps) {
+  if (!growth()) return;
+  const int now = regionStep(), wanted = std::clamp(now + steps, 1, segmentation::stepCount);
+  if (wanted != now) setTolerance(growth()->toleranceOf(wanted));
 }
 
 void Document::focusOn(std::uint16_t label) { setFocus(LabelFocus{{label}}); }
@@ -203,19 +283,13 @@ void Document::setStrokes(BrushStrokes strokes, const QString& name) {
 }
 
 std::optional<glm::ivec3> Document::voxelAt(glm::dvec3 world) const {
-  if (!hasVolume()) return std::nullopt;
-  const Grid& grid = study_.scene.volume->grid;
-  const glm::dvec3 index = glm::dvec3(grid.indexFromWorld() * glm::dvec4(world, 1.0));
-  // Compared as real numbers first: a far point would overflow an int.
-  for (int axis = 0; axis < 3; ++axis)
-    if (!(index[axis] >= -0.5 && index[axis] < grid.dims[axis] - 0.5)) return std::nullopt;
-  return glm::ivec3(glm::floor(index + 0.5));
+  return hasVolume() ? segmentation::voxelAt(study_.scene.volume->grid, world) : std::nullopt;
 }
 
 const Label* Document::labelAt(glm::dvec3 world) const {
-  if (!study_.scene.labels) return nullptr;
+  if (!labels()) return nullptr;
   const std::optional<glm::ivec3> voxel = voxelAt(world);
-  return voxel ? study_.scene.labels->find(study_.scene.labels->value(*voxel)) : nullptr;
+  return voxel ? labels()->find(labels()->value(*voxel)) : nullptr;
 }
 
 }  // namespace fenestra::viewer

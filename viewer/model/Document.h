@@ -14,17 +14,19 @@
 #include "io/VolumeReader.h"
 #include "io/session/Session.h"
 #include "rendering/scene/Scene.h"
+#include "rendering/segmentation/RegionGrowing.h"
 #include "viewer/model/History.h"
 
 namespace fenestra::viewer {
 
 /// A data set as read, ready to be shown.
 struct Study {
-  Scene scene;
-  std::optional<Camera> camera;           ///< where to look from first; unset: from anterior
-  std::optional<glm::dvec3> focusCentre;  ///< of `scene`, world mm; where the crosshair goes first
-  bool placeCameras = false;              ///< place both for the focus once the study is open
-  std::filesystem::path path;             ///< what the user opened; empty for a phantom
+  Scene scene;                                         ///< as the user set it: its focus may be a region
+  std::shared_ptr<const segmentation::Growth> growth;  ///< of that region, or null
+  std::optional<Camera> camera;                        ///< where to look from first; unset: from anterior
+  std::optional<glm::dvec3> focusCentre;               ///< of `scene`, world mm; where the crosshair goes first
+  bool placeCameras = false;                           ///< place both for the focus once the study is open
+  std::filesystem::path path;                          ///< what the user opened; empty for a phantom
   io::SeriesInfo series;
   std::vector<io::SeriesInfo> otherSeries;
   std::vector<io::SegmentationInfo> segmentations;  ///< of the series, in what was opened
@@ -51,7 +53,8 @@ class Document : public QObject {
   void noteContents(const io::Session& session);
 
   bool hasVolume() const { return study_.scene.volume != nullptr; }
-  const Scene& scene() const { return study_.scene; }
+  /// The scene as it is drawn: a region in the focus shows as labels, see segmentation::shownScene.
+  const Scene& scene() const { return shown_; }
   const Study& study() const { return study_; }
   /// "CT · 512×512×245 · 1.00×1.00×1.00 mm": nothing that could name a patient.
   QString description() const;
@@ -70,6 +73,26 @@ class Document : public QObject {
 
   const Focus& focus() const { return look().focus; }
   void setFocus(Focus focus);
+  /// The region in the focus, or null.
+  const RegionFocus* region() const { return std::get_if<RegionFocus>(&focus()); }
+  /// What region() shows, of which isWhole() tells whether all of it is grown. Null without a region, and until a first
+  /// part of it is there; the scene shows the focus before it until then.
+  const segmentation::Growth* growth() const;
+  bool isWhole() const { return growth() && growth() != preview_.growth.get(); }
+  /// The region in the focus has to be grown: see RegionGrower.
+  bool awaitsGrowth() const { return region() && !isWhole(); }
+  /// What was grown from `seeds`: a first part of it, or all.
+  void setGrowth(const RegionFocus& seeds, std::shared_ptr<const segmentation::Growth> growth, bool whole);
+  /// The focus becomes the region around a world position, or gets another seed.
+  void growFrom(glm::dvec3 world);
+  void addSeed(glm::dvec3 world, bool inside);
+  /// Of the region in the focus; empty: chosen from the plateaus.
+  void setTolerance(std::optional<double> tolerance);
+  /// Moves the tolerance by steps of segmentation::Levels, within those that are there.
+  void moveTolerance(int steps);
+  /// The step that region() shows; growth() must be there.
+  int regionStep() const { return growth()->stepOf(*region()); }
+
   /// The focus becomes that label alone.
   void focusOn(std::uint16_t label);
   /// Adds a label to a label focus or takes it out; the last one out leaves no focus.
@@ -86,6 +109,8 @@ class Document : public QObject {
   const BrushStrokes& strokes() const { return look().strokes; }
   void setStrokes(BrushStrokes strokes, const QString& name);
 
+  /// The study's labels; null without any.
+  const std::shared_ptr<const LabelMap>& labels() const { return study_.scene.labels; }
   /// The label of the nearest voxel; null for background, outside and without labels.
   const Label* labelAt(glm::dvec3 world) const;
   /// The nearest voxel's index, or empty outside the volume.
@@ -107,10 +132,19 @@ class Document : public QObject {
 
  private:
   class LookChange;
+  struct Grown {
+    RegionFocus seeds;
+    std::shared_ptr<const segmentation::Growth> growth;
+  };
   /// Shows a look and reports what differs from the one before.
   void show(Look look);
+  /// Makes the scene that is drawn from the one that the user set.
+  void updateShown();
 
   Study study_;
+  Scene shown_;
+  Grown preview_;             ///< a first part
+  std::vector<Grown> grown_;  ///< wholes for undo to come back to, the latest last; see mostGrownBytes
   WindowLevel window_;
   History history_;
 };

@@ -45,7 +45,7 @@ void PlacementController::setBackend(std::unique_ptr<PlacementBackend> backend) 
 }
 
 bool PlacementController::canPlace() const {
-  return backend_ && document_.hasVolume() && !std::holds_alternative<std::monostate>(document_.focus());
+  return backend_ && document_.hasVolume() && !std::holds_alternative<std::monostate>(document_.scene().look.focus);
 }
 
 PlacementController::Subject PlacementController::subject() const {
@@ -70,13 +70,19 @@ void PlacementController::setSettings(const PlacementSettings& settings) {
 }
 
 void PlacementController::focusChanged() {
+  const bool wasBusy = isBusy();
   slice_.stop();
   chosen_.stop();
   note_.clear();
   // A new study brings its own cameras with its focus.
   const bool arrived = volume_ != document_.scene().volume;
   volume_ = document_.scene().volume;
-  if (!arrived && settings_.automatic && canPlace() && !measured()) chosen_.start();
+  // The cameras go to a new region once it is grown. Its tolerance and further seeds refine what they look at already.
+  const bool waits = document_.awaitsGrowth();
+  const RegionFocus* region = document_.region();
+  const bool refined = region && placedClick_ == region->inside.front() && !wasBusy;
+  if (!waits) placedClick_ = region ? std::optional(region->inside.front()) : std::nullopt;
+  if (!arrived && !waits && !refined && settings_.automatic && canPlace() && !measured()) chosen_.start();
   Q_EMIT changed();
 }
 

@@ -121,8 +121,9 @@ class PlacementController : public QObject {
   PlacementSettings settings_;
   placement::Measured measured_;
   std::optional<Subject> measuredSubject_;
-  std::shared_ptr<const Volume> volume_;  ///< the volume at the last change of focus
-  std::optional<Grid> visible_;           ///< the box of the visible voxels, which a camera frames
+  std::shared_ptr<const Volume> volume_;   ///< the volume at the last change of focus
+  std::optional<Grid> visible_;            ///< the box of the visible voxels, which a camera frames
+  std::optional<glm::dvec3> placedClick_;  ///< of the last region in focus that was grown
   QString note_;
   QTimer chosen_;  ///< fires a moment after a focus was chosen
   QTimer slice_;

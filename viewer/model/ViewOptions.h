@@ -1,5 +1,5 @@
 #pragma once
-// What is drawn over the pictures, the same in all views.
+// What is drawn over the pictures and what a click on them does, the same in all views.
 
 #include <QObject>
 
@@ -13,9 +13,11 @@ class ViewOptions : public QObject {
   bool crosshair() const { return crosshair_; }
   bool text() const { return text_; }      ///< corner text
   bool labels() const { return labels_; }  ///< label colours on the slices
+  bool grows() const { return grows_; }    ///< a click grows a region where there is no label
   void setCrosshair(bool on) { set(crosshair_, on); }
   void setText(bool on) { set(text_, on); }
   void setLabels(bool on) { set(labels_, on); }
+  void setGrows(bool on) { set(grows_, on); }
 
  Q_SIGNALS:
   void changed();
@@ -27,7 +29,7 @@ class ViewOptions : public QObject {
     Q_EMIT changed();
   }
 
-  bool crosshair_ = true, text_ = true, labels_ = true;
+  bool crosshair_ = true, text_ = true, labels_ = true, grows_ = true;
 };
 
 }  // namespace fenestra::viewer

@@ -9,6 +9,8 @@
 
 #include "viewer/model/Document.h"
 #include "viewer/panels/LabelModel.h"
+#include "viewer/panels/RegionPanel.h"
+#include "viewer/panels/SliderSpin.h"
 
 namespace fenestra::viewer {
 
@@ -20,10 +22,13 @@ FocusPanel::FocusPanel(Document& document, QWidget* parent)
       study_(new QLabel),
       filter_(new QLineEdit),
       list_(new QListView),
-      noLabels_(new QLabel(tr("No labels. Open a label map (Ctrl+L), or choose a range of values below."))),
+      noLabels_(new QLabel(tr(
+          "No labels. Click a structure in a picture, open a label map (Ctrl+L), or choose a range of values below."))),
       byValue_(new QCheckBox(tr("Focus on values"))),
       low_(new QDoubleSpinBox),
-      high_(new QDoubleSpinBox) {
+      high_(new QDoubleSpinBox),
+      islands_(new SliderSpin(settingOf(&ValueFocus::minimumComponent))),
+      region_(new RegionPanel(document)) {
   study_->setWordWrap(true);
   study_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   noLabels_->setWordWrap(true);
@@ -51,13 +56,25 @@ FocusPanel::FocusPanel(Document& document, QWidget* parent)
     });
   }
 
+  islandsRow_ = new QWidget;
+  auto* islands = new QHBoxLayout(islandsRow_);
+  islands->setContentsMargins(0, 0, 0, 0);
+  islands->addWidget(new QLabel(tr("Without islands below")));
+  islands->addWidget(islands_, 1);
+  islandsRow_->setToolTip(islands_->toolTip());
+  islands_->setValue(ValueFocus{}.minimumComponent);
+  makeDragsSteps(*islands_, document.history());
+  connect(islands_, &SliderSpin::edited, this, &FocusPanel::applyRange);
+
   auto* column = new QVBoxLayout(this);
   column->addWidget(study_);
   column->addWidget(filter_);
   column->addWidget(list_, 1);
   column->addWidget(noLabels_);
+  column->addWidget(region_);
   column->addWidget(byValue_);
   column->addLayout(range);
+  column->addWidget(islandsRow_);
   column->addStretch(0);
 
   connect(filter_, &QLineEdit::textChanged, filtered_, &QSortFilterProxyModel::setFilterFixedString);
@@ -112,6 +129,7 @@ void FocusPanel::showFocus() {
   byValue_->setChecked(values != nullptr);
   low_->setEnabled(values != nullptr);
   high_->setEnabled(values != nullptr);
+  islandsRow_->setVisible(values != nullptr);
   if (const auto* labels = std::get_if<LabelFocus>(&document_.focus())) {
     for (int row = 0; row < filtered_->rowCount(); ++row) {
       const QModelIndex index = filtered_->index(row, 0);
@@ -122,11 +140,12 @@ void FocusPanel::showFocus() {
   const QSignalBlocker quietLow(low_), quietHigh(high_);
   low_->setValue(values->values.low);
   high_->setValue(values->values.high);
+  islands_->setValue(values->minimumComponent);
 }
 
 void FocusPanel::applyRange() {
   const double a = low_->value(), b = high_->value();
-  document_.setFocus(ValueFocus{.values = {std::min(a, b), std::max(a, b)}});
+  document_.setFocus(ValueFocus{{std::min(a, b), std::max(a, b)}, islands_->value()});
 }
 
 }  // namespace fenestra::viewer

@@ -13,6 +13,8 @@ namespace fenestra::viewer {
 
 class Document;
 class LabelModel;
+class RegionPanel;
+class SliderSpin;
 
 class FocusPanel : public QWidget {
   Q_OBJECT
@@ -24,6 +26,8 @@ class FocusPanel : public QWidget {
   QCheckBox* byValue() const { return byValue_; }
   QDoubleSpinBox* low() const { return low_; }
   QDoubleSpinBox* high() const { return high_; }
+  SliderSpin* islands() const { return islands_; }
+  RegionPanel* region() const { return region_; }
 
  Q_SIGNALS:
   /// The user picked one structure, which is the focus now.
@@ -43,6 +47,9 @@ class FocusPanel : public QWidget {
   QLabel* noLabels_;
   QCheckBox* byValue_;
   QDoubleSpinBox *low_, *high_;
+  QWidget* islandsRow_;  ///< shown with a range of values
+  SliderSpin* islands_;
+  RegionPanel* region_;
 };
 
 }  // namespace fenestra::viewer

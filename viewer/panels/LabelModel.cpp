@@ -8,7 +8,7 @@ namespace {
 
 const std::vector<Label>& labelsOf(const Document& document) {
   static const std::vector<Label> none;
-  return document.scene().labels ? document.scene().labels->labels : none;
+  return document.labels() ? document.labels()->labels : none;
 }
 
 }  // namespace

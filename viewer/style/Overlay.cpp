@@ -176,4 +176,17 @@ void drawMark(QPainter& painter, QPointF at) {
   painter.restore();
 }
 
+void drawSeed(QPainter& painter, QPointF at, bool inside) {
+  constexpr double radius = 6.0, arm = 3.2;
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(rim, 1.0));
+  painter.setBrush(inside ? QColor(86, 196, 110) : QColor(226, 96, 84));
+  painter.drawEllipse(at, radius, radius);
+  painter.setPen(QPen(Qt::white, 1.8));
+  painter.drawLine(at - QPointF(arm, 0.0), at + QPointF(arm, 0.0));
+  if (inside) painter.drawLine(at - QPointF(0.0, arm), at + QPointF(0.0, arm));
+  painter.restore();
+}
+
 }  // namespace fenestra::viewer

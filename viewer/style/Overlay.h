@@ -34,5 +34,7 @@ void drawScaleBar(QPainter& painter, const QRectF& view, double mmPerPixel);
 void drawOrientationCube(QPainter& painter, const QRectF& box, const Camera::Axes& axes);
 /// A small cross-hair mark.
 void drawMark(QPainter& painter, QPointF at);
+/// The seed of a region: a plus inside, a minus outside.
+void drawSeed(QPainter& painter, QPointF at, bool inside);
 
 }  // namespace fenestra::viewer

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <QMouseEvent>
 #include <QPainter>
@@ -9,6 +10,7 @@
 
 #include "viewer/model/Document.h"
 #include "viewer/model/SliceCursor.h"
+#include "viewer/model/StructureClick.h"
 #include "viewer/model/ViewOptions.h"
 #include "viewer/style/Overlay.h"
 
@@ -30,7 +32,7 @@ QRgb blend(int grey, glm::dvec3 colour, int percent) {
 }  // namespace
 
 SliceView::SliceView(SlicePlane plane, Document& document, SliceCursor& cursor, ViewOptions& options, QWidget* parent)
-    : QWidget(parent), document_(document), cursor_(cursor), options_(options) {
+    : QWidget(parent), document_(document), cursor_(cursor), options_(options), toleranceWheel_(document) {
   geometry_.plane = plane;
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
@@ -58,6 +60,7 @@ void SliceView::readGeometry() {
   slice_ = cursor_.slice(geometry_);
   values_.clear();
   labels_.clear();
+  steps_.clear();
   invalidate();
 }
 
@@ -67,6 +70,7 @@ void SliceView::followCursor() {
     slice_ = slice;
     values_.clear();
     labels_.clear();
+    steps_.clear();
     image_ = {};
   }
   update();
@@ -82,41 +86,65 @@ void SliceView::resetView() {
   document_.resetWindow();
 }
 
-void SliceView::makeImage() {
-  const Scene& scene = document_.scene();
-  if (values_.empty()) values_ = sliceValues(*scene.volume, geometry_, slice_);
-  if (labels_.empty() && scene.labels) labels_ = sliceLabels(*scene.labels, geometry_, slice_);
-  const std::vector<std::uint8_t> grey = windowed(values_, document_.window(), scene.volume->lowIsWhite);
-
-  // The look of each label, found once a label rather than once a pixel.
+/// The look of each label, found once a label rather than once a pixel.
+class SliceView::Tints {
+ public:
   struct Tint {
     glm::dvec3 colour{0.0};
     int percent = 0;
     bool focused = false;
   };
-  std::vector<Tint> tints;
-  if (!labels_.empty()) {
-    tints.resize(std::size_t{1} + *std::max_element(labels_.begin(), labels_.end()));
-    for (const Label& label : scene.labels->labels) {
-      if (label.value >= tints.size() || label.value == 0) continue;
-      const bool focused = document_.isFocused(label.value);
-      tints[label.value] = {label.colour, focused ? focusTintPercent : tintPercent, focused};
+
+  Tints(const Document& document, const SliceView& view) : view_(view) {
+    const Scene& scene = document.scene();
+    if (const auto* values = std::get_if<ValueFocus>(&scene.look.focus)) values_ = values->values;
+    focus_ = {document.region() ? segmentation::regionColour : scene.look.focusAppearance.colour, focusTintPercent,
+              true};
+    if (!view.steps_.empty()) lastStep_ = static_cast<std::uint16_t>(document.regionStep());
+    if (view.labels_.empty()) return;
+    labels_.resize(std::size_t{1} + *std::max_element(view.labels_.begin(), view.labels_.end()));
+    for (const Label& label : document.labels()->labels) {
+      if (label.value >= labels_.size() || label.value == 0) continue;
+      const bool focused = document.isFocused(label.value);
+      labels_[label.value] = {label.colour, focused ? focusTintPercent : tintPercent, focused};
     }
   }
-  const auto* valueFocus = std::get_if<ValueFocus>(&scene.look.focus);
-  std::vector<char> focused(values_.size(), 0);
 
+  const Tint& at(std::size_t pixel) const {
+    static const Tint none;
+    const float value = view_.values_[pixel];
+    if (values_ && value >= values_->low && value <= values_->high) return focus_;
+    // 0, no step, lies beyond all others then.
+    if (!view_.steps_.empty() && static_cast<std::uint16_t>(view_.steps_[pixel] - 1) < lastStep_) return focus_;
+    return labels_.empty() ? none : labels_[view_.labels_[pixel]];
+  }
+
+ private:
+  const SliceView& view_;
+  std::vector<Tint> labels_;
+  Tint focus_;
+  std::optional<ValueRange> values_;
+  std::uint16_t lastStep_ = 0;
+};
+
+void SliceView::makeImage() {
+  const Volume& volume = *document_.scene().volume;
+  if (values_.empty()) values_ = sliceValues(volume, geometry_, slice_);
+  if (labels_.empty() && document_.labels()) labels_ = sliceLabels(*document_.labels(), geometry_, slice_);
+  const std::shared_ptr<const LabelMap> steps = document_.growth() ? document_.growth()->steps : nullptr;
+  if (std::exchange(stepsOf_, steps) != steps) steps_.clear();
+  if (steps && steps_.empty()) steps_ = sliceLabels(*steps, geometry_, slice_);
+  const std::vector<std::uint8_t> grey = windowed(values_, document_.window(), volume.lowIsWhite);
+
+  const Tints tints(document_, *this);
+  std::vector<char> focused(values_.size(), 0);
   image_ = QImage(geometry_.width, geometry_.height, QImage::Format_RGB32);
   for (int row = 0; row < geometry_.height; ++row) {
     auto* line = reinterpret_cast<QRgb*>(image_.scanLine(row));
     for (int column = 0; column < geometry_.width; ++column) {
       const std::size_t at =
           static_cast<std::size_t>(row) * static_cast<std::size_t>(geometry_.width) + static_cast<std::size_t>(column);
-      Tint tint;
-      if (valueFocus && values_[at] >= valueFocus->values.low && values_[at] <= valueFocus->values.high)
-        tint = {scene.look.focusAppearance.colour, focusTintPercent, true};
-      else if (!tints.empty())
-        tint = tints[labels_[at]];
+      const Tints::Tint& tint = tints.at(at);
       focused[at] = tint.focused;
       line[column] = options_.labels() && tint.percent ? blend(grey[at], tint.colour, tint.percent)
                                                        : qRgb(grey[at], grey[at], grey[at]);
@@ -186,6 +214,7 @@ void SliceView::paintEvent(QPaintEvent*) {
     painter.drawLines(outline_);
     painter.restore();
   }
+  if (options_.labels()) drawSeeds(painter);
   if (options_.crosshair()) drawCrosshair(painter);
 
   const QRectF view = rect();
@@ -228,6 +257,17 @@ void SliceView::drawCrosshair(QPainter& painter) const {
   line(horizontal, {0.0, at.y()}, {at.x() - gap, at.y()});
   line(horizontal, {at.x() + gap, at.y()}, {static_cast<double>(width()), at.y()});
   painter.restore();
+}
+
+void SliceView::drawSeeds(QPainter& painter) const {
+  const RegionFocus* region = document_.region();
+  if (!region) return;
+  const auto draw = [&](const std::vector<glm::dvec3>& seeds, bool inside) {
+    for (const glm::dvec3 seed : seeds)
+      if (std::lround(geometry_.pixelFromWorld(seed).z) == slice_) drawSeed(painter, widgetFromWorld(seed), inside);
+  };
+  draw(region->inside, true);
+  draw(region->outside, false);
 }
 
 void SliceView::mousePressEvent(QMouseEvent* event) {
@@ -282,12 +322,7 @@ void SliceView::click(QPointF position, Qt::KeyboardModifiers modifiers) {
   if (!inPicture(world)) return;
   beforeClick_ = BeforeClick{document_.focus(), cursor_.position()};
   cursor_.moveTo(world);
-  const Label* label = document_.labelAt(world);
-  if (!label) return;
-  if (modifiers & Qt::ControlModifier)
-    document_.setFocused(label->value, !document_.isFocused(label->value));
-  else
-    document_.focusOn(label->value);
+  clickStructure(document_, world, modifiers, options_.grows());
 }
 
 void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
@@ -312,7 +347,7 @@ void SliceView::zoomAt(QPointF position, double factor) {
 }
 
 void SliceView::wheelEvent(QWheelEvent* event) {
-  if (!document_.hasVolume()) return;
+  if (!document_.hasVolume() || toleranceWheel_.wheel(*event)) return;
   const double angle = event->angleDelta().y();
   if (event->modifiers() & Qt::ControlModifier) {
     zoomAt(event->position(), std::exp(angle * 0.0015));

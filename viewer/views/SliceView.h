@@ -2,9 +2,10 @@
 // One anatomical plane through the volume: grey values under the window, label colours, focus outline, crosshair.
 // Plain QWidget and QImage, so it works where 3-D cannot start.
 //
-// Left click: crosshair, and the label there becomes the focus (Ctrl: joins or leaves it); left drag: window/level;
-// middle: pan; right drag or Ctrl+wheel: zoom; wheel and arrows: slices; Shift+move: crosshair.
+// Left click: crosshair and focus, see clickStructure(); left drag: window/level; middle: pan; right drag or
+// Ctrl+wheel: zoom; wheel and arrows: slices; Alt+wheel: tolerance of the region in focus; Shift+move: crosshair.
 
+#include <memory>
 #include <optional>
 
 #include <QImage>
@@ -12,7 +13,9 @@
 #include <QWidget>
 
 #include "rendering/scene/Focus.h"
+#include "rendering/scene/LabelMap.h"
 #include "rendering/scene/Slice.h"
+#include "viewer/tools/ToleranceWheel.h"
 
 namespace fenestra::viewer {
 
@@ -61,12 +64,15 @@ class SliceView : public QWidget {
   void followCursor();
   void invalidate();
   void makeImage();
+  /// Tints of a pixel's label, and of the focus over it.
+  class Tints;
   void collectOutline(const std::vector<char>& focused);
   void zoomAt(QPointF position, double factor);
   void click(QPointF position, Qt::KeyboardModifiers modifiers);
   double pixelsPerMm() const;
   bool inPicture(glm::dvec3 world) const;
   void drawCrosshair(QPainter& painter) const;
+  void drawSeeds(QPainter& painter) const;
 
   Document& document_;
   SliceCursor& cursor_;
@@ -74,10 +80,12 @@ class SliceView : public QWidget {
 
   SliceGeometry geometry_;
   int slice_ = 0;
-  std::vector<float> values_;          ///< real values of the slice
-  std::vector<std::uint16_t> labels_;  ///< of the slice; empty without labels
-  QImage image_;                       ///< null until it is made
-  QVector<QLineF> outline_;            ///< of the focus, in slice pixels
+  std::vector<float> values_;                ///< real values of the slice
+  std::vector<std::uint16_t> labels_;        ///< of the slice; empty without labels
+  std::vector<std::uint16_t> steps_;         ///< of the region in the focus; empty without one
+  std::shared_ptr<const LabelMap> stepsOf_;  ///< that steps_ are of
+  QImage image_;                             ///< null until it is made
+  QVector<QLineF> outline_;                  ///< of the focus, in slice pixels
 
   double zoom_ = 1.0;  ///< 1: the whole slice fits
   QPointF centre_;     ///< slice position in the middle of the widget, in mm from the corner of the slice's first pixel
@@ -91,6 +99,7 @@ class SliceView : public QWidget {
     glm::dvec3 cursor;
   };
   std::optional<BeforeClick> beforeClick_;
+  ToleranceWheel toleranceWheel_;
   double wheel_ = 0.0;  ///< wheel angle that is not yet a whole notch, in eighths of a degree
 };
 

@@ -11,9 +11,11 @@
 #include <QPainter>
 #include <QWheelEvent>
 
+#include "rendering/scene/SeenPoint.h"
 #include "viewer/model/Brush.h"
 #include "viewer/model/Document.h"
 #include "viewer/model/SliceCursor.h"
+#include "viewer/model/StructureClick.h"
 #include "viewer/model/ViewLink.h"
 #include "viewer/model/ViewOptions.h"
 #include "viewer/style/Overlay.h"
@@ -43,6 +45,7 @@ VolumeView::VolumeView(int index, Document& document, SliceCursor& cursor, ViewL
       options_(options),
       brush_(brush),
       brushTool_(brush, document, canvas()),
+      toleranceWheel_(document),
       shared_(std::move(shared)) {
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
@@ -258,11 +261,17 @@ std::optional<glm::dvec3> VolumeView::pick(QPointF position) {
   attemptOnPicture([&] { hit = renderer_->pick(pixelAt(position)); });
   if (!hit) return std::nullopt;
   // The hit lies on the surface between two voxels. Half a voxel further along the ray is the voxel that is seen.
-  const Camera& camera = shown_.camera;
-  const glm::dvec3 ray =
-      camera.projection == Projection::Perspective ? glm::normalize(*hit - camera.eye) : camera.axes().forward;
+  return *hit + halfVoxel() * rayThrough(*hit);
+}
+
+double VolumeView::halfVoxel() const {
   const glm::dvec3 spacing = document_.scene().volume->grid.spacing;
-  return *hit + 0.5 * std::min({spacing.x, spacing.y, spacing.z}) * ray;
+  return 0.5 * std::min({spacing.x, spacing.y, spacing.z});
+}
+
+glm::dvec3 VolumeView::rayThrough(glm::dvec3 world) const {
+  const Camera& camera = shown_.camera;
+  return camera.projection == Projection::Perspective ? glm::normalize(world - camera.eye) : camera.axes().forward;
 }
 
 double VolumeView::mmPerPixel() const {
@@ -315,12 +324,17 @@ void VolumeView::mouseReleaseEvent(QMouseEvent* event) {
   if (event->button() == Qt::RightButton) {
     Q_EMIT menuRequested(*hit, event->globalPosition().toPoint());
   } else if (event->button() == Qt::LeftButton) {
-    beforeClick_ = BeforeClick{document_.focus(), cursor_.position()};
-    cursor_.moveTo(*hit);
-    Q_EMIT pointed(*hit);
-    const Label* label = event->modifiers() & Qt::ControlModifier ? document_.labelAt(*hit) : nullptr;
-    if (label) document_.setFocused(label->value, !document_.isFocused(label->value));
+    click(*hit, event->modifiers());
   }
+}
+
+void VolumeView::click(glm::dvec3 hit, Qt::KeyboardModifiers modifiers) {
+  beforeClick_ = BeforeClick{document_.focus(), cursor_.position()};
+  const glm::dvec3 ray = rayThrough(hit);
+  const glm::dvec3 seen = seenPoint(shownScene(), hit - halfVoxel() * ray, ray).value_or(hit);
+  cursor_.moveTo(seen);
+  Q_EMIT pointed(seen);
+  if (options_.grows() || modifiers & Qt::ControlModifier) clickStructure(document_, seen, modifiers, options_.grows());
 }
 
 void VolumeView::mouseDoubleClickEvent(QMouseEvent* event) {
@@ -348,7 +362,7 @@ void VolumeView::zoom(double factor) {
 }
 
 void VolumeView::wheelEvent(QWheelEvent* event) {
-  if (brushTool_.wheel(*event)) return;
+  if (brushTool_.wheel(*event) || toleranceWheel_.wheel(*event)) return;
   if (document_.hasVolume()) zoom(std::exp(event->angleDelta().y() * 0.0015));
 }
 

@@ -4,8 +4,8 @@
 //
 // While something changes it draws as the pacer says; after a moment of rest, at full quality. A brush stroke changes
 // little of the picture and is drawn at full quality at once. Left drag: rotate, or paint while the brush is up (see
-// BrushTool); left click: crosshair to the surface hit (Ctrl: its label joins or leaves the focus); middle: pan; right
-// drag or wheel: zoom; arrows: turn by steps.
+// BrushTool); left click: crosshair and focus to what is seen, see clickStructure(); middle: pan; right drag or wheel:
+// zoom; Alt+wheel: tolerance of the region in focus; arrows: turn by steps.
 
 #include <functional>
 #include <memory>
@@ -18,6 +18,7 @@
 #include "rendering/gpu/GpuScene.h"
 #include "viewer/model/FramePacer.h"
 #include "viewer/tools/BrushTool.h"
+#include "viewer/tools/ToleranceWheel.h"
 
 namespace fenestra::viewer {
 
@@ -106,9 +107,13 @@ class VolumeView : public QOpenGLWidget {
   void zoom(double factor);
   /// World position that the picture shows at a place in the widget; empty on the background.
   std::optional<glm::dvec3> pick(QPointF position);
+  /// The ray of the last picture through a world position.
+  glm::dvec3 rayThrough(glm::dvec3 world) const;
+  void click(glm::dvec3 hit, Qt::KeyboardModifiers modifiers);
   glm::dvec2 pixelAt(QPointF position) const;
   BrushTool::Canvas canvas();
   double mmPerPixel() const;
+  double halfVoxel() const;  ///< mm, of the shortest side
 
   const int index_;
   Document& document_;
@@ -117,6 +122,7 @@ class VolumeView : public QOpenGLWidget {
   ViewOptions& options_;
   Brush& brush_;
   BrushTool brushTool_;
+  ToleranceWheel toleranceWheel_;
   Shared shared_;
 
   std::optional<Renderer> renderer_;          ///< empty before the first picture, and where there is a problem

@@ -1,0 +1,112 @@
+#include "rendering/scene/SeenPoint.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace fenestra {
+namespace {
+
+constexpr double stepShare = 0.25;  // of the least spacing
+constexpr double leastTransmittance = 1e-3;
+constexpr double valley = 0.5;      // of the peaks on both its sides: noise is no boundary
+constexpr double farthestOn = 1.5;  // voxels from the surface into the structure
+
+/// The scene along a ray.
+class RaySamples {
+ public:
+  RaySamples(const Scene& scene, glm::dvec3 start, glm::dvec3 direction)
+      : scene_(scene), context_(scene.look.context.shifted()), start_(start), direction_(direction) {
+    const Grid& grid = scene.volume->grid;
+    indexFromWorld_ = grid.indexFromWorld();
+    const glm::dvec3 spacing = grid.spacing;
+    voxel_ = std::min({spacing.x, spacing.y, spacing.z});
+  }
+
+  double step() const { return stepShare * voxel_; }
+  double voxel() const { return voxel_; }
+  glm::dvec3 worldAt(double t) const { return start_ + t * direction_; }
+  bool isInside(double t) const {
+    const glm::dvec3 index = indexAt(t), size(scene_.volume->grid.dims);
+    return glm::all(glm::greaterThanEqual(index, glm::dvec3(-0.5))) && glm::all(glm::lessThan(index, size - 0.5));
+  }
+  double valueAt(double t) const { return scene_.volume->sample(indexAt(t)); }
+  bool isFocus(double t) const {
+    if (const auto* values = std::get_if<ValueFocus>(&scene_.look.focus)) {
+      const double value = valueAt(t);
+      return value >= values->values.low && value <= values->values.high;
+    }
+    const auto* labels = std::get_if<LabelFocus>(&scene_.look.focus);
+    if (!labels || !scene_.labels || !isInside(t)) return false;
+    const glm::ivec3 voxel =
+        glm::clamp(glm::ivec3(glm::floor(indexAt(t) + 0.5)), glm::ivec3(0), scene_.volume->grid.dims - 1);
+    return std::binary_search(labels->labels.begin(), labels->labels.end(), scene_.labels->value(voxel));
+  }
+  double extinctionAt(double t) const {
+    if (isFocus(t)) return scene_.look.focusAppearance.extinction;
+    const double value = valueAt(t);
+    return std::isfinite(value) ? context_.evaluate(value).extinction : 0.0;
+  }
+
+ private:
+  glm::dvec3 indexAt(double t) const { return glm::dvec3(indexFromWorld_ * glm::dvec4(worldAt(t), 1.0)); }
+
+  const Scene& scene_;
+  TransferFunction context_;
+  glm::dvec3 start_, direction_;
+  glm::dmat4 indexFromWorld_{1.0};
+  double voxel_ = 1.0;
+};
+
+/// A stretch of the ray that contributes without a valley in it.
+struct Rise {
+  double opacity = 0.0, peak = 0.0, peakAt = 0.0;
+};
+
+/// The rise with the largest opacity.
+Rise largestRise(const RaySamples& ray, double length) {
+  Rise best, now;
+  double transmittance = 1.0, lowest = 0.0;
+  const auto close = [&] {
+    if (now.opacity > best.opacity) best = now;
+    now = {};
+  };
+  for (double t = 0.5 * ray.step(); t < length && transmittance > leastTransmittance; t += ray.step()) {
+    if (!ray.isInside(t)) {
+      if (now.opacity > 0.0 || best.opacity > 0.0) break;
+      continue;
+    }
+    const double passed = std::exp(-ray.extinctionAt(t) * ray.step());
+    const double contribution = transmittance * (1.0 - passed);
+    transmittance *= passed;
+    if (now.peak > 0.0 && lowest <= valley * now.peak && contribution * valley > lowest) close();
+    if (contribution > now.peak) {
+      now.peak = lowest = contribution;
+      now.peakAt = t;
+    }
+    lowest = std::min(lowest, contribution);
+    now.opacity += contribution;
+  }
+  close();
+  return best;
+}
+
+}  // namespace
+
+std::optional<glm::dvec3> seenPoint(const Scene& scene, glm::dvec3 start, glm::dvec3 direction) {
+  const RaySamples ray(scene, start, direction);
+  const Grid& grid = scene.volume->grid;
+  const Rise rise = largestRise(ray, glm::distance(start, grid.centre()) + grid.boundingRadius());
+  if (rise.opacity <= 0.0) return std::nullopt;
+  // The side that the values change to at the surface, and on to where they no longer do.
+  const double half = 0.5 * ray.voxel();
+  const bool focus = ray.isFocus(rise.peakAt);
+  const double change = ray.valueAt(rise.peakAt + half) - ray.valueAt(rise.peakAt - half);
+  double best = rise.peakAt;
+  for (double t = best; t <= rise.peakAt + farthestOn * ray.voxel() && ray.isInside(t) && ray.isFocus(t) == focus;
+       t += ray.step())
+    if ((ray.valueAt(t) - ray.valueAt(best)) * change > 0.0) best = t;
+  return ray.worldAt(best);
+}
+
+}  // namespace fenestra

@@ -1,0 +1,100 @@
+#include "viewer/jobs/RegionGrower.h"
+
+#include <stdexcept>
+#include <utility>
+
+#include "rendering/segmentation/RegionGrowing.h"
+#include "viewer/model/Document.h"
+
+namespace fenestra::viewer {
+namespace {
+
+using segmentation::Growth;
+
+std::shared_ptr<const Growth> grow(const Volume& volume, const RegionFocus& seeds, const segmentation::VoxelBox& reach,
+                                   const segmentation::Progress& progress) {
+  std::optional<Growth> growth = segmentation::growRegion(volume, seeds, reach, progress);
+  if (!growth) throw io::Cancelled();
+  return std::make_shared<const Growth>(std::move(*growth));
+}
+
+}  // namespace
+
+RegionGrower::RegionGrower(Document& document, QObject* parent) : QObject(parent), document_(document) {
+  connect(&document, &Document::focusChanged, this, &RegionGrower::follow);
+  connect(&document, &Document::volumeChanged, this, &RegionGrower::follow);
+  connect(&job_, &LoadJob::failed, this, [this](const QString& message) {
+    takeBack();
+    Q_EMIT failed(message);
+  });
+  connect(&job_, &LoadJob::ended, this, [this] {
+    if (std::exchange(starts_, false)) return start();
+    // The button beside the progress cancels the job alone.
+    if (wanted_ && !job_.isRunning()) takeBack();
+  });
+  follow();
+}
+
+void RegionGrower::follow() {
+  if (!document_.awaitsGrowth()) {
+    wanted_.reset();
+    starts_ = false;
+    job_.cancel();
+    before_ = document_.focus();
+    return;
+  }
+  if (wanted_ && segmentation::haveSameSeeds(*wanted_, *document_.region())) return;
+  wanted_ = *document_.region();
+  step_ = document_.undoStack().index();
+  if (!job_.isRunning()) return start();
+  starts_ = true;
+  job_.cancel();
+}
+
+void RegionGrower::start() {
+  // A further seed changes a region that shows as a whole; a first part of it would be less than that.
+  const bool isNew = !std::holds_alternative<RegionFocus>(before_) ||
+                     std::get<RegionFocus>(before_).inside.front() != wanted_->inside.front();
+  job_.start([this, seeds = *wanted_, volume = document_.study().scene.volume,
+              isNew](const io::Progress& progress) -> LoadJob::Show {
+    const segmentation::Progress onward = [&](double fraction) { return progress(fraction, "Growing the region"); };
+    if (!segmentation::canGrow(*volume, seeds)) throw std::runtime_error(segmentation::cannotGrow);
+    const segmentation::VoxelBox near = segmentation::previewBox(*volume, seeds);
+    const segmentation::VoxelBox whole = segmentation::wholeOf(volume->grid.dims);
+    if (isNew && near != whole) {
+      const auto part = grow(*volume, seeds, near, onward);
+      QMetaObject::invokeMethod(
+          this,
+          [this, seeds, part] {
+            if (wanted_ && segmentation::haveSameSeeds(*wanted_, seeds) && document_.awaitsGrowth())
+              document_.setGrowth(seeds, part, false);
+          },
+          Qt::QueuedConnection);
+    }
+    return [this, seeds, growth = grow(*volume, seeds, whole, onward)] {
+      const RegionFocus* asked = document_.region();
+      if (asked && growth->curve.volume[static_cast<std::size_t>(growth->stepOf(*asked))] == 0.0) {
+        takeBack();
+        Q_EMIT failed(tr("No region grows from there; click elsewhere, or take the last seed back."));
+        return;
+      }
+      document_.setGrowth(seeds, growth, true);
+    };
+  });
+}
+
+void RegionGrower::cancel() {
+  job_.cancel();
+  takeBack();
+}
+
+void RegionGrower::takeBack() {
+  if (!std::exchange(wanted_, std::nullopt)) return;
+  starts_ = false;
+  if (document_.undoStack().index() == step_ + 1)
+    document_.history().takeBack();
+  else
+    document_.setFocus(before_);
+}
+
+}  // namespace fenestra::viewer

@@ -1,0 +1,102 @@
+#include "viewer/panels/RegionPanel.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QHBoxLayout>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include "rendering/segmentation/RegionGrowing.h"
+#include "viewer/model/Document.h"
+
+namespace fenestra::viewer {
+namespace {
+
+constexpr double mm3PerMl = 1000.0;
+
+}  // namespace
+
+RegionPanel::RegionPanel(Document& document, QWidget* parent)
+    : QWidget(parent),
+      document_(document),
+      size_(new QLabel),
+      plot_(new TolerancePlot(document)),
+      slider_(new QSlider(Qt::Horizontal)),
+      tolerance_(new QDoubleSpinBox),
+      automatic_(new QToolButton) {
+  slider_->setRange(1, segmentation::stepCount);
+  slider_->setPageStep(8);
+  slider_->setToolTip(tr("How far values may lie from those at the click (Alt+wheel over a picture, keys , and .)"));
+  tolerance_->setKeyboardTracking(false);
+  tolerance_->setAlignment(Qt::AlignRight);
+  tolerance_->setToolTip(tr("Tolerance: how far values may lie below those at the click"));
+  automatic_->setText(tr("Auto"));
+  automatic_->setCheckable(true);
+  automatic_->setToolTip(tr("The tolerance is chosen from the plateaus"));
+  auto* hint = new QLabel(tr("Shift+click adds to the region, Ctrl+click takes away."));
+  hint->setWordWrap(true);
+  hint->setEnabled(false);
+
+  auto* row = new QHBoxLayout;
+  row->addWidget(slider_, 1);
+  row->addWidget(tolerance_);
+  row->addWidget(automatic_);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(size_);
+  column->addWidget(plot_);
+  column->addLayout(row);
+  column->addWidget(hint);
+
+  History& history = document.history();
+  connect(slider_, &QSlider::sliderPressed, &history, &History::beginGesture);
+  connect(slider_, &QSlider::sliderReleased, &history, &History::endGesture);
+  connect(plot_, &TolerancePlot::dragBegun, &history, &History::beginGesture);
+  connect(plot_, &TolerancePlot::dragEnded, &history, &History::endGesture);
+  connect(slider_, &QSlider::valueChanged, this, &RegionPanel::setStep);
+  connect(plot_, &TolerancePlot::edited, this, &RegionPanel::setStep);
+  connect(tolerance_, &QDoubleSpinBox::valueChanged, this, [this](double value) { document_.setTolerance(value); });
+  connect(automatic_, &QToolButton::clicked, this, [this](bool on) {
+    document_.setTolerance(on || !document_.growth()
+                               ? std::nullopt
+                               : std::optional(document_.growth()->toleranceOf(document_.regionStep())));
+  });
+  connect(&document, &Document::focusChanged, this, &RegionPanel::showRegion);
+  showRegion();
+}
+
+void RegionPanel::setStep(int step) {
+  if (const segmentation::Growth* growth = document_.growth()) document_.setTolerance(growth->toleranceOf(step));
+}
+
+void RegionPanel::showRegion() {
+  setVisible(document_.region());
+  const bool grown = document_.growth();
+  for (QWidget* each : std::initializer_list<QWidget*>{plot_, slider_, tolerance_, automatic_}) each->setEnabled(grown);
+  if (grown)
+    showNumbers();
+  else
+    size_->setText(tr("Region: growing…"));
+}
+
+void RegionPanel::showNumbers() {
+  const segmentation::Growth& growth = *document_.growth();
+  const int step = document_.regionStep();
+  const double ml = growth.curve.volume[static_cast<std::size_t>(step)] / mm3PerMl;
+  size_->setText(document_.isWhole() ? tr("Region: %1 ml").arg(ml, 0, 'g', 4)
+                                     : tr("Region: %1 ml so far…").arg(ml, 0, 'g', 4));
+  const QSignalBlocker quietSlider(slider_), quietBox(tolerance_);
+  slider_->setValue(step);
+  const std::string& unit = document_.scene().volume->unit;
+  // Two digits finer than the noise, so that a number typed is the number kept.
+  tolerance_->setDecimals(std::clamp(static_cast<int>(std::ceil(2.0 - std::log10(growth.noise))), 0, 9));
+  tolerance_->setSingleStep(growth.noise);
+  tolerance_->setRange(
+      0.0, std::max(growth.toleranceOf(segmentation::stepCount), document_.region()->tolerance.value_or(0.0)));
+  tolerance_->setSuffix(unit.empty() ? QString() : QStringLiteral(" ") + QString::fromStdString(unit));
+  tolerance_->setValue(document_.region()->tolerance.value_or(growth.toleranceOf(step)));
+  automatic_->setChecked(!document_.region()->tolerance);
+}
+
+}  // namespace fenestra::viewer
