@@ -28,6 +28,8 @@
 #include "viewer/panels/BrushPanel.h"
 #include "viewer/panels/CamerasPanel.h"
 #include "viewer/panels/FocusPanel.h"
+#include "viewer/panels/LabelEditPanel.h"
+#include "viewer/panels/RegionPanel.h"
 #include "viewer/panels/StrokeList.h"
 #include "viewer/views/PlacementRenderer.h"
 #include "viewer/views/ViewArea.h"
@@ -73,6 +75,7 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
   setStatusBar(new StatusBar(workspace_.document, *views_, gl_));
   // Not above the pictures: they would be drawn anew in another size with each click.
   statusBar()->addPermanentWidget(new LoadingBar(grower_.job(), tr("Growing the region")));
+  statusBar()->addPermanentWidget(new LoadingBar(labelEditor_.job(), tr("Editing the label")));
 
   connectViews();
   connectPanels();
@@ -122,6 +125,14 @@ void MainWindow::connectViews() {
 
 void MainWindow::connectPanels() {
   connect(panels_.focus, &FocusPanel::structureChosen, this, &MainWindow::goToFocus);
+  connect(panels_.focus->region(), &RegionPanel::kept, &labelEditor_, &LabelEditor::keepRegion);
+  connect(panels_.focus->labelEdits(), &LabelEditPanel::edited, &labelEditor_, &LabelEditor::edit);
+  connect(&labelEditor_.job(), &LoadJob::failed, this, &MainWindow::showError);
+  connect(&labelEditor_, &LabelEditor::tookFromOthers, this, [this](const QString& label, double ml) {
+    notices_->add(
+        NoticeBar::Kind::Warning,
+        tr("%1 lies over other labels and took %2 ml from them; undo brings them back.").arg(label).arg(ml, 0, 'g', 3));
+  });
   connect(panels_.appearance, &AppearancePanel::failed, this, &MainWindow::showError);
   connect(&panels_.brush->strokes(), &StrokeList::failed, this, &MainWindow::showError);
 }
@@ -232,8 +243,8 @@ void MainWindow::goToFocus() {
 
 bool MainWindow::isIdle() {
   return !loader_.job().isRunning() && !exports_->job().isRunning() && !focusSearch_.isRunning() &&
-         !grower_.isGrowing() && !workspace_.placement.isBusy() && !workspace_.cameras.isFlying() &&
-         !panels_.cameras->bestViews().isDrawing() && views_->isSettled();
+         !grower_.isGrowing() && !labelEditor_.job().isRunning() && !workspace_.placement.isBusy() &&
+         !workspace_.cameras.isFlying() && !panels_.cameras->bestViews().isDrawing() && views_->isSettled();
 }
 
 void MainWindow::whenDrawn(std::function<void()> done) {

@@ -9,6 +9,7 @@
 #include <QMainWindow>
 
 #include "viewer/Panels.h"
+#include "viewer/jobs/LabelEditor.h"
 #include "viewer/jobs/RegionGrower.h"
 #include "viewer/jobs/StudyLoader.h"
 #include "viewer/model/Workspace.h"
@@ -92,6 +93,7 @@ class MainWindow : public QMainWindow {
   Workspace workspace_;
   StudyLoader loader_;
   RegionGrower grower_{workspace_.document};
+  LabelEditor labelEditor_{workspace_.document};
   LoadJob focusSearch_;  ///< of goToFocus()
 
   ViewArea* views_;

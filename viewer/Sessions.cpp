@@ -108,6 +108,7 @@ Sessions::Sessions(QWidget& window, Workspace& workspace, StudyLoader& loader, N
       controller_({workspace.document, workspace.cursor, workspace.cameras, workspace.placement, workspace.options},
                   std::move(part)),
       questions_(sessionDialogs(&window)) {
+  loader_.setMayReplaceLabels([this] { return workspace_.document.labelsAreInFile() || mayGo(); });
   connect(&controller_, &SessionController::changed, this, &Sessions::showTitle);
   connect(&controller_, &SessionController::saved, this,
           [this](const QString& file) { workspace_.preferences.addRecent(toPath(file)); });
@@ -151,6 +152,13 @@ void Sessions::open(Reader read, io::SessionPlaces places) {
 }
 
 void Sessions::regularise(io::Regularise choice) {
+  if (!workspace_.document.labelsAreInFile()) {
+    notices_.add(
+        NoticeBar::Kind::Error,
+        tr("The labels that you kept are in no file yet, and reading the slices again would drop them. Save the "
+           "session first."));
+    return;
+  }
   // The choice is a change of a session that has a file, and unsaved work stays unsaved.
   const bool unsaved = controller_.isModified() || !controller_.file().empty();
   loader_.open(
@@ -203,7 +211,6 @@ bool Sessions::mayGo() {
 
 bool Sessions::startRecovery(const fs::path& folder) {
   controller_.startAutosave(folder, autosaveMilliseconds);
-  std::error_code ignored;
   for (const AbandonedSession& abandoned : SessionController::abandonedIn(folder)) {
     switch (questions_.restoreWork(abandoned.saved)) {
       case SessionQuestions::Answer::Save:
@@ -216,7 +223,7 @@ bool Sessions::startRecovery(const fs::path& folder) {
         });
         return true;
       case SessionQuestions::Answer::Discard:
-        fs::remove(abandoned.file, ignored);
+        SessionController::removeCopy(abandoned.file);
         break;
       case SessionQuestions::Answer::Cancel:
         break;

@@ -31,6 +31,12 @@ void showStructureMenu(Workspace& workspace, glm::dvec3 world, QPoint at) {
         [&document, value, focused] { document.setFocused(value, !focused); });
     menu.addSeparator();
   }
+  add(tr("Grow a region from here"), [&document, world] { document.growFrom(world); });
+  if (document.region()) {
+    add(tr("Add this to the region"), [&document, world] { document.addSeed(world, true); });
+    add(tr("Take this away from the region"), [&document, world] { document.addSeed(world, false); });
+  }
+  menu.addSeparator();
   add(tr("Crosshair here"), [&workspace, world] { workspace.cursor.moveTo(world); });
   add(tr("No focus"), [&document] {
     document.setFocus(std::monostate{});

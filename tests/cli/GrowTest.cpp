@@ -56,6 +56,9 @@ class Grow : public ::testing::Test {
 };
 
 TEST_F(Grow, WritesTheStructureAsALabelMap) {
+  ASSERT_EQ(run("grow", "--seed " + kidney + " -o '" + at("grown.nrrd") + "'"), 0) << contents("error");
+  EXPECT_EQ(io::openLabels(at("grown.nrrd"), io::openPhantom("torso", 120).labels->grid).labels->labels.at(0).name,
+            "region");
   ASSERT_EQ(run("grow", "--seed " + kidney + toFile()), 0) << contents("error");
   const io::OpenedPhantom phantom = io::openPhantom("torso", 120);
   const auto grown = io::openVolume(at("grown.nii.gz")).volume;
@@ -137,6 +140,13 @@ TEST_F(Grow, RenderOpensTheViewToTheRegion) {
   }
   EXPECT_GT(either, 0.0);
   EXPECT_GT(2.0 * both / either, 0.9);
+  // The session keeps the seed, and gives the same picture.
+  const std::string picture = " -o '" + at("picture.png") + "'";
+  ASSERT_EQ(run("render", view + "--seed " + kidney + " --save-session '" + at("grown.fenestra") + "'" + picture), 0);
+  const std::string seen = contents("picture.png");
+  const std::string again = std::string(FENESTRA_CLI) + " render '" + at("grown.fenestra") + "'" + picture;
+  ASSERT_EQ(std::system(again.c_str()), 0);
+  EXPECT_EQ(contents("picture.png"), seen);
   EXPECT_EQ(run("render", view + "--seed " + kidney + " --focus-range 0:9 -o '" + at("no.png") + "'"), 2);
 }
 

@@ -22,6 +22,9 @@
 #include "viewer/NoticeBar.h"
 #include "viewer/Sessions.h"
 #include "viewer/model/Paths.h"
+#include "viewer/panels/FocusPanel.h"
+#include "viewer/panels/LabelEditPanel.h"
+#include "viewer/panels/RegionPanel.h"
 
 namespace fenestra::viewer {
 namespace {
@@ -113,6 +116,62 @@ class SessionWindow : public Window {
     return made;
   }
 
+  /// The saved session gives the window's pictures on the command line.
+  void expectCommandLineAgrees() {
+    for (int index = 0; index < 2; ++index) {
+      const QString png = toQString(folder_ / "cli.png");
+      ASSERT_EQ(QProcess::execute(QStringLiteral(FENESTRA_CLI),
+                                  {QStringLiteral("render"), toQString(file_), QStringLiteral("--view"),
+                                   QStringLiteral("C%1").arg(index + 1), QStringLiteral("-o"), png}),
+                0);
+      const QImage cli = QImage(png).convertToFormat(QImage::Format_RGB32);
+      options().setText(false);
+      options().setCrosshair(false);
+      waitUntilDrawn();
+      VolumeView* view = volume(static_cast<std::size_t>(index));
+      const QImage window = view->grabFramebuffer().convertToFormat(QImage::Format_RGB32);
+      ASSERT_EQ(cli.size(), window.size());
+      const double ratio = window_->devicePixelRatioF();
+      int greatest = 0;
+      for (int y = 0; y < cli.height(); ++y)
+        for (int x = 0; x < cli.width(); ++x) {
+          // What the window draws over the picture: the orientation cube, and a frame around the view in use.
+          const double fromLeft = x / ratio, fromBottom = (cli.height() - y) / ratio;
+          if (fromLeft < 80 && fromBottom < 80) continue;
+          if (std::min({x, y, cli.width() - 1 - x, cli.height() - 1 - y}) < 2 * ratio) continue;
+          const QColor a = cli.pixelColor(x, y), b = window.pixelColor(x, y);
+          greatest = std::max(
+              {greatest, std::abs(a.red() - b.red()), std::abs(a.green() - b.green()), std::abs(a.blue() - b.blue())});
+        }
+      // The command line rounds once more when it puts the picture over the background.
+      EXPECT_LE(greatest, 1) << "C" << index + 1;
+    }
+  }
+
+  /// A region grown from the marker on the axial slice, by mouse.
+  void grow() {
+    options().setGrows(true);
+    document().setLabels(nullptr);
+    cursor().moveTo(markerCentre);
+    SliceView* axial = slice(SlicePlane::Axial);
+    QTest::mouseClick(axial, Qt::LeftButton, {}, axial->widgetFromWorld(markerCentre).toPoint());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return document().isWhole(); }, patience));
+    waitUntilDrawn();
+  }
+  std::vector<std::uint16_t> labelValues() {
+    std::vector<std::uint16_t> all;
+    if (document().labels())
+      document().labels()->voxels.visit([&](auto values) { all.assign(values.begin(), values.end()); });
+    return all;
+  }
+  void keepRegion(const QString& name) {
+    auto& region = *panel<FocusPanel>().region();
+    region.name()->setText(name);
+    QTest::mouseClick(region.keep(), Qt::LeftButton);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return document().labels() != nullptr; }, patience));
+    waitUntilDrawn();
+  }
+
   fs::path folder_, file_;
 };
 
@@ -149,34 +208,7 @@ TEST_F(SessionWindow, ASessionEntersTheDocumentOnce) {
 TEST_F(SessionWindow, TheCommandLineAgreesWithTheWindow) {
   work();
   save(file_);
-  for (int index = 0; index < 2; ++index) {
-    const QString png = toQString(folder_ / "cli.png");
-    ASSERT_EQ(QProcess::execute(QStringLiteral(FENESTRA_CLI),
-                                {QStringLiteral("render"), toQString(file_), QStringLiteral("--view"),
-                                 QStringLiteral("C%1").arg(index + 1), QStringLiteral("-o"), png}),
-              0);
-    const QImage cli = QImage(png).convertToFormat(QImage::Format_RGB32);
-    options().setText(false);
-    options().setCrosshair(false);
-    waitUntilDrawn();
-    VolumeView* view = volume(static_cast<std::size_t>(index));
-    const QImage window = view->grabFramebuffer().convertToFormat(QImage::Format_RGB32);
-    ASSERT_EQ(cli.size(), window.size());
-    const double ratio = window_->devicePixelRatioF();
-    int greatest = 0;
-    for (int y = 0; y < cli.height(); ++y)
-      for (int x = 0; x < cli.width(); ++x) {
-        // What the window draws over the picture: the orientation cube, and a frame around the view in use.
-        const double fromLeft = x / ratio, fromBottom = (cli.height() - y) / ratio;
-        if (fromLeft < 80 && fromBottom < 80) continue;
-        if (std::min({x, y, cli.width() - 1 - x, cli.height() - 1 - y}) < 2 * ratio) continue;
-        const QColor a = cli.pixelColor(x, y), b = window.pixelColor(x, y);
-        greatest = std::max(
-            {greatest, std::abs(a.red() - b.red()), std::abs(a.green() - b.green()), std::abs(a.blue() - b.blue())});
-      }
-    // The command line rounds once more when it puts the picture over the background.
-    EXPECT_LE(greatest, 1) << "C" << index + 1;
-  }
+  expectCommandLineAgrees();
 }
 
 TEST_F(SessionWindow, LinkedCamerasStayLinkedAndUnlinkedOnesDoNot) {
@@ -318,6 +350,99 @@ TEST_F(SessionWindow, AsksWhereMovedDataIs) {
   save(folder_ / "sessions" / "a.fenestra");
   open(folder_ / "sessions" / "a.fenestra");
   EXPECT_EQ(asked, 2) << "saving again has stored the new place";
+}
+
+TEST_F(SessionWindow, AGrownRegionIsGrownAgain) {
+  grow();
+  document().addSeed({-20.0, 10.0, 17.0}, false);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return document().isWhole(); }, patience));
+  document().setTolerance(77.7);
+  waitUntilDrawn();
+  const std::vector<QImage> before = pictures();
+  const Look look = document().look();
+  save(file_);
+  expectCommandLineAgrees();
+  restart();
+  open(file_);
+  EXPECT_EQ(document().look(), look);
+  EXPECT_TRUE(document().isWhole()) << "it is grown before it shows";
+  EXPECT_EQ(pictures(), before);
+  EXPECT_FALSE(window_->isWindowModified());
+}
+
+TEST_F(SessionWindow, KeptLabelsAreWrittenBesideTheSession) {
+  // A file of the user's own of the name that the labels would get.
+  std::ofstream(folder_ / "work.labels.nrrd") << "mine";
+  grow();
+  keepRegion(QStringLiteral("Nodule ä"));
+  const std::vector<std::uint16_t> kept = labelValues();
+  const std::vector<QImage> before = pictures();
+  save(file_);
+  EXPECT_TRUE(document().labelsAreInFile());
+  EXPECT_EQ(readFile(folder_ / "work.labels.nrrd"), "mine");
+  EXPECT_EQ(io::readSession(file_).labels.path, folder_ / "work-2.labels.nrrd");
+  expectCommandLineAgrees();
+  restart();
+  open(file_);
+  EXPECT_EQ(labelValues(), kept);
+  EXPECT_EQ(document().labels()->labels.at(0).name, "Nodule ä");
+  EXPECT_EQ(pictures(), before);
+
+  // An edit after that goes into the session's own file, and its undo is no edit.
+  panel<FocusPanel>().labelEdits()->button(LabelOperation::Grow)->click();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return document().undoStack().count() == 1; }, patience));
+  EXPECT_FALSE(document().labelsAreInFile());
+  const std::vector<std::uint16_t> larger = labelValues();
+  EXPECT_NE(larger, kept);
+  document().undoStack().undo();
+  EXPECT_TRUE(document().labelsAreInFile());
+  document().undoStack().redo();
+  save(file_);
+  restart();
+  open(file_);
+  EXPECT_EQ(labelValues(), larger);
+}
+
+TEST_F(SessionWindow, KeptLabelsSurviveACrash) {
+  const fs::path kept = folder_ / "state";
+  controller().startAutosave(kept, 3600000);
+  grow();
+  keepRegion(QStringLiteral("kept"));
+  const std::vector<std::uint16_t> labels = labelValues();
+  controller().autosave();
+  controller().waitUntilSaved();
+  EXPECT_FALSE(document().labelsAreInFile()) << "a copy is no save";
+  // What a crash leaves: both files, without a lock.
+  const fs::path left = folder_ / "left";
+  fs::create_directory(left);
+  for (const auto& entry : fs::directory_iterator(kept))
+    if (entry.path().extension() != ".lock") fs::copy_file(entry.path(), left / entry.path().filename());
+  restart();
+  EXPECT_TRUE(fs::is_empty(kept)) << "a run that ends normally removes its copy and the labels";
+  window_->sessions().questions().restoreWork = [](const QDateTime&) { return SessionQuestions::Answer::Save; };
+  QSignalSpy opened(window_.get(), &MainWindow::opened);
+  ASSERT_TRUE(window_->sessions().startRecovery(left));
+  ASSERT_TRUE(opened.wait(patience));
+  EXPECT_EQ(labelValues(), labels);
+  EXPECT_FALSE(document().labelsAreInFile()) << "the copy's labels go with the copy";
+  save(file_);
+  EXPECT_EQ(io::readSession(file_).labels.path, folder_ / "work.labels.nrrd");
+  EXPECT_TRUE(fs::is_empty(left));
+  restart();
+  open(file_);
+  EXPECT_EQ(labelValues(), labels);
+}
+
+TEST_F(SessionWindow, KeptLabelsAreNotReplacedUnasked) {
+  grow();
+  keepRegion(QStringLiteral("kept"));
+  const std::vector<std::uint16_t> kept = labelValues();
+  int asked = 0;
+  window_->sessions().questions().saveChanges = [&] { return ++asked, SessionQuestions::Answer::Cancel; };
+  window_->openLabels(folder_ / "data" / "labels.nii.gz");
+  EXPECT_EQ(asked, 1);
+  EXPECT_EQ(labelValues(), kept);
+  window_->sessions().questions().saveChanges = [] { return SessionQuestions::Answer::Discard; };
 }
 
 TEST_F(SessionWindow, OffersWhatACrashLeft) {

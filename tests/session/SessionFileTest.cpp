@@ -58,6 +58,20 @@ TEST(SessionFile, BringsEverythingBackToTheBit) {
   EXPECT_EQ(readFile(folder / "a.fenestra"), readFile(folder / "b.fenestra"));
 }
 
+TEST(SessionFile, ARegionComesBackToTheBit) {
+  const fs::path folder = scratchFolder();
+  for (const std::optional<double> tolerance : {std::optional<double>(), std::optional(1.0 / 3.0)}) {
+    io::Session session = fullSession(folder);
+    session.look.focus = RegionFocus{{{0.1, -1.0 / 7.0, 1e-17}, {1.0, 2.0, 3.0}}, {{-0.3, 4.0, 5.0}}, tolerance};
+    io::writeSession(folder / "a.fenestra", session);
+    EXPECT_EQ(io::readSession(folder / "a.fenestra"), session);
+  }
+  io::Session session = fullSession(folder);
+  session.look.focus = RegionFocus{{}, {{1.0, 2.0, 3.0}}, {}};
+  io::writeSession(folder / "a.fenestra", session);
+  EXPECT_THROW(io::readSession(folder / "a.fenestra"), io::Error) << "there is no seed inside";
+}
+
 TEST(SessionFile, AnyDoubleComesBackToTheBit) {
   const fs::path folder = scratchFolder();
   std::mt19937_64 random(5);
@@ -108,6 +122,11 @@ TEST(SessionFile, IsWhatThePublishedSchemaSays) {
   session.look.context.file.clear();
   session.look.focus = LabelFocus{{1, 7}};
   add(session);
+  session.look.focus = RegionFocus{{{1.0, 2.0, 3.0}}, {}, {}};
+  add(session);
+  session.look.focus = RegionFocus{{{1.0, 2.0, 3.0}, {4.0, 5.0, 6.0}}, {{7.0, 8.0, 9.0}}, 12.5};
+  add(session);
+  session.look.focus = LabelFocus{{1, 7}};
   session.volume = {};
   session.phantom = io::SessionPhantom{"head", 64};
   add(session);
@@ -141,6 +160,8 @@ TEST(SessionFile, TheSchemaRefusesWhatTheReaderRefuses) {
       {"/volume/raw/type", "int64"},
       {"/placement/samples", 1e6},
       {"/focus", 3},
+      {"/focus", {{"inside", Json::array({Json{1, 2}})}}},
+      {"/focus", {{"inside", Json::array({Json{1, 2, 3}})}, {"tolerance", -1}}},
   };
   std::vector<fs::path> files;
   for (const auto& [pointer, value] : wrong) {

@@ -1,5 +1,6 @@
 #include "viewer/jobs/RegionGrower.h"
 
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -10,6 +11,8 @@ namespace fenestra::viewer {
 namespace {
 
 using segmentation::Growth;
+
+constexpr double firstShare = 0.05;  ///< of the progress, for a first part
 
 std::shared_ptr<const Growth> grow(const Volume& volume, const RegionFocus& seeds, const segmentation::VoxelBox& reach,
                                    const segmentation::Progress& progress) {
@@ -57,12 +60,16 @@ void RegionGrower::start() {
                      std::get<RegionFocus>(before_).inside.front() != wanted_->inside.front();
   job_.start([this, seeds = *wanted_, volume = document_.study().scene.volume,
               isNew](const io::Progress& progress) -> LoadJob::Show {
-    const segmentation::Progress onward = [&](double fraction) { return progress(fraction, "Growing the region"); };
+    const auto onward = [&](double begin, double end) -> segmentation::Progress {
+      return [&progress, begin, end](double fraction) {
+        return progress(std::lerp(begin, end, fraction), "Growing the region");
+      };
+    };
     if (!segmentation::canGrow(*volume, seeds)) throw std::runtime_error(segmentation::cannotGrow);
     const segmentation::VoxelBox near = segmentation::previewBox(*volume, seeds);
     const segmentation::VoxelBox whole = segmentation::wholeOf(volume->grid.dims);
     if (isNew && near != whole) {
-      const auto part = grow(*volume, seeds, near, onward);
+      const auto part = grow(*volume, seeds, near, onward(0.0, firstShare));
       QMetaObject::invokeMethod(
           this,
           [this, seeds, part] {
@@ -71,7 +78,7 @@ void RegionGrower::start() {
           },
           Qt::QueuedConnection);
     }
-    return [this, seeds, growth = grow(*volume, seeds, whole, onward)] {
+    return [this, seeds, growth = grow(*volume, seeds, whole, onward(firstShare, 1.0))] {
       const RegionFocus* asked = document_.region();
       if (asked && growth->curve.volume[static_cast<std::size_t>(growth->stepOf(*asked))] == 0.0) {
         takeBack();

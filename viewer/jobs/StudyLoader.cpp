@@ -27,6 +27,7 @@ void StudyLoader::open(Reader read, Missing missing) {
 }
 
 void StudyLoader::openLabels(const std::filesystem::path& path) {
+  if (mayReplaceLabels_ && !mayReplaceLabels_()) return;
   job_.start([this, path, volume = document_.scene().volume](const io::Progress& progress) -> LoadJob::Show {
     const io::OpenedLabels read = io::openLabels(path, volume->grid, progress);
     return [this, read, from = io::sessionLabels(path)] {

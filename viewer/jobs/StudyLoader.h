@@ -28,6 +28,8 @@ class StudyLoader : public QObject {
 
   /// The document keeps its study until the new one is read. Without `missing`, missing data is a failure.
   void open(Reader read, Missing missing = {});
+  /// Asked before the document's labels are replaced by a file's.
+  void setMayReplaceLabels(std::function<bool()> ask) { mayReplaceLabels_ = std::move(ask); }
   /// A label map for the document's volume.
   void openLabels(const std::filesystem::path& path);
 
@@ -43,6 +45,7 @@ class StudyLoader : public QObject {
  private:
   Document& document_;
   Prepare prepare_;
+  std::function<bool()> mayReplaceLabels_;
   LoadJob job_;
 };
 

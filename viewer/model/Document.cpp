@@ -78,11 +78,36 @@ class Document::LookChange : public Change {
   std::size_t firstStroke_ = 0;  ///< place of the first that differs
 };
 
+/// From one label map to another, and from one focus to another.
+class Document::LabelsChange : public Change {
+ public:
+  struct State {
+    std::uint64_t revision;
+    Focus focus;
+  };
+  LabelsChange(Document& document, segmentation::LabelEdit edit, State before, State after)
+      : document_(document), edit_(std::move(edit)), before_(std::move(before)), after_(std::move(after)) {}
+
+  void undo() override {
+    document_.showLabels(edit_.reverted(document_.labels().get()), before_.revision, before_.focus);
+  }
+  void redo() override { document_.showLabels(edit_.applied(document_.labels().get()), after_.revision, after_.focus); }
+  bool absorb(const Change&) override { return false; }
+  bool isNothing() const override { return edit_.runs.empty() && edit_.before.labels == edit_.after.labels; }
+  std::size_t bytes() const override { return sizeof(*this) + edit_.bytes(); }
+
+ private:
+  Document& document_;
+  segmentation::LabelEdit edit_;
+  State before_, after_;
+};
+
 void Document::open(Study study) {
   study_ = std::move(study);
   window_ = study_.session.window.value_or(study_.scene.volume->defaultWindow());
   history_.clear();
   shown_ = {};
+  labelsRevision_ = filedRevision_ = ++lastRevision_;
   preview_ = {};
   grown_.clear();
   if (study_.growth) grown_.push_back({std::get<RegionFocus>(study_.scene.look.focus), std::move(study_.growth)});
@@ -139,6 +164,7 @@ void Document::noteContents(const io::Session& session) {
 void Document::setLabels(std::shared_ptr<const LabelMap> labels, io::SessionData from) {
   study_.scene.labels = std::move(labels);
   study_.session.labels = std::move(from);
+  labelsRevision_ = filedRevision_ = ++lastRevision_;
   updateShown();
   Q_EMIT labelsChanged();
   if (std::holds_alternative<LabelFocus>(focus())) {
@@ -149,6 +175,30 @@ void Document::setLabels(std::shared_ptr<const LabelMap> labels, io::SessionData
     Q_EMIT sceneChanged();
   }
   history_.clear();
+}
+
+void Document::showLabels(std::shared_ptr<const LabelMap> labels, std::uint64_t revision, Focus focus) {
+  study_.scene.labels = std::move(labels);
+  labelsRevision_ = revision;
+  study_.scene.look.focus = std::move(focus);
+  updateShown();
+  Q_EMIT labelsChanged();
+  Q_EMIT focusChanged();
+  Q_EMIT sceneChanged();
+}
+
+void Document::editLabels(const QString& name, segmentation::LabelEdit edit, std::shared_ptr<const LabelMap> after,
+                          Focus focus) {
+  const LabelsChange::State before{labelsRevision_, this->focus()}, now{++lastRevision_, std::move(focus)};
+  auto change = std::make_shared<LabelsChange>(*this, std::move(edit), before, now);
+  if (change->isNothing()) return;
+  showLabels(std::move(after), now.revision, now.focus);
+  history_.push(name, std::move(change));
+}
+
+void Document::noteLabelsFile(std::uint64_t revision, const io::SessionData& file) {
+  filedRevision_ = revision;
+  study_.session.labels = file;
 }
 
 QString Document::description() const {

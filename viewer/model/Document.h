@@ -14,6 +14,7 @@
 #include "io/VolumeReader.h"
 #include "io/session/Session.h"
 #include "rendering/scene/Scene.h"
+#include "rendering/segmentation/LabelEdit.h"
 #include "rendering/segmentation/RegionGrowing.h"
 #include "viewer/model/History.h"
 
@@ -49,6 +50,15 @@ class Document : public QObject {
   /// A label map on the volume's grid, or null. A focus made of the old map's labels goes with it, and so does what
   /// could be undone.
   void setLabels(std::shared_ptr<const LabelMap> labels, io::SessionData from = {});
+  /// Changes the labels, with another focus, as one step. `after` is what `edit` makes of labels().
+  void editLabels(const QString& name, segmentation::LabelEdit edit, std::shared_ptr<const LabelMap> after,
+                  Focus focus);
+  /// Which state the labels are in: another after each edit, and the earlier one after its undo.
+  std::uint64_t labelsRevision() const { return labelsRevision_; }
+  /// Whether study().session names a file that holds the labels as they are; true without labels.
+  bool labelsAreInFile() const { return !labels() || labelsRevision_ == filedRevision_; }
+  /// The labels of that revision are in a file; an empty one: in none.
+  void noteLabelsFile(std::uint64_t revision, const io::SessionData& file);
   /// Takes over the hashes of the data's contents, where `session` is of the same data.
   void noteContents(const io::Session& session);
 
@@ -132,12 +142,14 @@ class Document : public QObject {
 
  private:
   class LookChange;
+  class LabelsChange;
   struct Grown {
     RegionFocus seeds;
     std::shared_ptr<const segmentation::Growth> growth;
   };
   /// Shows a look and reports what differs from the one before.
   void show(Look look);
+  void showLabels(std::shared_ptr<const LabelMap> labels, std::uint64_t revision, Focus focus);
   /// Makes the scene that is drawn from the one that the user set.
   void updateShown();
 
@@ -145,6 +157,7 @@ class Document : public QObject {
   Scene shown_;
   Grown preview_;             ///< a first part
   std::vector<Grown> grown_;  ///< wholes for undo to come back to, the latest last; see mostGrownBytes
+  std::uint64_t labelsRevision_ = 0, filedRevision_ = 0, lastRevision_ = 0;
   WindowLevel window_;
   History history_;
 };

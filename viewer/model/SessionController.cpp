@@ -9,6 +9,7 @@
 #include <QUuid>
 #include <QtConcurrentRun>
 
+#include "io/LabelWriter.h"
 #include "io/session/OpenSession.h"
 #include "io/session/SessionFile.h"
 #include "viewer/model/Paths.h"
@@ -49,6 +50,14 @@ PlacementSettings settingsFrom(const io::SessionPlacement& saved, PlacementSetti
 
 QString lockName(const fs::path& file) { return toQString(file) + QStringLiteral(".lock"); }
 
+/// Where the labels of a session are written; a later number where that name is taken.
+fs::path labelsFile(const fs::path& session, int number = 1) {
+  fs::path name = session.stem();
+  if (number > 1) name += "-" + std::to_string(number);
+  name += ".labels.nrrd";
+  return fs::absolute(session).parent_path() / name;
+}
+
 /// A lock that is stale when the process that took it is gone, however old it is.
 std::shared_ptr<QLockFile> lockFor(const fs::path& file) {
   auto lock = std::make_shared<QLockFile>(lockName(file));
@@ -75,6 +84,7 @@ io::Session SessionController::session() const {
   const Document& document = parts_.document;
   io::Session session = document.study().session;
   session.look = document.look();
+  if (!document.labels()) session.labels = {};
   const ViewLink::Pose pose = parts_.cameras.pose();
   for (std::size_t view = 0; view < session.views.size(); ++view) {
     session.views[view].camera = pose.cameras[view];
@@ -95,6 +105,7 @@ void SessionController::studyOpened() {
   dropAutosave();
   const Study& study = parts_.document.study();
   file_ = study.sessionFile;
+  ownLabels_ = !file_.empty() && study.session.labels.path == labelsFile(file_) ? labelsFile(file_) : fs::path();
   recovered_ = study.isRecovered;
   copied_.reset();
   if (study.restoresSession) {
@@ -135,11 +146,26 @@ bool SessionController::waitUntilSaved() {
   return savedWell_;
 }
 
+SessionController::Labels SessionController::labelsBeside(const fs::path& file, bool automatic) const {
+  const Document& document = parts_.document;
+  if (document.labelsAreInFile()) return {};
+  int number = 1;
+  std::error_code unknown;
+  while (!automatic && fs::exists(labelsFile(file, number), unknown) && labelsFile(file, number) != ownLabels_)
+    ++number;
+  return {document.labels(), document.labelsRevision(), labelsFile(file, number)};
+}
+
 void SessionController::write(io::Session session, const fs::path& file, bool automatic) {
   unfinished_ = true;
-  writing_.setFuture(QtConcurrent::run([session = std::move(session), file, automatic]() -> Written {
-    Written written{file, session, automatic, {}};
+  const Labels labels = labelsBeside(file, automatic);
+  writing_.setFuture(QtConcurrent::run([session = std::move(session), labels, file, automatic]() -> Written {
+    Written written{file, session, labels, automatic, {}};
     try {
+      if (labels.map) {
+        io::writeLabels(*labels.map, labels.file);
+        written.session.labels = io::sessionLabels(labels.file);
+      }
       io::noteContents(written.session);
       io::writeSession(file, written.session);
     } catch (const std::exception& error) {
@@ -160,6 +186,10 @@ void SessionController::finish() {
     savedWell_ = written.error.empty();
     if (savedWell_) {
       file_ = written.file;
+      if (written.labels.map) {
+        ownLabels_ = written.labels.file;
+        parts_.document.noteLabelsFile(written.labels.revision, written.session.labels);
+      }
       if (!isModified()) dropAutosave();
       Q_EMIT saved(toQString(written.file));
     } else {
@@ -180,7 +210,8 @@ void SessionController::startAutosave(const fs::path& folder, int milliseconds) 
 void SessionController::autosave() {
   if (autosaveFolder_.empty() || writing_.isRunning() || !isModified()) return;
   io::Session now = session();
-  if (copied_ == now) return;
+  const std::uint64_t revision = parts_.document.labelsRevision();
+  if (copied_ == now && copiedRevision_ == revision) return;
   if (autosaveFile_.empty()) {
     const fs::path file =
         autosaveFolder_ / (QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString() + io::sessionEnding);
@@ -190,6 +221,7 @@ void SessionController::autosave() {
     autosaveFile_ = file;
   }
   copied_ = now;
+  copiedRevision_ = revision;
   now.autosaveOf = file_;
   write(std::move(now), autosaveFile_, true);
 }
@@ -210,14 +242,21 @@ std::vector<AbandonedSession> SessionController::abandonedIn(const fs::path& fol
 void SessionController::adopt(const AbandonedSession& abandoned) {
   autosaveFile_ = abandoned.file;
   lock_ = abandoned.lock;
+  // Labels beside the copy go when it goes.
+  if (parts_.document.study().session.labels.path == labelsFile(abandoned.file)) parts_.document.noteLabelsFile(0, {});
 }
 
 void SessionController::dropAutosave() {
   if (autosaveFile_.empty()) return;
-  std::error_code ignored;
-  fs::remove(autosaveFile_, ignored);
+  removeCopy(autosaveFile_);
   autosaveFile_.clear();
   lock_.reset();
+}
+
+void SessionController::removeCopy(const fs::path& file) {
+  std::error_code ignored;
+  fs::remove(file, ignored);
+  fs::remove(labelsFile(file), ignored);
 }
 
 }  // namespace fenestra::viewer

@@ -1,6 +1,7 @@
 #pragma once
 // The session of the window: what it is saved as, whether something is not saved yet, and copies saved by themselves in
 // case of a crash. What is to be written is gathered as a plain io::Session; a worker hashes the data and writes.
+// Labels that are in no file yet are written beside the session, as NAME.labels.nrrd.
 
 #include <filesystem>
 #include <functional>
@@ -76,6 +77,8 @@ class SessionController : public QObject {
   void adopt(const AbandonedSession& abandoned);
   /// Removes the copy for the present session: what it holds was saved, or is not wanted.
   void dropAutosave();
+  /// Removes a copy and the labels beside it.
+  static void removeCopy(const std::filesystem::path& file);
 
  Q_SIGNALS:
   /// isModified() or file().
@@ -85,19 +88,29 @@ class SessionController : public QObject {
   void failed(const QString& message);
 
  private:
+  /// Labels that are in no file yet.
+  struct Labels {
+    std::shared_ptr<const LabelMap> map;  ///< null: none are to be written
+    std::uint64_t revision = 0;
+    std::filesystem::path file;
+  };
   struct Written {
     std::filesystem::path file;
     io::Session session;  ///< with its data's contents
+    Labels labels;
     bool automatic = false;
     std::string error;  ///< empty: written
   };
   void write(io::Session session, const std::filesystem::path& file, bool automatic);
+  /// What has to be written beside `file`. A file of the user's own is not replaced.
+  Labels labelsBeside(const std::filesystem::path& file, bool automatic) const;
   void finish();
 
   Parts parts_;
   WindowPart window_;
   std::filesystem::path file_;
-  bool recovered_ = false;  ///< the study came from a copy that was never saved
+  std::filesystem::path ownLabels_;  ///< the labels that belong to file_ alone; empty: none
+  bool recovered_ = false;           ///< the study came from a copy that was never saved
   bool savedWell_ = true;
 
   QFutureWatcher<Written> writing_;
@@ -108,6 +121,7 @@ class SessionController : public QObject {
   std::filesystem::path autosaveFolder_, autosaveFile_;
   std::shared_ptr<QLockFile> lock_;  ///< of autosaveFile_
   std::optional<io::Session> copied_;
+  std::uint64_t copiedRevision_ = 0;  ///< of the labels in copied_
 };
 
 }  // namespace fenestra::viewer

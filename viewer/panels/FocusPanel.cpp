@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 
 #include "viewer/model/Document.h"
+#include "viewer/panels/LabelEditPanel.h"
 #include "viewer/panels/LabelModel.h"
 #include "viewer/panels/RegionPanel.h"
 #include "viewer/panels/SliderSpin.h"
@@ -28,7 +29,8 @@ FocusPanel::FocusPanel(Document& document, QWidget* parent)
       low_(new QDoubleSpinBox),
       high_(new QDoubleSpinBox),
       islands_(new SliderSpin(settingOf(&ValueFocus::minimumComponent))),
-      region_(new RegionPanel(document)) {
+      region_(new RegionPanel(document)),
+      labelEdits_(new LabelEditPanel(document)) {
   study_->setWordWrap(true);
   study_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   noLabels_->setWordWrap(true);
@@ -71,6 +73,7 @@ FocusPanel::FocusPanel(Document& document, QWidget* parent)
   column->addWidget(filter_);
   column->addWidget(list_, 1);
   column->addWidget(noLabels_);
+  column->addWidget(labelEdits_);
   column->addWidget(region_);
   column->addWidget(byValue_);
   column->addLayout(range);

@@ -12,6 +12,7 @@
 namespace fenestra::viewer {
 
 class Document;
+class LabelEditPanel;
 class LabelModel;
 class RegionPanel;
 class SliderSpin;
@@ -28,6 +29,7 @@ class FocusPanel : public QWidget {
   QDoubleSpinBox* high() const { return high_; }
   SliderSpin* islands() const { return islands_; }
   RegionPanel* region() const { return region_; }
+  LabelEditPanel* labelEdits() const { return labelEdits_; }
 
  Q_SIGNALS:
   /// The user picked one structure, which is the focus now.
@@ -50,6 +52,7 @@ class FocusPanel : public QWidget {
   QWidget* islandsRow_;  ///< shown with a range of values
   SliderSpin* islands_;
   RegionPanel* region_;
+  LabelEditPanel* labelEdits_;
 };
 
 }  // namespace fenestra::viewer

@@ -7,6 +7,7 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include "rendering/segmentation/LabelEdit.h"
 #include "rendering/segmentation/RegionGrowing.h"
 #include "viewer/model/Document.h"
 
@@ -24,7 +25,10 @@ RegionPanel::RegionPanel(Document& document, QWidget* parent)
       plot_(new TolerancePlot(document)),
       slider_(new QSlider(Qt::Horizontal)),
       tolerance_(new QDoubleSpinBox),
-      automatic_(new QToolButton) {
+      automatic_(new QToolButton),
+      name_(new QLineEdit),
+      colour_(new ColourButton(tr("Colour of the label"))),
+      keep_(new QPushButton(tr("Keep"))) {
   slider_->setRange(1, segmentation::stepCount);
   slider_->setPageStep(8);
   slider_->setToolTip(tr("How far values may lie from those at the click (Alt+wheel over a picture, keys , and .)"));
@@ -33,6 +37,7 @@ RegionPanel::RegionPanel(Document& document, QWidget* parent)
   tolerance_->setToolTip(tr("Tolerance: how far values may lie below those at the click"));
   automatic_->setText(tr("Auto"));
   automatic_->setCheckable(true);
+  automatic_->setObjectName(QStringLiteral("choice"));
   automatic_->setToolTip(tr("The tolerance is chosen from the plateaus"));
   auto* hint = new QLabel(tr("Shift+click adds to the region, Ctrl+click takes away."));
   hint->setWordWrap(true);
@@ -48,6 +53,7 @@ RegionPanel::RegionPanel(Document& document, QWidget* parent)
   column->addWidget(plot_);
   column->addLayout(row);
   column->addWidget(hint);
+  column->addLayout(makeKeepRow());
 
   History& history = document.history();
   connect(slider_, &QSlider::sliderPressed, &history, &History::beginGesture);
@@ -66,12 +72,41 @@ RegionPanel::RegionPanel(Document& document, QWidget* parent)
   showRegion();
 }
 
+QLayout* RegionPanel::makeKeepRow() {
+  name_->setPlaceholderText(tr("Name of a label"));
+  keep_->setToolTip(tr("Keep the region as a label of this study"));
+  auto* row = new QHBoxLayout;
+  row->addWidget(colour_);
+  row->addWidget(name_, 1);
+  row->addWidget(keep_);
+  const auto keep = [this] {
+    if (keep_->isEnabled()) Q_EMIT kept(name_->text(), chosenColour_);
+  };
+  connect(keep_, &QPushButton::clicked, this, keep);
+  connect(name_, &QLineEdit::returnPressed, this, keep);
+  connect(colour_, &ColourButton::edited, this, [this](glm::dvec3 colour) {
+    chosenColour_ = colour;
+    hasChosenColour_ = true;
+    colour_->setColour(colour);
+  });
+  // Another label, another name and colour.
+  connect(&document_, &Document::labelsChanged, this, [this] {
+    name_->clear();
+    hasChosenColour_ = false;
+    showRegion();
+  });
+  return row;
+}
+
 void RegionPanel::setStep(int step) {
   if (const segmentation::Growth* growth = document_.growth()) document_.setTolerance(growth->toleranceOf(step));
 }
 
 void RegionPanel::showRegion() {
   setVisible(document_.region());
+  keep_->setEnabled(document_.isWhole());
+  if (!hasChosenColour_) chosenColour_ = defaultLabelColour(segmentation::freeLabel(document_.labels().get()));
+  colour_->setColour(chosenColour_);
   const bool grown = document_.growth();
   for (QWidget* each : std::initializer_list<QWidget*>{plot_, slider_, tolerance_, automatic_}) each->setEnabled(grown);
   if (grown)

@@ -1,12 +1,16 @@
 #pragma once
-// The region in the focus: its tolerance by slider, by number and in a plot of its volume. Hidden without a region.
+// The region in the focus: its tolerance by slider, by number and in a plot of its volume, and the label that it is
+// kept as. Hidden without a region.
 
 #include <QDoubleSpinBox>
 #include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
 #include <QSlider>
 #include <QToolButton>
 #include <QWidget>
 
+#include "viewer/panels/ColourButton.h"
 #include "viewer/panels/TolerancePlot.h"
 
 namespace fenestra::viewer {
@@ -23,10 +27,17 @@ class RegionPanel : public QWidget {
   QToolButton* automatic() const { return automatic_; }
   TolerancePlot* plot() const { return plot_; }
   QLabel* size() const { return size_; }
+  QLineEdit* name() const { return name_; }
+  QPushButton* keep() const { return keep_; }
+
+ Q_SIGNALS:
+  /// The user wants the region as a label.
+  void kept(const QString& name, glm::dvec3 colour);
 
  private:
   void showRegion();
   void showNumbers();
+  QLayout* makeKeepRow();
   void setStep(int step);
 
   Document& document_;
@@ -35,6 +46,11 @@ class RegionPanel : public QWidget {
   QSlider* slider_;
   QDoubleSpinBox* tolerance_;
   QToolButton* automatic_;
+  QLineEdit* name_;
+  ColourButton* colour_;
+  QPushButton* keep_;
+  glm::dvec3 chosenColour_{0.0};
+  bool hasChosenColour_ = false;  ///< since the last region was kept
 };
 
 }  // namespace fenestra::viewer

@@ -74,9 +74,11 @@ void TolerancePlot::paintEvent(QPaintEvent*) {
     return plot.bottom() - plot.height() * (decade - curve.low) / (curve.high - curve.low);
   };
 
+  QPainterPath level;  // one shape, because plateaus may overlap
+  level.setFillRule(Qt::WindingFill);
   for (const segmentation::Plateau& each : growth->curve.plateaus)
-    painter.fillRect(QRectF(QPointF(xOf(each.first) - 1.0, plot.top()), QPointF(xOf(each.last) + 1.0, plot.bottom())),
-                     QColor(plateau.red(), plateau.green(), plateau.blue(), 60));
+    level.addRect(QRectF(QPointF(xOf(each.first) - 1.0, plot.top()), QPointF(xOf(each.last) + 1.0, plot.bottom())));
+  painter.fillPath(level, QColor(plateau.red(), plateau.green(), plateau.blue(), 50));
   painter.setPen(QPen(fill, 1.0));
   for (double decade = curve.low; decade <= curve.high; decade += 1.0)
     painter.drawLine(QPointF(plot.left(), yOf(decade)), QPointF(plot.right(), yOf(decade)));

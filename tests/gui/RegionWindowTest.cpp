@@ -1,0 +1,203 @@
+// The first minute without labels: data is opened, a structure clicked, the region corrected, all by mouse and keys.
+
+#include <QApplication>
+#include <QDropEvent>
+#include <QMimeData>
+#include <QSignalSpy>
+#include <QTest>
+#include <QUrl>
+
+#include "io/VolumeWriter.h"
+#include "tests/gui/WindowFixture.h"
+#include "tests/support/TestData.h"
+#include "viewer/NoticeBar.h"
+#include "viewer/model/Paths.h"
+#include "viewer/panels/FocusPanel.h"
+#include "viewer/panels/RegionPanel.h"
+
+namespace fenestra::viewer {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The marked ball without its labels, from a file.
+class RegionWindow : public Window {
+ protected:
+  void SetUp() override {
+    Window::SetUp();
+    if (HasFatalFailure()) return;
+    const fs::path file = tests::scratchFolder() / "ball.nii.gz";
+    io::writeVolume(*markedBall().scene.volume, file);
+    QSignalSpy opened(window_.get(), &MainWindow::opened);
+    window_->open({file});
+    ASSERT_TRUE(opened.count() > 0 || opened.wait(patience));
+    waitUntilDrawn();
+  }
+
+  void drop(const fs::path& path) {
+    QMimeData files;
+    files.setUrls({QUrl::fromLocalFile(toQString(path))});
+    QSignalSpy opened(window_.get(), &MainWindow::opened);
+    QDropEvent event(QPointF(400, 300), Qt::CopyAction, &files, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(window_.get(), &event);
+    ASSERT_TRUE(opened.count() > 0 || opened.wait(patience));
+    waitUntilDrawn();
+  }
+  void clickSlice(glm::dvec3 world, Qt::KeyboardModifiers modifiers = {}) {
+    cursor().moveTo(world);
+    SliceView* axial = slice(SlicePlane::Axial);
+    QTest::mouseClick(axial, Qt::LeftButton, modifiers, axial->widgetFromWorld(world).toPoint());
+  }
+  void waitUntilGrown() {
+    ASSERT_TRUE(QTest::qWaitFor([&] { return document().isWhole(); }, patience));
+    waitUntilDrawn();
+  }
+  /// ml of the region in the focus.
+  double size() {
+    return document().growth()->curve.volume[static_cast<std::size_t>(document().regionStep())] / 1000.0;
+  }
+  RegionPanel& region() { return *panel<FocusPanel>().region(); }
+};
+
+TEST_F(RegionWindow, AClickPlacesTheCamerasOnTheStructure) {
+  setAutomatic(true);
+  const std::array<Camera, 2> before{cameras().camera(0), cameras().camera(1)};
+  EXPECT_FALSE(region().isVisible());
+  clickSlice(markerCentre);
+  EXPECT_FALSE(document().isWhole()) << "the window goes on";
+  waitUntilGrown();
+  // A cube of seven voxels a side.
+  EXPECT_NEAR(size(), 2.744, 0.5);
+  EXPECT_TRUE(placement().measured());
+  EXPECT_NE(cameras().camera(0), before[0]);
+  EXPECT_NE(cameras().camera(1), before[1]);
+  EXPECT_TRUE(region().isVisible());
+  EXPECT_TRUE(region().automatic()->isChecked());
+  EXPECT_EQ(region().slider()->value(), document().regionStep());
+
+  // Its tolerance and further seeds refine what the cameras look at: they stay.
+  const Camera placed = cameras().camera(0);
+  wheel(slice(SlicePlane::Axial), 3, Qt::AltModifier);
+  waitUntilDrawn();
+  QTest::qWait(400);  // longer than the pause before a focus is placed
+  EXPECT_FALSE(placement().isBusy());
+  EXPECT_EQ(cameras().camera(0), placed);
+}
+
+TEST_F(RegionWindow, AClickIn3DGrowsWhatIsSeenThere) {
+  const std::optional<QPointF> at = volume(0)->widgetFromWorld({0.0, -44.0, 0.0});
+  ASSERT_TRUE(at);
+  QTest::mouseClick(volume(0), Qt::LeftButton, {}, at->toPoint());
+  ASSERT_TRUE(document().region());
+  EXPECT_LT(glm::distance(cursor().position(), glm::dvec3(0.0, -42.0, 0.0)), 3.5);
+  waitUntilGrown();
+  EXPECT_NEAR(size(), 4.0 / 3.0 * 3.1416 * 44.0 * 44.0 * 44.0 / 1000.0, 40.0);  // a voxel of its surface is 48 ml
+
+  QTest::keyClick(window_.get(), Qt::Key_G);
+  document().setFocus(std::monostate{});
+  waitUntilDrawn();
+  QTest::mouseClick(volume(0), Qt::LeftButton, {}, at->toPoint());
+  EXPECT_FALSE(document().region()) << "without the tool a click is the crosshair's";
+}
+
+TEST_F(RegionWindow, WheelSliderPlotAndKeysChangeTheTolerance) {
+  clickSlice(markerCentre);
+  waitUntilGrown();
+  const int steps = document().undoStack().count(), first = document().regionStep();
+  const int slices = slice(SlicePlane::Axial)->slice();
+  wheel(slice(SlicePlane::Axial), 1, Qt::AltModifier);
+  wheel(slice(SlicePlane::Axial), 1, Qt::AltModifier);
+  wheel(volume(1), -1, Qt::AltModifier);
+  EXPECT_EQ(document().regionStep(), first + 4);
+  EXPECT_EQ(slice(SlicePlane::Axial)->slice(), slices);
+  EXPECT_FALSE(region().automatic()->isChecked());
+  QTest::keyClick(window_.get(), Qt::Key_Period);
+  QTest::keyClick(window_.get(), Qt::Key_Comma);
+  QTest::keyClick(window_.get(), Qt::Key_Comma);
+  EXPECT_EQ(document().regionStep(), first + 3);
+  while (document().undoStack().count() > steps && document().undoStack().canUndo() &&
+         document().undoStack().index() > steps)
+    QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(document().regionStep(), first);
+  EXPECT_TRUE(region().automatic()->isChecked());
+
+  // A number typed, and its undo.
+  region().tolerance()->setFocus();
+  region().tolerance()->selectAll();
+  QTest::keyClicks(region().tolerance(), QStringLiteral("123.4"));
+  QTest::keyClick(region().tolerance(), Qt::Key_Return);
+  EXPECT_EQ(document().region()->tolerance, 123.4);
+  document().undoStack().undo();
+  EXPECT_FALSE(document().region()->tolerance);
+  EXPECT_EQ(region().slider()->value(), first);
+
+  // A press in the plot on the last step: everything.
+  TolerancePlot* plot = region().plot();
+  const double before = size();
+  drag(plot, QPoint(static_cast<int>(plot->xOf(200)), 20), QPoint(static_cast<int>(plot->xOf(250)), 20));
+  EXPECT_GT(size(), 5.0 * before);
+  EXPECT_EQ(document().undoStack().count(), steps + 1) << "a drag is one step";
+}
+
+TEST_F(RegionWindow, ShiftAndCtrlClicksAddAndTakeAway) {
+  clickSlice(markerCentre);
+  waitUntilGrown();
+  clickSlice({-10.0, 10.0, 17.0}, Qt::ShiftModifier);
+  EXPECT_EQ(document().region()->inside.size(), 2u);
+  waitUntilGrown();
+  const double both = size();
+  EXPECT_GT(both, 100.0) << "the ball too";
+  const QImage marked = picture(slice(SlicePlane::Axial));
+  clickSlice({-10.0, 10.0, 17.0}, Qt::ControlModifier);
+  EXPECT_EQ(document().region()->outside.size(), 1u);
+  waitUntilGrown();
+  EXPECT_LT(size(), 0.6 * both);
+  EXPECT_NE(picture(slice(SlicePlane::Axial)), marked);
+  QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_TRUE(document().isWhole());
+  EXPECT_EQ(size(), both);
+  waitUntilDrawn();
+  EXPECT_EQ(picture(slice(SlicePlane::Axial)), marked) << "undone to the bit";
+}
+
+TEST_F(RegionWindow, EscapeTakesAGrowingRegionBack) {
+  const QImage before = picture(slice(SlicePlane::Axial));
+  cursor().moveTo(markerCentre);
+  const QImage atMarker = picture(slice(SlicePlane::Axial));
+  EXPECT_NE(atMarker, before);
+  clickSlice(markerCentre);
+  ASSERT_TRUE(document().awaitsGrowth());
+  QTest::keyClick(window_.get(), Qt::Key_Escape);
+  EXPECT_FALSE(document().region());
+  waitUntilDrawn();
+  EXPECT_FALSE(document().undoStack().canUndo());
+  EXPECT_TRUE(window_->notices().texts().isEmpty());
+}
+
+TEST_F(RegionWindow, ADoubleClickLeavesNoRegion) {
+  SliceView* axial = slice(SlicePlane::Axial);
+  const QPoint at = axial->widgetFromWorld(markerCentre).toPoint();
+  QTest::mouseClick(axial, Qt::LeftButton, {}, at);
+  QTest::mouseDClick(axial, Qt::LeftButton, {}, at);
+  EXPECT_TRUE(views().isMaximised());
+  EXPECT_FALSE(document().region());
+  waitUntilDrawn();
+  EXPECT_FALSE(document().undoStack().canUndo());
+}
+
+/// The Visible Human's head, as it comes: 245 DICOM files of 512×512.
+TEST_F(RegionWindow, GrowsASinusOfARealHead) {
+  const fs::path head = tests::unpackTestData("visible-human/VHMCT1mm_Head.tar.xz", "VHMCT1mm_Head");
+  if (head.empty()) GTEST_SKIP() << "needs the test-data file visible-human/VHMCT1mm_Head.tar.xz";
+  drop(head);
+  setAutomatic(true);
+  const glm::dvec3 sinus(231.5, 187.1, 1122.0);  // the right maxillary one
+  clickSlice(sinus);
+  waitUntilGrown();
+  EXPECT_GT(size(), 10.0);
+  EXPECT_LT(size(), 35.0);  // adults' hold about 10 to 25 ml
+  EXPECT_TRUE(placement().measured());
+}
+
+}  // namespace
+}  // namespace fenestra::viewer

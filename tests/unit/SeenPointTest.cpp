@@ -1,0 +1,66 @@
+// What a click on a picture means, for layers along a ray.
+
+#include "rendering/scene/SeenPoint.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/Scenes.h"
+
+namespace fenestra {
+namespace {
+
+using tests::gridOf;
+using tests::volumeOf;
+
+/// Layers along x by voxel: air, skin from 10 to 14, fat to 29, bone from 30 on.
+constexpr double air = -1000.0, skin = 50.0, fat = -100.0, bone = 1000.0;
+double layerAt(glm::ivec3 index) { return index.x < 10 ? air : index.x < 15 ? skin : index.x < 30 ? fat : bone; }
+
+Scene layers(double skinExtinction, double boneExtinction) {
+  Scene scene;
+  scene.volume = volumeOf<std::int16_t>(gridOf({50, 9, 9}), layerAt);
+  scene.look.context.function.nodes = {{-200.0, {glm::dvec3(1.0), 0.0}},
+                                       {0.0, {glm::dvec3(1.0), skinExtinction}},
+                                       {200.0, {glm::dvec3(1.0), skinExtinction}},
+                                       {400.0, {glm::dvec3(1.0), boneExtinction}}};
+  return scene;
+}
+
+double seenAt(const Scene& scene) {
+  const auto seen = seenPoint(scene, {-5.0, 4.2, 3.9}, {1.0, 0.0, 0.0});
+  EXPECT_TRUE(seen);
+  if (!seen) return 0.0;
+  EXPECT_EQ(seen->y, 4.2);
+  EXPECT_EQ(seen->z, 3.9);
+  return seen->x;
+}
+
+TEST(SeenPoint, IsTheFirstOfWhatIsOpaque) {
+  const double x = seenAt(layers(5.0, 5.0));
+  EXPECT_GE(x, 10.0) << "in the skin's voxels, not in the air before them";
+  EXPECT_LT(x, 12.0);
+}
+
+TEST(SeenPoint, IsTheBoneBehindATranslucentSkin) {
+  // Five voxels of 0.02/mm hide a tenth of what lies behind.
+  const double x = seenAt(layers(0.02, 3.0));
+  EXPECT_GE(x, 30.0);
+  EXPECT_LT(x, 32.0);
+}
+
+TEST(SeenPoint, IsNothingWhereNothingShows) {
+  EXPECT_FALSE(seenPoint(layers(0.0, 0.0), {-5.0, 4.0, 4.0}, {1.0, 0.0, 0.0}));
+  EXPECT_FALSE(seenPoint(layers(1.0, 1.0), {-5.0, 40.0, 4.0}, {1.0, 0.0, 0.0})) << "a ray beside the volume";
+}
+
+TEST(SeenPoint, IsTheFocusWhereTheFocusShows) {
+  Scene scene = layers(0.02, 0.02);
+  scene.labels = tests::labelsOf(scene.volume->grid, [](glm::ivec3 index) { return index.x >= 20 && index.x < 24; });
+  scene.look.focus = LabelFocus{{1}};
+  const double x = seenAt(scene);
+  EXPECT_GE(x, 19.5);
+  EXPECT_LT(x, 23.5);
+}
+
+}  // namespace
+}  // namespace fenestra
