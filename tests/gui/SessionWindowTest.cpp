@@ -4,6 +4,7 @@
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
+#include <fstream>
 
 #include <QApplication>
 #include <QDropEvent>
