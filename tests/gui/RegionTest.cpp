@@ -164,6 +164,15 @@ TEST_F(Regions, CancellingBringsBackTheFocusBefore) {
   EXPECT_EQ(document_.shift(), 5.0);
 }
 
+TEST_F(Regions, WhatSurroundsTheStructuresIsNoRegion) {
+  QSignalSpy failures(&grower_, &RegionGrower::failed);
+  click({75.0, 5.0, 5.0});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !grower_.isGrowing(); }, patience));
+  EXPECT_EQ(failures.count(), 1);
+  EXPECT_FALSE(document_.region());
+  EXPECT_FALSE(document_.undoStack().canUndo());
+}
+
 TEST_F(Regions, OnlyTheLastOfManyQuickClicksIsGrown) {
   for (int i = 0; i < 10; ++i) click(i % 2 ? left : right);
   click(left + 3.0);

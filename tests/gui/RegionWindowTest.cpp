@@ -1,6 +1,7 @@
 // The first minute without labels: data is opened, a structure clicked, the region corrected, all by mouse and keys.
 
 #include <QApplication>
+#include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QMimeData>
 #include <QSignalSpy>
@@ -37,6 +38,8 @@ class RegionWindow : public Window {
   void drop(const fs::path& path) {
     QMimeData files;
     files.setUrls({QUrl::fromLocalFile(toQString(path))});
+    QDragEnterEvent enter(QPoint(400, 300), Qt::CopyAction, &files, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(window_.get(), &enter);
     QSignalSpy opened(window_.get(), &MainWindow::opened);
     QDropEvent event(QPointF(400, 300), Qt::CopyAction, &files, Qt::LeftButton, Qt::NoModifier);
     QApplication::sendEvent(window_.get(), &event);
@@ -203,6 +206,8 @@ TEST_F(RegionWindow, GrowsASinusOfARealHead) {
   setAutomatic(true);
   const glm::dvec3 sinus(231.5, 187.1, 1122.0);  // the right maxillary one
   clickSlice(sinus);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return document().growth() != nullptr; }, patience));
+  EXPECT_TRUE(document().awaitsGrowth()) << "a first part comes before the whole";
   waitUntilGrown();
   if (HasFatalFailure()) return;
   EXPECT_GT(size(), 10.0);

@@ -14,6 +14,17 @@ using segmentation::Growth;
 
 constexpr double firstShare = 0.05;  ///< of the progress, for a first part
 
+/// A first part that fills more than this of its box shows no structure.
+constexpr double mostOfPart = 0.9;
+/// A region that fills more than this of the volume is what surrounds a body. It would hide all else.
+constexpr double mostOfVolume = 0.5;
+
+/// The share of the volume's box that a region fills.
+double shareOf(const Growth& growth, const RegionFocus& region) {
+  const double box = static_cast<double>(growth.box.count()) * growth.steps->grid.voxelVolume();
+  return growth.curve.volume[static_cast<std::size_t>(growth.stepOf(region))] / box;
+}
+
 std::shared_ptr<const Growth> grow(const Volume& volume, const RegionFocus& seeds, const segmentation::VoxelBox& reach,
                                    const segmentation::Progress& progress) {
   std::optional<Growth> growth = segmentation::growRegion(volume, seeds, reach, progress);
@@ -70,22 +81,27 @@ void RegionGrower::start() {
     const segmentation::VoxelBox whole = segmentation::wholeOf(volume->grid.dims);
     if (isNew && near != whole) {
       const auto part = grow(*volume, seeds, near, onward(0.0, firstShare));
-      QMetaObject::invokeMethod(
-          this,
-          [this, seeds, part] {
-            if (wanted_ && segmentation::haveSameSeeds(*wanted_, seeds) && document_.awaitsGrowth())
-              document_.setGrowth(seeds, part, false);
-          },
-          Qt::QueuedConnection);
+      const bool shows = shareOf(*part, seeds) <= mostOfPart;
+      if (shows)
+        QMetaObject::invokeMethod(
+            this,
+            [this, seeds, part] {
+              if (wanted_ && segmentation::haveSameSeeds(*wanted_, seeds) && document_.awaitsGrowth())
+                document_.setGrowth(seeds, part, false);
+            },
+            Qt::QueuedConnection);
     }
-    return [this, seeds, growth = grow(*volume, seeds, whole, onward(firstShare, 1.0))] {
+    return [this, seeds, isNew, growth = grow(*volume, seeds, whole, onward(firstShare, 1.0))] {
       const RegionFocus* asked = document_.region();
-      if (asked && growth->curve.volume[static_cast<std::size_t>(growth->stepOf(*asked))] == 0.0) {
-        takeBack();
-        Q_EMIT failed(tr("No region grows from there; click elsewhere, or take the last seed back."));
-        return;
-      }
-      document_.setGrowth(seeds, growth, true);
+      const double share = asked ? shareOf(*growth, *asked) : 0.0;
+      QString problem;
+      if (asked && share == 0.0) problem = tr("No region grows from there; click elsewhere.");
+      if (asked && isNew && !asked->tolerance && share > mostOfVolume)
+        problem =
+            tr("The region there fills more than half of the volume, like the air around a body; click a structure.");
+      if (problem.isEmpty()) return document_.setGrowth(seeds, growth, true);
+      takeBack();
+      Q_EMIT failed(problem);
     };
   });
 }
