@@ -101,7 +101,8 @@ void VolumeView::disturb(int views) {
   effort_ = shared_.pacer->moving(views);
   // Views settle one after the other, so that the window answers in between.
   rest_.start(restMilliseconds * (1 + index_));
-  update();
+  // One round of the event loop later: Qt paints all that is dirty at once, and the slices need not wait for this view.
+  QTimer::singleShot(0, this, [this] { update(); });
 }
 
 void VolumeView::redraw() { disturb(ViewLink::count); }
