@@ -342,9 +342,11 @@ std::vector<Defect> fileStructureDefects() {
        error("holds 2000 bytes of pixels")},
       {"dicom cut in its pixels", bytes([](const std::string& all) { return all.substr(0, all.size() - 500); }),
        error("bytes of pixels where its header describes")},
-      {"dicom cut in its header", bytes([](const std::string& all) { return all.substr(0, 500); }), error("its DICOM header cannot be read")},
+      {"dicom cut in its header", bytes([](const std::string& all) { return all.substr(0, 500); }),
+       error("its DICOM header cannot be read")},
       {"dicom of its meta header alone", bytes([](const std::string& all) { return DicomBytes(all).preamble; }), cut},
-      {"dicom of its preamble alone", bytes([](const std::string& all) { return all.substr(0, 132); }), error("its DICOM header cannot be read")},
+      {"dicom of its preamble alone", bytes([](const std::string& all) { return all.substr(0, 132); }),
+       error("its DICOM header cannot be read")},
       {"dicom of another transfer syntax than it says", bytes([](std::string all) {
          const std::string uid = "1.2.840.10008.1.2.1";
          all.replace(all.find(uid), uid.size(), std::string("1.2.840.10008.1.2\0\0", 19));
