@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 
+#include "io/LabelColours.h"
 #include "io/Probe.h"
 #include "io/VolumeReader.h"
 #include "io/base/Archive.h"
@@ -229,7 +230,10 @@ OpenedLabels readLabels(const fs::path& path, const Grid& target, const Progress
   opened.warnings = std::move(read.warnings);
   auto map = std::make_shared<LabelMap>();
   map->grid = target;
-  for (const auto& [value, label] : labels) map->labels.push_back(label);
+  for (auto& [value, label] : labels) {
+    if (label.colour == defaultLabelColour(value)) label.colour = labelColour(value, label.name);
+    map->labels.push_back(std::move(label));
+  }
   const auto greatest = values.empty() ? 0 : *std::max_element(values.begin(), values.end());
   map->voxels = Voxels(greatest <= 255 ? ScalarType::UInt8 : ScalarType::UInt16, values.size());
   if (greatest <= 255)
