@@ -35,7 +35,8 @@ Json candidateJson(const Measured& measured, std::size_t index, const Weights& w
             {"entropy", d.entropy},
             {"mutual_information", d.mutualInformation},
             {"stability", d.stability},
-            {"orientation", d.orientation}}},
+            {"orientation", d.orientation},
+            {"end_face", d.endFace}}},
           {"pixels", candidate.sums.count},
           {"box", {candidate.sums.box.x, candidate.sums.box.y, candidate.sums.box.z, candidate.sums.box.w}},
           {"share", seenShare(candidate, candidate, measured.surfacePoints)}};

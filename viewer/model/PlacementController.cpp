@@ -60,7 +60,8 @@ const placement::Measured* PlacementController::measured() const {
 void PlacementController::setSettings(const PlacementSettings& settings) {
   if (settings == settings_) return;
   const PlacementSettings before = std::exchange(settings_, settings);
-  if (settings.sampling != before.sampling && (measured() || isMeasuring()))
+  const bool needsEndFaces = settings.options.weights.endFace != 0.0 && before.options.weights.endFace == 0.0;
+  if ((settings.sampling != before.sampling || needsEndFaces) && (measured() || isMeasuring()))
     placeAutomatically();
   else if (measured() && (settings.options != before.options || settings.joint != before.joint))
     choose(false, false);

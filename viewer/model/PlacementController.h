@@ -23,9 +23,9 @@ class Document;
 struct PlacementSettings {
   placement::Sampling sampling;
   placement::Options options;
-  bool joint = false;     ///< choose both cameras at once, by what the pair sees together
-  bool follow = true;     ///< C2 goes to the best of its region when C1 is turned
-  bool automatic = true;  ///< place when a focus is chosen
+  bool joint = placement::jointByDefault;  ///< choose both cameras at once, by what the pair sees together
+  bool follow = true;                      ///< C2 goes to the best of its region when C1 is turned
+  bool automatic = true;                   ///< place when a focus is chosen
   bool operator==(const PlacementSettings&) const = default;
 };
 

@@ -22,13 +22,14 @@ struct NamedWeight {
   const char* name;
   double placement::Weights::*member;
 };
-const std::array<NamedWeight, 7> namedWeights{{{"weightDepth", &placement::Weights::visibility},
+const std::array<NamedWeight, 8> namedWeights{{{"weightDepth", &placement::Weights::visibility},
                                                {"weightCoverage", &placement::Weights::coverage},
                                                {"weightLocation", &placement::Weights::location},
                                                {"weightEntropy", &placement::Weights::entropy},
                                                {"weightTypical", &placement::Weights::mutualInformation},
                                                {"weightStability", &placement::Weights::stability},
-                                               {"weightOrientation", &placement::Weights::orientation}}};
+                                               {"weightOrientation", &placement::Weights::orientation},
+                                               {"weightEndFace", &placement::Weights::endFace}}};
 struct NamedSwitch {
   const char* name;
   bool PlacementSettings::*member;

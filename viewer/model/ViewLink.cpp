@@ -48,7 +48,7 @@ Camera between(const Camera& from, const Camera& to, double part) {
 
 Camera facing(Camera camera, glm::dvec3 towardsEye) {
   camera.eye = camera.target + towardsEye * glm::distance(camera.eye, camera.target);
-  camera.up = {0.0, 0.0, 1.0};
+  camera.up = uprightFrom(towardsEye);
   return camera;
 }
 

@@ -2,7 +2,7 @@
 
 struct Sums {
   vec4 sums;   // area in pixels; depth from the front times area; position times area
-  vec4 more;   // x: depth from behind times area
+  vec4 more;   // x: depth from behind times area; with END_FACES y, z: area through end faces from the front, from behind
   ivec4 box;   // x0, y0, x1, y1 of the pixels that see the focus
 };
 
@@ -12,8 +12,18 @@ Sums sumOf(Sums a, Sums b) {
   return Sums(a.sums + b.sums, a.more + b.more, ivec4(min(a.box.xy, b.box.xy), max(a.box.zw, b.box.zw)));
 }
 
+#if END_FACES
+#define MORE vec3
+#else
+#define MORE float
+#endif
+float storedMore(vec4 more, float kind) { return more.x; }
+vec3 storedMore(vec4 more, vec3 kind) { return more.xyz; }
+vec4 restoredMore(float more) { return vec4(more, 0.0, 0.0, 0.0); }
+vec4 restoredMore(vec3 more) { return vec4(more, 0.0); }
+
 shared vec4 sharedSums[64];
-shared float sharedBacks[64];
+shared MORE sharedMore[64];
 shared ivec4 sharedBoxes[64];
 
 // The sum over the `count` invocations of which this one is the lane-th, a power of two; valid in lane 0. Called by all 64
@@ -22,12 +32,12 @@ Sums sumOver(Sums mine, uint lane, uint count) {
   uint local = gl_LocalInvocationIndex;
   for (uint stride = count >> 1; stride > 0u; stride >>= 1) {
     sharedSums[local] = mine.sums;
-    sharedBacks[local] = mine.more.x;
+    sharedMore[local] = storedMore(mine.more, MORE(0.0));
     sharedBoxes[local] = mine.box;
     barrier();
     if (lane < stride) {
       uint other = local + stride;
-      mine = sumOf(mine, Sums(sharedSums[other], vec4(sharedBacks[other], 0.0, 0.0, 0.0), sharedBoxes[other]));
+      mine = sumOf(mine, Sums(sharedSums[other], restoredMore(sharedMore[other]), sharedBoxes[other]));
     }
     barrier();
   }
