@@ -137,6 +137,7 @@ void MainWindow::restoreLayout() {
   restoreState(preferences.windowState(), layoutVersion);
   views_->restoreLayout(preferences.viewLayout());
   workspace_.placement.setSettings(preferences.placement());
+  workspace_.cameras.setAnimated(preferences.animatesCameras());
   // Only what the user changes in the panel is remembered: a session's settings are that session's.
   connect(&panels_.cameras->form(), &PlacementForm::edited, this, [&preferences](const auto& change) {
     PlacementSettings habit = preferences.placement();
@@ -235,6 +236,7 @@ bool MainWindow::isIdle() {
 void MainWindow::whenDrawn(std::function<void()> done) {
   auto* poll = new QTimer(this);
   connect(poll, &QTimer::timeout, this, [this, poll, done = std::move(done)] {
+    workspace_.cameras.finishFlight();
     if (!isIdle()) return;
     poll->stop();
     poll->deleteLater();

@@ -16,6 +16,7 @@ const QString stateKey = QStringLiteral("layout/docks");
 const QString qualityKey = QStringLiteral("picture/quality");
 const QString maxErrorKey = QStringLiteral("picture/maxError");
 const QString viewsKey = QStringLiteral("layout/views");
+const QString animatedKey = QStringLiteral("picture/animatedCameras");
 const QString placementKey = QStringLiteral("placement/%1");
 
 struct NamedWeight {
@@ -94,6 +95,9 @@ void Preferences::setAtRest(const Effort& effort) {
   else
     remove(maxErrorKey);
 }
+
+bool Preferences::animatesCameras() const { return value(animatedKey, true).toBool(); }
+void Preferences::setAnimatesCameras(bool animates) { store(animatedKey, animates); }
 
 QByteArray Preferences::windowGeometry() const { return value(geometryKey).toByteArray(); }
 QByteArray Preferences::windowState() const { return value(stateKey).toByteArray(); }
