@@ -484,6 +484,36 @@ TEST_F(CommandLine, ReferenceNeedsSomewhereToWriteAndTakesNoTimes) {
   EXPECT_TRUE(nothingLeftBehind());
 }
 
+TEST_F(CommandLine, TheTableOfACtIsHiddenUnlessAskedFor) {
+  const auto render = [&](std::vector<std::string> scene, const std::string& hide, const std::string& name) {
+    std::vector<std::string> all{"render", "--camera", "60,0", "--size", "90x90", "-o", at(name)};
+    if (!hide.empty()) all.insert(all.end(), {"--hide-table", hide});
+    all.insert(all.end(), scene.begin(), scene.end());
+    const Result result = run(all);
+    EXPECT_EQ(result.exitCode, 0) << result.error;
+    return result.error;
+  };
+  const std::vector<std::string> phantom{"--phantom", "torso", "--phantom-voxels", "64"};
+  EXPECT_EQ(render(phantom, "on", "on.png"), "");
+  EXPECT_EQ(render(phantom, "off", "off.png"), "");
+  EXPECT_EQ(contents(at("on.png")), contents(at("off.png"))) << "there is no table";
+
+  FENESTRA_TEST_DATA_OR_SKIP(ct, "labelled/totalsegmentator-torso/example_ct.nii.gz");
+  EXPECT_NE(render({ct.string()}, "", "usual.png").find("table"), std::string::npos);
+  EXPECT_EQ(render({ct.string()}, "off", "off.png"), "");
+  render({ct.string()}, "on", "on.png");
+  EXPECT_EQ(contents(at("on.png")), contents(at("usual.png")));
+  EXPECT_NE(contents(at("on.png")), contents(at("off.png")));
+  // A session keeps the choice.
+  ASSERT_EQ(run({"render", ct.string(), "--hide-table", "off", "--save-session", at("shown.fenestra"), "--camera",
+                 "60,0", "--size", "90x90", "-o", at("x.png")})
+                .exitCode,
+            0);
+  const Result again = run({"render", at("shown.fenestra"), "-o", at("again.png")});
+  EXPECT_EQ(again.exitCode, 0) << again.error;
+  EXPECT_EQ(contents(at("again.png")), contents(at("off.png")));
+}
+
 TEST_F(CommandLine, UnknownLabelsNameTheNearest) {
   const Result result = run(
       {"render", "--phantom", "torso", "--phantom-voxels", "32", "--focus-labels", "Left Kidny", "-o", at("x.png")});

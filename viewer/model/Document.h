@@ -22,6 +22,7 @@ namespace fenestra::viewer {
 struct Study {
   Scene scene;
   std::optional<Camera> camera;           ///< where to look from first; unset: from anterior
+  std::optional<Grid> visible;            ///< the part of the volume that `scene` shows, for a camera to frame
   std::optional<glm::dvec3> focusCentre;  ///< of `scene`, world mm; where the crosshair goes first
   bool placeCameras = false;              ///< place both for the focus once the study is open
   std::filesystem::path path;             ///< what the user opened; empty for a phantom

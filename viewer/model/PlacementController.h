@@ -123,6 +123,7 @@ class PlacementController : public QObject {
   std::optional<Subject> measuredSubject_;
   std::shared_ptr<const Volume> volume_;  ///< the volume at the last change of focus
   std::optional<Grid> visible_;           ///< the box of the visible voxels, which a camera frames
+  std::shared_ptr<const Volume> visibleOf_;
   QString note_;
   QTimer chosen_;  ///< fires a moment after a focus was chosen
   QTimer slice_;
