@@ -15,6 +15,7 @@ namespace {
 constexpr double cellSide = 2.0;  // mm
 constexpr std::size_t mostCells = std::size_t{1} << 24;
 constexpr double solidValue = -200.0, matterValue = -500.0;  // HU: below fat; half way from air to water
+constexpr double airyValue = -920.0;                         // HU: half way from air to the lung
 constexpr double openingRadius = 6.0, regrowth = 4.0;        // mm
 constexpr double leastPart = 1000.0;                         // mm³ of a part's core
 constexpr double leastMean = -150.0, greatestMean = 700.0;   // HU of a part
@@ -215,34 +216,36 @@ Flags bodyOf(const Cells& cells) {
   return body;
 }
 
-/// The cells that the body does not enclose in their axial plane, the planes across `axis`.
+/// The cells that the air around the body reaches in their axial plane, the planes across `axis`: from the volume's
+/// faces through air and matter outside of the body. It does not pass tissue of the lung, which a scan may cut open.
 Flags exteriorOf(const Cells& cells, const Flags& body, int axis) {
   const int u = (axis + 1) % 3, v = (axis + 2) % 3;
   Flags exterior(body.size(), 0);
   parallelFor(static_cast<std::size_t>(cells.dims[axis]), 1, [&](std::size_t begin, std::size_t end) {
     std::vector<glm::ivec3> open;
     for (int plane = static_cast<int>(begin); plane < static_cast<int>(end); ++plane) {
-      const auto enter = [&](int a, int b) {
+      const auto enter = [&](int a, int b, bool isSeed) {
         if (a < 0 || b < 0 || a >= cells.dims[u] || b >= cells.dims[v]) return;
         glm::ivec3 cell;
         cell[axis] = plane;
         cell[u] = a;
         cell[v] = b;
         const std::size_t at = cells.offset(cell);
-        if (body[at] || exterior[at]) return;
+        const bool isAir = cells.mean[at] <= airyValue;
+        if (body[at] || exterior[at] || !(isAir || (!isSeed && cells.greatest[at] > matterValue))) return;
         exterior[at] = 1;
         open.push_back(cell);
       };
       for (int a = 0; a < cells.dims[u]; ++a)
-        for (const int b : {0, cells.dims[v] - 1}) enter(a, b);
+        for (const int b : {0, cells.dims[v] - 1}) enter(a, b, true);
       for (int b = 0; b < cells.dims[v]; ++b)
-        for (const int a : {0, cells.dims[u] - 1}) enter(a, b);
+        for (const int a : {0, cells.dims[u] - 1}) enter(a, b, true);
       while (!open.empty()) {
         const glm::ivec3 cell = open.back();
         open.pop_back();
         for (const int step : {-1, 1}) {
-          enter(cell[u] + step, cell[v]);
-          enter(cell[u], cell[v] + step);
+          enter(cell[u] + step, cell[v], false);
+          enter(cell[u], cell[v] + step, false);
         }
       }
     }
@@ -262,15 +265,18 @@ Flags partsToHide(const Cells& cells, const Flags& body, const Flags& exterior) 
   const std::vector<float> away = distanceTo(cells, body);
   const double touching = 1.01 * glm::length(cells.spacing);  // a cell that shares a corner
   Flags rest(body.size()), hidden(body.size(), 0);
-  for (std::size_t i = 0; i < rest.size(); ++i) rest[i] = exterior[i] && cells.greatest[i] > matterValue;
+  for (std::size_t i = 0; i < rest.size(); ++i) rest[i] = !body[i] && cells.greatest[i] > matterValue;
   forEachPart(cells, rest, [&](const std::vector<std::uint32_t>& part) {
     float nearest = std::numeric_limits<float>::infinity(), farthest = 0.0f;
+    bool isOutside = false;
     for (const std::uint32_t i : part) {
+      isOutside = isOutside || exterior[i];
       nearest = std::min(nearest, away[i]);
       farthest = std::max(farthest, away[i]);
     }
-    if (nearest <= touching && farthest <= appendageReach) return;
-    for (const std::uint32_t i : part) hidden[i] = 1;
+    if (!isOutside || (nearest <= touching && farthest <= appendageReach)) return;
+    // Beside the body lies its skin.
+    for (const std::uint32_t i : part) hidden[i] = away[i] > touching;
   });
   return hidden;
 }
@@ -305,10 +311,9 @@ CoarseMask findTable(const Volume& volume) {
   if (std::find(body.begin(), body.end(), 1) == body.end()) return mask;
   const Flags exterior = exteriorOf(cells, body, axialAxis(volume.grid));
   Flags hidden = partsToHide(cells, body, exterior);
-  // What stays: the body, what it encloses, and matter that is not hidden.
+  // What stays: the body, and matter that is not hidden.
   Flags kept(hidden.size());
-  for (std::size_t i = 0; i < kept.size(); ++i)
-    kept[i] = body[i] || !exterior[i] || (cells.greatest[i] > matterValue && !hidden[i]);
+  for (std::size_t i = 0; i < kept.size(); ++i) kept[i] = body[i] || (cells.greatest[i] > matterValue && !hidden[i]);
   addShell(cells, kept, hidden);
   mask.stride = cells.stride;
   mask.dims = cells.dims;

@@ -30,10 +30,11 @@ struct CoarseMask {
 /// The body is what an opening with a ball of 6 mm leaves of all values above -200 HU (a table is a shell or foam, and
 /// narrower), grown back by the ball and 4 mm more. Of the opened parts, those count that hold 1 cm³ and are neither
 /// metal nor slabs (no thicker than 30 mm, longer than 200 mm): arms and legs apart from the trunk belong to the body.
-/// Everything above -500 HU outside the body is hidden, but for what the body encloses in an axial plane (vessels of
-/// the lung), and for what hangs on the body and reaches no more than 40 mm from it (ears, nose, folds).
-/// Two more cells around what is hidden are hidden with it, where they are not of the body: a boundary's voxels hold
-/// some of the table, and they are brighter than air.
+/// Connected parts above -500 HU outside the body are hidden where the air around the body reaches them in an axial
+/// plane (it does not reach the lung's vessels), but for parts that hang on the body and reach no more than 40 mm from
+/// it (ears, nose, folds), and for cells beside the body, which hold some of its skin. Two more cells around what is
+/// hidden are hidden with it, where they are not of the body: a boundary's voxels hold some of the table, and they are
+/// brighter than air.
 CoarseMask findTable(const Volume& volume);
 
 /// What a user is told where a table is hidden.

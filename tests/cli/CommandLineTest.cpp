@@ -126,7 +126,7 @@ TEST_F(CommandLine, WrongUsageExitsWithTwo) {
       {"place", "--phantom", "head", "--region", "sphere"},
       {"place", "--phantom", "head", "--weights", "1,2"},
       {"place", "--phantom", "head", "--delta", "91"},
-      {"place", "--phantom", "head", "--share-weight", "0.5"},
+      {"place", "--phantom", "head", "--share-weight", "0.5", "--sequential"},
       {"place", "--phantom", "head", "--side", "0"},
       {"compare", "a"},
   };
@@ -165,7 +165,7 @@ TEST_F(CommandLine, OptionsOfSettingsAreAsDeclared) {
   check(Shading{});
   check(ValueFocus{});
   check(Look{});
-  EXPECT_EQ(options, 14);
+  EXPECT_EQ(options, 15);
   EXPECT_TRUE(nothingLeftBehind());
 }
 
