@@ -105,6 +105,16 @@ void addTiles(std::vector<Tile>& tiles, unsigned view, const PixelRange& pixels)
            (column + 1 < count.x ? 1u : 0u) | (row + 1 < count.y ? static_cast<unsigned>(count.x) << 1 : 0u)});
 }
 
+ImageSums fromFront(const Sums& total) {
+  ImageSums sums;
+  sums.count = total.sums.x;
+  sums.depth = total.sums.y;
+  sums.position = glm::dvec2(total.sums.z, total.sums.w);
+  sums.ends = total.more.y;
+  sums.box = total.box;
+  return sums;
+}
+
 /// The sums of the opposite camera, whose outline is the mirror image.
 ImageSums fromBehind(const ImageSums& front, glm::vec4 more, const Camera::Axes& axes, const Camera::Axes& opposite,
                      int side) {
@@ -222,12 +232,7 @@ void CandidateImages::measureImages(const GpuScene& gpu, std::vector<Candidate>&
     for (std::size_t i = 0; i < totals.size(); ++i) {
       if (totals[i].sums.x <= 0.0f) continue;
       const std::size_t front = traced[begin + i];
-      ImageSums& sums = candidates[front].sums;
-      sums.count = totals[i].sums.x;
-      sums.depth = totals[i].sums.y;
-      sums.position = glm::dvec2(totals[i].sums.z, totals[i].sums.w);
-      sums.ends = totals[i].more.y;
-      sums.box = totals[i].box;
+      const ImageSums& sums = candidates[front].sums = fromFront(totals[i]);
       if (const auto behind = opposites[front])
         candidates[*behind].sums =
             fromBehind(sums, totals[i].more, axesAt(directions[front]), axesAt(directions[*behind]), side);

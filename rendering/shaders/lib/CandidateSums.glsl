@@ -12,18 +12,16 @@ Sums sumOf(Sums a, Sums b) {
   return Sums(a.sums + b.sums, a.more + b.more, ivec4(min(a.box.xy, b.box.xy), max(a.box.zw, b.box.zw)));
 }
 
-#if END_FACES
-#define MORE vec3
-#else
-#define MORE float
-#endif
-float storedMore(vec4 more, float kind) { return more.x; }
-vec3 storedMore(vec4 more, vec3 kind) { return more.xyz; }
-vec4 restoredMore(float more) { return vec4(more, 0.0, 0.0, 0.0); }
-vec4 restoredMore(vec3 more) { return vec4(more, 0.0); }
-
 shared vec4 sharedSums[64];
-shared MORE sharedMore[64];
+#if END_FACES
+shared vec4 sharedMore[64];
+vec4 storedMore(vec4 more) { return more; }
+vec4 restoredMore(vec4 more) { return more; }
+#else
+shared float sharedMore[64];
+float storedMore(vec4 more) { return more.x; }
+vec4 restoredMore(float more) { return vec4(more, 0.0, 0.0, 0.0); }
+#endif
 shared ivec4 sharedBoxes[64];
 
 // The sum over the `count` invocations of which this one is the lane-th, a power of two; valid in lane 0. Called by all 64
@@ -32,7 +30,7 @@ Sums sumOver(Sums mine, uint lane, uint count) {
   uint local = gl_LocalInvocationIndex;
   for (uint stride = count >> 1; stride > 0u; stride >>= 1) {
     sharedSums[local] = mine.sums;
-    sharedMore[local] = storedMore(mine.more, MORE(0.0));
+    sharedMore[local] = storedMore(mine.more);
     sharedBoxes[local] = mine.box;
     barrier();
     if (lane < stride) {
