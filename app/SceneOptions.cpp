@@ -17,6 +17,7 @@
 #include "io/session/OpenSession.h"
 #include "io/session/SessionFile.h"
 #include "io/session/StrokeFile.h"
+#include "rendering/segmentation/Table.h"
 
 namespace fenestra::app {
 namespace {
@@ -175,7 +176,8 @@ void setView(const SceneOptions& options, LoadedScene& loaded) {
       loaded.placed = *placed;
       choice = StandardView::Anterior;
     }
-    view.camera = makeCamera(options, *choice, visibleGrid(*loaded.scene.volume, loaded.scene.look.context.shifted()));
+    view.camera =
+        makeCamera(options, *choice, visibleGrid(*shownVolume(loaded.scene), loaded.scene.look.context.shifted()));
   }
   view.size = options.size.value_or(view.size);
 }
@@ -448,6 +450,11 @@ LoadedScene loadScene(const SceneOptions& options, const io::Progress& progress)
   if (!loaded.session || !options.transferFunction.empty())
     scene.look.context = io::loadContextFunction(
         options.transferFunction.empty() ? io::defaultPreset(*scene.volume) : options.transferFunction, *scene.volume);
+  if (scene.look.hideTable) {
+    scene.tissue = segmentation::withoutTable(scene.volume);
+    if (scene.tissue != scene.volume)
+      loaded.warnings.push_back({io::Warning::Kind::Other, segmentation::tableNotice, {}});
+  }
   setFocus(options, loaded);
   if (!options.strokes.empty()) scene.look.strokes = io::readStrokes(options.strokes);
   growFocus(options, loaded, progress);

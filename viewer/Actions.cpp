@@ -67,8 +67,9 @@ QAction* Actions::toggle(const QString& text, const QKeySequence& keys, bool on,
   made->setCheckable(true);
   made->setChecked(on);
   made->setShortcut(keys);
-  made->setToolTip(
-      QStringLiteral("%1 (%2)").arg(QString(text).remove(QLatin1Char('&')), keys.toString(QKeySequence::NativeText)));
+  if (!keys.isEmpty())
+    made->setToolTip(
+        QStringLiteral("%1 (%2)").arg(QString(text).remove(QLatin1Char('&')), keys.toString(QKeySequence::NativeText)));
   connect(made, &QAction::toggled, this, std::move(does));
   return made;
 }
@@ -235,7 +236,14 @@ void Actions::makeCameraEntries(QMenu& menu) {
 
   menu.addActions({place, reset, resetAll});
   menu.addSeparator();
-  menu.addActions({link, parallel});
+  Preferences& preferences = targets_.workspace.preferences;
+  QAction* animated =
+      toggle(tr("&Animate the cameras"), {}, preferences.animatesCameras(), [&cameras, &preferences](bool on) {
+        cameras.setAnimated(on);
+        preferences.setAnimatesCameras(on);
+      });
+  animated->setObjectName(QStringLiteral("animated"));
+  menu.addActions({link, parallel, animated});
   tools_.back() << reset << place;
   tools_ << QList<QAction*>{link, parallel};
 }

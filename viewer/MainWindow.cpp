@@ -13,6 +13,7 @@
 #include <QVBoxLayout>
 
 #include "rendering/gpu/FocusIndex.h"
+#include "rendering/segmentation/Table.h"
 #include "viewer/Actions.h"
 #include "viewer/Exports.h"
 #include "viewer/FileOpener.h"
@@ -48,13 +49,25 @@ QString describe(const io::SeriesInfo& series) {
       .trimmed();
 }
 
+/// What a study needs of its voxels, while it is read in the background.
+void prepare(Study& study) {
+  Scene& scene = study.scene;
+  if (!scene.tissue) {
+    scene.tissue = segmentation::withoutTable(scene.volume);
+    if (scene.tissue != scene.volume && scene.look.hideTable)
+      study.warnings.push_back({io::Warning::Kind::Other, segmentation::tableNotice, {}});
+  }
+  study.visible = visibleGrid(*shownVolume(scene), scene.look.context.shifted());
+  study.focusCentre = focusCentre(shownScene(scene));
+}
+
 }  // namespace
 
 MainWindow::MainWindow(const Setup& setup, QWidget* parent)
     : QMainWindow(parent),
       gl_(setup.gl),
       workspace_(setup.remember ? Preferences::Mode::Stored : Preferences::Mode::Transient),
-      loader_(workspace_.document, [](Study& study) { study.focusCentre = focusCentre(study.scene); }) {
+      loader_(workspace_.document, prepare) {
   setWindowTitle(QStringLiteral("Fenestra"));
   setAcceptDrops(true);
   setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
@@ -152,6 +165,7 @@ void MainWindow::restoreLayout() {
   restoreState(preferences.windowState(), layoutVersion);
   views_->restoreLayout(preferences.viewLayout());
   workspace_.placement.setSettings(preferences.placement());
+  workspace_.cameras.setAnimated(preferences.animatesCameras());
   // Only what the user changes in the panel is remembered: a session's settings are that session's.
   connect(&panels_.cameras->form(), &PlacementForm::edited, this, [&preferences](const auto& change) {
     PlacementSettings habit = preferences.placement();
@@ -167,7 +181,8 @@ void MainWindow::followVolume() {
   workspace_.cursor.setGrid(grid);
   focusSearch_.cancel();
   if (study.focusCentre) workspace_.cursor.moveTo(*study.focusCentre);
-  cameras.place(study.camera.value_or(Camera::standard(StandardView::Anterior, grid, cameras.projection())));
+  cameras.place(study.camera.value_or(
+      Camera::standard(StandardView::Anterior, study.visible.value_or(grid), cameras.projection())));
 }
 
 void MainWindow::open(StudyLoader::Reader read) { loader_.open(std::move(read)); }
@@ -250,6 +265,7 @@ bool MainWindow::isIdle() {
 void MainWindow::whenDrawn(std::function<void()> done) {
   auto* poll = new QTimer(this);
   connect(poll, &QTimer::timeout, this, [this, poll, done = std::move(done)] {
+    workspace_.cameras.finishFlight();
     if (!isIdle()) return;
     poll->stop();
     poll->deleteLater();

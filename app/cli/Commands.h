@@ -58,7 +58,7 @@ struct PlaceOptions {
   app::SceneOptions scene;
   placement::Sampling sampling;
   placement::Options placement;
-  bool joint = false;           ///< both cameras at once
+  bool joint = placement::jointByDefault;
   bool everyCandidate = false;  ///< also the descriptors of all candidates
   std::optional<Schedule> schedule;
   int repeat = 1;             ///< measurements, for their times

@@ -35,7 +35,8 @@ Json candidateJson(const Measured& measured, std::size_t index, const Weights& w
             {"entropy", d.entropy},
             {"mutual_information", d.mutualInformation},
             {"stability", d.stability},
-            {"orientation", d.orientation}}},
+            {"orientation", d.orientation},
+            {"end_face", d.endFace}}},
           {"pixels", candidate.sums.count},
           {"box", {candidate.sums.box.x, candidate.sums.box.y, candidate.sums.box.z, candidate.sums.box.w}},
           {"share", seenShare(candidate, candidate, measured.surfacePoints)}};
@@ -80,7 +81,7 @@ void place(const PlaceOptions& options) {
 
   if (!options.map.empty()) writeQualityMap(options.map, *measured, options.placement.weights, placement);
   const Weights& weights = options.placement.weights;
-  const Grid framed = visibleGrid(*scene.volume, scene.look.context.shifted());
+  const Grid framed = visibleGrid(*shownVolume(scene), scene.look.context.shifted());
   const Projection projection = loaded.view.camera.projection;
   const auto standard = bestStandardPair(measured->candidates, measured->surfacePoints);
   Json json = {

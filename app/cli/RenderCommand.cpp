@@ -138,10 +138,10 @@ Json statistics(const std::string& description, const View& view, const Renderer
 Camera placedCamera(const fs::path& source, const app::LoadedScene& loaded, GpuScene& gpuScene) {
   placement::Placer placer;
   const placement::Measured& measured = placer.measure(gpuScene, loaded.scene, {}, {});
-  const placement::Placement placement = placement::choose(measured, {}, false);
+  const placement::Placement placement = placement::choose(measured, {}, placement::jointByDefault);
   const std::optional<std::size_t> chosen = *loaded.placed == app::PlacedView::Best ? placement.c1 : placement.c2;
   if (!chosen) throw io::Error(source, placement.note, placementHint);
-  const Grid framed = visibleGrid(*loaded.scene.volume, loaded.scene.look.context.shifted());
+  const Grid framed = visibleGrid(*shownVolume(loaded.scene), loaded.scene.look.context.shifted());
   return Camera::fromDirection(measured.candidates[*chosen].direction, framed, loaded.view.camera.projection);
 }
 
@@ -167,7 +167,7 @@ void render(const RenderOptions& options) {
   const bool second = loaded.placed == app::PlacedView::Dual;
   loaded.scene.look.strokes = strokesIn(second ? 1 : options.scene.viewOfSession, loaded.scene.look.strokes);
   if (options.reference) {
-    const Layers layers = referenceLayers(scene, view);
+    const Layers layers = referenceLayers(shownScene(scene), view);
     if (!options.layers.empty()) writeLayers(options.layers, layers, view, scene.volume->grid);
     if (!options.output.empty())
       io::writePng(options.output, view.size, 3, overBackground(layers.final, scene.look.background));

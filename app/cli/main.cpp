@@ -50,6 +50,12 @@ std::string nearestCounts(int count) {
   return std::to_string(12 * nside * nside) + " and " + std::to_string(12 * (nside + 1) * (nside + 1));
 }
 
+std::string text(double number) {
+  std::ostringstream stream;
+  stream << number;
+  return stream.str();
+}
+
 void addPlacementOptions(CLI::App& command, PlaceOptions& options) {
   command.option_defaults()->group("Placement");
   command
@@ -76,10 +82,9 @@ void addPlacementOptions(CLI::App& command, PlaceOptions& options) {
   app::addNumber(command, "--delta", 0.0, 90.0, "DEGREES", "half width of the stream, default 15",
                  options.placement.streamHalfWidth);
   const placement::Weights usual;
-  std::ostringstream defaults;
-  defaults << usual.visibility << "," << usual.coverage << "," << usual.location;
   app::addParsed(command, "--weights", "V,C,L",
-                 "of visibility (depth; negative prefers near), coverage and location, default " + defaults.str(),
+                 "of visibility (depth; negative prefers near), coverage and location, default " +
+                     text(usual.visibility) + "," + text(usual.coverage) + "," + text(usual.location),
                  [&options](const std::string& text) {
                    const auto weights = app::parseNumbers<double, 3>(text, ',');
                    if (!weights) return false;
@@ -89,18 +94,24 @@ void addPlacementOptions(CLI::App& command, PlaceOptions& options) {
                    return true;
                  });
   const auto addWeight = [&](const char* name, const char* of, double& weight) {
-    app::addNumber(command, name, -1e6, 1e6, "WEIGHT", std::string("of ") + of + ", default 0", weight);
+    app::addNumber(command, name, -1e6, 1e6, "WEIGHT", "of " + std::string(of) + ", default " + text(weight), weight);
   };
   addWeight("--entropy", "the seen surface's entropy", options.placement.weights.entropy);
   addWeight("--mutual-information", "how typical a view is of the surface",
             options.placement.weights.mutualInformation);
   addWeight("--stability", "the likeness to neighbouring views", options.placement.weights.stability);
   addWeight("--orientation", "the nearness to a standard view", options.placement.weights.orientation);
-  CLI::Option* joint = command.add_flag("--joint", options.joint, "search both cameras at once");
+  addWeight("--end-face", "the share of the focus seen through a cut end of the scan",
+            options.placement.weights.endFace);
+  CLI::Option* joint = command.add_flag("--joint", options.joint, "search both cameras at once (default)");
+  CLI::Option* sequential = command.add_flag("!--sequential", options.joint,
+                                             "first the best view, then the best one beside it, as the paper");
+  joint->excludes(sequential);
   app::addNumber(command, "--share-weight", 0.0, 1.0, "0..1",
-                 "of the surface seen by either camera in the joint search, the rest is quality's; default 1",
+                 "of the surface seen by either camera in the joint search, the rest is quality's; default " +
+                     text(options.placement.shareWeight),
                  options.placement.shareWeight)
-      ->needs(joint);
+      ->excludes(sequential);
   command
       .add_option("--side", options.sampling.side,
                   "pixels across the model in a candidate's image, default 128; a small focus gets more")

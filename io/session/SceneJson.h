@@ -94,14 +94,14 @@ inline void focusMember(io::json::SchemaWriter& io, const Focus&) {
 }
 
 void members(auto& io, io::json::Is<Look> auto& look) {
-  auto& [focus, focusAppearance, context, cutaway, contextLayer, shading, background, strokes] = look;
+  auto& [focus, focusAppearance, context, cutaway, contextLayer, shading, background, hideTable, strokes] = look;
   focusMember(io, focus);
   io("focus_appearance", focusAppearance);
   io.required("context", context, {}, {"The transfer function of everything but the focus"});
   io("cutaway", cutaway);
   io("context_layer", contextLayer);
   io("shading", shading);
-  settings(io, look);  // background
+  settings(io, look);  // background, table
   io("strokes", strokes, {}, {"Brush strokes, in the order they were painted"});
 }
 

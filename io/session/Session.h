@@ -62,7 +62,7 @@ struct SessionPlacement {
   bool inStream = false;  ///< C2 in the band around C1's great circle, not in the half sphere
   double streamHalfWidth = placement::Options().streamHalfWidth;
   double shareWeight = placement::Options().shareWeight;
-  bool joint = false;
+  bool joint = placement::jointByDefault;
   bool follow = true;
   bool automatic = true;
   bool operator==(const SessionPlacement&) const = default;

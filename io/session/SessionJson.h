@@ -27,6 +27,7 @@ void members(auto& io, Is<Weights> auto& weights) {
   io("mutual_information", weights.mutualInformation);
   io("stability", weights.stability);
   io("orientation", weights.orientation);
+  io("end_face", weights.endFace);
 }
 
 }  // namespace placement

@@ -55,7 +55,7 @@ glm::ivec3 fittingFactor(const Scene& scene, const DeviceLimits& limits) {
 }
 
 void FittedScene::take(const Scene& scene, const DeviceLimits& limits) {
-  source_ = scene.volume;
+  source_ = shownVolume(scene);
   volume_ = nullptr;
   labelSource_ = labels_ = nullptr;
   factor_ = fittingFactor(scene, limits);
@@ -77,7 +77,7 @@ bool FittedScene::coarsen() {
 }
 
 Scene FittedScene::of(const Scene& scene) {
-  if (factor_ == glm::ivec3(1)) return scene;
+  if (factor_ == glm::ivec3(1)) return shownScene(scene);
   if (!volume_) volume_ = thinned(*source_, factor_);
   if (scene.labels != labelSource_) {
     labelSource_ = scene.labels;

@@ -28,8 +28,8 @@ glm::ivec3 fittingFactor(const Scene& scene, const DeviceLimits& limits);
 
 class FittedScene {
  public:
-  /// Whether `scene` has another volume than the one that was fitted last.
-  bool isOfOther(const Scene& scene) const { return scene.volume != source_; }
+  /// Whether `scene` shows another volume than the one that was fitted last.
+  bool isOfOther(const Scene& scene) const { return shownVolume(scene) != source_; }
   /// Takes a new volume. Nothing is thinned yet.
   void take(const Scene& scene, const DeviceLimits& limits);
   /// Thins further, after an allocation failed. False when the volume is small already.

@@ -19,6 +19,7 @@ enum Block : unsigned {
   partialsBlock = 4,
   sumsBlock = 5,
   crossedBlock = 6,
+  endsBlock = 6,
   crossingsBlock = 7
 };
 
@@ -104,11 +105,22 @@ void addTiles(std::vector<Tile>& tiles, unsigned view, const PixelRange& pixels)
            (column + 1 < count.x ? 1u : 0u) | (row + 1 < count.y ? static_cast<unsigned>(count.x) << 1 : 0u)});
 }
 
+ImageSums fromFront(const Sums& total) {
+  ImageSums sums;
+  sums.count = total.sums.x;
+  sums.depth = total.sums.y;
+  sums.position = glm::dvec2(total.sums.z, total.sums.w);
+  sums.ends = total.more.y;
+  sums.box = total.box;
+  return sums;
+}
+
 /// The sums of the opposite camera, whose outline is the mirror image.
-ImageSums fromBehind(const ImageSums& front, double depth, const Camera::Axes& axes, const Camera::Axes& opposite,
+ImageSums fromBehind(const ImageSums& front, glm::vec4 more, const Camera::Axes& axes, const Camera::Axes& opposite,
                      int side) {
   ImageSums sums = front;
-  sums.depth = depth;
+  sums.depth = more.x;
+  sums.ends = more.z;
   const glm::dvec3 world = front.position.x * axes.right + front.position.y * axes.up;
   sums.position = {glm::dot(world, opposite.right), glm::dot(world, opposite.up)};
   sums.box = {side - 1 - front.box.z, front.box.y, side - 1 - front.box.x, front.box.w};
@@ -127,11 +139,11 @@ int CandidateImages::sideFor(const GpuScene& gpu, int least) {
 }
 
 std::vector<Candidate> CandidateImages::measure(const GpuScene& gpu, const std::vector<glm::dvec3>& directions,
-                                                const FocusSurface& surface, int side) {
+                                                const FocusSurface& surface, int side, bool endFaces) {
   std::vector<Candidate> candidates(directions.size());
   for (std::size_t i = 0; i < directions.size(); ++i) candidates[i].direction = directions[i];
   if (gpu.focus().box && !directions.empty()) {
-    measureImages(gpu, candidates, side);
+    measureImages(gpu, candidates, side, endFaces);
     if (!surface.points.empty()) measureVisibility(gpu, surface, candidates);
   }
   for (Candidate& candidate : candidates) candidate.descriptors = describe(candidate.sums, side, candidate.direction);
@@ -150,7 +162,7 @@ gl::ShaderProgram& CandidateImages::prepared(gl::ShaderVariants& programs, const
   return program;
 }
 
-void CandidateImages::measureImages(const GpuScene& gpu, std::vector<Candidate>& candidates, int side) {
+void CandidateImages::measureImages(const GpuScene& gpu, std::vector<Candidate>& candidates, int side, bool endFaces) {
   // Opposite candidates share an image.
   std::vector<glm::dvec3> directions;
   for (const Candidate& candidate : candidates) directions.push_back(candidate.direction);
@@ -199,11 +211,18 @@ void CandidateImages::measureImages(const GpuScene& gpu, std::vector<Candidate>&
     gl::ShaderProgram& outlines = prepared(outlines_, gpu);
     outlines.set("halvings", outlineHalvings);
     dispatch(outlines, groupsFor((count + pixelsPerTile - 1) / pixelsPerTile));
-    dispatch(areas_.get(), groupsFor((tiles.size() + tileSide - 1) / tileSide));
+    const gl::Buffer ends =
+        endFaces ? gl::Buffer::zeroed(tiles.size() * pixelsPerTile * sizeof(unsigned)) : gl::Buffer();
+    if (endFaces) {
+      ends.bind(endsBlock);
+      dispatch(prepared(ends_, gpu), groupPerTile);
+    }
+    const gl::Variant summed{{{"END_FACES", endFaces ? 1 : 0}}, {}};
+    dispatch(areas_.get(summed), groupsFor((tiles.size() + tileSide - 1) / tileSide));
 
     std::vector<Sums> totals(ranges.size());
     const gl::Buffer rangeList = bufferOf(ranges), result = gl::Buffer::zeroed(totals.size() * sizeof(Sums));
-    gl::ShaderProgram& program = sums_.get();
+    gl::ShaderProgram& program = sums_.get(summed);
     rangeList.bind(rangesBlock);
     partials.bind(partialsBlock);
     result.bind(sumsBlock);
@@ -213,14 +232,10 @@ void CandidateImages::measureImages(const GpuScene& gpu, std::vector<Candidate>&
     for (std::size_t i = 0; i < totals.size(); ++i) {
       if (totals[i].sums.x <= 0.0f) continue;
       const std::size_t front = traced[begin + i];
-      ImageSums& sums = candidates[front].sums;
-      sums.count = totals[i].sums.x;
-      sums.depth = totals[i].sums.y;
-      sums.position = glm::dvec2(totals[i].sums.z, totals[i].sums.w);
-      sums.box = totals[i].box;
+      const ImageSums& sums = candidates[front].sums = fromFront(totals[i]);
       if (const auto behind = opposites[front])
         candidates[*behind].sums =
-            fromBehind(sums, totals[i].more.x, axesAt(directions[front]), axesAt(directions[*behind]), side);
+            fromBehind(sums, totals[i].more, axesAt(directions[front]), axesAt(directions[*behind]), side);
     }
     begin += totals.size();
   }

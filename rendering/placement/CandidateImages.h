@@ -23,18 +23,20 @@ class CandidateImages {
   static int sideFor(const GpuScene& gpu, int least = defaultImageSide);
 
   /// One candidate for each direction, with all descriptors but those of describeTogether(). The points that it sees
-  /// are found unless `surface` is empty. `gpu` must be up to date. Equal calls give bit-identical results.
+  /// are found unless `surface` is empty; end faces are measured with `endFaces`, at the resolution of the pixels.
+  /// `gpu` must be up to date. Equal calls give bit-identical results.
   std::vector<Candidate> measure(const GpuScene& gpu, const std::vector<glm::dvec3>& directions,
-                                 const FocusSurface& surface, int side);
+                                 const FocusSurface& surface, int side, bool endFaces = false);
 
  private:
   /// The scene's variant of a program that looks for first hits, with all that it reads of the scene.
   gl::ShaderProgram& prepared(gl::ShaderVariants& programs, const GpuScene& gpu);
-  void measureImages(const GpuScene& gpu, std::vector<Candidate>& candidates, int side);
+  void measureImages(const GpuScene& gpu, std::vector<Candidate>& candidates, int side, bool endFaces);
   void measureVisibility(const GpuScene& gpu, const FocusSurface& surface, std::vector<Candidate>& candidates);
 
   gl::ShaderVariants hits_{"CandidateHits.comp"}, edges_{"CandidateEdges.comp"}, outlines_{"CandidateOutlines.comp"},
-      areas_{"CandidateAreas.comp"}, sums_{"CandidateSums.comp"}, visibility_{"CandidateVisibility.comp"};
+      ends_{"CandidateEnds.comp"}, areas_{"CandidateAreas.comp"}, sums_{"CandidateSums.comp"},
+      visibility_{"CandidateVisibility.comp"};
 };
 
 }  // namespace fenestra::placement

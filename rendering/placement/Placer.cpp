@@ -35,9 +35,14 @@ Placer::Batch::Batch(std::vector<glm::dvec3> wanted) : directions(std::move(want
 void Placer::begin(GpuScene& gpu, const Scene& scene, const Sampling& sampling, const Options& options) {
   task_.reset();
   gpu.update(scene);
-  const Key key{gpu.versions().volume, gpu.versions().focus, sampling,
-                sampling.refined ? std::optional(options) : std::nullopt};
+  Key key{gpu.versions().volume, gpu.versions().focus, sampling,
+          sampling.refined ? std::optional(options) : std::nullopt, std::nullopt};
+  if (options.weights.endFace != 0.0)
+    key.gaps = gpu.versions().gaps;
+  else if (key_)
+    key.gaps = key_->gaps;  // what was measured beyond the need does no harm
   if (key_ == key) return;
+  if (options.weights.endFace == 0.0) key.gaps.reset();
   Task task{.key = key,
             .surface = sampleSurface(gpu.drawn(scene), gpu.focus(), sampling.surfacePoints),
             .refinement = {},
@@ -73,7 +78,7 @@ bool Placer::advance(const GpuScene& gpu, std::size_t count) {
   }
   const bool coarse = task_->refinement && task_->refinement->isLeading();
   const int side = CandidateImages::sideFor(gpu, task_->key.sampling.side) / (coarse ? 2 : 1);
-  std::vector<Candidate> measured = images_.measure(gpu, directions, task_->surface, side);
+  std::vector<Candidate> measured = images_.measure(gpu, directions, task_->surface, side, task_->key.gaps.has_value());
   for (std::size_t i = 0; i < measured.size(); ++i) batch.measured[batch.order[first + i]] = std::move(measured[i]);
   if (!batch.isDone()) return false;
 

@@ -14,7 +14,8 @@ namespace fenestra::placement {
 class Placer {
  public:
   /// Measures the candidates of the scene's focus, or returns what it measured before: again only when the volume, the
-  /// focus, the sampling, or (refined) the options changed. `gpu` is brought up to date. Needs a current context.
+  /// focus, the sampling, (refined) the options, or (where end faces have a weight) the context's visible values
+  /// changed. `gpu` is brought up to date. Needs a current context.
   const Measured& measure(GpuScene& gpu, const Scene& scene, const Sampling& sampling, const Options& options);
   /// The next measure() measures anew.
   void forget() { key_.reset(); }
@@ -33,7 +34,8 @@ class Placer {
   struct Key {
     std::uint64_t volume = 0, focus = 0;
     Sampling sampling;
-    std::optional<Options> options;  ///< a refinement follows them
+    std::optional<Options> options;     ///< a refinement follows them
+    std::optional<std::uint64_t> gaps;  ///< of the context, where end faces were measured
     bool operator==(const Key&) const = default;
   };
   /// Directions to measure; `order` puts opposite ones next to each other.

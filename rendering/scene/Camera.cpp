@@ -43,6 +43,11 @@ Camera framed(glm::dvec3 towardsEye, glm::dvec3 up, const Grid& grid, Projection
 
 }  // namespace
 
+glm::dvec3 uprightFrom(glm::dvec3 towardsEye) {
+  constexpr double nearAxis = 0.9659258262890683;  // cos 15°
+  return std::abs(towardsEye.z) > nearAxis ? glm::dvec3(0.0, -1.0, 0.0) : glm::dvec3(0.0, 0.0, 1.0);
+}
+
 Camera::Axes Camera::axes() const {
   glm::dvec3 forward = target - eye;
   const double length = glm::length(forward);
@@ -144,7 +149,7 @@ Camera Camera::standard(StandardView view, const Grid& grid, Projection projecti
 }
 
 Camera Camera::fromDirection(glm::dvec3 towardsEye, const Grid& grid, Projection projection) {
-  return framed(towardsEye, {0.0, 0.0, 1.0}, grid, projection);
+  return framed(towardsEye, uprightFrom(towardsEye), grid, projection);
 }
 
 Camera Camera::fromAngles(double azimuth, double elevation, const Grid& grid, Projection projection) {

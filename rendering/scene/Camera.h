@@ -13,6 +13,11 @@ enum class Projection : std::uint8_t { Perspective, Orthographic };
 /// The camera stands on that side of the patient and looks at it; A is the face.
 enum class StandardView : std::uint8_t { Anterior, Posterior, Left, Right, Superior, Inferior };
 
+/// The up vector with which a camera on that side (unit vector from the patient towards the eye) shows the patient
+/// upright: superior, or anterior within 15° of the body's axis, where the side that superior points to would turn with
+/// every small move.
+glm::dvec3 uprightFrom(glm::dvec3 towardsEye);
+
 /// A pinhole or parallel camera. Rays: pixel (i,j) of a W×H picture, j from the top, has NDC x = 2(i+½)/W - 1,
 /// y = 1 - 2(j+½)/H; t is in mm along the unit direction from the eye (perspective) or from the plane through the eye
 /// (orthographic, where the near plane is that plane).
@@ -51,7 +56,7 @@ struct Camera {
   Camera fittedTo(double aspect) const;
 
   static Camera standard(StandardView view, const Grid& grid, Projection projection = Projection::Perspective);
-  /// From a unit direction (towards the eye), framing `grid`, the patient's superior up where that is defined.
+  /// From a unit direction (towards the eye), framing `grid`, the patient upright.
   static Camera fromDirection(glm::dvec3 towardsEye, const Grid& grid, Projection projection = Projection::Perspective);
   /// Azimuth and elevation in degrees: azimuth 0 looks from anterior, 90 from the patient's left; elevation 90 from
   /// above.

@@ -51,6 +51,7 @@ struct Look {
   ContextLayer contextLayer;
   Shading shading;
   glm::dvec3 background{0.0};  ///< display RGB 0..1
+  bool hideTable = true;       ///< of a CT, in 3-D pictures; see Scene::tissue
   BrushStrokes strokes;        ///< edits of the opening; without any, no pass runs and no memory is used for them
   bool operator==(const Look&) const = default;
 };

@@ -12,21 +12,27 @@ namespace fenestra::placement {
 /// where less is cut away. A small positive weight would let C1 see slightly more.
 struct Weights {
   double visibility = -0.02, coverage = 16.0, location = 0.5;
-  double entropy = 0.0, mutualInformation = 0.0, stability = 0.0, orientation = 0.0;
+  double entropy = 0.0, mutualInformation = 0.0, stability = 0.0;
+  double orientation = 0.02;  ///< small: of equally good views the one nearest to a standard view is taken
+  double endFace = -1.0;      ///< 0: end faces are not measured
   bool operator==(const Weights&) const = default;
 };
 
+/// Where C2 may be. In both regions it stays between 60° and 120° from C1, so that the two views differ.
 enum class Region : std::uint8_t {
   Stream,      ///< the band |c·c1| ≤ sin δ
-  SemiSphere,  ///< the half sphere c·a ≥ 0 around C1's right axis a, without the caps within 45° of ±c1
+  SemiSphere,  ///< the half sphere c·a ≥ 0 around C1's right axis a
 };
 
 struct Options {
   Weights weights;
   Region region = Region::SemiSphere;
-  double streamHalfWidth = 15.0;  ///< δ, degrees
-  double shareWeight = 1.0;       ///< joint search: 1 for the share of the surface alone, 0 for the mean quality alone
+  double streamHalfWidth = 15.0;  ///< δ, degrees; more than 30 is as 30
+  double shareWeight = 0.8;       ///< joint search: 1 for the share of the surface alone, 0 for the mean quality alone
   bool operator==(const Options&) const = default;
 };
+
+/// Whether both cameras are searched at once unless the user asks for the paper's order, first C1 and then C2.
+inline constexpr bool jointByDefault = true;
 
 }  // namespace fenestra::placement

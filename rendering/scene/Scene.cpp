@@ -13,6 +13,16 @@ bool hasCutaway(const Scene& scene) {
          (std::holds_alternative<LabelFocus>(scene.look.focus) || std::holds_alternative<ValueFocus>(scene.look.focus));
 }
 
+const std::shared_ptr<const Volume>& shownVolume(const Scene& scene) {
+  return scene.look.hideTable && scene.tissue ? scene.tissue : scene.volume;
+}
+
+Scene shownScene(Scene scene) {
+  scene.volume = shownVolume(scene);
+  scene.tissue = nullptr;
+  return scene;
+}
+
 Grid visibleGrid(const Volume& volume, const TransferFunction& context) {
   constexpr double visibleOpacity = 0.05;  // of 1 mm: the frame leaves haze out
   constexpr double leastShare = 0.01;      // of the fullest slab

@@ -225,9 +225,16 @@ inline constexpr std::tuple settingsOf<ContextFunction>{
             {.key = "shift", .name = "Shift", .description = "Moves the whole transfer function along the values"})};
 
 template <>
-inline constexpr std::tuple settingsOf<Look>{Setting(
-    &Look::background,
-    {.key = "background", .option = "--background", .name = "Background", .description = "Colour behind the volume"})};
+inline constexpr std::tuple settingsOf<Look>{
+    Setting(&Look::background, {.key = "background",
+                                .option = "--background",
+                                .name = "Background",
+                                .description = "Colour behind the volume"}),
+    Setting(&Look::hideTable,
+            {.key = "hide_table",
+             .option = "--hide-table",
+             .name = "Hide the table",
+             .description = "Whether 3-D pictures of a CT leave out the scanner's table, head rest and cushions"})};
 
 template <>
 inline constexpr std::tuple settingsOf<BrushStroke>{

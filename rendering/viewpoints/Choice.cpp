@@ -52,13 +52,15 @@ Placement choose(const Measured& measured, const Options& options, bool joint) {
   placement.share = shareOf(measured, placement);
 
   double least = 1e300, greatest = -1e300;
+  Weights ofFocus = options.weights;
+  ofFocus.orientation = 0.0;  // which breaks ties, but is the same for every focus
   for (std::size_t i = 0; i < measured.spread; ++i) {
-    const double q = quality(measured.candidates[i].descriptors, options.weights);
+    const double q = quality(measured.candidates[i].descriptors, ofFocus);
     least = std::min(least, q);
     greatest = std::max(greatest, q);
   }
   if (greatest - least <= indistinct * std::max(std::abs(greatest), std::abs(least)))
-    placement.note = "the focus looks the same from everywhere: the first direction is as good as any";
+    placement.note = "the focus looks the same from everywhere: no direction shows more than another";
   else if (measured.surfacePoints == 0 && placement.c2)
     placement.note = "the focus fills the volume: it has no surface of which a share could be seen";
   return placement;

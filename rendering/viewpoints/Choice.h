@@ -42,8 +42,8 @@ struct Measured {
 };
 
 /// In the paper's order: the best view, then the best view of its region. With `joint` both at once (jointSearch), the
-/// standard views included. Needs no rendering. A focus that looks the same from everywhere gets the first direction
-/// and a note.
+/// standard views included. Needs no rendering. A focus that looks the same from everywhere gets a
+/// note.
 Placement choose(const Measured& measured, const Options& options, bool joint);
 /// C2 for a C1 anywhere on the sphere.
 Placement chooseDual(const Measured& measured, glm::dvec3 c1, const Options& options);

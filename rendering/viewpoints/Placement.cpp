@@ -47,6 +47,7 @@ Descriptors describe(const ImageSums& sums, int side, glm::dvec3 direction) {
   d.visibility = sums.depth / sums.count;
   d.coverage = sums.count / (static_cast<double>(side) * side);
   d.location = 1.0 - std::min(1.0, glm::length(sums.position / sums.count) / std::numbers::sqrt2);
+  d.endFace = sums.ends / sums.count;
   return d;
 }
 
@@ -96,23 +97,26 @@ void describeTogether(std::vector<Candidate>& candidates, std::size_t points) {
 
 double quality(const Descriptors& d, const Weights& w) {
   return w.visibility * d.visibility + w.coverage * d.coverage + w.location * d.location + w.entropy * d.entropy +
-         w.mutualInformation * d.mutualInformation + w.stability * d.stability + w.orientation * d.orientation;
+         w.mutualInformation * d.mutualInformation + w.stability * d.stability + w.orientation * d.orientation +
+         w.endFace * d.endFace;
 }
 
 Camera::Axes axesAt(glm::dvec3 direction) {
   Camera camera;
   camera.target = glm::dvec3(0.0);
   camera.eye = direction;
-  camera.up = {0.0, 0.0, 1.0};
+  camera.up = uprightFrom(direction);
   return camera.axes();
 }
 
 bool inRegion(glm::dvec3 c1, glm::dvec3 c2, const Options& options) {
   // Directions on the very rim belong to the region: rounding must not drop a standard view.
   constexpr double rim = 1e-9;
+  constexpr double mostAlong = 0.5;  // cos 60°
   const double along = std::abs(glm::dot(c1, c2));
+  if (along > mostAlong + rim) return false;
   if (options.region == Region::Stream) return along <= std::sin(glm::radians(options.streamHalfWidth)) + rim;
-  return along <= std::sqrt(0.5) + rim && glm::dot(c2, axesAt(c1).right) >= -rim;
+  return glm::dot(c2, axesAt(c1).right) >= -rim;
 }
 
 std::optional<std::size_t> bestView(const std::vector<Candidate>& candidates, const Options& options) {

@@ -22,6 +22,7 @@ struct ImageSums {
   glm::dvec2 position{0.0};  ///< sum of positions, each -1…1 from left to right and from bottom to top
   /// Box of the pixels whose centres see the focus: x0, y0, x1, y1, rows from the top; empty when x1 < x0.
   glm::ivec4 box{0, 0, -1, -1};
+  double ends = 0.0;  ///< focus pixels seen through an end of the scan, where that is measured
 };
 
 /// All in [0, 1]; the first three are the paper's.
@@ -34,6 +35,9 @@ struct Descriptors {
       0.0;                   ///< Σ p(o|v) log(p(o|v) / p(o)) (Viola et al. 2006), 1 where it is least: a typical view
   double stability = 0.0;    ///< 1 - Jensen–Shannon divergence to the nearest candidates (Bordoloi, Shen 2005)
   double orientation = 0.0;  ///< cosine to the nearest of the six anatomical directions
+  /// The share of the focus's image that is seen through an end of the scan: of its rays, those whose first point of
+  /// context or focus is where they enter the volume's box, so that they come in through a cut face of the body.
+  double endFace = 0.0;
 };
 
 /// One viewpoint: where it is, what it measures, which surface points it sees.
@@ -51,8 +55,9 @@ void describeTogether(std::vector<Candidate>& candidates, std::size_t points);
 
 double quality(const Descriptors& descriptors, const Weights& weights);
 
-/// Camera axes at a candidate: looking at the centre, the patient's superior up where that is defined.
+/// Camera axes at a candidate: looking at the centre, the patient upright.
 Camera::Axes axesAt(glm::dvec3 direction);
+/// Whether C2 may look from `c2`: in the region of the options, and between 60° and 120° from C1.
 bool inRegion(glm::dvec3 c1, glm::dvec3 c2, const Options& options);
 
 /// Index of the best candidate; ties go to the lowest. Empty when no candidate sees the focus.

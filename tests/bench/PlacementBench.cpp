@@ -1,15 +1,17 @@
-// placement-bench FOLDER [PART-OF-A-NAME]: measures dual-camera placement on the phantoms and the real-data collection
-// and writes placement.md and placement.svg to FOLDER. With a part of a name, only the structures that hold it.
+// Measures dual-camera placement on the phantoms and the real-data collection, and writes a page and a plot.
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <fstream>
+#include <functional>
 #include <iomanip>
 #include <iostream>
 #include <sstream>
 #include <string>
 #include <vector>
+
+#include <CLI/CLI.hpp>
 
 #include "app/SceneOptions.h"
 #include "rendering/egl/EglContext.h"
@@ -75,6 +77,8 @@ std::vector<Structure> structures() {
            "labelled/slicer-ctchest/Segmentation.seg.nrrd", {"right lung", "left lung"});
   ranged("Visible Human head: skull", tests::unpackTestData("visible-human/VHMCT1mm_Head.tar.xz", "VHMCT1mm_Head"),
          {300.0, 3000.0});
+  labelled("torso: spleen", torso, organs, {"1"});
+  labelled("torso: vertebra L1", torso, organs, {"31"});
   return list;
 }
 
@@ -109,9 +113,21 @@ struct Deviation {
   double c1 = 0.0, c2 = 0.0, lost = 0.0, lostByC2 = 0.0;
 };
 
+/// What a pair of cameras is judged by.
+struct PairMeasures {
+  double degrees = 0.0;  ///< between C1 and C2
+  double share = 0.0;    ///< of the focus's surface that at least one of them sees
+  double endFace = 0.0;  ///< share of the focus seen through an end of the scan, the mean of both views
+
+  /// A view that comes in through a cut end costs as much as a tenth of the surface.
+  double score() const { return share - 0.2 * endFace; }
+};
+
 struct Row {
   std::string name;
-  std::vector<Deviation> brute;  ///< for each of `counts`
+  PairMeasures before, after;        ///< the search and weights before end faces were measured, and the defaults
+  std::vector<PairMeasures> trials;  ///< for each of trialOptions()
+  std::vector<Deviation> brute;      ///< for each of `counts`
   Deviation refined;
   std::size_t refinedImages = 0;
   int side = 0;               ///< pixels of the images
@@ -120,24 +136,58 @@ struct Row {
   double jointByMore = 0.0;   ///< joint, looked at with `manyPoints`
   double standard = 0.0, stream = 0.0, semiSphere = 0.0, jointStream = 0.0, joint = 0.0;
   double measure = 0.0, images = 0.0, refine = 0.0, choose = 0.0, chooseJoint = 0.0, chooseJointOfMany = 0.0;
-  double dual = 0.0;
-  std::vector<double> weightShares, weightSingles;  ///< for each of trialWeights()
+  double dual = 0.0, ends = 0.0;
 };
 
-std::vector<Weights> trialWeights() {
-  std::vector<Weights> trials;
-  for (const double visibility : {1.0, 0.02, 0.01, 0.0, -0.01, -0.02, -0.25, -1.0})
-    for (const double coverage : {1.0, 4.0, 8.0, 16.0})
-      for (const double location : {0.0, 0.25, 0.5, 1.0}) trials.push_back({visibility, coverage, location});
+std::vector<Options> trialOptions() {
+  std::vector<Options> trials;
+  for (const double shareWeight : {1.0, 0.95, 0.9, 0.8, 0.6, 0.4})
+    for (const double endFace : {0.0, -0.5, -1.0, -2.0})
+      for (const double visibility : {0.02, 0.0, -0.02, -0.25})
+        for (const double coverage : {0.0, 1.0, 4.0, 16.0})
+          for (const double location : {0.0, 0.5}) {
+            Options options;
+            options.shareWeight = shareWeight;
+            options.weights.endFace = endFace;
+            options.weights.visibility = visibility;
+            options.weights.coverage = coverage;
+            options.weights.location = location;
+            trials.push_back(options);
+          }
   return trials;
+}
+
+PairMeasures measuresOf(const Measured& measured, std::size_t first, std::size_t second) {
+  const Candidate &c1 = measured.candidates[first], &c2 = measured.candidates[second];
+  return {degreesBetween(c1.direction, c2.direction), seenShare(c1, c2, measured.surfacePoints),
+          0.5 * (c1.descriptors.endFace + c2.descriptors.endFace)};
+}
+
+/// The paper's order with the weights that were the default, C2 on C1's right and at least 45° from ±C1.
+PairMeasures formerPair(const Measured& measured) {
+  Options options;
+  options.weights = {.visibility = -0.02, .coverage = 16.0, .location = 0.5, .orientation = 0.0, .endFace = 0.0};
+  const std::size_t c1 = *choose(measured, options, false).c1;
+  const glm::dvec3 direction = measured.candidates[c1].direction, right = axesAt(direction).right;
+  std::size_t c2 = c1;
+  double greatest = -1e300;
+  for (std::size_t i = 0; i < measured.spread; ++i) {
+    const glm::dvec3 other = measured.candidates[i].direction;
+    const double q = quality(measured.candidates[i].descriptors, options.weights);
+    if (std::abs(glm::dot(direction, other)) > std::sqrt(0.5) + 1e-9 || glm::dot(other, right) < -1e-9 || q <= greatest)
+      continue;
+    c2 = i;
+    greatest = q;
+  }
+  return measuresOf(measured, c1, c2);
 }
 
 /// Scatter of the quality's error over 48 directions, against images four times as fine: differences below it are the
 /// images', not the focus's.
 double errorOfQuality(CandidateImages& images, const GpuScene& gpu, int side, const Options& options) {
   const std::vector<glm::dvec3> directions = ringDirections(2);
-  const std::vector<Candidate> coarse = images.measure(gpu, directions, {}, side);
-  const std::vector<Candidate> fine = images.measure(gpu, directions, {}, 4 * side);
+  const std::vector<Candidate> coarse = images.measure(gpu, directions, {}, side, true);
+  const std::vector<Candidate> fine = images.measure(gpu, directions, {}, 4 * side, true);
   double sum = 0.0, squares = 0.0;
   for (std::size_t i = 0; i < directions.size(); ++i) {
     const double error =
@@ -161,7 +211,7 @@ Row measureStructure(const Structure& structure) {
   const Options options;
   row.side = side;
   row.error = errorOfQuality(images, gpu, side, options);
-  const std::vector<Candidate> converged = images.measure(gpu, ringDirections(*sideOf(convergedCount)), {}, side);
+  const std::vector<Candidate> converged = images.measure(gpu, ringDirections(*sideOf(convergedCount)), {}, side, true);
   const Candidate& best = converged[bestView(converged, options).value()];
   const Candidate& dual = converged[dualView(converged, best.direction, options).value()];
   const auto deviation = [&](const std::vector<Candidate>& candidates) {
@@ -177,7 +227,7 @@ Row measureStructure(const Structure& structure) {
   };
   for (const int count : counts) {
     const auto start = std::chrono::steady_clock::now();
-    const std::vector<Candidate> candidates = images.measure(gpu, ringDirections(*sideOf(count)), {}, side);
+    const std::vector<Candidate> candidates = images.measure(gpu, ringDirections(*sideOf(count)), {}, side, true);
     row.times.push_back(millisecondsSince(start));
     row.brute.push_back(deviation(candidates));
   }
@@ -198,6 +248,7 @@ Row measureStructure(const Structure& structure) {
   sampling.refined = false;
   row.measure = timed(measureAnew);
   row.images = timed([&] { images.measure(gpu, ringDirections(4), {}, side); });
+  row.ends = timed([&] { images.measure(gpu, ringDirections(4), {}, side, true); });
   const Measured& measured = placer.measure(gpu, loaded.scene, sampling, options);
   row.choose = timed([&] { choose(measured, options, false); });
   row.chooseJoint = timed([&] { choose(measured, options, true); });
@@ -219,13 +270,11 @@ Row measureStructure(const Structure& structure) {
       gpu, {measured.candidates[*joint.c1].direction, measured.candidates[*joint.c2].direction}, many, side);
   row.jointByMore = seenShare(pair[0], pair[1], many.points.size());
   row.jointStream = choose(measured, stream, true).share;
-  for (const Weights& weights : trialWeights()) {
-    Options trial;
-    trial.weights = weights;
-    const Placement placed = choose(measured, trial, false);
-    row.weightShares.push_back(placed.share);
-    const Candidate& c1 = measured.candidates[*placed.c1];
-    row.weightSingles.push_back(seenShare(c1, c1, measured.surfacePoints));
+  row.before = formerPair(measured);
+  row.after = measuresOf(measured, *joint.c1, *joint.c2);
+  for (const Options& trial : trialOptions()) {
+    const Placement placed = choose(measured, trial, true);
+    row.trials.push_back(measuresOf(measured, *placed.c1, *placed.c2));
   }
   return row;
 }
@@ -287,6 +336,83 @@ std::string angleTable(const std::vector<Row>& rows, double Deviation::*angle) {
   return table;
 }
 
+/// The structures that weights are chosen on; the others report what they are worth. Every second one of the list.
+bool isTuned(std::size_t row) { return row % 2 == 0; }
+
+PairMeasures meanOf(const std::vector<Row>& rows, bool tuned, const std::function<PairMeasures(const Row&)>& of) {
+  PairMeasures mean;
+  double count = 0.0;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (isTuned(i) != tuned) continue;
+    const PairMeasures one = of(rows[i]);
+    mean = {mean.degrees + one.degrees, mean.share + one.share, mean.endFace + one.endFace};
+    ++count;
+  }
+  count = std::max(count, 1.0);
+  return {mean.degrees / count, mean.share / count, mean.endFace / count};
+}
+
+std::vector<std::string> cellsOf(const PairMeasures& pair) {
+  return {number(pair.degrees, 0) + "°", number(pair.share, 3), number(pair.endFace, 2)};
+}
+
+std::string pairTable(const std::vector<Row>& rows, bool tuned) {
+  std::string table =
+      header({"structure", "angle before", "share before", "end face before", "angle", "share", "end face"});
+  const auto add = [&](const std::string& name, const PairMeasures& before, const PairMeasures& after) {
+    std::vector<std::string> cells{name};
+    for (const PairMeasures& pair : {before, after})
+      for (const std::string& cell : cellsOf(pair)) cells.push_back(cell);
+    table += tableRow(cells);
+  };
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (isTuned(i) == tuned) add(rows[i].name, rows[i].before, rows[i].after);
+  add("**mean**", meanOf(rows, tuned, [](const Row& row) { return row.before; }),
+      meanOf(rows, tuned, [](const Row& row) { return row.after; }));
+  return table;
+}
+
+/// How the two cameras differ, and how the weights were chosen.
+std::string pairSection(const std::vector<Row>& rows) {
+  const Options usual;
+  std::ostringstream out;
+  out << "\n## Cameras that differ\n\nThe angle between C1 and C2, the share of the focus's surface that at least one "
+         "of them sees, and the share of the focus that they look at through an end of the scan (mean of both). "
+         "*Before*: the paper's order with weights of -0.02 (visibility), 16 (coverage) and 0.5 (location), C2 at "
+         "least "
+         "45° from ±C1. The weights were chosen on one half of the structures, every second one; the other half "
+         "reports them.\n\nReported, on structures that no weight was chosen on:\n\n"
+      << pairTable(rows, false) << "\nThe structures that the weights were chosen on:\n\n"
+      << pairTable(rows, true)
+      << "\n## Weights\n\nMeans over the structures that the weights were chosen on, by the score share − 0.2 · end "
+         "face: "
+         "the best fifteen of the joint search's trials, and the default. A view wholly through a cut end then costs "
+         "as "
+         "much as a tenth of the surface.\n\n"
+      << header({"share weight; visibility, coverage, location, end face", "score", "angle", "share", "end face"});
+  const std::vector<Options> trials = trialOptions();
+  std::vector<std::pair<double, std::size_t>> order;
+  std::vector<PairMeasures> means;
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    means.push_back(meanOf(rows, true, [i](const Row& row) { return row.trials[i]; }));
+    order.emplace_back(-means[i].score(), i);
+  }
+  std::sort(order.begin(), order.end());
+  for (std::size_t rank = 0; rank < order.size(); ++rank) {
+    const std::size_t i = order[rank].second;
+    const Weights& w = trials[i].weights;
+    const bool isUsual = trials[i] == usual;
+    if (rank >= 15 && !isUsual) continue;
+    std::vector<std::string> cells{number(trials[i].shareWeight, 2) + "; " + number(w.visibility, 2) + ", " +
+                                       number(w.coverage, 0) + ", " + number(w.location, 1) + ", " +
+                                       number(w.endFace, 1) + (isUsual ? " (default)" : ""),
+                                   number(means[i].score(), 4)};
+    for (const std::string& cell : cellsOf(means[i])) cells.push_back(cell);
+    out << tableRow(cells);
+  }
+  return out.str();
+}
+
 std::string page(const std::vector<Row>& rows, const std::vector<Scaled>& scaling, const std::string& gl) {
   std::ostringstream out;
   out << "# Dual-camera placement, measured\n\nWritten by `placement-bench` (build target of that name) on " << gl
@@ -313,14 +439,15 @@ std::string page(const std::vector<Row>& rows, const std::vector<Scaled>& scalin
   for (const Row& row : rows)
     out << tableRow({row.name, number(row.standard, 3), number(row.stream, 3), number(row.semiSphere, 3),
                      number(row.jointStream, 3), number(row.joint, 3), number(row.jointByMore, 3)});
-  out << "\n## Times\n\nMilliseconds, median of five after one run. *images*: N = 192 candidate images alone; "
+  out << "\n## Times\n\nMilliseconds, median of five after one run. *images*: N = 192 candidate images alone; *ends*: "
+         "with end faces; "
          "*measure*: with what each candidate sees of the surface, and all descriptors; *refined*: the same, refined; "
          "*choose*: C1 and C2 after a change of weights; *joint*: the joint search; *C2*: C2 for a dragged C1.\n\n"
-      << header({"structure", "images", "measure", "refined", "choose", "joint", "joint, N = 1200", "C2"});
+      << header({"structure", "images", "ends", "measure", "refined", "choose", "joint", "joint, N = 1200", "C2"});
   for (const Row& row : rows)
-    out << tableRow({row.name, number(row.images, 0), number(row.measure, 0), number(row.refine, 0),
-                     number(row.choose, 2), number(row.chooseJoint, 2), number(row.chooseJointOfMany, 1),
-                     number(row.dual, 2)});
+    out << tableRow({row.name, number(row.images, 0), number(row.ends, 0), number(row.measure, 0),
+                     number(row.refine, 0), number(row.choose, 2), number(row.chooseJoint, 2),
+                     number(row.chooseJointOfMany, 1), number(row.dual, 2)});
   out << "\n## Scaling\n\nMilliseconds for N candidate images, one run each.\n\n";
   std::vector<std::string> cells{"N"};
   for (const int count : counts) cells.push_back(std::to_string(count));
@@ -337,29 +464,7 @@ std::string page(const std::vector<Row>& rows, const std::vector<Scaled>& scalin
         {std::to_string(scaled.dims.x) + "×" + std::to_string(scaled.dims.y) + "×" + std::to_string(scaled.dims.z),
          number(1e-6 * scaled.dims.x * scaled.dims.y * scaled.dims.z, 1), number(scaled.images, 0),
          number(scaled.measure, 0)});
-  out << "\n## Weights\n\nShare of the surface that the pair (and C1 alone) sees, averaged over the structures above: "
-         "the ten "
-         "best for the pair, the default, and the paper's "
-         "sign of the depth term. Chosen on these structures; others may rank them otherwise.\n\n"
-      << header({"visibility, coverage, location", "pair", "C1"});
-  const std::vector<Weights> trials = trialWeights();
-  std::vector<std::size_t> order(trials.size());
-  std::vector<double> pair(trials.size(), 0.0), single(trials.size(), 0.0);
-  for (std::size_t i = 0; i < trials.size(); ++i) {
-    order[i] = i;
-    for (const Row& row : rows) {
-      pair[i] += row.weightShares[i] / static_cast<double>(rows.size());
-      single[i] += row.weightSingles[i] / static_cast<double>(rows.size());
-    }
-  }
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return pair[a] > pair[b]; });
-  for (std::size_t rank = 0; rank < order.size(); ++rank) {
-    const Weights& w = trials[order[rank]];
-    if (rank >= 10 && !(w == Weights{}) && !(w.visibility > 0.0 && w.coverage == 1.0)) continue;
-    out << tableRow({number(w.visibility, 2) + ", " + number(w.coverage, 0) + ", " + number(w.location, 2) +
-                         (w == Weights{} ? " (default)" : ""),
-                     number(pair[order[rank]], 4), number(single[order[rank]], 4)});
-  }
+  out << pairSection(rows);
   return out.str();
 }
 
@@ -433,12 +538,13 @@ int run(const std::filesystem::path& folder, const std::string& part) {
 }  // namespace fenestra
 
 int main(int argc, char** argv) {
-  if (argc < 2 || argc > 3) {
-    std::cerr << "usage: placement-bench FOLDER [PART-OF-A-NAME]\n";
-    return 2;
-  }
+  CLI::App program{"Measures dual-camera placement and writes placement.md and placement.svg.", "placement-bench"};
+  std::string folder, part;
+  program.add_option("FOLDER", folder, "where the page and its plot go")->required();
+  program.add_option("PART", part, "only the structures whose names hold this");
+  CLI11_PARSE(program, argc, argv);
   try {
-    return fenestra::run(argv[1], argc > 2 ? argv[2] : "");
+    return fenestra::run(folder, part);
   } catch (const std::exception& error) {
     std::cerr << "placement-bench: " << error.what() << '\n';
     return 1;

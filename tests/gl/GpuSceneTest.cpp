@@ -98,6 +98,37 @@ TEST_F(GpuSceneTest, FactorsFollowTheMemoryAndTheFinestAxis) {
   EXPECT_EQ(fittingFactor(large, {100, {}}), glm::ivec3(2, 1, 1));
 }
 
+TEST_F(GpuSceneTest, TheTableIsHiddenAsIfItWereAir) {
+  Scene scene = largeScene();
+  const auto inBody = [](glm::ivec3 v) { return glm::length(glm::dvec3(v) - glm::dvec3(24.0, 20.0, 18.0)) < 14.0; };
+  const Grid grid = gridOf({48, 40, 36});
+  scene.volume = volumeOf<std::int16_t>(grid, [&](glm::ivec3 v) { return inBody(v) ? 60 : v.y > 36 ? 100 : -1000; });
+  scene.tissue = volumeOf<std::int16_t>(grid, [&](glm::ivec3 v) { return inBody(v) ? 60 : -1000; });
+  scene.labels = nullptr;
+  scene.look.focus = {};
+  const auto hidden = pictureOf(scene);
+  EXPECT_EQ(hidden, pictureOf(shownScene(scene)));
+  Scene shown = scene;
+  shown.look.hideTable = false;
+  EXPECT_EQ(shownVolume(shown), scene.volume);
+  EXPECT_NE(pictureOf(shown), hidden);
+  // The same objects follow the choice both ways.
+  GpuScene gpu;
+  gpu.update(scene);
+  const std::uint64_t first = gpu.versions().volume;
+  gpu.update(scene);
+  EXPECT_EQ(gpu.versions().volume, first);
+  gpu.update(shown);
+  EXPECT_GT(gpu.versions().volume, first);
+  // Without a table, hiding is no change.
+  scene.tissue = scene.volume;
+  gpu.update(scene);
+  const std::uint64_t second = gpu.versions().volume;
+  scene.look.hideTable = false;
+  gpu.update(scene);
+  EXPECT_EQ(gpu.versions().volume, second);
+}
+
 /// Has no room for 3-D textures of more than so many texels.
 class CrampedDriver {
  public:

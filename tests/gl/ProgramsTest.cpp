@@ -40,7 +40,11 @@ void place(Scene scene, Schedule schedule) {
   GpuScene gpu;
   gpu.setSchedule(schedule);
   placement::Placer placer;
-  placer.measure(gpu, scene, {.count = 12}, {});
+  placement::Options options;
+  options.weights.endFace = 0.0;
+  placer.measure(gpu, scene, {.count = 12}, options);
+  options.weights.endFace = -1.0;
+  placer.measure(gpu, scene, {.count = 12}, options);
 }
 
 /// What the scenes link under both schedules, and the pictures that come of it.
@@ -101,13 +105,14 @@ int sharedBytes(const std::string& source) {
 TEST_F(ProgramsTest, EveryShaderIsLinkedInSeveralVariants) {
   std::map<std::string, int> variants;
   for (const auto& [source, linked] : programs()) ++variants[linked.path];
-  for (const char* path :
-       {"HitPoints.comp", "PullPushAnalysis.comp", "PullPushSynthesis.comp", "FocusMask.comp", "FocusTiles.comp",
-        "DistanceRows.comp", "DistanceColumns.comp", "RayStart.comp", "EditMap.comp", "ContextLayer.comp",
-        "Composite.comp", "CandidateHits.comp", "CandidateOutlines.comp", "CandidateVisibility.comp"})
+  for (const char* path : {"HitPoints.comp", "PullPushAnalysis.comp", "PullPushSynthesis.comp", "FocusMask.comp",
+                           "FocusTiles.comp", "DistanceRows.comp", "DistanceColumns.comp", "RayStart.comp",
+                           "EditMap.comp", "ContextLayer.comp", "Composite.comp", "CandidateHits.comp",
+                           "CandidateOutlines.comp", "CandidateVisibility.comp", "CandidateEnds.comp"})
     EXPECT_GE(variants[path], 2) << path << ": one for each schedule at least";
-  for (const char* path : {"PixelsBetween.comp", "CandidateEdges.comp", "CandidateAreas.comp", "CandidateSums.comp"})
-    EXPECT_GE(variants[path], 1) << path;
+  for (const char* path : {"PixelsBetween.comp", "CandidateEdges.comp"}) EXPECT_GE(variants[path], 1) << path;
+  for (const char* path : {"CandidateAreas.comp", "CandidateSums.comp"})
+    EXPECT_GE(variants[path], 2) << path << ": with and without end faces";
   EXPECT_GE(variants["FocusLayer.comp"], 80);
 }
 

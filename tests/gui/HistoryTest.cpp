@@ -58,6 +58,7 @@ class RandomEdits {
         look.contextLayer.strength = number();
         look.shading.ambient = number();
         look.background.g = number();
+        look.hideTable = below(2) == 0;
         return document_.edit(QStringLiteral("Light"), std::move(look));
       }
       case 6: {

@@ -121,6 +121,22 @@ TEST(ViewLink, StandardViewsFaceTheirSideAndKeepDistanceAndRelation) {
   }
 }
 
+TEST(ViewLink, ZoomIsSharedWhileLinked) {
+  ViewLink link;
+  link.place(Camera::standard(StandardView::Anterior, cube()));
+  const auto distance = [&](int view) { return glm::distance(link.camera(view).eye, link.camera(view).target); };
+  const std::array before{distance(0), distance(1)};
+  const glm::dvec3 eye = link.camera(1).axes().forward;
+  link.zoom(0, 2.0);
+  EXPECT_NEAR(distance(0), before[0] / 2.0, tolerance);
+  EXPECT_NEAR(distance(1), before[1] / 2.0, tolerance);
+  expectNear(link.camera(1).axes().forward, eye);
+  link.setLinked(false);
+  link.zoom(1, 0.5);
+  EXPECT_NEAR(distance(0), before[0] / 2.0, tolerance);
+  EXPECT_NEAR(distance(1), before[1], tolerance);
+}
+
 TEST(ViewLink, ProjectionsShowTheTargetAtTheSameSize) {
   ViewLink link;
   link.place(Camera::standard(StandardView::Anterior, cube()));

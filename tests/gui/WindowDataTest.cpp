@@ -134,7 +134,7 @@ TEST_F(Window, RemembersHowTheUserPlacesCamerasNotHowASessionDoes) {
   EXPECT_EQ(Preferences().placement(), PlacementSettings());
   window.findChild<PlacementForm*>()->joint()->click();
   PlacementSettings expected;
-  expected.joint = settings.joint = true;
+  expected.joint = settings.joint = false;
   EXPECT_EQ(Preferences().placement(), expected);
   EXPECT_EQ(window.workspace().placement.settings(), settings);
 }

@@ -57,6 +57,7 @@ inline io::Session fullSession(const std::filesystem::path& folder) {
                                .colour = {1.0, 0.0, 0.1}};
   session.look.shading = {false, 0.1, 0.2, 0.4, 7.0, 33.3, -12.5};
   session.look.background = {0.05, 0.06, 0.07};
+  session.look.hideTable = false;
   session.look.strokes = {someStroke(BrushMode::Open), someStroke(BrushMode::Fade, 1),
                           someStroke(BrushMode::Strengthen)};
   session.quality = Quality::High;
@@ -72,11 +73,11 @@ inline io::Session fullSession(const std::filesystem::path& folder) {
   session.layout = "AAECAw==";
   session.placement = {.samples = 588,
                        .refined = true,
-                       .weights = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7},
+                       .weights = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, -0.8},
                        .inStream = true,
                        .streamHalfWidth = 22.5,
                        .shareWeight = 0.4,
-                       .joint = true,
+                       .joint = false,
                        .follow = false,
                        .automatic = false};
   session.autosaveOf = folder / "kept.fenestra";

@@ -44,6 +44,26 @@ TEST(Camera, standardViewsPutThePatientsSidesRight) {
     }
 }
 
+TEST(Camera, thePatientIsUprightFromEveryDirection) {
+  const Grid grid = gridOf({10, 20, 30});
+  for (double elevation = -90.0; elevation <= 90.0; elevation += 5.0)
+    for (double azimuth = 0.0; azimuth < 360.0; azimuth += 45.0) {
+      const double el = glm::radians(elevation), az = glm::radians(azimuth);
+      const glm::dvec3 direction(std::cos(el) * std::sin(az), -std::cos(el) * std::cos(az), std::sin(el));
+      const Camera camera = Camera::fromDirection(direction, grid);
+      expectOrthonormal(camera);
+      // Superior points up in the picture, or anterior where the camera looks along the body.
+      const glm::dvec3 up = std::abs(elevation) > 75.0 ? glm::dvec3(0, -1, 0) : glm::dvec3(0, 0, 1);
+      EXPECT_GT(glm::dot(camera.axes().up, up), 0.25) << azimuth << ' ' << elevation;
+      EXPECT_NEAR(glm::dot(camera.axes().right, up), 0.0, rounding);
+    }
+  for (const StandardView view : {StandardView::Anterior, StandardView::Posterior, StandardView::Left,
+                                  StandardView::Right, StandardView::Superior, StandardView::Inferior}) {
+    const Camera standard = Camera::standard(view, grid);
+    expectNear(Camera::fromDirection(-standard.axes().forward, grid).axes().up, standard.axes().up, rounding);
+  }
+}
+
 TEST(Camera, anglesMeetTheStandardViews) {
   const Grid grid = gridOf({10, 20, 30});
   const struct {

@@ -141,7 +141,8 @@ void Document::show(Look look) {
   const bool context = now.context != before.context;
   const bool cutaway = now.cutaway != before.cutaway || now.contextLayer != before.contextLayer;
   const bool shading = now.shading != before.shading, strokes = now.strokes != before.strokes;
-  const bool scene = focus || context || cutaway || shading || now.background != before.background;
+  const bool scene = focus || context || cutaway || shading || now.background != before.background ||
+                     now.hideTable != before.hideTable;
   if (focus) Q_EMIT focusChanged();
   if (context) Q_EMIT transferFunctionChanged();
   if (cutaway) Q_EMIT cutawayChanged();

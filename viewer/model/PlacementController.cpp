@@ -50,7 +50,7 @@ bool PlacementController::canPlace() const {
 
 PlacementController::Subject PlacementController::subject() const {
   const Scene& scene = document_.scene();
-  return {scene.volume, scene.labels, scene.look.focus};
+  return {shownVolume(scene), scene.labels, scene.look.focus};
 }
 
 const placement::Measured* PlacementController::measured() const {
@@ -60,7 +60,8 @@ const placement::Measured* PlacementController::measured() const {
 void PlacementController::setSettings(const PlacementSettings& settings) {
   if (settings == settings_) return;
   const PlacementSettings before = std::exchange(settings_, settings);
-  if (settings.sampling != before.sampling && (measured() || isMeasuring()))
+  const bool needsEndFaces = settings.options.weights.endFace != 0.0 && before.options.weights.endFace == 0.0;
+  if ((settings.sampling != before.sampling || needsEndFaces) && (measured() || isMeasuring()))
     placeAutomatically();
   else if (measured() && (settings.options != before.options || settings.joint != before.joint))
     choose(false, false);
@@ -174,7 +175,9 @@ void PlacementController::fly(glm::dvec3 c1, std::optional<glm::dvec3> c2, bool 
 }
 
 Camera PlacementController::framing(glm::dvec3 direction) {
-  if (!visible_) visible_ = visibleGrid(*document_.scene().volume, document_.scene().look.context.shifted());
+  const std::shared_ptr<const Volume>& shown = shownVolume(document_.scene());
+  if (!visible_ || visibleOf_ != shown) visible_ = visibleGrid(*shown, document_.scene().look.context.shifted());
+  visibleOf_ = shown;
   return Camera::fromDirection(direction, *visible_, cameras_.projection());
 }
 

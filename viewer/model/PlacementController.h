@@ -23,9 +23,9 @@ class Document;
 struct PlacementSettings {
   placement::Sampling sampling;
   placement::Options options;
-  bool joint = false;     ///< choose both cameras at once, by what the pair sees together
-  bool follow = true;     ///< C2 goes to the best of its region when C1 is turned
-  bool automatic = true;  ///< place when a focus is chosen
+  bool joint = placement::jointByDefault;  ///< choose both cameras at once, by what the pair sees together
+  bool follow = true;                      ///< C2 goes to the best of its region when C1 is turned
+  bool automatic = true;                   ///< place when a focus is chosen
   bool operator==(const PlacementSettings&) const = default;
 };
 
@@ -124,6 +124,7 @@ class PlacementController : public QObject {
   std::shared_ptr<const Volume> volume_;   ///< the volume at the last change of focus
   std::optional<Grid> visible_;            ///< the box of the visible voxels, which a camera frames
   std::optional<glm::dvec3> placedClick_;  ///< of the last region in focus that was grown
+  std::shared_ptr<const Volume> visibleOf_;
   QString note_;
   QTimer chosen_;  ///< fires a moment after a focus was chosen
   QTimer slice_;

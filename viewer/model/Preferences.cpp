@@ -16,19 +16,21 @@ const QString stateKey = QStringLiteral("layout/docks");
 const QString qualityKey = QStringLiteral("picture/quality");
 const QString maxErrorKey = QStringLiteral("picture/maxError");
 const QString viewsKey = QStringLiteral("layout/views");
+const QString animatedKey = QStringLiteral("picture/animatedCameras");
 const QString placementKey = QStringLiteral("placement/%1");
 
 struct NamedWeight {
   const char* name;
   double placement::Weights::*member;
 };
-const std::array<NamedWeight, 7> namedWeights{{{"weightDepth", &placement::Weights::visibility},
+const std::array<NamedWeight, 8> namedWeights{{{"weightDepth", &placement::Weights::visibility},
                                                {"weightCoverage", &placement::Weights::coverage},
                                                {"weightLocation", &placement::Weights::location},
                                                {"weightEntropy", &placement::Weights::entropy},
                                                {"weightTypical", &placement::Weights::mutualInformation},
                                                {"weightStability", &placement::Weights::stability},
-                                               {"weightOrientation", &placement::Weights::orientation}}};
+                                               {"weightOrientation", &placement::Weights::orientation},
+                                               {"weightEndFace", &placement::Weights::endFace}}};
 struct NamedSwitch {
   const char* name;
   bool PlacementSettings::*member;
@@ -93,6 +95,9 @@ void Preferences::setAtRest(const Effort& effort) {
   else
     remove(maxErrorKey);
 }
+
+bool Preferences::animatesCameras() const { return value(animatedKey, true).toBool(); }
+void Preferences::setAnimatesCameras(bool animates) { store(animatedKey, animates); }
 
 QByteArray Preferences::windowGeometry() const { return value(geometryKey).toByteArray(); }
 QByteArray Preferences::windowState() const { return value(stateKey).toByteArray(); }

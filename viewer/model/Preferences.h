@@ -33,6 +33,10 @@ class Preferences {
   Effort atRest() const;
   void setAtRest(const Effort& effort);
 
+  /// Whether the cameras fly to where they are placed.
+  bool animatesCameras() const;
+  void setAnimatesCameras(bool animates);
+
   QByteArray windowGeometry() const;
   QByteArray windowState() const;
   QByteArray viewLayout() const;

@@ -7,7 +7,7 @@
 namespace fenestra::viewer {
 namespace {
 
-constexpr int flightMilliseconds = 400;
+constexpr int flightMilliseconds = 300;
 
 /// Columns right, up, backward of a camera, in world space.
 glm::dmat3 worldFromView(const Camera& camera) {
@@ -48,7 +48,7 @@ Camera between(const Camera& from, const Camera& to, double part) {
 
 Camera facing(Camera camera, glm::dvec3 towardsEye) {
   camera.eye = camera.target + towardsEye * glm::distance(camera.eye, camera.target);
-  camera.up = {0.0, 0.0, 1.0};
+  camera.up = uprightFrom(towardsEye);
   return camera;
 }
 
@@ -76,6 +76,16 @@ void ViewLink::flyTo(const Pair& cameras, const Pair& home) {
   to_ = cameras;
   if (from_ == to_) return;
   flight_.start();
+  if (!animated_) finishFlight();
+}
+
+void ViewLink::finishFlight() {
+  if (isFlying()) flight_.setCurrentTime(flightMilliseconds);
+}
+
+void ViewLink::setAnimated(bool animated) {
+  animated_ = animated;
+  if (!animated) finishFlight();
 }
 
 void ViewLink::show(int view, const Camera& camera) {
@@ -124,7 +134,11 @@ void ViewLink::face(int view, StandardView side) {
   rotate(view, worldFromView(wanted) * glm::transpose(worldFromView(camera(view))));
 }
 
-void ViewLink::zoom(int view, double factor) { show(view, camera(view).zoomed(factor)); }
+void ViewLink::zoom(int view, double factor) {
+  flight_.stop();
+  for (int other = 0; other < count; ++other)
+    if (other == view || linked_) set(other, camera(other).zoomed(factor));
+}
 
 void ViewLink::pan(int view, double rightMm, double upMm) { show(view, camera(view).panned(rightMm, upMm)); }
 

@@ -1,6 +1,6 @@
 #pragma once
 // The two cameras, C1 and C2, and their link: while linked, a rotation of one turns the other by the same world
-// rotation, so that the angle between them stays. Zoom and pan act on one view.
+// rotation, so that the angle between them stays, and both zoom by the same factor. Pan acts on one view.
 
 #include <array>
 
@@ -40,8 +40,14 @@ class ViewLink : public QObject {
   /// Without a flight.
   void setPose(const Pose& pose);
 
-  /// Flies both cameras to a pose over some frames; reset() then goes to `home`. Any other camera move ends the flight.
+  /// Flies both cameras to a pose over 0.3 s, or moves them there at once when they are not animated; reset() then goes
+  /// to `home`. Any other camera move ends the flight.
   void flyTo(const Pair& cameras, const Pair& home);
+  /// Ends a flight where it leads to.
+  void finishFlight();
+  bool isAnimated() const { return animated_; }
+  /// Off: flights end at once, one under way too.
+  void setAnimated(bool animated);
   bool isFlying() const { return flight_.state() == QAbstractAnimation::Running; }
   /// Sets one camera at once, linked or not.
   void show(int view, const Camera& camera);
@@ -52,6 +58,7 @@ class ViewLink : public QObject {
   void orbit(int view, double yaw, double pitch);
   /// Turns a view to look from a side of the patient.
   void face(int view, StandardView side);
+  /// Brings a view, and its linked partner, `factor` times nearer.
   void zoom(int view, double factor);
   void pan(int view, double rightMm, double upMm);
   /// Changes the projection of both views. Objects at the target keep their size on screen.
@@ -71,7 +78,7 @@ class ViewLink : public QObject {
 
   Pair cameras_, placed_, from_, to_;  ///< from_ and to_: start and end of the flight
   QVariantAnimation flight_;
-  bool linked_ = true;
+  bool linked_ = true, animated_ = true;
 };
 
 /// The camera at `part` (0…1) of the way from one to another, along the shortest rotation at constant angular speed.

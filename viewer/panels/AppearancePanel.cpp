@@ -19,7 +19,8 @@ AppearancePanel::AppearancePanel(Document& document, QWidget* parent)
       document_(document),
       light_(document, &Look::shading),
       presets_(new QComboBox),
-      shift_(new SliderSpin(-500.0, 500.0, 1.0)) {
+      shift_(new SliderSpin(-500.0, 500.0, 1.0)),
+      table_(new QCheckBox(QString::fromUtf8(settingOf(&Look::hideTable).name))) {
   for (const io::TransferFunctionPreset& preset : io::transferFunctionPresets())
     presets_->addItem(QString::fromStdString(preset.name), QString::fromStdString(preset.id));
   presets_->addItem(tr("From a file…"));
@@ -30,6 +31,9 @@ AppearancePanel::AppearancePanel(Document& document, QWidget* parent)
   form->addRow(QString::fromUtf8(settingOf(&ContextFunction::shift).name), shift_);
   light_.addRow(*form, &Shading::lightAzimuth);
   light_.addRow(*form, &Shading::lightElevation);
+  table_->setObjectName(QString::fromUtf8(settingOf(&Look::hideTable).key));
+  table_->setToolTip(QString::fromUtf8(settingOf(&Look::hideTable).description));
+  form->addRow(table_);
   auto* column = new QVBoxLayout(this);
   column->addLayout(form);
   column->addWidget(new TransferFunctionPlot(document));
@@ -37,10 +41,19 @@ AppearancePanel::AppearancePanel(Document& document, QWidget* parent)
   connect(presets_, &QComboBox::activated, this, &AppearancePanel::choose);
   makeDragsSteps(*shift_, document.history());
   connect(shift_, &SliderSpin::edited, &document, &Document::setShift);
+  connect(table_, &QCheckBox::clicked, &document, [this](bool hide) {
+    Look look = document_.look();
+    look.hideTable = hide;
+    document_.edit(table_->text(), std::move(look));
+  });
   connect(&document, &Document::transferFunctionChanged, this, &AppearancePanel::show);
+  connect(&document, &Document::sceneChanged, this, [this] { table_->setChecked(document_.look().hideTable); });
   connect(&document, &Document::shadingChanged, this, [this] { light_.show(); });
   connect(&document, &Document::volumeChanged, this, [this] {
     const Volume& volume = *document_.scene().volume;
+    // Only a volume with a table can be shown without.
+    const Scene& scene = document_.scene();
+    table_->setVisible(scene.tissue && scene.tissue != scene.volume);
     // A quarter of the range either way; for CT ±500 HU, which separate lung, soft tissue and bone.
     const double span = volume.isInHounsfieldUnits() ? 500.0 : 0.25 * (volume.range.high - volume.range.low);
     const double step = std::pow(10.0, std::floor(std::log10(std::max(span, 1e-9) / 200.0)));
@@ -64,6 +77,7 @@ void AppearancePanel::show() {
   }
   presets_->setCurrentIndex(row);
   shift_->setValue(document_.shift());
+  table_->setChecked(document_.look().hideTable);
 }
 
 void AppearancePanel::choose(int row) {

@@ -1,6 +1,7 @@
 #pragma once
 // How the context looks: transfer-function preset, a shift that moves it along the values, and the light.
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QWidget>
 
@@ -15,6 +16,7 @@ class AppearancePanel : public QWidget {
 
   QComboBox* presets() const { return presets_; }
   SliderSpin* shift() const { return shift_; }
+  QCheckBox* hidesTable() const { return table_; }
 
  Q_SIGNALS:
   void failed(const QString& message);
@@ -27,6 +29,7 @@ class AppearancePanel : public QWidget {
   LookControls<Shading> light_;
   QComboBox* presets_;
   SliderSpin* shift_;
+  QCheckBox* table_;
 };
 
 }  // namespace fenestra::viewer

@@ -15,28 +15,47 @@ struct WeightRow {
   double low, high, step;
   double placement::Weights::*member;
 };
-constexpr std::size_t mainWeights = 3;
+constexpr std::size_t mainWeights = 4;
 const std::array<WeightRow, PlacementForm::weightCount> weightRows{{
     {QT_TRANSLATE_NOOP("PlacementForm", "Depth"),
-     QT_TRANSLATE_NOOP("PlacementForm", "How deep the focus lies; below 0 prefers views with little in front of it"),
+     QT_TRANSLATE_NOOP("PlacementForm",
+                       "How deep the focus lies; below 0 prefers views with little in front of it.\n"
+                       "vd1 = mean depth of the focus's pixels / diameter of the model's sphere"),
      -2.0, 2.0, 0.05, &placement::Weights::visibility},
     {QT_TRANSLATE_NOOP("PlacementForm", "Size"),
-     QT_TRANSLATE_NOOP("PlacementForm", "How much of the picture it covers"), 0.0, 16.0, 0.1,
-     &placement::Weights::coverage},
-    {QT_TRANSLATE_NOOP("PlacementForm", "Centring"), QT_TRANSLATE_NOOP("PlacementForm", "How near to the middle it is"),
+     QT_TRANSLATE_NOOP("PlacementForm",
+                       "How large the focus is in the picture.\nvd2 = pixels of the focus / pixels of the picture"),
+     0.0, 16.0, 0.1, &placement::Weights::coverage},
+    {QT_TRANSLATE_NOOP("PlacementForm", "Centring"),
+     QT_TRANSLATE_NOOP("PlacementForm",
+                       "How near to the middle of the picture it is.\nvd3 = 1 − distance of its centroid from the "
+                       "middle / distance of a corner"),
      0.0, 2.0, 0.05, &placement::Weights::location},
-    {QT_TRANSLATE_NOOP("PlacementForm", "Entropy"),
-     QT_TRANSLATE_NOOP("PlacementForm", "How much of its surface is seen, evenly"), 0.0, 2.0, 0.05,
-     &placement::Weights::entropy},
+    {QT_TRANSLATE_NOOP("PlacementForm", "Cut ends"),
+     QT_TRANSLATE_NOOP("PlacementForm",
+                       "Below 0 avoids looking at the focus through a face where the scan cuts the body off.\n"
+                       "Share of the focus's pixels whose rays enter the volume inside the body"),
+     -2.0, 0.0, 0.05, &placement::Weights::endFace},
+    {QT_TRANSLATE_NOOP("PlacementForm", "Evenness"),
+     QT_TRANSLATE_NOOP("PlacementForm",
+                       "How much of its surface is seen.\nViewpoint entropy −Σ p log p of the seen surface points, "
+                       "over its maximum (Bordoloi, Shen 2005)"),
+     0.0, 2.0, 0.05, &placement::Weights::entropy},
     {QT_TRANSLATE_NOOP("PlacementForm", "Typical"),
-     QT_TRANSLATE_NOOP("PlacementForm", "Viewpoint mutual information: how typical the view is"), 0.0, 2.0, 0.05,
-     &placement::Weights::mutualInformation},
-    {QT_TRANSLATE_NOOP("PlacementForm", "Stable"),
-     QT_TRANSLATE_NOOP("PlacementForm", "How little changes when the camera moves a bit"), 0.0, 2.0, 0.05,
-     &placement::Weights::stability},
-    {QT_TRANSLATE_NOOP("PlacementForm", "Standard"),
-     QT_TRANSLATE_NOOP("PlacementForm", "How near the view is to anterior, left, superior …"), 0.0, 2.0, 0.05,
-     &placement::Weights::orientation},
+     QT_TRANSLATE_NOOP("PlacementForm",
+                       "How typical the view is of all views.\n1 − Σ p(o|v) log(p(o|v) / p(o)) over its maximum "
+                       "(Viola et al. 2006)"),
+     0.0, 2.0, 0.05, &placement::Weights::mutualInformation},
+    {QT_TRANSLATE_NOOP("PlacementForm", "Steady"),
+     QT_TRANSLATE_NOOP("PlacementForm",
+                       "How little changes when the camera moves a bit.\n1 − Jensen–Shannon divergence to the eight "
+                       "nearest views"),
+     0.0, 2.0, 0.05, &placement::Weights::stability},
+    {QT_TRANSLATE_NOOP("PlacementForm", "Standard view"),
+     QT_TRANSLATE_NOOP("PlacementForm",
+                       "How near the view is to anterior, left, superior …: a little decides between equally good "
+                       "views.\nCosine of the angle to the nearest of the six"),
+     0.0, 2.0, 0.01, &placement::Weights::orientation},
 }};
 
 }  // namespace
@@ -44,12 +63,12 @@ const std::array<WeightRow, PlacementForm::weightCount> weightRows{{
 PlacementForm::PlacementForm(PlacementController& placement, QWidget* parent)
     : QWidget(parent),
       placement_(placement),
-      automatic_(new QCheckBox(tr("Place when a focus is chosen"))),
-      follow_(new QCheckBox(tr("C2 follows C1"))),
-      joint_(new QCheckBox(tr("Both at once"))),
+      automatic_(new QCheckBox(tr("Place the cameras when a focus is chosen"))),
+      follow_(new QCheckBox(tr("Second view follows the first"))),
+      joint_(new QCheckBox(tr("Find both views together"))),
       sampling_(new QComboBox),
       region_(new QComboBox),
-      streamHalfWidth_(new SliderSpin(1.0, 45.0, 1.0)),
+      streamHalfWidth_(new SliderSpin(1.0, 30.0, 1.0)),
       shareWeight_(new SliderSpin(0.0, 1.0, 0.05)) {
   makeChoices();
   makeRows();
@@ -60,17 +79,23 @@ PlacementForm::PlacementForm(PlacementController& placement, QWidget* parent)
 
 void PlacementForm::makeChoices() {
   for (const int count : {48, 108, 192, 300, 588, 1200}) sampling_->addItem(tr("%1 views").arg(count), count);
-  sampling_->addItem(tr("refined"), 0);
+  sampling_->addItem(tr("Finer near the best"), 0);
   sampling_->setToolTip(
-      tr("Number of viewpoints tried, evenly over the sphere; refined: ever finer around the best ones"));
-  region_->addItem(tr("Semi-sphere"), static_cast<int>(placement::Region::SemiSphere));
-  region_->addItem(tr("Stream"), static_cast<int>(placement::Region::Stream));
-  region_->setToolTip(tr("Where C2 may be: beside C1 on one side, or in a band all around at right angles to it"));
+      tr("From how many sides the focus is looked at, evenly all around (12·n² HEALPix directions), or ever finer "
+         "around the best ones"));
+  region_->addItem(tr("To its right"), static_cast<int>(placement::Region::SemiSphere));
+  region_->addItem(tr("All around"), static_cast<int>(placement::Region::Stream));
+  region_->setToolTip(
+      tr("Where the second view may be, always 60° to 120° from the first.\nTo its right: the half sphere c2·a ≥ 0 "
+         "around the first view's right axis a. All around: the band |c1·c2| ≤ sin δ"));
   streamHalfWidth_->setSuffix(tr("°"));
-  streamHalfWidth_->setToolTip(tr("δ: how far C2 may leave the right angle to C1"));
-  joint_->setToolTip(tr("Choose the pair that together sees most of the focus's surface"));
-  shareWeight_->setToolTip(tr("1: only the share of the surface counts; 0: only the quality of the two views"));
-  follow_->setToolTip(tr("When C1 is turned, C2 goes to the best view of its region"));
+  streamHalfWidth_->setToolTip(tr("δ: how far the second view may leave the right angle to the first"));
+  joint_->setToolTip(
+      tr("Choose the two views that together see most of the focus's surface.\nOff: first the best view, then the best "
+         "one beside it"));
+  shareWeight_->setToolTip(
+      tr("What two views are chosen by: w · share of the surface seen + (1 − w) · mean quality of the views"));
+  follow_->setToolTip(tr("When the first view is turned, the second goes to the best view beside it"));
 }
 
 void PlacementForm::makeRows() {
@@ -80,11 +105,11 @@ void PlacementForm::makeRows() {
   column->addWidget(follow_);
   auto* form = new QFormLayout;
   column->addLayout(form);
-  form->addRow(tr("Tried"), sampling_);
-  form->addRow(tr("C2 in"), region_);
-  form->addRow(tr("δ"), streamHalfWidth_);
+  form->addRow(tr("Sides tried"), sampling_);
+  form->addRow(tr("Second view"), region_);
+  form->addRow(tr("Off right angle"), streamHalfWidth_);
   form->addRow(joint_);
-  form->addRow(tr("By share"), shareWeight_);
+  form->addRow(tr("Surface seen"), shareWeight_);
   addWeights(*form);
 }
 

@@ -19,7 +19,7 @@ class SliderSpin;
 class PlacementForm : public QWidget {
   Q_OBJECT
  public:
-  static constexpr std::size_t weightCount = 7;
+  static constexpr std::size_t weightCount = 8;
 
   explicit PlacementForm(PlacementController& placement, QWidget* parent = nullptr);
 
@@ -27,7 +27,7 @@ class PlacementForm : public QWidget {
   QComboBox* region() const { return region_; }
   QCheckBox* joint() const { return joint_; }
   QCheckBox* follow() const { return follow_; }
-  /// Depth, size, centring; then the further ones.
+  /// Depth, size, centring, cut ends; then the further ones.
   SliderSpin* weight(std::size_t which) const { return weights_.at(which); }
 
  Q_SIGNALS:

@@ -2,7 +2,7 @@
 
 struct Sums {
   vec4 sums;   // area in pixels; depth from the front times area; position times area
-  vec4 more;   // x: depth from behind times area
+  vec4 more;   // x: depth from behind times area; with END_FACES y, z: area through end faces from the front, from behind
   ivec4 box;   // x0, y0, x1, y1 of the pixels that see the focus
 };
 
@@ -13,7 +13,15 @@ Sums sumOf(Sums a, Sums b) {
 }
 
 shared vec4 sharedSums[64];
-shared float sharedBacks[64];
+#if END_FACES
+shared vec4 sharedMore[64];
+vec4 storedMore(vec4 more) { return more; }
+vec4 restoredMore(vec4 more) { return more; }
+#else
+shared float sharedMore[64];
+float storedMore(vec4 more) { return more.x; }
+vec4 restoredMore(float more) { return vec4(more, 0.0, 0.0, 0.0); }
+#endif
 shared ivec4 sharedBoxes[64];
 
 // The sum over the `count` invocations of which this one is the lane-th, a power of two; valid in lane 0. Called by all 64
@@ -22,12 +30,12 @@ Sums sumOver(Sums mine, uint lane, uint count) {
   uint local = gl_LocalInvocationIndex;
   for (uint stride = count >> 1; stride > 0u; stride >>= 1) {
     sharedSums[local] = mine.sums;
-    sharedBacks[local] = mine.more.x;
+    sharedMore[local] = storedMore(mine.more);
     sharedBoxes[local] = mine.box;
     barrier();
     if (lane < stride) {
       uint other = local + stride;
-      mine = sumOf(mine, Sums(sharedSums[other], vec4(sharedBacks[other], 0.0, 0.0, 0.0), sharedBoxes[other]));
+      mine = sumOf(mine, Sums(sharedSums[other], restoredMore(sharedMore[other]), sharedBoxes[other]));
     }
     barrier();
   }
