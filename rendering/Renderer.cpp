@@ -21,7 +21,16 @@ Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
-void Renderer::render(const Scene& scene, const View& view) { chain_->draw(scene, view); }
+void Renderer::render(const Scene& scene, const View& view) {
+  begin(scene, view);
+  chain_->advance(std::nullopt);
+}
+
+void Renderer::begin(const Scene& scene, const View& view) { chain_->begin(scene, view); }
+
+bool Renderer::advance(double milliseconds) { return chain_->advance(milliseconds); }
+
+bool Renderer::isDrawing() const { return chain_->frame.has_value(); }
 
 void Renderer::present(std::uint32_t framebuffer, glm::ivec4 rectangle) {
   PassChain& s = *chain_;

@@ -84,7 +84,7 @@ class ShaderProgram {
 
   /// Runs a compute program over at least size.x × size.y invocations in groups of groupSize, then makes its writes
   /// visible to everything after.
-  void dispatch(glm::ivec2 size, glm::ivec2 groupSize = {8, 8});
+  void dispatch(glm::ivec2 size, glm::ivec2 groupSize);
   /// The same over each region of a picture in groups of 8×8; the shader takes its pixels from lib/Region.glsl.
   void dispatch(std::span<const Region> regions);
   /// As many groups as a shader has written into the buffer's first three words.
@@ -96,6 +96,10 @@ class ShaderProgram {
   /// Offset in bytes of each member of a uniform block, by the name that it has in the struct that the block holds;
   /// empty when the variant does not use the block.
   std::vector<std::pair<std::string, int>> blockLayout(std::string_view block) const;
+
+  /// How many programs have run for the first time so far on this thread. Drivers compile when a program first runs, so
+  /// a time that was taken while the number grew is no measure of the next run.
+  static std::size_t firstRuns();
 
   /// Called for each program linked from now on, with its path and the complete source of its last stage; for tests. An
   /// empty listener ends the calls.
@@ -130,7 +134,7 @@ class ShaderProgram {
   void assertDeclared(std::string_view name) const;
 
   std::uint32_t name_ = 0;
-  bool isCompute_ = false;
+  bool isCompute_ = false, hasRun_ = false;
   std::map<std::string, Uniform, std::less<>> uniforms_;  ///< active, outside of blocks; no textures
   std::vector<TextureUnit> textures_;
   std::map<std::string, Block, std::less<>> blocks_;

@@ -48,6 +48,7 @@ class GpuScene {
   // What the passes bind. A version grows whenever what it names was remade.
   struct Versions {
     std::uint64_t volume = 0, gradient = 0, focus = 0, gaps = 0, transfer = 0, derivative = 0, palette = 0;
+    bool operator==(const Versions&) const = default;
   };
   const Versions& versions() const { return versions_; }
 

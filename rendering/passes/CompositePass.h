@@ -1,11 +1,10 @@
 #pragma once
 // Stage 7 of a cutaway: the paper's equation. A plain volume rendering has no use for it.
 
-#include <span>
-
 #include "rendering/gl/ShaderProgram.h"
 #include "rendering/gl/Texture.h"
 #include "rendering/gpu/GpuScene.h"
+#include "rendering/passes/Steps.h"
 #include "rendering/scene/Scene.h"
 
 namespace fenestra {
@@ -23,7 +22,7 @@ class CompositePass {
     const gl::Texture* editMap = nullptr;  ///< of brush strokes
   };
   /// Writes premultiplied RGBA32F without background.
-  void run(const GpuScene& gpu, const Inputs& inputs, const Look& look, std::span<const gl::Region> regions,
+  void run(Steps& steps, const GpuScene& gpu, const Inputs& inputs, const Look& look, Regions regions,
            gl::Texture& picture);
 
  private:

@@ -4,6 +4,7 @@
 #include "rendering/gl/ShaderProgram.h"
 #include "rendering/gl/Texture.h"
 #include "rendering/gpu/Schedule.h"
+#include "rendering/passes/Steps.h"
 
 namespace fenestra {
 
@@ -15,7 +16,7 @@ class DistanceMapPass {
   static constexpr float beyond = 1e30f;  ///< value of pixels farther than the range
 
   /// Reads the y component of `hitPoints` (RG32F), writes `distances` (R32F). `range` in pixels, ≥ 0.
-  void run(Schedule schedule, const gl::Texture& hitPoints, int range, gl::Texture& distances);
+  void run(Steps& steps, Schedule schedule, const gl::Texture& hitPoints, int range, gl::Texture& distances);
   std::size_t bytes() const { return mask_.bytes() + tiles_.bytes() + rows_.bytes(); }
   /// Drops the intermediate images.
   void release() {

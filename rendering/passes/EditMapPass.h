@@ -15,8 +15,8 @@ namespace fenestra {
 /// meets nothing.
 class EditMapPass {
  public:
-  void run(Schedule schedule, const RayFrame& rays, const RayStartPass::Inputs& inputs, const ProjectedStrokes& strokes,
-           std::span<const gl::Region> regions, gl::Texture& editMap);
+  void run(Steps& steps, Schedule schedule, const RayFrame& rays, const RayStartPass::Inputs& inputs,
+           const ProjectedStrokes& strokes, Regions regions, gl::Texture& editMap);
   std::size_t bytes() const { return strokes_.bytes() + lines_.bytes() + tiles_.bytes(); }
   /// Drops the strokes' buffers.
   void release() {

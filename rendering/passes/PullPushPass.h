@@ -6,6 +6,7 @@
 #include "rendering/gl/ShaderProgram.h"
 #include "rendering/gl/Texture.h"
 #include "rendering/gpu/Schedule.h"
+#include "rendering/passes/Steps.h"
 
 namespace fenestra {
 
@@ -14,7 +15,7 @@ namespace fenestra {
 class PullPushPass {
  public:
   /// Reads the y component of `hitPoints` (RG32F), writes `filled` (R32F) of the same size.
-  void run(Schedule schedule, const gl::Texture& hitPoints, gl::Texture& filled);
+  void run(Steps& steps, Schedule schedule, const gl::Texture& hitPoints, gl::Texture& filled);
   std::size_t bytes() const;
   /// Drops the pyramid.
   void release();
