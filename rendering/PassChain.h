@@ -25,17 +25,19 @@ namespace fenestra {
 
 /// Keeps each stage's images from one picture to the next. Needs a current context.
 struct PassChain {
+  explicit PassChain(std::shared_ptr<GpuScene> scene) : gpu(std::move(scene)) {}
+
   std::shared_ptr<GpuScene> gpu;
 
-  HitPointPass hitPointPass;
-  PullPushPass pullPushPass;
-  DistanceMapPass distanceMapPass;
-  EditMapPass editMapPass;
-  RayStartPass rayStartPass;
-  FocusLayerPass focusLayerPass;
-  ContextLayerPass contextLayerPass;
-  CompositePass compositePass;
-  gl::ShaderProgram presentProgram;
+  HitPointPass hitPointPass{gpu->programs()};
+  PullPushPass pullPushPass{gpu->programs()};
+  DistanceMapPass distanceMapPass{gpu->programs()};
+  EditMapPass editMapPass{gpu->programs()};
+  RayStartPass rayStartPass{gpu->programs()};
+  FocusLayerPass focusLayerPass{gpu->programs()};
+  ContextLayerPass contextLayerPass{gpu->programs()};
+  CompositePass compositePass{gpu->programs()};
+  gl::ShaderProgram presentProgram, enlargeProgram;
 
   gl::Texture hitPoints, focusFilled, distances, editMap, rayStart, focusLayer, contextLayer, silhouette, composed;
   gl::Texture pickedHit;

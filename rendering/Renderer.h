@@ -69,7 +69,7 @@ class Renderer {
   bool isDrawing() const;
 
   /// Draws the last picture into `framebuffer` (an OpenGL name; QOpenGLWidget's is not 0), stretched over the rectangle
-  /// x, y (from the bottom left), width, height. Restores the state it changes.
+  /// x, y (from the bottom left), width, height; smoothly where that enlarges it. Restores the state it changes.
   void present(std::uint32_t framebuffer, glm::ivec4 rectangle);
 
   /// The last picture, 8-bit RGBA, premultiplied, row by row from the top.

@@ -345,12 +345,12 @@ std::vector<std::pair<std::string, int>> ShaderProgram::blockLayout(std::string_
 }
 
 ShaderProgram& ShaderVariants::get(const Variant& variant) {
-  std::string key;
+  std::string key = path_ + ';';
   for (const Define& define : variant.defines) key += define.name + '=' + std::to_string(define.value) + ';';
   for (const Choice& choice : variant.choices) key += choice.name + '=' + choice.file + ';';
-  const auto at = programs_.find(key);
-  return at != programs_.end() ? at->second
-                               : programs_.emplace(key, ShaderProgram::compute(path_, variant)).first->second;
+  const auto at = programs_->find(key);
+  return at != programs_->end() ? at->second
+                                : programs_->emplace(key, ShaderProgram::compute(path_, variant)).first->second;
 }
 
 void ShaderProgram::drawFullScreen() {

@@ -6,6 +6,7 @@
 #include <functional>
 #include <initializer_list>
 #include <map>
+#include <memory>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -141,15 +142,21 @@ class ShaderProgram {
   std::string source_;  ///< of all stages, to assert names; empty in release builds
 };
 
+/// Compute programs by path and variant, for all whose contexts share objects: each is compiled once. Whoever runs a
+/// program sets all its uniforms and textures first.
+using ComputePrograms = std::unordered_map<std::string, ShaderProgram>;
+using SharedPrograms = std::shared_ptr<ComputePrograms>;
+
 /// A compute program's variants, each compiled when first asked for.
 class ShaderVariants {
  public:
-  explicit ShaderVariants(std::string path) : path_(std::move(path)) {}
+  explicit ShaderVariants(std::string path, SharedPrograms programs = std::make_shared<ComputePrograms>())
+      : path_(std::move(path)), programs_(std::move(programs)) {}
   ShaderProgram& get(const Variant& variant = {});
 
  private:
   std::string path_;
-  std::unordered_map<std::string, ShaderProgram> programs_;
+  SharedPrograms programs_;
 };
 
 }  // namespace fenestra::gl

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "rendering/gl/Buffer.h"
+#include "rendering/gl/ShaderProgram.h"
 #include "rendering/gl/Texture.h"
 #include "rendering/gpu/Bricks.h"
 #include "rendering/gpu/FittedScene.h"
@@ -37,6 +38,9 @@ class GpuScene {
   /// How the shaders that draw this scene lay out their work; the usual schedule of the machine until one is set.
   Schedule schedule() const { return schedule_.value_or(Schedule::Plain); }
   void setSchedule(Schedule schedule) { schedule_ = schedule; }
+
+  /// The programs that draw this scene, shared by all renderers of it.
+  const gl::SharedPrograms& programs() const { return programs_; }
 
   /// GPU memory by resource, for reports.
   struct Resource {
@@ -99,6 +103,7 @@ class GpuScene {
   void updateTransfer(const Scene& scene);
   void updateGradient();
 
+  gl::SharedPrograms programs_ = std::make_shared<gl::ComputePrograms>();
   std::optional<Schedule> schedule_;
   std::optional<DeviceLimits> limits_;
   FittedScene fitted_;

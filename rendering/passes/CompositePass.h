@@ -11,6 +11,8 @@ namespace fenestra {
 
 class CompositePass {
  public:
+  explicit CompositePass(const gl::SharedPrograms& programs = std::make_shared<gl::ComputePrograms>())
+      : programs_("Composite.comp", programs) {}
   /// Null leaves out what the scene does not use.
   struct Inputs {
     const gl::Texture& focusLayer;
@@ -26,7 +28,7 @@ class CompositePass {
            gl::Texture& picture);
 
  private:
-  gl::ShaderVariants programs_{"Composite.comp"};
+  gl::ShaderVariants programs_;
 };
 
 }  // namespace fenestra

@@ -13,6 +13,11 @@ namespace fenestra {
 /// result is exact to one rounding of the square root.
 class DistanceMapPass {
  public:
+  explicit DistanceMapPass(const gl::SharedPrograms& programs = std::make_shared<gl::ComputePrograms>())
+      : maskProgram_("FocusMask.comp", programs),
+        tileProgram_("FocusTiles.comp", programs),
+        rowProgram_("DistanceRows.comp", programs),
+        columnProgram_("DistanceColumns.comp", programs) {}
   static constexpr float beyond = 1e30f;  ///< value of pixels farther than the range
 
   /// Reads the y component of `hitPoints` (RG32F), writes `distances` (R32F). `range` in pixels, ≥ 0.
@@ -26,8 +31,7 @@ class DistanceMapPass {
   }
 
  private:
-  gl::ShaderVariants maskProgram_{"FocusMask.comp"}, tileProgram_{"FocusTiles.comp"}, rowProgram_{"DistanceRows.comp"},
-      columnProgram_{"DistanceColumns.comp"};
+  gl::ShaderVariants maskProgram_, tileProgram_, rowProgram_, columnProgram_;
   gl::Texture mask_, tiles_, rows_;
 };
 

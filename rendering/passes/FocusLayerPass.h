@@ -13,6 +13,8 @@ namespace fenestra {
 
 class FocusLayerPass {
  public:
+  explicit FocusLayerPass(const gl::SharedPrograms& programs = std::make_shared<gl::ComputePrograms>())
+      : programs_("FocusLayer.comp", programs), between_("PixelsBetween.comp", programs) {}
   /// Where rays start in a cutaway; hitPoints tells cut faces from the focus and the context's own surface.
   struct Opening {
     const gl::Texture& hitPoints;
@@ -53,7 +55,7 @@ class FocusLayerPass {
   /// their sides, which need all centres.
   void drawBetween(const Drawn& drawn, int halfSide, bool centres, Regions squares, gl::Texture& focusLayer);
 
-  gl::ShaderVariants programs_{"FocusLayer.comp"}, between_{"PixelsBetween.comp"};
+  gl::ShaderVariants programs_, between_;
   gl::Buffer list_;  // pixels between those of the lattice that get a ray; empty when every pixel has one
 };
 

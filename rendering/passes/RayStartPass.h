@@ -14,6 +14,8 @@ namespace fenestra {
 /// moved.
 class RayStartPass {
  public:
+  explicit RayStartPass(const gl::SharedPrograms& programs = std::make_shared<gl::ComputePrograms>())
+      : programs_("RayStart.comp", programs) {}
   struct Inputs {
     const gl::Texture& hitPoints;
     const gl::Texture& focusFilled;
@@ -28,7 +30,7 @@ class RayStartPass {
            Regions regions, gl::Texture& rayStart);
 
  private:
-  gl::ShaderVariants programs_{"RayStart.comp"};
+  gl::ShaderVariants programs_;
 };
 
 }  // namespace fenestra

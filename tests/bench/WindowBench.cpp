@@ -260,7 +260,7 @@ int main(int argc, char** argv) {
   MainWindow window({.gl = gl,
                      .atRest = Effort{.quality = options.quality, .maxError = options.maxError},
                      .chooseSchedule = [](const std::shared_ptr<GpuScene>& gpu, const Scene& scene,
-                                          const View& view) { app::chooseSchedule({}, gpu, scene, view); },
+                                          const View& view) { app::chooseScheduleQuickly({}, true, gpu, scene, view); },
                      .remember = false});
   const glm::ivec2 size = options.size.value_or(glm::ivec2(1600, 1000));
   window.resize(size.x, size.y);
