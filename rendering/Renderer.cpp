@@ -28,6 +28,8 @@ void Renderer::begin(const Scene& scene, const View& view) { chain_->begin(scene
 
 bool Renderer::advance(double milliseconds) { return chain_->advance(milliseconds); }
 
+void Renderer::drop() { chain_->drop(); }
+
 bool Renderer::isDrawing() const { return chain_->frame.has_value(); }
 
 void Renderer::present(std::uint32_t framebuffer, glm::ivec4 rectangle) {

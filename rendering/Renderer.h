@@ -67,6 +67,8 @@ class Renderer {
   bool advance(double milliseconds);
   /// A picture was begun and is not done.
   bool isDrawing() const;
+  /// Forgets it.
+  void drop();
 
   /// Draws the last picture into `framebuffer` (an OpenGL name; QOpenGLWidget's is not 0), stretched over the rectangle
   /// x, y (from the bottom left), width, height; smoothly where that enlarges it. Restores the state it changes.

@@ -257,11 +257,13 @@ int main(int argc, char** argv) {
   applyStyle(application);
   const GlSupport gl = probeOpenGl();
   if (!gl.available) throw std::runtime_error(gl.problem.toStdString());
-  MainWindow window({.gl = gl,
-                     .atRest = Effort{.quality = options.quality, .maxError = options.maxError},
-                     .chooseSchedule = [](const std::shared_ptr<GpuScene>& gpu, const Scene& scene,
-                                          const View& view) { app::chooseScheduleQuickly({}, true, gpu, scene, view); },
-                     .remember = false});
+  MainWindow window(
+      {.gl = gl,
+       .atRest = Effort{.quality = options.quality, .maxError = options.maxError},
+       .chooseSchedule = [software = gl.software](
+                             const std::shared_ptr<GpuScene>& gpu, const Scene& scene,
+                             const View& view) { app::chooseScheduleQuickly({}, software, gpu, scene, view); },
+       .remember = false});
   const glm::ivec2 size = options.size.value_or(glm::ivec2(1600, 1000));
   window.resize(size.x, size.y);
   Bench bench(application, window, seconds);

@@ -6,7 +6,7 @@ RefinedPicture::RefinedPicture(const std::shared_ptr<GpuScene>& gpuScene)
     : pictures_{Picture{Renderer(gpuScene)}, Picture{Renderer(gpuScene)}} {}
 
 void RefinedPicture::draw(const Scene& scene, const View& view, bool full) {
-  refining_.reset();
+  drop();
   const std::size_t at = full ? full_.value_or(shown_) : full_ == shown_ ? other() : shown_;
   pictures_[at].renderer.render(scene, view);
   show({at, view, full ? Use::Keep : Use::Show});
@@ -23,6 +23,11 @@ bool RefinedPicture::advance(double milliseconds) {
   if (refining_->use != Use::Trial) show(*refining_);
   refining_.reset();
   return true;
+}
+
+void RefinedPicture::drop() {
+  if (refining_) pictures_[refining_->picture].renderer.drop();
+  refining_.reset();
 }
 
 void RefinedPicture::show(const Refining& done) {

@@ -27,7 +27,7 @@ class RefinedPicture {
   /// Goes on with it for about so many milliseconds; true when it is done.
   bool advance(double milliseconds);
   bool isRefining() const { return refining_.has_value(); }
-  void drop() { refining_.reset(); }
+  void drop();
 
   /// The picture shown is one at full quality of this view: of a changed scene, only the change need be drawn.
   bool showsFull(const View& view) const;
