@@ -3,10 +3,13 @@
 #include <fstream>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <set>
 
+#include "io/LabelColours.h"
 #include "io/Probe.h"
 #include "io/VolumeReader.h"
+#include "io/base/Archive.h"
 #include "io/base/LabelReading.h"
 #include "io/base/Memory.h"
 #include "io/base/PlausibleGrid.h"
@@ -207,15 +210,8 @@ LabelsOnGrid readImageLabels(const fs::path& path, Format format, const Grid& ta
   return read;
 }
 
-/// Throws Error for formats that hold no label map.
-Format labelFormatOf(const fs::path& path) {
-  const Format format = formatOf(path);
-  if (format == Format::Archive) throw Error(path, "is an archive", "unpack it and open the label map in it");
-  return format;
-}
-
 OpenedLabels readLabels(const fs::path& path, const Grid& target, const Progress& progress, bool allowOutside) {
-  const Format format = labelFormatOf(path);
+  const Format format = formatOf(path);
   LabelsOnGrid read = format == Format::Dicom ? readDicomLabels(path, target, progress)
                                               : readImageLabels(path, format, target, progress, allowOutside);
   const std::vector<std::uint16_t>& values = read.values;
@@ -234,7 +230,10 @@ OpenedLabels readLabels(const fs::path& path, const Grid& target, const Progress
   opened.warnings = std::move(read.warnings);
   auto map = std::make_shared<LabelMap>();
   map->grid = target;
-  for (const auto& [value, label] : labels) map->labels.push_back(label);
+  for (auto& [value, label] : labels) {
+    if (label.colour == defaultLabelColour(value)) label.colour = labelColour(value, label.name);
+    map->labels.push_back(std::move(label));
+  }
   const auto greatest = values.empty() ? 0 : *std::max_element(values.begin(), values.end());
   map->voxels = Voxels(greatest <= 255 ? ScalarType::UInt8 : ScalarType::UInt16, values.size());
   if (greatest <= 255)
@@ -246,20 +245,62 @@ OpenedLabels readLabels(const fs::path& path, const Grid& target, const Progress
   return opened;
 }
 
+/// The archive that holds the label map: `path` itself, or the one that it leads into. None for a plain file.
+std::optional<fs::path> archiveOf(const fs::path& path) {
+  std::optional<ArchiveMember> member = archiveMember(path);
+  checkExists(member ? member->archive : path);
+  if (member) return std::move(member->archive);
+  if (!fs::is_directory(path) && formatOf(path) == Format::Archive) return path;
+  return std::nullopt;
+}
+
+/// The label map in an unpacked archive: the one that `path` names, or the archive's only file.
+fs::path labelMapIn(const UnpackedArchive& archive, const fs::path& path) {
+  if (const auto member = archiveMember(path)) {
+    const fs::path inside = archive.folder() / member->inside;
+    if (!fs::is_regular_file(inside)) throw Error(path, "is not in the archive", "check the path");
+    return inside;
+  }
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::recursive_directory_iterator(archive.folder()))
+    if (entry.is_regular_file()) files.push_back(entry.path());
+  if (files.size() != 1)
+    throw Error(path, "is an archive of " + std::to_string(files.size()) + " files",
+                "name the label map in it, as " + (path / "FILE").string());
+  return files.front();
+}
+
+OpenedLabels readArchivedLabels(const fs::path& archivePath, const fs::path& path, const Grid& target,
+                                const Progress& progress, bool allowOutside) {
+  const UnpackedArchive archive(archivePath, progress);
+  try {
+    const fs::path file = labelMapIn(archive, path);
+    if (formatOf(file) == Format::Archive)
+      throw Error(file, "is an archive in an archive", "unpack it and open what it holds");
+    OpenedLabels opened = readLabels(file, target, progress, allowOutside);
+    renameFiles(opened.warnings, [&](const fs::path& unpacked) { return archive.named(unpacked); });
+    return opened;
+  } catch (const Error& error) {
+    throw Error(archive.named(error.file()), error.cause(), error.hint());
+  }
+}
+
 }  // namespace
 
 std::vector<fs::path> labelFiles(const fs::path& path, bool allowOutside) {
-  checkExists(path);
   return withinMemory(path, [&]() -> std::vector<fs::path> {
-    const Format format = labelFormatOf(path);
+    if (auto archive = archiveOf(path)) return {*std::move(archive)};
+    const Format format = formatOf(path);
     if (format == Format::Dicom) return {path};
     return readImageHeader(path, format, allowOutside).source.files;
   });
 }
 
 OpenedLabels openLabels(const fs::path& path, const Grid& target, const Progress& progress, bool allowOutside) {
-  checkExists(path);
-  return withinMemory(path, [&] { return readLabels(path, target, progress, allowOutside); });
+  return withinMemory(path, [&] {
+    if (const auto archive = archiveOf(path)) return readArchivedLabels(*archive, path, target, progress, allowOutside);
+    return readLabels(path, target, progress, allowOutside);
+  });
 }
 
 }  // namespace fenestra::io

@@ -97,11 +97,6 @@ fs::path contentOf(const UnpackedArchive& archive) {
   return headers.size() == 1 ? headers.front() : archive.folder();
 }
 
-void nameInArchive(std::vector<Warning>& warnings, const UnpackedArchive& archive) {
-  for (Warning& warning : warnings)
-    for (fs::path& file : warning.files) file = archive.named(file);
-}
-
 /// read(archive, content, options) for what an archive holds; errors name the archive. Archives in archives are
 /// refused.
 template <class Read>
@@ -259,17 +254,10 @@ OpenedVolume openVolume(const fs::path& path, const OpenOptions& options) {
       return readArchive(path, options,
                          [&](const UnpackedArchive& archive, const fs::path& content, const OpenOptions& inside) {
                            OpenedVolume opened = openVolume(content, inside);
+                           renameFiles(opened, [&](const fs::path& file) { return archive.named(file); });
+                           // What sessions look for and hash.
                            opened.series.files = {path};
                            for (SeriesInfo& series : opened.otherSeries) series.files = {path};
-                           nameInArchive(opened.warnings, archive);
-                           if (opened.geometry) nameInArchive(opened.geometry->findings, archive);
-                           // Their files are gone with the unpacked copy.
-                           if (!opened.segmentations.empty())
-                             opened.warnings.push_back({Warning::Kind::Other,
-                                                        "the archive also holds segmentations of the series; unpack it "
-                                                        "to open them",
-                                                        {path}});
-                           opened.segmentations.clear();
                            return opened;
                          });
     if (format == Format::Dicom) return openDicom(path, options);

@@ -127,10 +127,11 @@ std::optional<BrushPoint> Renderer::pickBrush(glm::dvec2 pixel, BrushMode mode, 
   PassChain& s = *chain_;
   const glm::ivec2 at(glm::floor(pixel));
   if (!s.shows(at)) return std::nullopt;
-  const float context = s.hitAt(at).x;
+  const glm::vec2 hit = s.hitAt(at);
+  const float context = hit.x, start = s.startAt(at);
   float position = context;
   if (mode == BrushMode::Open) {
-    position = s.startAt(at);
+    position = start;
     if (s.editMap && isSomething(position))
       position = std::max(context, position - std::max(0.0f, s.editMap.readTexel(at).x));
   }
@@ -140,7 +141,11 @@ std::optional<BrushPoint> Renderer::pickBrush(glm::dvec2 pixel, BrushMode mode, 
     // The surface under the pixel's centre, at the pixel's own place.
     const double depth = rays.depthOf(rays.worldPosition(glm::dvec2(at) + 0.5, position));
     point.anchor = rays.worldPositionAtDepth(pixel, depth);
+    point.meetsFocus = isSomething(hit.y);
+    point.removed = isSomething(start) ? std::max(0.0f, start - context) : 0.0;
+    point.beforeFocus = point.meetsFocus && isSomething(start) ? std::max(0.0f, hit.y - start) : 0.0;
   } else if (before) {
+    point.hitsContext = false;
     point.anchor = rays.worldPositionAtDepth(pixel, rays.depthOf(*before));
   } else {
     return std::nullopt;

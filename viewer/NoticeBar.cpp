@@ -120,7 +120,7 @@ void NoticeBar::addGeometry(const io::GeometryReport& report, const std::functio
                               .arg(report.step, 0, 'f', 3)
                               .arg(report.displacement, 0, 'f', 3)
                               .arg(report.displacementAsIs, 0, 'f', 3)
-                              .arg(report.interpolatedPlanes)
+                              .arg(report.interpolatedPlanes.size())
                               .arg(report.emptyVoxels);
   std::vector<Action> actions{
       {tr("Report…"), [this, all, text = (QStringList(figures) + details).join(QStringLiteral("\n\n"))] {

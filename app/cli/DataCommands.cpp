@@ -125,7 +125,7 @@ Json describe(const std::optional<io::GeometryReport>& report) {
       {"step", report->step},
       {"displacement", report->displacement},
       {"displacement_as_is", report->displacementAsIs},
-      {"interpolated_planes", report->interpolatedPlanes},
+      {"interpolated_planes", report->interpolatedPlanes.size()},
       {"empty_voxels", report->emptyVoxels},
   };
 }

@@ -150,4 +150,27 @@ void UnpackedArchive::unpack(const Progress& progress) {
   if (files == 0) throw Error(archive_, "is an archive without files", "get the file again from its source");
 }
 
+std::optional<ArchiveMember> archiveMember(const fs::path& path) {
+  std::error_code unknown;
+  for (fs::path parent = path.parent_path(); parent.has_relative_path(); parent = parent.parent_path()) {
+    if (fs::is_regular_file(parent, unknown)) return ArchiveMember{parent, path.lexically_relative(parent)};
+    if (fs::exists(parent, unknown)) break;
+  }
+  return std::nullopt;
+}
+
+void renameFiles(std::vector<Warning>& warnings, const FileNames& named) {
+  for (Warning& warning : warnings)
+    for (fs::path& file : warning.files) file = named(file);
+}
+
+void renameFiles(OpenedVolume& opened, const FileNames& named) {
+  renameFiles(opened.warnings, named);
+  if (opened.geometry) renameFiles(opened.geometry->findings, named);
+  for (fs::path& file : opened.series.files) file = named(file);
+  for (SeriesInfo& series : opened.otherSeries)
+    for (fs::path& file : series.files) file = named(file);
+  for (SegmentationInfo& segmentation : opened.segmentations) segmentation.file = named(segmentation.file);
+}
+
 }  // namespace fenestra::io

@@ -3,6 +3,9 @@
 // libarchive.
 
 #include <filesystem>
+#include <functional>
+#include <optional>
+#include <vector>
 
 #include "io/base/Reading.h"
 
@@ -34,5 +37,18 @@ class UnpackedArchive {
 
   std::filesystem::path archive_, folder_;
 };
+
+/// A file of an archive, as UnpackedArchive::named() writes its path: "study.zip/labels/kidney.dcm".
+struct ArchiveMember {
+  std::filesystem::path archive, inside;
+};
+/// Empty unless `path` goes on behind a file.
+std::optional<ArchiveMember> archiveMember(const std::filesystem::path& path);
+
+/// Where messages name a file that was read as `unpacked`.
+using FileNames = std::function<std::filesystem::path(const std::filesystem::path& unpacked)>;
+void renameFiles(std::vector<Warning>& warnings, const FileNames& named);
+/// In all that tells which files a volume came from.
+void renameFiles(OpenedVolume& opened, const FileNames& named);
 
 }  // namespace fenestra::io

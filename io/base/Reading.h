@@ -59,8 +59,10 @@ struct GeometryReport {
   bool sheared = false;                  ///< the planes are stacked askew, as a tilted gantry scans them
   double displacement = 0.0;             ///< mm; no pixel is shown farther from its true place
   double displacementAsIs = 0.0;         ///< the same with Regularise::Off
-  int interpolatedPlanes = 0;            ///< of those shown: inside gaps wider than one and a half of the own steps
-  std::size_t emptyVoxels = 0;           ///< outside what was scanned; they hold the least value of the volume
+  /// Those shown, counted along the volume's third axis, that lie inside gaps wider than one and a half of the own
+  /// steps; ascending.
+  std::vector<int> interpolatedPlanes;
+  std::size_t emptyVoxels = 0;  ///< outside what was scanned; they hold the least value of the volume
 };
 
 /// How to read bytes without a header.

@@ -13,6 +13,7 @@
 #include "io/dicom/DicomRemarks.h"
 #include "io/dicom/DicomStack.h"
 #include "io/dicom/DicomVoxels.h"
+#include "io/dicom/PackedFiles.h"
 #include "io/dicom/Placement.h"
 #include "io/dicom/SharedProgress.h"
 #include "rendering/scene/Parallel.h"
@@ -68,10 +69,10 @@ std::vector<fs::path> filesToScan(const fs::path& path, Scan& scan) {
   return std::move(directory.files);
 }
 
-Scan scanHeaders(const fs::path& path, const OpenOptions& options) {
+Scan scanHeaders(const fs::path& path, const OpenOptions& options, PackedFiles& packed) {
   const bool folder = fs::is_directory(path);
   Scan scan;
-  const std::vector<fs::path> paths = filesToScan(path, scan);
+  std::vector<fs::path> paths = filesToScan(path, scan);
   if (paths.empty() && !scan.closed.empty())
     throw Error(scan.closed.front(), "cannot be listed", "check the folder's permissions");
   if (paths.empty()) throw Error(path, "is an empty folder", "name a folder with DICOM files");
@@ -88,6 +89,11 @@ Scan scanHeaders(const fs::path& path, const OpenOptions& options) {
       progress.step();
       try {
         outcomes[i].dicom = looksLikeDicom(paths[i]) && paths[i].filename() != "DICOMDIR";
+        if (!outcomes[i].dicom) {
+          const fs::path content = packed.contentOf(paths[i]);
+          outcomes[i].dicom = content != paths[i];
+          paths[i] = content;
+        }
         if (outcomes[i].dicom) outcomes[i].file = readDicomHeader(paths[i]);
       } catch (const Error& error) {
         outcomes[i].failure = error.cause();
@@ -278,16 +284,8 @@ Modality modalityNamed(const std::string& name) {
   return Modality::Unknown;
 }
 
-}  // namespace
-
-std::vector<SeriesInfo> listDicomSeries(const fs::path& path, const OpenOptions& options) {
-  std::vector<SeriesInfo> series;
-  for (Candidate& candidate : candidatesOf(scanHeaders(path, options))) series.push_back(std::move(candidate.info));
-  return series;
-}
-
-OpenedVolume openDicom(const fs::path& path, const OpenOptions& options) {
-  Scan scan = scanHeaders(path, options);
+OpenedVolume openScanned(const fs::path& path, const OpenOptions& options, PackedFiles& packed) {
+  Scan scan = scanHeaders(path, options, packed);
   for (;;) {
     std::vector<Candidate> candidates = candidatesOf(scan);
     const std::size_t choice = chosen(candidates, path, options);
@@ -341,6 +339,38 @@ OpenedVolume openDicom(const fs::path& path, const OpenOptions& options) {
         opened.otherSeries.push_back(candidates[i].info);
     return opened;
   }
+}
+
+/// read(packed), with errors that name packed files.
+template <class Read>
+auto withPackedFiles(const Read& read) {
+  PackedFiles packed;
+  try {
+    return read(packed);
+  } catch (const Error& error) {
+    throw Error(packed.named(error.file()), error.cause(), error.hint());
+  }
+}
+
+}  // namespace
+
+std::vector<SeriesInfo> listDicomSeries(const fs::path& path, const OpenOptions& options) {
+  return withPackedFiles([&](PackedFiles& packed) {
+    std::vector<SeriesInfo> series;
+    for (Candidate& candidate : candidatesOf(scanHeaders(path, options, packed))) {
+      for (fs::path& file : candidate.info.files) file = packed.named(file);
+      series.push_back(std::move(candidate.info));
+    }
+    return series;
+  });
+}
+
+OpenedVolume openDicom(const fs::path& path, const OpenOptions& options) {
+  return withPackedFiles([&](PackedFiles& packed) {
+    OpenedVolume opened = openScanned(path, options, packed);
+    renameFiles(opened, [&](const fs::path& file) { return packed.named(file); });
+    return opened;
+  });
 }
 
 }  // namespace fenestra::io

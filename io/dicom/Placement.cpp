@@ -44,10 +44,9 @@ Warning placementOf(const GeometryReport& report, const Volume& volume) {
                                                    : ", displaced by up to " + millimetres(report.displacement);
   if (report.displacementAsIs > positionTolerance)
     text += " (evenly spread they would lie up to " + millimetres(report.displacementAsIs) + " from their places)";
-  if (report.interpolatedPlanes > 0)
-    text += "; " + counted(static_cast<std::size_t>(report.interpolatedPlanes), "plane") + " in gaps wider than " +
-            millimetres(1.5 * report.scannedStep) + (report.interpolatedPlanes == 1 ? " is" : " are") +
-            " interpolated across the gap";
+  if (const std::size_t planes = report.interpolatedPlanes.size())
+    text += "; " + counted(planes, "plane") + " in gaps wider than " + millimetres(1.5 * report.scannedStep) +
+            (planes == 1 ? " is" : " are") + " interpolated across the gap";
   if (report.emptyVoxels > 0)
     text += "; " + percent(report.emptyVoxels, volume.grid.voxelCount()) +
             " of the voxels lie outside of what was scanned and hold the least value, " +

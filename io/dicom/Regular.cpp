@@ -153,8 +153,8 @@ void RegularStack::addPlanes(double step) {
   for (int z = 0; z < grid_.dims.z; ++z) {
     planes_.push_back(planeAt(z * step));
     const std::vector<Source>& beside = planes_.back().linear;
-    if (beside.size() < 2) continue;
-    interpolatedPlanes_ += heights_[beside[1].slice] - heights_[beside[0].slice] > 1.5 * ownStep_ ? 1 : 0;
+    if (beside.size() == 2 && heights_[beside[1].slice] - heights_[beside[0].slice] > 1.5 * ownStep_)
+      interpolatedPlanes_.push_back(z);
   }
 }
 

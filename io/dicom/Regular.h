@@ -14,7 +14,7 @@
 // = -1/2). Cubic values are clamped to the slices' range.
 //
 // Gaps are interpolated however wide they are: what lies between two slices is unknown in a narrow gap, too, and an
-// empty gap would look like a cut through the patient. The report counts planes in gaps wider than one and a half of
+// empty gap would look like a cut through the patient. The report lists planes in gaps wider than one and a half of
 // the own steps. Slices beyond gaps of more than ten steps are volumes of their own (DicomStack.h). A voxel next to
 // whose place one of the two neighbouring slices has no pixel was not scanned and holds the volume's least value.
 
@@ -34,7 +34,7 @@ class RegularStack {
 
   const Grid& grid() const { return grid_; }
   /// Planes inside gaps wider than one and a half of the series' own steps.
-  int interpolatedPlanes() const { return interpolatedPlanes_; }
+  const std::vector<int>& interpolatedPlanes() const { return interpolatedPlanes_; }
 
   struct Result {
     Voxels voxels;
@@ -68,7 +68,7 @@ class RegularStack {
   std::vector<double> heights_;     ///< of the slices, mm along the normal
   std::vector<glm::dvec2> shifts_;  ///< of the planes' first pixel from each slice's, in pixels
   std::vector<Plane> planes_;
-  int interpolatedPlanes_ = 0;
+  std::vector<int> interpolatedPlanes_;
 };
 
 }  // namespace fenestra::io

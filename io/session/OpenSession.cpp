@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "io/PhantomFile.h"
+#include "io/base/Archive.h"
 #include "io/base/Contents.h"
 #include "io/session/SessionFile.h"
 
@@ -101,6 +102,13 @@ struct Opened {
 template <class Data>
 Opened(Data, Contents, std::vector<fs::path>) -> Opened<Data>;
 
+/// The same file of an archive that was found elsewhere; other data were found themselves.
+fs::path memberAt(const fs::path& found, const fs::path& before) {
+  for (fs::path archive = before.parent_path(); archive.has_relative_path(); archive = archive.parent_path())
+    if (archive.filename() == found.filename()) return found / before.lexically_relative(archive);
+  return found;
+}
+
 /// Opens data by `open(path)`, which also says what they hold.
 template <class Open, class FilesAt>
 auto openMoved(DataMissing::Data which, SessionData& data, const fs::path& place, const fs::path& folder,
@@ -130,7 +138,7 @@ auto openMoved(DataMissing::Data which, SessionData& data, const fs::path& place
 
   std::string problem = kind + described(data.path, folder) + " is not there";
   std::error_code failure;
-  if (fs::exists(data.path, failure)) {
+  if (fs::exists(data.path, failure) || archiveMember(data.path)) {
     try {
       auto opened = open(data.path);
       if (known && opened.contents == data.contents) return take(data.path, std::move(opened));
@@ -143,7 +151,8 @@ auto openMoved(DataMissing::Data which, SessionData& data, const fs::path& place
       problem = kind + described(data.path, folder) + " cannot be opened: " + error.cause();
     }
   }
-  const fs::path found = known ? Search(folder, data, progress).find(filesAt, progress) : fs::path();
+  const fs::path found =
+      known ? memberAt(Search(folder, data, progress).find(filesAt, progress), data.path) : fs::path();
   if (found.empty()) throw DataMissing(which, data.path, problem, hint);
   warnings.push_back(
       {Warning::Kind::MovedData,

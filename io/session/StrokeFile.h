@@ -3,7 +3,7 @@
 //
 // { "format": "fenestra-strokes", "version": 1, "strokes": [ {"mode": "restore" | "open" | "fade" | "strengthen",
 //   "anchors": [[x, y, z], …] (world, mm), "radius": mm, "softness": 0..1, "depth": mm, "amount": 0..1,
-//   "covers_focus": false, "hidden": false, "view": -1 (all) | 0 (C1) | 1 (C2)}, … ] }
+//   "to_surface": false, "covers_focus": false, "hidden": false, "view": -1 (all) | 0 (C1) | 1 (C2)}, … ] }
 //
 // A missing member has its default of rendering/scene/BrushStroke.h. In a session, "strokes" is the same list.
 

@@ -45,6 +45,7 @@ ProjectedStroke projectOne(const BrushStroke& stroke, const RayFrame& rays) {
   ProjectedStroke projected;
   projected.mode = stroke.mode;
   projected.coversFocus = stroke.coversFocus;
+  projected.toSurface = stroke.toSurface && stroke.mode == BrushMode::Restore;
   projected.radius = static_cast<float>(std::min(stroke.radius, 1e30));
   projected.softness = static_cast<float>(stroke.softness);
   const bool movesRays = stroke.mode == BrushMode::Restore || stroke.mode == BrushMode::Open;
@@ -119,8 +120,8 @@ class Tiles {
 };
 
 bool sameButLines(const ProjectedStroke& a, const ProjectedStroke& b) {
-  return a.mode == b.mode && a.coversFocus == b.coversFocus && a.radius == b.radius && a.softness == b.softness &&
-         a.effect == b.effect;
+  return a.mode == b.mode && a.coversFocus == b.coversFocus && a.toSurface == b.toSurface && a.radius == b.radius &&
+         a.softness == b.softness && a.effect == b.effect;
 }
 
 /// What is left of two sequences without what they begin and end with alike.

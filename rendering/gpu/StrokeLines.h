@@ -21,7 +21,7 @@ struct StrokeLine {
 /// An effective stroke without anything that a picture does not depend on.
 struct ProjectedStroke {
   BrushMode mode = BrushMode::Restore;
-  bool coversFocus = false;
+  bool coversFocus = false, toSurface = false;
   float radius = 0.0f;    ///< mm
   float softness = 0.0f;  ///< share of the radius
   float effect = 0.0f;    ///< depth in mm, or amount

@@ -12,7 +12,8 @@ enum Block : unsigned { strokesBlock, linesBlock, tilesBlock };
 struct GpuStroke {
   std::uint32_t mode, coversFocus;
   float radius, softness, effect;
-  std::array<float, 3> unused;
+  std::uint32_t toSurface;
+  std::array<float, 2> unused;
 };
 struct GpuLine {
   StrokeLine line;
@@ -63,6 +64,7 @@ void EditMapPass::run(Steps& steps, Schedule schedule, const RayFrame& rays, con
                           stroke.radius,
                           stroke.softness,
                           stroke.effect,
+                          stroke.toSurface,
                           {}});
   }
   const TileGrid grid(rays.size());

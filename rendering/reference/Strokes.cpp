@@ -115,7 +115,8 @@ Edits edits(const BrushStrokes& strokes, const Camera& camera, glm::ivec2 size, 
         if (opens) {
           start = std::min(start + stroke->depth * weight, farthest);
         } else if (stroke->mode == BrushMode::Restore) {
-          if (!meetsFocus || stroke->coversFocus) start = std::max(start - stroke->depth * weight, context);
+          const double change = stroke->toSurface ? (start - context) * weight : stroke->depth * weight;
+          if (!meetsFocus || stroke->coversFocus) start = std::max(start - change, context);
         } else if (meetsFocus) {
           result.factor[i] *= 1.0 + (stroke->mode == BrushMode::Fade ? -1.0 : 1.0) * stroke->amount * weight;
         }

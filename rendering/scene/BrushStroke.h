@@ -16,7 +16,8 @@
 //
 // The weight w of a stroke at a pixel is the greatest over its lines: dabs of one stroke do not add up. Strokes follow
 // one another in the order they were painted. Restore takes depth·w from the ray start, Open adds it, each clamped
-// right away: never before the context's first surface, nor beyond the focus or the volume's end. On rays that meet the
+// right away: never before the context's first surface, nor beyond the focus or the volume's end. A Restore that
+// reaches to the surface takes w times the way from the ray start to there instead. On rays that meet the
 // focus, Restore acts only if the stroke covers the focus. Fade multiplies the context layer's share by 1 - amount·w,
 // Strengthen by 1 + amount·w. What Restore brings back over the focus needs no context layer: that gives way by the
 // share of the removed stretch that is back. The border marks the cut's own edge and not the brush's: Restore and Open
@@ -45,6 +46,7 @@ struct BrushStroke {
   double softness = 0.5;            ///< share of the radius, from the rim, over which the effect fades; 0..1
   double depth = 10.0;              ///< mm along the ray, ≥ 0: how far Restore and Open move the ray start at most
   double amount = 0.5;              ///< 0..1: how much of the context layer Fade and Strengthen take or add
+  bool toSurface = false;           ///< Restore reaches to the context's first surface, however deep that lies
   bool coversFocus = false;         ///< may hide the focus; otherwise rays that meet it keep seeing it
   bool hidden = false;              ///< kept, without effect
   int view = -1;                    ///< painted for one view alone (0: C1, 1: C2), as in the paper; -1: for all
@@ -56,6 +58,10 @@ struct BrushPoint {
   glm::dvec3 anchor;  ///< world, mm: what BrushStroke::anchors holds
   double pixelSize =
       0.0;  ///< mm per device-independent pixel at its depth: a brush of r such pixels has r·pixelSize mm
+  bool hitsContext = true;  ///< the ray there meets the context's surface; otherwise the anchor continues a stroke
+  bool meetsFocus = false;  ///< and the focus
+  double removed = 0.0;  ///< mm of that ray from the context's surface to where the ray starts: what Restore can take
+  double beforeFocus = 0.0;  ///< mm from there to the focus: what Open can take where the ray meets the focus
 };
 
 /// In the order they were painted, which is the order they apply in.

@@ -14,7 +14,8 @@ struct Stroke {
   float radius;    // mm
   float softness;  // share of the radius
   float effect;    // mm, or the share of the context layer
-  float unused[3];
+  uint toSurface;
+  float unused[2];
 };
 // A straight line on the picture: x, y and radius in pixels, and view depth in mm behind the rays' anchor plane.
 struct Line {
@@ -72,7 +73,7 @@ void main() {
         if (stroke.mode == OPEN)
           start = min(start + change, farthest);
         else if (!meetsFocus || stroke.coversFocus != 0u)
-          start = max(start - change, hit.x);
+          start = stroke.toSurface != 0u ? mix(start, hit.x, weight) : max(start - change, hit.x);
         if (!meetsFocus) share *= 1.0 - weight;
       } else if (meetsFocus) {
         share *= stroke.mode == FADE ? 1.0 - change : 1.0 + change;

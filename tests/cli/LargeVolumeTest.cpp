@@ -4,18 +4,16 @@
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
-#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <random>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "tests/io/DicomWriter.h"
+#include "tests/support/LargeVolume.h"
 #include "tests/support/TestData.h"
 
 namespace fenestra::tests {
@@ -23,25 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int side = 512, slices = 2000;
-constexpr double volumeBytes = 2.0 * side * side * slices;
-/// The program, its libraries and the driver.
-constexpr double programBytes = 300e6;
-
-/// A body of soft tissue with organs of bone's density and noise: nothing that packs well or is mostly air.
-std::vector<std::int16_t> sliceOf(int z) {
-  std::vector<std::int16_t> values;
-  std::minstd_rand random(static_cast<unsigned>(z + 1));
-  for (int y = 0; y < side; ++y)
-    for (int x = 0; x < side; ++x) {
-      const double across = (x - 256) / 220.0, down = (y - 256) / 180.0;
-      const bool isAir = across * across + down * down > 1.0;
-      const bool isOrgan = std::abs(std::sin(0.05 * x) * std::sin(0.06 * y) * std::sin(0.02 * z)) > 0.6;
-      const int noise = static_cast<int>(random() % 32) - 16;
-      values.push_back(static_cast<std::int16_t>((isAir ? -1000 : isOrgan ? 900 : 40) + noise));
-    }
-  return values;
-}
+using namespace large;
 
 class LargeVolume : public ::testing::Test {
  protected:
@@ -77,13 +57,7 @@ class LargeVolume : public ::testing::Test {
 
 TEST_F(LargeVolume, InOneFile) {
   const fs::path file = folder_ / "large.raw";
-  {
-    std::ofstream out(file, std::ios::binary);
-    for (int z = 0; z < slices; ++z) {
-      const std::vector<std::int16_t> values = sliceOf(z);
-      out.write(reinterpret_cast<const char*>(values.data()), 2L * side * side);
-    }
-  }
+  writeRaw(file);
   const std::vector<std::string> raw{file, "--raw", "512x512x2000:int16", "--spacing", "0.8,0.8,0.5"};
   const auto with = [&](const char* command, std::vector<std::string> more) {
     std::vector<std::string> arguments{command};

@@ -126,6 +126,8 @@ TEST_F(Brush, EditsMatchTheReferenceInBothProjectionsAndAtBothScales) {
       };
       add(BrushMode::Restore, 0.5, 50.0, false, {{50, 38}, {62, 40}, {70, 52}});
       add(BrushMode::Restore, 1.0, 4.0, true, {{58, 50}, {66, 47}});
+      add(BrushMode::Restore, 0.6, 1.0, true, {{54, 54}, {60, 58}});
+      scene.look.strokes.back().toSurface = true;
       add(BrushMode::Open, 0.3, 6.0, false, {{48, 60}, {60, 62}, {72, 60}});
       add(BrushMode::Open, 0.7, 3.0, false, {{60, 62}});
       add(BrushMode::Fade, 0.5, 0.0, false, {{55, 45}, {65, 55}});
@@ -543,6 +545,11 @@ TEST_F(Brush, PickingGivesTheAnchorUnderThePixelAndItsScale) {
     // The body's surface of radius 15 mm, though it was cut away there; within it, what is seen.
     EXPECT_NEAR(glm::distance(surface->anchor, centre), 15.0, 0.1);
     EXPECT_LT(glm::distance(seen->anchor, centre), 13.0);
+    // Between the two: what was removed before the focus, which is seen.
+    EXPECT_TRUE(surface->hitsContext);
+    EXPECT_TRUE(surface->meetsFocus);
+    EXPECT_NEAR(surface->removed, glm::distance(surface->anchor, seen->anchor), 0.05);
+    EXPECT_NEAR(surface->beforeFocus, 0.0, 1e-3);
     // Two points a device-independent pixel apart are pixelSize apart in the world (surface bending left out).
     const glm::dmat4 clip = view.camera.clipFromWorld(1.2, scene.volume->grid);
     const auto onPicture = [&](glm::dvec3 world) {
@@ -558,6 +565,7 @@ TEST_F(Brush, PickingGivesTheAnchorUnderThePixelAndItsScale) {
     EXPECT_FALSE(renderer.pickBrush({1.0, 1.0}, BrushMode::Restore).has_value());
     const auto off = renderer.pickBrush({1.0, 1.0}, BrushMode::Restore, surface->anchor);
     ASSERT_TRUE(off.has_value());
+    EXPECT_FALSE(off->hitsContext);
     const glm::dvec3 forward = view.camera.axes().forward;
     EXPECT_NEAR(glm::dot(off->anchor - surface->anchor, forward), 0.0, 1e-9);
     EXPECT_FALSE(renderer.pickBrush({-3.0, 1e6}, BrushMode::Restore, surface->anchor).has_value());

@@ -51,6 +51,7 @@ struct MadeEdits {
     BrushStroke& covering = paint(BrushMode::Restore, 5.0, {{0.4, 0.5}, {0.6, 0.45}});
     covering.coversFocus = true;
     covering.softness = 1.0;
+    paint(BrushMode::Restore, 4.0, {{0.2, 0.5}, {0.45, 0.7}}).toSurface = true;
     paint(BrushMode::Open, 6.0, {{0.25, 0.6}, {0.5, 0.65}, {0.75, 0.6}}).softness = 0.3;
     paint(BrushMode::Fade, 5.0, {{0.4, 0.4}, {0.6, 0.6}});
     paint(BrushMode::Open, 3.0, {{0.5, 0.65}}).softness = 0.7;

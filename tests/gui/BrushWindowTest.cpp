@@ -28,6 +28,7 @@ class BrushWindow : public Window {
     document().history().clear();
     BrushSettings settings = brush().settings();
     settings.depth = 40.0;
+    settings.toSurface = settings.coversFocus = false;
     settings.radius = 10.0;
     brush().setSettings(settings);
     waitUntilDrawn();
@@ -248,7 +249,8 @@ TEST_F(BrushWindow, RingIsAroundTheMouseAndAsWideAsTheStroke) {
   const auto isRing = [&](double radius, double angle) {
     const QPointF place = (QPointF(at) - margin + radius * QPointF(std::cos(angle), std::sin(angle))) * ratio;
     const QColor colour = seen.pixelColor(place.toPoint());
-    return colour.green() > colour.red() + 40 && colour.green() > colour.blue() + 30;
+    const auto [least, most] = std::minmax({colour.red(), colour.green(), colour.blue()});
+    return most - least < 30 && least > 120;  // grey: there is nothing to restore
   };
   int on = 0, inside = 0, outside = 0;
   constexpr int places = 40;
@@ -272,6 +274,106 @@ TEST_F(BrushWindow, RingIsAroundTheMouseAndAsWideAsTheStroke) {
   // The position of a pixel is known to half a pixel.
   EXPECT_NEAR(wide, settings.radius, 0.5);
   waitUntilDrawn();
+}
+
+/// The brush as it is when a user first presses its key.
+class FreshBrush : public BrushWindow {
+ protected:
+  void SetUp() override {
+    BrushWindow::SetUp();
+    BrushSettings settings;
+    settings.radius = 10.0;
+    brush().setSettings(settings);
+    brush().setActive(true);
+  }
+
+  void pointAt(QPoint at) {
+    QMouseEvent move(QEvent::MouseMove, at, volume(0)->mapToGlobal(at), Qt::NoButton, Qt::NoButton, {});
+    QApplication::sendEvent(volume(0), &move);
+  }
+  std::optional<BrushObstacle> obstacleAt(QPoint at) {
+    waitUntilDrawn();
+    pointAt(at);
+    return volume(0)->brushTool().obstacle();
+  }
+  void space() { QTest::keyClick(volume(0), Qt::Key_Space); }
+  QPoint onMarker() { return volume(0)->widgetFromWorld(markerCentre)->toPoint(); }
+  QPoint onSkin() { return volume(0)->widgetFromWorld({-20.0, -38.0, -10.0})->toPoint(); }
+  void edit(const std::function<void(Look&)>& change) {
+    Look look = document().look();
+    change(look);
+    document().edit({}, look);
+  }
+};
+
+TEST_F(FreshBrush, OneDragBringsBackWhatLiesOverTheFocus) {
+  ASSERT_TRUE(green(volume(0)));
+  EXPECT_EQ(obstacleAt(onMarker()), std::nullopt);
+  BrushSettings settings = brush().settings();
+  settings.radius = 60.0;
+  brush().setSettings(settings);
+  paint(0, onMarker());
+  ASSERT_EQ(document().strokes().size(), 1u);
+  EXPECT_FALSE(green(volume(0))) << "the context in front of the focus is back, all of it";
+}
+
+TEST_F(FreshBrush, SaysWhereRestoringChangesNothing) {
+  EXPECT_EQ(obstacleAt({6, volume(0)->height() / 2}), BrushObstacle::NothingThere);
+  EXPECT_EQ(obstacleAt(onSkin()), BrushObstacle::NothingRemoved);
+  const std::array<QImage, 2> before = look();
+  QTest::mouseClick(volume(0), Qt::LeftButton, {}, onSkin());
+  EXPECT_EQ(steps().count(), 0) << "and it does change nothing";
+  pointAt(onSkin());
+  space();
+  EXPECT_EQ(brush().settings().mode, BrushMode::Open);
+  EXPECT_EQ(obstacleAt(onSkin()), std::nullopt);
+  paint(0, onSkin());
+  EXPECT_EQ(steps().count(), 1) << "the offered mode does something there";
+}
+
+TEST_F(FreshBrush, SaysThatTheFocusIsSpared) {
+  BrushSettings settings = brush().settings();
+  settings.coversFocus = false;
+  settings.radius = 4.0;  // within the marker
+  brush().setSettings(settings);
+  EXPECT_EQ(obstacleAt(onMarker()), BrushObstacle::SparesFocus);
+  space();
+  EXPECT_TRUE(brush().settings().coversFocus);
+  EXPECT_EQ(obstacleAt(onMarker()), std::nullopt);
+}
+
+TEST_F(FreshBrush, SaysThatTheFocusIsOpenAlready) {
+  BrushSettings settings = brush().settings();
+  settings.mode = BrushMode::Open;
+  settings.radius = 4.0;
+  brush().setSettings(settings);
+  EXPECT_EQ(obstacleAt(onMarker()), BrushObstacle::ReachedFocus);
+  space();
+  EXPECT_EQ(brush().settings().mode, BrushMode::Restore);
+}
+
+TEST_F(FreshBrush, SaysWhyEdgesDoNotChange) {
+  BrushSettings settings = brush().settings();
+  settings.mode = BrushMode::Fade;
+  brush().setSettings(settings);
+  EXPECT_EQ(obstacleAt(onMarker()), std::nullopt);
+  EXPECT_EQ(obstacleAt(onSkin()), BrushObstacle::OffFocus);
+  edit([](Look& look) { look.contextLayer.strength = 0.0; });
+  EXPECT_EQ(obstacleAt(onMarker()), BrushObstacle::EdgesOff);
+  space();
+  EXPECT_GT(document().look().contextLayer.strength, 0.0);
+  EXPECT_EQ(obstacleAt(onMarker()), std::nullopt);
+}
+
+TEST_F(FreshBrush, SaysThatNothingIsOpen) {
+  edit([](Look& look) { look.cutaway.enabled = false; });
+  EXPECT_EQ(obstacleAt(onSkin()), BrushObstacle::CutawayOff);
+  space();
+  EXPECT_TRUE(document().look().cutaway.enabled);
+  document().setFocus({});
+  EXPECT_EQ(obstacleAt(onSkin()), BrushObstacle::NoFocus);
+  space();
+  EXPECT_EQ(document().focus(), Focus{}) << "no setting can offer a focus";
 }
 
 }  // namespace

@@ -6,6 +6,8 @@
 
 #include <epoxy/gl.h>
 
+#include <QOpenGLContext>
+
 #include "rendering/gl/Texture.h"
 
 namespace fenestra::viewer {
@@ -36,6 +38,27 @@ class ForgetfulDriver {
     throw gl::AllocationError("no graphics memory for a pixel");
   }
   PFNGLGETTEXTURESUBIMAGEPROC replaced_;
+};
+
+/// Holds 3-D textures of 32 texels a side.
+class SmallDriver {
+ public:
+  SmallDriver() : replaced_(std::exchange(epoxy_glGetIntegerv, &answer)) {}
+  ~SmallDriver() { epoxy_glGetIntegerv = replaced_; }
+  SmallDriver(const SmallDriver&) = delete;
+  SmallDriver& operator=(const SmallDriver&) = delete;
+
+ private:
+  static void answer(GLenum name, GLint* value) {
+    // Not what was replaced: before its first call that is epoxy's resolver, which would come back here.
+    static const auto real =
+        reinterpret_cast<PFNGLGETINTEGERVPROC>(QOpenGLContext::currentContext()->getProcAddress("glGetIntegerv"));
+    if (name == GL_MAX_3D_TEXTURE_SIZE)
+      *value = 32;
+    else
+      real(name, value);
+  }
+  PFNGLGETINTEGERVPROC replaced_;
 };
 
 }  // namespace fenestra::viewer

@@ -149,5 +149,22 @@ TEST_F(FailingWindow, LeavesTheBestViewsWithoutPictures) {
   EXPECT_GT(glm::dot(directionOf(this->cameras().camera(0)), wanted), 1.0 - 1e-9);
 }
 
+/// A volume that is too large for the device.
+class ReducedWindow : public FailingWindow {
+ protected:
+  SmallDriver driver_;  // before the window opens a study
+};
+
+TEST_F(ReducedWindow, NamesTheFactorAndShowsEveryVoxelInSlices) {
+  waitUntilDrawn();
+  QApplication::processEvents();
+  ASSERT_EQ(window_->notices().texts().size(), 1);
+  EXPECT_TRUE(window_->notices().texts().front().contains(QStringLiteral("2×2×2 voxels as one")))
+      << window_->notices().texts().front().toStdString();
+  EXPECT_EQ(slice(SlicePlane::Axial)->sliceGeometry().width, 48);
+  expectSlicesWork();
+  for (VolumeView* view : views().volumeViews()) EXPECT_TRUE(green(view)) << "the focus is not seen";
+}
+
 }  // namespace
 }  // namespace fenestra::viewer

@@ -1,5 +1,6 @@
 // The program from outside: what it writes, prints and returns.
 
+#include <sys/resource.h>
 #include <filesystem>
 #include <fstream>
 
@@ -8,6 +9,7 @@
 #include <QImage>
 #include <QProcess>
 
+#include "tests/support/LargeVolume.h"
 #include "tests/support/TestData.h"
 
 namespace fenestra::viewer {
@@ -48,6 +50,22 @@ TEST(Program, EndsWithOneLineWhenTheFileIsAtFault) {
   EXPECT_EQ(ended.errors.count(QLatin1Char('\n')), 0);
   EXPECT_TRUE(ended.errors.contains(QStringLiteral("broken.nii"))) << ended.errors.toStdString();
   EXPECT_FALSE(std::filesystem::exists(picture));
+}
+
+TEST(Program, OpensALargeVolumeInBoundedMemory) {
+  if (!qEnvironmentVariableIsSet("FENESTRA_LARGE_TESTS"))
+    GTEST_SKIP() << "takes a minute; runs where FENESTRA_LARGE_TESTS is set";
+  const std::filesystem::path folder = tests::scratchFolder(), file = folder / "large.raw", picture = folder / "a.png";
+  tests::large::writeRaw(file);
+  const Ended ended =
+      run({qt(file), "--raw", "512x512x2000:int16", "--spacing", "0.8,0.8,0.5", "--screenshot", qt(picture)});
+  std::filesystem::remove(file);
+  EXPECT_EQ(ended.code, 0) << ended.errors.toStdString();
+  rusage usage{};
+  ASSERT_EQ(::getrusage(RUSAGE_CHILDREN, &usage), 0);
+  // Software OpenGL keeps textures in main memory: the voxels once more, and gradients of up to twice their size.
+  EXPECT_LE(static_cast<double>(usage.ru_maxrss) * 1024.0,
+            4.0 * tests::large::volumeBytes + tests::large::programBytes);
 }
 
 TEST(Program, RefusesWrongUsage) {

@@ -196,6 +196,49 @@ TEST_F(Window, SlicesThatLieUnevenlyCanBePlacedInEitherWay) {
   waitUntilDrawn();
 }
 
+TEST_F(Window, MarksPlanesThatWereNotScanned) {
+  QSignalSpy opened(window_.get(), &MainWindow::opened);
+  window_->open(std::vector{writeGap()});
+  ASSERT_TRUE(opened.wait(patience));
+  const auto& report = document().study().geometry;
+  ASSERT_TRUE(report);
+  ASSERT_EQ(report->interpolatedPlanes, std::vector<int>{2});
+  waitUntilDrawn();
+
+  const auto isAmber = [](QColor colour) { return colour == QColor(255, 176, 32); };
+  // At the left edge of the coronal picture, on the row of the plane and on no other.
+  SliceView* const coronal = slice(SlicePlane::Coronal);
+  const Grid& grid = document().scene().volume->grid;
+  const auto besideEdge = [&](double plane) {
+    const glm::dvec3 index(-0.5, 0.5 * (grid.dims.y - 1), plane);
+    const glm::dvec3 world(grid.worldFromIndex() * glm::dvec4(index, 1.0));
+    return (coronal->widgetFromWorld(world) + QPointF(2.0, 0.0)).toPoint();
+  };
+  const auto colourAt = [&](QPoint at) {
+    const QImage image = coronal->grab().toImage();
+    return image.pixelColor(at * image.devicePixelRatio());
+  };
+  EXPECT_TRUE(isAmber(colourAt(besideEdge(2.3))));  // beside the crosshair's line
+  for (const double plane : {0.0, 1.0, 3.0, 4.0}) EXPECT_FALSE(isAmber(colourAt(besideEdge(plane)))) << plane;
+
+  // A frame around the whole plane, and nothing around its neighbour.
+  SliceView* const axial = slice(SlicePlane::Axial);
+  const auto amberPixels = [&] {
+    const QImage image = axial->grab().toImage();
+    int count = 0;
+    for (int y = 0; y < image.height(); ++y)
+      for (int x = 0; x < image.width(); ++x) count += isAmber(image.pixelColor(x, y)) ? 1 : 0;
+    return count;
+  };
+  const auto showPlane = [&](int plane) {
+    cursor().moveTo(glm::dvec3(grid.worldFromIndex() * glm::dvec4(1.0, 1.0, plane, 1.0)));
+  };
+  showPlane(2);
+  EXPECT_GT(amberPixels(), 0);
+  showPlane(1);
+  EXPECT_EQ(amberPixels(), 0);
+}
+
 TEST_F(Window, ReadingCanBeCancelled) {
   const auto volumeBefore = document().scene().volume;
   window_->open([](const io::Progress& progress) -> Study {

@@ -1,9 +1,8 @@
-#include <array>
-
 #include <gtest/gtest.h>
 
 #include "io/VolumeReader.h"
 #include "rendering/scene/Slice.h"
+#include "tests/io/AnalyzeBytes.h"
 #include "tests/io/IoTesting.h"
 #include "tests/support/TestData.h"
 
@@ -13,37 +12,6 @@ using io::Warning;
 
 namespace {
 
-/// An Analyze 7.5 header, field by field at the offsets of its struct dsr.
-struct AnalyzeSpec {
-  bool swapped = false;
-  std::vector<std::int16_t> dims{2, 3, 4};
-  std::int16_t datatype = 4;
-  std::array<float, 3> spacing{1, 2, 3};
-  float slope = 0, offset = 0;
-  char orientation = 0;
-  std::array<std::int16_t, 3> origin{0, 0, 0};
-};
-
-std::string headerOf(const AnalyzeSpec& spec) {
-  std::string bytes(348, '\0');
-  const auto put = [&](std::size_t at, auto value) {
-    const std::string text = bytesOf(value, spec.swapped);
-    bytes.replace(at, text.size(), text);
-  };
-  put(0, std::int32_t{348});
-  put(32, std::int32_t{16384});
-  bytes[38] = 'r';
-  put(40, static_cast<std::int16_t>(spec.dims.size()));
-  for (std::size_t i = 0; i < spec.dims.size(); ++i) put(42 + 2 * i, spec.dims[i]);
-  put(70, spec.datatype);
-  for (std::size_t i = 0; i < 3; ++i) put(80 + 4 * i, spec.spacing[i]);
-  put(108, spec.offset);
-  put(112, spec.slope);
-  bytes[252] = spec.orientation;
-  for (std::size_t i = 0; i < 3; ++i) put(253 + 2 * i, spec.origin[i]);
-  return bytes;
-}
-
 std::vector<std::int16_t> countedVoxels() {
   std::vector<std::int16_t> voxels(24);
   for (std::size_t i = 0; i < voxels.size(); ++i) voxels[i] = static_cast<std::int16_t>(50 * static_cast<int>(i) - 300);
@@ -51,7 +19,7 @@ std::vector<std::int16_t> countedVoxels() {
 }
 
 void writePair(const fs::path& folder, const AnalyzeSpec& spec) {
-  writeFile(folder / "a.hdr", headerOf(spec));
+  writeFile(folder / "a.hdr", analyzeHeader(spec));
   writeFile(folder / "a.img", bytesOf(countedVoxels(), spec.swapped));
 }
 
@@ -113,7 +81,7 @@ TEST(Analyze, MissingVoxelSizesAreSaid) {
 TEST(Analyze, DamagedFilesAreErrors) {
   const fs::path folder = scratchFolder();
   AnalyzeSpec spec;
-  writeFile(folder / "a.hdr", headerOf(spec));
+  writeFile(folder / "a.hdr", analyzeHeader(spec));
   EXPECT_NE(errorOf([&] { io::openVolume(folder / "a.hdr"); }).find("does not exist"), std::string::npos);
   spec.offset = -4;
   writePair(folder, spec);

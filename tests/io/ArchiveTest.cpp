@@ -8,6 +8,7 @@
 #include "io/VolumeReader.h"
 #include "tests/io/DicomWriter.h"
 #include "tests/io/IoTesting.h"
+#include "tests/io/LabelFiles.h"
 #include "tests/support/TestData.h"
 
 namespace fenestra::tests {
@@ -105,6 +106,72 @@ TEST_F(Archive, APackedDicomFileOpens) {
   const auto expected = realValues(*io::openVolume(series / "slice3.dcm").volume);
   EXPECT_EQ(realValues(*io::openVolume(folder_ / "one.dcm.gz").volume), expected);
   EXPECT_EQ(realValues(*io::openVolume(folder_ / "one.dcm.bz2").volume), expected);
+}
+
+TEST_F(Archive, AFolderOfPackedDicomFilesOpensAsTheUnpackedOneDoes) {
+  const fs::path series = writeSeries(folder_ / "series"), packed = folder_ / "packed";
+  const io::OpenedVolume expected = io::openVolume(series);
+  fs::create_directories(packed);
+  for (const auto& [name, bytes] : entriesOf(series, "")) writeFile(packed / (name + ".gz"), gzipped(bytes));
+  writeFile(packed / "notes.txt.gz", gzipped("no image here"));
+  SegSpec seg;
+  seg.columns = 4;
+  seg.frames = {{1, glm::dvec3(0, 0, 2), {0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}}};
+  writeSeg(folder_ / "seg.dcm", seg);
+  writeFile(packed / "seg.dcm.gz", gzipped(readFile(folder_ / "seg.dcm")));
+
+  const io::OpenedVolume opened = io::openVolume(packed);
+  EXPECT_EQ(realValues(*opened.volume), realValues(*expected.volume));
+  expectSameGrid(opened.volume->grid, expected.volume->grid, 0.0);
+  // Messages, sessions and the list of segmentations name the packed files.
+  ASSERT_EQ(opened.series.files.size(), 5u);
+  EXPECT_EQ(opened.series.files.front(), packed / "slice0.dcm.gz");
+  EXPECT_EQ(io::listSeries(packed).front().files, opened.series.files);
+  EXPECT_EQ(warningOf(opened.warnings, io::Warning::Kind::UnreadableFiles).files,
+            std::vector<fs::path>{packed / "notes.txt.gz"});
+  ASSERT_EQ(opened.segmentations.size(), 1u);
+  EXPECT_EQ(opened.segmentations.front().file, packed / "seg.dcm.gz");
+  EXPECT_EQ(io::openLabels(packed / "seg.dcm.gz", opened.volume->grid).labels->value({1, 0, 1}), 1);
+}
+
+TEST_F(Archive, APackedFileThatIsDamagedIsNamed) {
+  const fs::path series = writeSeries(folder_ / "series"), packed = folder_ / "packed";
+  fs::create_directories(packed);
+  for (const auto& [name, bytes] : entriesOf(series, "")) writeFile(packed / (name + ".gz"), gzipped(bytes));
+  const std::string whole = readFile(packed / "slice2.dcm.gz");
+  writeFile(packed / "slice2.dcm.gz", whole.substr(0, whole.size() - 20));
+  const io::OpenedVolume opened = io::openVolume(packed);
+  EXPECT_EQ(warningOf(opened.warnings, io::Warning::Kind::UnreadableFiles).files,
+            std::vector<fs::path>{packed / "slice2.dcm.gz"});
+}
+
+TEST_F(Archive, SegmentationsInItAreOfferedAndOpen) {
+  Entries entries = entriesOf(writeSeries(folder_ / "series"), "study/");
+  SegSpec seg;
+  seg.columns = 4;
+  seg.frames = {{1, glm::dvec3(0, 0, 2), {0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}}};
+  writeSeg(folder_ / "seg.dcm", seg);
+  entries.emplace_back("study/seg.dcm", readFile(folder_ / "seg.dcm"));
+  const fs::path archive = folder_ / "a.zip";
+  writeArchive(archive, Packed::Zip, entries);
+
+  const io::OpenedVolume opened = io::openVolume(archive);
+  ASSERT_EQ(opened.segmentations.size(), 1u);
+  const fs::path file = opened.segmentations.front().file;
+  EXPECT_EQ(file, archive / "study" / "seg.dcm");
+  const io::OpenedLabels labels = io::openLabels(file, opened.volume->grid);
+  EXPECT_EQ(labels.labels->value({1, 0, 1}), 1);
+  EXPECT_EQ(labels.labels->value({2, 0, 1}), 0);
+  EXPECT_EQ(io::labelFiles(file), std::vector<fs::path>{archive});
+
+  const auto errorFor = [&](const fs::path& path) {
+    return errorOf([&] { io::openLabels(path, opened.volume->grid); });
+  };
+  EXPECT_NE(errorFor(archive / "study" / "absent.dcm").find("is not in the archive"), std::string::npos);
+  EXPECT_NE(errorFor(archive).find("is an archive of 6 files"), std::string::npos) << errorFor(archive);
+  EXPECT_NE(errorFor(archive / "study" / "slice0.dcm").find((archive / "study" / "slice0.dcm").string()),
+            std::string::npos);
+  EXPECT_NE(errorFor(folder_ / "absent.zip" / "seg.dcm").find("does not exist"), std::string::npos);
 }
 
 TEST_F(Archive, AVolumeInTwoFilesOpens) {

@@ -342,9 +342,11 @@ std::vector<Defect> fileStructureDefects() {
        error("holds 2000 bytes of pixels")},
       {"dicom cut in its pixels", bytes([](const std::string& all) { return all.substr(0, all.size() - 500); }),
        error("bytes of pixels where its header describes")},
-      {"dicom cut in its header", bytes([](const std::string& all) { return all.substr(0, 500); }), error("")},
+      {"dicom cut in its header", bytes([](const std::string& all) { return all.substr(0, 500); }),
+       error("its DICOM header cannot be read")},
       {"dicom of its meta header alone", bytes([](const std::string& all) { return DicomBytes(all).preamble; }), cut},
-      {"dicom of its preamble alone", bytes([](const std::string& all) { return all.substr(0, 132); }), error("")},
+      {"dicom of its preamble alone", bytes([](const std::string& all) { return all.substr(0, 132); }),
+       error("its DICOM header cannot be read")},
       {"dicom of another transfer syntax than it says", bytes([](std::string all) {
          const std::string uid = "1.2.840.10008.1.2.1";
          all.replace(all.find(uid), uid.size(), std::string("1.2.840.10008.1.2\0\0", 19));
@@ -372,11 +374,11 @@ std::vector<Defect> fileStructureDefects() {
        bytes([](const std::string& all) { return all.substr(DicomBytes(all).preamble.size()); }), opens},
       {"packed dicom cut",
        bytes([](const std::string& all) { return all.substr(0, all.size() - 200); }, pictureSpec(Syntax::Deflated)),
-       error("")},
+       error("ends too early")},
       {"packed dicom of noise",
        bytes([](const std::string& all) { return all.substr(0, 340) + std::string(2000, '\x5a'); },
              pictureSpec(Syntax::Deflated)),
-       error("")},
+       error("its compressed data are damaged")},
       {"packed dicom of 400 MB", bytes(bomb, pictureSpec(Syntax::Deflated)),
        error("packed DICOM header unpacks to more")},
       {"float pixels", file({floats<float>(floatPixels, "OF", 32)}), opens},

@@ -1,8 +1,11 @@
 #include <limits>
 #include <map>
+#include <numeric>
 
+#include "tests/io/AnalyzeBytes.h"
 #include "tests/io/Defects.h"
 #include "tests/io/IoTesting.h"
+#include "tests/io/MghBytes.h"
 #include "tests/io/NiftiBytes.h"
 
 namespace fenestra::tests {
@@ -131,7 +134,7 @@ std::vector<Defect> niftiDefects() {
       {"nifti of negative rows", nifti({.dims = {2, -3, 4}}), error("its header says 2 x -3 x 4 voxels")},
       {"nifti of vectors", nifti({.dims = {2, 3, 4, 1, 3}}), error("holds vectors of 3 components")},
       {"nifti of no time points", nifti({.dims = {2, 3, 4, 0}}), error("a dimension of no length")},
-      {"nifti of 20000 a side", nifti({.dims = {20000, 20000, 20000}}), error("")},
+      {"nifti of 20000 a side", nifti({.dims = {20000, 20000, 20000}}), error("larger than this machine's memory")},
       {"nifti cut", nifti({}, counting(10)), error("holds 20 bytes of voxels where its header describes 48")},
       {"nifti without its voxels", nifti({.pair = true}), error("a .hdr file needs the .img file beside it")},
       {"nifti cut in its header", file("a.nii", niftiHeader({}).substr(0, 200)),
@@ -142,7 +145,7 @@ std::vector<Defect> niftiDefects() {
          writeFile(folder / "a.nii.gz", packed.substr(0, packed.size() - 20));
          return folder / "a.nii.gz";
        },
-       error("")},
+       error("ends too early")},
       {"nifti of three time points", nifti({.dims = {2, 3, 4, 3}}, counting(72)),
        warning("holds 3 volumes (time points or layers); number 1 is shown, --time N chooses another")},
       {"nifti's third time point", nifti({.dims = {2, 3, 4, 3}}, counting(72)), warning("number 3 is shown"), "", 3},
@@ -203,13 +206,15 @@ std::vector<Defect> nrrdDefects() {
       {"nrrd without sizes", nrrd({{"sizes", "-"}}), error("its header has no sizes")},
       {"nrrd of other sizes than dimensions", nrrd({{"dimension", "2"}}), notUnderstood("sizes")},
       {"nrrd of zero rows", nrrd({{"sizes", "2 0 4"}}), error("its header says 2 x 0 x 4 voxels")},
-      {"nrrd of 2000000000 a side", nrrd({{"sizes", "2000000000 2000000000 2000000000"}}), error("")},
+      {"nrrd of 2000000000 a side", nrrd({{"sizes", "2000000000 2000000000 2000000000"}}),
+       error("its geometry is not plausible")},
       {"nrrd without type", nrrd({{"type", "-"}}), error("its header has no type")},
       {"nrrd of blocks", nrrd({{"type", "block"}}), error("has voxels of type 'block'")},
       {"nrrd without endianness", nrrd({{"endian", "-"}}), notUnderstood("endian")},
       {"nrrd of an unknown encoding", nrrd({{"encoding", "zip"}}), error("its encoding 'zip' is not supported")},
       {"nrrd cut", nrrd({}, counting(10)), error("holds 20 bytes of voxels where its header describes 48")},
-      {"packed nrrd of noise", nrrd({{"encoding", "gzip"}}, std::string(500, '\x33')), error("")},
+      {"packed nrrd of noise", nrrd({{"encoding", "gzip"}}, std::string(500, '\x33')),
+       error("its compressed data are damaged")},
       {"nrrd of words", nrrd({{"encoding", "ascii"}}, std::string(200, 'w')), error("where a number of its type")},
       {"nrrd of too few numbers", nrrd({{"encoding", "ascii"}}, "1 2 3 4"),
        error("holds 7 characters of voxels where its header describes 24 numbers")},
@@ -261,7 +266,8 @@ std::vector<Defect> metaImageDefects() {
       {"metaimage of zero rows", metaImage({{"DimSize", "2 0 4"}}), error("its header says 2 x 0 x 4 voxels")},
       {"metaimage of 100 dimensions", metaImage({{"NDims", "100"}}), notUnderstood("DimSize")},
       {"metaimage cut", metaImage({}, counting(10)), error("holds 20 bytes of voxels where its header describes 48")},
-      {"packed metaimage of noise", metaImage({{"CompressedData", "True"}}, std::string(500, '\x33')), error("")},
+      {"packed metaimage of noise", metaImage({{"CompressedData", "True"}}, std::string(500, '\x33')),
+       error("its compressed data are damaged")},
       {"metaimage of a missing file", metaImage({{"ElementDataFile", "absent.raw"}}), error("cannot be opened")},
       {"metaimage of a file outside", outside("a.mhd", metaHeader("../voxels.raw")),
        error("names voxels outside its folder")},
@@ -275,6 +281,66 @@ std::vector<Defect> metaImageDefects() {
        warning("number 2 is shown"), "", 2},
       {"metaimage without a data file", file("a.mha", "NDims = 3\nDimSize = 2 3 4\n"),
        error("its content is something else")},
+  };
+}
+
+std::vector<std::int16_t> numbers(int count) {
+  std::vector<std::int16_t> values(static_cast<std::size_t>(count));
+  std::iota(values.begin(), values.end(), std::int16_t{0});
+  return values;
+}
+
+std::vector<Defect> mghDefects() {
+  const auto mgh = [](const MghSpec& spec, int voxels = 24) { return file("a.mgh", mghFile(spec, numbers(voxels))); };
+  constexpr float notANumber = std::numeric_limits<float>::quiet_NaN(), huge = 1e30f;
+  const Expected unusable = error("its header gives no usable geometry"),
+                 implausible = error("its geometry is not plausible"), noMgh = error("is named .mgh but its content");
+  const std::string packed = gzipped(mghFile(MghSpec{}, numbers(24)));
+  return {
+      {"mgh", mgh({}), opens},
+      {"mgh without orientation", mgh({.hasGeometry = false}), warning("stores no orientation")},
+      {"mgh of colours", mgh({.type = 6}), error("MGH data type 6")},
+      {"mgh of zero rows", mgh({.dims = {2, 0, 4}}), noMgh},
+      {"mgh of -3 columns", mgh({.dims = {-3, 3, 4}}), noMgh},
+      {"mgh of 2e9 slices", mgh({.dims = {2, 3, 2'000'000'000}}), implausible},
+      {"mgh of no frames", mgh({.frames = 0}), noMgh},
+      {"mgh of two frames", mgh({.frames = 2}, 48), warning("the file holds 2 volumes")},
+      {"mgh with spacing 0", mgh({.spacing = {0.0f, 1.0f, 1.0f}}), unusable},
+      {"mgh with NaN as spacing", mgh({.spacing = {notANumber, 1.0f, 1.0f}}), unusable},
+      {"mgh with voxels of 1e30 mm", mgh({.spacing = {huge, 1.0f, 1.0f}}), implausible},
+      {"mgh with flat axes", mgh({.axes = {{1, 0, 0}, {1, 0, 0}, {0, 1, 0}}}), unusable},
+      {"mgh at NaN", mgh({.centre = {notANumber, 0.0f, 0.0f}}), unusable},
+      {"mgh at 1e30 mm", mgh({.centre = {huge, 0.0f, 0.0f}}), implausible},
+      {"mgh cut", mgh({}, 10), error("holds 20 bytes of voxels where its header describes 48")},
+      {"packed mgh cut in its stream", file("a.mgz", packed.substr(0, packed.size() - 12)), error("ends too early")},
+  };
+}
+
+/// Header and voxels in two files.
+std::vector<Defect> analyzeDefects() {
+  const auto pair = [](const AnalyzeSpec& spec, int voxels = 24) {
+    return [=](const fs::path& folder) {
+      writeFile(folder / "a.hdr", analyzeHeader(spec));
+      writeFile(folder / "a.img", bytesOf(numbers(voxels), spec.swapped));
+      return folder / "a.hdr";
+    };
+  };
+  constexpr float notANumber = std::numeric_limits<float>::quiet_NaN();
+  const Expected unsided = warning("do not say which side is left"), sizeAssumed = warning("are taken as 1 mm"),
+                 implausible = error("its geometry is not plausible");
+  return {
+      {"analyze", pair({}), unsided},
+      {"analyze in the other byte order", pair({.swapped = true}), unsided},
+      {"analyze with spacing 0", pair({.spacing = {0, 1, 1}}), sizeAssumed},
+      {"analyze with NaN as spacing", pair({.spacing = {notANumber, 1, 1}}), sizeAssumed},
+      {"analyze with voxels of 1e30 mm", pair({.spacing = {1e30f, 1, 1}}), implausible},
+      {"analyze of a negative offset", pair({.offset = -5}), error("its header gives no voxel offset")},
+      {"analyze of an offset that is no number", pair({.offset = notANumber}), error("gives no voxel offset")},
+      {"analyze of an offset beyond its end", pair({.offset = 1000}), error("holds 0 bytes of voxels")},
+      {"analyze of an unknown orientation", pair({.orientation = 77}), unsided},
+      {"analyze of two time points", pair({.dims = {2, 3, 4, 2}}, 48), warning("the file holds 2 volumes")},
+      {"analyze cut", pair({}, 10), error("holds 20 bytes of voxels where its header describes 48")},
+      {"analyze without its voxels", file("a.hdr", analyzeHeader({})), error("a.img")},
   };
 }
 
@@ -297,7 +363,8 @@ std::vector<Defect> otherDefects() {
 
 std::vector<Defect> fileDefects() {
   std::vector<Defect> all;
-  for (const auto& part : {niftiDefects(), nrrdDefects(), metaImageDefects(), otherDefects()})
+  for (const auto& part :
+       {niftiDefects(), nrrdDefects(), metaImageDefects(), mghDefects(), analyzeDefects(), otherDefects()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

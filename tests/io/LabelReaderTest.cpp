@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "io/LabelColours.h"
 #include "io/VolumeReader.h"
 #include "tests/io/IoTesting.h"
 #include "tests/io/LabelFiles.h"
@@ -32,7 +33,7 @@ TEST(Labels, AreReadWithNamesFromATableBeside) {
   EXPECT_EQ(opened.labels->find(2)->name, "label 2");
   EXPECT_EQ(opened.labels->find(7)->name, "Aorta");
   EXPECT_EQ(opened.labels->find(9)->name, "Absent");
-  EXPECT_EQ(opened.labels->find(7)->colour, defaultLabelColour(7));
+  EXPECT_EQ(opened.labels->find(7)->colour, io::labelColour(7, opened.labels->find(7)->name));
   EXPECT_TRUE(opened.warnings.empty()) << kindsOf(opened.warnings);
 }
 

@@ -87,6 +87,26 @@ TEST_F(OpenSession, LabelsMayBeADicomSegmentation) {
   EXPECT_EQ(kindsOf(opened.warnings), "");
 }
 
+TEST_F(OpenSession, LabelsMayLieInAnArchive) {
+  fs::create_directories(project_ / "more");
+  writeFile(project_ / "more" / "labels.nii", readFile(project_ / "labels.nii.gz"));
+  ASSERT_EQ(std::system(("tar -C '" + (project_ / "more").string() + "' -cf '" + (project_ / "labels.tar").string() +
+                         "' labels.nii")
+                            .c_str()),
+            0);
+  const fs::path member = project_ / "labels.tar" / "labels.nii";
+  save(project_ / "a.fenestra", project_ / "study", member);
+  EXPECT_EQ(io::openSession(project_ / "a.fenestra").session.labels.path, member);
+
+  // The archive lies elsewhere now: it is known by its contents.
+  fs::create_directories(project_ / "moved");
+  fs::rename(project_ / "labels.tar", project_ / "moved" / "labels.tar");
+  const io::OpenedSession moved = io::openSession(project_ / "a.fenestra");
+  EXPECT_EQ(moved.session.labels.path, project_ / "moved" / "labels.tar" / "labels.nii");
+  EXPECT_EQ(moved.labels->labels.size(), 2u);
+  EXPECT_TRUE(hasWarning(moved.warnings, Kind::MovedData));
+}
+
 TEST_F(OpenSession, KeepsTheTimePoint) {
   std::vector<std::int16_t> values;
   for (int i = 0; i < 72; ++i) values.push_back(static_cast<std::int16_t>(i));

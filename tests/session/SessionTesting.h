@@ -24,7 +24,7 @@ inline BrushStroke someStroke(BrushMode mode, std::size_t anchors = 3) {
   stroke.softness = 0.125;
   stroke.depth = 0.3;
   stroke.amount = 0.9;
-  stroke.coversFocus = stroke.hidden = true;
+  stroke.toSurface = stroke.coversFocus = stroke.hidden = true;
   stroke.view = 1;
   return stroke;
 }

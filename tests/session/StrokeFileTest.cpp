@@ -23,7 +23,7 @@ BrushStrokes someStrokes() {
   second.mode = BrushMode::Strengthen;
   second.anchors = {{1.0, 2.0, 3.0}};
   second.amount = 1.0;
-  second.coversFocus = second.hidden = true;
+  second.toSurface = second.coversFocus = second.hidden = true;
   second.view = 1;
   return {first, second};
 }

@@ -100,6 +100,22 @@ TEST(ReferenceStrokes, RaysThatMeetTheFocus) {
   EXPECT_EQ(flat.edits({stroke}).offset[Flat::at(14, 0)], 0.0) << "nothing goes past the focus";
 }
 
+TEST(ReferenceStrokes, ReachToTheSurfaceHoweverDeepItLies) {
+  const Flat flat;
+  BrushStroke stroke = Flat::stroke(BrushMode::Restore, {{0.0, 0.0}});
+  stroke.toSurface = true;
+  stroke.depth = 1.0;
+  // All of the 50 mm in the middle, half of them where the profile is half.
+  EXPECT_NEAR(flat.edits({stroke}).offset[Flat::at(0, 0)], -50.0, 1e-12);
+  stroke.softness = 1.0;
+  const int half = static_cast<int>(std::lround(0.5 * stroke.radius));
+  EXPECT_NEAR(flat.edits({stroke}).offset[Flat::at(half, 0)], -25.0, 1e-12);
+  // Open has no surface to reach.
+  stroke.mode = BrushMode::Open;
+  stroke.softness = 0.0;
+  EXPECT_NEAR(flat.edits({stroke}).offset[Flat::at(0, 0)], 1.0, 1e-12);
+}
+
 TEST(ReferenceStrokes, FadeWithTheDistanceOfWhatTheyWerePaintedOn) {
   const Flat flat;
   const auto moved = [&](BrushMode mode, double deeper) {

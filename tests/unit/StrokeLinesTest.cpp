@@ -275,7 +275,9 @@ TEST(StrokeLines, ChangedRegionsHoldEveryPixelThatChanges) {
   const std::vector<std::function<void(ProjectedStroke&)>> changes{
       [](ProjectedStroke& stroke) { stroke.mode = BrushMode::Open; },
       [](ProjectedStroke& stroke) { stroke.coversFocus = true; },
-      [](ProjectedStroke& stroke) { stroke.radius += 1.0f; }, [](ProjectedStroke& stroke) { stroke.softness += 0.5f; },
+      [](ProjectedStroke& stroke) { stroke.toSurface = true; },
+      [](ProjectedStroke& stroke) { stroke.radius += 1.0f; },
+      [](ProjectedStroke& stroke) { stroke.softness += 0.5f; },
       [](ProjectedStroke& stroke) { stroke.effect += 1.0f; }};
   for (int round = 0; round < 20; ++round) {
     const int margin = static_cast<int>(random() % 3);

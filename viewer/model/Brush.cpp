@@ -6,6 +6,10 @@ namespace fenestra::viewer {
 
 bool movesRayStart(BrushMode mode) { return mode == BrushMode::Restore || mode == BrushMode::Open; }
 
+bool usesDepth(const BrushSettings& settings) {
+  return movesRayStart(settings.mode) && !(settings.mode == BrushMode::Restore && settings.toSurface);
+}
+
 QString nameOf(BrushMode mode) { return QString::fromUtf8(wordOf(mode).name); }
 
 BrushMode opposite(BrushMode mode) {
@@ -42,6 +46,7 @@ void Brush::scaleRadius(double factor) {
 void Brush::scaleDepth(double factor) {
   BrushSettings settings = settings_;
   (movesRayStart(settings.mode) ? settings.depth : settings.amount) *= factor;
+  if (settings.mode == BrushMode::Restore) settings.toSurface = false;
   // Scaling could not raise an amount of 0.
   settings.amount = std::max(settings.amount, 0.05);
   setSettings(settings);

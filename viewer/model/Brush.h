@@ -14,7 +14,8 @@ struct BrushSettings {
   double softness = 0.5;  ///< this and all below as in BrushStroke
   double depth = 10.0;    ///< mm
   double amount = 0.5;
-  bool coversFocus = false;
+  bool toSurface = true;
+  bool coversFocus = true;
   bool thisViewOnly = false;
   bool operator==(const BrushSettings&) const = default;
 };
@@ -59,6 +60,8 @@ namespace fenestra::viewer {
 
 /// Whether a mode moves the ray start, by `depth`; the others change the context layer, by `amount`.
 bool movesRayStart(BrushMode mode);
+/// Whether strokes go by `depth`: not those that change the context layer or reach to the context's surface.
+bool usesDepth(const BrushSettings& settings);
 QString nameOf(BrushMode mode);
 /// The mode that reverses another: Restore and Open, Fade and Strengthen.
 BrushMode opposite(BrushMode mode);
@@ -71,7 +74,7 @@ class Brush : public QObject {
   const BrushSettings& settings() const { return settings_; }
   void setSettings(const BrushSettings& settings);
   void scaleRadius(double factor);
-  /// Scales the depth, or the amount in modes without depth.
+  /// Scales the depth, or the amount in modes without depth. Restore then goes by the depth, no longer to the surface.
   void scaleDepth(double factor);
 
   /// The left button paints instead of turning the view.

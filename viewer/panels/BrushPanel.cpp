@@ -30,6 +30,7 @@ BrushPanel::BrushPanel(Document& document, Brush& brush, QWidget* parent)
       softness_(new SliderSpin(settingOf(&BrushSettings::softness))),
       depth_(new SliderSpin(settingOf(&BrushSettings::depth))),
       amount_(new SliderSpin(settingOf(&BrushSettings::amount))),
+      toSurface_(new QCheckBox(tr("Restore to the surface"))),
       coversFocus_(new QCheckBox(tr("May cover the focus"))),
       thisViewOnly_(new QCheckBox(tr("In the painted view only"))),
       strokes_(new StrokeList(document)) {
@@ -64,6 +65,8 @@ QWidget* BrushPanel::makeBody() {
   paint_->setIcon(icon("brush"));
   paint_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   paint_->setToolTip(tr("The left button paints; Ctrl+left drag still turns the view (P; E for the opposite brush)"));
+  toSurface_->setToolTip(
+      tr("Restore brings back all that was removed under the brush; otherwise no more than the depth"));
   coversFocus_->setToolTip(tr("Otherwise restored tissue never hides the focus"));
   thisViewOnly_->setToolTip(tr("Otherwise a stroke shows in both views"));
 
@@ -77,6 +80,7 @@ QWidget* BrushPanel::makeBody() {
   column->addWidget(paint_);
   column->addLayout(makeModes());
   column->addLayout(form);
+  column->addWidget(toSurface_);
   column->addWidget(coversFocus_);
   column->addWidget(thisViewOnly_);
   column->addWidget(strokes_, 1);
@@ -97,6 +101,7 @@ void BrushPanel::connectSettings() {
     connect(box, &QCheckBox::clicked, this,
             [this, member](bool on) { edit([=](BrushSettings& settings) { settings.*member = on; }); });
   };
+  connectBox(toSurface_, &BrushSettings::toSurface);
   connectBox(coversFocus_, &BrushSettings::coversFocus);
   connectBox(thisViewOnly_, &BrushSettings::thisViewOnly);
   connect(&brush_, &Brush::changed, this, &BrushPanel::showBrush);
@@ -117,8 +122,10 @@ void BrushPanel::showBrush() {
   depth_->setValue(settings.depth);
   amount_->setValue(settings.amount);
   const bool deep = movesRayStart(settings.mode);
-  depth_->setEnabled(deep);
+  depth_->setEnabled(usesDepth(settings));
   amount_->setEnabled(!deep);
+  toSurface_->setEnabled(settings.mode == BrushMode::Restore);
+  toSurface_->setChecked(settings.toSurface);
   coversFocus_->setEnabled(settings.mode == BrushMode::Restore);
   coversFocus_->setChecked(settings.coversFocus);
   thisViewOnly_->setChecked(settings.thisViewOnly);

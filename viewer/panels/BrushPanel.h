@@ -38,7 +38,7 @@ class BrushPanel : public ScrollingPanel {
   QToolButton* paint_;
   std::array<QToolButton*, 4> modes_{};
   SliderSpin *radius_, *softness_, *depth_, *amount_;
-  QCheckBox *coversFocus_, *thisViewOnly_;
+  QCheckBox *toSurface_, *coversFocus_, *thisViewOnly_;
   StrokeList* strokes_;
 };
 

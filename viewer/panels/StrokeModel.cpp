@@ -32,8 +32,12 @@ QVariant StrokeModel::data(const QModelIndex& index, int role) const {
   if (role == Qt::CheckStateRole) return stroke.hidden ? Qt::Unchecked : Qt::Checked;
   if (role != Qt::DisplayRole) return {};
   QStringList parts{QStringLiteral("%1  %2").arg(index.row() + 1).arg(nameOf(stroke.mode))};
-  parts << (movesRayStart(stroke.mode) ? tr("%1 mm deep").arg(stroke.depth, 0, 'f', 1)
-                                       : tr("%1 %").arg(100.0 * stroke.amount, 0, 'f', 0));
+  if (!movesRayStart(stroke.mode))
+    parts << tr("%1 %").arg(100.0 * stroke.amount, 0, 'f', 0);
+  else if (stroke.toSurface && stroke.mode == BrushMode::Restore)
+    parts << tr("to the surface");
+  else
+    parts << tr("%1 mm deep").arg(stroke.depth, 0, 'f', 1);
   if (stroke.coversFocus) parts << tr("over the focus");
   if (stroke.view >= 0) parts << tr("C%1 only").arg(stroke.view + 1);
   return parts.join(QStringLiteral(", "));

@@ -1,8 +1,11 @@
 #include "viewer/tools/BrushTool.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
 
+#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QWheelEvent>
 
@@ -37,6 +40,7 @@ bool BrushTool::press(const QMouseEvent& event) {
                         .softness = settings.softness,
                         .depth = settings.depth,
                         .amount = settings.amount,
+                        .toSurface = settings.toSurface && settings.mode == BrushMode::Restore,
                         .coversFocus = settings.coversFocus,
                         .view = settings.thisViewOnly ? canvas_.view : -1};
   document_.history().beginGesture();
@@ -80,8 +84,17 @@ bool BrushTool::wheel(const QWheelEvent& event) {
   return true;
 }
 
+bool BrushTool::key(const QKeyEvent& event) {
+  if (event.key() != Qt::Key_Space || isPainting() || !obstacle_ || remedyOf(*obstacle_).isEmpty()) return false;
+  applyRemedy(*obstacle_, brush_, document_);
+  measure();
+  canvas_.redraw();
+  return true;
+}
+
 void BrushTool::leave() {
   mouse_.reset();
+  obstacle_.reset();
   canvas_.redraw();
 }
 
@@ -110,7 +123,33 @@ void BrushTool::finish() {
 }
 
 void BrushTool::measure() {
-  under_ = mouse_ && brush_.isActive() ? canvas_.pick(*mouse_, brush_.settings().mode, {}) : std::nullopt;
+  under_.reset();
+  obstacle_.reset();
+  if (!mouse_ || !brush_.isActive()) return;
+  const BrushSettings& settings = brush_.settings();
+  // The mouse's place, then the disc where the profile is at least half, or the stroke would change next to nothing.
+  constexpr std::size_t around = 8;
+  std::array<std::optional<BrushPoint>, 1 + around> points;
+  points[0] = under_ = canvas_.pick(*mouse_, settings.mode, {});
+  const double radius = settings.radius * (1.0 - 0.5 * settings.softness);
+  for (std::size_t i = 0; i < around; ++i) {
+    const double angle = 2.0 * std::numbers::pi * static_cast<double>(i) / around;
+    points[1 + i] = canvas_.pick(*mouse_ + radius * QPointF(std::cos(angle), std::sin(angle)), settings.mode, {});
+  }
+  obstacle_ = obstacleTo(settings, document_.look(), points);
+}
+
+QStringList BrushTool::hint() const {
+  const BrushSettings& settings = brush_.settings();
+  const QString name = nameOf(settings.mode);
+  if (obstacle_ && !isPainting()) {
+    QStringList lines{textOf(*obstacle_)};
+    if (const QString remedy = remedyOf(*obstacle_); !remedy.isEmpty()) lines << Brush::tr("Space: %1").arg(remedy);
+    return lines;
+  }
+  if (usesDepth(settings)) return {Brush::tr("%1 %2 mm").arg(name).arg(settings.depth, 0, 'f', 1)};
+  if (movesRayStart(settings.mode)) return {Brush::tr("%1 to the surface").arg(name)};
+  return {Brush::tr("%1 %2 %").arg(name).arg(100.0 * settings.amount, 0, 'f', 0)};
 }
 
 void BrushTool::draw(QPainter& painter, const QRectF& view) const {
@@ -121,7 +160,7 @@ void BrushTool::draw(QPainter& painter, const QRectF& view) const {
       stroke_ && under_ && !stroke_->anchors.empty() ? stroke_->radius / under_->pixelSize : settings.radius;
   const bool adds = settings.mode == BrushMode::Restore || settings.mode == BrushMode::Strengthen;
   QColor colour = adds ? QColor(140, 230, 150) : QColor(255, 170, 110);
-  if (!under_) colour = QColor(160, 164, 170);
+  if (!under_ || (obstacle_ && !isPainting())) colour = QColor(160, 164, 170);
   const QColor rim(0, 0, 0, 170);
 
   painter.save();
@@ -137,7 +176,7 @@ void BrushTool::draw(QPainter& painter, const QRectF& view) const {
     painter.setPen(QPen(colour, 1.0, Qt::DotLine));
     painter.drawEllipse(at, full, full);
   }
-  const bool deep = movesRayStart(settings.mode);
+  const bool deep = usesDepth(settings) && !(obstacle_ && !isPainting());
   if (deep && under_) {
     // The arrow is as long as the depth would appear from the side; up is towards the eye.
     const double length = std::clamp(settings.depth / under_->pixelSize, 3.0, 0.4 * view.height());
@@ -150,15 +189,19 @@ void BrushTool::draw(QPainter& painter, const QRectF& view) const {
       painter.drawPolyline(QPolygonF{head + QPointF(-4.0, back), head, head + QPointF(4.0, back)});
     }
   }
-  const QString text =
-      deep ? QStringLiteral("%1 %2 mm").arg(nameOf(settings.mode)).arg(settings.depth, 0, 'f', 1)
-           : QStringLiteral("%1 %2 %").arg(nameOf(settings.mode)).arg(100.0 * settings.amount, 0, 'f', 0);
-  const double height = painter.fontMetrics().height(), width = painter.fontMetrics().horizontalAdvance(text) + 4.0;
-  QRectF box(at.x() - 0.5 * width, at.y() + radius + 4.0, width, height);
+  const QStringList lines = hint();
+  const double line = painter.fontMetrics().height();
+  double width = 0.0;
+  for (const QString& text : lines) width = std::max(width, painter.fontMetrics().horizontalAdvance(text) + 4.0);
+  QRectF box(at.x() - 0.5 * width, at.y() + radius + 4.0, width, line * static_cast<double>(lines.size()));
   // Above the ring when the arrow points down, because the arrow then takes the place below.
   if ((deep && !adds) || box.bottom() > view.bottom()) box.moveBottom(at.y() - radius - 4.0);
   box.moveLeft(std::clamp(box.left(), view.left(), std::max(view.left(), view.right() - width)));
-  drawText(painter, box, Qt::AlignCenter | Qt::TextSingleLine, text, colour);
+  box.setHeight(line);
+  for (const QString& text : lines) {
+    drawText(painter, box, Qt::AlignCenter | Qt::TextSingleLine, text, colour);
+    box.translate(0.0, line);
+  }
   painter.restore();
 }
 

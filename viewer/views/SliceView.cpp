@@ -10,6 +10,7 @@
 #include "viewer/model/Document.h"
 #include "viewer/model/SliceCursor.h"
 #include "viewer/model/ViewOptions.h"
+#include "viewer/style/InterpolatedPlanes.h"
 #include "viewer/style/Overlay.h"
 
 namespace fenestra::viewer {
@@ -186,12 +187,14 @@ void SliceView::paintEvent(QPaintEvent*) {
     painter.drawLines(outline_);
     painter.restore();
   }
+  const bool interpolated = drawInterpolated(painter, target);
   if (options_.crosshair()) drawCrosshair(painter);
 
   const QRectF view = rect();
   drawEdgeLetters(painter, view, geometry_.right, geometry_.down);
   drawScaleBar(painter, view, 1.0 / scale);
   QStringList title{planeName(geometry_.plane)};
+  if (interpolated) title << tr("Interpolated, not scanned");
   if (options_.text()) {
     title << tr("%1 / %2").arg(slice_ + 1).arg(geometry_.count);
     const WindowLevel window = document_.window();
@@ -207,6 +210,17 @@ void SliceView::paintEvent(QPaintEvent*) {
     painter.setPen(QColor(86, 140, 190));
     painter.drawRect(rect().adjusted(0, 0, -1, -1));
   }
+}
+
+bool SliceView::drawInterpolated(QPainter& painter, const QRectF& picture) const {
+  const std::optional<io::GeometryReport>& report = document_.study().geometry;
+  if (!report || report->interpolatedPlanes.empty()) return false;
+  const Grid& grid = document_.scene().volume->grid;
+  QTransform widgetFromPixel = QTransform::fromTranslate(picture.left(), picture.top());
+  widgetFromPixel.scale(picture.width() / geometry_.width, picture.height() / geometry_.height);
+  drawInterpolatedBands(painter, interpolatedBands(report->interpolatedPlanes, grid, geometry_, slice_),
+                        widgetFromPixel);
+  return isInterpolated(report->interpolatedPlanes, grid, geometry_, slice_);
 }
 
 void SliceView::drawCrosshair(QPainter& painter) const {

@@ -67,6 +67,8 @@ class SliceView : public QWidget {
   double pixelsPerMm() const;
   bool inPicture(glm::dvec3 world) const;
   void drawCrosshair(QPainter& painter) const;
+  /// Marks the planes that were not scanned. Returns whether the shown slice is one.
+  bool drawInterpolated(QPainter& painter, const QRectF& picture) const;
 
   Document& document_;
   SliceCursor& cursor_;

@@ -386,6 +386,7 @@ void VolumeView::mousePressEvent(QMouseEvent* event) {
 }
 
 void VolumeView::mouseMoveEvent(QMouseEvent* event) {
+  if (brush_.isActive() && !hasFocus()) setFocus(Qt::MouseFocusReason);  // for the keys that the brush offers
   if (!document_.hasVolume() || brushTool_.move(*event)) return;
   const QPointF position = event->position(), move = position - last_, total = position - pressed_;
   last_ = position;
@@ -458,6 +459,7 @@ void VolumeView::wheelEvent(QWheelEvent* event) {
 }
 
 void VolumeView::keyPressEvent(QKeyEvent* event) {
+  if (brushTool_.key(*event)) return;
   double yaw = 0.0, pitch = 0.0;
   switch (event->key()) {
     case Qt::Key_Left:

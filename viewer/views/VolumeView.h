@@ -58,6 +58,7 @@ class VolumeView : public QOpenGLWidget {
   /// The camera of the picture. In a view that is taller than wide its field of view is wider, so that the volume fits.
   Camera shownCamera() const;
   std::optional<QPointF> widgetFromWorld(glm::dvec3 world) const;
+  const BrushTool& brushTool() const { return brushTool_; }
   /// Runs `work` with this view's OpenGL context current. Returns false without running it where there is no context:
   /// before the view is first shown, or after the driver has lost it.
   bool inContext(const std::function<void(const std::shared_ptr<GpuScene>&)>& work);

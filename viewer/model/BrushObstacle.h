@@ -1,0 +1,39 @@
+#pragma once
+// Why the brush can have no effect at a place of a picture, and what would let it.
+
+#include <optional>
+#include <span>
+
+#include <QString>
+
+#include "rendering/scene/BrushStroke.h"
+#include "rendering/scene/Scene.h"
+#include "viewer/model/Brush.h"
+
+namespace fenestra::viewer {
+
+class Document;
+
+enum class BrushObstacle {
+  NoFocus,         ///< nothing is cut open without one
+  CutawayOff,      ///< the opening is switched off
+  NothingThere,    ///< the background
+  NothingRemoved,  ///< Restore: the context is whole there
+  SparesFocus,     ///< Restore: the focus lies there and must not be covered
+  ReachedFocus,    ///< Open: the focus is free there
+  EdgesOff,        ///< Fade, Strengthen: the context's edges are not drawn at all
+  OffFocus,        ///< Fade, Strengthen: no focus there, over which edges would be drawn
+};
+
+/// What keeps a stroke from changing anything at the points that it would touch (Renderer::pickBrush; empty where it
+/// touches nothing), the first of which is its centre. Empty when it has an effect at any of them.
+std::optional<BrushObstacle> obstacleTo(const BrushSettings& settings, const Look& look,
+                                        std::span<const std::optional<BrushPoint>> points);
+/// One short sentence without its full stop.
+QString textOf(BrushObstacle obstacle);
+/// What would let the stroke have an effect; empty where no setting does.
+QString remedyOf(BrushObstacle obstacle);
+/// Does what remedyOf() says.
+void applyRemedy(BrushObstacle obstacle, Brush& brush, Document& document);
+
+}  // namespace fenestra::viewer
