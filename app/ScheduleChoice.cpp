@@ -75,4 +75,10 @@ void chooseSchedule(std::optional<Schedule> asked, const std::shared_ptr<GpuScen
   if (const fs::path file = answersFile(); !file.empty()) keepAnswer(file, scheduleKey(*scene.volume), times);
 }
 
+void chooseScheduleQuickly(std::optional<Schedule> asked, bool software, const std::shared_ptr<GpuScene>& gpuScene,
+                           const Scene& scene, const View& view) {
+  if (!software) return chooseSchedule(asked, gpuScene, scene, view);
+  if (const auto known = knownSchedule(asked, *scene.volume)) gpuScene->setSchedule(*known);
+}
+
 }  // namespace fenestra::app

@@ -1,6 +1,8 @@
 #include "rendering/PassChain.h"
 
 #include <algorithm>
+#include <array>
+#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -66,7 +68,9 @@ bool PassChain::shows(glm::ivec2 pixel) const {
 glm::vec2 PassChain::hitAt(glm::ivec2 pixel) {
   if (hitPoints) return hitPoints.readTexel(pixel);
   // A plain volume rendering has no hit points: find this pixel's alone.
-  hitPointPass.run(*gpu, *rays, sized(pickedHit, gl::Format::RG32F, glm::ivec2(1)), pixel);
+  Steps single;
+  hitPointPass.run(single, *gpu, *rays, sized(pickedHit, gl::Format::RG32F, glm::ivec2(1)), pixel);
+  single.advance();
   return pickedHit.readTexel(glm::ivec2(0));
 }
 
@@ -85,82 +89,111 @@ std::optional<gl::Region> PassChain::nearFocus(double reach) const {
   return box ? std::optional(rays->around(*box, reach)) : std::nullopt;
 }
 
-void PassChain::draw(const Scene& scene, const View& view) {
-  Frame frame = begin(scene, view);
-  if (frame.hasCutaway) {
-    findHitPoints(frame);
-    fillFocusHits();
-    mapDistances(frame);
-    startRays(frame);
-  } else {
-    dropCutaway();
-  }
-  drawFocusLayer(frame);
-  drawContextLayer(frame);
-  compose(frame);
-  strokes = std::move(frame.strokes);
-}
-
-PassChain::Frame PassChain::begin(const Scene& scene, const View& view) {
+void PassChain::begin(const Scene& scene, const View& view) {
+  drop();
   gpu->update(scene);
   rays.emplace(view.camera, view.size, gpu->grid());
   pixelScale = view.pixelScale;
   background = glm::vec3(scene.look.background);
 
-  Frame frame{.scene = scene, .view = view, .sampling = samplingOf(view, gpu->grid(), *rays)};
-  frame.hasCutaway = hasCutaway(scene);
-  frame.hasContextLayer = frame.hasCutaway && scene.look.contextLayer.strength > 0.0;
-  frame.startBefore = start.version();
-  widths = frame.hasCutaway ? widthsInPixels(scene) : glm::dvec2(0.0);
+  Frame& made = frame.emplace(Frame{.scene = scene, .view = view, .sampling = samplingOf(view, gpu->grid(), *rays)});
+  made.hasCutaway = hasCutaway(scene);
+  made.hasContextLayer = made.hasCutaway && scene.look.contextLayer.strength > 0.0;
+  made.startBefore = start.version();
+  made.drawn = gpu->versions();
+  widths = made.hasCutaway ? widthsInPixels(scene) : glm::dvec2(0.0);
 
   // Strokes are in no pass's key: all that depends on them is patched together, or not at all.
-  const std::optional<ProjectedStrokes> before = std::exchange(strokes, std::nullopt);
+  std::optional<ProjectedStrokes> before = std::exchange(strokes, std::nullopt);
   if (!before) forgetEdited();
-  if (frame.hasCutaway) frame.strokes = project(scene.look.strokes, *rays);
-  if (before) frame.changed = changedRegions(*before, frame.strokes, view.size, FocusLayerPass::reach(frame.sampling));
-  return frame;
+  if (made.hasCutaway) made.strokes = project(scene.look.strokes, *rays);
+  if (before) made.changed = changedRegions(*before, made.strokes, view.size, FocusLayerPass::reach(made.sampling));
+  // Without any, a picture that is dropped half way has patched nothing.
+  if (before && before->empty() && made.strokes.empty()) strokes = std::move(before);
 }
 
-void PassChain::findHitPoints(const Frame& frame) {
+void PassChain::drop() {
+  steps.drop();
+  frame.reset();
+}
+
+void PassChain::beginStage() {
+  constexpr std::array stages{&PassChain::findHitPoints, &PassChain::fillFocusHits,  &PassChain::mapDistances,
+                              &PassChain::startRays,     &PassChain::drawFocusLayer, &PassChain::drawContextLayer,
+                              &PassChain::compose};
+  if (frame->stagesBegun == 0 && !frame->hasCutaway) dropCutaway();
+  constexpr std::size_t ofCutaway = 4;  // the first stages, which only a cutaway has
+  if (!frame->hasCutaway) frame->stagesBegun = std::max(frame->stagesBegun, ofCutaway);
+  if (frame->stagesBegun < stages.size()) {
+    (this->*stages[frame->stagesBegun++])();
+    return;
+  }
+  strokes = std::move(frame->strokes);
+  frame.reset();
+}
+
+bool PassChain::advance(std::optional<double> milliseconds) try {
+  // Another renderer may have brought the shared scene to another state.
+  if (frame && gpu->versions() != frame->drawn) {
+    const Frame again = std::move(*frame);
+    begin(again.scene, again.view);
+  }
+  const auto begun = std::chrono::steady_clock::now();
+  bool advanced = false;
+  while (frame) {
+    std::optional<double> left = milliseconds;
+    if (left) *left -= std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun).count();
+    if (left && *left <= 0.0 && advanced) return false;
+    advanced = !steps.isDone();
+    if (!steps.advance(left)) return false;
+    beginStage();
+  }
+  return true;
+} catch (...) {
+  drop();
+  throw;
+}
+
+void PassChain::findHitPoints() {
   const GpuScene::Versions& version = gpu->versions();
-  const View& view = frame.view;
-  runIfStale(Pass::HitPoints, hits, HitKey{version.volume, version.focus, version.gaps, view.camera, view.size}, {},
-             [&](Regions) { hitPointPass.run(*gpu, *rays, sized(hitPoints, gl::Format::RG32F, view.size)); });
+  const View& view = frame->view;
+  addIfStale(Pass::HitPoints, hits, HitKey{version.volume, version.focus, version.gaps, view.camera, view.size}, {},
+             [&](Regions) { hitPointPass.run(steps, *gpu, *rays, sized(hitPoints, gl::Format::RG32F, view.size)); });
 }
 
 void PassChain::fillFocusHits() {
-  runIfStale(Pass::PullPush, fill, FillKey{hits.version()}, {}, [&](Regions) {
-    pullPushPass.run(gpu->schedule(), hitPoints, sized(focusFilled, gl::Format::R32F, rays->size()));
+  addIfStale(Pass::PullPush, fill, FillKey{hits.version()}, {}, [&](Regions) {
+    pullPushPass.run(steps, gpu->schedule(), hitPoints, sized(focusFilled, gl::Format::R32F, rays->size()));
   });
 }
 
-void PassChain::mapDistances(const Frame& frame) {
-  const int range = distanceRange(widths, frame.view.size);
-  runIfStale(Pass::DistanceMap, distance, DistanceKey{hits.version(), range}, {}, [&](Regions) {
-    distanceMapPass.run(gpu->schedule(), hitPoints, range, sized(distances, gl::Format::R32F, frame.view.size));
+void PassChain::mapDistances() {
+  const int range = distanceRange(widths, frame->view.size);
+  addIfStale(Pass::DistanceMap, distance, DistanceKey{hits.version(), range}, {}, [&](Regions) {
+    distanceMapPass.run(steps, gpu->schedule(), hitPoints, range, sized(distances, gl::Format::R32F, frame->view.size));
   });
 }
 
-void PassChain::startRays(Frame& frame) {
-  const glm::ivec2 size = frame.view.size;
+void PassChain::startRays() {
+  const glm::ivec2 size = frame->view.size;
   const RayStartKey key{hits.version(), fill.version(), distance.version(), widths.x};
   const RayStartPass::Inputs inputs{hitPoints, focusFilled, distances, widths.x};
-  if (frame.strokes.empty())
+  if (frame->strokes.empty())
     releaseEdits();
   else
-    runIfStale(Pass::EditMap, edits, key, frame.changed, [&](Regions regions) {
+    addIfStale(Pass::EditMap, edits, key, frame->changed, [&](Regions regions) {
       gl::Texture& map = sized(editMap, gl::Format::RG32F, size);
-      editMapPass.run(gpu->schedule(), *rays, inputs, frame.strokes, regions, map);
+      editMapPass.run(steps, gpu->schedule(), *rays, inputs, frame->strokes, regions, map);
     });
   if (const auto& last = start.key(); last && last->hits == key.hits)
-    frame.moved = std::max(last->openWidth, key.openWidth) + 1.0;
-  runIfStale(
-      Pass::RayStart, start, key, frame.changed,
+    frame->moved = std::max(last->openWidth, key.openWidth) + 1.0;
+  addIfStale(
+      Pass::RayStart, start, key, frame->changed,
       [&](Regions regions) {
-        rayStartPass.run(gpu->schedule(), *rays, inputs, editMap ? &editMap : nullptr, regions,
+        rayStartPass.run(steps, gpu->schedule(), *rays, inputs, editMap ? &editMap : nullptr, regions,
                          sized(rayStart, gl::Format::R32F, size));
       },
-      frame.moved ? nearFocus(*frame.moved) : std::nullopt);
+      frame->moved ? nearFocus(*frame->moved) : std::nullopt);
 }
 
 /// A plain volume rendering keeps none of the cutaway's images.
@@ -175,12 +208,12 @@ void PassChain::dropCutaway() {
   start.forget();
 }
 
-void PassChain::drawFocusLayer(const Frame& frame) {
+void PassChain::drawFocusLayer() {
   const GpuScene::Versions& version = gpu->versions();
-  const Look& look = frame.scene.look;
-  const View& view = frame.view;
-  const int reach = FocusLayerPass::reach(frame.sampling);
-  const FocusLayerKey key{frame.hasCutaway ? std::optional(start.version()) : std::nullopt,
+  const Look& look = frame->scene.look;
+  const View& view = frame->view;
+  const int reach = FocusLayerPass::reach(frame->sampling);
+  const FocusLayerKey key{frame->hasCutaway ? start.version() : 0,
                           version.volume,
                           version.focus,
                           version.transfer,
@@ -190,50 +223,50 @@ void PassChain::drawFocusLayer(const Frame& frame) {
                           look.shading,
                           view.camera,
                           view.size,
-                          frame.sampling};
+                          frame->sampling};
   FocusLayerKey keyBefore = key;
-  keyBefore.rayStart = frame.startBefore;
-  const bool onlyMoved = frame.moved && !focus.isStale(keyBefore), anew = !onlyMoved && focus.isStale(key);
+  keyBefore.rayStart = frame->startBefore;
+  const bool onlyMoved = frame->moved && !focus.isStale(keyBefore), anew = !onlyMoved && focus.isStale(key);
   // Rays outside of this miss the volume.
   const gl::Region nearVolume = rays->around({glm::ivec3(0), gpu->grid().dims - 1}, reach);
-  runIfStale(
-      Pass::FocusLayer, focus, key, anew ? Regions() : Regions(frame.changed),
+  addIfStale(
+      Pass::FocusLayer, focus, key, anew ? Regions() : Regions(frame->changed),
       [&](Regions regions) {
         std::optional<FocusLayerPass::Opening> opening;
-        if (frame.hasCutaway) opening.emplace(FocusLayerPass::Opening{hitPoints, rayStart});
+        if (frame->hasCutaway) opening.emplace(FocusLayerPass::Opening{hitPoints, rayStart});
         gl::Texture& layer = sized(focusLayer, gl::Format::RGBA32F, view.size, presented);
         if (anew) clearAround(nearVolume, layer);
-        focusLayerPass.run(*gpu, look, *rays, opening, frame.sampling, regions, layer);
+        focusLayerPass.run(steps, *gpu, look, *rays, opening, frame->sampling, regions, layer);
       },
-      onlyMoved ? nearFocus(*frame.moved + reach) : nearVolume);
+      onlyMoved ? nearFocus(*frame->moved + reach) : nearVolume);
 }
 
-void PassChain::drawContextLayer(const Frame& frame) {
-  if (!frame.hasContextLayer) {
+void PassChain::drawContextLayer() {
+  if (!frame->hasContextLayer) {
     contextLayer = {};
     silhouette = {};
     context.forget();
     return;
   }
-  const Shading& shading = frame.scene.look.shading;
-  runIfStale(
+  const Shading& shading = frame->scene.look.shading;
+  addIfStale(
       Pass::ContextLayer, context, ContextLayerKey{hits.version(), gpu->versions().derivative, shading}, {},
       [&](Regions regions) {
-        contextLayerPass.run(*gpu, shading, *rays, hitPoints, regions,
-                             sized(contextLayer, gl::Format::RGBA32F, frame.view.size),
-                             sized(silhouette, gl::Format::R32F, frame.view.size));
+        contextLayerPass.run(steps, *gpu, shading, *rays, hitPoints, regions,
+                             sized(contextLayer, gl::Format::RGBA32F, frame->view.size),
+                             sized(silhouette, gl::Format::R32F, frame->view.size));
       },
       nearFocus(1.0));
 }
 
-void PassChain::compose(const Frame& frame) {
-  if (!frame.hasCutaway) {
+void PassChain::compose() {
+  if (!frame->hasCutaway) {
     composed = {};
     composite.forget();
     return;
   }
-  const Look& look = frame.scene.look;
-  const bool hasLayer = frame.hasContextLayer;
+  const Look& look = frame->scene.look;
+  const bool hasLayer = frame->hasContextLayer;
   const CompositeKey key{focus.version(),
                          distance.version(),
                          hasLayer ? std::optional(context.version()) : std::nullopt,
@@ -245,10 +278,10 @@ void PassChain::compose(const Frame& frame) {
   const auto& last = composite.key();
   const bool sameBelow = last && last->sameBelow(key), stale = composite.isStale(key);
   const auto part = nearFocus(std::max(sameBelow ? last->reach() : 0.0, key.reach()));
-  runIfStale(
-      Pass::Composite, composite, key, frame.changed,
+  addIfStale(
+      Pass::Composite, composite, key, frame->changed,
       [&](Regions regions) {
-        gl::Texture& picture = sized(composed, gl::Format::RGBA32F, frame.view.size, presented);
+        gl::Texture& picture = sized(composed, gl::Format::RGBA32F, frame->view.size, presented);
         if (stale && !sameBelow && part) picture.copy(focusLayer);
         CompositePass::Inputs inputs{focusLayer, hitPoints, distances, widths};
         if (editMap) inputs.editMap = &editMap;
@@ -256,7 +289,7 @@ void PassChain::compose(const Frame& frame) {
           inputs.contextLayer = &contextLayer;
           inputs.silhouette = &silhouette;
         }
-        compositePass.run(*gpu, inputs, look, regions, picture);
+        compositePass.run(steps, *gpu, inputs, look, regions, picture);
       },
       part);
 }

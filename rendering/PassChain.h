@@ -5,7 +5,6 @@
 #include <array>
 #include <memory>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "rendering/PassMemo.h"
@@ -20,24 +19,25 @@
 #include "rendering/passes/HitPointPass.h"
 #include "rendering/passes/PullPushPass.h"
 #include "rendering/passes/RayStartPass.h"
+#include "rendering/passes/Steps.h"
 
 namespace fenestra {
 
-using Regions = std::span<const gl::Region>;
-
 /// Keeps each stage's images from one picture to the next. Needs a current context.
 struct PassChain {
+  explicit PassChain(std::shared_ptr<GpuScene> scene) : gpu(std::move(scene)) {}
+
   std::shared_ptr<GpuScene> gpu;
 
-  HitPointPass hitPointPass;
-  PullPushPass pullPushPass;
-  DistanceMapPass distanceMapPass;
-  EditMapPass editMapPass;
-  RayStartPass rayStartPass;
-  FocusLayerPass focusLayerPass;
-  ContextLayerPass contextLayerPass;
-  CompositePass compositePass;
-  gl::ShaderProgram presentProgram;
+  HitPointPass hitPointPass{gpu->programs()};
+  PullPushPass pullPushPass{gpu->programs()};
+  DistanceMapPass distanceMapPass{gpu->programs()};
+  EditMapPass editMapPass{gpu->programs()};
+  RayStartPass rayStartPass{gpu->programs()};
+  FocusLayerPass focusLayerPass{gpu->programs()};
+  ContextLayerPass contextLayerPass{gpu->programs()};
+  CompositePass compositePass{gpu->programs()};
+  gl::ShaderProgram presentProgram, enlargeProgram;
 
   gl::Texture hitPoints, focusFilled, distances, editMap, rayStart, focusLayer, contextLayer, silhouette, composed;
   gl::Texture pickedHit;
@@ -62,38 +62,46 @@ struct PassChain {
 
   /// One picture on its way through the stages.
   struct Frame {
-    const Scene& scene;
-    const View& view;
+    Scene scene;
+    View view;
     FocusLayerPass::Sampling sampling;
     bool hasCutaway = false, hasContextLayer = false;
     ProjectedStrokes strokes{};
     std::vector<gl::Region> changed{};  ///< where strokes changed
-    std::uint64_t startBefore = 0;    ///< version of the ray starts of the last picture
+    std::uint64_t startBefore = 0;      ///< version of the ray starts of the last picture
     /// How far from the focus, in pixels, rays start elsewhere than before, where nothing but the opening moved.
     std::optional<double> moved{};
+    GpuScene::Versions drawn{};  ///< of the scene on the GPU when the picture was begun
+    std::size_t stagesBegun = 0;
   };
+  /// The picture under way, which `steps` and the stages not yet begun belong to.
+  std::optional<Frame> frame;
+  Steps steps;
 
-  /// Runs what the picture needs.
-  void draw(const Scene& scene, const View& view);
+  void begin(const Scene& scene, const View& view);
+  /// Runs what the picture under way needs, for about so many milliseconds; true when it is done.
+  bool advance(std::optional<double> milliseconds);
+  void drop();
 
-  Frame begin(const Scene& scene, const View& view);
-  // Stages 1 to 7 of the method, and the brush.
-  void findHitPoints(const Frame& frame);
+  // Stages 1 to 7 of the method, and the brush: each adds its steps. A stage is begun when the one before is done.
+  void findHitPoints();
   void fillFocusHits();
-  void mapDistances(const Frame& frame);
-  void startRays(Frame& frame);
-  void drawFocusLayer(const Frame& frame);
-  void drawContextLayer(const Frame& frame);
-  void compose(const Frame& frame);
+  void mapDistances();
+  void startRays();
+  void drawFocusLayer();
+  void drawContextLayer();
+  void compose();
+  void beginStage();
   void dropCutaway();
 
   /// What of the picture lies within so many pixels of the focus, where it is known to end.
   std::optional<gl::Region> nearFocus(double reach) const;
 
-  /// Runs body(regions) over the whole picture, or the part of it that depends on what the key is known to have changed
-  /// in, when the key changed; and over `changed`, where strokes changed.
-  template <class Key, class Body>
-  void runIfStale(Pass pass, Memo<Key>& memo, Key key, Regions changed, const Body& body,
+  /// Adds a pass's steps by add(regions), over the whole picture, or the part of it that depends on what the key is
+  /// known to have changed in, when the key changed; and over `changed`, where strokes changed. From here on until the
+  /// steps are done the pass's images are of no key.
+  template <class Key, class Add>
+  void addIfStale(Pass pass, Memo<Key>& memo, Key key, Regions changed, const Add& add,
                   const std::optional<gl::Region>& part = std::nullopt) {
     const bool stale = memo.isStale(key);
     if (!stale && changed.empty()) return;
@@ -101,18 +109,19 @@ struct PassChain {
     std::vector<gl::Region> regions;
     if (stale) regions.push_back(part ? *part : whole);
     if (!stale || part) regions.insert(regions.end(), changed.begin(), changed.end());
-    PassStats& mine = stats[static_cast<std::size_t>(pass)];
-    if (timing) {
-      gl::TimerQuery timer;
-      body(regions);
-      mine.milliseconds = timer.elapsedMilliseconds();
-    } else {
-      body(regions);
-    }
-    ++mine.runs;
-    mine.pixels = 0;
-    for (const gl::Region& region : regions) mine.pixels += std::uint64_t(region.size.x) * std::uint64_t(region.size.y);
-    if (stale) memo.ran(std::move(key));
+    if (stale) memo.forget();
+    std::uint64_t pixels = 0;
+    for (const gl::Region& region : regions) pixels += std::uint64_t(region.size.x) * std::uint64_t(region.size.y);
+    const auto timer = timing ? std::make_shared<gl::TimerQuery>() : nullptr;
+    steps.beginPass(static_cast<std::size_t>(pass));
+    add(regions);
+    steps.then([this, pass, &memo, kept = std::make_shared<Key>(std::move(key)), stale, pixels, timer] {
+      PassStats& mine = stats[static_cast<std::size_t>(pass)];
+      ++mine.runs;
+      mine.pixels = pixels;
+      if (timer) mine.milliseconds = timer->elapsedMilliseconds();
+      if (stale) memo.ran(*kept);
+    });
   }
 
   void releaseEdits() {

@@ -49,7 +49,7 @@ struct RayStartKey {
   bool operator==(const RayStartKey&) const = default;
 };
 struct FocusLayerKey {
-  std::optional<std::uint64_t> rayStart;
+  std::uint64_t rayStart;  ///< 0 without a cutaway
   std::uint64_t volume, focus, transfer, gradient, palette;
   double focusExtinction;
   Shading shading;

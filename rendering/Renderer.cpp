@@ -14,23 +14,35 @@ std::string_view nameOf(Pass pass) {
   return names[static_cast<std::size_t>(pass)];
 }
 
-Renderer::Renderer(std::shared_ptr<GpuScene> gpuScene) : chain_(std::make_unique<PassChain>()) {
-  chain_->gpu = std::move(gpuScene);
-}
+Renderer::Renderer(std::shared_ptr<GpuScene> gpuScene) : chain_(std::make_unique<PassChain>(std::move(gpuScene))) {}
 Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
-void Renderer::render(const Scene& scene, const View& view) { chain_->draw(scene, view); }
+void Renderer::render(const Scene& scene, const View& view) {
+  begin(scene, view);
+  chain_->advance(std::nullopt);
+}
+
+void Renderer::begin(const Scene& scene, const View& view) { chain_->begin(scene, view); }
+
+bool Renderer::advance(double milliseconds) { return chain_->advance(milliseconds); }
+
+void Renderer::drop() { chain_->drop(); }
+
+bool Renderer::isDrawing() const { return chain_->frame.has_value(); }
 
 void Renderer::present(std::uint32_t framebuffer, glm::ivec4 rectangle) {
   PassChain& s = *chain_;
   if (!s.picture()) return;
-  if (!s.presentProgram) s.presentProgram = gl::ShaderProgram::graphics("Present.vert", "Present.frag");
+  const bool enlarged = s.picture().size().x < rectangle.z || s.picture().size().y < rectangle.w;
+  gl::ShaderProgram& program = enlarged ? s.enlargeProgram : s.presentProgram;
+  if (!program)
+    program = gl::ShaderProgram::graphics("Present.vert", enlarged ? "PresentEnlarged.frag" : "Present.frag");
   const gl::DrawTarget target(framebuffer, rectangle);
-  s.presentProgram.bind("picture", s.picture());
-  s.presentProgram.set("background", s.background);
-  s.presentProgram.drawFullScreen();
+  program.bind("picture", s.picture());
+  program.set("background", s.background);
+  program.drawFullScreen();
 }
 
 std::vector<std::uint8_t> Renderer::readPicture() {

@@ -59,9 +59,19 @@ class Renderer {
   /// Makes the picture. Nothing runs for an unchanged scene and view; where only strokes changed, what depends on them
   /// runs for the pixels under them, with the result of a run for all.
   void render(const Scene& scene, const View& view);
+  /// The same a little at a time: starts the picture, and goes on with it for about so many milliseconds, at least one
+  /// tile; true when it is done. The picture is the same bit for bit. A picture begun before another is done drops it.
+  /// Until a picture is done the last one is shown and read, as far as it is not overwritten. Where a driver compiles a
+  /// program or voxels are uploaded, a step takes longer.
+  void begin(const Scene& scene, const View& view);
+  bool advance(double milliseconds);
+  /// A picture was begun and is not done.
+  bool isDrawing() const;
+  /// Forgets it.
+  void drop();
 
   /// Draws the last picture into `framebuffer` (an OpenGL name; QOpenGLWidget's is not 0), stretched over the rectangle
-  /// x, y (from the bottom left), width, height. Restores the state it changes.
+  /// x, y (from the bottom left), width, height; smoothly where that enlarges it. Restores the state it changes.
   void present(std::uint32_t framebuffer, glm::ivec4 rectangle);
 
   /// The last picture, 8-bit RGBA, premultiplied, row by row from the top.

@@ -184,8 +184,9 @@ int main(int argc, char** argv) {
   MainWindow window(
       {.gl = gl,
        .atRest = request.atRest,
-       .chooseSchedule = [asked = request.schedule](const std::shared_ptr<GpuScene>& gpu, const Scene& scene,
-                                                    const View& view) { app::chooseSchedule(asked, gpu, scene, view); },
+       .chooseSchedule = [asked = request.schedule, software = gl.software](
+                             const std::shared_ptr<GpuScene>& gpu, const Scene& scene,
+                             const View& view) { app::chooseScheduleQuickly(asked, software, gpu, scene, view); },
        .remember = stays});
   for (const std::string& name : io::phantomNames())
     window.addSample(QString::fromStdString(io::loadPhantom(name).name), phantomReader(name));

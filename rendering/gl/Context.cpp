@@ -51,6 +51,8 @@ double TimerQuery::elapsedMilliseconds() {
   return static_cast<double>(end - begin) * 1e-6;
 }
 
+void finish() { glFinish(); }
+
 void noteErrors() {
   for (GLenum error = glGetError(); error != GL_NO_ERROR; error = glGetError()) {
     if (!firstError.empty()) continue;

@@ -39,6 +39,8 @@ class TimerQuery {
   std::array<std::uint32_t, 2> names_{};
 };
 
+/// Waits until everything that was asked of the GPU is done.
+void finish();
 /// Name of the first OpenGL error since the last call, and clears them all; empty when there is none. Tests end with
 /// it.
 std::string takeError();

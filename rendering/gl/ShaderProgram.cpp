@@ -20,6 +20,8 @@ ShaderProgram::Listener& listener() {
   return told;
 }
 
+thread_local std::size_t programsRun = 0;
+
 /// The file that an include line names, or an empty view for any other line.
 std::string_view includedFile(std::string_view line, const Variant& variant, std::string_view path) {
   constexpr std::string_view include = "#include ";
@@ -164,6 +166,8 @@ ShaderProgram ShaderProgram::graphics(std::string_view vertexPath, std::string_v
   return program;
 }
 
+std::size_t ShaderProgram::firstRuns() { return programsRun; }
+
 void ShaderProgram::listen(Listener wanted) { listener() = std::move(wanted); }
 
 ShaderProgram::~ShaderProgram() {
@@ -173,6 +177,7 @@ ShaderProgram::~ShaderProgram() {
 ShaderProgram::ShaderProgram(ShaderProgram&& other) noexcept
     : name_(std::exchange(other.name_, 0)),
       isCompute_(other.isCompute_),
+      hasRun_(other.hasRun_),
       uniforms_(std::move(other.uniforms_)),
       textures_(std::move(other.textures_)),
       blocks_(std::move(other.blocks_)),
@@ -181,6 +186,7 @@ ShaderProgram::ShaderProgram(ShaderProgram&& other) noexcept
 ShaderProgram& ShaderProgram::operator=(ShaderProgram&& other) noexcept {
   std::swap(name_, other.name_);
   std::swap(isCompute_, other.isCompute_);
+  std::swap(hasRun_, other.hasRun_);
   std::swap(uniforms_, other.uniforms_);
   std::swap(textures_, other.textures_);
   std::swap(blocks_, other.blocks_);
@@ -273,6 +279,7 @@ void ShaderProgram::bind(std::string_view name, const Texture& texture, Access a
 
 /// Makes the program current, with its textures and blocks.
 void ShaderProgram::use() {
+  if (!std::exchange(hasRun_, true)) ++programsRun;
   glUseProgram(name_);
   for (const TextureUnit& bound : textures_) {
     if (bound.isImage) {
@@ -338,12 +345,12 @@ std::vector<std::pair<std::string, int>> ShaderProgram::blockLayout(std::string_
 }
 
 ShaderProgram& ShaderVariants::get(const Variant& variant) {
-  std::string key;
+  std::string key = path_ + ';';
   for (const Define& define : variant.defines) key += define.name + '=' + std::to_string(define.value) + ';';
   for (const Choice& choice : variant.choices) key += choice.name + '=' + choice.file + ';';
-  const auto at = programs_.find(key);
-  return at != programs_.end() ? at->second
-                               : programs_.emplace(key, ShaderProgram::compute(path_, variant)).first->second;
+  const auto at = programs_->find(key);
+  return at != programs_->end() ? at->second
+                                : programs_->emplace(key, ShaderProgram::compute(path_, variant)).first->second;
 }
 
 void ShaderProgram::drawFullScreen() {

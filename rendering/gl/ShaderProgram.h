@@ -6,6 +6,7 @@
 #include <functional>
 #include <initializer_list>
 #include <map>
+#include <memory>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -84,7 +85,7 @@ class ShaderProgram {
 
   /// Runs a compute program over at least size.x × size.y invocations in groups of groupSize, then makes its writes
   /// visible to everything after.
-  void dispatch(glm::ivec2 size, glm::ivec2 groupSize = {8, 8});
+  void dispatch(glm::ivec2 size, glm::ivec2 groupSize);
   /// The same over each region of a picture in groups of 8×8; the shader takes its pixels from lib/Region.glsl.
   void dispatch(std::span<const Region> regions);
   /// As many groups as a shader has written into the buffer's first three words.
@@ -96,6 +97,10 @@ class ShaderProgram {
   /// Offset in bytes of each member of a uniform block, by the name that it has in the struct that the block holds;
   /// empty when the variant does not use the block.
   std::vector<std::pair<std::string, int>> blockLayout(std::string_view block) const;
+
+  /// How many programs have run for the first time so far on this thread. Drivers compile when a program first runs, so
+  /// a time that was taken while the number grew is no measure of the next run.
+  static std::size_t firstRuns();
 
   /// Called for each program linked from now on, with its path and the complete source of its last stage; for tests. An
   /// empty listener ends the calls.
@@ -130,22 +135,28 @@ class ShaderProgram {
   void assertDeclared(std::string_view name) const;
 
   std::uint32_t name_ = 0;
-  bool isCompute_ = false;
+  bool isCompute_ = false, hasRun_ = false;
   std::map<std::string, Uniform, std::less<>> uniforms_;  ///< active, outside of blocks; no textures
   std::vector<TextureUnit> textures_;
   std::map<std::string, Block, std::less<>> blocks_;
   std::string source_;  ///< of all stages, to assert names; empty in release builds
 };
 
+/// Compute programs by path and variant, for all whose contexts share objects: each is compiled once. Whoever runs a
+/// program sets all its uniforms and textures first.
+using ComputePrograms = std::unordered_map<std::string, ShaderProgram>;
+using SharedPrograms = std::shared_ptr<ComputePrograms>;
+
 /// A compute program's variants, each compiled when first asked for.
 class ShaderVariants {
  public:
-  explicit ShaderVariants(std::string path) : path_(std::move(path)) {}
+  explicit ShaderVariants(std::string path, SharedPrograms programs = std::make_shared<ComputePrograms>())
+      : path_(std::move(path)), programs_(std::move(programs)) {}
   ShaderProgram& get(const Variant& variant = {});
 
  private:
   std::string path_;
-  std::unordered_map<std::string, ShaderProgram> programs_;
+  SharedPrograms programs_;
 };
 
 }  // namespace fenestra::gl

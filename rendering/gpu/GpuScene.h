@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "rendering/gl/Buffer.h"
+#include "rendering/gl/ShaderProgram.h"
 #include "rendering/gl/Texture.h"
 #include "rendering/gpu/Bricks.h"
 #include "rendering/gpu/FittedScene.h"
@@ -38,6 +39,9 @@ class GpuScene {
   Schedule schedule() const { return schedule_.value_or(Schedule::Plain); }
   void setSchedule(Schedule schedule) { schedule_ = schedule; }
 
+  /// The programs that draw this scene, shared by all renderers of it.
+  const gl::SharedPrograms& programs() const { return programs_; }
+
   /// GPU memory by resource, for reports.
   struct Resource {
     std::string name;
@@ -48,6 +52,7 @@ class GpuScene {
   // What the passes bind. A version grows whenever what it names was remade.
   struct Versions {
     std::uint64_t volume = 0, gradient = 0, focus = 0, gaps = 0, transfer = 0, derivative = 0, palette = 0;
+    bool operator==(const Versions&) const = default;
   };
   const Versions& versions() const { return versions_; }
 
@@ -98,6 +103,7 @@ class GpuScene {
   void updateTransfer(const Scene& scene);
   void updateGradient();
 
+  gl::SharedPrograms programs_ = std::make_shared<gl::ComputePrograms>();
   std::optional<Schedule> schedule_;
   std::optional<DeviceLimits> limits_;
   FittedScene fitted_;

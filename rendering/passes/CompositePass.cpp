@@ -17,25 +17,27 @@ ContextLayerBlock blockOf(const ContextLayer& layer, const DerivativeVolume& der
 
 }  // namespace
 
-void CompositePass::run(const GpuScene& gpu, const Inputs& inputs, const Look& look,
-                        std::span<const gl::Region> regions, gl::Texture& picture) {
-  const bool hasLayer = inputs.contextLayer != nullptr;
-  gl::ShaderProgram& program =
-      programs_.get({{{"CONTEXT_LAYER", hasLayer}, {"EDITED", inputs.editMap != nullptr}, tableDefine()},
-                     {scheduleChoice(gpu.schedule())}});
-  program.bind("focusLayer", inputs.focusLayer);
-  program.bind("hitPoints", inputs.hitPoints);
-  program.bind("distances", inputs.distances);
-  if (inputs.editMap) program.bind("editMap", *inputs.editMap);
-  program.set(CutawayBlock{glm::vec2(inputs.widths), glm::vec3(look.cutaway.borderColour)});
-  if (hasLayer) {
-    program.bind("contextLayer", *inputs.contextLayer);
-    program.bind("silhouette", *inputs.silhouette);
-    program.set(blockOf(look.contextLayer, gpu.derivative()));
-    bindTransfer(gpu, program);
-  }
-  program.bind("picture", picture, gl::Access::Write);
-  program.dispatch(regions);
+void CompositePass::run(Steps& steps, const GpuScene& gpu, const Inputs& inputs, const Look& look, Regions regions,
+                        gl::Texture& picture) {
+  steps.add(regions, [this, &gpu, inputs, &look, &picture](Regions tile) {
+    const bool hasLayer = inputs.contextLayer != nullptr;
+    gl::ShaderProgram& program =
+        programs_.get({{{"CONTEXT_LAYER", hasLayer}, {"EDITED", inputs.editMap != nullptr}, tableDefine()},
+                       {scheduleChoice(gpu.schedule())}});
+    program.bind("focusLayer", inputs.focusLayer);
+    program.bind("hitPoints", inputs.hitPoints);
+    program.bind("distances", inputs.distances);
+    if (inputs.editMap) program.bind("editMap", *inputs.editMap);
+    program.set(CutawayBlock{glm::vec2(inputs.widths), glm::vec3(look.cutaway.borderColour)});
+    if (hasLayer) {
+      program.bind("contextLayer", *inputs.contextLayer);
+      program.bind("silhouette", *inputs.silhouette);
+      program.set(blockOf(look.contextLayer, gpu.derivative()));
+      bindTransfer(gpu, program);
+    }
+    program.bind("picture", picture, gl::Access::Write);
+    program.dispatch(tile);
+  });
 }
 
 }  // namespace fenestra

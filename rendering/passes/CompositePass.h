@@ -1,17 +1,18 @@
 #pragma once
 // Stage 7 of a cutaway: the paper's equation. A plain volume rendering has no use for it.
 
-#include <span>
-
 #include "rendering/gl/ShaderProgram.h"
 #include "rendering/gl/Texture.h"
 #include "rendering/gpu/GpuScene.h"
+#include "rendering/passes/Steps.h"
 #include "rendering/scene/Scene.h"
 
 namespace fenestra {
 
 class CompositePass {
  public:
+  explicit CompositePass(const gl::SharedPrograms& programs = std::make_shared<gl::ComputePrograms>())
+      : programs_("Composite.comp", programs) {}
   /// Null leaves out what the scene does not use.
   struct Inputs {
     const gl::Texture& focusLayer;
@@ -23,11 +24,11 @@ class CompositePass {
     const gl::Texture* editMap = nullptr;  ///< of brush strokes
   };
   /// Writes premultiplied RGBA32F without background.
-  void run(const GpuScene& gpu, const Inputs& inputs, const Look& look, std::span<const gl::Region> regions,
+  void run(Steps& steps, const GpuScene& gpu, const Inputs& inputs, const Look& look, Regions regions,
            gl::Texture& picture);
 
  private:
-  gl::ShaderVariants programs_{"Composite.comp"};
+  gl::ShaderVariants programs_;
 };
 
 }  // namespace fenestra

@@ -6,16 +6,13 @@
 
 namespace fenestra {
 
-void ContextLayerPass::run(const GpuScene& gpu, const Shading& shading, const RayFrame& rays,
-                           const gl::Texture& hitPoints, std::span<const gl::Region> regions, gl::Texture& contextLayer,
-                           gl::Texture& silhouette) {
+gl::ShaderProgram& ContextLayerPass::prepared(const GpuScene& gpu, const Shading& shading, const RayFrame& rays) {
   gl::ShaderProgram& program =
       programs_.get({{volumeDefine(gpu),
                       {"DERIVATIVE_BYTES", static_cast<int>(gl::bytesPerTexel(gpu.derivative().texture.format()))}},
                      {scheduleChoice(gpu.schedule())}});
   rays.setBlocks(program);
   bindVolume(gpu, program);
-  program.bind("hitPoints", hitPoints);
   const DerivativeVolume& derivative = gpu.derivative();
   program.bind("derivativeVolume", derivative.texture);
   const glm::dvec3 factor(derivative.factor);
@@ -29,9 +26,19 @@ void ContextLayerPass::run(const GpuScene& gpu, const Shading& shading, const Ra
   const glm::dvec3 spacing = gpu.grid().spacing;
   program.set("contextMargin", static_cast<float>(0.5 * std::min({spacing.x, spacing.y, spacing.z})));
   program.set(lightBlock(rays.axes(), shading));
-  program.bind("contextLayer", contextLayer, gl::Access::Write);
-  program.bind("silhouette", silhouette, gl::Access::Write);
-  program.dispatch(regions);
+  return program;
+}
+
+void ContextLayerPass::run(Steps& steps, const GpuScene& gpu, const Shading& shading, const RayFrame& rays,
+                           const gl::Texture& hitPoints, Regions regions, gl::Texture& contextLayer,
+                           gl::Texture& silhouette) {
+  steps.add(regions, [this, &gpu, &shading, &rays, &hitPoints, &contextLayer, &silhouette](Regions tile) {
+    gl::ShaderProgram& program = prepared(gpu, shading, rays);
+    program.bind("hitPoints", hitPoints);
+    program.bind("contextLayer", contextLayer, gl::Access::Write);
+    program.bind("silhouette", silhouette, gl::Access::Write);
+    program.dispatch(tile);
+  });
 }
 
 }  // namespace fenestra

@@ -2,7 +2,8 @@
 
 namespace fenestra {
 
-void DistanceMapPass::run(Schedule schedule, const gl::Texture& hitPoints, int range, gl::Texture& distances) {
+void DistanceMapPass::run(Steps& steps, Schedule schedule, const gl::Texture& hitPoints, int range,
+                          gl::Texture& distances) {
   const glm::ivec2 size(hitPoints.size());
   if (!rows_ || glm::ivec2(rows_.size()) != size) {
     mask_ = gl::Texture::make2D(gl::Format::R32UI, {(size.x + 31) / 32, size.y});
@@ -10,30 +11,35 @@ void DistanceMapPass::run(Schedule schedule, const gl::Texture& hitPoints, int r
     rows_ = gl::Texture::make2D(gl::Format::R16UI, size);
   }
   const gl::Variant variant{{}, {scheduleChoice(schedule)}};
-  gl::ShaderProgram& mask = maskProgram_.get(variant);
-  mask.bind("hitPoints", hitPoints);
-  mask.bind("focusMask", mask_, gl::Access::Write);
-  mask.dispatch(glm::ivec2(mask_.size()));
-
-  gl::ShaderProgram& tiles = tileProgram_.get(variant);
-  tiles.bind("focusMask", mask_);
-  tiles.set("reach", (range + 31) / 32);
-  tiles.bind("focusTiles", tiles_, gl::Access::Write);
-  tiles.dispatch(glm::ivec2(tiles_.size()));
-
-  gl::ShaderProgram& rows = rowProgram_.get(variant);
-  rows.bind("focusMask", mask_);
-  rows.bind("focusTiles", tiles_);
-  rows.set("range", range);
-  rows.bind("rowDistance", rows_, gl::Access::Write);
-  rows.dispatch(size);
-
-  gl::ShaderProgram& columns = columnProgram_.get(variant);
-  columns.bind("rowDistance", rows_);
-  columns.bind("focusTiles", tiles_);
-  columns.set("range", range);
-  columns.bind("distances", distances, gl::Access::Write);
-  columns.dispatch(size);
+  steps.add(glm::ivec2(mask_.size()), [this, variant, &hitPoints](Regions tile) {
+    gl::ShaderProgram& mask = maskProgram_.get(variant);
+    mask.bind("hitPoints", hitPoints);
+    mask.bind("focusMask", mask_, gl::Access::Write);
+    mask.dispatch(tile);
+  });
+  steps.add(glm::ivec2(tiles_.size()), [this, variant, range](Regions tile) {
+    gl::ShaderProgram& tiles = tileProgram_.get(variant);
+    tiles.bind("focusMask", mask_);
+    tiles.set("reach", (range + 31) / 32);
+    tiles.bind("focusTiles", tiles_, gl::Access::Write);
+    tiles.dispatch(tile);
+  });
+  steps.add(size, [this, variant, range](Regions tile) {
+    gl::ShaderProgram& rows = rowProgram_.get(variant);
+    rows.bind("focusMask", mask_);
+    rows.bind("focusTiles", tiles_);
+    rows.set("range", range);
+    rows.bind("rowDistance", rows_, gl::Access::Write);
+    rows.dispatch(tile);
+  });
+  steps.add(size, [this, variant, range, &distances](Regions tile) {
+    gl::ShaderProgram& columns = columnProgram_.get(variant);
+    columns.bind("rowDistance", rows_);
+    columns.bind("focusTiles", tiles_);
+    columns.set("range", range);
+    columns.bind("distances", distances, gl::Access::Write);
+    columns.dispatch(tile);
+  });
 }
 
 }  // namespace fenestra

@@ -4,6 +4,7 @@
 #include "rendering/gl/ShaderProgram.h"
 #include "rendering/gl/Texture.h"
 #include "rendering/gpu/Schedule.h"
+#include "rendering/passes/Steps.h"
 
 namespace fenestra {
 
@@ -12,10 +13,15 @@ namespace fenestra {
 /// result is exact to one rounding of the square root.
 class DistanceMapPass {
  public:
+  explicit DistanceMapPass(const gl::SharedPrograms& programs = std::make_shared<gl::ComputePrograms>())
+      : maskProgram_("FocusMask.comp", programs),
+        tileProgram_("FocusTiles.comp", programs),
+        rowProgram_("DistanceRows.comp", programs),
+        columnProgram_("DistanceColumns.comp", programs) {}
   static constexpr float beyond = 1e30f;  ///< value of pixels farther than the range
 
   /// Reads the y component of `hitPoints` (RG32F), writes `distances` (R32F). `range` in pixels, ≥ 0.
-  void run(Schedule schedule, const gl::Texture& hitPoints, int range, gl::Texture& distances);
+  void run(Steps& steps, Schedule schedule, const gl::Texture& hitPoints, int range, gl::Texture& distances);
   std::size_t bytes() const { return mask_.bytes() + tiles_.bytes() + rows_.bytes(); }
   /// Drops the intermediate images.
   void release() {
@@ -25,8 +31,7 @@ class DistanceMapPass {
   }
 
  private:
-  gl::ShaderVariants maskProgram_{"FocusMask.comp"}, tileProgram_{"FocusTiles.comp"}, rowProgram_{"DistanceRows.comp"},
-      columnProgram_{"DistanceColumns.comp"};
+  gl::ShaderVariants maskProgram_, tileProgram_, rowProgram_, columnProgram_;
   gl::Texture mask_, tiles_, rows_;
 };
 

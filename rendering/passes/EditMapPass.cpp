@@ -52,8 +52,8 @@ std::vector<std::uint32_t> tileLists(const std::vector<GpuLine>& lines, const Ti
 
 }  // namespace
 
-void EditMapPass::run(Schedule schedule, const RayFrame& rays, const RayStartPass::Inputs& inputs,
-                      const ProjectedStrokes& strokes, std::span<const gl::Region> regions, gl::Texture& editMap) {
+void EditMapPass::run(Steps& steps, Schedule schedule, const RayFrame& rays, const RayStartPass::Inputs& inputs,
+                      const ProjectedStrokes& strokes, Regions regions, gl::Texture& editMap) {
   std::vector<GpuStroke> gpuStrokes;
   std::vector<GpuLine> gpuLines;
   for (const ProjectedStroke& stroke : strokes) {
@@ -73,17 +73,19 @@ void EditMapPass::run(Schedule schedule, const RayFrame& rays, const RayStartPas
   const std::vector<std::uint32_t> tiles = tileLists(gpuLines, grid);
   tiles_ = gl::Buffer(std::as_bytes(std::span(tiles)));
 
-  gl::ShaderProgram& program = programs_.get({{}, {scheduleChoice(schedule)}});
-  rays.setBlocks(program);
-  inputs.bind(program);
-  strokes_.bind(strokesBlock);
-  lines_.bind(linesBlock);
-  tiles_.bind(tilesBlock);
-  program.set("tileSize", grid.size);
-  program.set("tilesAcross", grid.count.x);
-  program.set("tileCount", grid.count.x * grid.count.y);
-  program.bind("editMap", editMap, gl::Access::Write);
-  program.dispatch(regions);
+  steps.add(regions, [this, schedule, &rays, inputs, grid, &editMap](Regions tile) {
+    gl::ShaderProgram& program = programs_.get({{}, {scheduleChoice(schedule)}});
+    rays.setBlocks(program);
+    inputs.bind(program);
+    strokes_.bind(strokesBlock);
+    lines_.bind(linesBlock);
+    tiles_.bind(tilesBlock);
+    program.set("tileSize", grid.size);
+    program.set("tilesAcross", grid.count.x);
+    program.set("tileCount", grid.count.x * grid.count.y);
+    program.bind("editMap", editMap, gl::Access::Write);
+    program.dispatch(tile);
+  });
 }
 
 }  // namespace fenestra

@@ -15,8 +15,10 @@ namespace fenestra {
 /// meets nothing.
 class EditMapPass {
  public:
-  void run(Schedule schedule, const RayFrame& rays, const RayStartPass::Inputs& inputs, const ProjectedStrokes& strokes,
-           std::span<const gl::Region> regions, gl::Texture& editMap);
+  explicit EditMapPass(const gl::SharedPrograms& programs = std::make_shared<gl::ComputePrograms>())
+      : programs_("EditMap.comp", programs) {}
+  void run(Steps& steps, Schedule schedule, const RayFrame& rays, const RayStartPass::Inputs& inputs,
+           const ProjectedStrokes& strokes, Regions regions, gl::Texture& editMap);
   std::size_t bytes() const { return strokes_.bytes() + lines_.bytes() + tiles_.bytes(); }
   /// Drops the strokes' buffers.
   void release() {
@@ -26,7 +28,7 @@ class EditMapPass {
   }
 
  private:
-  gl::ShaderVariants programs_{"EditMap.comp"};
+  gl::ShaderVariants programs_;
   gl::Buffer strokes_, lines_, tiles_;
 };
 

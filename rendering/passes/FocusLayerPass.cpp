@@ -122,36 +122,43 @@ gl::ShaderProgram& FocusLayerPass::prepared(bool listed, const Drawn& drawn) {
   return program;
 }
 
-void FocusLayerPass::run(const GpuScene& gpu, const Look& look, const RayFrame& rays,
-                         const std::optional<Opening>& opening, const Sampling& sampling,
-                         std::span<const gl::Region> regions, gl::Texture& focusLayer) {
-  const Drawn drawn{gpu, look, rays, opening, sampling};
-  const bool lit = look.shading.enabled;
-  const int together = raysTogether(gpu.schedule(), sampling, lit);
-  gl::ShaderProgram& lattice = prepared(false, drawn);
-  lattice.set("pitch", sampling.pitch);
-  lattice.bind("focusLayer", focusLayer, gl::Access::Write);
-  lattice.dispatch(inBoxes(regions, sampling.pitch * glm::ivec2(1, together)));
-  if (sampling.pitch == 1) {
-    list_ = {};
-    return;
-  }
-  const std::size_t needed = bytesOfList(inBoxes(regions, glm::ivec2(2)));
+void FocusLayerPass::drawBetween(const Drawn& drawn, int halfSide, bool centres, Regions squares,
+                                 gl::Texture& focusLayer) {
+  const bool lit = drawn.look.shading.enabled;
+  const std::size_t needed = bytesOfList(squares);
   if (list_.bytes() < needed) list_ = gl::Buffer::zeroed(needed);
+  list_.write(std::as_bytes(std::span(emptyList)));
   list_.bind(listBlock);
+  gl::ShaderProgram& between =
+      between_.get({{{"CENTRES", centres}, {"RAYS", raysTogether(drawn.gpu.schedule(), drawn.sampling, lit)}}, {}});
+  between.set("pictureSize", drawn.rays.size());
+  between.set("halfSide", halfSide);
+  between.set("tolerance", static_cast<float>(toleranceOf(drawn.sampling, lit, halfSide)));
+  between.bind("focusLayer", focusLayer, gl::Access::ReadWrite);
+  between.dispatch(squares);
   gl::ShaderProgram& rest = prepared(true, drawn);
   rest.bind("focusLayer", focusLayer, gl::Access::Write);
+  rest.dispatchIndirect(list_);
+}
+
+void FocusLayerPass::run(Steps& steps, const GpuScene& gpu, const Look& look, const RayFrame& rays,
+                         const std::optional<Opening>& opening, const Sampling& sampling, Regions regions,
+                         gl::Texture& focusLayer) {
+  const Drawn drawn{gpu, look, rays, opening, sampling};
+  const int together = raysTogether(gpu.schedule(), sampling, look.shading.enabled);
+  steps.add(inBoxes(regions, sampling.pitch * glm::ivec2(1, together)), [this, drawn, &focusLayer](Regions tile) {
+    gl::ShaderProgram& lattice = prepared(false, drawn);
+    lattice.set("pitch", drawn.sampling.pitch);
+    lattice.bind("focusLayer", focusLayer, gl::Access::Write);
+    lattice.dispatch(tile);
+  });
+  if (sampling.pitch == 1) list_ = {};
   for (int halfSide = sampling.pitch / 2; halfSide > 0; halfSide /= 2)
-    for (const bool centres : {true, false}) {
-      list_.write(std::as_bytes(std::span(emptyList)));
-      gl::ShaderProgram& between = between_.get({{{"CENTRES", centres}, {"RAYS", together}}, {}});
-      between.set("pictureSize", rays.size());
-      between.set("halfSide", halfSide);
-      between.set("tolerance", static_cast<float>(toleranceOf(sampling, lit, halfSide)));
-      between.bind("focusLayer", focusLayer, gl::Access::ReadWrite);
-      between.dispatch(inBoxes(regions, glm::ivec2(2 * halfSide)));
-      rest.dispatchIndirect(list_);
-    }
+    for (const bool centres : {true, false})
+      steps.add(inBoxes(regions, glm::ivec2(2 * halfSide)),
+                [this, drawn, halfSide, centres, &focusLayer](Regions tile) {
+                  drawBetween(drawn, halfSide, centres, tile, focusLayer);
+                });
 }
 
 }  // namespace fenestra

@@ -2,17 +2,19 @@
 // Stage 5: the volume rendering integral from the ray start on, focus and context each with their own properties.
 
 #include <optional>
-#include <span>
 
 #include "rendering/gl/ShaderProgram.h"
 #include "rendering/gl/Texture.h"
 #include "rendering/gpu/GpuScene.h"
 #include "rendering/gpu/RayFrame.h"
+#include "rendering/passes/Steps.h"
 
 namespace fenestra {
 
 class FocusLayerPass {
  public:
+  explicit FocusLayerPass(const gl::SharedPrograms& programs = std::make_shared<gl::ComputePrograms>())
+      : programs_("FocusLayer.comp", programs), between_("PixelsBetween.comp", programs) {}
   /// Where rays start in a cutaway; hitPoints tells cut faces from the focus and the context's own surface.
   struct Opening {
     const gl::Texture& hitPoints;
@@ -33,8 +35,8 @@ class FocusLayerPass {
   /// pixels.
   static int reach(const Sampling& sampling) { return 4 * (sampling.pitch - 1) + 1; }
   /// Writes premultiplied RGBA32F. Without an opening rays start where they enter the volume.
-  void run(const GpuScene& gpu, const Look& look, const RayFrame& rays, const std::optional<Opening>& opening,
-           const Sampling& sampling, std::span<const gl::Region> regions, gl::Texture& focusLayer);
+  void run(Steps& steps, const GpuScene& gpu, const Look& look, const RayFrame& rays,
+           const std::optional<Opening>& opening, const Sampling& sampling, Regions regions, gl::Texture& focusLayer);
   std::size_t bytes() const { return list_.bytes(); }
 
  private:
@@ -42,15 +44,18 @@ class FocusLayerPass {
     const GpuScene& gpu;
     const Look& look;
     const RayFrame& rays;
-    const std::optional<Opening>& opening;
-    const Sampling& sampling;
+    std::optional<Opening> opening;
+    Sampling sampling;
   };
   /// The variant that such a picture takes, for pixels of the lattice or listed ones, and the same with all that it
   /// reads.
   gl::ShaderProgram& program(bool listed, const Drawn& drawn);
   gl::ShaderProgram& prepared(bool listed, const Drawn& drawn);
+  /// Pixels between those of a lattice whose squares have sides of 2·halfSide: the squares' centres, or the middles of
+  /// their sides, which need all centres.
+  void drawBetween(const Drawn& drawn, int halfSide, bool centres, Regions squares, gl::Texture& focusLayer);
 
-  gl::ShaderVariants programs_{"FocusLayer.comp"}, between_{"PixelsBetween.comp"};
+  gl::ShaderVariants programs_, between_;
   gl::Buffer list_;  // pixels between those of the lattice that get a ray; empty when every pixel has one
 };
 

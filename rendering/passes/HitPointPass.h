@@ -5,6 +5,7 @@
 #include "rendering/gl/Texture.h"
 #include "rendering/gpu/GpuScene.h"
 #include "rendering/gpu/RayFrame.h"
+#include "rendering/passes/Steps.h"
 
 namespace fenestra {
 
@@ -15,11 +16,14 @@ constexpr bool isSomething(float s) { return s > nothing * 0.1f; }
 
 class HitPointPass {
  public:
+  explicit HitPointPass(const gl::SharedPrograms& programs = std::make_shared<gl::ComputePrograms>())
+      : programs_("HitPoints.comp", programs) {}
   /// Writes RG32F (s_context, s_focus) for the pixels from `offset` on, as many as `hitPoints` has.
-  void run(const GpuScene& scene, const RayFrame& rays, gl::Texture& hitPoints, glm::ivec2 offset = glm::ivec2(0));
+  void run(Steps& steps, const GpuScene& scene, const RayFrame& rays, gl::Texture& hitPoints,
+           glm::ivec2 offset = glm::ivec2(0));
 
  private:
-  gl::ShaderVariants programs_{"HitPoints.comp"};
+  gl::ShaderVariants programs_;
 };
 
 }  // namespace fenestra

@@ -2,7 +2,7 @@
 
 namespace fenestra {
 
-void PullPushPass::run(Schedule schedule, const gl::Texture& hitPoints, gl::Texture& filled) {
+void PullPushPass::run(Steps& steps, Schedule schedule, const gl::Texture& hitPoints, gl::Texture& filled) {
   glm::ivec2 size(hitPoints.size());
   const glm::ivec2 half = (size + 1) / 2;
   if (known_.empty() || glm::ivec2(known_.front().size()) != half) {
@@ -14,21 +14,24 @@ void PullPushPass::run(Schedule schedule, const gl::Texture& hitPoints, gl::Text
       filled_.push_back(gl::Texture::make2D(gl::Format::R32F, size));
     } while (size != glm::ivec2(1));
   }
-  for (std::size_t level = 0; level < known_.size(); ++level) {
-    gl::ShaderProgram& up = analysis_.get({{{"FINEST", level == 0}}, {scheduleChoice(schedule)}});
-    up.bind("fine", level == 0 ? hitPoints : known_[level - 1]);
-    up.bind("coarse", known_[level], gl::Access::Write);
-    up.dispatch(glm::ivec2(known_[level].size()));
-  }
+  for (std::size_t level = 0; level < known_.size(); ++level)
+    steps.add(glm::ivec2(known_[level].size()), [this, schedule, level, &hitPoints](Regions tile) {
+      gl::ShaderProgram& up = analysis_.get({{{"FINEST", level == 0}}, {scheduleChoice(schedule)}});
+      up.bind("fine", level == 0 ? hitPoints : known_[level - 1]);
+      up.bind("coarse", known_[level], gl::Access::Write);
+      up.dispatch(tile);
+    });
   for (std::size_t level = known_.size(); level-- > 0;) {
-    // The coarsest level is one pixel: known, or no pixel of the picture is.
-    const gl::Texture& coarse = level + 1 == known_.size() ? known_.back() : filled_[level];
     gl::Texture& target = level == 0 ? filled : filled_[level - 1];
-    gl::ShaderProgram& down = synthesis_.get({{{"FINEST", level == 0}}, {scheduleChoice(schedule)}});
-    down.bind("fine", level == 0 ? hitPoints : known_[level - 1]);
-    down.bind("coarse", coarse);
-    down.bind("filled", target, gl::Access::Write);
-    down.dispatch(glm::ivec2(target.size()));
+    steps.add(glm::ivec2(target.size()), [this, schedule, level, &hitPoints, &target](Regions tile) {
+      // The coarsest level is one pixel: known, or no pixel of the picture is.
+      const gl::Texture& coarse = level + 1 == known_.size() ? known_.back() : filled_[level];
+      gl::ShaderProgram& down = synthesis_.get({{{"FINEST", level == 0}}, {scheduleChoice(schedule)}});
+      down.bind("fine", level == 0 ? hitPoints : known_[level - 1]);
+      down.bind("coarse", coarse);
+      down.bind("filled", target, gl::Access::Write);
+      down.dispatch(tile);
+    });
   }
 }
 

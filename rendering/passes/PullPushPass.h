@@ -6,6 +6,7 @@
 #include "rendering/gl/ShaderProgram.h"
 #include "rendering/gl/Texture.h"
 #include "rendering/gpu/Schedule.h"
+#include "rendering/passes/Steps.h"
 
 namespace fenestra {
 
@@ -13,14 +14,16 @@ namespace fenestra {
 /// known pixel at all everything is `nothing`. Any picture size.
 class PullPushPass {
  public:
+  explicit PullPushPass(const gl::SharedPrograms& programs = std::make_shared<gl::ComputePrograms>())
+      : analysis_("PullPushAnalysis.comp", programs), synthesis_("PullPushSynthesis.comp", programs) {}
   /// Reads the y component of `hitPoints` (RG32F), writes `filled` (R32F) of the same size.
-  void run(Schedule schedule, const gl::Texture& hitPoints, gl::Texture& filled);
+  void run(Steps& steps, Schedule schedule, const gl::Texture& hitPoints, gl::Texture& filled);
   std::size_t bytes() const;
   /// Drops the pyramid.
   void release();
 
  private:
-  gl::ShaderVariants analysis_{"PullPushAnalysis.comp"}, synthesis_{"PullPushSynthesis.comp"};
+  gl::ShaderVariants analysis_, synthesis_;
   std::vector<gl::Texture> known_;   ///< level 1 (half size) upwards: averages of known pixels
   std::vector<gl::Texture> filled_;  ///< the same levels without holes
 };

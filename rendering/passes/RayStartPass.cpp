@@ -9,14 +9,16 @@ void RayStartPass::Inputs::bind(gl::ShaderProgram& program) const {
   program.set("openWidth", static_cast<float>(openWidth));
 }
 
-void RayStartPass::run(Schedule schedule, const RayFrame& rays, const Inputs& inputs, const gl::Texture* editMap,
-                       std::span<const gl::Region> regions, gl::Texture& rayStart) {
-  gl::ShaderProgram& program = programs_.get({{{"EDITED", editMap != nullptr}}, {scheduleChoice(schedule)}});
-  rays.setBlocks(program);
-  inputs.bind(program);
-  if (editMap) program.bind("editMap", *editMap);
-  program.bind("rayStart", rayStart, gl::Access::Write);
-  program.dispatch(regions);
+void RayStartPass::run(Steps& steps, Schedule schedule, const RayFrame& rays, const Inputs& inputs,
+                       const gl::Texture* editMap, Regions regions, gl::Texture& rayStart) {
+  steps.add(regions, [this, schedule, &rays, inputs, editMap, &rayStart](Regions tile) {
+    gl::ShaderProgram& program = programs_.get({{{"EDITED", editMap != nullptr}}, {scheduleChoice(schedule)}});
+    rays.setBlocks(program);
+    inputs.bind(program);
+    if (editMap) program.bind("editMap", *editMap);
+    program.bind("rayStart", rayStart, gl::Access::Write);
+    program.dispatch(tile);
+  });
 }
 
 }  // namespace fenestra

@@ -1,12 +1,11 @@
 #pragma once
 // Stage 4: where each ray starts to see.
 
-#include <span>
-
 #include "rendering/gl/ShaderProgram.h"
 #include "rendering/gl/Texture.h"
 #include "rendering/gpu/RayFrame.h"
 #include "rendering/gpu/Schedule.h"
+#include "rendering/passes/Steps.h"
 
 namespace fenestra {
 
@@ -15,6 +14,8 @@ namespace fenestra {
 /// moved.
 class RayStartPass {
  public:
+  explicit RayStartPass(const gl::SharedPrograms& programs = std::make_shared<gl::ComputePrograms>())
+      : programs_("RayStart.comp", programs) {}
   struct Inputs {
     const gl::Texture& hitPoints;
     const gl::Texture& focusFilled;
@@ -25,11 +26,11 @@ class RayStartPass {
     void bind(gl::ShaderProgram& program) const;
   };
   /// `editMap` is EditMapPass's, or null without strokes. Writes R32F.
-  void run(Schedule schedule, const RayFrame& rays, const Inputs& inputs, const gl::Texture* editMap,
-           std::span<const gl::Region> regions, gl::Texture& rayStart);
+  void run(Steps& steps, Schedule schedule, const RayFrame& rays, const Inputs& inputs, const gl::Texture* editMap,
+           Regions regions, gl::Texture& rayStart);
 
  private:
-  gl::ShaderVariants programs_{"RayStart.comp"};
+  gl::ShaderVariants programs_;
 };
 
 }  // namespace fenestra

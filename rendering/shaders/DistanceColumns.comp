@@ -2,6 +2,7 @@
 // Rows are visited outwards and the search ends once the offset alone is no nearer. FAR beyond `range`.
 #include <schedule>
 #include "lib/None.glsl"
+#include "lib/Region.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 UNSIGNED_TEXELS_2D(r16ui, rowDistance);
@@ -10,7 +11,7 @@ uniform int range;
 layout(r32f) uniform writeonly image2D distances;
 
 void main() {
-  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  ivec2 pixel = regionPixel();
   ivec2 size = imageSize(distances);
   if (any(greaterThanEqual(pixel, size))) return;
   if (texelOf(focusTiles, pixel >> 5).r == 0u) {

@@ -1,5 +1,6 @@
 // Stage 3, third step: distance in pixels to the nearest focus pixel of the same row, FAR_ROW beyond `range`.
 #include <schedule>
+#include "lib/Region.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 UNSIGNED_TEXELS_2D(r32ui, focusMask);
@@ -10,7 +11,7 @@ layout(r16ui) uniform writeonly uimage2D rowDistance;
 const int FAR_ROW = 65535;
 
 void main() {
-  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  ivec2 pixel = regionPixel();
   if (any(greaterThanEqual(pixel, imageSize(rowDistance)))) return;
   if (texelOf(focusTiles, pixel >> 5).r == 0u) {
     imageStore(rowDistance, pixel, uvec4(FAR_ROW));

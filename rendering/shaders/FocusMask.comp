@@ -1,13 +1,14 @@
 // Stage 3, first step: the focus projection as one bit a pixel, 32 pixels of a row in a word.
 #include <schedule>
 #include "lib/None.glsl"
+#include "lib/Region.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 TEXELS_2D(rg32f, hitPoints);
 layout(r32ui) uniform writeonly uimage2D focusMask;
 
 void main() {
-  ivec2 at = ivec2(gl_GlobalInvocationID.xy);
+  ivec2 at = regionPixel();
   if (any(greaterThanEqual(at, imageSize(focusMask)))) return;
   int width = sizeOf(hitPoints).x;
   uint word = 0u;

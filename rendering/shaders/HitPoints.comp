@@ -1,13 +1,14 @@
 // Stage 1: first context-or-focus hit (x) and first focus hit (y) of every pixel's ray, as s (see lib/PixelRay.glsl).
 #include "lib/FirstHit.glsl"
 #include "lib/PixelRay.glsl"
+#include "lib/Region.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(rg32f) uniform writeonly image2D hitPoints;
 uniform ivec2 pixelOffset;  // first pixel of the region, for a look at a single one
 
 void main() {
-  ivec2 local = ivec2(gl_GlobalInvocationID.xy);
+  ivec2 local = regionPixel();
   ivec2 pixel = local + pixelOffset;
   if (any(greaterThanEqual(local, imageSize(hitPoints))) || any(greaterThanEqual(pixel, rays.pictureSize))) return;
   Ray ray = pixelRay(pixel);

@@ -1,9 +1,8 @@
-// The picture over its background, opaque.
+// The picture over its background, pixel by pixel or reduced.
+#include "lib/Background.glsl"
+
 in vec2 at;
 out vec4 colour;
 uniform sampler2D picture;
-uniform vec3 background;
-void main() {
-  vec4 front = texture(picture, at);
-  colour = vec4(front.rgb + (1.0 - front.a) * background, 1.0);
-}
+
+void main() { colour = overBackground(texture(picture, at)); }

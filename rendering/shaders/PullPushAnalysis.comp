@@ -1,12 +1,13 @@
 // Stage 2, one level up: mean of the known pixels of each 2×2 block (Strengert, Kraus, Ertl, VMV 2006).
 #include "lib/None.glsl"
 #include "lib/PullPush.glsl"
+#include "lib/Region.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(r32f) uniform writeonly image2D coarse;
 
 void main() {
-  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  ivec2 pixel = regionPixel();
   if (any(greaterThanEqual(pixel, imageSize(coarse)))) return;
   ivec2 size = sizeOf(fine);
   float sum = 0.0, known = 0.0;

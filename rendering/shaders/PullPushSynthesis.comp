@@ -3,13 +3,14 @@
 #include <schedule>
 #include "lib/None.glsl"
 #include "lib/PullPush.glsl"
+#include "lib/Region.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 TEXELS_2D(r32f, coarse);
 layout(r32f) uniform writeonly image2D filled;
 
 void main() {
-  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  ivec2 pixel = regionPixel();
   if (any(greaterThanEqual(pixel, imageSize(filled)))) return;
   float value = fineValue(pixel);
   if (isNone(value)) {

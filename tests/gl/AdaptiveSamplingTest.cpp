@@ -5,7 +5,7 @@
 #include <random>
 
 #include "rendering/passes/FocusLayerPass.h"
-#include "tests/gl/GlTest.h"
+#include "tests/gl/PassTest.h"
 
 namespace fenestra::tests {
 namespace {
@@ -16,8 +16,8 @@ std::vector<glm::vec4> drawn(const Scene& scene, const Camera& camera, glm::ivec
   gpu.update(scene);
   gl::Texture layer = gl::Texture::make2D(gl::Format::RGBA32F, size);
   const gl::Region whole{glm::ivec2(0), size};
-  FocusLayerPass().run(gpu, scene.look, RayFrame(camera, size, scene.volume->grid), std::nullopt, {.pitch = pitch},
-                       std::span(&whole, 1), layer);
+  runWhole(FocusLayerPass(), gpu, scene.look, RayFrame(camera, size, scene.volume->grid), std::nullopt,
+           FocusLayerPass::Sampling{.pitch = pitch}, std::span(&whole, 1), layer);
   std::vector<glm::vec4> pixels(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
   layer.readInto(std::span(pixels));
   return pixels;

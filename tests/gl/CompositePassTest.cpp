@@ -77,7 +77,7 @@ struct MadePicture {
     if (given.edits) inputs.editMap = &editImage;
     CompositePass pass;
     const auto run = [&](const std::vector<gl::Region>& regions, gl::Texture& image) {
-      pass.run(gpu, inputs, scene.look, regions, image);
+      runWhole(pass, gpu, inputs, scene.look, regions, image);
     };
     gl::Texture image = blank<glm::vec4>(size);
     run(whole(size), image);

@@ -56,13 +56,13 @@ Drawn draw(const Scene& scene, const Camera& camera, const MadeHits& made, glm::
   const gl::Texture hits = imageOf(made.texels, size);
   ContextLayerPass pass;
   gl::Texture layer = blank<glm::vec4>(size), silhouette = blank<float>(size);
-  pass.run(gpu, scene.look.shading, rays, hits, whole(size), layer, silhouette);
+  runWhole(pass, gpu, scene.look.shading, rays, hits, whole(size), layer, silhouette);
   Drawn drawn{texelsOf<glm::vec4>(layer), texelsOf<float>(silhouette)};
   const auto runLayer = [&](const std::vector<gl::Region>& regions, gl::Texture& image) {
-    pass.run(gpu, scene.look.shading, rays, hits, regions, image, silhouette);
+    runWhole(pass, gpu, scene.look.shading, rays, hits, regions, image, silhouette);
   };
   const auto runSilhouette = [&](const std::vector<gl::Region>& regions, gl::Texture& image) {
-    pass.run(gpu, scene.look.shading, rays, hits, regions, layer, image);
+    runWhole(pass, gpu, scene.look.shading, rays, hits, regions, layer, image);
   };
   expectPartsMakeTheWhole(drawn.layer, size, runLayer);
   expectPartsMakeTheWhole(drawn.silhouette, size, runSilhouette);

@@ -44,8 +44,11 @@ void expectDistances(DistanceMapPass& pass, const Mask& mask, glm::ivec2 size, c
     for (const int range : ranges) {
       SCOPED_TRACE(named(schedule, size) + ", range " + std::to_string(range));
       gl::Texture image = blank<float>(size);
-      pass.run(schedule, hits, range, image);
+      runWhole(pass, schedule, hits, range, image);
       const std::vector<float> distances = texelsOf<float>(image);
+      gl::Texture tiled = blank<float>(size);
+      runInTiles(pass, schedule, hits, range, tiled);
+      EXPECT_TRUE(sameBits(texelsOf<float>(tiled), distances)) << "in tiles";
       for (std::size_t i = 0; i < mask.size(); ++i) {
         if (squared[i] < 0 || squared[i] > range * range) {
           EXPECT_EQ(distances[i], DistanceMapPass::beyond) << "pixel " << i;
@@ -98,7 +101,7 @@ TEST_F(DistanceMapPassTest, FocusNowhereAndEverywhere) {
     for (const Schedule schedule : schedules)
       for (const int range : {0, 32}) {
         gl::Texture image = blank<float>(size);
-        pass.run(schedule, hits, range, image);
+        runWhole(pass, schedule, hits, range, image);
         for (const float distance : texelsOf<float>(image)) EXPECT_EQ(distance, 0.0f);
       }
   }

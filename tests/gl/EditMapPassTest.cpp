@@ -63,7 +63,8 @@ struct MadeEdits {
                       distanceImage = imageOf(distances, size);
     EditMapPass pass;
     const auto run = [&](const std::vector<gl::Region>& regions, gl::Texture& image) {
-      pass.run(schedule, rays, {hitImage, filledImage, distanceImage, openWidth}, projected, regions, image);
+      runWhole(pass, schedule, rays, RayStartPass::Inputs{hitImage, filledImage, distanceImage, openWidth}, projected,
+               regions, image);
     };
     gl::Texture image = blank<glm::vec2>(size);
     run(whole(size), image);
@@ -195,8 +196,8 @@ TEST_F(EditMapPassTest, PicturesTooLargeForTheSmallestTiles) {
   for (const Schedule schedule : schedules) {
     gl::Texture image = blank<glm::vec2>(size);
     EditMapPass pass;
-    pass.run(schedule, made.rays, {hitImage, filledImage, distanceImage, openWidth}, project(made.strokes, made.rays),
-             std::span(&window, 1), image);
+    runWhole(pass, schedule, made.rays, RayStartPass::Inputs{hitImage, filledImage, distanceImage, openWidth},
+             project(made.strokes, made.rays), std::span(&window, 1), image);
     EXPECT_GT(pass.bytes(), 0u);
     pass.release();
     EXPECT_EQ(pass.bytes(), 0u);

@@ -65,9 +65,9 @@ class Drawing {
   }
 
   void run(const MadeOpening* made, const Sampling& sampling, std::span<const gl::Region> regions, gl::Texture& image) {
-    if (!made) return pass_.run(gpu_, look_, rays_, std::nullopt, sampling, regions, image);
+    if (!made) return runWhole(pass_, gpu_, look_, rays_, std::nullopt, sampling, regions, image);
     const gl::Texture hits = imageOf(made->hits, size_), starts = imageOf(made->starts, size_);
-    pass_.run(gpu_, look_, rays_, FocusLayerPass::Opening{hits, starts}, sampling, regions, image);
+    runWhole(pass_, gpu_, look_, rays_, FocusLayerPass::Opening{hits, starts}, sampling, regions, image);
   }
   std::vector<glm::vec4> pixels(const MadeOpening* made, const Sampling& sampling) {
     gl::Texture image = blank<glm::vec4>(size_);

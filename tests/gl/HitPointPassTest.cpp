@@ -31,7 +31,7 @@ std::vector<glm::vec2> hitsOf(const Scene& scene, const Camera& camera, glm::ive
   gpu.setSchedule(schedule);
   gpu.update(scene);
   gl::Texture image = blank<glm::vec2>(size);
-  HitPointPass().run(gpu, RayFrame(camera, size, scene.volume->grid), image);
+  runWhole(HitPointPass(), gpu, RayFrame(camera, size, scene.volume->grid), image);
   return texelsOf<glm::vec2>(image);
 }
 
@@ -166,10 +166,13 @@ TEST_F(HitPointPassTest, WindowsShowTheSameAsTheWholePicture) {
     gpu.setSchedule(schedule);
     gpu.update(scene);
     HitPointPass pass;
+    gl::Texture tiled = blank<glm::vec2>(size);
+    runInTiles(pass, gpu, rays, tiled);
+    EXPECT_TRUE(sameBits(texelsOf<glm::vec2>(tiled), all)) << "in tiles";
     // The last one reaches beyond the picture, where nothing is written.
     for (const glm::ivec2 origin : {glm::ivec2(0, 0), glm::ivec2(17, 9), glm::ivec2(35, 22)}) {
       gl::Texture image = blank<glm::vec2>(window);
-      pass.run(gpu, rays, image, origin);
+      runWhole(pass, gpu, rays, image, origin);
       const std::vector<glm::vec2> shown = texelsOf<glm::vec2>(image);
       for (std::size_t i = 0; i < shown.size(); ++i) {
         const glm::ivec2 pixel = origin + pixelAt(i, window);
@@ -178,7 +181,7 @@ TEST_F(HitPointPassTest, WindowsShowTheSameAsTheWholePicture) {
       }
     }
     gl::Texture single = blank<glm::vec2>(glm::ivec2(1));
-    pass.run(gpu, rays, single, size / 2);
+    runWhole(pass, gpu, rays, single, size / 2);
     EXPECT_EQ(texelsOf<glm::vec2>(single)[0], all[offsetOf(size / 2, size)]);
     EXPECT_TRUE(isSomething(all[offsetOf(size / 2, size)].y));
   }

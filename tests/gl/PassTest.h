@@ -12,6 +12,7 @@
 #include "rendering/gpu/RayFrame.h"
 #include "rendering/gpu/Schedule.h"
 #include "rendering/passes/HitPointPass.h"
+#include "rendering/passes/Steps.h"
 #include "tests/gl/GlTest.h"
 
 namespace fenestra::tests {
@@ -35,6 +36,23 @@ inline glm::ivec2 pixelAt(std::size_t offset, glm::ivec2 size) {
 
 inline std::string named(Schedule schedule, glm::ivec2 size) {
   return std::string(nameOf(schedule)) + ", " + std::to_string(size.x) + "×" + std::to_string(size.y);
+}
+
+/// Runs a pass at once.
+template <class P, class... Args>
+void runWhole(P&& pass, Args&&... args) {
+  Steps steps;
+  pass.run(steps, std::forward<Args>(args)...);
+  EXPECT_TRUE(steps.advance());
+}
+
+/// Runs a pass in tiles as small as they get.
+template <class P, class... Args>
+void runInTiles(P&& pass, Args&&... args) {
+  Steps steps;
+  pass.run(steps, std::forward<Args>(args)...);
+  while (!steps.advance(0.0)) {
+  }
 }
 
 template <class T>

@@ -31,7 +31,11 @@ reference::Image imageOfFocus(const std::vector<glm::vec2>& hits) {
 std::vector<float> filledBy(PullPushPass& pass, Schedule schedule, const std::vector<glm::vec2>& hits,
                             glm::ivec2 size) {
   gl::Texture filled = blank<float>(size);
-  pass.run(schedule, imageOf(hits, size), filled);
+  const gl::Texture image = imageOf(hits, size);
+  runWhole(pass, schedule, image, filled);
+  gl::Texture tiled = blank<float>(size);
+  runInTiles(pass, schedule, image, tiled);
+  EXPECT_TRUE(sameBits(texelsOf<float>(tiled), texelsOf<float>(filled))) << "in tiles";
   return texelsOf<float>(filled);
 }
 

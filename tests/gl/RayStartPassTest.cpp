@@ -42,8 +42,8 @@ struct MadeStart {
                       distanceImage = imageOf(distances, size), editImage = imageOf(edits, size);
     RayStartPass pass;
     const auto run = [&](const std::vector<gl::Region>& regions, gl::Texture& image) {
-      pass.run(schedule, rays, {hitImage, filledImage, distanceImage, width}, edited ? &editImage : nullptr, regions,
-               image);
+      runWhole(pass, schedule, rays, RayStartPass::Inputs{hitImage, filledImage, distanceImage, width},
+               edited ? &editImage : nullptr, regions, image);
     };
     gl::Texture image = blank<float>(size);
     run(whole(size), image);

@@ -5,6 +5,7 @@
 #include <QStatusBar>
 #include <QTest>
 
+#include "rendering/Renderer.h"
 #include "tests/gui/WindowFixture.h"
 #include "viewer/panels/ContextLayerPanel.h"
 #include "viewer/panels/CutawayPanel.h"
@@ -139,6 +140,49 @@ TEST_F(Window, QualityAtRestIsChosenAndSaid) {
     return false;
   };
   EXPECT_TRUE(QTest::qWaitFor(said, patience));
+}
+
+TEST_F(Window, InputEndsARefinementAndThePictureAtRestIsTheSame) {
+  views().setAtRest(Quality::Normal, 0.5);
+  waitUntilDrawn();
+  const Camera camera = cameras().camera(0);
+  const QImage atRest = picture(volume(0));
+  // Turned away and back, and at other moments of the refinement each time.
+  for (const int milliseconds : {105, 130, 170, 230}) {
+    volume(0)->redraw();
+    QTest::qWait(milliseconds);
+    cameras().show(0, camera.orbited(0.4, 0.2));
+    QApplication::processEvents();
+    cameras().show(0, camera);
+    waitUntilDrawn();
+    EXPECT_EQ(picture(volume(0)), atRest) << "after " << milliseconds << " ms";
+  }
+}
+
+TEST_F(Window, ThePictureAtRestIsThatOfOneRun) {
+  views().setAtRest(Quality::Normal, {});
+  waitUntilDrawn();
+  options().setText(false);
+  options().setCrosshair(false);
+  waitUntilDrawn();
+  const QImage shown = volume(0)->grabFramebuffer();
+  std::vector<std::uint8_t> whole;
+  const View view = volume(0)->restView();
+  ASSERT_TRUE(volume(0)->inContext([&](const std::shared_ptr<GpuScene>& gpu) {
+    Renderer renderer(gpu);
+    renderer.render(document().scene(), view);
+    whole = renderer.readPicture();
+  }));
+  ASSERT_EQ(shown.size(), QSize(view.size.x, view.size.y));
+  // The overlay is in the corners; the presentation rounds to eight bits as reading does, to within one.
+  for (int y = view.size.y / 4; y < view.size.y * 3 / 4; ++y)
+    for (int x = view.size.x / 4; x < view.size.x * 3 / 4; ++x) {
+      const QColor colour = shown.pixelColor(x, y);
+      const std::uint8_t* wanted = &whole[4 * static_cast<std::size_t>(y * view.size.x + x)];
+      ASSERT_LE(std::abs(colour.red() - wanted[0]), 1) << x << ", " << y;
+      ASSERT_LE(std::abs(colour.green() - wanted[1]), 1) << x << ", " << y;
+      ASSERT_LE(std::abs(colour.blue() - wanted[2]), 1) << x << ", " << y;
+    }
 }
 
 TEST_F(Window, DraggingAViewTurnsItsPartnerToo) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <QCoreApplication>
 
@@ -10,6 +11,13 @@ namespace {
 
 /// Weight of a new measurement: three frames follow a change of speed, one outlier does not make the picture jump.
 constexpr double weight = 0.4;
+
+/// The first picture of all: the fewest pixels, and the sampling that needs the fewest programs, because they are
+/// compiled meanwhile.
+const Effort first{FramePacer::leastScale, Quality::Normal};
+
+/// Of the time of two pictures: the view that the user turns shows more detail than the one that follows.
+constexpr double leaderShare = 0.6;
 
 void blend(std::optional<double>& average, double sample) {
   average = average ? *average + weight * (sample - *average) : sample;
@@ -31,34 +39,95 @@ QString nameOf(const Effort& effort) {
   return translated("error ≤ %1/255").arg(effort.maxError.value_or(highQualityError));
 }
 
-Effort FramePacer::moving(int views) const {
-  if (restCost_ && *restCost_ * views <= budget) return rest_;
-  if (!draftCost_ && !restCost_) return {0.5, Quality::Draft};
+/// What a frame's pictures may take together.
+double FramePacer::timeForPictures() const {
+  // However slow the rest of a frame is, pictures get a part of it.
+  return std::max(budget - overhead_.value_or(0.0), 0.4 * budget);
+}
+
+Effort FramePacer::moving(int count, bool leads) const {
+  const double time = timeForPictures();
+  if (restCost_ && *restCost_ * count <= time) return rest_;
+  if (!draftCost_ && !restCost_) return first;
   // Until a draft is measured, half the time of a picture at rest is a guess.
   const double cost = draftCost_ ? *draftCost_ : 0.5 * *restCost_;
-  const double scale = std::sqrt(budget / (std::max(cost, 1e-3) * views));
+  const double share = count == 1 ? 1.0 : leads ? leaderShare : 1.0 - leaderShare;
+  const double scale = std::sqrt(time * share / std::max(cost, 1e-3));
   // In steps of a sixteenth, so that the renderer seldom has to allocate images of another size.
   const double stepped = std::floor(std::min(scale, 1.0) * 16.0) / 16.0;
   return {std::max(stepped, leastScale), Quality::Draft};
 }
 
+int FramePacer::framesPerFollowing() const {
+  const Effort leader = moving(views, true), follower = moving(views, false);
+  if (!draftCost_ || leader == rest_) return 1;
+  const auto costOf = [&](const Effort& effort) { return *draftCost_ * effort.scale * effort.scale; };
+  const double left = timeForPictures() - costOf(leader);
+  if (left >= costOf(follower) * 0.9) return 1;
+  return left >= 0.5 * costOf(follower) ? 2 : 3;
+}
+
+std::optional<Effort> FramePacer::beforeRest() const {
+  if (!restCost_ && !draftCost_) return std::nullopt;
+  if (restCost_ && *restCost_ <= firstAtRest) return std::nullopt;
+  const double cost = draftCost_ ? *draftCost_ : 0.5 * *restCost_;
+  const double scale = std::floor(std::min(std::sqrt(firstAtRest / std::max(cost, 1e-3)), 1.0) * 16.0) / 16.0;
+  const Effort draft{std::max(scale, leastScale), Quality::Draft};
+  return draft == rest_ || scale <= moving(views).scale ? std::nullopt : std::optional(draft);
+}
+
 void FramePacer::begin(Effort effort, double now) {
   if (!frame_) frame_ = {.began = now, .effort = effort};
-  frame_->mixed |= effort != frame_->effort;
+  // A frame goes by the name of its larger picture.
+  if (effort.scale > frame_->effort.scale) frame_->effort = effort;
   ++frame_->views;
+}
+
+void FramePacer::drew(Effort effort, double milliseconds, bool usual) {
+  if (frame_) {
+    frame_->drawing += milliseconds;
+    frame_->usual &= usual;
+  }
+  if (usual) note(effort, milliseconds);
+}
+
+void FramePacer::refined(Effort effort, double milliseconds, bool usual) {
+  last_ = {milliseconds, 1, effort};
+  if (usual) note(effort, milliseconds);
+}
+
+std::optional<Effort> FramePacer::untried() const {
+  const Effort draft{leastScale, Quality::Draft};
+  return hasDraft_ || rest_.quality == Quality::Draft || restCost_.value_or(0.0) * views <= timeForPictures()
+             ? std::nullopt
+             : std::optional(draft);
+}
+
+void FramePacer::note(Effort effort, double milliseconds) {
+  hasDraft_ |= effort.quality == Quality::Draft;
+  if (effort == rest_) blend(restCost_, milliseconds);
+  // A picture's time grows with its pixels.
+  else
+    blend(draftCost_, milliseconds / (effort.scale * effort.scale));
 }
 
 void FramePacer::end(double now) {
   if (!frame_) return;
   const Frame frame = *frame_;
   frame_.reset();
-  if (frame.mixed) return;
+  ++frames_;
   last_ = {now - frame.began, frame.views, frame.effort};
-  const double perView = (now - frame.began) / frame.views;
-  if (frame.effort == rest_) blend(restCost_, perView);
-  // A frame's time grows with its pixels.
-  else
-    blend(draftCost_, perView / (frame.effort.scale * frame.effort.scale));
+  if (frame.usual) blend(overhead_, now - frame.began - frame.drawing);
+}
+
+bool FramePacer::mayRefine(int view) const {
+  const auto rank = [this](int of) {
+    const std::optional<int>& level = levels_[static_cast<std::size_t>(of)];
+    return level ? 2 * views * *level + (leads(of) ? 0 : 1 + of) : std::numeric_limits<int>::max();
+  };
+  for (int other = 0; other < views; ++other)
+    if (rank(other) < rank(view)) return false;
+  return true;
 }
 
 }  // namespace fenestra::viewer

@@ -1,7 +1,8 @@
 #pragma once
-// Size and sampling of the 3-D views while something moves, from measured frame times: smaller pictures on a slow
-// machine, full ones on a fast one.
+// Size and sampling of the 3-D views while something moves, from measured times: smaller pictures on a slow machine,
+// full ones on a fast one. Also which view comes first.
 
+#include <array>
 #include <optional>
 
 #include <QString>
@@ -27,6 +28,10 @@ class FramePacer {
   static constexpr double budget = 1000.0 / 12.0;
   /// Below a quarter of the resolution anatomy is hard to recognise.
   static constexpr double leastScale = 0.25;
+  /// Milliseconds that a first picture at rest may take; where one at full quality takes longer, a draft comes before
+  /// it.
+  static constexpr double firstAtRest = 150.0;
+  static constexpr int views = 2;
 
   /// The last frame that was measured.
   struct Measured {
@@ -39,28 +44,58 @@ class FramePacer {
 
   Effort atRest() const { return rest_; }
   void setAtRest(Quality quality, std::optional<double> maxError);
-  /// For the next frame of a drag that redraws `views` views.
-  Effort moving(int views) const;
+  /// For the next frame of a drag that redraws so many views. The view that leads gets more of the time.
+  Effort moving(int views, bool leads = true) const;
+  /// What a view draws first when it comes to rest; unset where that is the picture at full quality.
+  std::optional<Effort> beforeRest() const;
+
+  /// The view that the user turns: it is drawn first. A linked view follows in the time left: in every so many frames.
+  void lead(int view) { leader_ = view; }
+  bool leads(int view) const { return view == leader_; }
+  int framesPerFollowing() const;
 
   /// A view begins to draw its part of a frame; times are in ms on one steady clock.
   void begin(Effort effort, double now);
+  /// A picture of the frame took so long to draw; `usual` where that tells how long the next one will take.
+  void drew(Effort effort, double milliseconds, bool usual = true);
   /// The frame with all parts begun is on screen.
   void end(double now);
+  /// A picture that was refined between frames took so long.
+  void refined(Effort effort, double milliseconds, bool usual = true);
+  /// A draft to draw once, unseen, after the first pictures are at rest: until one is drawn, the first frames of a drag
+  /// would wait for its programs.
+  std::optional<Effort> untried() const;
+  void tried() { hasDraft_ = true; }
   const std::optional<Measured>& last() const { return last_; }
+  long frames() const { return frames_; }  ///< so many frames have ended
+
+  /// Views refine their pictures one after the other, the leader first: a level of all before the next level of one.
+  /// `level`: what a view works on, 0 first; unset when it is done.
+  void refine(int view, std::optional<int> level) { levels_[static_cast<std::size_t>(view)] = level; }
+  bool mayRefine(int view) const;
 
  private:
   struct Frame {
     double began = 0.0;
     Effort effort;
     int views = 0;
-    bool mixed = false;  ///< its views were drawn with different efforts, so its time is not used
+    double drawing = 0.0;  ///< ms of all its pictures
+    bool usual = true;
   };
 
+  double timeForPictures() const;
+  void note(Effort effort, double milliseconds);
+
   Effort rest_;
+  int leader_ = 0;
+  std::array<std::optional<int>, views> levels_;
   std::optional<Frame> frame_;
   std::optional<Measured> last_;
+  long frames_ = 0;
   std::optional<double> restCost_;   ///< ms per view at rest
   std::optional<double> draftCost_;  ///< ms per view for a draft of scale 1
+  bool hasDraft_ = false;
+  std::optional<double> overhead_;  ///< ms of a frame besides its pictures: overlays, putting the window together
 };
 
 }  // namespace fenestra::viewer

@@ -11,6 +11,8 @@
 #include <QPainter>
 #include <QWheelEvent>
 
+#include "rendering/gl/Context.h"
+#include "rendering/gl/ShaderProgram.h"
 #include "rendering/scene/SeenPoint.h"
 #include "viewer/model/Brush.h"
 #include "viewer/model/Document.h"
@@ -25,7 +27,10 @@ namespace fenestra::viewer {
 namespace {
 
 constexpr double clickSlack = 4.0;  ///< device-independent pixels between press and release of a click
-constexpr int restMilliseconds = 150;
+constexpr int restMilliseconds = 100;
+/// A slice of refinement: short enough that the window answers.
+constexpr double sliceMilliseconds = 30.0;
+constexpr int turnMilliseconds = 4;                     ///< until a view asks again whether it is its turn
 constexpr double arrowTurn = glm::pi<double>() / 36.0;  ///< 5 degrees
 
 /// Milliseconds on a steady clock.
@@ -52,8 +57,8 @@ VolumeView::VolumeView(int index, Document& document, SliceCursor& cursor, ViewL
   setObjectName(QStringLiteral("volume%1").arg(index));
   rest_.setSingleShot(true);
   connect(&rest_, &QTimer::timeout, this, &VolumeView::settle);
+  connect(&refining_, &QTimer::timeout, this, &VolumeView::refine);
   connect(&document, &Document::volumeChanged, this, [this] {
-    cold_ = true;
     problem_.clear();  // another volume may fit where the last one did not
     reduction_.clear();
   });
@@ -65,7 +70,7 @@ VolumeView::VolumeView(int index, Document& document, SliceCursor& cursor, ViewL
     update();
   });
   connect(&cameras, &ViewLink::changed, this, [this](int view) {
-    if (view == index_) disturb(cameras_.isLinked() || cameras_.isFlying() ? ViewLink::count : 1);
+    if (view == index_) follow();
   });
   const auto repaint = [this] { update(); };
   connect(&cursor, &SliceCursor::moved, this, repaint);
@@ -79,7 +84,7 @@ VolumeView::VolumeView(int index, Document& document, SliceCursor& cursor, ViewL
 VolumeView::~VolumeView() {
   // GPU objects need their context when they are destroyed. The last view destroys the shared voxels.
   makeCurrent();
-  renderer_.reset();
+  picture_.reset();
   shared_.gpuScene.reset();
   doneCurrent();
 }
@@ -97,30 +102,107 @@ bool VolumeView::inContext(const std::function<void(const std::shared_ptr<GpuSce
 bool VolumeView::isSettled() const { return settled_ || !problem_.isEmpty() || !document_.hasVolume(); }
 
 void VolumeView::disturb(int views) {
+  stopRefining();
   settled_ = false;
-  effort_ = shared_.pacer->moving(views);
-  // Views settle one after the other, so that the window answers in between.
-  rest_.start(restMilliseconds * (1 + index_));
+  due_ = Due::Motion;
+  moving_ = views;
+  rest_.start(restMilliseconds);
   // One round of the event loop later: Qt paints all that is dirty at once, and the slices need not wait for this view.
   QTimer::singleShot(0, this, [this] { update(); });
+}
+
+void VolumeView::follow() {
+  const bool both = cameras_.isLinked() || cameras_.isFlying();
+  FramePacer& pacer = *shared_.pacer;
+  const bool skips = cameras_.isLinked() && !pacer.leads(index_) && isVisible() &&
+                     pacer.frames() - followed_ < pacer.framesPerFollowing();
+  if (!skips) return disturb(both ? ViewLink::count : 1);
+  stopRefining();
+  settled_ = false;
+  due_ = Due::Motion;
+  rest_.start(restMilliseconds);
 }
 
 void VolumeView::redraw() { disturb(ViewLink::count); }
 
 void VolumeView::settle() {
-  if (held_) {
-    rest_.start(restMilliseconds * (1 + index_));
+  if (settled_) return;
+  if (held_ || !picture_) {
+    rest_.start(restMilliseconds);
+    if (!held_) update();
     return;
   }
-  effort_ = shared_.pacer->atRest();
+  due_ = Due::Nothing;
+  const std::optional<Effort> first = shared_.pacer->beforeRest();
+  refinement_ = first.value_or(shared_.pacer->atRest());
+  shared_.pacer->refine(index_, first ? 0 : 1);
+  refining_.start(0);
+}
+
+void VolumeView::stopRefining() {
+  refining_.stop();
+  refinement_.reset();
+  if (picture_) picture_->drop();
+  shared_.pacer->refine(index_, std::nullopt);
+}
+
+void VolumeView::refine() {
+  if (held_ || !isVisible() || !refinement_) {
+    stopRefining();
+    rest_.start(restMilliseconds);
+    return;
+  }
+  const bool isTurn = shared_.pacer->mayRefine(index_);
+  refining_.setInterval(isTurn ? 0 : turnMilliseconds);
+  if (!isTurn) return;
+  attemptOnPicture([this] {
+    const Effort effort = *refinement_;
+    const double start = now();
+    const std::size_t firstRuns = gl::ShaderProgram::firstRuns();
+    if (!picture_->isRefining()) {
+      refinedFor_ = 0.0;
+      compiled_ = false;
+      using Use = RefinedPicture::Use;
+      const bool full = effort == shared_.pacer->atRest();
+      picture_->refine(shownScene(), viewFor(effort), settled_ ? Use::Trial : full ? Use::Keep : Use::Show);
+    }
+    // A trial is there to compile programs; the smallest slices hold one program at most.
+    const bool done = picture_->advance(settled_ ? 0.0 : sliceMilliseconds);
+    compiled_ |= firstRuns != gl::ShaderProgram::firstRuns();
+    refinedFor_ += now() - start;
+    if (done) refined(effort);
+  });
+}
+
+void VolumeView::refined(Effort effort) {
+  FramePacer& pacer = *shared_.pacer;
+  if (settled_) {
+    pacer.tried();
+    stopRefining();
+    return;
+  }
+  pacer.refined(effort, refinedFor_, !compiled_);
+  if (effort != pacer.atRest()) {
+    refinement_ = pacer.atRest();
+    pacer.refine(index_, 1);
+  } else {
+    stopRefining();
+    settled_ = true;
+    refinement_ = pacer.untried();
+    if (refinement_) {
+      pacer.refine(index_, 2);
+      refining_.start(0);
+    }
+  }
   update();
 }
 
 void VolumeView::refresh() {
+  stopRefining();
   settled_ = false;
-  partial_ = true;
   rest_.stop();
-  effort_ = shared_.pacer->atRest();
+  due_ = Due::Strokes;
+  moving_ = 1;
   update();
 }
 
@@ -137,7 +219,8 @@ void VolumeView::attempt(const std::function<void()>& work) {
   try {
     work();
   } catch (const std::exception& error) {
-    renderer_.reset();
+    stopRefining();
+    picture_.reset();
     problem_ = tr("The 3-D views cannot be drawn. %1").arg(describeRenderProblem(error));
     Q_EMIT failed(problem_);
     update();
@@ -145,7 +228,7 @@ void VolumeView::attempt(const std::function<void()>& work) {
 }
 
 void VolumeView::attemptOnPicture(const std::function<void()>& work) {
-  if (!renderer_ || shown_.size.x == 0 || !document_.hasVolume()) return;
+  if (!picture_ || !picture_->isShown() || !document_.hasVolume()) return;
   inContext([&](const std::shared_ptr<GpuScene>&) { attempt(work); });
 }
 
@@ -172,26 +255,46 @@ View VolumeView::viewFor(Effort effort) const {
   };
 }
 
-void VolumeView::renderScene() {
-  const double ratio = devicePixelRatioF();
-  const QSize device(static_cast<int>(std::lround(width() * ratio)), static_cast<int>(std::lround(height() * ratio)));
-  const View view = viewFor(effort_);
-  if (!cold_ && !settled_ && !partial_) shared_.pacer->begin(effort_, now());
-  if (!renderer_) renderer_.emplace(shared_.gpuScene);
+void VolumeView::drawDue() {
   const Scene scene = shownScene();
+  FramePacer& pacer = *shared_.pacer;
+  const Effort rest = pacer.atRest();
+  if (due_ == Due::Strokes && picture_->showsFull(viewFor(rest))) {
+    picture_->draw(scene, viewFor(rest), true);
+    settled_ = true;
+    return;
+  }
+  if (due_ == Due::Strokes) rest_.start(restMilliseconds);
+  const Effort effort = pacer.moving(moving_, pacer.leads(index_));
+  const View view = viewFor(effort);
   if (shared_.chooseSchedule && scheduledFor_.lock() != scene.volume) {
     shared_.chooseSchedule(shared_.gpuScene, scene, view);
     scheduledFor_ = scene.volume;
   }
-  renderer_->render(scene, view);
+  const double start = now();
+  pacer.begin(effort, start);
+  const std::size_t firstRuns = gl::ShaderProgram::firstRuns();
+  const GpuScene::Versions before = shared_.gpuScene->versions();
+  picture_->draw(scene, view, effort == rest);
+  gl::finish();
+  // The first picture of a kind also compiles programs or uploads voxels.
+  const bool usual = firstRuns == gl::ShaderProgram::firstRuns() && before == shared_.gpuScene->versions();
+  pacer.drew(effort, now() - start, usual);
+  followed_ = pacer.frames() + 1;
+  settled_ = effort == rest;
+}
+
+void VolumeView::renderScene() {
+  const double ratio = devicePixelRatioF();
+  const QSize device(static_cast<int>(std::lround(width() * ratio)), static_cast<int>(std::lround(height() * ratio)));
+  if (!picture_) picture_.emplace(shared_.gpuScene);
+  if (due_ != Due::Nothing || !picture_->isShown()) drawDue();
+  due_ = Due::Nothing;
   if (const QString notice = QString::fromStdString(shared_.gpuScene->reductionNotice()); notice != reduction_) {
     reduction_ = notice;
     if (!notice.isEmpty()) Q_EMIT reduced(notice);
   }
-  renderer_->present(defaultFramebufferObject(), {0, 0, device.width(), device.height()});
-  shown_ = view;
-  cold_ = partial_ = false;
-  settled_ = effort_ == shared_.pacer->atRest();
+  picture_->shown().present(defaultFramebufferObject(), {0, 0, device.width(), device.height()});
 }
 
 void VolumeView::drawOverlay() {
@@ -233,7 +336,8 @@ std::optional<QPointF> VolumeView::widgetFromWorld(glm::dvec3 world) const {
 }
 
 glm::dvec2 VolumeView::pixelAt(QPointF position) const {
-  return {position.x() / width() * shown_.size.x, position.y() / height() * shown_.size.y};
+  const glm::ivec2 size = picture_->shownView().size;
+  return {position.x() / width() * size.x, position.y() / height() * size.y};
 }
 
 BrushTool::Canvas VolumeView::canvas() {
@@ -241,15 +345,14 @@ BrushTool::Canvas VolumeView::canvas() {
       .view = index_,
       .pick = [this](QPointF position, BrushMode mode, std::optional<glm::dvec3> before) -> std::optional<BrushPoint> {
         std::optional<BrushPoint> point;
-        attemptOnPicture([&] { point = renderer_->pickBrush(pixelAt(position), mode, before); });
+        attemptOnPicture([&] { point = picture_->shown().pickBrush(pixelAt(position), mode, before); });
         return point;
       },
       .picture = [this]() -> std::vector<std::uint8_t> {
         std::vector<std::uint8_t> picture;
         attemptOnPicture([&] {
-          shown_ = viewFor(shared_.pacer->atRest());
-          renderer_->render(shownScene(), shown_);
-          picture = renderer_->readPicture();
+          picture_->draw(shownScene(), viewFor(shared_.pacer->atRest()), true);
+          picture = picture_->shown().readPicture();
         });
         return picture;
       },
@@ -259,7 +362,7 @@ BrushTool::Canvas VolumeView::canvas() {
 
 std::optional<glm::dvec3> VolumeView::pick(QPointF position) {
   std::optional<glm::dvec3> hit;
-  attemptOnPicture([&] { hit = renderer_->pick(pixelAt(position)); });
+  attemptOnPicture([&] { hit = picture_->shown().pick(pixelAt(position)); });
   if (!hit) return std::nullopt;
   // The hit lies on the surface between two voxels. Half a voxel further along the ray is the voxel that is seen.
   return *hit + halfVoxel() * rayThrough(*hit);
@@ -271,7 +374,7 @@ double VolumeView::halfVoxel() const {
 }
 
 glm::dvec3 VolumeView::rayThrough(glm::dvec3 world) const {
-  const Camera& camera = shown_.camera;
+  const Camera camera = picture_->shownView().camera;
   return camera.projection == Projection::Perspective ? glm::normalize(world - camera.eye) : camera.axes().forward;
 }
 
@@ -285,6 +388,7 @@ double VolumeView::mmPerPixel() const {
 }
 
 void VolumeView::mousePressEvent(QMouseEvent* event) {
+  shared_.pacer->lead(index_);
   if (brushTool_.press(*event)) return;
   pressed_ = last_ = event->position();
   beforeClick_.reset();
@@ -365,6 +469,7 @@ void VolumeView::zoom(double factor) {
 
 void VolumeView::wheelEvent(QWheelEvent* event) {
   if (brushTool_.wheel(*event) || toleranceWheel_.wheel(*event)) return;
+  shared_.pacer->lead(index_);
   if (document_.hasVolume()) zoom(std::exp(event->angleDelta().y() * 0.0015));
 }
 
@@ -388,6 +493,7 @@ void VolumeView::keyPressEvent(QKeyEvent* event) {
       QOpenGLWidget::keyPressEvent(event);
       return;
   }
+  shared_.pacer->lead(index_);
   if (document_.hasVolume()) cameras_.orbit(index_, yaw, pitch);
 }
 

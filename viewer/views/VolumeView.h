@@ -2,10 +2,11 @@
 // One 3-D view: what a camera of the pair sees, drawn by a Renderer into Qt's framebuffer, with crosshair mark,
 // orientation cube and (parallel projection only) scale bar over it.
 //
-// While something changes it draws as the pacer says; after a moment of rest, at full quality. A brush stroke changes
-// little of the picture and is drawn at full quality at once. Left drag: rotate, or paint while the brush is up (see
-// BrushTool); left click: crosshair and focus to what is seen, see clickStructure(); middle: pan; right drag or wheel:
-// zoom; Alt+wheel: tolerance of the region in focus; arrows: turn by steps.
+// While something changes it draws as the pacer says. After a moment of rest it refines the picture up to full quality,
+// in slices of time between which the window answers; a change ends that. A brush stroke changes little of the picture
+// and is drawn at full quality at once. Left drag: rotate, or paint while the brush is up (see BrushTool); left click:
+// crosshair and focus to what is seen, see clickStructure(); middle: pan; right drag or wheel: zoom; Alt+wheel:
+// tolerance of the region in focus; arrows: turn by steps.
 
 #include <functional>
 #include <memory>
@@ -14,11 +15,11 @@
 #include <QOpenGLWidget>
 #include <QTimer>
 
-#include "rendering/Renderer.h"
 #include "rendering/gpu/GpuScene.h"
 #include "viewer/model/FramePacer.h"
 #include "viewer/tools/BrushTool.h"
 #include "viewer/tools/ToleranceWheel.h"
+#include "viewer/views/RefinedPicture.h"
 
 namespace fenestra::viewer {
 
@@ -92,8 +93,16 @@ class VolumeView : public QOpenGLWidget {
  private:
   /// Draws a changing scene; `views` 3-D views draw with each change.
   void disturb(int views);
+  /// As disturb() after a camera of the pair has moved. A linked view skips frames that there is no time for.
+  void follow();
+  /// Begins to refine the picture.
   void settle();
-  /// Draws at full quality at once.
+  /// Goes on with that for a moment.
+  void refine();
+  /// A refined picture is done.
+  void refined(Effort effort);
+  void stopRefining();
+  /// Draws changed strokes: at once where the picture shown is at full quality.
   void refresh();
   /// Runs `work`, which needs the renderer and its context. When it throws, the view shows the problem and draws
   /// nothing until another volume is opened.
@@ -103,7 +112,9 @@ class VolumeView : public QOpenGLWidget {
   /// The scene as this view shows it, and how it is to be drawn.
   Scene shownScene() const;
   View viewFor(Effort effort) const;
+  /// Draws what is due, and shows the picture.
   void renderScene();
+  void drawDue();
   void drawOverlay();
   void zoom(double factor);
   /// World position that the picture shows at a place in the widget; empty on the background.
@@ -126,17 +137,22 @@ class VolumeView : public QOpenGLWidget {
   ToleranceWheel toleranceWheel_;
   Shared shared_;
 
-  std::optional<Renderer> renderer_;          ///< empty before the first picture, and where there is a problem
+  std::optional<RefinedPicture> picture_;     ///< empty before the first picture, and where there is a problem
   std::weak_ptr<const Volume> scheduledFor_;  ///< the volume that a schedule was chosen for
   QString problem_;
   QString reduction_;  ///< the last notice of reduced()
-  View shown_;         ///< of the last picture; size 0 before the first
-  Effort effort_;      ///< to draw the next picture with
+  /// What the next paint draws: nothing but the picture that there is; the scene as something moves in it; changed
+  /// strokes.
+  enum class Due : std::uint8_t { Nothing, Motion, Strokes } due_ = Due::Motion;
+  int moving_ = 0;                    ///< number of views that the motion moves
+  long followed_ = 0;                 ///< the pacer's frame that this view last followed in
+  std::optional<Effort> refinement_;  ///< of the picture being refined
+  double refinedFor_ = 0.0;           ///< ms
+  bool compiled_ = false;             ///< meanwhile programs were compiled, so its time says nothing
   bool held_ = false;
   bool settled_ = false;  ///< the last picture is of the present scene, at full quality
-  bool cold_ = true;      ///< the next picture also uploads voxels, so its time is not measured
-  bool partial_ = false;  ///< the next picture changes only under strokes, so its time is not measured
   QTimer rest_;           ///< fires a moment after the last change
+  QTimer refining_;       ///< fires between slices of refinement
 
   QPointF pressed_, last_;
   bool dragging_ = false;

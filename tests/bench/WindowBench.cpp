@@ -1,0 +1,298 @@
+// window-bench: how the window answers. Opens a scene as `fenestra` does, drags a view in circles with a synthetic
+// mouse at 60 events a second, lets go, and places the cameras. Writes one JSON object: pictures a second of each view,
+// longest gap between two pictures, times until the pictures at rest, and the longest time that one event kept the
+// window's thread busy. Needs a display with OpenGL. Takes the options of a scene, --window WIDTHxHEIGHT and --seconds.
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <QApplication>
+#include <QMouseEvent>
+#include <QTimer>
+
+#include "app/SceneOptions.h"
+#include "app/SceneSession.h"
+#include "app/ScheduleChoice.h"
+#include "viewer/MainWindow.h"
+#include "viewer/style/Style.h"
+#include "viewer/views/ViewArea.h"
+
+namespace fenestra::viewer {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Json = nlohmann::ordered_json;
+
+double millisecondsSince(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+const Clock::time_point programStart = Clock::now();
+double now() { return millisecondsSince(programStart); }
+
+/// Measures the longest time that one event took, with all events that it sent on.
+class TimedApplication : public QApplication {
+ public:
+  using QApplication::QApplication;
+  bool notify(QObject* receiver, QEvent* event) override {
+    if (depth_ > 0) return QApplication::notify(receiver, event);
+    const int type = event->type();
+    const std::string name = receiver->metaObject()->className();
+    ++depth_;
+    const auto start = Clock::now();
+    const bool result = QApplication::notify(receiver, event);
+    --depth_;
+    const double took = millisecondsSince(start);
+    ++all_;
+    if (took > 50.0) ++over50_;
+    if (took > 100.0) ++over100_;
+    if (took > longest_) {
+      longest_ = took;
+      longestName_ = name + ", event " + std::to_string(type);
+    }
+    return result;
+  }
+  Json takeBlocks() {
+    Json blocks{{"longest_ms", std::exchange(longest_, 0.0)},
+                {"longest_event", std::exchange(longestName_, {})},
+                {"over_50_ms", std::exchange(over50_, 0)},
+                {"over_100_ms", std::exchange(over100_, 0)}};
+    return blocks;
+  }
+
+ private:
+  int depth_ = 0;
+  long all_ = 0;
+  int over50_ = 0, over100_ = 0;
+  double longest_ = 0.0;
+  std::string longestName_;
+};
+
+/// When each 3-D view has painted, and that has come onto the screen.
+class PictureTimes : public QObject {
+ public:
+  explicit PictureTimes(const std::vector<VolumeView*>& views) : views_(views), times_(views.size()) {
+    painted_.resize(views.size());
+    for (VolumeView* view : views) {
+      view->installEventFilter(this);
+      connect(view, &VolumeView::drawn, this, [this, view] {
+        const auto at = static_cast<std::size_t>(view->index());
+        if (painted_[at]) times_[at].push_back(now());
+        painted_[at] = false;
+      });
+    }
+  }
+  void clear() {
+    for (auto& times : times_) times.clear();
+  }
+  const std::vector<double>& of(std::size_t view) const { return times_[view]; }
+
+ private:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (event->type() == QEvent::Paint)
+      for (std::size_t i = 0; i < views_.size(); ++i)
+        if (watched == views_[i]) painted_[i] = true;
+    return false;
+  }
+
+  std::vector<VolumeView*> views_;
+  std::vector<std::vector<double>> times_;
+  std::vector<bool> painted_;
+};
+
+Study readStudy(const app::SceneOptions& options, const io::Progress& progress) {
+  app::LoadedScene loaded = app::loadScene(options, progress);
+  Study study;
+  study.session = app::sessionOf(options, loaded);
+  study.scene = std::move(loaded.scene);
+  study.camera = loaded.view.camera;
+  study.path = study.session.volume.path;
+  return study;
+}
+
+void wait(double milliseconds) {
+  QEventLoop loop;
+  QTimer::singleShot(static_cast<int>(milliseconds), &loop, &QEventLoop::quit);
+  loop.exec();
+}
+
+void sendMouse(QWidget* widget, QEvent::Type type, QPointF at, Qt::MouseButton button, Qt::MouseButtons buttons) {
+  QMouseEvent event(type, at, widget->mapToGlobal(at), button, buttons, Qt::NoModifier);
+  QApplication::sendEvent(widget, &event);
+}
+
+/// Gaps between pictures from `start` on, until `end`.
+Json ratesOf(const std::vector<double>& times, double start, double end) {
+  std::vector<double> gaps;
+  double last = start;
+  for (const double time : times)
+    if (time >= start && time <= end) {
+      gaps.push_back(time - last);
+      last = time;
+    }
+  const double pictures = static_cast<double>(gaps.size());
+  gaps.push_back(end - last);
+  std::sort(gaps.begin(), gaps.end());
+  return {{"pictures_a_second", 1000.0 * pictures / (end - start)},
+          {"median_gap_ms", gaps[gaps.size() / 2]},
+          {"longest_gap_ms", gaps.back()}};
+}
+
+class Bench {
+ public:
+  Bench(TimedApplication& application, MainWindow& window, double seconds)
+      : application_(application), window_(window), seconds_(seconds), times_(window.views().volumeViews()) {}
+
+  Json start() { return {{"first_picture", untilDrawn()}}; }
+
+  Json run() {
+    Json result = start();
+    for (int view = 0; view < 2; ++view) result[view == 0 ? "turn_C1" : "turn_C2"] = turn(view);
+    result["place"] = place();
+    return result;
+  }
+
+ private:
+  /// After a change at `start`: when each view's first picture came, when all were at rest.
+  Json untilDrawn() {
+    const double opened = now();
+    bool drawn = false;
+    window_.whenDrawn([&] { drawn = true; });
+    while (!drawn) wait(5);
+    Json result{{"since_start_ms", opened}};
+    for (std::size_t view = 0; view < 2; ++view)
+      result["C" + std::to_string(view + 1) + "_ms"] = times_.of(view).empty() ? -1.0 : times_.of(view).front();
+    result["at_rest_ms"] = now();
+    result["blocks"] = application_.takeBlocks();
+    return result;
+  }
+
+  Json turn(int index) {
+    VolumeView* view = window_.views().volumeViews()[static_cast<std::size_t>(index)];
+    const QPointF middle = QRectF(view->rect()).center();
+    wait(500);
+    application_.takeBlocks();
+    times_.clear();
+    sendMouse(view, QEvent::MouseButtonPress, middle, Qt::LeftButton, Qt::LeftButton);
+    const double start = now(), end = start + 1000.0 * seconds_;
+    double angle = 0.0;
+    QTimer mouse;
+    QEventLoop loop;
+    QObject::connect(&mouse, &QTimer::timeout, [&] {
+      angle = (now() - start) / 1000.0 * 2.0;
+      const QPointF at = middle + 80.0 * QPointF(std::cos(angle) - 1.0, std::sin(angle));
+      sendMouse(view, QEvent::MouseMove, at, Qt::NoButton, Qt::LeftButton);
+      if (now() > end) loop.quit();
+    });
+    mouse.start(16);
+    loop.exec();
+    mouse.stop();
+    const QPointF at = middle + 80.0 * QPointF(std::cos(angle) - 1.0, std::sin(angle));
+    sendMouse(view, QEvent::MouseButtonRelease, at, Qt::LeftButton, Qt::NoButton);
+    const double released = now();
+    Json result{
+        {"turned", ratesOf(times_.of(static_cast<std::size_t>(index)), start, released)},
+        {"linked", ratesOf(times_.of(static_cast<std::size_t>(1 - index)), start, released)},
+        {"scale_while_turning", window_.views().pacer().last() ? window_.views().pacer().last()->effort.scale : 0.0},
+        {"blocks", application_.takeBlocks()}};
+    bool drawn = false;
+    window_.whenDrawn([&] { drawn = true; });
+    while (!drawn) wait(2);
+    result["at_rest"] = {{"all_after_ms", now() - released}};
+    for (std::size_t other = 0; other < 2; ++other) {
+      Json after = Json::array();
+      for (const double time : times_.of(other))
+        if (time > released) after.push_back(time - released);
+      result["at_rest"]["C" + std::to_string(other + 1) + "_pictures_after_ms"] = after;
+    }
+    result["at_rest"]["blocks"] = application_.takeBlocks();
+    return result;
+  }
+
+  Json place() {
+    PlacementController& placement = window_.workspace().placement;
+    if (!placement.canPlace()) return nullptr;
+    wait(500);
+    application_.takeBlocks();
+    const double start = now();
+    placement.place();
+    while (placement.isBusy()) wait(2);
+    Json result{{"measured_after_ms", now() - start}, {"blocks", application_.takeBlocks()}};
+    bool drawn = false;
+    window_.whenDrawn([&] { drawn = true; });
+    while (!drawn) wait(2);
+    result["at_rest_after_ms"] = now() - start;
+    result["blocks_after"] = application_.takeBlocks();
+    return result;
+  }
+
+  TimedApplication& application_;
+  MainWindow& window_;
+  const double seconds_;
+  PictureTimes times_;
+};
+
+int main(int argc, char** argv) {
+  CLI::App program{"Measures how the window answers."};
+  app::SceneOptions options;
+  app::addSceneOptions(program, options);
+  double seconds = 5.0;
+  bool onlyStart = false;
+  program.add_option("--seconds", seconds, "length of each drag");
+  program.add_flag("--only-start", onlyStart, "end once the first pictures are at rest");
+  CLI11_PARSE(program, argc, argv);
+
+  requestOpenGl();
+  TimedApplication application(argc, argv);
+  QApplication::setOrganizationName(QStringLiteral("Fenestra"));
+  QApplication::setApplicationName(QStringLiteral("Fenestra"));
+  applyStyle(application);
+  const GlSupport gl = probeOpenGl();
+  if (!gl.available) throw std::runtime_error(gl.problem.toStdString());
+  MainWindow window(
+      {.gl = gl,
+       .atRest = Effort{.quality = options.quality, .maxError = options.maxError},
+       .chooseSchedule = [software = gl.software](
+                             const std::shared_ptr<GpuScene>& gpu, const Scene& scene,
+                             const View& view) { app::chooseScheduleQuickly({}, software, gpu, scene, view); },
+       .remember = false});
+  const glm::ivec2 size = options.size.value_or(glm::ivec2(1600, 1000));
+  window.resize(size.x, size.y);
+  Bench bench(application, window, seconds);
+  bool opened = false, failed = false;
+  QObject::connect(&window, &MainWindow::opened, [&] { opened = true; });
+  QObject::connect(&window, &MainWindow::failed, [&](const QString& message) {
+    std::cerr << message.toStdString() << '\n';
+    failed = true;
+  });
+  window.show();
+  window.open([options](const io::Progress& progress) { return readStudy(options, progress); });
+  while (!opened && !failed) wait(1);
+  if (failed) return 1;
+  if (onlyStart) {
+    std::cout << bench.start().dump(2) << '\n';
+    return 0;
+  }
+  std::cout << bench.run().dump(2) << '\n';
+  return 0;
+}
+
+}  // namespace
+}  // namespace fenestra::viewer
+
+int main(int argc, char** argv) {
+  try {
+    return fenestra::viewer::main(argc, argv);
+  } catch (const std::exception& error) {
+    std::cerr << "window-bench: " << error.what() << '\n';
+    return 1;
+  }
+}

@@ -1,0 +1,57 @@
+#pragma once
+// The picture of a 3-D view: drawn at once while something moves, and refined in slices of time while nothing does.
+// What is shown stays until a better picture is done.
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "rendering/Renderer.h"
+#include "rendering/gpu/GpuScene.h"
+
+namespace fenestra::viewer {
+
+/// Needs a current context in every call, and when it is destroyed. Errors of the renderer pass through.
+class RefinedPicture {
+ public:
+  explicit RefinedPicture(const std::shared_ptr<GpuScene>& gpuScene);
+
+  /// Draws at once and shows it. A picture at full quality is kept while others are shown, so that the next one at full
+  /// quality re-uses of it what it can. Drops what is being refined.
+  void draw(const Scene& scene, const View& view, bool full);
+  /// What becomes of a refined picture: it is shown, and at full quality kept besides, or it is not seen.
+  enum class Use : std::uint8_t { Show, Keep, Trial };
+  /// Starts a picture beside the one shown.
+  void refine(const Scene& scene, const View& view, Use use);
+  /// Goes on with it for about so many milliseconds; true when it is done.
+  bool advance(double milliseconds);
+  bool isRefining() const { return refining_.has_value(); }
+  void drop();
+
+  /// The picture shown is one at full quality of this view: of a changed scene, only the change need be drawn.
+  bool showsFull(const View& view) const;
+  bool isShown() const { return shownView().size.x > 0; }
+  Renderer& shown() { return pictures_[shown_].renderer; }
+  const View& shownView() const { return pictures_[shown_].view; }  ///< size 0 before the first picture
+
+ private:
+  struct Picture {
+    Renderer renderer;
+    View view{};
+  };
+  struct Refining {
+    std::size_t picture;
+    View view;
+    Use use;
+  };
+  std::size_t other() const { return 1 - shown_; }
+  void show(const Refining& done);
+
+  std::array<Picture, 2> pictures_;
+  std::size_t shown_ = 0;
+  std::optional<std::size_t> full_;  ///< the last one at full quality
+  std::optional<Refining> refining_;
+};
+
+}  // namespace fenestra::viewer
