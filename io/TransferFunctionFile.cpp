@@ -30,6 +30,8 @@ class Parser {
       root_ = Json::parse(text);
     } catch (const Json::parse_error& error) {
       fail("not valid JSON near byte " + std::to_string(error.byte));
+    } catch (const Json::out_of_range&) {
+      fail("holds a number too large for double precision");
     }
     if (!root_.is_object()) fail("the top level is not an object");
   }

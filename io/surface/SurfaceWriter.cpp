@@ -10,7 +10,7 @@
 #include "io/base/AtomicFile.h"
 #include "io/base/Text.h"
 #include "io/surface/Mesh.h"
-#include "io/surface/Surface.h"
+#include "io/surface/SurfacePart.h"
 
 namespace fenestra::io {
 namespace fs = std::filesystem;
@@ -68,7 +68,7 @@ void writeObj(const Surface& surface, const std::string& note, const fs::path& f
 
 }  // namespace
 
-void writeSurface(const Surface& surface, const fs::path& path, SurfaceFrame frame) {
+void writeWithVtk(const Surface& surface, const fs::path& path, SurfaceFrame frame) {
   const std::string ending = lowered(path.extension().string());
   if (ending != ".stl" && ending != ".ply" && ending != ".obj")
     throw Error(path, "has an ending that names no surface format", "end it in .stl, .ply or .obj");

@@ -1,16 +1,21 @@
 # Helpers every folder's CMakeLists uses: one way to declare a library, one way to embed files.
 
-# fenestra_library(NAME SOURCES... [PUBLIC libs...] [PRIVATE libs...])
+# fenestra_library(NAME SOURCES... [PUBLIC libs...] [PRIVATE libs...] [FOR_MODULES])
 # A static library `fenestra_NAME`, alias `fenestra::NAME`, with the project's warnings as errors and the repository root
-# as its only include directory.
+# as its only include directory. FOR_MODULES: modules link it, too.
 function(fenestra_library NAME)
-  cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(ARG "FOR_MODULES" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
   set(target fenestra_${NAME})
   add_library(${target} STATIC ${ARG_SOURCES})
   add_library(fenestra::${NAME} ALIAS ${target})
   target_include_directories(${target} PUBLIC "${PROJECT_SOURCE_DIR}")
   target_link_libraries(${target} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
   fenestra_own_code(${target})
+  if(ARG_FOR_MODULES)
+    set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    # Nobody replaces our functions: calls among them stay as fast as in a program.
+    target_compile_options(${target} PRIVATE -fno-semantic-interposition)
+  endif()
 endfunction()
 
 # The project's own code: warnings are errors, sanitizers when asked for.

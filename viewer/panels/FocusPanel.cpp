@@ -58,16 +58,7 @@ FocusPanel::FocusPanel(Document& document, QWidget* parent)
     });
   }
 
-  islandsRow_ = new QWidget;
-  auto* islands = new QHBoxLayout(islandsRow_);
-  islands->setContentsMargins(0, 0, 0, 0);
-  islands->addWidget(new QLabel(tr("Without islands below")));
-  islands->addWidget(islands_, 1);
-  islandsRow_->setToolTip(islands_->toolTip());
-  islands_->setValue(ValueFocus{}.minimumComponent);
-  makeDragsSteps(*islands_, document.history());
-  connect(islands_, &SliderSpin::edited, this, &FocusPanel::applyRange);
-
+  makeIslandsRow();
   auto* column = new QVBoxLayout(this);
   column->addWidget(study_);
   column->addWidget(filter_);
@@ -95,6 +86,18 @@ FocusPanel::FocusPanel(Document& document, QWidget* parent)
   connect(&document, &Document::labelsChanged, this, &FocusPanel::showStudy);
   connect(&document, &Document::focusChanged, this, &FocusPanel::showFocus);
   showStudy();
+}
+
+void FocusPanel::makeIslandsRow() {
+  islandsRow_ = new QWidget;
+  auto* row = new QHBoxLayout(islandsRow_);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->addWidget(new QLabel(tr("Without islands below")));
+  row->addWidget(islands_, 1);
+  islandsRow_->setToolTip(islands_->toolTip());
+  islands_->setValue(ValueFocus{}.minimumComponent);
+  makeDragsSteps(*islands_, document_.history());
+  connect(islands_, &SliderSpin::edited, this, &FocusPanel::applyRange);
 }
 
 void FocusPanel::showStudy() {

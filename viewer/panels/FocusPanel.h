@@ -36,6 +36,7 @@ class FocusPanel : public QWidget {
   void structureChosen();
 
  private:
+  void makeIslandsRow();
   void showStudy();
   void showFocus();
   void applyRange();

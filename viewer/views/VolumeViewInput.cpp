@@ -1,0 +1,143 @@
+// What the mouse and the keyboard do in a 3-D view.
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/gtc/constants.hpp>
+
+#include <QMouseEvent>
+#include <QWheelEvent>
+
+#include "rendering/scene/SeenPoint.h"
+#include "viewer/model/Brush.h"
+#include "viewer/model/Document.h"
+#include "viewer/model/SliceCursor.h"
+#include "viewer/model/StructureClick.h"
+#include "viewer/model/ViewLink.h"
+#include "viewer/model/ViewOptions.h"
+#include "viewer/views/VolumeView.h"
+
+namespace fenestra::viewer {
+namespace {
+
+constexpr double clickSlack = 4.0;  ///< device-independent pixels between press and release of a click
+constexpr double arrowTurn = glm::pi<double>() / 36.0;  ///< 5 degrees
+
+}  // namespace
+
+void VolumeView::mousePressEvent(QMouseEvent* event) {
+  shared_.pacer->lead(index_);
+  if (brushTool_.press(*event)) return;
+  pressed_ = last_ = event->position();
+  beforeClick_.reset();
+  dragging_ = false;
+}
+
+void VolumeView::mouseMoveEvent(QMouseEvent* event) {
+  if (brush_.isActive() && !hasFocus()) setFocus(Qt::MouseFocusReason);  // for the keys that the brush offers
+  if (!document_.hasVolume() || brushTool_.move(*event)) return;
+  const QPointF position = event->position(), move = position - last_, total = position - pressed_;
+  last_ = position;
+  const Qt::MouseButtons buttons = event->buttons();
+  if (buttons == Qt::NoButton) {
+    if (event->modifiers() & Qt::ShiftModifier)
+      if (const std::optional<glm::dvec3> hit = pick(position)) {
+        cursor_.moveTo(*hit);
+        Q_EMIT pointed(*hit);
+      }
+    return;
+  }
+  if (!dragging_ && std::hypot(total.x(), total.y()) <= clickSlack) return;
+  // The first step includes the slack, so that the picture does not lag behind the mouse.
+  const QPointF step = dragging_ ? move : total;
+  dragging_ = true;
+  if (buttons & Qt::LeftButton) {
+    const double perPixel = glm::pi<double>() / std::max(1, std::min(width(), height()));
+    cameras_.orbit(index_, -step.x() * perPixel, -step.y() * perPixel);
+  } else if (buttons & Qt::MiddleButton) {
+    cameras_.pan(index_, -step.x() * mmPerPixel(), step.y() * mmPerPixel());
+  } else if (buttons & Qt::RightButton) {
+    zoom(std::exp(-0.01 * step.y()));
+  }
+}
+
+void VolumeView::mouseReleaseEvent(QMouseEvent* event) {
+  if (brushTool_.release(*event) || dragging_ || !document_.hasVolume()) return;
+  const std::optional<glm::dvec3> hit = pick(event->position());
+  if (!hit) return;
+  if (event->button() == Qt::RightButton) {
+    Q_EMIT menuRequested(*hit, event->globalPosition().toPoint());
+  } else if (event->button() == Qt::LeftButton) {
+    click(*hit, event->modifiers());
+  }
+}
+
+void VolumeView::click(glm::dvec3 hit, Qt::KeyboardModifiers modifiers) {
+  beforeClick_ = BeforeClick{document_.focus(), cursor_.position()};
+  const glm::dvec3 ray = rayThrough(hit);
+  const glm::dvec3 seen = seenPoint(shownScene(), hit - halfVoxel() * ray, ray).value_or(hit);
+  cursor_.moveTo(seen);
+  Q_EMIT pointed(seen);
+  if (options_.grows() || modifiers & Qt::ControlModifier) clickStructure(document_, seen, modifiers, options_.grows());
+}
+
+void VolumeView::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton) return;
+  if (brush_.isActive()) {
+    mousePressEvent(event);  // two quick dabs
+    return;
+  }
+  dragging_ = true;  // so that the release that follows is no click
+  if (beforeClick_) {
+    if (beforeClick_->focus != document_.focus()) document_.history().takeBack();
+    cursor_.moveTo(beforeClick_->cursor);
+  }
+  Q_EMIT maximiseRequested();
+}
+
+void VolumeView::zoom(double factor) {
+  const Camera& camera = cameras_.camera(index_);
+  // Between a hundredth and ten times the volume's radius, so that the camera neither passes its target nor loses
+  // sight.
+  const double radius = document_.scene().volume->grid.boundingRadius();
+  const double distance = camera.projection == Projection::Perspective ? glm::distance(camera.eye, camera.target)
+                                                                       : camera.orthographicHeight;
+  cameras_.zoom(index_, distance / std::clamp(distance / factor, 0.01 * radius, 10.0 * radius));
+}
+
+void VolumeView::wheelEvent(QWheelEvent* event) {
+  if (brushTool_.wheel(*event) || toleranceWheel_.wheel(*event)) return;
+  shared_.pacer->lead(index_);
+  if (document_.hasVolume()) zoom(std::exp(event->angleDelta().y() * 0.0015));
+}
+
+void VolumeView::keyPressEvent(QKeyEvent* event) {
+  if (brushTool_.key(*event)) return;
+  double yaw = 0.0, pitch = 0.0;
+  switch (event->key()) {
+    case Qt::Key_Left:
+      yaw = arrowTurn;
+      break;
+    case Qt::Key_Right:
+      yaw = -arrowTurn;
+      break;
+    case Qt::Key_Up:
+      pitch = arrowTurn;
+      break;
+    case Qt::Key_Down:
+      pitch = -arrowTurn;
+      break;
+    default:
+      QOpenGLWidget::keyPressEvent(event);
+      return;
+  }
+  shared_.pacer->lead(index_);
+  if (document_.hasVolume()) cameras_.orbit(index_, yaw, pitch);
+}
+
+void VolumeView::leaveEvent(QEvent*) {
+  brushTool_.leave();
+  Q_EMIT left();
+}
+
+}  // namespace fenestra::viewer
