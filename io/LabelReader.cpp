@@ -56,7 +56,7 @@ std::vector<Segment> slicerSegments(const ImageFile& image) {
     }
     taken.insert(unique);
     const auto colour = numbersIn<double>(field("Color"));
-    segment.label = {unique, field("Name"), defaultLabelColour(unique)};
+    segment.label = {unique, field("Name"), noColour};
     if (colour && colour->size() == 3)
       segment.label.colour = glm::clamp(glm::dvec3((*colour)[0], (*colour)[1], (*colour)[2]), 0.0, 1.0);
     segments.push_back(segment);
@@ -204,7 +204,7 @@ LabelsOnGrid readImageLabels(const fs::path& path, Format format, const Grid& ta
     read.values = mergedLayers(layers, segments, image, read.warnings);
   }
   if (!isSameGrid(image.grid, target)) read.values = resampled(read.values, image.grid, target, path, read.warnings);
-  for (const auto& [value, name] : namesBeside(path)) read.labels.push_back({value, name, defaultLabelColour(value)});
+  for (const auto& [value, name] : namesBeside(path)) read.labels.push_back({value, name, noColour});
   // Later entries replace earlier ones: the file's own names win over the table's.
   for (const Segment& segment : segments) read.labels.push_back(segment.label);
   return read;
@@ -223,7 +223,7 @@ OpenedLabels readLabels(const fs::path& path, const Grid& target, const Progress
     const auto label = static_cast<std::uint16_t>(value);
     if (present[label] && (!labels.contains(label) || labels[label].name.empty()))
       labels[label] = {label, "label " + std::to_string(label),
-                       labels.contains(label) ? labels[label].colour : defaultLabelColour(label)};
+                       labels.contains(label) ? labels[label].colour : noColour};
   }
 
   OpenedLabels opened;
@@ -231,7 +231,7 @@ OpenedLabels readLabels(const fs::path& path, const Grid& target, const Progress
   auto map = std::make_shared<LabelMap>();
   map->grid = target;
   for (auto& [value, label] : labels) {
-    if (label.colour == defaultLabelColour(value)) label.colour = labelColour(value, label.name);
+    if (label.colour == noColour) label.colour = labelColour(value, label.name);
     map->labels.push_back(std::move(label));
   }
   const auto greatest = values.empty() ? 0 : *std::max_element(values.begin(), values.end());
@@ -258,7 +258,8 @@ std::optional<fs::path> archiveOf(const fs::path& path) {
 fs::path labelMapIn(const UnpackedArchive& archive, const fs::path& path) {
   if (const auto member = archiveMember(path)) {
     const fs::path inside = archive.folder() / member->inside;
-    if (!fs::is_regular_file(inside)) throw Error(path, "is not in the archive", "check the path");
+    if (std::error_code unknown; !fs::is_regular_file(inside, unknown))
+      throw Error(path, "is not in the archive", "check the path");
     return inside;
   }
   std::vector<fs::path> files;

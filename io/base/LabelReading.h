@@ -14,11 +14,13 @@
 namespace fenestra::io {
 
 inline constexpr std::uint16_t greatestLabel = 65535;
+/// Of a label whose file gives it none: openLabels() chooses one by the name.
+inline constexpr glm::dvec3 noColour{-1.0};
 
 /// Labels as a reader gives them: one a voxel of the target grid, x fastest, and what is known about them.
 struct LabelsOnGrid {
   std::vector<std::uint16_t> values;
-  std::vector<Label> labels;  ///< may list absent ones, and miss ones that are present
+  std::vector<Label> labels;  ///< may list absent ones, miss ones that are present, and have noColour
   std::vector<Warning> warnings;
 };
 

@@ -106,7 +106,7 @@ std::vector<Structure> structuresIn(DcmDataset& dataset, const fs::path& path) {
       taken.insert(value);
     }
     structure.label.value = static_cast<std::uint16_t>(value);
-    structure.label.colour = defaultLabelColour(structure.label.value);
+    structure.label.colour = noColour;
     if (structure.label.name.empty()) structure.label.name = "label " + std::to_string(value);
   }
   return structures;

@@ -76,7 +76,7 @@ std::vector<Label> segmentsOf(DcmDataset& dataset, const fs::path& path) {
     Label label;
     label.value = static_cast<std::uint16_t>(number);
     label.name = segmentName(segment, dataset);
-    label.colour = defaultLabelColour(label.value);
+    label.colour = noColour;
     if (const auto colour = displayColour(segment)) label.colour = *colour;
     labels.push_back(std::move(label));
   });

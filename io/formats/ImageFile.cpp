@@ -271,10 +271,17 @@ std::string numberedName(const std::string& pattern, long number, const fs::path
 fs::path besideHeader(const fs::path& header, const std::string& name) { return header.parent_path() / fs::path(name); }
 
 void refuseOutside(const ImageFile& image) {
-  const fs::path folder = fs::weakly_canonical(fs::absolute(image.path)).parent_path();
+  const auto resolved = [&](const fs::path& path) {
+    std::error_code failure;
+    const fs::path result = fs::weakly_canonical(fs::absolute(path), failure);
+    if (failure)
+      throw Error(image.path, "names a file that cannot exist (" + failure.message() + ")", "the header is damaged");
+    return result;
+  };
+  const fs::path folder = resolved(image.path).parent_path();
   for (const fs::path& file : image.source.files) {
     if (file == image.path) continue;
-    const fs::path inside = fs::weakly_canonical(fs::absolute(file)).lexically_relative(folder);
+    const fs::path inside = resolved(file).lexically_relative(folder);
     if (inside.empty() || *inside.begin() == "..")
       throw Error(image.path, "names voxels outside its folder (" + file.string() + ")",
                   "put the file beside the header, or allow it with --allow-outside where you trust the header");

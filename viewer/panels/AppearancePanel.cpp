@@ -15,7 +15,7 @@
 namespace fenestra::viewer {
 
 AppearancePanel::AppearancePanel(Document& document, QWidget* parent)
-    : QWidget(parent),
+    : ScrollingPanel(parent),
       document_(document),
       light_(document, &Look::shading),
       presets_(new QComboBox),
@@ -34,9 +34,11 @@ AppearancePanel::AppearancePanel(Document& document, QWidget* parent)
   table_->setObjectName(QString::fromUtf8(settingOf(&Look::hideTable).key));
   table_->setToolTip(QString::fromUtf8(settingOf(&Look::hideTable).description));
   form->addRow(table_);
-  auto* column = new QVBoxLayout(this);
+  auto* body = new QWidget;
+  auto* column = new QVBoxLayout(body);
   column->addLayout(form);
   column->addWidget(new TransferFunctionPlot(document));
+  setBody(body);
 
   connect(presets_, &QComboBox::activated, this, &AppearancePanel::choose);
   makeDragsSteps(*shift_, document.history());

@@ -3,13 +3,13 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QWidget>
 
 #include "viewer/panels/LookControls.h"
+#include "viewer/panels/ScrollingPanel.h"
 
 namespace fenestra::viewer {
 
-class AppearancePanel : public QWidget {
+class AppearancePanel : public ScrollingPanel {
   Q_OBJECT
  public:
   explicit AppearancePanel(Document& document, QWidget* parent = nullptr);
