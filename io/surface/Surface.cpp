@@ -16,7 +16,7 @@ SurfaceFunctions functions(const fs::path& wantedFor) {
     return reinterpret_cast<GetSurfaceFunctions>(module ? ::dlsym(module, surfaceFunctionsName) : nullptr);
   }();
   if (!get)
-    throw Error(wantedFor, std::string("cannot be made: ") + FENESTRA_SURFACE_MODULE + " is missing or damaged",
+    throw Error(wantedFor, std::string("no surface can be made: ") + FENESTRA_SURFACE_MODULE + " is missing or damaged",
                 "install Fenestra again; surfaces need all of its files");
   return get();
 }
