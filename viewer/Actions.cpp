@@ -123,7 +123,7 @@ void Actions::addSegmentationMenu(QMenu& menu) {
 
 void Actions::addExports(QMenu& menu) {
   Exports& exports = targets_.exports;
-  QMenu* group = menu.addMenu(tr("&Export"));
+  QMenu* group = menu.addMenu(tr("E&xport"));
   QAction* all = group->addAction(tr("All &labels…"));
   QAction* focus = group->addAction(tr("The &focus as labels…"));
   QAction* surface = group->addAction(tr("The focus as a &surface…"));
