@@ -183,6 +183,7 @@ void Actions::makeViewMenu() {
   }));
   menu->addSeparator();
   for (QDockWidget* dock : targets_.window.findChildren<QDockWidget*>()) menu->addAction(dock->toggleViewAction());
+  menu->addAction(action(tr("Reset la&yout"), {}, [this] { targets_.resetLayout(); }));
 }
 
 void Actions::makeLookFromMenu(QMenu& menu) {

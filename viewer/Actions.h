@@ -38,6 +38,7 @@ class Actions : public QObject {
     Sessions& sessions;
     ViewArea& views;
     GlSupport gl;
+    std::function<void()> resetLayout;
   };
 
   /// The window owns this.

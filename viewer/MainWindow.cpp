@@ -7,6 +7,7 @@
 #include <QDragEnterEvent>
 #include <QMenu>
 #include <QPainter>
+#include <QScreen>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QTimer>
@@ -38,7 +39,7 @@
 namespace fenestra::viewer {
 namespace {
 
-constexpr int layoutVersion = 3;  ///< of the docks and toolbars; a saved layout of another version is not restored
+constexpr int layoutVersion = 4;  ///< of the docks and toolbars; a saved layout of another version is not restored
 
 QString describe(const io::SeriesInfo& series) {
   return QStringLiteral("%1 %2×%3×%4")
@@ -84,7 +85,8 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
   exports_ = new Exports(*this, workspace_.document, *notices_);
   setCentralWidget(makeCentre());
   panels_ = makePanels(*this, workspace_);
-  actions_ = new Actions({*this, workspace_, loader_, grower_, *files_, *exports_, *sessions_, *views_, gl_});
+  actions_ = new Actions(
+      {*this, workspace_, loader_, grower_, *files_, *exports_, *sessions_, *views_, gl_, [this] { resetLayout(); }});
   setStatusBar(new StatusBar(workspace_.document, *views_, gl_));
   // Not above the pictures: they would be drawn anew in another size with each click.
   statusBar()->addPermanentWidget(new LoadingBar(grower_.job(), tr("Growing the region")));
@@ -93,7 +95,10 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
   connectViews();
   connectPanels();
   connectLoader();
-  resize(1440, 900);
+  // The system's frame around the window is not known before it is shown: a twentieth of the screen is left for it.
+  resize(QSize(1440, 900).boundedTo(screen()->availableSize() * 0.95));
+  firstState_ = saveState(layoutVersion);
+  firstViews_ = views_->saveLayout();
   restoreLayout();
 }
 
@@ -172,6 +177,12 @@ void MainWindow::restoreLayout() {
     change(habit);
     preferences.setPlacement(habit);
   });
+}
+
+void MainWindow::resetLayout() {
+  restoreState(firstState_, layoutVersion);
+  views_->showAll();
+  views_->restoreLayout(firstViews_);
 }
 
 void MainWindow::followVolume() {

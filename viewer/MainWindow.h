@@ -78,6 +78,8 @@ class MainWindow : public QMainWindow {
   void connectPanels();
   void connectLoader();
   void restoreLayout();
+  /// Panels and views as they are when the program runs for the first time.
+  void resetLayout();
   /// Moves crosshair and cameras to a new volume, before any view draws it.
   void followVolume();
   void studyOpened();
@@ -104,6 +106,7 @@ class MainWindow : public QMainWindow {
   QStackedWidget* pages_;
   Panels panels_;
   Actions* actions_;
+  QByteArray firstState_, firstViews_;  ///< of resetLayout()
 };
 
 }  // namespace fenestra::viewer
