@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QActionGroup>
+#include <QApplication>
 #include <QDir>
 #include <QDockWidget>
 #include <QMainWindow>
@@ -184,6 +185,11 @@ void Actions::makeViewMenu() {
   menu->addSeparator();
   for (QDockWidget* dock : targets_.window.findChildren<QDockWidget*>()) menu->addAction(dock->toggleViewAction());
   menu->addAction(action(tr("Reset la&yout"), {}, [this] { targets_.resetLayout(); }));
+  Preferences& preferences = targets_.workspace.preferences;
+  menu->addAction(toggle(tr("Li&ght theme"), {}, preferences.hasLightTheme(), [&preferences](bool on) {
+    applyStyle(*qApp, on ? Theme::Light : Theme::Dark);
+    preferences.setLightTheme(on);
+  }));
 }
 
 void Actions::makeLookFromMenu(QMenu& menu) {

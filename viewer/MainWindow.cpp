@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <memory>
 
+#include <QApplication>
 #include <QCloseEvent>
 #include <QDragEnterEvent>
 #include <QMenu>
@@ -33,6 +34,7 @@
 #include "viewer/panels/LabelEditPanel.h"
 #include "viewer/panels/RegionPanel.h"
 #include "viewer/panels/StrokeList.h"
+#include "viewer/style/Style.h"
 #include "viewer/views/PlacementRenderer.h"
 #include "viewer/views/ViewArea.h"
 
@@ -69,6 +71,7 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
       gl_(setup.gl),
       workspace_(setup.remember ? Preferences::Mode::Stored : Preferences::Mode::Transient),
       loader_(workspace_.document, prepare) {
+  if (workspace_.preferences.hasLightTheme()) applyStyle(*qApp, Theme::Light);
   setWindowTitle(QStringLiteral("Fenestra"));
   setAcceptDrops(true);
   setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);

@@ -1,6 +1,7 @@
 // The window's size and panels: on every screen, with what a user needs in sight.
 
 #include <QAction>
+#include <QApplication>
 #include <QDockWidget>
 #include <QScreen>
 #include <QSignalSpy>
@@ -8,7 +9,7 @@
 
 #include "tests/gui/WindowFixture.h"
 #include "viewer/panels/CutawayPanel.h"
-#include "viewer/panels/FocusPanel.h"
+#include "viewer/style/Style.h"
 
 namespace fenestra::viewer {
 namespace {
@@ -53,6 +54,30 @@ TEST_F(Window, BothWidthsStayInSightOnSmallScreens) {
     for (const VolumeView* view : views().volumeViews()) EXPECT_TRUE(isInSight(*view));
     for (const SliceView* view : views().sliceViews()) EXPECT_TRUE(isInSight(*view));
   }
+}
+
+TEST_F(Window, LightThemeIsRememberedAndLeavesPicturesAlone) {
+  useScratchSettings();
+  waitUntilDrawn();
+  const QImage before = picture(slice(SlicePlane::Axial));
+  const auto lightness = [] { return qApp->palette().color(QPalette::Window).lightness(); };
+  const int dark = lightness();
+  {
+    MainWindow window({.gl = {.problem = QStringLiteral("slices are enough here")}});
+    for (QAction* action : window.findChildren<QAction*>())
+      if (action->text().remove(QLatin1Char('&')) == QStringLiteral("Light theme")) action->trigger();
+    EXPECT_GT(lightness(), dark + 100);
+    EXPECT_TRUE(Preferences().hasLightTheme());
+  }
+  EXPECT_EQ(picture(slice(SlicePlane::Axial)), before);
+  applyStyle(*qApp);
+  EXPECT_EQ(lightness(), dark);
+  {
+    const MainWindow again({.gl = {.problem = QStringLiteral("slices are enough here")}});
+    EXPECT_GT(lightness(), dark + 100);
+  }
+  Preferences().setLightTheme(false);
+  applyStyle(*qApp);
 }
 
 TEST_F(Window, ResetLayoutBringsPanelsAndViewsBack) {
