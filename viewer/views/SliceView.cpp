@@ -229,10 +229,9 @@ void SliceView::paintEvent(QPaintEvent*) {
     const WindowLevel window = document_.window();
     const int decimals = window.width < 10.0 ? 2 : 0;
     drawCorner(painter, view, Qt::AlignBottom | Qt::AlignLeft,
-               {tr("W %1  L %2").arg(window.width, 0, 'f', decimals).arg(window.level, 0, 'f', decimals)},
-               QColor(190, 194, 200));
+               {tr("W %1  L %2").arg(window.width, 0, 'f', decimals).arg(window.level, 0, 'f', decimals)}, overlayGrey);
     if (geometry_.plane != SlicePlane::Sagittal)  // where left and right could be mistaken
-      drawCorner(painter, view, Qt::AlignTop | Qt::AlignRight, {tr("Radiological")}, QColor(150, 154, 160));
+      drawCorner(painter, view, Qt::AlignTop | Qt::AlignRight, {tr("Radiological")}, overlayGrey);
   }
   drawCorner(painter, view, Qt::AlignTop | Qt::AlignLeft, title, planeColour(geometry_.plane));
   if (hasFocus()) {
