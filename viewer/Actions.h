@@ -18,6 +18,7 @@ class QMainWindow;
 namespace fenestra::viewer {
 
 class Exports;
+class PictureExports;
 class FileOpener;
 class RegionGrower;
 class Sessions;
@@ -35,6 +36,7 @@ class Actions : public QObject {
     RegionGrower& grower;
     FileOpener& files;
     Exports& exports;
+    PictureExports& pictures;
     Sessions& sessions;
     ViewArea& views;
     GlSupport gl;

@@ -21,6 +21,7 @@
 #include "viewer/FileOpener.h"
 #include "viewer/LoadingBar.h"
 #include "viewer/NoticeBar.h"
+#include "viewer/PictureExports.h"
 #include "viewer/SegmentationMenu.h"
 #include "viewer/Sessions.h"
 #include "viewer/StatusBar.h"
@@ -86,10 +87,11 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
                             .restore = [this](const io::Session& session) { views_->restore(session); }});
   files_ = new FileOpener(*this, workspace_.document, loader_, *sessions_, *notices_);
   exports_ = new Exports(*this, workspace_.document, *notices_);
+  pictures_ = new PictureExports(*this, workspace_.document, *views_, *notices_);
   setCentralWidget(makeCentre());
   panels_ = makePanels(*this, workspace_);
-  actions_ = new Actions(
-      {*this, workspace_, loader_, grower_, *files_, *exports_, *sessions_, *views_, gl_, [this] { resetLayout(); }});
+  actions_ = new Actions({*this, workspace_, loader_, grower_, *files_, *exports_, *pictures_, *sessions_, *views_, gl_,
+                          [this] { resetLayout(); }});
   setStatusBar(new StatusBar(workspace_.document, *views_, gl_));
   // Not above the pictures: they would be drawn anew in another size with each click.
   statusBar()->addPermanentWidget(new LoadingBar(grower_.job(), tr("Growing the region")));
@@ -271,9 +273,10 @@ void MainWindow::goToFocus() {
 }
 
 bool MainWindow::isIdle() {
-  return !loader_.job().isRunning() && !exports_->job().isRunning() && !focusSearch_.isRunning() &&
-         !grower_.isGrowing() && !labelEditor_.job().isRunning() && !workspace_.placement.isBusy() &&
-         !workspace_.cameras.isFlying() && !panels_.cameras->bestViews().isDrawing() && views_->isSettled();
+  return !loader_.job().isRunning() && !exports_->job().isRunning() && !pictures_->isBusy() &&
+         !focusSearch_.isRunning() && !grower_.isGrowing() && !labelEditor_.job().isRunning() &&
+         !workspace_.placement.isBusy() && !workspace_.cameras.isFlying() &&
+         !panels_.cameras->bestViews().isDrawing() && views_->isSettled();
 }
 
 void MainWindow::whenDrawn(std::function<void()> done) {

@@ -24,6 +24,7 @@ class Actions;
 class Exports;
 class FileOpener;
 class NoticeBar;
+class PictureExports;
 class Sessions;
 class ViewArea;
 
@@ -56,6 +57,7 @@ class MainWindow : public QMainWindow {
   Workspace& workspace() { return workspace_; }
   Sessions& sessions() { return *sessions_; }
   Exports& exports() { return *exports_; }
+  PictureExports& pictures() { return *pictures_; }
   ViewArea& views() { return *views_; }
   NoticeBar& notices() { return *notices_; }
 
@@ -103,6 +105,7 @@ class MainWindow : public QMainWindow {
   Sessions* sessions_;
   FileOpener* files_;
   Exports* exports_;
+  PictureExports* pictures_;
   QStackedWidget* pages_;
   Panels panels_;
   Actions* actions_;

@@ -194,6 +194,14 @@ bool SliceView::inPicture(glm::dvec3 world) const {
 
 void SliceView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
+  draw(painter, true);
+  if (document_.hasVolume() && hasFocus()) {
+    painter.setPen(QColor(86, 140, 190));
+    painter.drawRect(rect().adjusted(0, 0, -1, -1));
+  }
+}
+
+void SliceView::draw(QPainter& painter, bool marks) {
   painter.fillRect(rect(), Qt::black);
   if (!document_.hasVolume()) return;
   if (image_.isNull()) makeImage();
@@ -215,13 +223,17 @@ void SliceView::paintEvent(QPaintEvent*) {
     painter.drawLines(outline_);
     painter.restore();
   }
-  if (options_.labels()) drawSeeds(painter);
   const bool interpolated = drawInterpolated(painter, target);
+  if (marks) drawMarks(painter, interpolated);
+}
+
+void SliceView::drawMarks(QPainter& painter, bool interpolated) const {
+  if (options_.labels()) drawSeeds(painter);
   if (options_.crosshair()) drawCrosshair(painter);
 
   const QRectF view = rect();
   drawEdgeLetters(painter, view, geometry_.right, geometry_.down);
-  drawScaleBar(painter, view, 1.0 / scale);
+  drawScaleBar(painter, view, 1.0 / pixelsPerMm());
   QStringList title{planeName(geometry_.plane)};
   if (interpolated) title << tr("Interpolated, not scanned");
   if (options_.text()) {
@@ -234,10 +246,6 @@ void SliceView::paintEvent(QPaintEvent*) {
       drawCorner(painter, view, Qt::AlignTop | Qt::AlignRight, {tr("Radiological")}, overlayGrey);
   }
   drawCorner(painter, view, Qt::AlignTop | Qt::AlignLeft, title, planeColour(geometry_.plane));
-  if (hasFocus()) {
-    painter.setPen(QColor(86, 140, 190));
-    painter.drawRect(rect().adjusted(0, 0, -1, -1));
-  }
 }
 
 bool SliceView::drawInterpolated(QPainter& painter, const QRectF& picture) const {
