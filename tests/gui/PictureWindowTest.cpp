@@ -51,6 +51,9 @@ class PictureWindow : public Window {
 };
 
 TEST_F(PictureWindow, ASavedPictureIsWhatTheWindowShows) {
+  Look look = document().look();
+  look.background = {0.2, 0.4, 0.6};  // whole numbers of 255ths
+  document().edit(QStringLiteral("background"), look);
   qApp->focusWidget()->clearFocus();
   waitUntilDrawn();
   pictures().writePicture(folder_ / "views.png", ofAll());

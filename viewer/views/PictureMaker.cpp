@@ -5,6 +5,7 @@
 
 #include <QPainter>
 
+#include "viewer/style/Overlay.h"
 #include "viewer/views/RenderProblem.h"
 #include "viewer/views/SliceView.h"
 #include "viewer/views/ViewArea.h"
@@ -107,6 +108,7 @@ void PictureMaker::advance() {
 void PictureMaker::paint(VolumeView& view, const std::vector<std::uint8_t>& pixels, QSize size) {
   QPainter painter(&picture_);
   const QRectF place = placeOf(view);
+  painter.fillRect(QRectF(place.topLeft() * request_.scale, size), toColour(view.shownScene().look.background));
   painter.drawImage((place.topLeft() * request_.scale).toPoint(),
                     QImage(pixels.data(), size.width(), size.height(), QImage::Format_RGBA8888_Premultiplied));
   if (!request_.marks) return;
