@@ -1,5 +1,6 @@
 #include "viewer/PictureExports.h"
 
+#include <algorithm>
 #include <numbers>
 
 #include <QApplication>
@@ -90,6 +91,11 @@ void PictureExports::choosePicture() {
 }
 
 void PictureExports::chooseTurntable() {
+  const auto& volumes = views_.volumeViews();
+  if (std::none_of(volumes.begin(), volumes.end(), [](const VolumeView* view) { return view->isVisible(); })) {
+    notices_.add(NoticeBar::Kind::Warning, tr("No 3-D view is on screen that could turn."));
+    return;
+  }
   PictureDialog dialog(PictureDialog::What::Turntable, views_, maker_, &window_);
   if (dialog.exec() != QDialog::Accepted) return;
   QList<FileKind> kinds{{tr("PNG, one for each picture"), pictureEnding}};

@@ -148,6 +148,12 @@ TEST_F(PictureWindow, AFolderThatCannotBeWrittenIsSaid) {
   EXPECT_TRUE(window_->notices().texts().front().contains(QStringLiteral("a.png")));
 }
 
+TEST_F(PictureWindow, WithoutA3DViewThereIsNoTurntable) {
+  views().toggleMaximised(slice(SlicePlane::Axial));
+  pictures().chooseTurntable();  // no dialog, which would wait for an answer
+  EXPECT_TRUE(window_->notices().texts().front().startsWith(QStringLiteral("No 3-D view")));
+}
+
 TEST_F(PictureWindow, AFilmIsWrittenWhereFfmpegIs) {
   if (!PictureExports::canWriteFilms()) GTEST_SKIP() << "needs the program ffmpeg";
   PictureMaker::Request request{.volumes = {volume(0)}, .scale = 0.3};
