@@ -124,6 +124,7 @@ TEST_F(PlacedWindow, DraggingC1MovesC2WithinItsRegion) {
   const glm::dvec3 before = direction(0);
   QSignalSpy measured(&placement(), &PlacementController::measuredFocus);
   drag(volume(0), {150, 150}, {330, 190});
+  waitUntilDrawn();
   EXPECT_LT(glm::dot(before, direction(0)), 0.9);
   const auto& options = placement().settings().options;
   EXPECT_TRUE(placement::inRegion(direction(0), direction(1), options));

@@ -183,7 +183,15 @@ TEST_F(Placement, C2FollowsATurnedC1ButNotTheOtherWayRound) {
   ASSERT_TRUE(arrive());
   cameras_.zoom(1, 2.0);
   const double distance = glm::distance(cameras_.camera(1).eye, cameras_.camera(1).target);
-  cameras_.orbit(0, 0.9, 0.4);
+  const double held = glm::dot(direction(0), direction(1));
+  for (int step = 0; step < 10; ++step) {
+    cameras_.orbit(0, 0.09, 0.04);
+    QTest::qWait(5);
+    EXPECT_NEAR(glm::dot(direction(0), direction(1)), held, tolerance) << "while C1 turns, C2 turns along";
+  }
+  EXPECT_TRUE(placement_.isBusy());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return cameras_.isFlying(); }));
+  ASSERT_TRUE(arrive());
   const auto dual = placement::chooseDual(*placement_.measured(), direction(0), placement_.settings().options);
   EXPECT_LE(glm::distance(direction(1), placement_.measured()->candidates[*dual.c2].direction), tolerance);
   EXPECT_NEAR(glm::distance(cameras_.camera(1).eye, cameras_.camera(1).target), distance, 1e-6) << "its zoom stays";
@@ -193,6 +201,7 @@ TEST_F(Placement, C2FollowsATurnedC1ButNotTheOtherWayRound) {
   EXPECT_NEAR(glm::dot(direction(0), direction(1)), relation, tolerance);
   change([](PlacementSettings& settings) { settings.follow = false; });
   cameras_.orbit(0, 0.3, 0.1);
+  EXPECT_FALSE(placement_.isBusy());
   EXPECT_NEAR(glm::dot(direction(0), direction(1)), relation, tolerance);
 }
 

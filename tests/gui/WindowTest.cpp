@@ -167,15 +167,15 @@ TEST_F(Window, QualityAtRestIsChosenAndSaid) {
 TEST_F(Window, InputEndsARefinementAndThePictureAtRestIsTheSame) {
   views().setAtRest(Quality::Normal, 0.5);
   waitUntilDrawn();
-  const Camera camera = cameras().camera(0);
+  const ViewLink::Pose pose = cameras().pose();
   const QImage atRest = picture(volume(0));
   // Turned away and back, and at other moments of the refinement each time.
   for (const int milliseconds : {105, 130, 170, 230}) {
     volume(0)->redraw();
     QTest::qWait(milliseconds);
-    cameras().show(0, camera.orbited(0.4, 0.2));
+    cameras().orbit(0, 0.4, 0.2);
     QApplication::processEvents();
-    cameras().show(0, camera);
+    cameras().setPose(pose);
     waitUntilDrawn();
     EXPECT_EQ(picture(volume(0)), atRest) << "after " << milliseconds << " ms";
   }

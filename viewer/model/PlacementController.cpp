@@ -11,6 +11,8 @@ namespace {
 /// Delay before a chosen focus is measured: the second half of a double click may take it back, and dragging a range
 /// chooses many.
 constexpr int settleMilliseconds = 200;
+/// Rest of C1 after which C2 follows it: within a drag the best complement changes from one side to another.
+constexpr int followMilliseconds = 150;
 /// Least angle between two viewpoints that are offered as different.
 constexpr double apart = 30.0;  // degrees
 
@@ -32,8 +34,17 @@ PlacementController::PlacementController(Document& document, ViewLink& cameras, 
   connect(&document, &Document::focusChanged, this, &PlacementController::focusChanged);
   connect(&document, &Document::volumeChanged, this, [this] { visible_.reset(); });
   connect(&document, &Document::transferFunctionChanged, this, [this] { visible_.reset(); });
+  turned_.setSingleShot(true);
+  turned_.setInterval(followMilliseconds);
+  connect(&turned_, &QTimer::timeout, this, [this] {
+    follow();
+    Q_EMIT changed();
+  });
   connect(&cameras, &ViewLink::turned, this, [this](int view) {
-    if (view == 0) follow();
+    if (view != 0 || !settings_.follow || !measured()) return;
+    const bool waited = turned_.isActive();
+    turned_.start();
+    if (!waited) Q_EMIT changed();
   });
 }
 
@@ -74,6 +85,7 @@ void PlacementController::focusChanged() {
   const bool wasBusy = isBusy();
   slice_.stop();
   chosen_.stop();
+  turned_.stop();
   note_.clear();
   // A new study brings its own cameras with its focus.
   const bool arrived = volume_ != document_.scene().volume;
@@ -103,6 +115,7 @@ void PlacementController::measure(bool asked) {
 
 void PlacementController::cancel() {
   chosen_.stop();
+  turned_.stop();
   if (!slice_.isActive()) return;
   slice_.stop();
   Q_EMIT changed();
@@ -146,7 +159,9 @@ void PlacementController::choose(bool framed, bool asked) {
 void PlacementController::follow() {
   if (!settings_.follow || !measured()) return;
   const auto dual = placement::chooseDual(measured_, directionOf(cameras_.camera(0)), settings_.options);
-  if (dual.c2) cameras_.show(1, facing(cameras_.camera(1), measured_.candidates[*dual.c2].direction));
+  if (!dual.c2) return;
+  const Camera c2 = facing(cameras_.camera(1), measured_.candidates[*dual.c2].direction);
+  cameras_.flyTo({cameras_.camera(0), c2}, cameras_.pose().home);
 }
 
 void PlacementController::goTo(glm::dvec3 direction) {

@@ -68,7 +68,7 @@ class PlacementController : public QObject {
   void cancel();
   bool isMeasuring() const { return slice_.isActive(); }
   /// Measuring, or about to measure.
-  bool isBusy() const { return slice_.isActive() || chosen_.isActive(); }
+  bool isBusy() const { return slice_.isActive() || chosen_.isActive() || turned_.isActive(); }
   double progress() const;
 
   /// Turns C1 to look from a direction (a unit vector towards the eye). C2 follows, or turns along with a linked C1.
@@ -108,6 +108,7 @@ class PlacementController : public QObject {
   void measure(bool asked);
   void slice();
   void choose(bool framed, bool asked);
+  /// C2 flies to the best complement of where C1 is.
   void follow();
   /// Without a direction C2 stays.
   void fly(glm::dvec3 c1, std::optional<glm::dvec3> c2, bool framed, bool asked);
@@ -127,6 +128,7 @@ class PlacementController : public QObject {
   std::shared_ptr<const Volume> visibleOf_;
   QString note_;
   QTimer chosen_;  ///< fires a moment after a focus was chosen
+  QTimer turned_;  ///< fires a moment after C1 was last turned
   QTimer slice_;
   bool asked_ = false;  ///< the measurement under way was asked for by place()
 };

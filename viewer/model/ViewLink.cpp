@@ -88,11 +88,6 @@ void ViewLink::setAnimated(bool animated) {
   if (!animated) finishFlight();
 }
 
-void ViewLink::show(int view, const Camera& camera) {
-  flight_.stop();
-  set(view, camera);
-}
-
 void ViewLink::setLinked(bool linked) {
   if (linked == linked_) return;
   linked_ = linked;
@@ -140,7 +135,10 @@ void ViewLink::zoom(int view, double factor) {
     if (other == view || linked_) set(other, camera(other).zoomed(factor));
 }
 
-void ViewLink::pan(int view, double rightMm, double upMm) { show(view, camera(view).panned(rightMm, upMm)); }
+void ViewLink::pan(int view, double rightMm, double upMm) {
+  flight_.stop();
+  set(view, camera(view).panned(rightMm, upMm));
+}
 
 void ViewLink::setProjection(Projection projection) {
   if (isFlying()) {

@@ -49,8 +49,6 @@ class ViewLink : public QObject {
   /// Off: flights end at once, one under way too.
   void setAnimated(bool animated);
   bool isFlying() const { return flight_.state() == QAbstractAnimation::Running; }
-  /// Sets one camera at once, linked or not.
-  void show(int view, const Camera& camera);
 
   /// Turns a view by a world rotation about its target.
   void rotate(int view, const glm::dmat3& worldRotation);
