@@ -162,7 +162,7 @@ Scores scoresOf(const Growth& growth, const Mask& truth) {
 double plainDice(const Volume& volume, std::size_t seed, const Mask& truth) {
   const Grid& grid = volume.grid;
   const VoxelBox whole = wholeOf(grid.dims);
-  const double noise = noiseOf(volume);
+  const double noise = noiseOf(volume).unit;
   const glm::ivec3 at = whole.at(seed);
   const VoxelBox around = VoxelBox{at - 1, at + 2}.clippedTo(whole);
   double sum = 0.0;
