@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QActionGroup>
+#include <QApplication>
 #include <QDir>
 #include <QDockWidget>
 #include <QMainWindow>
@@ -11,6 +12,7 @@
 #include "viewer/Dialogs.h"
 #include "viewer/Exports.h"
 #include "viewer/FileOpener.h"
+#include "viewer/PictureExports.h"
 #include "viewer/SegmentationMenu.h"
 #include "viewer/Sessions.h"
 #include "viewer/jobs/RegionGrower.h"
@@ -123,7 +125,12 @@ void Actions::addSegmentationMenu(QMenu& menu) {
 
 void Actions::addExports(QMenu& menu) {
   Exports& exports = targets_.exports;
-  QMenu* group = menu.addMenu(tr("&Export"));
+  PictureExports& pictures = targets_.pictures;
+  QMenu* group = menu.addMenu(tr("E&xport"));
+  group->addAction(
+      volumeAction(tr("A &picture…"), QKeySequence(tr("Ctrl+E")), [&pictures] { pictures.choosePicture(); }));
+  group->addAction(volumeAction(tr("A &turntable…"), {}, [&pictures] { pictures.chooseTurntable(); }));
+  group->addSeparator();
   QAction* all = group->addAction(tr("All &labels…"));
   QAction* focus = group->addAction(tr("The &focus as labels…"));
   QAction* surface = group->addAction(tr("The focus as a &surface…"));
@@ -165,6 +172,9 @@ void Actions::makeEditMenu() {
   QMenu* menu = targets_.window.menuBar()->addMenu(tr("&Edit"));
   menu->addActions({undo, redo});
   menu->addSeparator();
+  PictureExports& pictures = targets_.pictures;
+  menu->addAction(volumeAction(tr("&Copy picture"), QKeySequence::Copy, [&pictures] { pictures.copyPicture(); }));
+  menu->addSeparator();
   menu->addActions({paint, opposite, smaller, larger});
   tools_ << QList<QAction*>{undo, redo, paint};
 }
@@ -183,6 +193,12 @@ void Actions::makeViewMenu() {
   }));
   menu->addSeparator();
   for (QDockWidget* dock : targets_.window.findChildren<QDockWidget*>()) menu->addAction(dock->toggleViewAction());
+  menu->addAction(action(tr("Reset la&yout"), {}, [this] { targets_.resetLayout(); }));
+  Preferences& preferences = targets_.workspace.preferences;
+  menu->addAction(toggle(tr("Li&ght theme"), {}, preferences.hasLightTheme(), [&preferences](bool on) {
+    applyStyle(*qApp, on ? Theme::Light : Theme::Dark);
+    preferences.setLightTheme(on);
+  }));
 }
 
 void Actions::makeLookFromMenu(QMenu& menu) {
@@ -349,6 +365,8 @@ void Actions::addSample(const QString& name, StudyLoader::Reader read) {
 void Actions::stop() {
   if (targets_.loader.job().isRunning())
     targets_.loader.job().cancel();
+  else if (targets_.pictures.isBusy())
+    targets_.pictures.cancel();
   else if (targets_.grower.isGrowing())
     targets_.grower.cancel();
   else if (targets_.workspace.placement.isBusy())

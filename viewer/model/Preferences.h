@@ -37,6 +37,9 @@ class Preferences {
   bool animatesCameras() const;
   void setAnimatesCameras(bool animates);
 
+  bool hasLightTheme() const;
+  void setLightTheme(bool light);
+
   QByteArray windowGeometry() const;
   QByteArray windowState() const;
   QByteArray viewLayout() const;

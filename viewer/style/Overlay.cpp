@@ -5,14 +5,17 @@
 #include <cmath>
 
 #include <QCoreApplication>
+#include <QFontMetricsF>
+#include <QPainterPath>
+#include <QPixmapCache>
 #include <QPolygonF>
 #include <QTransform>
 
 namespace fenestra::viewer {
 namespace {
 
-const QColor rim(0, 0, 0, 190);
-const QColor grey(190, 194, 200);
+const QColor rim(0, 0, 0, 230);
+constexpr double haloWidth = 1.75;  ///< device-independent pixels around the strokes of a letter
 
 /// The largest of 1, 2, 5 × 10ⁿ that does not exceed `limit`.
 double roundLength(double limit) {
@@ -20,6 +23,33 @@ double roundLength(double limit) {
   for (double step : {5.0, 2.0})
     if (step * decade <= limit) return step * decade;
   return decade;
+}
+
+/// One line of text with its halo, as wide as its advance and as high as its font, with a margin of `haloMargin`. It is
+/// painted into a pixmap first: OpenGL's painter smooths no outlines, and the views repaint the same texts often.
+constexpr double haloMargin = 3.0;
+QPixmap haloedText(const QString& text, const QFont& font, const QColor& colour, double ratio) {
+  const QString key =
+      QStringLiteral("halo|%1|%2|%3|%4").arg(font.key(), colour.name(QColor::HexArgb)).arg(ratio).arg(text);
+  QPixmap made;
+  if (QPixmapCache::find(key, &made)) return made;
+  const QFontMetricsF metrics(font);
+  const QSizeF size(metrics.horizontalAdvance(text) + 2.0 * haloMargin, metrics.height() + 2.0 * haloMargin);
+  made = QPixmap((size * ratio).toSize() + QSize(1, 1));
+  made.setDevicePixelRatio(ratio);
+  made.fill(Qt::transparent);
+  QPainter painter(&made);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setFont(font);
+  const QPointF baseline(haloMargin, haloMargin + metrics.ascent());
+  QPainterPath letters;
+  letters.addText(baseline, painter.font(), text);
+  painter.strokePath(letters, QPen(rim, 2.0 * haloWidth, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.setPen(colour);
+  painter.drawText(baseline, text);
+  painter.end();
+  QPixmapCache::insert(key, made);
+  return made;
 }
 
 }  // namespace
@@ -55,12 +85,24 @@ QString planeName(SlicePlane plane) {
   return QCoreApplication::translate("Overlay", "Coronal");
 }
 
+QSizeF textSize(const QPainter& painter, const QString& text) {
+  const QFontMetricsF metrics(painter.font());
+  return {metrics.horizontalAdvance(text), metrics.height()};
+}
+
 void drawText(QPainter& painter, const QRectF& box, int alignment, const QString& text, const QColor& colour) {
-  painter.setPen(rim);
-  for (const QPointF& offset : {QPointF(1, 1), QPointF(-1, 1), QPointF(1, -1), QPointF(-1, -1)})
-    painter.drawText(box.translated(offset), alignment, text);
-  painter.setPen(colour);
-  painter.drawText(box, alignment, text);
+  if (text.isEmpty()) return;
+  const QSizeF size = textSize(painter, text);
+  QPointF at = box.topLeft();
+  if (alignment & Qt::AlignRight) at.setX(box.right() - size.width());
+  if (alignment & Qt::AlignHCenter) at.setX(box.center().x() - 0.5 * size.width());
+  if (alignment & Qt::AlignBottom) at.setY(box.bottom() - size.height());
+  if (alignment & Qt::AlignVCenter) at.setY(box.center().y() - 0.5 * size.height());
+  // On whole device pixels, or the letters would be blurred.
+  const double ratio = painter.device()->devicePixelRatioF();
+  const auto whole = [ratio](double value) { return std::round(value * ratio) / ratio; };
+  painter.drawPixmap(QPointF(whole(at.x() - haloMargin), whole(at.y() - haloMargin)),
+                     haloedText(text, painter.font(), colour, ratio));
 }
 
 void drawCorner(QPainter& painter, const QRectF& view, Qt::Alignment corner, const QStringList& lines,
@@ -69,10 +111,10 @@ void drawCorner(QPainter& painter, const QRectF& view, Qt::Alignment corner, con
   QRectF line = view.adjusted(overlayMargin, overlayMargin, -overlayMargin, -overlayMargin);
   if (corner & Qt::AlignBottom) line.setTop(line.bottom() - height * static_cast<double>(lines.size()));
   line.setHeight(height);
-  const int alignment = static_cast<int>((corner & Qt::AlignHorizontal_Mask) | Qt::AlignVCenter) | Qt::TextSingleLine;
+  const int alignment = static_cast<int>((corner & Qt::AlignHorizontal_Mask) | Qt::AlignVCenter);
   bool first = true;
   for (const QString& text : lines) {
-    drawText(painter, line, alignment, text, first ? colour : grey);
+    drawText(painter, line, alignment, text, first ? colour : overlayGrey);
     line.translate(0, height);
     first = false;
   }
@@ -105,7 +147,7 @@ void drawScaleBar(QPainter& painter, const QRectF& view, double mmPerPixel) {
   const QPointF start = end - QPointF(pixels, 0);
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing, false);
-  for (const QPen& pen : {QPen(rim, 3), QPen(grey, 1)}) {
+  for (const QPen& pen : {QPen(rim, 3), QPen(overlayGrey, 1)}) {
     painter.setPen(pen);
     painter.drawLine(start, end);
     for (const QPointF& at : {start, end}) painter.drawLine(at - QPointF(0, tick), at + QPointF(0, tick));
@@ -113,7 +155,7 @@ void drawScaleBar(QPainter& painter, const QRectF& view, double mmPerPixel) {
   painter.restore();
   const double height = painter.fontMetrics().height();
   drawText(painter, QRectF(start.x() - 40, end.y() - tick - height, pixels + 40, height),
-           Qt::AlignRight | Qt::AlignBottom | Qt::TextSingleLine, text, grey);
+           Qt::AlignRight | Qt::AlignBottom, text, overlayGrey);
 }
 
 void drawOrientationCube(QPainter& painter, const QRectF& box, const Camera::Axes& axes) {

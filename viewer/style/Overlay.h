@@ -15,13 +15,18 @@ namespace fenestra::viewer {
 /// Distance of all overlays from the edge of the view, in device-independent pixels.
 inline constexpr double overlayMargin = 8.0;
 
+/// Of texts that stand back behind a view's title.
+inline const QColor overlayGrey(224, 227, 232);
+
 QColor toColour(glm::dvec3 displayRgb);
 glm::dvec3 fromColour(const QColor& colour);
 /// The colour that stands for a plane: in its view's title, and for its line in the other views' crosshairs.
 QColor planeColour(SlicePlane plane);
 QString planeName(SlicePlane plane);
 
-/// Light text with a dark rim, readable on black and on bone.
+/// What drawText() fills, without the halo.
+QSizeF textSize(const QPainter& painter, const QString& text);
+/// One line of light text with a dark halo, readable on black and on bone.
 void drawText(QPainter& painter, const QRectF& box, int alignment, const QString& text, const QColor& colour);
 /// Lines of text in a corner; the first line in `colour`, the rest in grey.
 void drawCorner(QPainter& painter, const QRectF& view, Qt::Alignment corner, const QStringList& lines,

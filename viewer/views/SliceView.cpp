@@ -194,6 +194,14 @@ bool SliceView::inPicture(glm::dvec3 world) const {
 
 void SliceView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
+  draw(painter, true);
+  if (document_.hasVolume() && hasFocus()) {
+    painter.setPen(QColor(86, 140, 190));
+    painter.drawRect(rect().adjusted(0, 0, -1, -1));
+  }
+}
+
+void SliceView::draw(QPainter& painter, bool marks) {
   painter.fillRect(rect(), Qt::black);
   if (!document_.hasVolume()) return;
   if (image_.isNull()) makeImage();
@@ -215,13 +223,17 @@ void SliceView::paintEvent(QPaintEvent*) {
     painter.drawLines(outline_);
     painter.restore();
   }
-  if (options_.labels()) drawSeeds(painter);
   const bool interpolated = drawInterpolated(painter, target);
+  if (marks) drawMarks(painter, interpolated);
+}
+
+void SliceView::drawMarks(QPainter& painter, bool interpolated) const {
+  if (options_.labels()) drawSeeds(painter);
   if (options_.crosshair()) drawCrosshair(painter);
 
   const QRectF view = rect();
   drawEdgeLetters(painter, view, geometry_.right, geometry_.down);
-  drawScaleBar(painter, view, 1.0 / scale);
+  drawScaleBar(painter, view, 1.0 / pixelsPerMm());
   QStringList title{planeName(geometry_.plane)};
   if (interpolated) title << tr("Interpolated, not scanned");
   if (options_.text()) {
@@ -229,16 +241,11 @@ void SliceView::paintEvent(QPaintEvent*) {
     const WindowLevel window = document_.window();
     const int decimals = window.width < 10.0 ? 2 : 0;
     drawCorner(painter, view, Qt::AlignBottom | Qt::AlignLeft,
-               {tr("W %1  L %2").arg(window.width, 0, 'f', decimals).arg(window.level, 0, 'f', decimals)},
-               QColor(190, 194, 200));
+               {tr("W %1  L %2").arg(window.width, 0, 'f', decimals).arg(window.level, 0, 'f', decimals)}, overlayGrey);
     if (geometry_.plane != SlicePlane::Sagittal)  // where left and right could be mistaken
-      drawCorner(painter, view, Qt::AlignTop | Qt::AlignRight, {tr("Radiological")}, QColor(150, 154, 160));
+      drawCorner(painter, view, Qt::AlignTop | Qt::AlignRight, {tr("Radiological")}, overlayGrey);
   }
   drawCorner(painter, view, Qt::AlignTop | Qt::AlignLeft, title, planeColour(geometry_.plane));
-  if (hasFocus()) {
-    painter.setPen(QColor(86, 140, 190));
-    painter.drawRect(rect().adjusted(0, 0, -1, -1));
-  }
 }
 
 bool SliceView::drawInterpolated(QPainter& painter, const QRectF& picture) const {

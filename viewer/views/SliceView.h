@@ -39,6 +39,9 @@ class SliceView : public QWidget {
   QPointF widgetFromWorld(glm::dvec3 world) const;
   glm::dvec3 worldFromWidget(QPointF position) const;
 
+  /// Draws the view as it is on screen; without `marks` only the picture with its tints and outlines.
+  void draw(QPainter& painter, bool marks);
+
   QSize sizeHint() const override { return {320, 300}; }
   QSize minimumSizeHint() const override { return {120, 120}; }
 
@@ -71,6 +74,8 @@ class SliceView : public QWidget {
   void click(QPointF position, Qt::KeyboardModifiers modifiers);
   double pixelsPerMm() const;
   bool inPicture(glm::dvec3 world) const;
+  /// Crosshair, seeds, letters, scale bar and corner text.
+  void drawMarks(QPainter& painter, bool interpolated) const;
   void drawCrosshair(QPainter& painter) const;
   void drawSeeds(QPainter& painter) const;
   /// Marks the planes that were not scanned. Returns whether the shown slice is one.
