@@ -17,7 +17,7 @@ constexpr double largestRise = 6.0;  ///< noise units: a sharper edge is no bett
 // What a plateau must have. Chosen on the marked structures of tests/bench/results/growing.md. Half the contrast or
 // twice the steadiness changes the mean Dice of the first setting by 0.01 there; twice the contrast or twice the fall
 // costs 0.1 and more.
-constexpr double noiseContrast = 2.0;  ///< noise deviations: surfaces with less lie in the noise
+constexpr double noiseContrast = 1.6;  ///< noise deviations: surfaces with less lie in the noise
 constexpr double leastContrast = 0.4;  ///< units of the noise: surfaces with less are not seen
 constexpr double leastFall = 0.7;      ///< of the clarity, before a clearer surface follows
 constexpr double leastVoxels = 50.0;   ///< fewer have no surface to speak of
