@@ -6,6 +6,7 @@
 #include <exception>
 #include <limits>
 
+#include "rendering/gpu/FocusSmooth.h"
 #include "rendering/scene/Lighting.h"
 #include "rendering/scene/Parallel.h"
 
@@ -269,57 +270,10 @@ void GpuScene::updateFocusColours(const Scene& scene) {
 }
 
 void GpuScene::updateFocusSmooth(const Scene& scene) {
-  const LabelMap& labels = *scene.labels;
-  constexpr int margin = 5;  // two passes of a five-tap filter reach four voxels out, and a gradient one more
-  focusSmoothOrigin_ = focus_.box->low - margin;
-  const glm::ivec3 size = focus_.box->high - focus_.box->low + 1 + 2 * margin;
-  const auto offset = [&](int x, int y, int z) {
-    return static_cast<std::size_t>(x) +
-           static_cast<std::size_t>(size.x) *
-               (static_cast<std::size_t>(y) + static_cast<std::size_t>(size.y) * static_cast<std::size_t>(z));
-  };
-  // Sixteen bits: the steps of eight show as facets in the normals.
-  std::vector<std::uint16_t> wanted(1 << 16, 0);
-  for (const std::uint16_t label : std::get<LabelFocus>(scene.look.focus).labels) wanted[label] = 65535;
-  std::vector<std::uint16_t> field(offset(0, 0, size.z));
-  labels.voxels.visit([&](auto values) {
-    if constexpr (std::is_unsigned_v<typename decltype(values)::value_type>)
-      for (int z = 0; z < size.z; ++z)
-        for (int y = 0; y < size.y; ++y)
-          for (int x = 0; x < size.x; ++x) {
-            const glm::ivec3 voxel =
-                glm::clamp(focusSmoothOrigin_ + glm::ivec3(x, y, z), glm::ivec3(0), labels.grid.dims - 1);
-            field[offset(x, y, z)] = wanted[static_cast<std::uint16_t>(values[labels.grid.offset(voxel)])];
-          }
-  });
-  // (1 4 6 4 1)/16 twice along each axis: a Gaussian of σ = √2 voxels.
-  const auto filter = [&](int axis) {
-    const glm::ivec3 lineAxes = axis == 0 ? glm::ivec3(0, 1, 2) : axis == 1 ? glm::ivec3(1, 0, 2) : glm::ivec3(2, 0, 1);
-    const int length = size[lineAxes.x];
-    parallelFor(static_cast<std::size_t>(size[lineAxes.z]), 2, [&](std::size_t begin, std::size_t end) {
-      std::vector<int> line(static_cast<std::size_t>(length) + 4);
-      for (int c = static_cast<int>(begin); c < static_cast<int>(end); ++c)
-        for (int b = 0; b < size[lineAxes.y]; ++b) {
-          const auto at = [&](int a) -> std::uint16_t& {
-            glm::ivec3 p;
-            p[lineAxes.x] = a;
-            p[lineAxes.y] = b;
-            p[lineAxes.z] = c;
-            return field[offset(p.x, p.y, p.z)];
-          };
-          for (int a = -2; a < length + 2; ++a)
-            line[static_cast<std::size_t>(a + 2)] = at(std::clamp(a, 0, length - 1));
-          for (int a = 0; a < length; ++a) {
-            const int* v = line.data() + a;
-            at(a) = static_cast<std::uint16_t>((v[0] + 4 * v[1] + 6 * v[2] + 4 * v[3] + v[4] + 8) / 16);
-          }
-        }
-    });
-  };
-  for (int pass = 0; pass < 2; ++pass)
-    for (int axis = 0; axis < 3; ++axis) filter(axis);
-  focusSmooth_ = gl::Texture::make3D(gl::Format::R16, size, gl::Filter::Linear);
-  focusSmooth_.upload(std::span<const std::uint16_t>(field));
+  const FocusSmooth smooth = smoothFocus(*scene.labels, std::get<LabelFocus>(scene.look.focus), focus_);
+  focusSmoothOrigin_ = smooth.origin;
+  focusSmooth_ = gl::Texture::make3D(gl::Format::R16, smooth.size, gl::Filter::Linear);
+  focusSmooth_.upload(std::span<const std::uint16_t>(smooth.field));
 }
 
 void GpuScene::updateTransfer(const Scene& scene) {

@@ -31,8 +31,9 @@ struct GrowthCurve {
   int automatic = 0;                ///< the step to begin with
 };
 
-/// `joins` and `costs` hold a box of `dims`: the level at which a voxel joins (or `never`), and its own cost. Runs on
-/// all cores.
-GrowthCurve growthCurve(std::span<const Level> joins, std::span<const Level> costs, const Grid& grid, glm::ivec3 dims);
+/// `joins` and `costs` hold a box of `dims`: the level at which a voxel joins (or `never`), and its own cost.
+/// `noiseShare` is Noise::share(): with less noise, less contrast makes a surface. Runs on all cores.
+GrowthCurve growthCurve(std::span<const Level> joins, std::span<const Level> costs, const Grid& grid, glm::ivec3 dims,
+                        double noiseShare);
 
 }  // namespace fenestra::segmentation

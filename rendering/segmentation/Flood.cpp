@@ -68,15 +68,17 @@ class Flooding {
   std::size_t spread_ = 0;
 };
 
-/// The level at which seeds leave the noise around them: where they reach more voxels than a basin of the noise has. 0
-/// when that takes a larger cost than noise does; a thin structure has no more voxels.
+/// The level at which seeds have left the noise around them: where they reach more voxels than a basin of the noise
+/// has, and a little more. 0 when that takes a larger cost than noise does; a thin structure has no more voxels.
 Level escapeLevel(const FloodSource& source) {
   constexpr std::size_t basin = 2000;
   constexpr double largest = 1.0;  // noise units; smoothed noise is a third of one
+  // Just where the noise lets seeds out, their ways are few and winding, and so is the surface between two seeds.
+  constexpr double margin = 0.25;  // noise units
   Flooding flooding(source, {}, 0);
   for (int level = 0; costOf(level) <= largest; ++level) {
     flooding.run(level);
-    if (flooding.spreadCount() > basin) return static_cast<Level>(level);
+    if (flooding.spreadCount() > basin) return levelOf(costOf(level) + margin);
   }
   return 0;
 }

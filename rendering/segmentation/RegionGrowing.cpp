@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "rendering/scene/Parallel.h"
+#include "rendering/segmentation/Costs.h"
 #include "rendering/segmentation/Flood.h"
 #include "rendering/segmentation/Morphology.h"
 #include "rendering/segmentation/Smoothing.h"
@@ -13,32 +14,11 @@
 namespace fenestra::segmentation {
 namespace {
 
-// Chosen on half of the structures of tests/bench/results/growing.md.
-constexpr double brighterShare = 0.5;  // cost of a brighter value, as a share of an equally darker one's
-constexpr double passRadius = 1.5;     // voxel sides: leaks narrower than this ball are closed
-constexpr double thinPathCost = 3.0;   // noise units, on top, for paths narrower than the ball
-constexpr double regrowth = 1.0;       // voxel sides, beyond the ball that closes leaks: brings corners back
-constexpr double seedRadius = 1.0;     // voxel sides: the ball whose median is the seed's value
-
-/// Costs by value: the distance to the seeds' tones, where values between two of them belong too. Tabulated, because a
-/// logarithm a voxel would take longer than the flood.
-class CostTable {
- public:
-  explicit CostTable(const std::vector<float>& tones)
-      : darkest_(*std::min_element(tones.begin(), tones.end())),
-        brightest_(*std::max_element(tones.begin(), tones.end())) {
-    for (std::size_t i = 0; i < table_.size(); ++i) table_[i] = segmentation::levelOf(static_cast<double>(i) / perUnit);
-  }
-  Level levelOf(float tone) const {
-    const float cost = std::max(darkest_ - tone, static_cast<float>(brighterShare) * (tone - brightest_));
-    return cost < limit ? table_[static_cast<std::size_t>(std::max(cost, 0.0f) * perUnit + 0.5f)] : never;
-  }
-
- private:
-  static constexpr float perUnit = 128.0f, limit = 64.0f;  // 64 noise units are beyond the last level
-  float darkest_, brightest_;
-  std::array<Level, static_cast<std::size_t>(perUnit* limit) + 1> table_{};
-};
+// Chosen on the marked structures of tests/bench/results/growing.md.
+constexpr double passRadius = 1.5;    // voxel sides: leaks narrower than this ball are closed
+constexpr double thinPathCost = 3.0;  // noise units, on top, for paths narrower than the ball
+constexpr double regrowth = 1.0;      // voxel sides, beyond the ball that closes leaks: brings corners back
+constexpr double seedRadius = 1.0;    // voxel sides: the ball whose median is the seed's value
 
 /// The levels of costs raised by thinPathCost.
 std::array<Level, 256> thinPathLevels() {
@@ -102,8 +82,8 @@ class Grower {
     if (!goOn(0.9)) return std::nullopt;
     Growth growth;
     growth.box = box_;
-    growth.noise = noise_;
-    growth.curve = growthCurve(joins, kinds_[0].costs, volume_.grid, box_.dims());
+    growth.noise = noise_.unit;
+    growth.curve = growthCurve(joins, kinds_[0].costs, volume_.grid, box_.dims(), noise_.share());
     growth.steps = stepsOf(joins);
     goOn(1.0);
     return growth;
@@ -121,12 +101,12 @@ class Grower {
 
   /// False when cancelled.
   bool computeCosts() {
-    std::vector<CostTable> tables;
+    std::vector<TissueCost> tissues;
     for (Kind& kind : kinds_) {
       if (kind.seeds.empty()) continue;
       std::vector<float> tones;
       for (const glm::ivec3 seed : kind.seeds) tones.push_back(toneAt(seed, volume_, *scale_));
-      tables.emplace_back(tones);
+      tissues.emplace_back(tones);
       kind.costs.resize(box_.count());
     }
     // A tile's intermediate arrays fit a core's cache.
@@ -137,22 +117,19 @@ class Grower {
       parallelFor(static_cast<std::size_t>(tiles.x * tiles.y), 1, [&](std::size_t begin, std::size_t end) {
         for (int i = static_cast<int>(begin); i < static_cast<int>(end); ++i) {
           const glm::ivec3 low = box_.low + glm::ivec3(i % tiles.x, i / tiles.x, z) * tile;
-          costsOf(VoxelBox{low, low + tile}.clippedTo(box_), tables);
+          costsOf(VoxelBox{low, low + tile}.clippedTo(box_), tissues);
         }
       });
     }
     return true;
   }
 
-  void costsOf(const VoxelBox& tile, const std::vector<CostTable>& tables) {
-    const std::vector<float> values = smoothedTones(volume_, tile, *scale_);
-    for (std::size_t k = 0; k < tables.size(); ++k)
-      for (int z = tile.low.z; z < tile.high.z; ++z)
-        for (int y = tile.low.y; y < tile.high.y; ++y) {
-          const float* row = values.data() + tile.offset({tile.low.x, y, z});
-          Level* to = kinds_[k].costs.data() + box_.offset({tile.low.x, y, z});
-          for (int x = 0; x < tile.dims().x; ++x) to[x] = tables[k].levelOf(row[x]);
-        }
+  void costsOf(const VoxelBox& tile, const std::vector<TissueCost>& tissues) {
+    EdgeSharpener sharpener(volume_, tile, *scale_);
+    for (std::size_t k = 0; k < tissues.size(); ++k)
+      sharpener.forRows(tissues[k], [&](int y, int z, std::span<const Level> levels) {
+        std::copy(levels.begin(), levels.end(), kinds_[k].costs.data() + box_.offset({tile.low.x, y, z}));
+      });
   }
 
   /// A path's cost at a voxel: as wide as the ball, or thinner at the extra cost.
@@ -247,7 +224,7 @@ class Grower {
   const Progress& progress_;
   double side_;
   std::array<Level, 256> thin_;
-  double noise_ = 1.0;
+  Noise noise_;
   std::optional<ToneScale> scale_;
   std::array<Kind, 2> kinds_;  ///< inside, outside
 };

@@ -2,7 +2,8 @@
 // A region grown from a click, for all tolerances at once.
 //
 // The cost of a voxel is the distance of its value, freed of noise, from the seed's, in units of the noise. Values
-// brighter than the seed cost less than darker ones. A voxel joins the region at the least tolerance that lets a path
+// brighter than the seed cost less than darker ones, and a voxel on an edge costs as much as the tissue that it holds
+// more of. A voxel joins the region at the least tolerance that lets a path
 // from the seed reach it. Paths are as wide as a small ball, so that a leak narrower than the ball stays shut; a
 // thinner path costs an extra amount, so that thin structures can be grown too. In the end the ball is put back.
 
@@ -26,7 +27,7 @@ struct Growth {
   /// the region of step n is the labels 1 … n, see shownScene.
   std::shared_ptr<const LabelMap> steps;
   VoxelBox box;        ///< where `steps` may be other than 0
-  double noise = 1.0;  ///< real values
+  double noise = 1.0;  ///< Noise::unit, real values
   GrowthCurve curve;
 
   /// Real values below the seed's that step n allows, and the step that allows `tolerance`.

@@ -6,7 +6,8 @@
 namespace fenestra::segmentation {
 namespace {
 
-/// ε of the guided filter in noise variances. Between 1 and 4 the regions hardly change; 8 blurs thin structures.
+/// ε of the guided filter in variances of the noise. Between 1 and 4 the regions hardly change; 8 blurs thin
+/// structures.
 constexpr float flatness = 3.0f;
 
 /// The window that CT is read with first. Not the file's own: the region must not depend on who wrote the file.
@@ -74,13 +75,14 @@ Block tonesOf(std::span<const T> scalars, const Volume& volume, const VoxelBox& 
 
 }  // namespace
 
-ToneScale::ToneScale(const Volume& volume, double noise, double reference) : noise_(noise) {
+ToneScale::ToneScale(const Volume& volume, const Noise& noise, double reference) : noise_(noise) {
   if (volume.isInHounsfieldUnits())
     seen_ = {softTissue.level - 0.5 * softTissue.width, softTissue.level + 0.5 * softTissue.width};
   reference_ = toned(std::isfinite(reference) ? reference : volume.range.low);
+  seenTones_ = {static_cast<float>((*this)(seen_.low)), static_cast<float>((*this)(seen_.high))};
 }
 
-double noiseOf(const Volume& volume) {
+Noise noiseOf(const Volume& volume) {
   const glm::ivec3 dims = volume.grid.dims;
   const double width = volume.isInHounsfieldUnits() ? softTissue.width : volume.defaultWindow().width;
   const double least = seenShare * width;
@@ -99,11 +101,12 @@ double noiseOf(const Volume& volume) {
       }
     }
   });
-  if (differences.empty()) return least;
+  if (differences.empty()) return {0.0, least};
   const auto middle = differences.begin() + static_cast<std::ptrdiff_t>(differences.size() / 2);
   std::nth_element(differences.begin(), middle, differences.end());
   // The median of a normal deviate's magnitude is 0.6745 σ; the difference has variance 1.5 σ².
-  return std::max(least, *middle / 0.6745 / std::sqrt(1.5));
+  const double deviation = *middle / 0.6745 / std::sqrt(1.5);
+  return {deviation, std::max(least, deviation)};
 }
 
 std::vector<float> smoothedTones(const Volume& volume, const VoxelBox& box, const ToneScale& scale) {
@@ -112,10 +115,13 @@ std::vector<float> smoothedTones(const Volume& volume, const VoxelBox& box, cons
   Block squares(values.dims);
   std::transform(values.values.begin(), values.values.end(), squares.values.begin(), [](float v) { return v * v; });
   // q = a v + b with a = σ² / (σ² + ε) and b = (1 - a) v̄, both averaged over the windows that hold the voxel.
+  // Nothing is left to smooth in a volume without noise; ε keeps the quotient finite there.
+  const auto share = static_cast<float>(scale.noise().share());
+  const float epsilon = std::max(1e-3f, flatness * share * share);
   Block slope = means(squares), intercept = means(values);
   for (std::size_t i = 0; i < slope.values.size(); ++i) {
     const float mean = intercept.values[i], variance = std::max(0.0f, slope.values[i] - mean * mean);
-    slope.values[i] = variance / (variance + flatness);
+    slope.values[i] = variance / (variance + epsilon);
     intercept.values[i] = (1.0f - slope.values[i]) * mean;
   }
   slope = means(slope);

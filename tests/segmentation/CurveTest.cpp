@@ -15,7 +15,7 @@ template <class JoinAt>
 GrowthCurve curveOf(const Grid& grid, JoinAt joinAt) {
   std::vector<Level> joins;
   tests::forEachVoxel(grid.dims, [&](glm::ivec3 at) { joins.push_back(static_cast<Level>(joinAt(at))); });
-  return growthCurve(joins, joins, grid, grid.dims);
+  return growthCurve(joins, joins, grid, grid.dims, 1.0);
 }
 
 /// Greatest distance to the centre along an axis.
