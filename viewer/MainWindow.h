@@ -33,7 +33,7 @@ class MainWindow : public QMainWindow {
   struct Setup {
     GlSupport gl;
     std::optional<Effort> atRest = {};               ///< of the 3-D views when nothing moves; unset: as remembered
-    VolumeView::ChooseSchedule chooseSchedule = {};  ///< unset: by the renderer's name
+    ScenePreparation::ChooseSchedule chooseSchedule = {};  ///< unset: by the renderer's name
     bool remember = true;                            ///< restore and save layout, recent files and `atRest`
   };
 

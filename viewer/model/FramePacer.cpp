@@ -96,15 +96,7 @@ void FramePacer::refined(Effort effort, double milliseconds, bool usual) {
   if (usual) note(effort, milliseconds);
 }
 
-std::optional<Effort> FramePacer::untried() const {
-  const Effort draft{leastScale, Quality::Draft};
-  return hasDraft_ || rest_.quality == Quality::Draft || restCost_.value_or(0.0) * views <= timeForPictures()
-             ? std::nullopt
-             : std::optional(draft);
-}
-
 void FramePacer::note(Effort effort, double milliseconds) {
-  hasDraft_ |= effort.quality == Quality::Draft;
   if (effort == rest_) blend(restCost_, milliseconds);
   // A picture's time grows with its pixels.
   else

@@ -12,7 +12,7 @@
 namespace fenestra::viewer {
 
 ViewArea::ViewArea(Document& document, SliceCursor& cursor, ViewLink& cameras, ViewOptions& options, Brush& brush,
-                   const GlSupport& gl, const Effort& atRest, const VolumeView::ChooseSchedule& chooseSchedule,
+                   const GlSupport& gl, const Effort& atRest, const ScenePreparation::ChooseSchedule& chooseSchedule,
                    QWidget* parent)
     : QWidget(parent),
       pacer_(std::make_shared<FramePacer>(atRest)),
@@ -37,8 +37,8 @@ ViewArea::ViewArea(Document& document, SliceCursor& cursor, ViewLink& cameras, V
     connect(view, &View::maximiseRequested, this, [this, view] { toggleMaximised(view); });
   };
   if (gl.available) {
-    const VolumeView::Shared shared{std::make_shared<GpuScene>(), pacer_, chooseSchedule};
-    gpuScene_ = shared.gpuScene;
+    preparation_ = std::make_shared<ScenePreparation>(chooseSchedule);
+    const VolumeView::Shared shared{preparation_, pacer_};
     for (int index = 0; index < ViewLink::count; ++index) {
       auto* view = new VolumeView(index, document, cursor, cameras, options, brush, shared);
       connectView(view);
@@ -68,8 +68,7 @@ ViewArea::ViewArea(Document& document, SliceCursor& cursor, ViewLink& cameras, V
 }
 
 std::optional<Schedule> ViewArea::schedule() const {
-  const std::shared_ptr<const GpuScene> gpuScene = gpuScene_.lock();
-  return gpuScene ? std::optional(gpuScene->schedule()) : std::nullopt;
+  return preparation_ ? std::optional(preparation_->schedule()) : std::nullopt;
 }
 
 bool ViewArea::isSettled() const {
