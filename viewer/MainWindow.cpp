@@ -57,7 +57,7 @@ void prepare(Study& study) {
     if (scene.tissue != scene.volume && scene.look.hideTable)
       study.warnings.push_back({io::Warning::Kind::Other, segmentation::tableNotice, {}});
   }
-  study.visible = visibleGrid(*shownVolume(scene), scene.look.context.shifted());
+  study.visible = visibleFraming(*shownVolume(scene), scene.look.context.shifted());
   study.focusCentre = focusCentre(shownScene(scene));
 }
 
@@ -87,7 +87,9 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
   actions_ = new Actions({*this, workspace_, loader_, grower_, *files_, *exports_, *sessions_, *views_, gl_});
   setStatusBar(new StatusBar(workspace_.document, *views_, gl_));
   // Not above the pictures: they would be drawn anew in another size with each click.
-  statusBar()->addPermanentWidget(new LoadingBar(grower_.job(), tr("Growing the region")));
+  // Also what waits for a job that is stopping.
+  statusBar()->addPermanentWidget(
+      new LoadingBar(grower_.job(), tr("Growing the region"), [this] { grower_.cancel(); }));
   statusBar()->addPermanentWidget(new LoadingBar(labelEditor_.job(), tr("Editing the label")));
 
   connectViews();
