@@ -76,6 +76,7 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
   views_ =
       new ViewArea(workspace_.document, workspace_.cursor, workspace_.cameras, workspace_.options, workspace_.brush,
                    gl_, setup.atRest.value_or(workspace_.preferences.atRest()), setup.chooseSchedule);
+  views_->warmUp(setup.expected);
   notices_ = new NoticeBar;
   sessions_ = new Sessions(*this, workspace_, loader_, *notices_,
                            {.describe = [this](io::Session& session) { views_->describe(session); },

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "rendering/gl/Buffer.h"
@@ -22,6 +23,10 @@ namespace fenestra {
 
 class GpuScene {
  public:
+  /// With programs that other scenes draw by, too: not at the same time.
+  explicit GpuScene(gl::SharedPrograms programs = std::make_shared<gl::ComputePrograms>())
+      : programs_(std::move(programs)) {}
+
   /// Brings everything up to date. Needs a current context, as does destruction. A volume that the device has no room
   /// for is thinned by whole factors. Throws RenderError, gl::AllocationError.
   void update(const Scene& scene);
@@ -110,7 +115,7 @@ class GpuScene {
   void updateGradient();
 
   gl::ShaderProgram presentProgram_, enlargeProgram_;
-  gl::SharedPrograms programs_ = std::make_shared<gl::ComputePrograms>();
+  gl::SharedPrograms programs_;
   std::optional<Schedule> schedule_;
   std::optional<DeviceLimits> limits_;
   FittedScene fitted_;

@@ -63,8 +63,8 @@ int FramePacer::framesPerFollowing() const {
   if (!draftCost_ || leader == rest_) return 1;
   const auto costOf = [&](const Effort& effort) { return *draftCost_ * effort.scale * effort.scale; };
   const double left = timeForPictures() - costOf(leader);
-  if (left >= costOf(follower) * 0.9) return 1;
-  return left >= 0.5 * costOf(follower) ? 2 : 3;
+  // In every third frame it would seem to stand still.
+  return left >= costOf(follower) * 0.9 ? 1 : 2;
 }
 
 std::optional<Effort> FramePacer::beforeRest() const {

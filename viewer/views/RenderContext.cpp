@@ -1,5 +1,6 @@
 #include "viewer/views/RenderContext.h"
 
+#include <cassert>
 #include <stdexcept>
 #include <utility>
 
@@ -55,6 +56,7 @@ void RenderContext::makeCurrentAndRun(const Work& work) {
 }
 
 void RenderContext::runBehind(Work work, Done done) {
+  assert(!thread_ && QOpenGLContext::currentContext() != &context_);
   done_ = std::move(done);
   error_ = nullptr;
   stop_ = false;

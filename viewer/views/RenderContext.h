@@ -37,6 +37,9 @@ class RenderContext : public QObject {
   bool isBusy() const { return thread_ != nullptr; }
   /// Waits until work behind is done, for so many milliseconds at most.
   void waitFor(int milliseconds);
+  /// Asks work behind to stop, without waiting.
+  void askToStop() { stop_ = true; }
+  bool isAskedToStop() const { return stop_; }
   /// Stops work behind and waits for it.
   void stop();
 

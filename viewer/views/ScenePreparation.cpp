@@ -16,6 +16,33 @@ double seenHeight(const Camera& camera) {
              : 2.0 * glm::distance(camera.eye, camera.target) * std::tan(glm::radians(camera.verticalFov) * 0.5);
 }
 
+/// A few voxels of CT with a focus of the kind: what draws them draws a patient.
+Scene sampleScene(const Focus& kind) {
+  constexpr int side = 16;
+  auto volume = std::make_shared<Volume>();
+  volume->grid.dims = glm::ivec3(side);
+  volume->modality = Modality::CT;
+  volume->voxels = Voxels(ScalarType::Int16, volume->grid.voxelCount());
+  const auto values = volume->voxels.as<std::int16_t>();
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<std::int16_t>(i % 2000);
+  volume->computeRange();
+  Scene scene;
+  scene.volume = volume;
+  if (std::holds_alternative<LabelFocus>(kind) || std::holds_alternative<RegionFocus>(kind)) {
+    auto labels = std::make_shared<LabelMap>();
+    labels->grid = volume->grid;
+    labels->voxels = Voxels(ScalarType::UInt8, volume->grid.voxelCount());
+    labels->voxels.as<std::uint8_t>()[labels->grid.offset(glm::ivec3(side / 2))] = 1;
+    labels->labels = {{1, "", {1.0, 1.0, 1.0}}};
+    scene.labels = labels;
+    scene.look.focus = LabelFocus{{1}};
+  } else if (std::holds_alternative<ValueFocus>(kind)) {
+    scene.look.focus = ValueFocus{{1000.0, 1500.0}};
+  }
+  scene.look.context.function.nodes = {{500.0, {glm::dvec3(1.0), 0.0}}, {1000.0, {glm::dvec3(1.0), 1.0}}};
+  return scene;
+}
+
 /// The middle of a view, of pixels of the same size: its picture runs the same programs in little time.
 View middleOf(View view) {
   constexpr int longest = 48;  // pixels
@@ -58,8 +85,10 @@ bool ScenePreparation::isKnown(const Kind& kind) const {
 
 bool ScenePreparation::isReady(const Scene& scene, const View& view) {
   if (failure_ && failed_ == shownVolume(scene)) std::rethrow_exception(failure_);
-  if (isBusy()) return false;
-  context_.stop();
+  if (context_.isBusy()) {
+    if (isAhead_) context_.askToStop();
+    return false;
+  }
   const Kind kind = kindOf(scene, view);
   if (isKnown(kind) && gpuScene_->holds(scene)) return true;
   isAhead_ = false;
@@ -69,9 +98,44 @@ bool ScenePreparation::isReady(const Scene& scene, const View& view) {
 
 void ScenePreparation::prepareAhead(const Scene& scene, const View& view) {
   const Kind kind = kindOf(scene, view);
-  if (context_.isBusy() || isKnown(kind)) return;
+  if (context_.isBusy()) return;
+  if (isKnown(kind)) return goOn();
   isAhead_ = true;
   start(scene, view, kind);
+}
+
+void ScenePreparation::warmUp(const std::vector<Focus>& kinds, Quality atRest, std::optional<double> maxError) {
+  for (const Focus& focus : kinds) {
+    const Scene scene = sampleScene(focus);
+    View view{.camera = Camera::standard(StandardView::Anterior, scene.volume->grid), .size = glm::ivec2(48)};
+    samples_.push_back({scene, view});
+    view.quality = Quality::Draft;
+    samples_.push_back({scene, view});
+    view.quality = atRest;
+    view.maxError = maxError;
+    if (maxError || atRest == Quality::High) samples_.push_back({scene, view});
+  }
+  goOn();
+}
+
+void ScenePreparation::goOn() {
+  if (context_.isBusy() || samples_.empty()) return;
+  isAhead_ = true;
+  auto isDone = std::make_shared<bool>(false);
+  context_.runBehind(
+      [this, sample = samples_.front(), isDone](const std::atomic<bool>& stop) {
+        const auto gpuScene = std::make_shared<GpuScene>(gpuScene_->programs());
+        Renderer trial(gpuScene);
+        trial.begin(sample.scene, sample.view);
+        while (!*isDone && !stop) *isDone = trial.advance(0.0);
+      },
+      [this, isDone](std::exception_ptr error) {
+        // A driver that refuses programs is told of when a picture needs them.
+        if (error) samples_.clear();
+        if (!*isDone) return;
+        samples_.pop_front();
+        if (!context_.isAskedToStop()) goOn();
+      });
 }
 
 void ScenePreparation::runBehind(RenderContext::Work work, RenderContext::Done done) {

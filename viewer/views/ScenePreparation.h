@@ -3,6 +3,7 @@
 // programs that draw it.
 
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -30,6 +31,8 @@ class ScenePreparation {
   bool isReady(const Scene& scene, const View& view);
   /// Compiles for a picture that may follow, unless something else is under way or asked for meanwhile.
   void prepareAhead(const Scene& scene, const View& view);
+  /// Compiles what draws a CT with each kind of focus, the first one first, while nothing else is asked for.
+  void warmUp(const std::vector<Focus>& kinds, Quality atRest, std::optional<double> maxError);
   /// Other work in the context on another thread; see RenderContext. Work for a picture that may follow ends first.
   void runBehind(RenderContext::Work work, RenderContext::Done done);
   /// Another thread has the context, for something that is waited for.
@@ -53,13 +56,20 @@ class ScenePreparation {
   static Kind kindOf(const Scene& scene, const View& view);
   bool isKnown(const Kind& kind) const;
   void start(const Scene& scene, const View& view, const Kind& kind);
+  /// Goes on with warmUp().
+  void goOn();
 
   ChooseSchedule chooseSchedule_;
   std::shared_ptr<GpuScene> gpuScene_ = std::make_shared<GpuScene>();
   std::weak_ptr<const Volume> scheduledFor_;  ///< the volume that a schedule was chosen for
   std::vector<Kind> known_;
   Schedule schedule_ = Schedule::Plain;
-  bool isAhead_ = false;  ///< the work behind is for a picture that nobody waits for
+  struct Sample {
+    Scene scene;
+    View view;
+  };
+  std::deque<Sample> samples_;  ///< to be compiled for
+  bool isAhead_ = false;        ///< the work behind is for a picture that nobody waits for
   std::exception_ptr failure_;
   std::shared_ptr<const Volume> failed_;
   RenderContext context_;

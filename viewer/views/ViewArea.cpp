@@ -71,6 +71,14 @@ std::optional<Schedule> ViewArea::schedule() const {
   return preparation_ ? std::optional(preparation_->schedule()) : std::nullopt;
 }
 
+void ViewArea::warmUp(const Focus& expected) {
+  std::vector<Focus> kinds{Focus(), LabelFocus(), ValueFocus()};
+  const auto first =
+      std::find_if(kinds.begin(), kinds.end(), [&](const Focus& kind) { return kind.index() == expected.index(); });
+  if (first != kinds.end()) std::rotate(kinds.begin(), first, first + 1);
+  if (preparation_) preparation_->warmUp(kinds, atRest().quality, atRest().maxError);
+}
+
 bool ViewArea::isSettled() const {
   return std::all_of(volumes_.begin(), volumes_.end(),
                      [](const VolumeView* view) { return !view->isVisible() || view->isSettled(); });

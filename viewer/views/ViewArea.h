@@ -27,6 +27,8 @@ class ViewArea : public QWidget {
   const std::vector<SliceView*>& sliceViews() const { return slices_; }     ///< axial, sagittal, coronal
   /// The schedule that the shaders of the 3-D views follow; empty without OpenGL.
   std::optional<Schedule> schedule() const;
+  /// Compiles what 3-D views will need, that for a focus of the expected kind first.
+  void warmUp(const Focus& expected);
   /// Every visible view shows the scene at full quality.
   bool isSettled() const;
 

@@ -69,7 +69,7 @@ VolumeView::VolumeView(int index, Document& document, SliceCursor& cursor, ViewL
   connect(&shared_.preparation->context(), &RenderContext::freed, this, [this] {
     if (due_ != Due::Nothing || !picture_)
       update();
-    else if (!settled_ && !rest_.isActive())
+    else if (!settled_ && !rest_.isActive() && !refining_.isActive())
       settle();
   });
   connect(&cursor, &SliceCursor::moved, this, repaint);
@@ -149,7 +149,8 @@ void VolumeView::refine() {
   bool isReady = false;
   attempt([&] { isReady = shared_.preparation->isReady(shownScene(), viewFor(effort)); });
   if (!isReady) return refining_.stop();  // until the context is free
-  attemptOnPicture([this, effort] {
+  bool done = false;
+  attemptOnPicture([&] {
     const double start = now();
     const std::size_t firstRuns = gl::ShaderProgram::firstRuns();
     if (!picture_->isRefining()) {
@@ -157,11 +158,11 @@ void VolumeView::refine() {
       compiled_ = false;
       picture_->refine(shownScene(), viewFor(effort), effort == shared_.pacer->atRest());
     }
-    const bool done = picture_->advance(sliceMilliseconds);
+    done = picture_->advance(sliceMilliseconds);
     compiled_ |= firstRuns != gl::ShaderProgram::firstRuns();
     refinedFor_ += now() - start;
-    if (done) refined(effort);
   });
+  if (done) refined(effort);
 }
 
 void VolumeView::refined(Effort effort) {
