@@ -1,5 +1,7 @@
 // The context that pictures are drawn in goes to another thread and comes back.
 
+#include <array>
+#include <span>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
@@ -32,10 +34,12 @@ TEST(RenderContext, MakesObjectsOnAnotherThread) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return !context.isBusy(); }, patience));
   EXPECT_EQ(freed.count(), 1);
   EXPECT_TRUE(done);
-  if (QOpenGLContext::supportsThreadedOpenGL()) EXPECT_NE(worker, QThread::currentThread());
+  if (QOpenGLContext::supportsThreadedOpenGL()) {
+    EXPECT_NE(worker, QThread::currentThread());
+  }
   std::array<float, 2> read{};
   EXPECT_TRUE(context.run([&] {
-    texture.readInto(std::span(read));
+    texture.readInto(std::span<float>(read));
     texture = {};
   }));
   EXPECT_EQ(read, (std::array{3.0f, 5.0f}));
