@@ -94,11 +94,11 @@ PhantomView phantomView(const std::string& phantom) {
           ViewAngles{25.0, 12.0}};
 }
 
-Camera makeCamera(const SceneOptions& options, const CameraChoice& choice, const Grid& grid) {
+Camera makeCamera(const SceneOptions& options, const CameraChoice& choice, const Framing& framing) {
   const Projection projection = options.projection.value_or(Projection::Perspective);
-  if (const auto* view = std::get_if<StandardView>(&choice)) return Camera::standard(*view, grid, projection);
+  if (const auto* view = std::get_if<StandardView>(&choice)) return Camera::standard(*view, framing, projection);
   const auto& angles = std::get<ViewAngles>(choice);
-  return Camera::fromAngles(angles.azimuth, angles.elevation, grid, projection);
+  return Camera::fromAngles(angles.azimuth, angles.elevation, framing, projection);
 }
 
 /// The part of a progress bar from `begin` to `end`.
@@ -177,7 +177,7 @@ void setView(const SceneOptions& options, LoadedScene& loaded) {
       choice = StandardView::Anterior;
     }
     view.camera =
-        makeCamera(options, *choice, visibleGrid(*shownVolume(loaded.scene), loaded.scene.look.context.shifted()));
+        makeCamera(options, *choice, visibleFraming(*shownVolume(loaded.scene), loaded.scene.look.context.shifted()));
   }
   view.size = options.size.value_or(view.size);
 }
@@ -434,6 +434,12 @@ OpenedData openData(const VolumeOptions& options, const fs::path& labels, const 
     }
   }
   return data;
+}
+
+Focus expectedFocus(const SceneOptions& options) {
+  if (options.focusRange) return ValueFocus();
+  const bool labelled = !options.focusLabels.empty() || !options.region.inside.empty() || !options.phantom.empty();
+  return labelled ? Focus(LabelFocus()) : Focus();
 }
 
 LoadedScene loadScene(const SceneOptions& options, const io::Progress& progress) {

@@ -59,8 +59,8 @@ struct SceneOptions : VolumeOptions {
   std::optional<Projection> projection;
   std::optional<glm::ivec2> size;  ///< rendered pixels
   std::filesystem::path strokes;   ///< file of brush strokes; empty: those of the look
-  RegionFocus region;  ///< without an inside seed: none
-  Look look;           ///< starts as the session's; the members above override its focus, context and strokes
+  RegionFocus region;              ///< without an inside seed: none
+  Look look;  ///< starts as the session's; the members above override its focus, context and strokes
   Quality quality = Quality::Normal;
   std::optional<double> maxError;  ///< in 1/255; see View
   int viewOfSession = 0;           ///< whose camera and picture size are taken from a session: 0 is C1, 1 is C2
@@ -87,8 +87,11 @@ OpenedData openData(const VolumeOptions& options, const io::Progress& progress =
 /// With the label map of a file, when `labels` names one; a session or phantom has its own otherwise.
 OpenedData openData(const VolumeOptions& options, const std::filesystem::path& labels, const io::Progress& progress);
 
+/// A focus of the kind that the scene will be drawn with, as far as the options tell before anything is read.
+Focus expectedFocus(const SceneOptions& options);
+
 struct LoadedScene {
-  io::OpenedVolume volume;  ///< its warnings moved to `warnings`
+  io::OpenedVolume volume;                             ///< its warnings moved to `warnings`
   Scene asSet;                                         ///< its focus may be a region
   std::shared_ptr<const segmentation::Growth> growth;  ///< of that region, or null
   Scene scene;                                         ///< as it is drawn

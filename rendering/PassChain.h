@@ -37,7 +37,6 @@ struct PassChain {
   FocusLayerPass focusLayerPass{gpu->programs()};
   ContextLayerPass contextLayerPass{gpu->programs()};
   CompositePass compositePass{gpu->programs()};
-  gl::ShaderProgram presentProgram, enlargeProgram;
 
   gl::Texture hitPoints, focusFilled, distances, editMap, rayStart, focusLayer, contextLayer, silhouette, composed;
   gl::Texture pickedHit;

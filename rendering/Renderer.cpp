@@ -36,9 +36,7 @@ void Renderer::present(std::uint32_t framebuffer, glm::ivec4 rectangle) {
   PassChain& s = *chain_;
   if (!s.picture()) return;
   const bool enlarged = s.picture().size().x < rectangle.z || s.picture().size().y < rectangle.w;
-  gl::ShaderProgram& program = enlarged ? s.enlargeProgram : s.presentProgram;
-  if (!program)
-    program = gl::ShaderProgram::graphics("Present.vert", enlarged ? "PresentEnlarged.frag" : "Present.frag");
+  gl::ShaderProgram& program = s.gpu->presentation(enlarged);
   const gl::DrawTarget target(framebuffer, rectangle);
   program.bind("picture", s.picture());
   program.set("background", s.background);

@@ -1,5 +1,7 @@
 #include "viewer/LoadingBar.h"
 
+#include <utility>
+
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
@@ -9,20 +11,24 @@
 
 namespace fenestra::viewer {
 
-LoadingBar::LoadingBar(LoadJob& job, const QString& title, QWidget* parent) : QWidget(parent) {
+LoadingBar::LoadingBar(LoadJob& job, const QString& title, std::function<void()> cancel, QWidget* parent)
+    : QWidget(parent) {
   auto* text = new QLabel;
   auto* progress = new QProgressBar;
   progress->setRange(0, 100);
   progress->setTextVisible(false);
-  auto* cancel = new QPushButton(tr("Cancel"));
+  auto* button = new QPushButton(tr("Cancel"));
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(10, 5, 6, 5);
   row->addWidget(text, 1);
   row->addWidget(progress, 2);
-  row->addWidget(cancel);
+  row->addWidget(button);
   hide();
 
-  connect(cancel, &QPushButton::clicked, &job, &LoadJob::cancel);
+  if (cancel)
+    connect(button, &QPushButton::clicked, this, std::move(cancel));
+  else
+    connect(button, &QPushButton::clicked, &job, &LoadJob::cancel);
   connect(&job, &LoadJob::started, this, [this, text, progress, title] {
     text->setText(title);
     progress->setValue(0);

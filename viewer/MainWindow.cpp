@@ -61,7 +61,7 @@ void prepare(Study& study) {
     if (scene.tissue != scene.volume && scene.look.hideTable)
       study.warnings.push_back({io::Warning::Kind::Other, segmentation::tableNotice, {}});
   }
-  study.visible = visibleGrid(*shownVolume(scene), scene.look.context.shifted());
+  study.visible = visibleFraming(*shownVolume(scene), scene.look.context.shifted());
   study.focusCentre = focusCentre(shownScene(scene));
 }
 
@@ -81,6 +81,7 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
   views_ =
       new ViewArea(workspace_.document, workspace_.cursor, workspace_.cameras, workspace_.options, workspace_.brush,
                    gl_, setup.atRest.value_or(workspace_.preferences.atRest()), setup.chooseSchedule);
+  views_->warmUp(setup.expected);
   notices_ = new NoticeBar;
   sessions_ = new Sessions(*this, workspace_, loader_, *notices_,
                            {.describe = [this](io::Session& session) { views_->describe(session); },
@@ -94,7 +95,9 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
                           [this] { resetLayout(); }});
   setStatusBar(new StatusBar(workspace_.document, *views_, gl_));
   // Not above the pictures: they would be drawn anew in another size with each click.
-  statusBar()->addPermanentWidget(new LoadingBar(grower_.job(), tr("Growing the region")));
+  // Also what waits for a job that is stopping.
+  statusBar()->addPermanentWidget(
+      new LoadingBar(grower_.job(), tr("Growing the region"), [this] { grower_.cancel(); }));
   statusBar()->addPermanentWidget(new LoadingBar(labelEditor_.job(), tr("Editing the label")));
 
   connectViews();

@@ -33,9 +33,10 @@ class MainWindow : public QMainWindow {
  public:
   struct Setup {
     GlSupport gl;
-    std::optional<Effort> atRest = {};               ///< of the 3-D views when nothing moves; unset: as remembered
-    VolumeView::ChooseSchedule chooseSchedule = {};  ///< unset: by the renderer's name
-    bool remember = true;                            ///< restore and save layout, recent files and `atRest`
+    std::optional<Effort> atRest = {};  ///< of the 3-D views when nothing moves; unset: as remembered
+    Focus expected = {};                ///< the kind of focus that the first study is likely to have
+    ScenePreparation::ChooseSchedule chooseSchedule = {};  ///< unset: by the renderer's name
+    bool remember = true;                                  ///< restore and save layout, recent files and `atRest`
   };
 
   explicit MainWindow(const Setup& setup, QWidget* parent = nullptr);

@@ -42,8 +42,8 @@ Json candidateJson(const Measured& measured, std::size_t index, const Weights& w
           {"share", seenShare(candidate, candidate, measured.surfacePoints)}};
 }
 
-Json cameraJson(const Measured& measured, std::optional<std::size_t> index, const Weights& weights, const Grid& framed,
-                Projection projection) {
+Json cameraJson(const Measured& measured, std::optional<std::size_t> index, const Weights& weights,
+                const Framing& framed, Projection projection) {
   if (!index) return nullptr;
   Json json = candidateJson(measured, *index, weights);
   const Camera camera = Camera::fromDirection(measured.candidates[*index].direction, framed, projection);
@@ -81,7 +81,7 @@ void place(const PlaceOptions& options) {
 
   if (!options.map.empty()) writeQualityMap(options.map, *measured, options.placement.weights, placement);
   const Weights& weights = options.placement.weights;
-  const Grid framed = visibleGrid(*shownVolume(scene), scene.look.context.shifted());
+  const Framing framed = visibleFraming(*shownVolume(scene), scene.look.context.shifted());
   const Projection projection = loaded.view.camera.projection;
   const auto standard = bestStandardPair(measured->candidates, measured->surfacePoints);
   Json json = {

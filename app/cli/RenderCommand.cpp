@@ -141,7 +141,7 @@ Camera placedCamera(const fs::path& source, const app::LoadedScene& loaded, GpuS
   const placement::Placement placement = placement::choose(measured, {}, placement::jointByDefault);
   const std::optional<std::size_t> chosen = *loaded.placed == app::PlacedView::Best ? placement.c1 : placement.c2;
   if (!chosen) throw io::Error(source, placement.note, placementHint);
-  const Grid framed = visibleGrid(*shownVolume(loaded.scene), loaded.scene.look.context.shifted());
+  const Framing framed = visibleFraming(*shownVolume(loaded.scene), loaded.scene.look.context.shifted());
   return Camera::fromDirection(measured.candidates[*chosen].direction, framed, loaded.view.camera.projection);
 }
 

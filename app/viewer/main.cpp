@@ -184,6 +184,7 @@ int main(int argc, char** argv) {
   MainWindow window(
       {.gl = gl,
        .atRest = request.atRest,
+       .expected = app::expectedFocus(request.scene),
        .chooseSchedule = [asked = request.schedule, software = gl.software](
                              const std::shared_ptr<GpuScene>& gpu, const Scene& scene,
                              const View& view) { app::chooseScheduleQuickly(asked, software, gpu, scene, view); },

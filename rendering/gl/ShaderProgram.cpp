@@ -362,6 +362,8 @@ void ShaderProgram::drawFullScreen() {
   use();
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glUseProgram(0);
+  // Another context may delete the textures, and drivers fail on views of them that are still bound here.
+  for (const TextureUnit& bound : textures_) glBindTextureUnit(bound.unit, 0);
   glBindVertexArray(static_cast<GLuint>(previous));
   glDeleteVertexArrays(1, &vertexArray);
 }

@@ -89,13 +89,29 @@ void GpuScene::update(const Scene& scene) {
   }
   std::exception_ptr first;
   for (;;) try {
-      return updateAll(fitted_.of(scene));
+      updateAll(fitted_.of(scene));
+      labelSource_ = scene.labels;
+      return;
     } catch (const gl::AllocationError&) {
       // The first error names the size that the user can do something about.
       if (!first) first = std::current_exception();
       release();
       if (!fitted_.coarsen()) std::rethrow_exception(first);
     }
+}
+
+bool GpuScene::holds(const Scene& scene) const {
+  if (!volume_ || fitted_.isOfOther(scene) || scene.look.focus != focusWanted_) return false;
+  if (std::holds_alternative<LabelFocus>(scene.look.focus) && scene.labels != labelSource_) return false;
+  const bool wantsDerivative = hasCutaway(scene) && scene.look.contextLayer.strength > 0.0;
+  return (gradient_ || !scene.look.shading.enabled) && (derivative_.texture || !wantsDerivative);
+}
+
+gl::ShaderProgram& GpuScene::presentation(bool enlarged) {
+  gl::ShaderProgram& program = enlarged ? enlargeProgram_ : presentProgram_;
+  if (!program)
+    program = gl::ShaderProgram::graphics("Present.vert", enlarged ? "PresentEnlarged.frag" : "Present.frag");
+  return program;
 }
 
 std::string GpuScene::reductionNotice() const {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "rendering/gl/Buffer.h"
@@ -22,9 +23,16 @@ namespace fenestra {
 
 class GpuScene {
  public:
+  /// With programs that other scenes draw by, too: not at the same time.
+  explicit GpuScene(gl::SharedPrograms programs = std::make_shared<gl::ComputePrograms>())
+      : programs_(std::move(programs)) {}
+
   /// Brings everything up to date. Needs a current context, as does destruction. A volume that the device has no room
   /// for is thinned by whole factors. Throws RenderError, gl::AllocationError.
   void update(const Scene& scene);
+  /// What takes long to make of this scene is there: its voxels, its focus, what its light and its context layer need.
+  /// update() is quick then.
+  bool holds(const Scene& scene) const;
   /// The scene whose voxels are on the device, of the volume that was last brought up to date: `scene` itself, or its
   /// voxels thinned.
   Scene drawn(const Scene& scene) { return fitted_.of(scene); }
@@ -41,6 +49,9 @@ class GpuScene {
 
   /// The programs that draw this scene, shared by all renderers of it.
   const gl::SharedPrograms& programs() const { return programs_; }
+  /// The program that shows a picture, apart from those: a window's contexts show pictures while others are drawn, and
+  /// drivers fail where another context deletes a program that they have used.
+  gl::ShaderProgram& presentation(bool enlarged);
 
   /// GPU memory by resource, for reports.
   struct Resource {
@@ -103,12 +114,13 @@ class GpuScene {
   void updateTransfer(const Scene& scene);
   void updateGradient();
 
-  gl::SharedPrograms programs_ = std::make_shared<gl::ComputePrograms>();
+  gl::ShaderProgram presentProgram_, enlargeProgram_;
+  gl::SharedPrograms programs_;
   std::optional<Schedule> schedule_;
   std::optional<DeviceLimits> limits_;
   FittedScene fitted_;
   std::shared_ptr<const Volume> volume_;
-  std::shared_ptr<const LabelMap> labels_;
+  std::shared_ptr<const LabelMap> labels_, labelSource_;  ///< as drawn, and as given
   Focus focusWanted_;
   ContextFunction contextWanted_;
   TransferFunction context_;  ///< contextWanted_, shifted

@@ -16,26 +16,26 @@ glm::dvec3 leastAlignedAxis(glm::dvec3 direction) {
   return size.y <= size.x ? glm::dvec3(0.0, 1.0, 0.0) : glm::dvec3(1.0, 0.0, 0.0);
 }
 
-Camera framed(glm::dvec3 towardsEye, glm::dvec3 up, const Grid& grid, Projection projection) {
+Camera framed(glm::dvec3 towardsEye, glm::dvec3 up, const Framing& framing, Projection projection) {
   Camera camera;
   camera.projection = projection;
-  camera.target = grid.centre();
+  camera.target = framing.centre;
   camera.up = up;
-  // Fit the box as seen from here: the eye stands far enough for every corner to lie inside the vertical field of view.
+  // Fit the points as seen from here: the eye stands far enough for each to lie inside the vertical field of view.
   const double halfAngle = glm::radians(camera.verticalFov) * 0.5;
   camera.eye = camera.target + towardsEye;
   const Camera::Axes axes = camera.axes();
   double distance = 0.0, halfHeight = 0.0;
-  for (const glm::dvec3& corner : grid.corners()) {
-    const glm::dvec3 offset = corner - camera.target;
+  for (const glm::dvec3& point : framing.points) {
+    const glm::dvec3 offset = point - camera.target;
     const double lateral = std::max(std::abs(glm::dot(offset, axes.right)), std::abs(glm::dot(offset, axes.up)));
     halfHeight = std::max(halfHeight, lateral);
     distance = std::max(distance, lateral / std::tan(halfAngle) - glm::dot(offset, axes.forward));
   }
   constexpr double margin = 1.03;
   camera.orthographicHeight = 2.0 * halfHeight * margin;
-  // Parallel rays start on the plane through the eye, which must lie before the whole box.
-  const double orthographicDistance = grid.boundingRadius() * 2.0;
+  // Parallel rays start on the plane through the eye, which must lie before all of it.
+  const double orthographicDistance = framing.radius() * 2.0;
   camera.eye =
       camera.target + towardsEye * (projection == Projection::Perspective ? distance * margin : orthographicDistance);
   return camera;
@@ -129,37 +129,37 @@ Camera Camera::fittedTo(double aspect) const {
   return camera;
 }
 
-Camera Camera::standard(StandardView view, const Grid& grid, Projection projection) {
+Camera Camera::standard(StandardView view, const Framing& framing, Projection projection) {
   const glm::dvec3 superior(0.0, 0.0, 1.0), anterior(0.0, -1.0, 0.0);
   switch (view) {
     case StandardView::Anterior:
-      return framed(anterior, superior, grid, projection);
+      return framed(anterior, superior, framing, projection);
     case StandardView::Posterior:
-      return framed(-anterior, superior, grid, projection);
+      return framed(-anterior, superior, framing, projection);
     case StandardView::Left:
-      return framed({1.0, 0.0, 0.0}, superior, grid, projection);
+      return framed({1.0, 0.0, 0.0}, superior, framing, projection);
     case StandardView::Right:
-      return framed({-1.0, 0.0, 0.0}, superior, grid, projection);
+      return framed({-1.0, 0.0, 0.0}, superior, framing, projection);
     case StandardView::Superior:
-      return framed(superior, anterior, grid, projection);
+      return framed(superior, anterior, framing, projection);
     case StandardView::Inferior:
       break;
   }
-  return framed(-superior, anterior, grid, projection);
+  return framed(-superior, anterior, framing, projection);
 }
 
-Camera Camera::fromDirection(glm::dvec3 towardsEye, const Grid& grid, Projection projection) {
-  return framed(towardsEye, uprightFrom(towardsEye), grid, projection);
+Camera Camera::fromDirection(glm::dvec3 towardsEye, const Framing& framing, Projection projection) {
+  return framed(towardsEye, uprightFrom(towardsEye), framing, projection);
 }
 
-Camera Camera::fromAngles(double azimuth, double elevation, const Grid& grid, Projection projection) {
+Camera Camera::fromAngles(double azimuth, double elevation, const Framing& framing, Projection projection) {
   const double az = glm::radians(azimuth), el = glm::radians(elevation);
   const glm::dvec3 towardsEye(std::sin(az) * std::cos(el), -std::cos(az) * std::cos(el), std::sin(el));
   // For a view along the body axis, "up" points away from the azimuth's side, where the head would tip to.
   const glm::dvec3 up = std::abs(std::cos(el)) > 1e-6
                             ? glm::dvec3(0.0, 0.0, 1.0)
                             : glm::dvec3(-std::sin(az), std::cos(az), 0.0) * (el > 0.0 ? 1.0 : -1.0);
-  return framed(towardsEye, up, grid, projection);
+  return framed(towardsEye, up, framing, projection);
 }
 
 }  // namespace fenestra

@@ -5,6 +5,7 @@
 
 #include <glm/glm.hpp>
 
+#include "rendering/scene/Framing.h"
 #include "rendering/scene/Grid.h"
 
 namespace fenestra {
@@ -55,12 +56,13 @@ struct Camera {
   /// so that it shows everything that a square one does.
   Camera fittedTo(double aspect) const;
 
-  static Camera standard(StandardView view, const Grid& grid, Projection projection = Projection::Perspective);
-  /// From a unit direction (towards the eye), framing `grid`, the patient upright.
-  static Camera fromDirection(glm::dvec3 towardsEye, const Grid& grid, Projection projection = Projection::Perspective);
+  static Camera standard(StandardView view, const Framing& framing, Projection projection = Projection::Perspective);
+  /// From a unit direction (towards the eye), with all of `framing` in the picture, the patient upright.
+  static Camera fromDirection(glm::dvec3 towardsEye, const Framing& framing,
+                              Projection projection = Projection::Perspective);
   /// Azimuth and elevation in degrees: azimuth 0 looks from anterior, 90 from the patient's left; elevation 90 from
   /// above.
-  static Camera fromAngles(double azimuth, double elevation, const Grid& grid,
+  static Camera fromAngles(double azimuth, double elevation, const Framing& framing,
                            Projection projection = Projection::Perspective);
 
   bool operator==(const Camera&) const = default;

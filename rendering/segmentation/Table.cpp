@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <new>
+#include <span>
 #include <utility>
 
 #include "rendering/scene/Parallel.h"
@@ -74,87 +75,124 @@ Cells layOut(const Grid& grid) {
 Cells cellsOf(const Volume& volume) {
   const Grid& grid = volume.grid;
   Cells cells = layOut(grid);
+  const auto across = static_cast<std::size_t>(grid.dims.x);
   volume.voxels.visit([&](auto scalars) {
     parallelFor(static_cast<std::size_t>(cells.dims.z), 1, [&](std::size_t begin, std::size_t end) {
+      // A row of cells: its voxel rows are joined first, which vectorizes.
+      std::vector<double> sums(across), peaks(across);
       for (int z = static_cast<int>(begin); z < static_cast<int>(end); ++z)
-        for (int y = 0; y < cells.dims.y; ++y)
+        for (int y = 0; y < cells.dims.y; ++y) {
+          const glm::ivec3 low = glm::ivec3(0, y, z) * cells.stride, high = glm::min(low + cells.stride, grid.dims);
+          std::fill(sums.begin(), sums.end(), 0.0);
+          std::fill(peaks.begin(), peaks.end(), airValue);
+          for (int k = low.z; k < high.z; ++k)
+            for (int j = low.y; j < high.y; ++j) {
+              const auto* row = scalars.data() + grid.offset({0, j, k});
+              for (std::size_t i = 0; i < across; ++i) {
+                double value = volume.slope * static_cast<double>(row[i]) + volume.intercept;
+                value = std::isnan(value) ? airValue : std::clamp(value, -3000.0, 30000.0);
+                sums[i] += value;
+                peaks[i] = std::max(peaks[i], value);
+              }
+            }
+          const std::size_t first = cells.offset({0, y, z});
           for (int x = 0; x < cells.dims.x; ++x) {
-            const glm::ivec3 low = glm::ivec3(x, y, z) * cells.stride, high = glm::min(low + cells.stride, grid.dims);
+            const int from = x * cells.stride.x, to = std::min(from + cells.stride.x, grid.dims.x);
             double sum = 0.0, greatest = airValue;
-            for (int k = low.z; k < high.z; ++k)
-              for (int j = low.y; j < high.y; ++j)
-                for (int i = low.x; i < high.x; ++i) {
-                  double value = volume.slope * static_cast<double>(scalars[grid.offset({i, j, k})]) + volume.intercept;
-                  value = std::isnan(value) ? airValue : std::clamp(value, -3000.0, 30000.0);
-                  sum += value;
-                  greatest = std::max(greatest, value);
-                }
-            const glm::ivec3 size = high - low;
-            const std::size_t at = cells.offset({x, y, z});
-            cells.mean[at] = static_cast<std::int16_t>(sum / (static_cast<double>(size.x) * size.y * size.z));
-            cells.greatest[at] = static_cast<std::int16_t>(greatest);
+            for (auto i = static_cast<std::size_t>(from); i < static_cast<std::size_t>(to); ++i) {
+              sum += sums[i];
+              greatest = std::max(greatest, peaks[i]);
+            }
+            const double joined = static_cast<double>(to - from) * (high.y - low.y) * (high.z - low.z);
+            cells.mean[first + static_cast<std::size_t>(x)] = static_cast<std::int16_t>(sum / joined);
+            cells.greatest[first + static_cast<std::size_t>(x)] = static_cast<std::int16_t>(greatest);
           }
+        }
     });
   });
   return cells;
 }
 
-/// Squared distances along one line to the nearest of a set, from those of the lines before (Felzenszwalb,
-/// Huttenlocher, "Distance transforms of sampled functions", 2012): the lower envelope of parabolas.
-void transformLine(std::vector<float>& line, std::vector<int>& places, std::vector<double>& bounds, double spacing) {
-  const int count = static_cast<int>(line.size());
-  const std::vector<float> from = line;
-  const double square = spacing * spacing;
-  int last = -1;
-  for (int q = 0; q < count; ++q) {
-    if (std::isinf(from[static_cast<std::size_t>(q)])) continue;
-    double start = -std::numeric_limits<double>::infinity();
-    for (; last >= 0; --last) {
-      const int p = places[static_cast<std::size_t>(last)];
-      const double difference =
-          (static_cast<double>(from[static_cast<std::size_t>(q)]) - from[static_cast<std::size_t>(p)]) / square;
-      start = (difference + static_cast<double>(q) * q - static_cast<double>(p) * p) / (2.0 * (q - p));
-      if (start > bounds[static_cast<std::size_t>(last)]) break;
+/// Squared distances along lines to the nearest of a set, from those of the axes before (Felzenszwalb, Huttenlocher,
+/// "Distance transforms of sampled functions", 2012): the lower envelope of parabolas.
+class LineTransform {
+ public:
+  explicit LineTransform(std::size_t length, double spacing)
+      : square_(spacing * spacing), from_(length), places_(length), bounds_(length) {}
+
+  void operator()(std::span<float> line) {
+    if (std::all_of(line.begin(), line.end(), [](float value) { return value == 0.0f; })) return;
+    std::copy(line.begin(), line.end(), from_.begin());
+    const int count = static_cast<int>(line.size());
+    int last = -1;
+    for (int q = 0; q < count; ++q) {
+      if (std::isinf(from_[static_cast<std::size_t>(q)])) continue;
+      double start = -std::numeric_limits<double>::infinity();
+      for (; last >= 0; --last) {
+        const int p = places_[static_cast<std::size_t>(last)];
+        const double difference =
+            (static_cast<double>(from_[static_cast<std::size_t>(q)]) - from_[static_cast<std::size_t>(p)]) / square_;
+        start = (difference + static_cast<double>(q) * q - static_cast<double>(p) * p) / (2.0 * (q - p));
+        if (start > bounds_[static_cast<std::size_t>(last)]) break;
+      }
+      if (last < 0) start = -std::numeric_limits<double>::infinity();
+      ++last;
+      places_[static_cast<std::size_t>(last)] = q;
+      bounds_[static_cast<std::size_t>(last)] = start;
     }
-    if (last < 0) start = -std::numeric_limits<double>::infinity();
-    ++last;
-    places[static_cast<std::size_t>(last)] = q;
-    bounds[static_cast<std::size_t>(last)] = start;
+    if (last < 0) return;
+    int parabola = 0;
+    for (int q = 0; q < count; ++q) {
+      while (parabola < last && bounds_[static_cast<std::size_t>(parabola) + 1] < q) ++parabola;
+      const int p = places_[static_cast<std::size_t>(parabola)];
+      line[static_cast<std::size_t>(q)] =
+          static_cast<float>(square_ * (q - p) * (q - p) + from_[static_cast<std::size_t>(p)]);
+    }
   }
-  if (last < 0) return;
-  int parabola = 0;
-  for (int q = 0; q < count; ++q) {
-    while (parabola < last && bounds[static_cast<std::size_t>(parabola) + 1] < q) ++parabola;
-    const int p = places[static_cast<std::size_t>(parabola)];
-    line[static_cast<std::size_t>(q)] =
-        static_cast<float>(square * (q - p) * (q - p) + from[static_cast<std::size_t>(p)]);
-  }
-}
+
+ private:
+  double square_;
+  std::vector<float> from_;
+  std::vector<int> places_;
+  std::vector<double> bounds_;
+};
 
 /// mm from each cell's centre to that of the nearest cell of the set (infinite without any); exact up to float32.
 std::vector<float> distanceTo(const Cells& cells, const Flags& set) {
   std::vector<float> squares(set.size());
-  for (std::size_t i = 0; i < set.size(); ++i) squares[i] = set[i] ? 0.0f : std::numeric_limits<float>::infinity();
-  for (int axis = 0; axis < 3; ++axis) {
-    const int u = (axis + 1) % 3, v = (axis + 2) % 3, length = cells.dims[axis];
-    parallelFor(static_cast<std::size_t>(cells.dims[v]), 1, [&](std::size_t begin, std::size_t end) {
-      std::vector<float> line(static_cast<std::size_t>(length));
-      std::vector<int> places(line.size());
-      std::vector<double> bounds(line.size());
-      for (int b = static_cast<int>(begin); b < static_cast<int>(end); ++b)
-        for (int a = 0; a < cells.dims[u]; ++a) {
-          glm::ivec3 cell(0);
-          cell[u] = a;
-          cell[v] = b;
-          for (cell[axis] = 0; cell[axis] < length; ++cell[axis])
-            line[static_cast<std::size_t>(cell[axis])] = squares[cells.offset(cell)];
-          transformLine(line, places, bounds, cells.spacing[axis]);
-          for (cell[axis] = 0; cell[axis] < length; ++cell[axis])
-            squares[cells.offset(cell)] = line[static_cast<std::size_t>(cell[axis])];
+  const auto across = static_cast<std::size_t>(cells.dims.x);
+  parallelFor(set.size() / across, 64, [&](std::size_t begin, std::size_t end) {
+    LineTransform transform(across, cells.spacing.x);
+    for (std::size_t row = begin; row < end; ++row) {
+      const std::span<float> line = std::span(squares).subspan(row * across, across);
+      for (std::size_t x = 0; x < across; ++x)
+        line[x] = set[row * across + x] ? 0.0f : std::numeric_limits<float>::infinity();
+      transform(line);
+    }
+  });
+  // Along the other axes, neighbouring lines are copied out together: they share the cache's lines.
+  constexpr int together = 16;
+  for (const int axis : {1, 2}) {
+    const auto length = static_cast<std::size_t>(cells.dims[axis]);
+    const std::size_t step = cells.offset(axis == 1 ? glm::ivec3(0, 1, 0) : glm::ivec3(0, 0, 1));
+    parallelFor(static_cast<std::size_t>(cells.dims[3 - axis]), 1, [&](std::size_t begin, std::size_t end) {
+      LineTransform transform(length, cells.spacing[axis]);
+      std::vector<float> lines(length * together);
+      for (int plane = static_cast<int>(begin); plane < static_cast<int>(end); ++plane)
+        for (int x = 0; x < cells.dims.x; x += together) {
+          const auto count = static_cast<std::size_t>(std::min(together, cells.dims.x - x));
+          float* first = squares.data() + cells.offset(axis == 1 ? glm::ivec3(x, 0, plane) : glm::ivec3(x, plane, 0));
+          for (std::size_t q = 0; q < length; ++q)
+            for (std::size_t i = 0; i < count; ++i) lines[i * length + q] = first[q * step + i];
+          for (std::size_t i = 0; i < count; ++i) transform(std::span(lines).subspan(i * length, length));
+          for (std::size_t q = 0; q < length; ++q)
+            for (std::size_t i = 0; i < count; ++i) first[q * step + i] = lines[i * length + q];
         }
     });
   }
-  for (float& square : squares) square = std::sqrt(square);
+  parallelFor(squares.size(), 1 << 16, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) squares[i] = std::sqrt(squares[i]);
+  });
   return squares;
 }
 

@@ -260,6 +260,7 @@ int main(int argc, char** argv) {
   MainWindow window(
       {.gl = gl,
        .atRest = Effort{.quality = options.quality, .maxError = options.maxError},
+       .expected = app::expectedFocus(options),
        .chooseSchedule = [software = gl.software](
                              const std::shared_ptr<GpuScene>& gpu, const Scene& scene,
                              const View& view) { app::chooseScheduleQuickly({}, software, gpu, scene, view); },

@@ -4,13 +4,16 @@
 #include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QMimeData>
+#include <QPushButton>
 #include <QSignalSpy>
+#include <QStatusBar>
 #include <QTest>
 #include <QUrl>
 
 #include "io/VolumeWriter.h"
 #include "tests/gui/WindowFixture.h"
 #include "tests/support/TestData.h"
+#include "viewer/LoadingBar.h"
 #include "viewer/NoticeBar.h"
 #include "viewer/model/Paths.h"
 #include "viewer/panels/FocusPanel.h"
@@ -184,6 +187,25 @@ TEST_F(RegionWindow, EscapeTakesAGrowingRegionBack) {
   waitUntilDrawn();
   EXPECT_FALSE(document().undoStack().canUndo());
   EXPECT_TRUE(window_->notices().texts().isEmpty());
+}
+
+TEST_F(RegionWindow, TheCancelButtonTakesAWaitingRegionBack) {
+  const auto focusAt = [&](glm::dvec3 world) {
+    RegionFocus region;
+    region.inside = {world};
+    document().setFocus(region);
+  };
+  focusAt(markerCentre);
+  focusAt(glm::dvec3(0.0));  // waits for the first one's job to stop
+  ASSERT_TRUE(document().awaitsGrowth());
+  QPushButton* cancel = nullptr;
+  for (LoadingBar* bar : window_->statusBar()->findChildren<LoadingBar*>())
+    if (bar->isVisible()) cancel = bar->findChild<QPushButton*>();
+  ASSERT_NE(cancel, nullptr);
+  QTest::mouseClick(cancel, Qt::LeftButton);
+  waitUntilDrawn();
+  const RegionFocus* region = document().region();
+  EXPECT_TRUE(!region || region->inside.front() == markerCentre) << "the waiting region is taken back, as by Escape";
 }
 
 TEST_F(RegionWindow, ADoubleClickLeavesNoRegion) {

@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QCheckBox>
 #include <QColorDialog>
 #include <QLabel>
 #include <QStatusBar>
@@ -10,6 +11,7 @@
 
 #include "rendering/Renderer.h"
 #include "tests/gui/WindowFixture.h"
+#include "viewer/panels/AppearancePanel.h"
 #include "viewer/panels/ContextLayerPanel.h"
 #include "viewer/panels/CutawayPanel.h"
 #include "viewer/panels/FocusPanel.h"
@@ -355,6 +357,57 @@ TEST_F(Window, NamesWhatIsUnderTheMouse) {
       << text().toStdString();
   EXPECT_TRUE(text().contains(QStringLiteral("900 HU"))) << text().toStdString();
   EXPECT_TRUE(text().contains(QStringLiteral("S 17.0"))) << text().toStdString();
+}
+
+/// A ball of soft tissue over a plate, in a CT.
+Study ballOverTable() {
+  Study study = markedBall();
+  auto volume = std::make_shared<Volume>();
+  volume->grid = study.scene.volume->grid;
+  volume->modality = Modality::CT;
+  volume->unit = "HU";
+  volume->voxels = Voxels(ScalarType::Int16, volume->grid.voxelCount());
+  auto values = volume->voxels.as<std::int16_t>();
+  for (int z = 0; z < 48; ++z)
+    for (int y = 0; y < 48; ++y)
+      for (int x = 0; x < 48; ++x) {
+        const glm::dvec3 world = volume->grid.origin + 2.0 * glm::dvec3(x, y, z);
+        const bool isTable = std::abs(world.y - 42.0) < 2.5 && std::abs(world.x) < 42.0;
+        const bool isShown = isTable || glm::length(world) < 24.0;
+        values[volume->grid.offset({x, y, z})] = static_cast<std::int16_t>(isShown ? 40 : -1000);
+      }
+  volume->computeRange();
+  study.scene.volume = volume;
+  study.scene.labels = nullptr;
+  return study;
+}
+
+TEST_F(Window, ASwitchShowsAndHidesTheTable) {
+  open(ballOverTable());
+  options().setText(false);
+  options().setCrosshair(false);
+  auto* hides = window_->findChild<AppearancePanel*>()->findChild<QCheckBox*>(QStringLiteral("hide_table"));
+  ASSERT_NE(hides, nullptr);
+  EXPECT_TRUE(hides->isChecked());
+  // Above the ball, where the plate behind it shows from the front.
+  const auto shows = [&] {
+    const std::optional<QPointF> at = volume(0)->widgetFromWorld({0.0, 42.0, 34.0});
+    const QImage seen = picture(volume(0));
+    const double scale = static_cast<double>(seen.width()) / volume(0)->width();
+    return at && seen.pixelColor((*at * scale).toPoint()).red() > 60;
+  };
+  waitUntilDrawn();
+  const Camera camera = cameras().camera(0).zoomed(0.5);
+  cameras().show(0, camera);
+  waitUntilDrawn();
+  EXPECT_FALSE(shows());
+  hides->click();
+  waitUntilDrawn();
+  EXPECT_TRUE(shows());
+  EXPECT_EQ(cameras().camera(0), camera) << "the camera stays";
+  hides->click();
+  waitUntilDrawn();
+  EXPECT_FALSE(shows());
 }
 
 }  // namespace

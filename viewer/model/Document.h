@@ -25,7 +25,7 @@ struct Study {
   Scene scene;                                         ///< as the user set it: its focus may be a region
   std::shared_ptr<const segmentation::Growth> growth;  ///< of that region, or null
   std::optional<Camera> camera;                        ///< where to look from first; unset: from anterior
-  std::optional<Grid> visible;                         ///< the part that `scene` shows, for a camera to frame
+  std::optional<Framing> visible;                      ///< the part that `scene` shows, for a camera to frame
   std::optional<glm::dvec3> focusCentre;               ///< of `scene`, world mm; where the crosshair goes first
   bool placeCameras = false;                           ///< place both for the focus once the study is open
   std::filesystem::path path;                          ///< what the user opened; empty for a phantom

@@ -63,8 +63,8 @@ int FramePacer::framesPerFollowing() const {
   if (!draftCost_ || leader == rest_) return 1;
   const auto costOf = [&](const Effort& effort) { return *draftCost_ * effort.scale * effort.scale; };
   const double left = timeForPictures() - costOf(leader);
-  if (left >= costOf(follower) * 0.9) return 1;
-  return left >= 0.5 * costOf(follower) ? 2 : 3;
+  // In every third frame it would seem to stand still.
+  return left >= costOf(follower) * 0.9 ? 1 : 2;
 }
 
 std::optional<Effort> FramePacer::beforeRest() const {
@@ -96,15 +96,7 @@ void FramePacer::refined(Effort effort, double milliseconds, bool usual) {
   if (usual) note(effort, milliseconds);
 }
 
-std::optional<Effort> FramePacer::untried() const {
-  const Effort draft{leastScale, Quality::Draft};
-  return hasDraft_ || rest_.quality == Quality::Draft || restCost_.value_or(0.0) * views <= timeForPictures()
-             ? std::nullopt
-             : std::optional(draft);
-}
-
 void FramePacer::note(Effort effort, double milliseconds) {
-  hasDraft_ |= effort.quality == Quality::Draft;
   if (effort == rest_) blend(restCost_, milliseconds);
   // A picture's time grows with its pixels.
   else

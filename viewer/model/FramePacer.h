@@ -62,10 +62,6 @@ class FramePacer {
   void end(double now);
   /// A picture that was refined between frames took so long.
   void refined(Effort effort, double milliseconds, bool usual = true);
-  /// A draft to draw once, unseen, after the first pictures are at rest: until one is drawn, the first frames of a drag
-  /// would wait for its programs.
-  std::optional<Effort> untried() const;
-  void tried() { hasDraft_ = true; }
   const std::optional<Measured>& last() const { return last_; }
   long frames() const { return frames_; }  ///< so many frames have ended
 
@@ -94,7 +90,6 @@ class FramePacer {
   long frames_ = 0;
   std::optional<double> restCost_;   ///< ms per view at rest
   std::optional<double> draftCost_;  ///< ms per view for a draft of scale 1
-  bool hasDraft_ = false;
   std::optional<double> overhead_;  ///< ms of a frame besides its pictures: overlays, putting the window together
 };
 

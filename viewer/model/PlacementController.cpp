@@ -191,7 +191,7 @@ void PlacementController::fly(glm::dvec3 c1, std::optional<glm::dvec3> c2, bool 
 
 Camera PlacementController::framing(glm::dvec3 direction) {
   const std::shared_ptr<const Volume>& shown = shownVolume(document_.scene());
-  if (!visible_ || visibleOf_ != shown) visible_ = visibleGrid(*shown, document_.scene().look.context.shifted());
+  if (!visible_ || visibleOf_ != shown) visible_ = visibleFraming(*shown, document_.scene().look.context.shifted());
   visibleOf_ = shown;
   return Camera::fromDirection(direction, *visible_, cameras_.projection());
 }

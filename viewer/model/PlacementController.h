@@ -123,7 +123,7 @@ class PlacementController : public QObject {
   placement::Measured measured_;
   std::optional<Subject> measuredSubject_;
   std::shared_ptr<const Volume> volume_;   ///< the volume at the last change of focus
-  std::optional<Grid> visible_;            ///< the box of the visible voxels, which a camera frames
+  std::optional<Framing> visible_;         ///< the visible voxels, which a camera frames
   std::optional<glm::dvec3> placedClick_;  ///< of the last region in focus that was grown
   std::shared_ptr<const Volume> visibleOf_;
   QString note_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #include <QElapsedTimer>
 
@@ -14,6 +15,7 @@ namespace {
 /// Time that one slice may block the window: a frame at 30 Hz (33 ms), less a margin for slices slower than the last.
 constexpr double sliceMilliseconds = 20.0;
 constexpr std::size_t mostPerSlice = 256;
+constexpr int turnMilliseconds = 4;  ///< that a slice waits for the context, so as not to ask without a pause
 
 }  // namespace
 
@@ -34,13 +36,39 @@ void PlacementRenderer::run(const std::function<void(const std::shared_ptr<GpuSc
 
 void PlacementRenderer::begin(const Scene& scene, const placement::Sampling& sampling,
                               const placement::Options& options) {
-  run([&](const std::shared_ptr<GpuScene>& gpu) {
-    if (!placer_) placer_.emplace();
-    placer_->begin(*gpu, scene, sampling, options);
-  });
+  waiting_ = Order{scene, sampling, options};
+  failure_ = nullptr;
+}
+
+void PlacementRenderer::start() {
+  isStarting_ = true;
+  view_.preparation().runBehind(
+      [this, order = *std::exchange(waiting_, std::nullopt),
+       gpu = view_.preparation().gpuScene()](const std::atomic<bool>&) {
+        if (!placer_) placer_.emplace();
+        placer_->begin(*gpu, order.scene, order.sampling, order.options);
+        placer_->advance(*gpu, 1);
+      },
+      [this](std::exception_ptr error) {
+        isStarting_ = false;
+        failure_ = error;
+      });
 }
 
 bool PlacementRenderer::advance() {
+  ScenePreparation& preparation = view_.preparation();
+  if (preparation.isBusy()) {
+    preparation.context().waitFor(turnMilliseconds);
+    return false;
+  }
+  if (waiting_) {
+    start();
+    return false;
+  }
+  if (failure_) {
+    const std::exception_ptr failure = std::exchange(failure_, nullptr);
+    run([&](const std::shared_ptr<GpuScene>&) { std::rethrow_exception(failure); });
+  }
   bool done = false;
   QElapsedTimer clock;
   clock.start();

@@ -1,6 +1,7 @@
 #pragma once
 // Measures candidate cameras and draws small pictures of them, in a 3-D view's OpenGL context and with its voxels.
 
+#include <exception>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -22,15 +23,27 @@ class PlacementRenderer : public PlacementBackend {
 
   void begin(const Scene& scene, const placement::Sampling& sampling, const placement::Options& options) override;
   bool advance() override;
-  double progress() const override { return placer_ ? placer_->progress() : 0.0; }
+  double progress() const override { return placer_ && !waiting_ && !isStarting_ ? placer_->progress() : 0.0; }
   const placement::Measured& measured() const override { return placer_->measured(); }
   QImage picture(const Scene& scene, const Camera& camera, QSize size) override;
 
  private:
   /// Runs `work` in the view's context. Throws std::runtime_error with a message for the user.
   void run(const std::function<void(const std::shared_ptr<GpuScene>&)>& work);
+  /// Begins on another thread, with the first candidates: the focus's surface is sampled and programs are compiled.
+  void start();
+
+  /// What begin() was called with.
+  struct Order {
+    Scene scene;
+    placement::Sampling sampling;
+    placement::Options options;
+  };
 
   VolumeView& view_;
+  std::optional<Order> waiting_;  ///< for the context
+  bool isStarting_ = false;
+  std::exception_ptr failure_;
   std::optional<placement::Placer> placer_;
   std::size_t perSlice_ = 2;  ///< candidates
   std::optional<Renderer> renderer_;

@@ -9,18 +9,18 @@ void RefinedPicture::draw(const Scene& scene, const View& view, bool full) {
   drop();
   const std::size_t at = full ? full_.value_or(shown_) : full_ == shown_ ? other() : shown_;
   pictures_[at].renderer.render(scene, view);
-  show({at, view, full ? Use::Keep : Use::Show});
+  show({at, view, full});
 }
 
-void RefinedPicture::refine(const Scene& scene, const View& view, Use use) {
-  refining_ = Refining{other(), view, use};
+void RefinedPicture::refine(const Scene& scene, const View& view, bool full) {
+  refining_ = Refining{other(), view, full};
   pictures_[refining_->picture].renderer.begin(scene, view);
 }
 
 bool RefinedPicture::advance(double milliseconds) {
   if (!refining_) return true;
   if (!pictures_[refining_->picture].renderer.advance(milliseconds)) return false;
-  if (refining_->use != Use::Trial) show(*refining_);
+  show(*refining_);
   refining_.reset();
   return true;
 }
@@ -33,7 +33,7 @@ void RefinedPicture::drop() {
 void RefinedPicture::show(const Refining& done) {
   shown_ = done.picture;
   pictures_[shown_].view = done.view;
-  if (done.use == Use::Keep)
+  if (done.full)
     full_ = shown_;
   else if (full_ == shown_)
     full_.reset();

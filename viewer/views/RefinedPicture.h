@@ -3,7 +3,6 @@
 // What is shown stays until a better picture is done.
 
 #include <array>
-#include <cstdint>
 #include <memory>
 #include <optional>
 
@@ -20,10 +19,8 @@ class RefinedPicture {
   /// Draws at once and shows it. A picture at full quality is kept while others are shown, so that the next one at full
   /// quality re-uses of it what it can. Drops what is being refined.
   void draw(const Scene& scene, const View& view, bool full);
-  /// What becomes of a refined picture: it is shown, and at full quality kept besides, or it is not seen.
-  enum class Use : std::uint8_t { Show, Keep, Trial };
-  /// Starts a picture beside the one shown.
-  void refine(const Scene& scene, const View& view, Use use);
+  /// Starts a picture beside the one shown, to be shown when it is done.
+  void refine(const Scene& scene, const View& view, bool full);
   /// Goes on with it for about so many milliseconds; true when it is done.
   bool advance(double milliseconds);
   bool isRefining() const { return refining_.has_value(); }
@@ -43,7 +40,7 @@ class RefinedPicture {
   struct Refining {
     std::size_t picture;
     View view;
-    Use use;
+    bool full;
   };
   std::size_t other() const { return 1 - shown_; }
   void show(const Refining& done);

@@ -13,7 +13,7 @@
 namespace fenestra::viewer {
 
 ViewArea::ViewArea(Document& document, SliceCursor& cursor, ViewLink& cameras, ViewOptions& options, Brush& brush,
-                   const GlSupport& gl, const Effort& atRest, const VolumeView::ChooseSchedule& chooseSchedule,
+                   const GlSupport& gl, const Effort& atRest, const ScenePreparation::ChooseSchedule& chooseSchedule,
                    QWidget* parent)
     : QWidget(parent),
       pacer_(std::make_shared<FramePacer>(atRest)),
@@ -38,8 +38,8 @@ ViewArea::ViewArea(Document& document, SliceCursor& cursor, ViewLink& cameras, V
     connect(view, &View::maximiseRequested, this, [this, view] { toggleMaximised(view); });
   };
   if (gl.available) {
-    const VolumeView::Shared shared{std::make_shared<GpuScene>(), pacer_, chooseSchedule};
-    gpuScene_ = shared.gpuScene;
+    preparation_ = std::make_shared<ScenePreparation>(chooseSchedule);
+    const VolumeView::Shared shared{preparation_, pacer_};
     for (int index = 0; index < ViewLink::count; ++index) {
       auto* view = new VolumeView(index, document, cursor, cameras, options, brush, shared);
       connectView(view);
@@ -74,8 +74,15 @@ ViewArea::ViewArea(Document& document, SliceCursor& cursor, ViewLink& cameras, V
 }
 
 std::optional<Schedule> ViewArea::schedule() const {
-  const std::shared_ptr<const GpuScene> gpuScene = gpuScene_.lock();
-  return gpuScene ? std::optional(gpuScene->schedule()) : std::nullopt;
+  return preparation_ ? std::optional(preparation_->schedule()) : std::nullopt;
+}
+
+void ViewArea::warmUp(const Focus& expected) {
+  std::vector<Focus> kinds{Focus(), LabelFocus(), ValueFocus()};
+  const auto first =
+      std::find_if(kinds.begin(), kinds.end(), [&](const Focus& kind) { return kind.index() == expected.index(); });
+  if (first != kinds.end()) std::rotate(kinds.begin(), first, first + 1);
+  if (preparation_) preparation_->warmUp(kinds, atRest().quality, atRest().maxError);
 }
 
 bool ViewArea::isSettled() const {

@@ -20,7 +20,7 @@ class ViewArea : public QWidget {
  public:
   /// Without OpenGL a text in place of the 3-D views says why; the slices work all the same.
   ViewArea(Document& document, SliceCursor& cursor, ViewLink& cameras, ViewOptions& options, Brush& brush,
-           const GlSupport& gl, const Effort& atRest, const VolumeView::ChooseSchedule& chooseSchedule,
+           const GlSupport& gl, const Effort& atRest, const ScenePreparation::ChooseSchedule& chooseSchedule,
            QWidget* parent = nullptr);
 
   const std::vector<VolumeView*>& volumeViews() const { return volumes_; }  ///< empty without OpenGL
@@ -29,6 +29,8 @@ class ViewArea : public QWidget {
   QWidget* activeView() const { return active_; }
   /// The schedule that the shaders of the 3-D views follow; empty without OpenGL.
   std::optional<Schedule> schedule() const;
+  /// Compiles what 3-D views will need, that for a focus of the expected kind first.
+  void warmUp(const Focus& expected);
   /// Every visible view shows the scene at full quality.
   bool isSettled() const;
 
@@ -40,7 +42,6 @@ class ViewArea : public QWidget {
   /// How the 3-D views are drawn when nothing moves.
   Effort atRest() const { return pacer_->atRest(); }
   void setAtRest(Quality quality, std::optional<double> maxError);
-  std::weak_ptr<const GpuScene> gpuScene_;  ///< the views own it and destroy it in their context
   const FramePacer& pacer() const { return *pacer_; }
 
   /// Write and restore the pictures' sizes, their sampling and the layout.
@@ -66,6 +67,7 @@ class ViewArea : public QWidget {
   std::vector<std::pair<std::string, QWidget*>> namedViews() const;
 
   std::shared_ptr<FramePacer> pacer_;
+  std::shared_ptr<ScenePreparation> preparation_;  ///< null without OpenGL
   QSplitter *rows_, *upper_, *lower_;
   std::vector<VolumeView*> volumes_;
   std::vector<SliceView*> slices_;

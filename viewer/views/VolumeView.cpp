@@ -52,6 +52,7 @@ VolumeView::VolumeView(int index, Document& document, SliceCursor& cursor, ViewL
   connect(&refining_, &QTimer::timeout, this, &VolumeView::refine);
   connect(&document, &Document::volumeChanged, this, [this] {
     problem_.clear();  // another volume may fit where the last one did not
+    shared_.preparation->forgetFailure();
     reduction_.clear();
   });
   connect(&document, &Document::sceneChanged, this, [this] { disturb(ViewLink::count); });
@@ -65,30 +66,27 @@ VolumeView::VolumeView(int index, Document& document, SliceCursor& cursor, ViewL
     if (view == index_) follow();
   });
   const auto repaint = [this] { update(); };
+  connect(&shared_.preparation->context(), &RenderContext::freed, this, [this] {
+    if (due_ != Due::Nothing || !picture_)
+      update();
+    else if (!settled_ && !rest_.isActive() && !refining_.isActive())
+      settle();
+  });
   connect(&cursor, &SliceCursor::moved, this, repaint);
   connect(&options, &ViewOptions::changed, this, repaint);
   connect(this, &QOpenGLWidget::frameSwapped, this, [this] {
     shared_.pacer->end(now());
-    Q_EMIT drawn();
+    if (picture_ && picture_->isShown()) Q_EMIT drawn();
   });
 }
 
 VolumeView::~VolumeView() {
-  // GPU objects need their context when they are destroyed. The last view destroys the shared voxels.
-  makeCurrent();
-  picture_.reset();
-  shared_.gpuScene.reset();
-  doneCurrent();
+  // GPU objects need their context when they are destroyed.
+  shared_.preparation->context().run([this] { picture_.reset(); });
 }
 
 bool VolumeView::inContext(const std::function<void(const std::shared_ptr<GpuScene>&)>& work) {
-  if (!isValid()) return false;
-  makeCurrent();
-  if (QOpenGLContext::currentContext() != context()) return false;
-  // The context is released whatever `work` throws.
-  const std::unique_ptr<VolumeView, void (*)(VolumeView*)> done(this, [](VolumeView* view) { view->doneCurrent(); });
-  work(shared_.gpuScene);
-  return true;
+  return shared_.preparation->context().run([&] { work(shared_.preparation->gpuScene()); });
 }
 
 bool VolumeView::isSettled() const { return settled_ || !problem_.isEmpty() || !document_.hasVolume(); }
@@ -119,7 +117,7 @@ void VolumeView::redraw() { disturb(ViewLink::count); }
 
 void VolumeView::settle() {
   if (settled_) return;
-  if (held_ || !picture_) {
+  if (held_ || !picture_ || !picture_->isShown()) {
     rest_.start(restMilliseconds);
     if (!held_) update();
     return;
@@ -147,32 +145,28 @@ void VolumeView::refine() {
   const bool isTurn = shared_.pacer->mayRefine(index_);
   refining_.setInterval(isTurn ? 0 : turnMilliseconds);
   if (!isTurn) return;
-  attemptOnPicture([this] {
-    const Effort effort = *refinement_;
+  const Effort effort = *refinement_;
+  bool isReady = false;
+  attempt([&] { isReady = shared_.preparation->isReady(shownScene(), viewFor(effort)); });
+  if (!isReady) return refining_.stop();  // until the context is free
+  bool done = false;
+  attemptOnPicture([&] {
     const double start = now();
     const std::size_t firstRuns = gl::ShaderProgram::firstRuns();
     if (!picture_->isRefining()) {
       refinedFor_ = 0.0;
       compiled_ = false;
-      using Use = RefinedPicture::Use;
-      const bool full = effort == shared_.pacer->atRest();
-      picture_->refine(shownScene(), viewFor(effort), settled_ ? Use::Trial : full ? Use::Keep : Use::Show);
+      picture_->refine(shownScene(), viewFor(effort), effort == shared_.pacer->atRest());
     }
-    // A trial is there to compile programs; the smallest slices hold one program at most.
-    const bool done = picture_->advance(settled_ ? 0.0 : sliceMilliseconds);
+    done = picture_->advance(sliceMilliseconds);
     compiled_ |= firstRuns != gl::ShaderProgram::firstRuns();
     refinedFor_ += now() - start;
-    if (done) refined(effort);
   });
+  if (done) refined(effort);
 }
 
 void VolumeView::refined(Effort effort) {
   FramePacer& pacer = *shared_.pacer;
-  if (settled_) {
-    pacer.tried();
-    stopRefining();
-    return;
-  }
   pacer.refined(effort, refinedFor_, !compiled_);
   if (effort != pacer.atRest()) {
     refinement_ = pacer.atRest();
@@ -180,11 +174,9 @@ void VolumeView::refined(Effort effort) {
   } else {
     stopRefining();
     settled_ = true;
-    refinement_ = pacer.untried();
-    if (refinement_) {
-      pacer.refine(index_, 2);
-      refining_.start(0);
-    }
+    // Or else the first frame of a drag would wait for its programs.
+    if (const Effort moving = pacer.moving(ViewLink::count); moving != effort)
+      shared_.preparation->prepareAhead(shownScene(), viewFor(moving));
   }
   update();
 }
@@ -212,7 +204,7 @@ void VolumeView::attempt(const std::function<void()>& work) {
     work();
   } catch (const std::exception& error) {
     stopRefining();
-    picture_.reset();
+    shared_.preparation->context().run([this] { picture_.reset(); });
     problem_ = tr("The 3-D views cannot be drawn. %1").arg(describeRenderProblem(error));
     Q_EMIT failed(problem_);
     update();
@@ -220,7 +212,8 @@ void VolumeView::attempt(const std::function<void()>& work) {
 }
 
 void VolumeView::attemptOnPicture(const std::function<void()>& work) {
-  if (!picture_ || !picture_->isShown() || !document_.hasVolume()) return;
+  ScenePreparation& preparation = *shared_.preparation;
+  if (!picture_ || !picture_->isShown() || !document_.hasVolume() || preparation.isBusy()) return;
   inContext([&](const std::shared_ptr<GpuScene>&) { attempt(work); });
 }
 
@@ -247,44 +240,43 @@ View VolumeView::viewFor(Effort effort) const {
   };
 }
 
-void VolumeView::drawDue() {
+bool VolumeView::drawDue() {
   const Scene scene = shownScene();
   FramePacer& pacer = *shared_.pacer;
   const Effort rest = pacer.atRest();
-  if (due_ == Due::Strokes && picture_->showsFull(viewFor(rest))) {
-    picture_->draw(scene, viewFor(rest), true);
-    settled_ = true;
-    return;
-  }
-  if (due_ == Due::Strokes) rest_.start(restMilliseconds);
-  const Effort effort = pacer.moving(moving_, pacer.leads(index_));
+  const bool onlyStrokes = due_ == Due::Strokes && picture_->showsFull(viewFor(rest));
+  const Effort effort = onlyStrokes ? rest : pacer.moving(moving_, pacer.leads(index_));
   const View view = viewFor(effort);
-  if (shared_.chooseSchedule && scheduledFor_.lock() != scene.volume) {
-    shared_.chooseSchedule(shared_.gpuScene, scene, view);
-    scheduledFor_ = scene.volume;
-  }
-  const double start = now();
-  pacer.begin(effort, start);
-  const std::size_t firstRuns = gl::ShaderProgram::firstRuns();
-  const GpuScene::Versions before = shared_.gpuScene->versions();
-  picture_->draw(scene, view, effort == rest);
-  gl::finish();
-  // The first picture of a kind also compiles programs or uploads voxels.
-  const bool usual = firstRuns == gl::ShaderProgram::firstRuns() && before == shared_.gpuScene->versions();
-  pacer.drew(effort, now() - start, usual);
-  followed_ = pacer.frames() + 1;
+  if (!shared_.preparation->isReady(scene, view)) return false;
+  if (due_ == Due::Strokes && !onlyStrokes) rest_.start(restMilliseconds);
+  shared_.preparation->context().run([&] {
+    if (onlyStrokes) return picture_->draw(scene, view, true);
+    const double start = now();
+    pacer.begin(effort, start);
+    const std::size_t firstRuns = gl::ShaderProgram::firstRuns();
+    const GpuScene& gpuScene = *shared_.preparation->gpuScene();
+    const GpuScene::Versions before = gpuScene.versions();
+    picture_->draw(scene, view, effort == rest);
+    gl::finish();
+    // The first picture of a kind also compiles programs or uploads voxels.
+    const bool usual = firstRuns == gl::ShaderProgram::firstRuns() && before == gpuScene.versions();
+    pacer.drew(effort, now() - start, usual);
+    followed_ = pacer.frames() + 1;
+  });
+  due_ = Due::Nothing;
   settled_ = effort == rest;
+  return true;
 }
 
 void VolumeView::renderScene() {
   const double ratio = devicePixelRatioF();
   const QSize device(static_cast<int>(std::lround(width() * ratio)), static_cast<int>(std::lround(height() * ratio)));
-  if (!picture_) picture_.emplace(shared_.gpuScene);
-  if (due_ != Due::Nothing || !picture_->isShown()) drawDue();
-  due_ = Due::Nothing;
-  if (const QString notice = QString::fromStdString(shared_.gpuScene->reductionNotice()); notice != reduction_) {
-    reduction_ = notice;
-    if (!notice.isEmpty()) Q_EMIT reduced(notice);
+  if (!picture_) picture_.emplace(shared_.preparation->gpuScene());
+  const bool drew = (due_ != Due::Nothing || !picture_->isShown()) && drawDue();
+  if (!picture_->isShown()) return;
+  if (drew) {
+    const QString notice = QString::fromStdString(shared_.preparation->gpuScene()->reductionNotice());
+    if (notice != std::exchange(reduction_, notice) && !notice.isEmpty()) Q_EMIT reduced(notice);
   }
   picture_->shown().present(defaultFramebufferObject(), {0, 0, device.width(), device.height()});
 }
@@ -292,7 +284,7 @@ void VolumeView::renderScene() {
 void VolumeView::drawOverlay() {
   QPainter painter(this);
   const QRectF view = rect();
-  if (!problem_.isEmpty() || !document_.hasVolume())
+  if (!problem_.isEmpty() || !document_.hasVolume() || !picture_ || !picture_->isShown())
     painter.fillRect(rect(), toColour(document_.scene().look.background));
   if (!problem_.isEmpty()) {
     painter.setPen(QColor(220, 222, 226));

@@ -3,8 +3,9 @@
 // orientation cube and (parallel projection only) scale bar over it.
 //
 // While something changes it draws as the pacer says. After a moment of rest it refines the picture up to full quality,
-// in slices of time between which the window answers; a change ends that. A brush stroke changes little of the picture
-// and is drawn at full quality at once. Left drag: rotate, or paint while the brush is up (see BrushTool); left click:
+// in slices of time between which the window answers; a change ends that. What takes long besides is prepared on
+// another thread; until then the view keeps the picture that it has. A brush stroke changes little of the picture and
+// is drawn at full quality at once. Left drag: rotate, or paint while the brush is up (see BrushTool); left click:
 // crosshair and focus to what is seen, see clickStructure(); middle: pan; right drag or wheel: zoom; Alt+wheel:
 // tolerance of the region in focus; arrows: turn by steps.
 
@@ -20,6 +21,7 @@
 #include "viewer/tools/BrushTool.h"
 #include "viewer/tools/ToleranceWheel.h"
 #include "viewer/views/RefinedPicture.h"
+#include "viewer/views/ScenePreparation.h"
 
 namespace fenestra::viewer {
 
@@ -31,13 +33,11 @@ class ViewOptions;
 class VolumeView : public QOpenGLWidget {
   Q_OBJECT
  public:
-  /// Makes a new volume's shaders follow the schedule that suits this machine; called with the context current.
-  using ChooseSchedule = std::function<void(const std::shared_ptr<GpuScene>&, const Scene&, const View&)>;
-  /// What all 3-D views of a window share: voxels on the GPU, and the measured speed of the machine.
+  /// What all 3-D views of a window share: voxels on the GPU with the context that they are drawn in, and the measured
+  /// speed of the machine.
   struct Shared {
-    std::shared_ptr<GpuScene> gpuScene;
+    std::shared_ptr<ScenePreparation> preparation;
     std::shared_ptr<FramePacer> pacer;
-    ChooseSchedule chooseSchedule;  ///< may be empty
   };
 
   /// `index` is the camera's place in `cameras`.
@@ -64,8 +64,10 @@ class VolumeView : public QOpenGLWidget {
   /// Draws what lies over the picture of `camera`: mark of the crosshair, corner text, orientation cube, scale bar.
   void drawMarks(QPainter& painter, const Camera& camera) const;
   const BrushTool& brushTool() const { return brushTool_; }
-  /// Runs `work` with this view's OpenGL context current. Returns false without running it where there is no context:
-  /// before the view is first shown, or after the driver has lost it.
+  /// What draws the scene's pictures, for others that need its context.
+  ScenePreparation& preparation() { return *shared_.preparation; }
+  /// Runs `work` with the pictures' OpenGL context current. Returns false without running it where the driver has lost
+  /// the context.
   bool inContext(const std::function<void(const std::shared_ptr<GpuScene>&)>& work);
 
   QSize sizeHint() const override { return {480, 380}; }
@@ -111,12 +113,14 @@ class VolumeView : public QOpenGLWidget {
   /// Runs `work`, which needs the renderer and its context. When it throws, the view shows the problem and draws
   /// nothing until another volume is opened.
   void attempt(const std::function<void()>& work);
-  /// As attempt(), for events: makes the context current, and does nothing where the view has no picture.
+  /// As attempt(), for events: makes the context current, and does nothing where the view has no picture or another
+  /// thread is preparing one.
   void attemptOnPicture(const std::function<void()>& work);
   View viewFor(Effort effort) const;
   /// Draws what is due, and shows the picture.
   void renderScene();
-  void drawDue();
+  /// False: it is not ready to be drawn, and stays due.
+  bool drawDue();
   void drawOverlay();
   void zoom(double factor);
   /// World position that the picture shows at a place in the widget; empty on the background.
@@ -140,8 +144,7 @@ class VolumeView : public QOpenGLWidget {
   ToleranceWheel toleranceWheel_;
   Shared shared_;
 
-  std::optional<RefinedPicture> picture_;     ///< empty before the first picture, and where there is a problem
-  std::weak_ptr<const Volume> scheduledFor_;  ///< the volume that a schedule was chosen for
+  std::optional<RefinedPicture> picture_;  ///< empty before the first picture, and where there is a problem
   QString problem_;
   QString reduction_;  ///< the last notice of reduced()
   /// What the next paint draws: nothing but the picture that there is; the scene as something moves in it; changed

@@ -1,0 +1,129 @@
+#include "rendering/scene/Framing.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+
+#include "rendering/scene/Parallel.h"
+#include "rendering/scene/Scene.h"
+
+namespace fenestra {
+namespace {
+
+constexpr double visibleOpacity = 0.05;  ///< of 1 mm, as visibleGrid() has it
+
+/// Voxels are looked at in blocks; one of which little shows is noise in the air.
+struct Blocks {
+  int side = 1;          ///< voxels
+  int rowStep = 1;       ///< of large blocks, every other row is looked at
+  int leastVisible = 1;  ///< of the voxels looked at
+
+  explicit Blocks(glm::ivec3 dims) {
+    const int longest = std::max({dims.x, dims.y, dims.z});
+    if (longest >= 192)
+      *this = Blocks(4, 2, 6);  // of 32
+    else if (longest >= 96)
+      *this = Blocks(2, 1, 2);  // of 8
+  }
+
+ private:
+  Blocks(int a, int b, int c) : side(a), rowStep(b), leastVisible(c) {}
+};
+
+/// Twice the area of a triangle; positive when it turns left.
+long long turn(glm::ivec2 a, glm::ivec2 b, glm::ivec2 c) {
+  const glm::ivec2 u = b - a, v = c - a;
+  return static_cast<long long>(u.x) * v.y - static_cast<long long>(u.y) * v.x;
+}
+
+/// The convex hull of points in the plane (Andrew 1979, the monotone chain).
+std::vector<glm::ivec2> hullOf(std::vector<glm::ivec2> points) {
+  std::sort(points.begin(), points.end(),
+            [](glm::ivec2 a, glm::ivec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  if (points.size() < 3) return points;
+  std::vector<glm::ivec2> hull;
+  for (int side = 0; side < 2; ++side) {
+    const std::size_t begin = hull.size();
+    for (const glm::ivec2 point : points) {
+      while (hull.size() >= begin + 2 && turn(hull[hull.size() - 2], hull.back(), point) <= 0) hull.pop_back();
+      hull.push_back(point);
+    }
+    hull.pop_back();  // the other side begins with it
+    std::reverse(points.begin(), points.end());
+  }
+  return hull;
+}
+
+/// Corners of the hull of one layer of blocks, in voxels from the grid's first corner.
+std::vector<glm::ivec2> layerHull(const std::vector<std::uint8_t>& counts, const Blocks& block, glm::ivec2 blocks,
+                                  glm::ivec2 end) {
+  std::vector<glm::ivec2> corners;
+  for (int y = 0; y < blocks.y; ++y) {
+    const auto row = counts.begin() + static_cast<std::ptrdiff_t>(y) * blocks.x, rowEnd = row + blocks.x;
+    const auto shows = [&](std::uint8_t count) { return count >= block.leastVisible; };
+    const auto first = std::find_if(row, rowEnd, shows);
+    if (first == rowEnd) continue;
+    auto last = rowEnd - 1;
+    while (!shows(*last)) --last;
+    for (const int j : {y * block.side, std::min((y + 1) * block.side, end.y)}) {
+      corners.emplace_back(static_cast<int>(first - row) * block.side, j);
+      corners.emplace_back(std::min(static_cast<int>(last - row + 1) * block.side, end.x), j);
+    }
+  }
+  return hullOf(std::move(corners));
+}
+
+}  // namespace
+
+Framing::Framing(const Grid& grid) : centre(grid.centre()) {
+  for (const glm::dvec3& corner : grid.corners()) points.push_back(corner);
+}
+
+double Framing::radius() const {
+  double farthest = 0.0;
+  for (const glm::dvec3& point : points) farthest = std::max(farthest, glm::distance(centre, point));
+  return farthest;
+}
+
+Framing visibleFraming(const Volume& volume, const TransferFunction& context) {
+  const Grid box = visibleGrid(volume, context);
+  const Grid& grid = volume.grid;
+  const glm::ivec3 first(glm::round(glm::dvec3(grid.indexFromWorld() * glm::dvec4(box.origin, 1.0))));
+  const Blocks block(box.dims);
+  const glm::ivec3 blocks = (box.dims + block.side - 1) / block.side;
+  const std::vector<ValueGap> gaps = context.transparentGaps(visibleOpacity);
+  const auto isVisible = [&](double value) {
+    return std::none_of(gaps.begin(), gaps.end(),
+                        [&](const ValueGap& gap) { return !(value <= gap.low || value >= gap.high); });
+  };
+  std::vector<std::vector<glm::ivec2>> hulls(static_cast<std::size_t>(blocks.z));
+  volume.voxels.visit([&](auto scalars) {
+    parallelFor(hulls.size(), 1, [&](std::size_t begin, std::size_t end) {
+      std::vector<std::uint8_t> counts(static_cast<std::size_t>(blocks.x) * static_cast<std::size_t>(blocks.y));
+      for (std::size_t layer = begin; layer < end; ++layer) {
+        std::fill(counts.begin(), counts.end(), std::uint8_t{0});
+        const int low = static_cast<int>(layer) * block.side, high = std::min(low + block.side, box.dims.z);
+        for (int z = low; z < high; ++z)
+          for (int y = z % block.rowStep; y < box.dims.y; y += block.rowStep) {
+            const auto* row = scalars.data() + grid.offset(first + glm::ivec3(0, y, z));
+            std::uint8_t* into = counts.data() + static_cast<std::size_t>(y / block.side * blocks.x);
+            for (int x = 0; x < box.dims.x; ++x)
+              into[x / block.side] = static_cast<std::uint8_t>(
+                  into[x / block.side] + isVisible(volume.slope * static_cast<double>(row[x]) + volume.intercept));
+          }
+        hulls[layer] = layerHull(counts, block, {blocks.x, blocks.y}, glm::ivec2(box.dims));
+      }
+    });
+  });
+  std::vector<glm::dvec3> points;
+  for (std::size_t layer = 0; layer < hulls.size(); ++layer)
+    for (const int z :
+         {static_cast<int>(layer) * block.side, std::min(static_cast<int>(layer + 1) * block.side, box.dims.z)})
+      for (const glm::ivec2 corner : hulls[layer])  // voxels reach half a step beyond their centres
+        points.emplace_back(box.worldFromIndex() * glm::dvec4(glm::dvec3(corner, z) - 0.5, 1.0));
+  if (points.empty()) return box;
+  return {box.centre(), std::move(points)};
+}
+
+}  // namespace fenestra

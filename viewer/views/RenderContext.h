@@ -1,0 +1,62 @@
+#pragma once
+// The OpenGL context that 3-D pictures are drawn in. It shares its objects with the widgets' contexts, which show the
+// pictures. One thread at a time has it: the window's, or for a while another one, for what would block the window
+// (compiling programs, uploading voxels). There is one, because drivers keep what they compile for each context.
+
+#include <atomic>
+#include <exception>
+#include <functional>
+#include <memory>
+
+#include <QObject>
+#include <QOffscreenSurface>
+#include <QOpenGLContext>
+#include <QThread>
+
+namespace fenestra::viewer {
+
+class RenderContext : public QObject {
+  Q_OBJECT
+ public:
+  /// Needs requestOpenGl() and the QApplication.
+  RenderContext();
+  ~RenderContext() override;
+
+  /// Runs `work` with the context current; what was current before is so again afterwards. Work behind is stopped
+  /// first and waited for. False, without running it, where the driver gives no context. What `work` throws passes
+  /// through.
+  bool run(const std::function<void()>& work);
+
+  /// Returns soon after `stop` is set, where that is possible.
+  using Work = std::function<void(const std::atomic<bool>& stop)>;
+  /// Called on the window's thread with what the work threw, or null.
+  using Done = std::function<void(std::exception_ptr)>;
+  /// Runs `work` on another thread, then `done` and freed() on this one. Only while not busy. Where the platform has no
+  /// OpenGL beside the window's thread, it runs at once.
+  void runBehind(Work work, Done done);
+  bool isBusy() const { return thread_ != nullptr; }
+  /// Waits until work behind is done, for so many milliseconds at most.
+  void waitFor(int milliseconds);
+  /// Asks work behind to stop, without waiting.
+  void askToStop() { stop_ = true; }
+  bool isAskedToStop() const { return stop_; }
+  /// Stops work behind and waits for it.
+  void stop();
+
+ Q_SIGNALS:
+  /// Work behind is done.
+  void freed();
+
+ private:
+  void makeCurrentAndRun(const Work& work);
+  void finish();
+
+  QOffscreenSurface surface_;
+  QOpenGLContext context_;
+  std::unique_ptr<QThread> thread_;
+  Done done_;
+  std::exception_ptr error_;
+  std::atomic<bool> stop_{false};
+};
+
+}  // namespace fenestra::viewer

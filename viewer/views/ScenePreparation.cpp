@@ -1,0 +1,174 @@
+#include "viewer/views/ScenePreparation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "rendering/Renderer.h"
+
+namespace fenestra::viewer {
+namespace {
+
+/// Height of what a camera sees at its target, mm.
+double seenHeight(const Camera& camera) {
+  return camera.projection == Projection::Orthographic
+             ? camera.orthographicHeight
+             : 2.0 * glm::distance(camera.eye, camera.target) * std::tan(glm::radians(camera.verticalFov) * 0.5);
+}
+
+/// A few voxels of CT with a focus of the kind: what draws them draws a patient.
+Scene sampleScene(const Focus& kind) {
+  constexpr int side = 16;
+  auto volume = std::make_shared<Volume>();
+  volume->grid.dims = glm::ivec3(side);
+  volume->modality = Modality::CT;
+  volume->voxels = Voxels(ScalarType::Int16, volume->grid.voxelCount());
+  const auto values = volume->voxels.as<std::int16_t>();
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<std::int16_t>(i % 2000);
+  volume->computeRange();
+  Scene scene;
+  scene.volume = volume;
+  if (std::holds_alternative<LabelFocus>(kind) || std::holds_alternative<RegionFocus>(kind)) {
+    auto labels = std::make_shared<LabelMap>();
+    labels->grid = volume->grid;
+    labels->voxels = Voxels(ScalarType::UInt8, volume->grid.voxelCount());
+    labels->voxels.as<std::uint8_t>()[labels->grid.offset(glm::ivec3(side / 2))] = 1;
+    labels->labels = {{1, "", {1.0, 1.0, 1.0}}};
+    scene.labels = labels;
+    scene.look.focus = LabelFocus{{1}};
+  } else if (std::holds_alternative<ValueFocus>(kind)) {
+    scene.look.focus = ValueFocus{{1000.0, 1500.0}};
+  }
+  scene.look.context.function.nodes = {{500.0, {glm::dvec3(1.0), 0.0}}, {1000.0, {glm::dvec3(1.0), 1.0}}};
+  return scene;
+}
+
+/// The middle of a view, of pixels of the same size: its picture runs the same programs in little time.
+View middleOf(View view) {
+  constexpr int longest = 48;  // pixels
+  const glm::ivec2 size = glm::min(view.size, glm::ivec2(longest));
+  const double share = static_cast<double>(size.y) / view.size.y;
+  const double halfAngle = glm::radians(view.camera.verticalFov) * 0.5;
+  view.camera.verticalFov = glm::degrees(2.0 * std::atan(std::tan(halfAngle) * share));
+  view.camera.orthographicHeight *= share;
+  view.size = size;
+  return view;
+}
+
+}  // namespace
+
+ScenePreparation::ScenePreparation(ChooseSchedule chooseSchedule) : chooseSchedule_(std::move(chooseSchedule)) {}
+
+ScenePreparation::~ScenePreparation() {
+  context_.run([this] { gpuScene_.reset(); });
+}
+
+ScenePreparation::Kind ScenePreparation::kindOf(const Scene& scene, const View& view) {
+  const Look& look = scene.look;
+  const auto* labels = std::get_if<LabelFocus>(&look.focus);
+  const glm::dvec3 spacing = scene.volume->grid.spacing;
+  const double pixel = seenHeight(view.camera) / view.size.y;
+  return {.volume = shownVolume(scene),
+          .focus = look.focus.index(),
+          .manyLabels = labels && labels->labels.size() > 1,
+          .lit = look.shading.enabled,
+          .cutaway = hasCutaway(scene),
+          .contextLayer = look.contextLayer.strength > 0.0,
+          .enlarged = view.quality == Quality::Draft || std::min({spacing.x, spacing.y, spacing.z}) > pixel,
+          .quality = view.quality,
+          .maxError = view.maxError};
+}
+
+bool ScenePreparation::isKnown(const Kind& kind) const {
+  return std::find(known_.begin(), known_.end(), kind) != known_.end();
+}
+
+bool ScenePreparation::isReady(const Scene& scene, const View& view) {
+  if (failure_ && failed_ == shownVolume(scene)) std::rethrow_exception(failure_);
+  if (context_.isBusy()) {
+    if (isAhead_) context_.askToStop();
+    return false;
+  }
+  const Kind kind = kindOf(scene, view);
+  if (isKnown(kind) && gpuScene_->holds(scene)) return true;
+  isAhead_ = false;
+  start(scene, view, kind);
+  return false;
+}
+
+void ScenePreparation::prepareAhead(const Scene& scene, const View& view) {
+  const Kind kind = kindOf(scene, view);
+  if (context_.isBusy()) return;
+  if (isKnown(kind)) return goOn();
+  isAhead_ = true;
+  start(scene, view, kind);
+}
+
+void ScenePreparation::warmUp(const std::vector<Focus>& kinds, Quality atRest, std::optional<double> maxError) {
+  for (const Focus& focus : kinds) {
+    const Scene scene = sampleScene(focus);
+    View view{.camera = Camera::standard(StandardView::Anterior, scene.volume->grid), .size = glm::ivec2(48)};
+    samples_.push_back({scene, view});
+    view.quality = Quality::Draft;
+    samples_.push_back({scene, view});
+    view.quality = atRest;
+    view.maxError = maxError;
+    if (maxError || atRest == Quality::High) samples_.push_back({scene, view});
+  }
+  goOn();
+}
+
+void ScenePreparation::goOn() {
+  if (context_.isBusy() || samples_.empty()) return;
+  isAhead_ = true;
+  auto isDone = std::make_shared<bool>(false);
+  context_.runBehind(
+      [this, sample = samples_.front(), isDone](const std::atomic<bool>& stop) {
+        const auto gpuScene = std::make_shared<GpuScene>(gpuScene_->programs());
+        Renderer trial(gpuScene);
+        trial.begin(sample.scene, sample.view);
+        while (!*isDone && !stop) *isDone = trial.advance(0.0);
+      },
+      [this, isDone](std::exception_ptr error) {
+        // A driver that refuses programs is told of when a picture needs them.
+        if (error) samples_.clear();
+        if (!*isDone) return;
+        samples_.pop_front();
+        if (!context_.isAskedToStop()) goOn();
+      });
+}
+
+void ScenePreparation::runBehind(RenderContext::Work work, RenderContext::Done done) {
+  context_.stop();
+  isAhead_ = false;
+  context_.runBehind(std::move(work), std::move(done));
+}
+
+void ScenePreparation::forgetFailure() {
+  failure_ = nullptr;
+  failed_ = nullptr;
+}
+
+void ScenePreparation::start(const Scene& scene, const View& view, const Kind& kind) {
+  // Programs of another volume are compiled again in no time where they are the same.
+  std::erase_if(known_, [&](const Kind& known) { return known.volume != kind.volume; });
+  const bool isNew = scheduledFor_.lock() != scene.volume;
+  scheduledFor_ = scene.volume;
+  auto isDone = std::make_shared<bool>(false);
+  context_.runBehind(
+      [this, scene, view, isNew, isDone](const std::atomic<bool>& stop) {
+        if (isNew && chooseSchedule_) chooseSchedule_(gpuScene_, scene, view);
+        Renderer trial(gpuScene_);
+        trial.begin(scene, middleOf(view));
+        while (!*isDone && !stop) *isDone = trial.advance(0.0);
+      },
+      [this, kind, isDone](std::exception_ptr error) {
+        schedule_ = gpuScene_->schedule();
+        if (*isDone) known_.push_back(kind);
+        if (!error) return;
+        failure_ = error;
+        failed_ = kind.volume;
+      });
+}
+
+}  // namespace fenestra::viewer

@@ -1,0 +1,78 @@
+#pragma once
+// Keeps the window answering while a scene becomes drawable: another thread uploads its voxels and compiles the
+// programs that draw it.
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "rendering/gpu/GpuScene.h"
+#include "rendering/scene/View.h"
+#include "viewer/views/RenderContext.h"
+
+namespace fenestra::viewer {
+
+class ScenePreparation {
+ public:
+  /// Makes a new volume's shaders follow the schedule that suits this machine; called with the context current.
+  using ChooseSchedule = std::function<void(const std::shared_ptr<GpuScene>&, const Scene&, const View&)>;
+
+  /// `chooseSchedule` may be empty.
+  explicit ScenePreparation(ChooseSchedule chooseSchedule);
+  ~ScenePreparation();
+
+  RenderContext& context() { return context_; }
+  const std::shared_ptr<GpuScene>& gpuScene() const { return gpuScene_; }
+
+  /// True: the picture can be drawn now, and its renderer will not be held up. False: another thread prepares it, or
+  /// does other work; ask again when the context is freed(). Throws what preparing this volume has failed with.
+  bool isReady(const Scene& scene, const View& view);
+  /// Compiles for a picture that may follow, unless something else is under way or asked for meanwhile.
+  void prepareAhead(const Scene& scene, const View& view);
+  /// Compiles what draws a CT with each kind of focus, the first one first, while nothing else is asked for.
+  void warmUp(const std::vector<Focus>& kinds, Quality atRest, std::optional<double> maxError);
+  /// Other work in the context on another thread; see RenderContext. Work for a picture that may follow ends first.
+  void runBehind(RenderContext::Work work, RenderContext::Done done);
+  /// Another thread has the context, for something that is waited for.
+  bool isBusy() const { return context_.isBusy() && !isAhead_; }
+  /// Of the last scene that was prepared.
+  Schedule schedule() const { return schedule_; }
+  /// Another attempt may do better than the one that failed.
+  void forgetFailure();
+
+ private:
+  /// What decides on the programs that draw a picture.
+  struct Kind {
+    std::shared_ptr<const Volume> volume;
+    std::size_t focus = 0;
+    bool manyLabels = false, lit = false, cutaway = false, contextLayer = false;
+    bool enlarged = false;  ///< pixels smaller than voxels: rays between others
+    Quality quality{};
+    std::optional<double> maxError;
+    bool operator==(const Kind&) const = default;
+  };
+  static Kind kindOf(const Scene& scene, const View& view);
+  bool isKnown(const Kind& kind) const;
+  void start(const Scene& scene, const View& view, const Kind& kind);
+  /// Goes on with warmUp().
+  void goOn();
+
+  ChooseSchedule chooseSchedule_;
+  std::shared_ptr<GpuScene> gpuScene_ = std::make_shared<GpuScene>();
+  std::weak_ptr<const Volume> scheduledFor_;  ///< the volume that a schedule was chosen for
+  std::vector<Kind> known_;
+  Schedule schedule_ = Schedule::Plain;
+  struct Sample {
+    Scene scene;
+    View view;
+  };
+  std::deque<Sample> samples_;  ///< to be compiled for
+  bool isAhead_ = false;        ///< the work behind is for a picture that nobody waits for
+  std::exception_ptr failure_;
+  std::shared_ptr<const Volume> failed_;
+  RenderContext context_;
+};
+
+}  // namespace fenestra::viewer
