@@ -11,6 +11,7 @@
 #include "viewer/Dialogs.h"
 #include "viewer/Exports.h"
 #include "viewer/FileOpener.h"
+#include "viewer/MeasureMenu.h"
 #include "viewer/SegmentationMenu.h"
 #include "viewer/Sessions.h"
 #include "viewer/jobs/RegionGrower.h"
@@ -28,6 +29,7 @@ Actions::Actions(const Targets& targets)
   makeEditMenu();
   makeViewMenu();
   makeWindowLevelMenu();
+  makeMeasureMenu();
   makeFocusMenu();
   makeHelpMenu();
 
@@ -305,6 +307,46 @@ void Actions::makeWindowLevelMenu() {
         QKeySequence(QString::number(preset.key)), [&document, &preset] { document.setWindow(preset.window); }));
 }
 
+void Actions::makeMeasureMenu() {
+  Document& document = targets_.workspace.document;
+  MeasureMode& mode = targets_.workspace.measuring;
+  struct Tool {
+    const char *text, *key, *icon;
+    MeasureKind kind;
+  };
+  QList<QAction*> tools;
+  for (const Tool& tool : {Tool{QT_TR_NOOP("&Distance"), "D", "distance", MeasureKind::Distance},
+                           Tool{QT_TR_NOOP("&Angle"), "A", "angle", MeasureKind::Angle},
+                           Tool{QT_TR_NOOP("&Ellipse"), "Q", "ellipse", MeasureKind::Ellipse},
+                           Tool{QT_TR_NOOP("&Rectangle"), "B", "rectangle", MeasureKind::Rectangle}}) {
+    QAction* made = volumeAction(tr(tool.text), QKeySequence(QLatin1String(tool.key)),
+                                 [&mode, kind = tool.kind] { mode.toggle(kind); });
+    made->setIcon(icon(tool.icon));
+    made->setCheckable(true);
+    connect(&mode, &MeasureMode::changed, made,
+            [&mode, made, kind = tool.kind] { made->setChecked(mode.kind() == kind); });
+    tools << made;
+  }
+  QAction* copy =
+      action(tr("&Copy"), QKeySequence::Copy, [this, &mode] { copyMeasures(targets_.workspace, mode.selected()); });
+  QAction* remove = action(tr("De&lete"), QKeySequence::Delete, [&mode] { mode.removeSelected(); });
+  QAction* removeAll = action(tr("Delete a&ll"), {}, [&mode] { mode.removeAll(); });
+  const auto enable = [&document, &mode, copy, remove, removeAll] {
+    copy->setEnabled(!document.measures().empty());
+    remove->setEnabled(mode.selected().has_value());
+    removeAll->setEnabled(!document.measures().empty());
+  };
+  connect(&document, &Document::measuresChanged, this, enable);
+  connect(&mode, &MeasureMode::changed, this, enable);
+  enable();
+
+  QMenu* menu = targets_.window.menuBar()->addMenu(tr("&Measure"));
+  menu->addActions(tools);
+  menu->addSeparator();
+  menu->addActions({copy, remove, removeAll});
+  tools_ << tools;
+}
+
 void Actions::makeFocusMenu() {
   QMenu* menu = targets_.window.menuBar()->addMenu(tr("F&ocus"));
   addRegionEntries(*menu);
@@ -355,7 +397,7 @@ void Actions::stop() {
     targets_.workspace.placement.cancel();
   else if (targets_.workspace.brush.isActive())
     targets_.workspace.brush.setActive(false);
-  else
+  else if (!targets_.workspace.measuring.stop())
     targets_.views.showAll();
 }
 

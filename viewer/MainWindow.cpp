@@ -18,6 +18,7 @@
 #include "viewer/Exports.h"
 #include "viewer/FileOpener.h"
 #include "viewer/LoadingBar.h"
+#include "viewer/MeasureMenu.h"
 #include "viewer/NoticeBar.h"
 #include "viewer/SegmentationMenu.h"
 #include "viewer/Sessions.h"
@@ -73,9 +74,9 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
   setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
 
   connectModels();  // before the views connect, so that the models are up to date when a view draws
-  views_ =
-      new ViewArea(workspace_.document, workspace_.cursor, workspace_.cameras, workspace_.options, workspace_.brush,
-                   gl_, setup.atRest.value_or(workspace_.preferences.atRest()), setup.chooseSchedule);
+  views_ = new ViewArea(workspace_.document, workspace_.cursor, workspace_.cameras, workspace_.options,
+                        workspace_.brush, workspace_.measuring, gl_,
+                        setup.atRest.value_or(workspace_.preferences.atRest()), setup.chooseSchedule);
   notices_ = new NoticeBar;
   sessions_ = new Sessions(*this, workspace_, loader_, *notices_,
                            {.describe = [this](io::Session& session) { views_->describe(session); },
@@ -129,6 +130,8 @@ void MainWindow::connectViews() {
   connect(&grower_, &RegionGrower::failed, this, &MainWindow::showError);
   connect(views_, &ViewArea::menuRequested, this,
           [this](glm::dvec3 world, QPoint at) { showStructureMenu(workspace_, world, at); });
+  connect(views_, &ViewArea::measureMenuRequested, this,
+          [this](std::size_t measure, QPoint at) { showMeasureMenu(workspace_, measure, at); });
   connect(views_, &ViewArea::failed, this, &MainWindow::showError, Qt::QueuedConnection);
   connect(
       views_, &ViewArea::reduced, this,

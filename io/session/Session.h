@@ -16,6 +16,7 @@
 #include "io/base/Contents.h"
 #include "rendering/scene/Camera.h"
 #include "rendering/scene/Look.h"
+#include "rendering/scene/Measure.h"
 #include "rendering/scene/PlacementOptions.h"
 #include "rendering/scene/Quality.h"
 
@@ -87,8 +88,9 @@ struct Session {
   std::optional<WindowLevel> window;  ///< of the slices; unset: Volume::defaultWindow
   std::optional<glm::dvec3> crosshair;
   SessionOverlays overlays;
-  std::string maximised;  ///< the view that has the whole area: "C1", "C2", "axial", …; empty: none
-  std::string layout;     ///< the window's own, in Base64
+  std::vector<Measure> measures;  ///< on the slices
+  std::string maximised;          ///< the view that has the whole area: "C1", "C2", "axial", …; empty: none
+  std::string layout;             ///< the window's own, in Base64
   SessionPlacement placement;
 
   /// In an automatic copy, the file of the session that it is newer than; empty: there is none, or this is no copy.

@@ -17,6 +17,23 @@ inline auto wordsOf(ScalarType) {
   return words;
 }
 
+inline auto wordsOf(MeasureKind) {
+  return std::to_array<Word<MeasureKind>>({{MeasureKind::Distance, "distance"},
+                                           {MeasureKind::Angle, "angle"},
+                                           {MeasureKind::Ellipse, "ellipse"},
+                                           {MeasureKind::Rectangle, "rectangle"}});
+}
+
+void members(auto& io, Is<Measure> auto& measure) {
+  io.required("kind", measure.kind);
+  io.required(
+      "points", measure.points, millimetres,
+      {"In the patient's mm (LPS). Distance: its ends; angle: end, vertex, end; ellipse and rectangle: opposite "
+       "corners of the box around it"});
+  io.required("right", measure.right, {-1.0, 1.0}, {"Unit vector along the rows of the slice that it lies on"});
+  io.required("down", measure.down, {-1.0, 1.0}, {"Unit vector down the columns of that slice"});
+}
+
 namespace placement {
 
 void members(auto& io, Is<Weights> auto& weights) {
@@ -115,6 +132,7 @@ void members(auto& io, Is<Session> auto& session) {
               {"Display window of the slices; without it, the data's own"});
   io.optional("crosshair", session.crosshair, session.crosshair.has_value(), millimetres);
   io("overlays", session.overlays, {}, {"What is drawn over the pictures"});
+  io("measures", session.measures, {}, {"Distances, angles and regions drawn on the slices"});
   io.optional("maximised", session.maximised, !session.maximised.empty(), {},
               {"The view that has the whole area: C1, C2, axial, sagittal or coronal"});
   io.optional("layout", session.layout, !session.layout.empty(), {},

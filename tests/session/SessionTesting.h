@@ -69,6 +69,9 @@ inline io::Session fullSession(const std::filesystem::path& folder) {
   session.window = WindowLevel{401.5, -39.25};
   session.crosshair = glm::dvec3(-0.0, 1e-300, 33.3);
   session.overlays = {false, false, false};
+  session.measures = {
+      {MeasureKind::Angle, {{1.5, -2.25, 1.0 / 3.0}, {0.0, 7.0, 1e-9}, {-3.0, 0.1, 12.0}}, {0, 1, 0}, {0, 0, -1}},
+      {MeasureKind::Ellipse, {{10.0, 20.0, 30.0}, {11.0, 22.0, 30.0}}, {0.6, 0.8, 0}, {-0.8, 0.6, 0}}};
   session.maximised = "sagittal";
   session.layout = "AAECAw==";
   session.placement = {.samples = 588,

@@ -13,6 +13,7 @@
 
 #include "io/VolumeReader.h"
 #include "io/session/Session.h"
+#include "rendering/scene/Measure.h"
 #include "rendering/scene/Scene.h"
 #include "rendering/segmentation/LabelEdit.h"
 #include "rendering/segmentation/RegionGrowing.h"
@@ -120,6 +121,12 @@ class Document : public QObject {
   const BrushStrokes& strokes() const { return look().strokes; }
   void setStrokes(BrushStrokes strokes, const QString& name);
 
+  /// Distances, angles and regions drawn on the slices, and what each says.
+  const std::vector<Measure>& measures() const { return measures_; }
+  const MeasureValues& measured(std::size_t index) const { return measured_.at(index); }
+  /// As one step, named as the Edit menu shows it.
+  void setMeasures(std::vector<Measure> measures, const QString& name);
+
   /// The study's labels; null without any.
   const std::shared_ptr<const LabelMap>& labels() const { return study_.scene.labels; }
   /// The label of the nearest voxel; null for background, outside and without labels.
@@ -138,12 +145,14 @@ class Document : public QObject {
   void shadingChanged();
   /// Brush strokes: a small part of a 3-D picture.
   void strokesChanged();
-  /// After any of the above, strokes excepted, that changes a 3-D picture.
+  void measuresChanged();
+  /// After any of the above, strokes and measures excepted, that changes a 3-D picture.
   void sceneChanged();
 
  private:
   class LookChange;
   class LabelsChange;
+  class MeasuresChange;
   struct Grown {
     RegionFocus seeds;
     std::shared_ptr<const segmentation::Growth> growth;
@@ -151,6 +160,7 @@ class Document : public QObject {
   /// Shows a look and reports what differs from the one before.
   void show(Look look);
   void showLabels(std::shared_ptr<const LabelMap> labels, std::uint64_t revision, Focus focus);
+  void showMeasures(std::vector<Measure> measures);
   /// Makes the scene that is drawn from the one that the user set.
   void updateShown();
 
@@ -160,6 +170,8 @@ class Document : public QObject {
   std::vector<Grown> grown_;  ///< wholes for undo to come back to, the latest last; see mostGrownBytes
   std::uint64_t labelsRevision_ = 0, filedRevision_ = 0, lastRevision_ = 0;
   WindowLevel window_;
+  std::vector<Measure> measures_;
+  std::vector<MeasureValues> measured_;  ///< of each of measures_
   History history_;
 };
 

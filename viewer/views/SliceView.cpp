@@ -4,13 +4,11 @@
 #include <cmath>
 #include <utility>
 
-#include <QMouseEvent>
 #include <QPainter>
-#include <QWheelEvent>
 
 #include "viewer/model/Document.h"
+#include "viewer/model/MeasureMode.h"
 #include "viewer/model/SliceCursor.h"
-#include "viewer/model/StructureClick.h"
 #include "viewer/model/ViewOptions.h"
 #include "viewer/style/InterpolatedPlanes.h"
 #include "viewer/style/Overlay.h"
@@ -18,8 +16,6 @@
 namespace fenestra::viewer {
 namespace {
 
-/// Device-independent pixels that the mouse may move between press and release for a click.
-constexpr double clickSlack = 4.0;
 /// Share of the label's colour in a tinted pixel.
 constexpr int tintPercent = 25, focusTintPercent = 45;
 
@@ -32,8 +28,18 @@ QRgb blend(int grey, glm::dvec3 colour, int percent) {
 
 }  // namespace
 
-SliceView::SliceView(SlicePlane plane, Document& document, SliceCursor& cursor, ViewOptions& options, QWidget* parent)
-    : QWidget(parent), document_(document), cursor_(cursor), options_(options), toleranceWheel_(document) {
+SliceView::SliceView(SlicePlane plane, Document& document, SliceCursor& cursor, ViewOptions& options,
+                     MeasureMode& measuring, QWidget* parent)
+    : QWidget(parent),
+      document_(document),
+      cursor_(cursor),
+      options_(options),
+      measureTool_(measuring, document,
+                   {.widgetFromWorld = [this](glm::dvec3 world) { return widgetFromWorld(world); },
+                    .worldFromWidget = [this](QPointF position) { return worldFromWidget(position); },
+                    .geometry = [this]() -> const SliceGeometry& { return geometry_; },
+                    .slice = [this] { return slice_; }}),
+      toleranceWheel_(document) {
   geometry_.plane = plane;
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
@@ -49,6 +55,11 @@ SliceView::SliceView(SlicePlane plane, Document& document, SliceCursor& cursor, 
   });
   connect(&options, &ViewOptions::changed, this, &SliceView::invalidate);
   connect(&cursor, &SliceCursor::moved, this, &SliceView::followCursor);
+  connect(&document, &Document::measuresChanged, this, [this] { update(); });
+  connect(&measuring, &MeasureMode::changed, this, [this] {
+    setCursor(measureTool_.pointer(last_));
+    update();
+  });
   readGeometry();
 }
 
@@ -218,6 +229,7 @@ void SliceView::paintEvent(QPaintEvent*) {
   if (options_.labels()) drawSeeds(painter);
   const bool interpolated = drawInterpolated(painter, target);
   if (options_.crosshair()) drawCrosshair(painter);
+  measureTool_.draw(painter, rect());
 
   const QRectF view = rect();
   drawEdgeLetters(painter, view, geometry_.right, geometry_.down);
@@ -282,121 +294,5 @@ void SliceView::drawSeeds(QPainter& painter) const {
   draw(region->inside, true);
   draw(region->outside, false);
 }
-
-void SliceView::mousePressEvent(QMouseEvent* event) {
-  pressed_ = last_ = event->position();
-  beforeClick_.reset();
-  windowAtPress_ = document_.window();
-  dragging_ = false;
-}
-
-void SliceView::mouseMoveEvent(QMouseEvent* event) {
-  if (!document_.hasVolume()) return;
-  const QPointF position = event->position(), move = position - last_, total = position - pressed_;
-  last_ = position;
-  const Qt::MouseButtons buttons = event->buttons();
-  if (buttons == Qt::NoButton) {
-    const glm::dvec3 world = worldFromWidget(position);
-    if (event->modifiers() & Qt::ShiftModifier && inPicture(world)) cursor_.moveTo(world);
-    if (inPicture(world))
-      Q_EMIT pointed(world);
-    else
-      Q_EMIT left();
-    return;
-  }
-  if (!dragging_ && std::hypot(total.x(), total.y()) <= clickSlack) return;
-  dragging_ = true;
-  if (buttons & Qt::LeftButton) {
-    // A drag over 250 pixels doubles the width. A very narrow window changes faster, or it could not be widened.
-    const ValueRange range = document_.scene().volume->range;
-    const double perPixel = std::max(windowAtPress_.width, 0.02 * (range.high - range.low)) / 250.0;
-    const double least = std::max(1e-4 * (range.high - range.low), 1e-9);
-    document_.setWindow(
-        {std::max(windowAtPress_.width + total.x() * perPixel, least), windowAtPress_.level + total.y() * perPixel});
-  } else if (buttons & Qt::MiddleButton) {
-    centre_ -= move / pixelsPerMm();
-    update();
-  } else if (buttons & Qt::RightButton) {
-    zoomAt(pressed_, std::exp(-0.01 * move.y()));
-  }
-}
-
-void SliceView::mouseReleaseEvent(QMouseEvent* event) {
-  if (dragging_ || !document_.hasVolume()) return;
-  const glm::dvec3 world = worldFromWidget(event->position());
-  if (event->button() == Qt::LeftButton)
-    click(event->position(), event->modifiers());
-  else if (event->button() == Qt::RightButton && inPicture(world))
-    Q_EMIT menuRequested(world, event->globalPosition().toPoint());
-}
-
-void SliceView::click(QPointF position, Qt::KeyboardModifiers modifiers) {
-  const glm::dvec3 world = worldFromWidget(position);
-  if (!inPicture(world)) return;
-  beforeClick_ = BeforeClick{document_.focus(), cursor_.position()};
-  cursor_.moveTo(world);
-  clickStructure(document_, world, modifiers, options_.grows());
-}
-
-void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
-  if (event->button() != Qt::LeftButton || !document_.hasVolume()) return;
-  dragging_ = true;  // so that the release that follows is no click
-  if (beforeClick_) {
-    if (beforeClick_->focus != document_.focus()) document_.history().takeBack();
-    cursor_.moveTo(beforeClick_->cursor);
-  }
-  if (event->modifiers() & Qt::ControlModifier)
-    document_.resetWindow();
-  else
-    Q_EMIT maximiseRequested();
-}
-
-void SliceView::zoomAt(QPointF position, double factor) {
-  const QPointF fromMiddle = position - QPointF(0.5 * width(), 0.5 * height());
-  const QPointF fixed = centre_ + fromMiddle / pixelsPerMm();
-  zoom_ = std::clamp(zoom_ * factor, 0.2, 50.0);
-  centre_ = fixed - fromMiddle / pixelsPerMm();
-  update();
-}
-
-void SliceView::wheelEvent(QWheelEvent* event) {
-  if (!document_.hasVolume() || toleranceWheel_.wheel(*event)) return;
-  const double angle = event->angleDelta().y();
-  if (event->modifiers() & Qt::ControlModifier) {
-    zoomAt(event->position(), std::exp(angle * 0.0015));
-    return;
-  }
-  // One notch of a wheel is 120; touchpads send less at a time.
-  wheel_ += angle;
-  const int steps = static_cast<int>(wheel_ / 120.0);
-  wheel_ -= steps * 120.0;
-  if (steps) cursor_.step(geometry_, steps);
-}
-
-void SliceView::keyPressEvent(QKeyEvent* event) {
-  int steps = 0;
-  switch (event->key()) {
-    case Qt::Key_Up:
-    case Qt::Key_Right:
-      steps = 1;
-      break;
-    case Qt::Key_Down:
-    case Qt::Key_Left:
-      steps = -1;
-      break;
-    case Qt::Key_PageUp:
-      steps = 10;
-      break;
-    case Qt::Key_PageDown:
-      steps = -10;
-      break;
-    default:
-      QWidget::keyPressEvent(event);
-      return;
-  }
-  if (document_.hasVolume()) cursor_.step(geometry_, steps);
-}
-
-void SliceView::leaveEvent(QEvent*) { Q_EMIT left(); }
 
 }  // namespace fenestra::viewer

@@ -2,8 +2,9 @@
 // One anatomical plane through the volume: grey values under the window, label colours, focus outline, crosshair.
 // Plain QWidget and QImage, so it works where 3-D cannot start.
 //
-// Left click: crosshair and focus, see clickStructure(); left drag: window/level; middle: pan; right drag or
-// Ctrl+wheel: zoom; wheel and arrows: slices; Alt+wheel: tolerance of the region in focus; Shift+move: crosshair.
+// Left click: crosshair and focus, see clickStructure(); left drag: window/level, or a measure, see MeasureTool;
+// middle: pan; right drag or Ctrl+wheel: zoom; wheel and arrows: slices; Alt+wheel: tolerance of the region in focus;
+// Shift+move: crosshair.
 
 #include <memory>
 #include <optional>
@@ -15,22 +16,26 @@
 #include "rendering/scene/Focus.h"
 #include "rendering/scene/LabelMap.h"
 #include "rendering/scene/Slice.h"
+#include "viewer/tools/MeasureTool.h"
 #include "viewer/tools/ToleranceWheel.h"
 
 namespace fenestra::viewer {
 
 class Document;
+class MeasureMode;
 class SliceCursor;
 class ViewOptions;
 
 class SliceView : public QWidget {
   Q_OBJECT
  public:
-  SliceView(SlicePlane plane, Document& document, SliceCursor& cursor, ViewOptions& options, QWidget* parent = nullptr);
+  SliceView(SlicePlane plane, Document& document, SliceCursor& cursor, ViewOptions& options, MeasureMode& measuring,
+            QWidget* parent = nullptr);
 
   SlicePlane plane() const { return geometry_.plane; }
   const SliceGeometry& sliceGeometry() const { return geometry_; }
   int slice() const { return slice_; }
+  const MeasureTool& measureTool() const { return measureTool_; }
   /// Fits the whole slice into the view and sets the data's own window and level.
   void resetView();
 
@@ -47,6 +52,8 @@ class SliceView : public QWidget {
   void pointed(glm::dvec3 world);
   void left();
   void menuRequested(glm::dvec3 world, QPoint globalPosition);
+  /// `measure` is its place in Document::measures().
+  void measureMenuRequested(std::size_t measure, QPoint globalPosition);
   void maximiseRequested();
 
  protected:
@@ -101,6 +108,8 @@ class SliceView : public QWidget {
     glm::dvec3 cursor;
   };
   std::optional<BeforeClick> beforeClick_;
+  MeasureTool measureTool_;
+  bool measured_ = false;  ///< the tool took the last press
   ToleranceWheel toleranceWheel_;
   double wheel_ = 0.0;  ///< wheel angle that is not yet a whole notch, in eighths of a degree
 };

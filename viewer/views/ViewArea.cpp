@@ -12,8 +12,8 @@
 namespace fenestra::viewer {
 
 ViewArea::ViewArea(Document& document, SliceCursor& cursor, ViewLink& cameras, ViewOptions& options, Brush& brush,
-                   const GlSupport& gl, const Effort& atRest, const VolumeView::ChooseSchedule& chooseSchedule,
-                   QWidget* parent)
+                   MeasureMode& measuring, const GlSupport& gl, const Effort& atRest,
+                   const VolumeView::ChooseSchedule& chooseSchedule, QWidget* parent)
     : QWidget(parent),
       pacer_(std::make_shared<FramePacer>(atRest)),
       rows_(new QSplitter(Qt::Vertical)),
@@ -59,8 +59,9 @@ ViewArea::ViewArea(Document& document, SliceCursor& cursor, ViewLink& cameras, V
     upper_->addWidget(reason);
   }
   for (const SlicePlane plane : {SlicePlane::Axial, SlicePlane::Sagittal, SlicePlane::Coronal}) {
-    auto* view = new SliceView(plane, document, cursor, options);
+    auto* view = new SliceView(plane, document, cursor, options, measuring);
     connectView(view);
+    connect(view, &SliceView::measureMenuRequested, this, &ViewArea::measureMenuRequested);
     lower_->addWidget(view);
     slices_.push_back(view);
   }

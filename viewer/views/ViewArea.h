@@ -20,8 +20,8 @@ class ViewArea : public QWidget {
  public:
   /// Without OpenGL a text in place of the 3-D views says why; the slices work all the same.
   ViewArea(Document& document, SliceCursor& cursor, ViewLink& cameras, ViewOptions& options, Brush& brush,
-           const GlSupport& gl, const Effort& atRest, const VolumeView::ChooseSchedule& chooseSchedule,
-           QWidget* parent = nullptr);
+           MeasureMode& measuring, const GlSupport& gl, const Effort& atRest,
+           const VolumeView::ChooseSchedule& chooseSchedule, QWidget* parent = nullptr);
 
   const std::vector<VolumeView*>& volumeViews() const { return volumes_; }  ///< empty without OpenGL
   const std::vector<SliceView*>& sliceViews() const { return slices_; }     ///< axial, sagittal, coronal
@@ -52,6 +52,7 @@ class ViewArea : public QWidget {
   void pointed(glm::dvec3 world);
   void left();
   void menuRequested(glm::dvec3 world, QPoint globalPosition);
+  void measureMenuRequested(std::size_t measure, QPoint globalPosition);
   void failed(const QString& problem);
   /// See VolumeView.
   void reduced(const QString& notice);
