@@ -240,6 +240,20 @@ void addVolume(CLI::App& command, VolumeOptions& options, const std::function<vo
       ->excludes(phantom);
   command
       .add_option_function<std::string>(
+          "--modality",
+          [&options](const std::string& text) {
+            const std::pair<const char*, Modality> words[] = {
+                {"CT", Modality::CT}, {"MR", Modality::MR}, {"other", Modality::Unknown}};
+            for (const auto& [word, modality] : words)
+              if (CLI::detail::to_lower(text) == CLI::detail::to_lower(word)) options.modality = modality;
+            if (!options.modality) throw CLI::ValidationError("--modality", "is none of CT, MR, other");
+          },
+          "what a NIfTI, NRRD or other volume without a modality is; CT: its values are Hounsfield units. Default: CT "
+          "where its values are those of one")
+      ->type_name("CT|MR|other")
+      ->excludes(phantom);
+  command
+      .add_option_function<std::string>(
           "--data",
           [&options](const std::string& text) {
             if (!io::isSession(options.path)) throw CLI::ValidationError("--data", "needs a session as PATH");
@@ -410,8 +424,9 @@ OpenedData openData(const VolumeOptions& options, const fs::path& labels, const 
     data.volume = std::move(phantom.volume);
     data.labels = std::move(phantom.labels);
   } else if (io::isSession(options.path)) {
-    if (!options.series.empty() || options.raw || options.time)
-      throw io::Error(options.path, "records how its volume is read", "leave out --series, --time and --raw");
+    if (!options.series.empty() || options.raw || options.time || options.modality)
+      throw io::Error(options.path, "records how its volume is read",
+                      "leave out --series, --time, --raw and --modality");
     io::OpenedSession opened =
         io::openSession(options.path, {options.data, labels, options.allowOutside, options.regularise}, progress);
     data.volume = std::move(opened.volume);
@@ -425,6 +440,7 @@ OpenedData openData(const VolumeOptions& options, const fs::path& labels, const 
                                                 .raw = options.raw,
                                                 .allowOutside = options.allowOutside,
                                                 .regularise = options.regularise.value_or(io::Regularise::Automatic),
+                                                .modality = options.modality,
                                                 .progress = part(progress, 0.0, volumeShare)});
     if (!labels.empty()) {
       io::OpenedLabels opened =

@@ -32,6 +32,7 @@ struct VolumeOptions {
   std::optional<io::RawDescription> raw;
   bool allowOutside = false;                 ///< see io::OpenOptions
   std::optional<io::Regularise> regularise;  ///< unset: Automatic, or the session's
+  std::optional<Modality> modality;          ///< unset: as the file says, or recognised
   std::filesystem::path data;                ///< where the volume of a session is now; empty: where the session says
 
   bool empty() const { return path.empty() && phantom.empty(); }
@@ -59,15 +60,16 @@ struct SceneOptions : VolumeOptions {
   std::optional<Projection> projection;
   std::optional<glm::ivec2> size;  ///< rendered pixels
   std::filesystem::path strokes;   ///< file of brush strokes; empty: those of the look
-  RegionFocus region;  ///< without an inside seed: none
-  Look look;           ///< starts as the session's; the members above override its focus, context and strokes
+  RegionFocus region;              ///< without an inside seed: none
+  Look look;  ///< starts as the session's; the members above override its focus, context and strokes
   Quality quality = Quality::Normal;
   std::optional<double> maxError;  ///< in 1/255; see View
   int viewOfSession = 0;           ///< whose camera and picture size are taken from a session: 0 is C1, 1 is C2
 };
 
-/// Adds PATH, --phantom, --series, --raw, --spacing, --regularise and --data. Values are checked while parsing, and
-/// mistakes throw CLI::ParseError. Numbers have a decimal point in every locale. `options` must outlive `command`.
+/// Adds PATH, --phantom, --series, --raw, --spacing, --regularise, --modality and --data. Values are checked while
+/// parsing, and mistakes throw CLI::ParseError. Numbers have a decimal point in every locale. `options` must outlive
+/// `command`.
 void addVolumeOptions(CLI::App& command, VolumeOptions& options);
 /// Adds the above and everything else in SceneOptions. When PATH is a session, parsing reads it first, which may throw
 /// io::Error, and the session gives the defaults of all other options; `onSession` may set the caller's own options,
@@ -88,7 +90,7 @@ OpenedData openData(const VolumeOptions& options, const io::Progress& progress =
 OpenedData openData(const VolumeOptions& options, const std::filesystem::path& labels, const io::Progress& progress);
 
 struct LoadedScene {
-  io::OpenedVolume volume;  ///< its warnings moved to `warnings`
+  io::OpenedVolume volume;                             ///< its warnings moved to `warnings`
   Scene asSet;                                         ///< its focus may be a region
   std::shared_ptr<const segmentation::Growth> growth;  ///< of that region, or null
   Scene scene;                                         ///< as it is drawn

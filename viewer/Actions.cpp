@@ -14,6 +14,7 @@
 #include "viewer/MeasureMenu.h"
 #include "viewer/SegmentationMenu.h"
 #include "viewer/Sessions.h"
+#include "viewer/WindowLevelDialog.h"
 #include "viewer/jobs/RegionGrower.h"
 #include "viewer/model/Paths.h"
 #include "viewer/model/WindowPresets.h"
@@ -261,12 +262,18 @@ void Actions::makeOverlayEntries(QMenu& menu) {
   QAction* text =
       toggle(tr("Corner &text"), QKeySequence(tr("T")), options.text(), [&options](bool on) { options.setText(on); });
   text->setIcon(icon("text"));
+  Preferences& preferences = targets_.workspace.preferences;
+  QAction* patient = toggle(tr("&Hide the patient"), QKeySequence(tr("H")), preferences.hidesPatient(),
+                            [&options, &preferences](bool on) {
+                              options.setHidesPatient(on);
+                              preferences.setHidesPatient(on);
+                            });
   connect(&options, &ViewOptions::changed, this, [&options, crosshair, labels, text] {
     crosshair->setChecked(options.crosshair());
     labels->setChecked(options.labels());
     text->setChecked(options.text());
   });
-  menu.addActions({crosshair, labels, text});
+  menu.addActions({crosshair, labels, text, patient});
   tools_ << QList<QAction*>{crosshair, labels, text};
 }
 
@@ -305,6 +312,17 @@ void Actions::makeWindowLevelMenu() {
     menu->addAction(volumeAction(
         tr("CT %1  (%2 / %3)").arg(tr(preset.name)).arg(preset.window.width).arg(preset.window.level),
         QKeySequence(QString::number(preset.key)), [&document, &preset] { document.setWindow(preset.window); }));
+  menu->addSeparator();
+  menu->addAction(volumeAction(tr("By &number…"), QKeySequence(tr("W")), [this, &document] {
+    auto* dialog = new WindowLevelDialog(document, &targets_.window);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->show();
+  }));
+  QAction* inverted =
+      toggle(tr("&Invert"), QKeySequence(tr("I")), false, [&document](bool on) { document.setInverted(on); });
+  connect(&document, &Document::windowChanged, inverted,
+          [&document, inverted] { inverted->setChecked(document.isInverted()); });
+  menu->addAction(inverted);
 }
 
 void Actions::makeMeasureMenu() {
@@ -376,7 +394,8 @@ void Actions::addRegionEntries(QMenu& menu) {
 
 void Actions::makeHelpMenu() {
   QMenu* menu = targets_.window.menuBar()->addMenu(tr("&Help"));
-  menu->addAction(action(tr("&Keys and mouse"), QKeySequence(tr("?")), [this] { showKeys(&targets_.window); }));
+  menu->addAction(action(tr("&Keys and mouse"), QKeySequence(tr("?")),
+                         [this] { showKeys(*targets_.window.menuBar(), &targets_.window); }));
   menu->addAction(action(tr("&About Fenestra"), {},
                          [this] { showAbout(targets_.gl, targets_.views.schedule(), &targets_.window); }));
 }
@@ -404,7 +423,10 @@ void Actions::stop() {
 void Actions::fillRecentMenu() {
   recent_->clear();
   for (const std::filesystem::path& path : targets_.workspace.preferences.recent()) {
-    QAction* entry = recent_->addAction(QDir::toNativeSeparators(toQString(path)));
+    // A folder or file is often named after its patient.
+    QAction* entry = recent_->addAction(targets_.workspace.options.hidesPatient()
+                                            ? tr("%1, name hidden").arg(recent_->actions().size() + 1)
+                                            : QDir::toNativeSeparators(toQString(path)));
     connect(entry, &QAction::triggered, this, [this, path] { targets_.files.open({path}); });
   }
   if (recent_->isEmpty()) {

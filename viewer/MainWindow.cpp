@@ -26,6 +26,7 @@
 #include "viewer/StructureMenu.h"
 #include "viewer/WelcomePage.h"
 #include "viewer/model/CamerasChange.h"
+#include "viewer/model/PatientLines.h"
 #include "viewer/panels/AppearancePanel.h"
 #include "viewer/panels/BrushPanel.h"
 #include "viewer/panels/CamerasPanel.h"
@@ -169,6 +170,7 @@ void MainWindow::restoreLayout() {
   views_->restoreLayout(preferences.viewLayout());
   workspace_.placement.setSettings(preferences.placement());
   workspace_.cameras.setAnimated(preferences.animatesCameras());
+  workspace_.options.setHidesPatient(preferences.hidesPatient());
   // Only what the user changes in the panel is remembered: a session's settings are that session's.
   connect(&panels_.cameras->form(), &PlacementForm::edited, this, [&preferences](const auto& change) {
     PlacementSettings habit = preferences.placement();
@@ -278,7 +280,15 @@ void MainWindow::whenDrawn(std::function<void()> done) {
   poll->start(milliseconds);
 }
 
-QImage MainWindow::picture() {
+QImage MainWindow::picture(Patient patient) {
+  ViewOptions& options = workspace_.options;
+  if (patient == Patient::Hidden && !options.hidesPatient() &&
+      !patientLines(workspace_.document.study().patient, workspace_.document.study().series).isEmpty()) {
+    options.setHidesPatient(true);
+    QImage without = picture(Patient::Hidden);
+    options.setHidesPatient(false);
+    return without;
+  }
   QPixmap pixmap = grab();
   // grab() redirects the QPainters of a 3-D view into the pixmap and then draws the view's picture over them. The
   // view's framebuffer holds both in the right order.

@@ -28,8 +28,9 @@ WindowLevelDialog::WindowLevelDialog(Document& document, QWidget* parent)
   form->addRow(buttons);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
   for (QDoubleSpinBox* box : {width_, level_})
-    connect(box, &QDoubleSpinBox::valueChanged, this,
-            [this] { document_.setWindow({width_->value(), level_->value()}); });
+    connect(box, &QDoubleSpinBox::valueChanged, this, [this] {
+      document_.setWindow({width_->value(), level_->value()});
+    });
   connect(inverted, &QCheckBox::toggled, this, [this](bool on) { document_.setInverted(on); });
   connect(&document, &Document::windowChanged, this, [this, inverted] {
     follow();
@@ -47,8 +48,8 @@ void WindowLevelDialog::follow() {
   const QString unit = QString::fromStdString(volume.unit.empty() ? std::string() : " " + volume.unit);
   const int decimals = span < 20.0 ? 4 : 1;
   const WindowLevel window = document_.window();
-  for (const auto& [box, value, low] : {std::tuple(width_, window.width, std::pow(10.0, -decimals)),
-                                        std::tuple(level_, window.level, -1e9)}) {
+  for (const auto& [box, value, low] :
+       {std::tuple(width_, window.width, std::pow(10.0, -decimals)), std::tuple(level_, window.level, -1e9)}) {
     if (box->hasFocus() && box->value() == value) continue;  // being typed
     const QSignalBlocker quiet(box);
     box->setDecimals(decimals);

@@ -35,6 +35,7 @@ struct SessionVolume : SessionData {
   int time = 1;                       ///< time point outside DICOM, where each is a series
   std::optional<RawDescription> raw;  ///< how its bytes are read
   Regularise regularise = Regularise::Automatic;
+  std::optional<Modality> modality;  ///< as in OpenedVolume
   bool operator==(const SessionVolume&) const = default;
 };
 
@@ -86,6 +87,7 @@ struct Session {
   std::array<Camera, 2> home;        ///< where resetting the views goes
   bool linked = true;
   std::optional<WindowLevel> window;  ///< of the slices; unset: Volume::defaultWindow
+  bool inverted = false;              ///< the slices show low values bright
   std::optional<glm::dvec3> crosshair;
   SessionOverlays overlays;
   std::vector<Measure> measures;  ///< on the slices

@@ -17,6 +17,10 @@ inline auto wordsOf(ScalarType) {
   return words;
 }
 
+inline auto wordsOf(Modality) {
+  return std::to_array<Word<Modality>>({{Modality::CT, "CT"}, {Modality::MR, "MR"}, {Modality::Unknown, "other"}});
+}
+
 inline auto wordsOf(MeasureKind) {
   return std::to_array<Word<MeasureKind>>({{MeasureKind::Distance, "distance"},
                                            {MeasureKind::Angle, "angle"},
@@ -81,6 +85,8 @@ void members(auto& io, Is<SessionVolume> auto& volume) {
   io.optional("raw", volume.raw, volume.raw.has_value(), {}, {"How the bytes of a file without a header are read"});
   io.optional("regularise", volume.regularise, volume.regularise != Regularise::Automatic, {},
               {"Whether slices that lie unevenly or askew are resampled onto even planes"});
+  io.optional("modality", volume.modality, volume.modality.has_value(), {},
+              {"What the volume was told to be or recognised as, where its file does not say"});
 }
 
 void members(auto& io, Is<SessionPhantom> auto& phantom) {
@@ -130,6 +136,7 @@ void members(auto& io, Is<Session> auto& session) {
   io("linked", session.linked, {}, {"Whether turning one camera turns the other"});
   io.optional("window", session.window, session.window.has_value(), {},
               {"Display window of the slices; without it, the data's own"});
+  io("inverted", session.inverted, {}, {"Whether the slices show low values bright"});
   io.optional("crosshair", session.crosshair, session.crosshair.has_value(), millimetres);
   io("overlays", session.overlays, {}, {"What is drawn over the pictures"});
   io("measures", session.measures, {}, {"Distances, angles and regions drawn on the slices"});

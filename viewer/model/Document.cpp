@@ -131,6 +131,7 @@ class Document::MeasuresChange : public Change {
 void Document::open(Study study) {
   study_ = std::move(study);
   window_ = study_.session.window.value_or(study_.scene.volume->defaultWindow());
+  inverted_ = study_.session.inverted;
   history_.clear();
   shown_ = {};
   labelsRevision_ = filedRevision_ = ++lastRevision_;
@@ -250,7 +251,14 @@ void Document::setWindow(WindowLevel window) {
   Q_EMIT windowChanged();
 }
 
+void Document::setInverted(bool inverted) {
+  if (inverted == inverted_) return;
+  inverted_ = inverted;
+  Q_EMIT windowChanged();
+}
+
 void Document::resetWindow() {
+  setInverted(false);
   if (hasVolume()) setWindow(study_.scene.volume->defaultWindow());
 }
 

@@ -31,6 +31,7 @@ struct Study {
   bool placeCameras = false;                           ///< place both for the focus once the study is open
   std::filesystem::path path;                          ///< what the user opened; empty for a phantom
   io::SeriesInfo series;
+  io::PatientText patient;
   std::vector<io::SeriesInfo> otherSeries;
   std::vector<io::SegmentationInfo> segmentations;  ///< of the series, in what was opened
   std::vector<io::Warning> warnings;
@@ -81,6 +82,10 @@ class Document : public QObject {
 
   WindowLevel window() const { return window_; }
   void setWindow(WindowLevel window);
+  /// Whether the slices show low values bright, where the data's own way is dark, and the other way round.
+  bool isInverted() const { return inverted_; }
+  void setInverted(bool inverted);
+  /// To the data's own window, not inverted.
   void resetWindow();
 
   const Focus& focus() const { return look().focus; }
@@ -138,7 +143,7 @@ class Document : public QObject {
   void volumeChanged();
   void labelsChanged();
   void focusChanged();
-  void windowChanged();
+  void windowChanged();  ///< or inverted
   void transferFunctionChanged();
   /// The cutaway or the context layer.
   void cutawayChanged();
@@ -170,6 +175,7 @@ class Document : public QObject {
   std::vector<Grown> grown_;  ///< wholes for undo to come back to, the latest last; see mostGrownBytes
   std::uint64_t labelsRevision_ = 0, filedRevision_ = 0, lastRevision_ = 0;
   WindowLevel window_;
+  bool inverted_ = false;
   std::vector<Measure> measures_;
   std::vector<MeasureValues> measured_;  ///< of each of measures_
   History history_;

@@ -3,7 +3,7 @@
 
 #include <QStringList>
 
-#include "io/base/Reading.h"
+#include "io/VolumeReader.h"
 
 namespace fenestra::viewer {
 

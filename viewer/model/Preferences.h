@@ -37,6 +37,10 @@ class Preferences {
   bool animatesCameras() const;
   void setAnimatesCameras(bool animates);
 
+  /// Whether patient and study are hidden in corner text and in the list of recent data.
+  bool hidesPatient() const;
+  void setHidesPatient(bool hides);
+
   QByteArray windowGeometry() const;
   QByteArray windowState() const;
   QByteArray viewLayout() const;

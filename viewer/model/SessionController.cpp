@@ -93,6 +93,7 @@ io::Session SessionController::session() const {
   }
   session.linked = parts_.cameras.isLinked();
   session.window = document.window();
+  session.inverted = document.isInverted();
   session.crosshair = parts_.cursor.position();
   session.measures = document.measures();
   session.overlays = {parts_.options.crosshair(), parts_.options.text(), parts_.options.labels()};

@@ -6,8 +6,11 @@
 
 #include <QPainter>
 
+#include "rendering/scene/Outline.h"
 #include "viewer/model/Document.h"
 #include "viewer/model/MeasureMode.h"
+#include "viewer/model/OpeningEdge.h"
+#include "viewer/model/PatientLines.h"
 #include "viewer/model/SliceCursor.h"
 #include "viewer/model/ViewOptions.h"
 #include "viewer/style/InterpolatedPlanes.h"
@@ -26,14 +29,25 @@ QRgb blend(int grey, glm::dvec3 colour, int percent) {
   return qRgb(channel(colour.r), channel(colour.g), channel(colour.b));
 }
 
+/// Lines in pixels whose centres are whole numbers, in pixels from the picture's corner.
+QList<QPolygonF> polygonsOf(const std::vector<std::vector<glm::dvec2>>& loops) {
+  QList<QPolygonF> polygons;
+  for (const std::vector<glm::dvec2>& loop : loops) {
+    QPolygonF& line = polygons.emplace_back();
+    for (const glm::dvec2 point : loop) line << QPointF(point.x + 0.5, point.y + 0.5);
+  }
+  return polygons;
+}
+
 }  // namespace
 
 SliceView::SliceView(SlicePlane plane, Document& document, SliceCursor& cursor, ViewOptions& options,
-                     MeasureMode& measuring, QWidget* parent)
+                     MeasureMode& measuring, OpeningEdge& opening, QWidget* parent)
     : QWidget(parent),
       document_(document),
       cursor_(cursor),
       options_(options),
+      opening_(opening),
       measureTool_(measuring, document,
                    {.widgetFromWorld = [this](glm::dvec3 world) { return widgetFromWorld(world); },
                     .worldFromWidget = [this](QPointF position) { return worldFromWidget(position); },
@@ -56,6 +70,10 @@ SliceView::SliceView(SlicePlane plane, Document& document, SliceCursor& cursor, 
   connect(&options, &ViewOptions::changed, this, &SliceView::invalidate);
   connect(&cursor, &SliceCursor::moved, this, &SliceView::followCursor);
   connect(&document, &Document::measuresChanged, this, [this] { update(); });
+  connect(&opening, &OpeningEdge::changed, this, [this] {
+    openingOutline_.reset();
+    update();
+  });
   connect(&measuring, &MeasureMode::changed, this, [this] {
     setCursor(measureTool_.pointer(last_));
     update();
@@ -70,6 +88,7 @@ void SliceView::readGeometry() {
   centre_ = {0.5 * geometry_.width * glm::length(geometry_.right),
              0.5 * geometry_.height * glm::length(geometry_.down)};
   slice_ = cursor_.slice(geometry_);
+  openingOutline_.reset();
   values_.clear();
   labels_.clear();
   steps_.clear();
@@ -80,6 +99,7 @@ void SliceView::followCursor() {
   const int slice = cursor_.slice(geometry_);
   if (slice != slice_) {
     slice_ = slice;
+    openingOutline_.reset();
     values_.clear();
     labels_.clear();
     steps_.clear();
@@ -146,7 +166,8 @@ void SliceView::makeImage() {
   const std::shared_ptr<const LabelMap> steps = document_.growth() ? document_.growth()->steps : nullptr;
   if (std::exchange(stepsOf_, steps) != steps) steps_.clear();
   if (steps && steps_.empty()) steps_ = sliceLabels(*steps, geometry_, slice_);
-  const std::vector<std::uint8_t> grey = windowed(values_, document_.window(), volume.lowIsWhite);
+  const std::vector<std::uint8_t> grey =
+      windowed(values_, document_.window(), volume.lowIsWhite != document_.isInverted());
 
   const Tints tints(document_, *this);
   std::vector<char> focused(values_.size(), 0);
@@ -166,18 +187,29 @@ void SliceView::makeImage() {
 }
 
 void SliceView::collectOutline(const std::vector<char>& focused) {
-  outline_.clear();
-  if (!options_.labels()) return;
-  const auto in = [&](int column, int row) {
-    return column >= 0 && row >= 0 && column < geometry_.width && row < geometry_.height &&
-           focused[static_cast<std::size_t>(row) * static_cast<std::size_t>(geometry_.width) +
-                   static_cast<std::size_t>(column)];
-  };
-  for (int row = 0; row <= geometry_.height; ++row)
-    for (int column = 0; column <= geometry_.width; ++column) {
-      if (in(column, row) != in(column - 1, row)) outline_.append({QPointF(column, row), QPointF(column, row + 1)});
-      if (in(column, row) != in(column, row - 1)) outline_.append({QPointF(column, row), QPointF(column + 1, row)});
-    }
+  outline_ =
+      options_.labels() ? polygonsOf(smoothOutlines(focused, geometry_.width, geometry_.height)) : QList<QPolygonF>();
+}
+
+QTransform SliceView::widgetFromPixels() const {
+  const double scale = pixelsPerMm();
+  const QPointF topLeft = QPointF(0.5 * width(), 0.5 * height()) - centre_ * scale;
+  QTransform transform = QTransform::fromTranslate(topLeft.x(), topLeft.y());
+  transform.scale(scale * glm::length(geometry_.right), scale * glm::length(geometry_.down));
+  return transform;
+}
+
+QPainterPath SliceView::openingEdge() const {
+  if (!opening_.starts() || !document_.hasVolume()) return {};
+  if (!openingOutline_)
+    openingOutline_ = polygonsOf(
+        smoothOutlines(openedPixels(*opening_.starts(), geometry_, slice_), geometry_.width, geometry_.height));
+  QPainterPath path;
+  for (const QPolygonF& line : *openingOutline_) {
+    path.addPolygon(line);
+    path.closeSubpath();
+  }
+  return widgetFromPixels().map(path);
 }
 
 double SliceView::pixelsPerMm() const {
@@ -216,16 +248,7 @@ void SliceView::paintEvent(QPaintEvent*) {
   painter.setRenderHint(QPainter::SmoothPixmapTransform);
   painter.drawImage(target, image_);
 
-  if (!outline_.isEmpty()) {
-    painter.save();
-    painter.translate(topLeft);
-    painter.scale(target.width() / geometry_.width, target.height() / geometry_.height);
-    QPen pen(QColor(255, 240, 190), 1.2);
-    pen.setCosmetic(true);
-    painter.setPen(pen);
-    painter.drawLines(outline_);
-    painter.restore();
-  }
+  drawOutlines(painter);
   if (options_.labels()) drawSeeds(painter);
   const bool interpolated = drawInterpolated(painter, target);
   if (options_.crosshair()) drawCrosshair(painter);
@@ -238,18 +261,43 @@ void SliceView::paintEvent(QPaintEvent*) {
   if (interpolated) title << tr("Interpolated, not scanned");
   if (options_.text()) {
     title << tr("%1 / %2").arg(slice_ + 1).arg(geometry_.count);
-    const WindowLevel window = document_.window();
-    const int decimals = window.width < 10.0 ? 2 : 0;
-    drawCorner(painter, view, Qt::AlignBottom | Qt::AlignLeft,
-               {tr("W %1  L %2").arg(window.width, 0, 'f', decimals).arg(window.level, 0, 'f', decimals)}, overlayGrey);
-    if (geometry_.plane != SlicePlane::Sagittal)  // where left and right could be mistaken
-      drawCorner(painter, view, Qt::AlignTop | Qt::AlignRight, {tr("Radiological")}, overlayGrey);
+    drawCorner(painter, view, Qt::AlignBottom | Qt::AlignLeft, {windowText()}, overlayGrey);
+    QStringList study;
+    if (geometry_.plane != SlicePlane::Sagittal) study << tr("Radiological");  // where left and right could be mistaken
+    if (!options_.hidesPatient()) study << patientLines(document_.study().patient, document_.study().series);
+    drawStudyText(painter, view, study);
   }
   drawCorner(painter, view, Qt::AlignTop | Qt::AlignLeft, title, planeColour(geometry_.plane));
   if (hasFocus()) {
     painter.setPen(QColor(86, 140, 190));
     painter.drawRect(rect().adjusted(0, 0, -1, -1));
   }
+}
+
+void SliceView::drawOutlines(QPainter& painter) const {
+  if (!options_.labels()) return;
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setBrush(Qt::NoBrush);
+  QPen dashes(toColour(document_.look().cutaway.borderColour), 1.2);
+  dashes.setDashPattern({5.0, 4.0});
+  const QPainterPath opening = openingEdge();
+  // A dark line below, so that the dashes show on bone.
+  painter.strokePath(opening, QPen(QColor(0, 0, 0, 150), 2.4));
+  painter.strokePath(opening, dashes);
+  painter.setPen(QPen(QColor(255, 240, 190), 1.2));
+  const QTransform transform = widgetFromPixels();
+  for (const QPolygonF& line : outline_) painter.drawPolygon(transform.map(line));
+  painter.restore();
+}
+
+QString SliceView::windowText() const {
+  const WindowLevel window = document_.window();
+  const int decimals = window.width < 10.0 ? 2 : 0;
+  QString text = tr("W %1  L %2").arg(window.width, 0, 'f', decimals).arg(window.level, 0, 'f', decimals);
+  if (const std::string& unit = document_.scene().volume->unit; !unit.empty())
+    text += QLatin1Char(' ') + QString::fromStdString(unit);
+  return document_.isInverted() ? text + tr("  inverted") : text;
 }
 
 bool SliceView::drawInterpolated(QPainter& painter, const QRectF& picture) const {

@@ -10,7 +10,9 @@
 #include <optional>
 
 #include <QImage>
-#include <QLineF>
+#include <QPainterPath>
+#include <QPolygonF>
+#include <QTransform>
 #include <QWidget>
 
 #include "rendering/scene/Focus.h"
@@ -23,6 +25,7 @@ namespace fenestra::viewer {
 
 class Document;
 class MeasureMode;
+class OpeningEdge;
 class SliceCursor;
 class ViewOptions;
 
@@ -30,7 +33,7 @@ class SliceView : public QWidget {
   Q_OBJECT
  public:
   SliceView(SlicePlane plane, Document& document, SliceCursor& cursor, ViewOptions& options, MeasureMode& measuring,
-            QWidget* parent = nullptr);
+            OpeningEdge& opening, QWidget* parent = nullptr);
 
   SlicePlane plane() const { return geometry_.plane; }
   const SliceGeometry& sliceGeometry() const { return geometry_; }
@@ -43,6 +46,9 @@ class SliceView : public QWidget {
   /// in the widget.
   QPointF widgetFromWorld(glm::dvec3 world) const;
   glm::dvec3 worldFromWidget(QPointF position) const;
+
+  /// The edge of what C1's opening removes of the shown slice, in the widget; empty while C1 moves.
+  QPainterPath openingEdge() const;
 
   QSize sizeHint() const override { return {320, 300}; }
   QSize minimumSizeHint() const override { return {120, 120}; }
@@ -73,11 +79,16 @@ class SliceView : public QWidget {
   void makeImage();
   /// Tints of a pixel's label, and of the focus over it.
   class Tints;
+  /// Pixels to the widget.
+  QTransform widgetFromPixels() const;
   void collectOutline(const std::vector<char>& focused);
   void zoomAt(QPointF position, double factor);
   void click(QPointF position, Qt::KeyboardModifiers modifiers);
   double pixelsPerMm() const;
+  QString windowText() const;
   bool inPicture(glm::dvec3 world) const;
+  /// Of the focus, and of the opening.
+  void drawOutlines(QPainter& painter) const;
   void drawCrosshair(QPainter& painter) const;
   void drawSeeds(QPainter& painter) const;
   /// Marks the planes that were not scanned. Returns whether the shown slice is one.
@@ -94,7 +105,10 @@ class SliceView : public QWidget {
   std::vector<std::uint16_t> steps_;         ///< of the region in the focus; empty without one
   std::shared_ptr<const LabelMap> stepsOf_;  ///< that steps_ are of
   QImage image_;                             ///< null until it is made
-  QVector<QLineF> outline_;                  ///< of the focus, in slice pixels
+  QList<QPolygonF> outline_;                 ///< of the focus, in slice pixels from the picture's corner
+
+  OpeningEdge& opening_;
+  mutable std::optional<QList<QPolygonF>> openingOutline_;  ///< in pixels as outline_; empty until it is found
 
   double zoom_ = 1.0;  ///< 1: the whole slice fits
   QPointF centre_;     ///< slice position in the middle of the widget, in mm from the corner of the slice's first pixel

@@ -45,6 +45,7 @@ ViewArea::ViewArea(Document& document, SliceCursor& cursor, ViewLink& cameras, V
       connect(view, &VolumeView::failed, this, &ViewArea::failed);
       connect(view, &VolumeView::reduced, this, &ViewArea::reduced);
       connect(view, &VolumeView::drawn, this, &ViewArea::drawn);
+      connect(view, &VolumeView::raysStarted, &opening_, &OpeningEdge::set);
       upper_->addWidget(view);
       volumes_.push_back(view);
     }
@@ -59,7 +60,7 @@ ViewArea::ViewArea(Document& document, SliceCursor& cursor, ViewLink& cameras, V
     upper_->addWidget(reason);
   }
   for (const SlicePlane plane : {SlicePlane::Axial, SlicePlane::Sagittal, SlicePlane::Coronal}) {
-    auto* view = new SliceView(plane, document, cursor, options, measuring);
+    auto* view = new SliceView(plane, document, cursor, options, measuring, opening_);
     connectView(view);
     connect(view, &SliceView::measureMenuRequested, this, &ViewArea::measureMenuRequested);
     lower_->addWidget(view);

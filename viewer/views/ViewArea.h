@@ -9,6 +9,7 @@
 #include <QWidget>
 
 #include "io/session/Session.h"
+#include "viewer/model/OpeningEdge.h"
 #include "viewer/views/GlSupport.h"
 #include "viewer/views/SliceView.h"
 #include "viewer/views/VolumeView.h"
@@ -65,6 +66,7 @@ class ViewArea : public QWidget {
   std::vector<std::pair<std::string, QWidget*>> namedViews() const;
 
   std::shared_ptr<FramePacer> pacer_;
+  OpeningEdge opening_;
   QSplitter *rows_, *upper_, *lower_;
   std::vector<VolumeView*> volumes_;
   std::vector<SliceView*> slices_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include <QOpenGLContext>
 #include <QPainter>
@@ -11,6 +12,7 @@
 #include "rendering/gl/ShaderProgram.h"
 #include "viewer/model/Brush.h"
 #include "viewer/model/Document.h"
+#include "viewer/model/PatientLines.h"
 #include "viewer/model/SliceCursor.h"
 #include "viewer/model/ViewLink.h"
 #include "viewer/model/ViewOptions.h"
@@ -48,6 +50,8 @@ VolumeView::VolumeView(int index, Document& document, SliceCursor& cursor, ViewL
   setFocusPolicy(Qt::StrongFocus);
   setObjectName(QStringLiteral("volume%1").arg(index));
   rest_.setSingleShot(true);
+  hover_.setSingleShot(true);
+  connect(&hover_, &QTimer::timeout, this, &VolumeView::readUnderMouse);
   connect(&rest_, &QTimer::timeout, this, &VolumeView::settle);
   connect(&refining_, &QTimer::timeout, this, &VolumeView::refine);
   connect(&document, &Document::volumeChanged, this, [this] {
@@ -95,6 +99,7 @@ bool VolumeView::isSettled() const { return settled_ || !problem_.isEmpty() || !
 
 void VolumeView::disturb(int views) {
   stopRefining();
+  forgetStarts();
   settled_ = false;
   due_ = Due::Motion;
   moving_ = views;
@@ -110,6 +115,7 @@ void VolumeView::follow() {
                      pacer.frames() - followed_ < pacer.framesPerFollowing();
   if (!skips) return disturb(both ? ViewLink::count : 1);
   stopRefining();
+  forgetStarts();
   settled_ = false;
   due_ = Due::Motion;
   rest_.start(restMilliseconds);
@@ -191,6 +197,7 @@ void VolumeView::refined(Effort effort) {
 
 void VolumeView::refresh() {
   stopRefining();
+  forgetStarts();
   settled_ = false;
   rest_.stop();
   due_ = Due::Strokes;
@@ -226,8 +233,23 @@ void VolumeView::attemptOnPicture(const std::function<void()>& work) {
 
 void VolumeView::paintGL() {
   if (problem_.isEmpty() && document_.hasVolume()) attempt([this] { renderScene(); });
+  if (settled_ && problem_.isEmpty()) attempt([this] { reportStarts(); });
   drawOverlay();
   if (isSettled()) Q_EMIT settled();
+}
+
+void VolumeView::forgetStarts() {
+  startsDue_ = true;
+  if (index_ == 0) Q_EMIT raysStarted(nullptr);
+}
+
+void VolumeView::reportStarts() {
+  if (index_ != 0 || !picture_ || !document_.hasVolume() || !std::exchange(startsDue_, false)) return;
+  Layers layers = picture_->shown().readRayStarts();
+  auto starts = std::make_shared<RayStarts>();
+  *starts = {picture_->shownView().camera, document_.scene().volume->grid, layers.size, std::move(layers.tContext),
+             std::move(layers.tStart)};
+  Q_EMIT raysStarted(std::move(starts));
 }
 
 Scene VolumeView::shownScene() const {
@@ -307,6 +329,8 @@ void VolumeView::drawOverlay() {
     QStringList lines{tr("C%1").arg(index_ + 1)};
     lines << (camera.projection == Projection::Perspective ? tr("perspective") : tr("parallel"));
     drawCorner(painter, view, Qt::AlignTop | Qt::AlignLeft, lines, QColor(120, 190, 240));
+    if (!options_.hidesPatient())
+      drawStudyText(painter, view, patientLines(document_.study().patient, document_.study().series));
   }
   constexpr double cube = 58.0;
   drawOrientationCube(painter, {view.left() + overlayMargin, view.bottom() - overlayMargin - cube, cube, cube},
