@@ -14,6 +14,7 @@
 #include "app/SettingOptions.h"
 #include "io/PhantomFile.h"
 #include "io/TransferFunctionFile.h"
+#include "io/base/ModalityWords.h"
 #include "io/session/OpenSession.h"
 #include "io/session/SessionFile.h"
 #include "io/session/StrokeFile.h"
@@ -238,19 +239,9 @@ void addVolume(CLI::App& command, VolumeOptions& options, const std::function<vo
                             "slices would be misplaced otherwise",
                             options.regularise)
       ->excludes(phantom);
-  command
-      .add_option_function<std::string>(
-          "--modality",
-          [&options](const std::string& text) {
-            const std::pair<const char*, Modality> words[] = {
-                {"CT", Modality::CT}, {"MR", Modality::MR}, {"other", Modality::Unknown}};
-            for (const auto& [word, modality] : words)
-              if (CLI::detail::to_lower(text) == CLI::detail::to_lower(word)) options.modality = modality;
-            if (!options.modality) throw CLI::ValidationError("--modality", "is none of CT, MR, other");
-          },
-          "what a NIfTI, NRRD or other volume without a modality is; CT: its values are Hounsfield units. Default: CT "
-          "where its values are those of one")
-      ->type_name("CT|MR|other")
+  addChoice<Modality>(command, "--modality",
+                      "what a volume is whose file does not say, default CT where its values are Hounsfield units",
+                      options.modality)
       ->excludes(phantom);
   command
       .add_option_function<std::string>(

@@ -2,6 +2,7 @@
 // The members of a session in JSON: what readSession takes, writeSession writes and sessionSchema publishes. Private to
 // io/session.
 
+#include "io/base/ModalityWords.h"
 #include "io/session/SceneJson.h"
 #include "io/session/Session.h"
 
@@ -15,10 +16,6 @@ inline auto wordsOf(ScalarType) {
                                 ScalarType::UInt32, ScalarType::Int32, ScalarType::Float32, ScalarType::Float64})
     words.push_back({type, nameOf(type)});
   return words;
-}
-
-inline auto wordsOf(Modality) {
-  return std::to_array<Word<Modality>>({{Modality::CT, "CT"}, {Modality::MR, "MR"}, {Modality::Unknown, "other"}});
 }
 
 inline auto wordsOf(MeasureKind) {
