@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QActionGroup>
+#include <QApplication>
 #include <QDir>
 #include <QDockWidget>
 #include <QMainWindow>
@@ -12,6 +13,7 @@
 #include "viewer/Exports.h"
 #include "viewer/FileOpener.h"
 #include "viewer/MeasureMenu.h"
+#include "viewer/PictureExports.h"
 #include "viewer/SegmentationMenu.h"
 #include "viewer/Sessions.h"
 #include "viewer/WindowLevelDialog.h"
@@ -126,7 +128,12 @@ void Actions::addSegmentationMenu(QMenu& menu) {
 
 void Actions::addExports(QMenu& menu) {
   Exports& exports = targets_.exports;
-  QMenu* group = menu.addMenu(tr("&Export"));
+  PictureExports& pictures = targets_.pictures;
+  QMenu* group = menu.addMenu(tr("E&xport"));
+  group->addAction(
+      volumeAction(tr("A &picture…"), QKeySequence(tr("Ctrl+E")), [&pictures] { pictures.choosePicture(); }));
+  group->addAction(volumeAction(tr("A &turntable…"), {}, [&pictures] { pictures.chooseTurntable(); }));
+  group->addSeparator();
   QAction* all = group->addAction(tr("All &labels…"));
   QAction* focus = group->addAction(tr("The &focus as labels…"));
   QAction* surface = group->addAction(tr("The focus as a &surface…"));
@@ -168,6 +175,9 @@ void Actions::makeEditMenu() {
   QMenu* menu = targets_.window.menuBar()->addMenu(tr("&Edit"));
   menu->addActions({undo, redo});
   menu->addSeparator();
+  PictureExports& pictures = targets_.pictures;
+  menu->addAction(volumeAction(tr("&Copy picture"), QKeySequence::Copy, [&pictures] { pictures.copyPicture(); }));
+  menu->addSeparator();
   menu->addActions({paint, opposite, smaller, larger});
   tools_ << QList<QAction*>{undo, redo, paint};
 }
@@ -186,6 +196,12 @@ void Actions::makeViewMenu() {
   }));
   menu->addSeparator();
   for (QDockWidget* dock : targets_.window.findChildren<QDockWidget*>()) menu->addAction(dock->toggleViewAction());
+  menu->addAction(action(tr("Reset la&yout"), {}, [this] { targets_.resetLayout(); }));
+  Preferences& preferences = targets_.workspace.preferences;
+  menu->addAction(toggle(tr("Li&ght theme"), {}, preferences.hasLightTheme(), [&preferences](bool on) {
+    applyStyle(*qApp, on ? Theme::Light : Theme::Dark);
+    preferences.setLightTheme(on);
+  }));
 }
 
 void Actions::makeLookFromMenu(QMenu& menu) {
@@ -345,8 +361,8 @@ void Actions::makeMeasureMenu() {
             [&mode, made, kind = tool.kind] { made->setChecked(mode.kind() == kind); });
     tools << made;
   }
-  QAction* copy =
-      action(tr("&Copy"), QKeySequence::Copy, [this, &mode] { copyMeasures(targets_.workspace, mode.selected()); });
+  QAction* copy = action(tr("&Copy"), QKeySequence(tr("Ctrl+Shift+C")),
+                         [this, &mode] { copyMeasures(targets_.workspace, mode.selected()); });
   QAction* remove = action(tr("De&lete"), QKeySequence::Delete, [&mode] { mode.removeSelected(); });
   QAction* removeAll = action(tr("Delete a&ll"), {}, [&mode] { mode.removeAll(); });
   const auto enable = [&document, &mode, copy, remove, removeAll] {
@@ -410,6 +426,8 @@ void Actions::addSample(const QString& name, StudyLoader::Reader read) {
 void Actions::stop() {
   if (targets_.loader.job().isRunning())
     targets_.loader.job().cancel();
+  else if (targets_.pictures.isBusy())
+    targets_.pictures.cancel();
   else if (targets_.grower.isGrowing())
     targets_.grower.cancel();
   else if (targets_.workspace.placement.isBusy())

@@ -18,6 +18,7 @@ class QMainWindow;
 namespace fenestra::viewer {
 
 class Exports;
+class PictureExports;
 class FileOpener;
 class RegionGrower;
 class Sessions;
@@ -35,9 +36,11 @@ class Actions : public QObject {
     RegionGrower& grower;
     FileOpener& files;
     Exports& exports;
+    PictureExports& pictures;
     Sessions& sessions;
     ViewArea& views;
     GlSupport gl;
+    std::function<void()> resetLayout;
   };
 
   /// The window owns this.

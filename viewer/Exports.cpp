@@ -1,38 +1,16 @@
 #include "viewer/Exports.h"
 
-#include <QFileDialog>
 #include <QMainWindow>
 #include <QStatusBar>
 
 #include "io/LabelWriter.h"
 #include "rendering/segmentation/Mask.h"
 #include "viewer/NoticeBar.h"
+#include "viewer/SaveDialog.h"
 #include "viewer/model/Document.h"
 #include "viewer/model/Paths.h"
 
 namespace fenestra::viewer {
-namespace {
-
-/// What a file dialog offers: a name for the kind of file, and its ending.
-struct Kind {
-  QString name, ending;
-};
-
-/// The file that the user chose, with the ending of the kind unless it has one; empty when cancelled. `chosen` is the
-/// kind's index.
-std::filesystem::path askForFile(QWidget& window, const QString& title, const QList<Kind>& kinds, qsizetype& chosen) {
-  QStringList filters;
-  for (const Kind& kind : kinds) filters << QStringLiteral("%1 (*%2)").arg(kind.name, kind.ending);
-  QString filter = filters.front();
-  QString file = QFileDialog::getSaveFileName(&window, title, {}, filters.join(QStringLiteral(";;")), &filter);
-  if (file.isEmpty()) return {};
-  chosen = std::max<qsizetype>(0, filters.indexOf(filter));
-  if (!file.endsWith(kinds[chosen].ending, Qt::CaseInsensitive) && QFileInfo(file).suffix().isEmpty())
-    file += kinds[chosen].ending;
-  return toPath(file);
-}
-
-}  // namespace
 
 Exports::Exports(QMainWindow& window, const Document& document, NoticeBar& notices)
     : QObject(&window), window_(window), document_(document) {
@@ -52,23 +30,23 @@ bool Exports::canWriteSurface() const {
 }
 
 void Exports::chooseLabelFile(Labels which) {
-  const QList<Kind> kinds{{tr("NRRD, with names and colours"), QStringLiteral(".nrrd")},
-                          {tr("DICOM segmentation, with names and colours"), QStringLiteral(".dcm")},
-                          {tr("NIfTI"), QStringLiteral(".nii.gz")},
-                          {tr("MetaImage"), QStringLiteral(".mha")}};
+  const QList<FileKind> kinds{{tr("NRRD, with names and colours"), QStringLiteral(".nrrd")},
+                              {tr("DICOM segmentation, with names and colours"), QStringLiteral(".dcm")},
+                              {tr("NIfTI"), QStringLiteral(".nii.gz")},
+                              {tr("MetaImage"), QStringLiteral(".mha")}};
   qsizetype chosen = 0;
   const QString title = which == Labels::All ? tr("Export all labels") : tr("Export the focus as labels");
-  const std::filesystem::path path = askForFile(window_, title, kinds, chosen);
+  const std::filesystem::path path = askForSaveFile(window_, title, kinds, chosen);
   if (!path.empty()) writeLabels(path, which);
 }
 
 void Exports::chooseSurfaceFile() {
-  QList<Kind> kinds;
+  QList<FileKind> kinds;
   for (const QString& axes : {QStringLiteral("LPS"), QStringLiteral("RAS")})
     for (const QString& format : {QStringLiteral("STL"), QStringLiteral("PLY"), QStringLiteral("OBJ")})
-      kinds << Kind{tr("%1 in mm, %2 axes").arg(format, axes), QStringLiteral(".") + format.toLower()};
+      kinds << FileKind{tr("%1 in mm, %2 axes").arg(format, axes), QStringLiteral(".") + format.toLower()};
   qsizetype chosen = 0;
-  const std::filesystem::path path = askForFile(window_, tr("Export the focus as a surface"), kinds, chosen);
+  const std::filesystem::path path = askForSaveFile(window_, tr("Export the focus as a surface"), kinds, chosen);
   if (!path.empty()) writeSurface(path, chosen < kinds.size() / 2 ? io::SurfaceFrame::Lps : io::SurfaceFrame::Ras);
 }
 

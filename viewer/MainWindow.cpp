@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <memory>
 
+#include <QApplication>
 #include <QCloseEvent>
 #include <QDragEnterEvent>
 #include <QMenu>
 #include <QPainter>
+#include <QScreen>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QTimer>
@@ -20,6 +22,7 @@
 #include "viewer/LoadingBar.h"
 #include "viewer/MeasureMenu.h"
 #include "viewer/NoticeBar.h"
+#include "viewer/PictureExports.h"
 #include "viewer/SegmentationMenu.h"
 #include "viewer/Sessions.h"
 #include "viewer/StatusBar.h"
@@ -34,13 +37,14 @@
 #include "viewer/panels/LabelEditPanel.h"
 #include "viewer/panels/RegionPanel.h"
 #include "viewer/panels/StrokeList.h"
+#include "viewer/style/Style.h"
 #include "viewer/views/PlacementRenderer.h"
 #include "viewer/views/ViewArea.h"
 
 namespace fenestra::viewer {
 namespace {
 
-constexpr int layoutVersion = 3;  ///< of the docks and toolbars; a saved layout of another version is not restored
+constexpr int layoutVersion = 4;  ///< of the docks and toolbars; a saved layout of another version is not restored
 
 QString describe(const io::SeriesInfo& series) {
   return QStringLiteral("%1 %2×%3×%4")
@@ -70,6 +74,7 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
       gl_(setup.gl),
       workspace_(setup.remember ? Preferences::Mode::Stored : Preferences::Mode::Transient),
       loader_(workspace_.document, prepare) {
+  if (workspace_.preferences.hasLightTheme()) applyStyle(*qApp, Theme::Light);
   setWindowTitle(QStringLiteral("Fenestra"));
   setAcceptDrops(true);
   setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
@@ -84,9 +89,11 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
                             .restore = [this](const io::Session& session) { views_->restore(session); }});
   files_ = new FileOpener(*this, workspace_.document, loader_, *sessions_, *notices_);
   exports_ = new Exports(*this, workspace_.document, *notices_);
+  pictures_ = new PictureExports(*this, workspace_.document, *views_, *notices_);
   setCentralWidget(makeCentre());
   panels_ = makePanels(*this, workspace_);
-  actions_ = new Actions({*this, workspace_, loader_, grower_, *files_, *exports_, *sessions_, *views_, gl_});
+  actions_ = new Actions({*this, workspace_, loader_, grower_, *files_, *exports_, *pictures_, *sessions_, *views_, gl_,
+                          [this] { resetLayout(); }});
   setStatusBar(new StatusBar(workspace_.document, *views_, gl_));
   // Not above the pictures: they would be drawn anew in another size with each click.
   statusBar()->addPermanentWidget(new LoadingBar(grower_.job(), tr("Growing the region")));
@@ -95,7 +102,10 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
   connectViews();
   connectPanels();
   connectLoader();
-  resize(1440, 900);
+  // The system's frame around the window is not known before it is shown: a twentieth of the screen is left for it.
+  resize(QSize(1440, 900).boundedTo(screen()->availableSize() * 0.95));
+  firstState_ = saveState(layoutVersion);
+  firstViews_ = views_->saveLayout();
   restoreLayout();
 }
 
@@ -177,6 +187,12 @@ void MainWindow::restoreLayout() {
     change(habit);
     preferences.setPlacement(habit);
   });
+}
+
+void MainWindow::resetLayout() {
+  restoreState(firstState_, layoutVersion);
+  views_->showAll();
+  views_->restoreLayout(firstViews_);
 }
 
 void MainWindow::followVolume() {
@@ -262,9 +278,10 @@ void MainWindow::goToFocus() {
 }
 
 bool MainWindow::isIdle() {
-  return !loader_.job().isRunning() && !exports_->job().isRunning() && !focusSearch_.isRunning() &&
-         !grower_.isGrowing() && !labelEditor_.job().isRunning() && !workspace_.placement.isBusy() &&
-         !workspace_.cameras.isFlying() && !panels_.cameras->bestViews().isDrawing() && views_->isSettled();
+  return !loader_.job().isRunning() && !exports_->job().isRunning() && !pictures_->isBusy() &&
+         !focusSearch_.isRunning() && !grower_.isGrowing() && !labelEditor_.job().isRunning() &&
+         !workspace_.placement.isBusy() && !workspace_.cameras.isFlying() &&
+         !panels_.cameras->bestViews().isDrawing() && views_->isSettled();
 }
 
 void MainWindow::whenDrawn(std::function<void()> done) {

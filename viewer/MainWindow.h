@@ -24,6 +24,7 @@ class Actions;
 class Exports;
 class FileOpener;
 class NoticeBar;
+class PictureExports;
 class Sessions;
 class ViewArea;
 
@@ -58,6 +59,7 @@ class MainWindow : public QMainWindow {
   Workspace& workspace() { return workspace_; }
   Sessions& sessions() { return *sessions_; }
   Exports& exports() { return *exports_; }
+  PictureExports& pictures() { return *pictures_; }
   ViewArea& views() { return *views_; }
   NoticeBar& notices() { return *notices_; }
 
@@ -80,6 +82,8 @@ class MainWindow : public QMainWindow {
   void connectPanels();
   void connectLoader();
   void restoreLayout();
+  /// Panels and views as they are when the program runs for the first time.
+  void resetLayout();
   /// Moves crosshair and cameras to a new volume, before any view draws it.
   void followVolume();
   void studyOpened();
@@ -103,9 +107,11 @@ class MainWindow : public QMainWindow {
   Sessions* sessions_;
   FileOpener* files_;
   Exports* exports_;
+  PictureExports* pictures_;
   QStackedWidget* pages_;
   Panels panels_;
   Actions* actions_;
+  QByteArray firstState_, firstViews_;  ///< of resetLayout()
 };
 
 }  // namespace fenestra::viewer

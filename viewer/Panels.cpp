@@ -13,6 +13,7 @@
 #include "viewer/panels/ContextLayerPanel.h"
 #include "viewer/panels/CutawayPanel.h"
 #include "viewer/panels/FocusPanel.h"
+#include "viewer/panels/ScrollingPanel.h"
 
 namespace fenestra::viewer {
 namespace {
@@ -38,7 +39,9 @@ Panels makePanels(QMainWindow& window, Workspace& workspace) {
     return dock;
   };
   window.setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
-  QDockWidget* focus = add(tr("Focus"), "focusDock", panels.focus);
+  auto* focusScroller = new ScrollingPanel;  // a grown region adds rows, for which the window must not grow
+  focusScroller->setBody(panels.focus);
+  QDockWidget* focus = add(tr("Focus"), "focusDock", focusScroller);
   window.tabifyDockWidget(focus, add(tr("Cameras"), "camerasDock", panels.cameras));
   QDockWidget* brush = add(tr("Brush"), "brushDock", panels.brush);
   window.tabifyDockWidget(focus, brush);
@@ -48,14 +51,17 @@ Panels makePanels(QMainWindow& window, Workspace& workspace) {
     brush->show();
     brush->raise();
   });
-  add(tr("Context"), "contextDock", panels.appearance);
-  QDockWidget* cutaway = add(tr("Cutaway"), "cutawayDock", panels.cutaway);
-  window.tabifyDockWidget(cutaway, add(tr("Context edges"), "contextLayerDock", panels.contextLayer));
-  cutaway->raise();
+  QDockWidget* context = add(tr("Context"), "contextDock", panels.appearance);
+  window.tabifyDockWidget(context, add(tr("Context edges"), "contextLayerDock", panels.contextLayer));
+  context->raise();
+  add(tr("Cutaway"), "cutawayDock", panels.cutaway);
   // The list of structures takes the remaining height.
   for (QWidget* panel : std::initializer_list<QWidget*>{panels.appearance, panels.cutaway, panels.contextLayer})
     panel->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
   window.resizeDocks({focus}, {310}, Qt::Horizontal);
+  window.resizeDocks({focus, context},
+                     {2 * panels.appearance->sizeHint().height(), panels.appearance->sizeHint().height()},
+                     Qt::Vertical);
   return panels;
 }
 

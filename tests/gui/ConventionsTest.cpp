@@ -5,7 +5,9 @@
 #include <set>
 
 #include <QAction>
+#include <QClipboard>
 #include <QDialog>
+#include <QGuiApplication>
 #include <QMainWindow>
 #include <QMenuBar>
 #include <QMouseEvent>
@@ -27,6 +29,7 @@ class Conventions : public Window {
   using Cases = std::map<std::string, std::function<void()>>;
 
   void press(const char* keys) {
+    QApplication::setActiveWindow(window_.get());  // a dialog may have been it
     const QKeyCombination key = QKeySequence(QLatin1String(keys))[0];
     QTest::keyClick(window_.get(), key.key(), key.keyboardModifiers());
   }
@@ -43,7 +46,7 @@ class Conventions : public Window {
     poll.start(20);
     press(keys);
     EXPECT_TRUE(QTest::qWaitFor([&] { return opened; }, patience));
-    QTest::qWait(50);
+    EXPECT_TRUE(QTest::qWaitFor([] { return !QApplication::activeModalWidget(); }, patience));
   }
   void expectWindow(const char* key, WindowLevel wanted) {
     press(key);
@@ -85,7 +88,8 @@ class Conventions : public Window {
 };
 
 void Conventions::addFileAndEditCases(Cases& cases) {
-  for (const char* keys : {"Ctrl+Shift+O", "Ctrl+O", "Ctrl+L", "?"}) cases[keys] = [this, keys] { expectDialog(keys); };
+  for (const char* keys : {"Ctrl+Shift+O", "Ctrl+O", "Ctrl+L", "Ctrl+E", "?"})
+    cases[keys] = [this, keys] { expectDialog(keys); };
   for (const char* keys : {"Ctrl+S", "Ctrl+Shift+S"})
     cases[keys] = [this, keys] {
       int asked = 0;
@@ -96,6 +100,11 @@ void Conventions::addFileAndEditCases(Cases& cases) {
       press(keys);
       EXPECT_EQ(asked, 1);
     };
+  cases["Ctrl+C"] = [this] {
+    QGuiApplication::clipboard()->clear();
+    press("Ctrl+C");
+    EXPECT_TRUE(QTest::qWaitFor([] { return !QGuiApplication::clipboard()->image().isNull(); }, patience));
+  };
   cases["Ctrl+Q"] = [this] {
     window_->sessions().questions().saveChanges = [] { return SessionQuestions::Answer::Discard; };
     press("Ctrl+Q");
@@ -200,10 +209,10 @@ Conventions::Cases Conventions::menuCases() {
       press("Esc");
       EXPECT_FALSE(measuring().kind());
     };
-  cases["Ctrl+C"] = cases["Del"] = [this] {
+  cases["Ctrl+Shift+C"] = cases["Del"] = [this] {
     document().setMeasures({{MeasureKind::Distance, {{0, 0, 1}, {9, 0, 1}}, {1, 0, 0}, {0, 1, 0}}}, {});
     measuring().select(0);
-    press("Ctrl+C");
+    press("Ctrl+Shift+C");
     press("Del");
     EXPECT_TRUE(document().measures().empty());
   };

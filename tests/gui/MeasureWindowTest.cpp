@@ -164,13 +164,13 @@ TEST_F(MeasureWindow, IsShownOnItsSliceOnly) {
 
 TEST_F(MeasureWindow, CopiesTextOfOneAndTheTableOfAll) {
   drawDistance();
-  QTest::keyClick(axial(), Qt::Key_C, Qt::ControlModifier);
+  QTest::keyClick(axial(), Qt::Key_C, Qt::ControlModifier | Qt::ShiftModifier);
   const double length = document().measured(0).length.value();
   const QClipboard* clipboard = QGuiApplication::clipboard();
   EXPECT_EQ(clipboard->text(), QStringLiteral("%1 mm").arg(length, 0, 'f', 1));
   QTest::keyClick(axial(), Qt::Key_Escape);
   QTest::keyClick(axial(), Qt::Key_Escape);
-  QTest::keyClick(axial(), Qt::Key_C, Qt::ControlModifier);
+  QTest::keyClick(axial(), Qt::Key_C, Qt::ControlModifier | Qt::ShiftModifier);
   const QStringList rows = clipboard->text().split(QStringLiteral("\r\n"));
   ASSERT_EQ(rows.size(), 3);
   EXPECT_TRUE(rows[0].startsWith(QStringLiteral("kind,length_mm,")));

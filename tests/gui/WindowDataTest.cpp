@@ -28,13 +28,6 @@
 namespace fenestra::viewer {
 namespace {
 
-void useScratchSettings() {
-  QSettings::setDefaultFormat(QSettings::IniFormat);
-  QSettings::setPath(QSettings::IniFormat, QSettings::UserScope,
-                     QString::fromStdString(tests::scratchFolder().string()));
-  QCoreApplication::setOrganizationName(QStringLiteral("Fenestra tests"));
-}
-
 TEST_F(Window, ABrokenFileIsToldAndTheOldStudyStays) {
   const std::filesystem::path broken = tests::scratchFolder() / "broken.nii";
   std::ofstream(broken) << "not a volume";

@@ -4,11 +4,21 @@
 
 #include <QApplication>
 #include <QMouseEvent>
+#include <QSettings>
 #include <QSignalSpy>
 #include <QTest>
 #include <QWheelEvent>
 
+#include "tests/support/TestData.h"
+
 namespace fenestra::viewer {
+
+void useScratchSettings() {
+  QSettings::setDefaultFormat(QSettings::IniFormat);
+  QSettings::setPath(QSettings::IniFormat, QSettings::UserScope,
+                     QString::fromStdString(tests::scratchFolder().string()));
+  QCoreApplication::setOrganizationName(QStringLiteral("Fenestra tests"));
+}
 
 Study markedBall() {
   auto volume = std::make_shared<Volume>();

@@ -23,6 +23,9 @@ inline const glm::dvec3 markerCentre(17.0, -17.0, 17.0);
 /// A ball of soft tissue with a green cube of bone in it, 48³ voxels of 2 mm around the world's origin.
 Study markedBall();
 
+/// Preferences are stored in a folder of the test's own.
+void useScratchSettings();
+
 /// A window that shows the marked ball.
 class Window : public testing::Test {
  protected:

@@ -1,9 +1,12 @@
 // The window, driven as a user drives it: mouse, wheel and keys on a display with OpenGL.
 
 #include <QAction>
+#include <QApplication>
+#include <QColorDialog>
 #include <QLabel>
 #include <QStatusBar>
 #include <QTest>
+#include <QTimer>
 
 #include "rendering/Renderer.h"
 #include "tests/gui/WindowFixture.h"
@@ -99,6 +102,25 @@ TEST_F(Window, LightSlidersChangeThePictureAndAreUndone) {
     waitUntilDrawn();
     EXPECT_EQ(picture(volume(0)), before) << key;
   }
+}
+
+TEST_F(Window, TheBackgroundIsChosenAndUndone) {
+  waitUntilDrawn();
+  const glm::dvec3 before = document().look().background;
+  auto* button = window_->findChild<ColourButton*>(QStringLiteral("background"));
+  QTimer::singleShot(0, qApp, [] {
+    for (QWidget* top : QApplication::topLevelWidgets())
+      if (auto* dialog = qobject_cast<QColorDialog*>(top)) {
+        dialog->setCurrentColor(QColor(40, 80, 120));
+        dialog->accept();
+      }
+  });
+  QTest::mouseClick(button, Qt::LeftButton);
+  EXPECT_NE(document().look().background, before);
+  waitUntilDrawn();
+  EXPECT_EQ(picture(volume(0)).pixelColor(40, 60), QColor(40, 80, 120));
+  document().undoStack().undo();
+  EXPECT_EQ(document().look().background, before);
 }
 
 TEST_F(Window, OpeningSliderChangesThePicture) {

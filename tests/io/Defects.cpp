@@ -1,7 +1,6 @@
 #include "tests/io/Defects.h"
 
 #include <cctype>
-#include <iterator>
 
 #include "io/VolumeReader.h"
 
@@ -17,8 +16,11 @@ io::OpenOptions Defect::options() const {
   return options;
 }
 
-std::vector<std::string> Defect::arguments() const {
-  std::vector<std::string> arguments;
+std::vector<std::string> Defect::command(const std::filesystem::path& path) const {
+  if (!labelsOf.empty())
+    return {"convert", (path.parent_path() / labelsOf).string(), "--labels", path.string(),
+            "-o",      (path.parent_path() / "out.nii").string()};
+  std::vector<std::string> arguments{"info", path.string()};
   if (!raw.empty()) arguments.insert(arguments.end(), {"--raw", raw});
   if (time) arguments.insert(arguments.end(), {"--time", std::to_string(*time)});
   return arguments;
@@ -38,8 +40,9 @@ std::string testNameOf(const Defect& defect) {
 }
 
 std::vector<Defect> allDefects() {
-  std::vector<Defect> all = dicomDefects(), files = fileDefects();
-  std::move(files.begin(), files.end(), std::back_inserter(all));
+  std::vector<Defect> all;
+  for (const auto& part : {dicomDefects(), fileDefects(), labelDefects()})
+    all.insert(all.end(), part.begin(), part.end());
   return all;
 }
 

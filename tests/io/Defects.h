@@ -1,6 +1,6 @@
 #pragma once
 // A table of damaged, incomplete and contradictory files: how each is made, and the error or warning that it must give.
-// A row is added in DicomDefects.cpp or FileDefects.cpp.
+// A row is added in DicomDefects.cpp, FileDefects.cpp or LabelDefects.cpp.
 
 #include <filesystem>
 #include <functional>
@@ -37,10 +37,11 @@ struct Defect {
   Expected expected;
   std::string raw = {};          ///< description of raw voxels
   std::optional<int> time = {};  ///< time point to open
+  std::string labelsOf = {};     ///< name of the volume beside the file, where the file holds labels
 
   io::OpenOptions options() const;
-  /// The same for the command line.
-  std::vector<std::string> arguments() const;
+  /// The words after `fenestra-cli` that open `path`.
+  std::vector<std::string> command(const std::filesystem::path& path) const;
 };
 std::ostream& operator<<(std::ostream& stream, const Defect& defect);
 /// The name with what a test's name may hold.
@@ -48,6 +49,7 @@ std::string testNameOf(const Defect& defect);
 
 std::vector<Defect> dicomDefects();
 std::vector<Defect> fileDefects();
+std::vector<Defect> labelDefects();
 /// All of the above.
 std::vector<Defect> allDefects();
 

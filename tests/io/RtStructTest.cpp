@@ -210,27 +210,6 @@ TEST(RtStruct, OddNumbersOpenContoursAndEmptyStructures) {
   EXPECT_EQ(labels.warnings[1].text.find("1 of its contours left out: they do not lie on planes"), 0u);
 }
 
-TEST(RtStruct, WhatCannotBeReadSaysWhy) {
-  const fs::path path = scratchFolder() / "plan.dcm";
-  const auto expectError = [&](const char* part, const auto& change) {
-    RtSpec spec;
-    spec.rois = {{1, "a", "", {closed(rectangle(0, 0, 2, 2, 0))}}, {2, "b", "", {closed(rectangle(0, 0, 2, 2, 1))}}};
-    change(spec);
-    writeRtStruct(path, spec);
-    const std::string error = errorOf([&] { io::openLabels(path, gridOf({3, 3, 2})); });
-    EXPECT_NE(error.find(part), std::string::npos) << part << " is not in: " << error;
-    EXPECT_NE(error.find("plan.dcm"), std::string::npos);
-  };
-  expectError("coordinate \"nan\"", [](RtSpec& s) { s.rois[0].contours[0].data = "0\\0\\nan"; });
-  expectError("coordinate \"inf\"", [](RtSpec& s) { s.rois[0].contours[0].data = "0\\inf\\0"; });
-  expectError("coordinate \"1e300\"", [](RtSpec& s) { s.rois[0].contours[0].data = "1e300\\0\\0"; });
-  expectError("coordinate \"x\"", [](RtSpec& s) { s.rois[0].contours[0].data = "1\\x\\0"; });
-  expectError("4 coordinates", [](RtSpec& s) { s.rois[0].contours[0].data = "1\\2\\3\\4"; });
-  expectError("4 points but says 2000000000", [](RtSpec& s) { s.rois[0].contours[0].count = 2000000000; });
-  expectError("have the number 1", [](RtSpec& s) { s.rois[1].number = 1; });
-  expectError("structure 9, which it does not describe", [](RtSpec& s) { s.contoursOf = 9; });
-}
-
 TEST(RtStruct, EdgesBeyondCountEndInBoundedTime) {
   // A zigzag that every row crosses 120 000 times; then on a grid across it, on which each row asks for a line of its
   // own.

@@ -232,35 +232,6 @@ TEST(Segmentation, ThoseOfASeriesAreListedWithIt) {
   EXPECT_NE(errorOfLabels(folder / "slice0").find("neither a segmentation"), std::string::npos);
 }
 
-TEST(Segmentation, WhatCannotBeReadSaysWhy) {
-  const fs::path path = scratchFolder() / "seg.dcm";
-  const auto expectError = [&](const char* part, const auto& change) {
-    SegSpec spec = twoSegments();
-    change(spec);
-    writeSeg(path, spec);
-    const std::string error = errorOfLabels(path);
-    EXPECT_NE(error.find(part), std::string::npos) << part << " is not in: " << error;
-    EXPECT_NE(error.find("seg.dcm"), std::string::npos);
-  };
-  expectError("belongs to segment 3", [](SegSpec& s) { s.frames[2].segment = 3; });
-  expectError("have the number 7", [](SegSpec& s) { s.segments[0].number = 7; });
-  expectError("does not say where it lies", [](SegSpec& s) { s.frames[1].position.reset(); });
-  expectError("outside any scanner", [](SegSpec& s) { s.frames[1].position = glm::dvec3(1e9, 0, 0); });
-  expectError("on one plane (tiles)", [](SegSpec& s) { s.frames[1].position = glm::dvec3(5, 0, 2); });
-  expectError("segmentation type is \"OTHER\"", [](SegSpec& s) { s.type = "OTHER"; });
-  expectError("4 frames but describes 5", [](SegSpec& s) { s.numberOfFrames = 4; });
-  expectError("10 bytes of pixels where its header describes 8 frames", [](SegSpec& s) { s.numberOfFrames = 8; });
-  expectError("bytes where its header describes 2000000000 frames", [](SegSpec& s) { s.numberOfFrames = 2000000000; });
-  expectError("4 bytes of pixels where its header describes 5 frames", [](SegSpec& s) { s.pixelBytes = 4; });
-  expectError("16 bits, which its type does not allow", [](SegSpec& s) { s.bits = 16; });
-  expectError("greatest fraction is 0", [](SegSpec& s) {
-    s.type = "FRACTIONAL";
-    s.bits = 8;
-    s.greatest = 0;
-  });
-  expectError("where its header describes", [](SegSpec& s) { s.rows = s.columns = 65535; });
-}
-
 TEST(Segmentation, DamageIsAnErrorInBoundedTime) {
   const fs::path folder = scratchFolder();
   writeSeg(folder / "seg.dcm", twoSegments());

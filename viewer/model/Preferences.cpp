@@ -18,6 +18,7 @@ const QString maxErrorKey = QStringLiteral("picture/maxError");
 const QString viewsKey = QStringLiteral("layout/views");
 const QString animatedKey = QStringLiteral("picture/animatedCameras");
 const QString hidesPatientKey = QStringLiteral("picture/hidesPatient");
+const QString lightKey = QStringLiteral("window/lightTheme");
 const QString placementKey = QStringLiteral("placement/%1");
 
 struct NamedWeight {
@@ -102,6 +103,8 @@ void Preferences::setAnimatesCameras(bool animates) { store(animatedKey, animate
 
 bool Preferences::hidesPatient() const { return value(hidesPatientKey, false).toBool(); }
 void Preferences::setHidesPatient(bool hides) { store(hidesPatientKey, hides); }
+bool Preferences::hasLightTheme() const { return value(lightKey, false).toBool(); }
+void Preferences::setLightTheme(bool light) { store(lightKey, light); }
 
 QByteArray Preferences::windowGeometry() const { return value(geometryKey).toByteArray(); }
 QByteArray Preferences::windowState() const { return value(stateKey).toByteArray(); }

@@ -40,6 +40,8 @@ class Preferences {
   /// Whether patient and study are hidden in corner text and in the list of recent data.
   bool hidesPatient() const;
   void setHidesPatient(bool hides);
+  bool hasLightTheme() const;
+  void setLightTheme(bool light);
 
   QByteArray windowGeometry() const;
   QByteArray windowState() const;

@@ -20,6 +20,7 @@ AppearancePanel::AppearancePanel(Document& document, QWidget* parent)
       light_(document, &Look::shading),
       presets_(new QComboBox),
       shift_(new SliderSpin(-500.0, 500.0, 1.0)),
+      background_(new ColourButton(QString::fromUtf8(settingOf(&Look::background).description))),
       table_(new QCheckBox(QString::fromUtf8(settingOf(&Look::hideTable).name))) {
   for (const io::TransferFunctionPreset& preset : io::transferFunctionPresets())
     presets_->addItem(QString::fromStdString(preset.name), QString::fromStdString(preset.id));
@@ -31,6 +32,8 @@ AppearancePanel::AppearancePanel(Document& document, QWidget* parent)
   form->addRow(QString::fromUtf8(settingOf(&ContextFunction::shift).name), shift_);
   light_.addRow(*form, &Shading::lightAzimuth);
   light_.addRow(*form, &Shading::lightElevation);
+  background_->setObjectName(QString::fromUtf8(settingOf(&Look::background).key));
+  form->addRow(QString::fromUtf8(settingOf(&Look::background).name), background_);
   table_->setObjectName(QString::fromUtf8(settingOf(&Look::hideTable).key));
   table_->setToolTip(QString::fromUtf8(settingOf(&Look::hideTable).description));
   form->addRow(table_);
@@ -43,13 +46,21 @@ AppearancePanel::AppearancePanel(Document& document, QWidget* parent)
   connect(presets_, &QComboBox::activated, this, &AppearancePanel::choose);
   makeDragsSteps(*shift_, document.history());
   connect(shift_, &SliderSpin::edited, &document, &Document::setShift);
+  connect(background_, &ColourButton::edited, &document, [this](glm::dvec3 colour) {
+    Look look = document_.look();
+    look.background = colour;
+    document_.edit(QString::fromUtf8(settingOf(&Look::background).name), std::move(look));
+  });
   connect(table_, &QCheckBox::clicked, &document, [this](bool hide) {
     Look look = document_.look();
     look.hideTable = hide;
     document_.edit(table_->text(), std::move(look));
   });
   connect(&document, &Document::transferFunctionChanged, this, &AppearancePanel::show);
-  connect(&document, &Document::sceneChanged, this, [this] { table_->setChecked(document_.look().hideTable); });
+  connect(&document, &Document::sceneChanged, this, [this] {
+    background_->setColour(document_.look().background);
+    table_->setChecked(document_.look().hideTable);
+  });
   connect(&document, &Document::shadingChanged, this, [this] { light_.show(); });
   connect(&document, &Document::volumeChanged, this, [this] {
     const Volume& volume = *document_.scene().volume;
@@ -79,6 +90,7 @@ void AppearancePanel::show() {
   }
   presets_->setCurrentIndex(row);
   shift_->setValue(document_.shift());
+  background_->setColour(document_.look().background);
   table_->setChecked(document_.look().hideTable);
 }
 

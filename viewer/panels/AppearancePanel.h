@@ -29,6 +29,7 @@ class AppearancePanel : public ScrollingPanel {
   LookControls<Shading> light_;
   QComboBox* presets_;
   SliderSpin* shift_;
+  ColourButton* background_;
   QCheckBox* table_;
 };
 

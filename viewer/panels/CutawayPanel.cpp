@@ -22,7 +22,7 @@ int lookOf(const Look& shown) {
 }  // namespace
 
 CutawayPanel::CutawayPanel(Document& document, QWidget* parent)
-    : ScrollingPanel(parent),
+    : QWidget(parent),
       document_(document),
       controls_(document, &Look::cutaway),
       enabled_(controls_.box(&Cutaway::enabled)),
@@ -36,18 +36,16 @@ CutawayPanel::CutawayPanel(Document& document, QWidget* parent)
   look_->setPlaceholderText(tr("own"));
   look_->setToolTip(tr("Ready-made border and context edges"));
 
-  auto* body = new QWidget;
-  auto* form = new QFormLayout(body);
+  auto* form = new QFormLayout(this);
   const auto name = [](const auto& setting) { return QString::fromUtf8(setting.name); };
   form->addRow(enabled_);
-  form->addRow(tr("Look"), look_);
   form->addRow(name(settingOf(&Cutaway::openWidth)), openWidth_);
   auto* border = new QHBoxLayout;
   border->addWidget(borderWidth_, 1);
   border->addWidget(colour_);
   form->addRow(name(settingOf(&Cutaway::borderWidth)), border);
+  form->addRow(tr("Look"), look_);
   form->addRow(name(settingOf(&Cutaway::unit)), unit_);
-  setBody(body);
 
   connect(look_, &QComboBox::activated, this, [this](int which) {
     Look look = document_.look();

@@ -1,12 +1,13 @@
 #pragma once
-// The opening around the focus and its border.
+// The opening around the focus and its border. It is low and never scrolls, so that both widths are always in sight.
+
+#include <QWidget>
 
 #include "viewer/panels/LookControls.h"
-#include "viewer/panels/ScrollingPanel.h"
 
 namespace fenestra::viewer {
 
-class CutawayPanel : public ScrollingPanel {
+class CutawayPanel : public QWidget {
   Q_OBJECT
  public:
   explicit CutawayPanel(Document& document, QWidget* parent = nullptr);

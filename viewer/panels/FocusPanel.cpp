@@ -44,6 +44,7 @@ FocusPanel::FocusPanel(Document& document, QWidget* parent)
   list_->setIconSize({12, 12});
   list_->setToolTip(tr("Tick the structures of the focus; double-click to focus on one alone and go there"));
   list_->setMinimumHeight(80);
+  list_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);  // the height that the panel's other rows leave
 
   byValue_->setToolTip(tr("The focus is everything whose value lies in this range"));
   auto* range = new QHBoxLayout;

@@ -10,13 +10,14 @@ class ScrollingPanel : public QScrollArea {
  public:
   using QScrollArea::QScrollArea;
 
+  /// To be called when `body` holds all its widgets.
+  void setBody(QWidget* body);
+
   QSize sizeHint() const override;
   /// As wide as its contents need, and a few rows high.
   QSize minimumSizeHint() const override;
 
  protected:
-  /// To be called when `body` holds all its widgets.
-  void setBody(QWidget* body);
   bool eventFilter(QObject* watched, QEvent* event) override;
 };
 

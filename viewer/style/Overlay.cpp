@@ -120,8 +120,8 @@ void drawCorner(QPainter& painter, const QRectF& view, Qt::Alignment corner, con
   }
 }
 
-void drawStudyText(QPainter& painter, const QRectF& view, const QStringList& lines) {
-  QStringList shown;
+void drawStudyText(QPainter& painter, const QRectF& view, const QStringList& lines, int above) {
+  QStringList shown(above);
   for (const QString& line : lines)
     shown << painter.fontMetrics().elidedText(line, Qt::ElideRight, static_cast<int>(0.5 * view.width()));
   drawCorner(painter, view, Qt::AlignTop | Qt::AlignRight, shown, overlayGrey);

@@ -1,6 +1,10 @@
 #include "viewer/style/Style.h"
 
+#include <utility>
+
 #include <QApplication>
+#include <QIconEngine>
+#include <QPainter>
 #include <QPalette>
 #include <QStyleFactory>
 
@@ -8,71 +12,195 @@
 static void registerIcons() { Q_INIT_RESOURCE(icons); }
 
 namespace fenestra::viewer {
+namespace {
 
-void applyStyle(QApplication& application) {
-  registerIcons();
-  application.setWindowIcon(QIcon(QStringLiteral(":/icons/fenestra.svg")));
-  application.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
-  const QColor window(38, 41, 46), base(27, 29, 33), raised(52, 56, 63), text(222, 225, 229), dim(128, 133, 140);
-  const QColor accent(66, 122, 172);
+struct Colours {
+  const char *window, *base, *alternate, *raised, *text, *dim, *link;
+  const char *light, *midlight, *mid, *dark;  ///< edges of buttons and frames
+  const char *line, *title;                   ///< between panels; behind their titles
+  const char *hover, *pressed, *chosen, *accent, *accentEdge;
+  const char *control, *controlEdge, *controlHover, *controlDisabled;  ///< check boxes
+  const char *notice, *error, *well;                                   ///< `well` surrounds pictures
+  const char* closeIcon;
+};
+
+constexpr Colours darkColours{.window = "#26292e",
+                              .base = "#1b1d21",
+                              .alternate = "#202227",
+                              .raised = "#34383f",
+                              .text = "#dee1e5",
+                              .dim = "#80858c",
+                              .link = "#78b4eb",
+                              .light = "#484d55",
+                              .midlight = "#3c4047",
+                              .mid = "#222429",
+                              .dark = "#16181b",
+                              .line = "#17191c",
+                              .title = "#2d3136",
+                              .hover = "#3c4047",
+                              .pressed = "#24435e",
+                              .chosen = "#2d4d6a",
+                              .accent = "#427aac",
+                              .accentEdge = "#6ea3d2",
+                              .control = "#1b1d21",
+                              .controlEdge = "#7b828b",
+                              .controlHover = "#a9b4c0",
+                              .controlDisabled = "#565c64",
+                              .notice = "#33373d",
+                              .error = "#43302f",
+                              .well = "#101215",
+                              .closeIcon = "close"};
+constexpr Colours lightColours{.window = "#eceef0",
+                               .base = "#ffffff",
+                               .alternate = "#f5f6f7",
+                               .raised = "#e1e4e7",
+                               .text = "#1d2125",
+                               .dim = "#7d838a",
+                               .link = "#1a5c94",
+                               .light = "#ffffff",
+                               .midlight = "#f2f3f4",
+                               .mid = "#b9bec4",
+                               .dark = "#9aa0a7",
+                               .line = "#c3c8cd",
+                               .title = "#dfe2e5",
+                               .hover = "#d6dade",
+                               .pressed = "#a9cbe8",
+                               .chosen = "#c3dcf1",
+                               .accent = "#427aac",
+                               .accentEdge = "#427aac",
+                               .control = "#ffffff",
+                               .controlEdge = "#6c737b",
+                               .controlHover = "#30353a",
+                               .controlDisabled = "#b4b9be",
+                               .notice = "#fbf4e0",
+                               .error = "#fbe5e3",
+                               .well = "#f5f6f7",
+                               .closeIcon = "close-on-light"};
+
+QPalette paletteOf(const Colours& colours) {
   QPalette palette;
-  palette.setColor(QPalette::Window, window);
-  palette.setColor(QPalette::WindowText, text);
-  palette.setColor(QPalette::Base, base);
-  palette.setColor(QPalette::AlternateBase, QColor(32, 34, 39));
-  palette.setColor(QPalette::Text, text);
-  palette.setColor(QPalette::PlaceholderText, dim);
-  palette.setColor(QPalette::Button, raised);
-  palette.setColor(QPalette::ButtonText, text);
-  palette.setColor(QPalette::BrightText, Qt::white);
-  palette.setColor(QPalette::ToolTipBase, raised);
-  palette.setColor(QPalette::ToolTipText, text);
-  palette.setColor(QPalette::Highlight, accent);
-  palette.setColor(QPalette::HighlightedText, Qt::white);
-  palette.setColor(QPalette::Link, QColor(120, 180, 235));
-  palette.setColor(QPalette::Light, QColor(72, 77, 85));
-  palette.setColor(QPalette::Midlight, QColor(60, 64, 71));
-  palette.setColor(QPalette::Mid, QColor(34, 36, 41));
-  palette.setColor(QPalette::Dark, QColor(22, 24, 27));
-  palette.setColor(QPalette::Shadow, Qt::black);
-  for (QPalette::ColorRole role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
-    palette.setColor(QPalette::Disabled, role, dim);
-  palette.setColor(QPalette::Disabled, QPalette::Highlight, raised);
-  application.setPalette(palette);
-  application.setStyleSheet(QStringLiteral(R"(
-    QToolBar { border: none; border-bottom: 1px solid #17191c; spacing: 2px; padding: 3px 6px; }
+  const auto set = [&](QPalette::ColorRole role, const char* colour) {
+    palette.setColor(role, QColor(QLatin1String(colour)));
+  };
+  set(QPalette::Window, colours.window);
+  set(QPalette::WindowText, colours.text);
+  set(QPalette::Base, colours.base);
+  set(QPalette::AlternateBase, colours.alternate);
+  set(QPalette::Text, colours.text);
+  set(QPalette::PlaceholderText, colours.dim);
+  set(QPalette::Button, colours.raised);
+  set(QPalette::ButtonText, colours.text);
+  set(QPalette::BrightText, "#ffffff");
+  set(QPalette::ToolTipBase, colours.raised);
+  set(QPalette::ToolTipText, colours.text);
+  set(QPalette::Highlight, colours.accent);
+  set(QPalette::HighlightedText, "#ffffff");
+  set(QPalette::Link, colours.link);
+  set(QPalette::Light, colours.light);
+  set(QPalette::Midlight, colours.midlight);
+  set(QPalette::Mid, colours.mid);
+  set(QPalette::Dark, colours.dark);
+  set(QPalette::Shadow, "#000000");
+  for (const QPalette::ColorRole role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
+    palette.setColor(QPalette::Disabled, role, QColor(QLatin1String(colours.dim)));
+  palette.setColor(QPalette::Disabled, QPalette::Highlight, QColor(QLatin1String(colours.raised)));
+  return palette;
+}
+
+/// Names of colours follow an @.
+QString styleSheetOf(const Colours& colours) {
+  QString sheet = QStringLiteral(R"(
+    QToolBar { border: none; border-bottom: 1px solid @line; spacing: 2px; padding: 3px 6px; }
     QToolBar QToolButton { padding: 3px 6px; border: 1px solid transparent; border-radius: 3px; }
-    QToolBar QToolButton:hover { background: #3c4047; }
-    QToolBar QToolButton:checked { background: #2d4d6a; border-color: #427aac; }
-    QToolBar QToolButton:pressed { background: #24435e; }
-    QDockWidget { font-weight: bold; }
-    QDockWidget::title { background: #2d3136; padding: 5px 8px; border-top: 1px solid #17191c; }
-    QSplitter::handle { background: #17191c; }
+    QToolBar QToolButton:hover { background: @hover; }
+    QToolBar QToolButton:checked { background: @chosen; border-color: @accent; }
+    QToolBar QToolButton:pressed { background: @pressed; }
+    QDockWidget { font-weight: bold; titlebar-close-icon: url(:/icons/@closeIcon.svg); }
+    QDockWidget::title { background: @title; padding: 5px 8px; border-top: 1px solid @line; }
+    QSplitter::handle { background: @line; }
     QSplitter::handle:horizontal { width: 3px; }
     QSplitter::handle:vertical { height: 3px; }
-    QDockWidget { titlebar-close-icon: url(:/icons/close.svg); }
-    QCheckBox::indicator, QListView::indicator { width: 13px; height: 13px; border: 1px solid #7b828b;
-      border-radius: 2px; background: #1b1d21; }
-    QCheckBox::indicator:hover, QListView::indicator:hover { border-color: #a9b4c0; }
-    QCheckBox::indicator:checked, QListView::indicator:checked { background: #427aac; border-color: #6ea3d2;
+    QCheckBox::indicator, QListView::indicator { width: 13px; height: 13px; border: 1px solid @controlEdge;
+      border-radius: 2px; background: @controlFace; }
+    QCheckBox::indicator:hover, QListView::indicator:hover { border-color: @controlHover; }
+    QCheckBox::indicator:checked, QListView::indicator:checked { background: @accent; border-color: @brightAccent;
       image: url(:/icons/check.svg); }
-    QCheckBox::indicator:disabled { border-color: #565c64; }
-    QToolButton#choice { background: #343840; border: 1px solid #4a4f57; border-radius: 3px; padding: 3px 4px; }
-    QToolButton#choice:hover { background: #3c4047; }
-    QToolButton#choice:checked { background: #2d4d6a; border-color: #427aac; }
-    QToolButton#choice:disabled { color: #80858c; }
-    QToolButton#thumbnail { background: #101215; border: 1px solid #3c4047; border-radius: 3px; }
-    QToolButton#thumbnail:hover { border-color: #6ea3d2; }
+    QCheckBox::indicator:disabled { border-color: @controlDisabled; }
+    QToolButton#choice { background: @raised; border: 1px solid @edge; border-radius: 3px; padding: 3px 4px; }
+    QToolButton#choice:hover { background: @hover; }
+    QToolButton#choice:checked { background: @chosen; border-color: @accent; }
+    QToolButton#choice:disabled { color: @dim; }
+    QToolButton#thumbnail { background: @well; border: 1px solid @hover; border-radius: 3px; }
+    QToolButton#thumbnail:hover { border-color: @brightAccent; }
     QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
     QStatusBar::item { border: none; }
     QStatusBar QLabel { padding: 0 6px; }
-    QToolTip { border: 1px solid #17191c; padding: 3px; }
-    QFrame#notice { background: #33373d; border: none; border-left: 4px solid #d8a53c; }
-    QFrame#notice[error="true"] { background: #43302f; border-left: 4px solid #d9605a; }
-    QFrame#welcome, QLabel#noOpenGl { background: #101215; }
-  )"));
+    QToolTip { border: 1px solid @line; padding: 3px; }
+    QFrame#notice { background: @notice; border: none; border-left: 4px solid #d8a53c; }
+    QFrame#notice[error="true"] { background: @error; border-left: 4px solid #d9605a; }
+    QFrame#welcome, QLabel#noOpenGl { background: @well; }
+  )");
+  for (const auto& [name, colour] : {std::pair{"line", colours.line},
+                                     {"hover", colours.hover},
+                                     {"chosen", colours.chosen},
+                                     {"accent", colours.accent},
+                                     {"brightAccent", colours.accentEdge},
+                                     {"pressed", colours.pressed},
+                                     {"closeIcon", colours.closeIcon},
+                                     {"title", colours.title},
+                                     {"controlEdge", colours.controlEdge},
+                                     {"controlFace", colours.control},
+                                     {"controlHover", colours.controlHover},
+                                     {"controlDisabled", colours.controlDisabled},
+                                     {"raised", colours.raised},
+                                     {"edge", colours.mid},
+                                     {"dim", colours.dim},
+                                     {"well", colours.well},
+                                     {"notice", colours.notice},
+                                     {"error", colours.error}})
+    sheet.replace(QLatin1Char('@') + QLatin1String(name), QLatin1String(colour));
+  return sheet;
 }
 
-QIcon icon(const char* name) { return QIcon(QStringLiteral(":/icons/%1.svg").arg(QLatin1String(name))); }
+/// Draws a picture of one colour in the colour of the program's text, whichever theme it has.
+class TextColouredIcon : public QIconEngine {
+ public:
+  explicit TextColouredIcon(const QString& file) : source_(file) {}
+
+  void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State) override {
+    const qreal ratio = painter->device()->devicePixelRatioF();
+    painter->drawPixmap(rect, coloured(rect.size() * ratio, mode));
+  }
+  QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State) override { return coloured(size, mode); }
+  QIconEngine* clone() const override { return new TextColouredIcon(*this); }
+
+ private:
+  /// `size` in device pixels.
+  QPixmap coloured(const QSize& size, QIcon::Mode mode) const {
+    QPixmap picture = source_.pixmap(size, 1.0);
+    const auto group = mode == QIcon::Disabled ? QPalette::Disabled : QPalette::Active;
+    QPainter painter(&picture);
+    painter.setCompositionMode(QPainter::CompositionMode_SourceIn);
+    painter.fillRect(picture.rect(), QApplication::palette().color(group, QPalette::WindowText));
+    return picture;
+  }
+
+  QIcon source_;
+};
+
+}  // namespace
+
+void applyStyle(QApplication& application, Theme theme) {
+  registerIcons();
+  application.setWindowIcon(QIcon(QStringLiteral(":/icons/fenestra.svg")));
+  application.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+  const Colours& colours = theme == Theme::Dark ? darkColours : lightColours;
+  application.setPalette(paletteOf(colours));
+  application.setStyleSheet(styleSheetOf(colours));
+}
+
+QIcon icon(const char* name) {
+  return QIcon(new TextColouredIcon(QStringLiteral(":/icons/%1.svg").arg(QLatin1String(name))));
+}
 
 }  // namespace fenestra::viewer

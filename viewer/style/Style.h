@@ -1,5 +1,8 @@
 #pragma once
-// The programs' dark style, in which the pictures are the brightest thing on screen.
+// The program's two themes: dark, in which the pictures are the brightest thing on screen, and light. Pictures look the
+// same in both.
+
+#include <cstdint>
 
 #include <QIcon>
 
@@ -7,8 +10,11 @@ class QApplication;
 
 namespace fenestra::viewer {
 
-void applyStyle(QApplication& application);
-/// An icon of resources/icons, by the name of its file without the ending.
+enum class Theme : std::uint8_t { Dark, Light };
+
+/// At the start, and again to change the theme of a running program.
+void applyStyle(QApplication& application, Theme theme = Theme::Dark);
+/// An icon of resources/icons, by the name of its file without the ending, in the colour of the theme's text.
 QIcon icon(const char* name);
 
 }  // namespace fenestra::viewer

@@ -237,6 +237,17 @@ bool SliceView::inPicture(glm::dvec3 world) const {
 
 void SliceView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
+  draw(painter, true);
+  // Here and not among the marks: saved pictures name nobody.
+  if (document_.hasVolume() && options_.text() && !options_.hidesPatient())
+    drawStudyText(painter, rect(), patientLines(document_.study().patient, document_.study().series), 1);
+  if (document_.hasVolume() && hasFocus()) {
+    painter.setPen(QColor(86, 140, 190));
+    painter.drawRect(rect().adjusted(0, 0, -1, -1));
+  }
+}
+
+void SliceView::draw(QPainter& painter, bool marks) {
   painter.fillRect(rect(), Qt::black);
   if (!document_.hasVolume()) return;
   if (image_.isNull()) makeImage();
@@ -249,29 +260,27 @@ void SliceView::paintEvent(QPaintEvent*) {
   painter.drawImage(target, image_);
 
   drawOutlines(painter);
-  if (options_.labels()) drawSeeds(painter);
   const bool interpolated = drawInterpolated(painter, target);
+  if (marks) drawMarks(painter, interpolated);
+}
+
+void SliceView::drawMarks(QPainter& painter, bool interpolated) const {
+  if (options_.labels()) drawSeeds(painter);
   if (options_.crosshair()) drawCrosshair(painter);
   measureTool_.draw(painter, rect());
 
   const QRectF view = rect();
   drawEdgeLetters(painter, view, geometry_.right, geometry_.down);
-  drawScaleBar(painter, view, 1.0 / scale);
+  drawScaleBar(painter, view, 1.0 / pixelsPerMm());
   QStringList title{planeName(geometry_.plane)};
   if (interpolated) title << tr("Interpolated, not scanned");
   if (options_.text()) {
     title << tr("%1 / %2").arg(slice_ + 1).arg(geometry_.count);
     drawCorner(painter, view, Qt::AlignBottom | Qt::AlignLeft, {windowText()}, overlayGrey);
-    QStringList study;
-    if (geometry_.plane != SlicePlane::Sagittal) study << tr("Radiological");  // where left and right could be mistaken
-    if (!options_.hidesPatient()) study << patientLines(document_.study().patient, document_.study().series);
-    drawStudyText(painter, view, study);
+    if (geometry_.plane != SlicePlane::Sagittal)  // where left and right could be mistaken
+      drawCorner(painter, view, Qt::AlignTop | Qt::AlignRight, {tr("Radiological")}, overlayGrey);
   }
   drawCorner(painter, view, Qt::AlignTop | Qt::AlignLeft, title, planeColour(geometry_.plane));
-  if (hasFocus()) {
-    painter.setPen(QColor(86, 140, 190));
-    painter.drawRect(rect().adjusted(0, 0, -1, -1));
-  }
 }
 
 void SliceView::drawOutlines(QPainter& painter) const {

@@ -49,6 +49,8 @@ class SliceView : public QWidget {
 
   /// The edge of what C1's opening removes of the shown slice, in the widget; empty while C1 moves.
   QPainterPath openingEdge() const;
+  /// Draws the view as it is on screen; without `marks` only the picture with its tints and outlines.
+  void draw(QPainter& painter, bool marks);
 
   QSize sizeHint() const override { return {320, 300}; }
   QSize minimumSizeHint() const override { return {120, 120}; }
@@ -89,6 +91,8 @@ class SliceView : public QWidget {
   bool inPicture(glm::dvec3 world) const;
   /// Of the focus, and of the opening.
   void drawOutlines(QPainter& painter) const;
+  /// Crosshair, seeds, letters, scale bar and corner text.
+  void drawMarks(QPainter& painter, bool interpolated) const;
   void drawCrosshair(QPainter& painter) const;
   void drawSeeds(QPainter& painter) const;
   /// Marks the planes that were not scanned. Returns whether the shown slice is one.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <type_traits>
 
+#include <QApplication>
 #include <QDataStream>
 #include <QLabel>
 #include <QVBoxLayout>
@@ -67,6 +68,11 @@ ViewArea::ViewArea(Document& document, SliceCursor& cursor, ViewLink& cameras, V
     slices_.push_back(view);
   }
   rows_->setSizes({560, 440});
+  active_ = volumes_.empty() ? static_cast<QWidget*>(slices_.front()) : volumes_.front();
+  connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
+    for (const auto& [name, view] : namedViews())
+      if (view == now) active_ = view;
+  });
 }
 
 std::optional<Schedule> ViewArea::schedule() const {

@@ -26,6 +26,8 @@ class ViewArea : public QWidget {
 
   const std::vector<VolumeView*>& volumeViews() const { return volumes_; }  ///< empty without OpenGL
   const std::vector<SliceView*>& sliceViews() const { return slices_; }     ///< axial, sagittal, coronal
+  /// The view that had the keyboard's focus last; C1 (without OpenGL, axial) before one had it.
+  QWidget* activeView() const { return active_; }
   /// The schedule that the shaders of the 3-D views follow; empty without OpenGL.
   std::optional<Schedule> schedule() const;
   /// Every visible view shows the scene at full quality.
@@ -71,6 +73,7 @@ class ViewArea : public QWidget {
   std::vector<VolumeView*> volumes_;
   std::vector<SliceView*> slices_;
   QWidget* maximised_ = nullptr;
+  QWidget* active_ = nullptr;
 };
 
 }  // namespace fenestra::viewer

@@ -322,20 +322,10 @@ void VolumeView::drawOverlay() {
     return;
   }
   if (!document_.hasVolume()) return;
-  const Camera camera = shownCamera();
-  if (options_.crosshair())
-    if (const std::optional<QPointF> at = widgetFromWorld(cursor_.position())) drawMark(painter, *at);
-  if (options_.text()) {
-    QStringList lines{tr("C%1").arg(index_ + 1)};
-    lines << (camera.projection == Projection::Perspective ? tr("perspective") : tr("parallel"));
-    drawCorner(painter, view, Qt::AlignTop | Qt::AlignLeft, lines, QColor(120, 190, 240));
-    if (!options_.hidesPatient())
-      drawStudyText(painter, view, patientLines(document_.study().patient, document_.study().series));
-  }
-  constexpr double cube = 58.0;
-  drawOrientationCube(painter, {view.left() + overlayMargin, view.bottom() - overlayMargin - cube, cube, cube},
-                      camera.axes());
-  if (camera.projection == Projection::Orthographic) drawScaleBar(painter, view, mmPerPixel());
+  drawMarks(painter, shownCamera());
+  // Here and not among the marks: saved pictures name nobody.
+  if (options_.text() && !options_.hidesPatient())
+    drawStudyText(painter, view, patientLines(document_.study().patient, document_.study().series), 0);
   brushTool_.draw(painter, view);
   if (hasFocus()) {
     painter.setPen(QColor(86, 140, 190));
@@ -343,10 +333,29 @@ void VolumeView::drawOverlay() {
   }
 }
 
+void VolumeView::drawMarks(QPainter& painter, const Camera& camera) const {
+  const QRectF view = rect();
+  if (options_.crosshair())
+    if (const std::optional<QPointF> at = widgetFromWorld(cursor_.position(), camera)) drawMark(painter, *at);
+  if (options_.text()) {
+    QStringList lines{tr("C%1").arg(index_ + 1)};
+    lines << (camera.projection == Projection::Perspective ? tr("perspective") : tr("parallel"));
+    drawCorner(painter, view, Qt::AlignTop | Qt::AlignLeft, lines, QColor(120, 190, 240));
+  }
+  constexpr double cube = 58.0;
+  drawOrientationCube(painter, {view.left() + overlayMargin, view.bottom() - overlayMargin - cube, cube, cube},
+                      camera.axes());
+  if (camera.projection == Projection::Orthographic) drawScaleBar(painter, view, mmPerPixel(camera));
+}
+
 std::optional<QPointF> VolumeView::widgetFromWorld(glm::dvec3 world) const {
+  return widgetFromWorld(world, shownCamera());
+}
+
+std::optional<QPointF> VolumeView::widgetFromWorld(glm::dvec3 world, const Camera& camera) const {
   if (!document_.hasVolume()) return std::nullopt;
   const double aspect = static_cast<double>(width()) / std::max(1, height());
-  const glm::dvec4 clip = shownCamera().clipFromWorld(aspect, document_.scene().volume->grid) * glm::dvec4(world, 1.0);
+  const glm::dvec4 clip = camera.clipFromWorld(aspect, document_.scene().volume->grid) * glm::dvec4(world, 1.0);
   if (!(clip.w > 0.0)) return std::nullopt;
   return QPointF(0.5 * (clip.x / clip.w + 1.0) * width(), 0.5 * (1.0 - clip.y / clip.w) * height());
 }
@@ -394,8 +403,7 @@ glm::dvec3 VolumeView::rayThrough(glm::dvec3 world) const {
   return camera.projection == Projection::Perspective ? glm::normalize(world - camera.eye) : camera.axes().forward;
 }
 
-double VolumeView::mmPerPixel() const {
-  const Camera camera = shownCamera();
+double VolumeView::mmPerPixel(const Camera& camera) const {
   const double seen =
       camera.projection == Projection::Orthographic
           ? camera.orthographicHeight

@@ -60,6 +60,10 @@ class VolumeView : public QOpenGLWidget {
   /// The camera of the picture. In a view that is taller than wide its field of view is wider, so that the volume fits.
   Camera shownCamera() const;
   std::optional<QPointF> widgetFromWorld(glm::dvec3 world) const;
+  /// The scene as this view shows it.
+  Scene shownScene() const;
+  /// Draws what lies over the picture of `camera`: mark of the crosshair, corner text, orientation cube, scale bar.
+  void drawMarks(QPainter& painter, const Camera& camera) const;
   const BrushTool& brushTool() const { return brushTool_; }
   /// Runs `work` with this view's OpenGL context current. Returns false without running it where there is no context:
   /// before the view is first shown, or after the driver has lost it.
@@ -115,8 +119,6 @@ class VolumeView : public QOpenGLWidget {
   void attempt(const std::function<void()>& work);
   /// As attempt(), for events: makes the context current, and does nothing where the view has no picture.
   void attemptOnPicture(const std::function<void()>& work);
-  /// The scene as this view shows it, and how it is to be drawn.
-  Scene shownScene() const;
   View viewFor(Effort effort) const;
   /// Draws what is due, and shows the picture.
   void renderScene();
@@ -134,7 +136,8 @@ class VolumeView : public QOpenGLWidget {
   void click(glm::dvec3 hit, Qt::KeyboardModifiers modifiers);
   glm::dvec2 pixelAt(QPointF position) const;
   BrushTool::Canvas canvas();
-  double mmPerPixel() const;
+  double mmPerPixel(const Camera& camera) const;
+  std::optional<QPointF> widgetFromWorld(glm::dvec3 world, const Camera& camera) const;
   double halfVoxel() const;  ///< mm, of the shortest side
 
   const int index_;

@@ -59,7 +59,8 @@ void VolumeView::mouseMoveEvent(QMouseEvent* event) {
     const double perPixel = glm::pi<double>() / std::max(1, std::min(width(), height()));
     cameras_.orbit(index_, -step.x() * perPixel, -step.y() * perPixel);
   } else if (buttons & Qt::MiddleButton) {
-    cameras_.pan(index_, -step.x() * mmPerPixel(), step.y() * mmPerPixel());
+    const double mm = mmPerPixel(shownCamera());
+    cameras_.pan(index_, -step.x() * mm, step.y() * mm);
   } else if (buttons & Qt::RightButton) {
     zoom(std::exp(-0.01 * step.y()));
   }
