@@ -14,6 +14,7 @@
 #include "app/SettingOptions.h"
 #include "io/PhantomFile.h"
 #include "io/TransferFunctionFile.h"
+#include "io/base/ModalityWords.h"
 #include "io/session/OpenSession.h"
 #include "io/session/SessionFile.h"
 #include "io/session/StrokeFile.h"
@@ -238,6 +239,10 @@ void addVolume(CLI::App& command, VolumeOptions& options, const std::function<vo
                             "slices would be misplaced otherwise",
                             options.regularise)
       ->excludes(phantom);
+  addChoice<Modality>(command, "--modality",
+                      "what a volume is whose file does not say, default CT where its values are Hounsfield units",
+                      options.modality)
+      ->excludes(phantom);
   command
       .add_option_function<std::string>(
           "--data",
@@ -410,8 +415,9 @@ OpenedData openData(const VolumeOptions& options, const fs::path& labels, const 
     data.volume = std::move(phantom.volume);
     data.labels = std::move(phantom.labels);
   } else if (io::isSession(options.path)) {
-    if (!options.series.empty() || options.raw || options.time)
-      throw io::Error(options.path, "records how its volume is read", "leave out --series, --time and --raw");
+    if (!options.series.empty() || options.raw || options.time || options.modality)
+      throw io::Error(options.path, "records how its volume is read",
+                      "leave out --series, --time, --raw and --modality");
     io::OpenedSession opened =
         io::openSession(options.path, {options.data, labels, options.allowOutside, options.regularise}, progress);
     data.volume = std::move(opened.volume);
@@ -425,6 +431,7 @@ OpenedData openData(const VolumeOptions& options, const fs::path& labels, const 
                                                 .raw = options.raw,
                                                 .allowOutside = options.allowOutside,
                                                 .regularise = options.regularise.value_or(io::Regularise::Automatic),
+                                                .modality = options.modality,
                                                 .progress = part(progress, 0.0, volumeShare)});
     if (!labels.empty()) {
       io::OpenedLabels opened =

@@ -32,6 +32,7 @@ struct VolumeOptions {
   std::optional<io::RawDescription> raw;
   bool allowOutside = false;                 ///< see io::OpenOptions
   std::optional<io::Regularise> regularise;  ///< unset: Automatic, or the session's
+  std::optional<Modality> modality;          ///< unset: as the file says, or recognised
   std::filesystem::path data;                ///< where the volume of a session is now; empty: where the session says
 
   bool empty() const { return path.empty() && phantom.empty(); }
@@ -66,8 +67,9 @@ struct SceneOptions : VolumeOptions {
   int viewOfSession = 0;           ///< whose camera and picture size are taken from a session: 0 is C1, 1 is C2
 };
 
-/// Adds PATH, --phantom, --series, --raw, --spacing, --regularise and --data. Values are checked while parsing, and
-/// mistakes throw CLI::ParseError. Numbers have a decimal point in every locale. `options` must outlive `command`.
+/// Adds PATH, --phantom, --series, --raw, --spacing, --regularise, --modality and --data. Values are checked while
+/// parsing, and mistakes throw CLI::ParseError. Numbers have a decimal point in every locale. `options` must outlive
+/// `command`.
 void addVolumeOptions(CLI::App& command, VolumeOptions& options);
 /// Adds the above and everything else in SceneOptions. When PATH is a session, parsing reads it first, which may throw
 /// io::Error, and the session gives the defaults of all other options; `onSession` may set the caller's own options,

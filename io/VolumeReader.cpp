@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <locale>
+#include <sstream>
 #include <stdexcept>
 
 #include "io/Probe.h"
@@ -57,6 +59,27 @@ std::int64_t chosenLayer(const ImageFile& image, const OpenOptions& options) {
               "list its series with: fenestra-cli info " + image.path.string());
 }
 
+/// A number as people write it, whatever the locale.
+std::string plain(double number) {
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << number;
+  return text.str();
+}
+
+/// Takes a volume whose file names no modality for a CT where its values are those of one, and says so.
+void recogniseCt(const fs::path& path, Volume& volume, OpenedVolume& opened) {
+  if (volume.modality != Modality::Unknown || !looksLikeCt(volume)) return;
+  volume.modality = Modality::CT;
+  volume.unit = "HU";
+  opened.series.modality = "CT";
+  opened.warnings.push_back({Warning::Kind::Other,
+                             "the file names no modality; its values (" + plain(volume.range.low) + " to " +
+                                 plain(volume.range.high) +
+                                 ") are taken for Hounsfield units of a CT, --modality MR or other says otherwise",
+                             {path}});
+}
+
 OpenedVolume openImage(ImageFile image, const OpenOptions& options) {
   checkGeometry(image.path, image.grid);
   OpenedVolume opened;
@@ -73,12 +96,16 @@ OpenedVolume openImage(ImageFile image, const OpenOptions& options) {
   volume->grid = image.grid;
   volume->slope = image.slope;
   volume->intercept = image.intercept;
+  const bool told = options.modality.has_value();
+  if (told) image.modality = *options.modality;
   volume->modality = image.modality;
   if (image.modality == Modality::CT) volume->unit = "HU";
   volume->voxels = std::move(readVoxels(image, {layer, 1}, options.progress, opened.warnings).front());
   volume->computeRange();
-  opened.volume = std::move(volume);
   opened.series = seriesAt(image, layer);
+  if (!told) recogniseCt(image.path, *volume, opened);
+  if (told || volume->modality != image.modality) opened.modality = volume->modality;
+  opened.volume = std::move(volume);
   for (SeriesInfo& series : seriesIn(image))
     if (series.id != opened.series.id) opened.otherSeries.push_back(std::move(series));
   return opened;

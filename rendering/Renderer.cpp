@@ -60,30 +60,51 @@ std::vector<std::uint8_t> Renderer::readPicture() {
   return bytes;
 }
 
-Layers Renderer::readLayers() {
+namespace {
+
+constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+
+std::size_t pixelCount(const Layers& layers) {
+  return static_cast<std::size_t>(layers.size.x) * static_cast<std::size_t>(layers.size.y);
+}
+
+/// A position along a ray as the passes store it, in mm from the eye.
+float timeOf(const PassChain& chain, float position) {
+  return isSomething(position) ? static_cast<float>(chain.rays->distance() + position) : nan;
+}
+
+void readTimes(const PassChain& chain, const gl::Texture& texture, std::vector<float>& into, std::size_t count) {
+  into.resize(count);
+  texture.readInto(std::span(into));
+  for (float& value : into) value = timeOf(chain, value);
+}
+
+}  // namespace
+
+Layers Renderer::readRayStarts() {
   PassChain& s = *chain_;
   Layers layers;
   if (!s.picture()) return layers;
   layers.size = glm::ivec2(s.picture().size());
-  const std::size_t count = static_cast<std::size_t>(layers.size.x) * static_cast<std::size_t>(layers.size.y);
-  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-  const auto time = [&](float position) {
-    return isSomething(position) ? static_cast<float>(s.rays->distance() + position) : nan;
-  };
-  const auto times = [&](const gl::Texture& texture, std::vector<float>& into) {
-    into.resize(count);
-    texture.readInto(std::span(into));
-    for (float& value : into) value = time(value);
-  };
+  if (!s.hitPoints) return layers;
+  const std::size_t count = pixelCount(layers);
+  std::vector<glm::vec2> hits(count);
+  s.hitPoints.readInto(std::span(hits));
+  for (const glm::vec2& hit : hits) {
+    layers.tContext.push_back(timeOf(s, hit.x));
+    layers.tFocus.push_back(timeOf(s, hit.y));
+  }
+  readTimes(s, s.rayStart, layers.tStart, count);
+  return layers;
+}
+
+Layers Renderer::readLayers() {
+  PassChain& s = *chain_;
+  Layers layers = readRayStarts();
+  if (!s.picture()) return layers;
+  const std::size_t count = pixelCount(layers);
   if (s.hitPoints) {
-    std::vector<glm::vec2> hits(count);
-    s.hitPoints.readInto(std::span(hits));
-    for (const glm::vec2& hit : hits) {
-      layers.tContext.push_back(time(hit.x));
-      layers.tFocus.push_back(time(hit.y));
-    }
-    times(s.focusFilled, layers.tFocusFilled);
-    times(s.rayStart, layers.tStart);
+    readTimes(s, s.focusFilled, layers.tFocusFilled, count);
     layers.distance.resize(count);
     s.distances.readInto(std::span(layers.distance));
     for (float& distance : layers.distance)

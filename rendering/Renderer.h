@@ -79,6 +79,9 @@ class Renderer {
   /// Every stage of the last picture. Stages that the scene does not use come back empty.
   Layers readLayers();
 
+  /// Of these, only where rays meet context and focus and where they start: tContext, tFocus and tStart.
+  Layers readRayStarts();
+
   /// World position of what pixel (i, j from the top, in rendered pixels) of the last picture shows: where its ray
   /// starts to see. Empty where it shows the background.
   std::optional<glm::dvec3> pick(glm::dvec2 pixel);

@@ -12,9 +12,11 @@
 #include "viewer/Dialogs.h"
 #include "viewer/Exports.h"
 #include "viewer/FileOpener.h"
+#include "viewer/MeasureMenu.h"
 #include "viewer/PictureExports.h"
 #include "viewer/SegmentationMenu.h"
 #include "viewer/Sessions.h"
+#include "viewer/WindowLevelDialog.h"
 #include "viewer/jobs/RegionGrower.h"
 #include "viewer/model/Paths.h"
 #include "viewer/model/WindowPresets.h"
@@ -30,6 +32,7 @@ Actions::Actions(const Targets& targets)
   makeEditMenu();
   makeViewMenu();
   makeWindowLevelMenu();
+  makeMeasureMenu();
   makeFocusMenu();
   makeHelpMenu();
 
@@ -275,12 +278,18 @@ void Actions::makeOverlayEntries(QMenu& menu) {
   QAction* text =
       toggle(tr("Corner &text"), QKeySequence(tr("T")), options.text(), [&options](bool on) { options.setText(on); });
   text->setIcon(icon("text"));
+  Preferences& preferences = targets_.workspace.preferences;
+  QAction* patient = toggle(tr("&Hide the patient"), QKeySequence(tr("H")), preferences.hidesPatient(),
+                            [&options, &preferences](bool on) {
+                              options.setHidesPatient(on);
+                              preferences.setHidesPatient(on);
+                            });
   connect(&options, &ViewOptions::changed, this, [&options, crosshair, labels, text] {
     crosshair->setChecked(options.crosshair());
     labels->setChecked(options.labels());
     text->setChecked(options.text());
   });
-  menu.addActions({crosshair, labels, text});
+  menu.addActions({crosshair, labels, text, patient});
   tools_ << QList<QAction*>{crosshair, labels, text};
 }
 
@@ -319,6 +328,57 @@ void Actions::makeWindowLevelMenu() {
     menu->addAction(volumeAction(
         tr("CT %1  (%2 / %3)").arg(tr(preset.name)).arg(preset.window.width).arg(preset.window.level),
         QKeySequence(QString::number(preset.key)), [&document, &preset] { document.setWindow(preset.window); }));
+  menu->addSeparator();
+  menu->addAction(volumeAction(tr("By &number…"), QKeySequence(tr("W")), [this, &document] {
+    auto* dialog = new WindowLevelDialog(document, &targets_.window);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->show();
+  }));
+  QAction* inverted =
+      toggle(tr("&Invert"), QKeySequence(tr("I")), false, [&document](bool on) { document.setInverted(on); });
+  connect(&document, &Document::windowChanged, inverted,
+          [&document, inverted] { inverted->setChecked(document.isInverted()); });
+  menu->addAction(inverted);
+}
+
+void Actions::makeMeasureMenu() {
+  Document& document = targets_.workspace.document;
+  MeasureMode& mode = targets_.workspace.measuring;
+  struct Tool {
+    const char *text, *key, *icon;
+    MeasureKind kind;
+  };
+  QList<QAction*> tools;
+  for (const Tool& tool : {Tool{QT_TR_NOOP("&Distance"), "D", "distance", MeasureKind::Distance},
+                           Tool{QT_TR_NOOP("&Angle"), "A", "angle", MeasureKind::Angle},
+                           Tool{QT_TR_NOOP("&Ellipse"), "Q", "ellipse", MeasureKind::Ellipse},
+                           Tool{QT_TR_NOOP("&Rectangle"), "B", "rectangle", MeasureKind::Rectangle}}) {
+    QAction* made = volumeAction(tr(tool.text), QKeySequence(QLatin1String(tool.key)),
+                                 [&mode, kind = tool.kind] { mode.toggle(kind); });
+    made->setIcon(icon(tool.icon));
+    made->setCheckable(true);
+    connect(&mode, &MeasureMode::changed, made,
+            [&mode, made, kind = tool.kind] { made->setChecked(mode.kind() == kind); });
+    tools << made;
+  }
+  QAction* copy = action(tr("&Copy"), QKeySequence(tr("Ctrl+Shift+C")),
+                         [this, &mode] { copyMeasures(targets_.workspace, mode.selected()); });
+  QAction* remove = action(tr("De&lete"), QKeySequence::Delete, [&mode] { mode.removeSelected(); });
+  QAction* removeAll = action(tr("Delete a&ll"), {}, [&mode] { mode.removeAll(); });
+  const auto enable = [&document, &mode, copy, remove, removeAll] {
+    copy->setEnabled(!document.measures().empty());
+    remove->setEnabled(mode.selected().has_value());
+    removeAll->setEnabled(!document.measures().empty());
+  };
+  connect(&document, &Document::measuresChanged, this, enable);
+  connect(&mode, &MeasureMode::changed, this, enable);
+  enable();
+
+  QMenu* menu = targets_.window.menuBar()->addMenu(tr("&Measure"));
+  menu->addActions(tools);
+  menu->addSeparator();
+  menu->addActions({copy, remove, removeAll});
+  tools_ << tools;
 }
 
 void Actions::makeFocusMenu() {
@@ -350,7 +410,8 @@ void Actions::addRegionEntries(QMenu& menu) {
 
 void Actions::makeHelpMenu() {
   QMenu* menu = targets_.window.menuBar()->addMenu(tr("&Help"));
-  menu->addAction(action(tr("&Keys and mouse"), QKeySequence(tr("?")), [this] { showKeys(&targets_.window); }));
+  menu->addAction(action(tr("&Keys and mouse"), QKeySequence(tr("?")),
+                         [this] { showKeys(*targets_.window.menuBar(), &targets_.window); }));
   menu->addAction(action(tr("&About Fenestra"), {},
                          [this] { showAbout(targets_.gl, targets_.views.schedule(), &targets_.window); }));
 }
@@ -373,14 +434,17 @@ void Actions::stop() {
     targets_.workspace.placement.cancel();
   else if (targets_.workspace.brush.isActive())
     targets_.workspace.brush.setActive(false);
-  else
+  else if (!targets_.workspace.measuring.stop())
     targets_.views.showAll();
 }
 
 void Actions::fillRecentMenu() {
   recent_->clear();
   for (const std::filesystem::path& path : targets_.workspace.preferences.recent()) {
-    QAction* entry = recent_->addAction(QDir::toNativeSeparators(toQString(path)));
+    // A folder or file is often named after its patient.
+    QAction* entry = recent_->addAction(targets_.workspace.options.hidesPatient()
+                                            ? tr("%1, name hidden").arg(recent_->actions().size() + 1)
+                                            : QDir::toNativeSeparators(toQString(path)));
     connect(entry, &QAction::triggered, this, [this, path] { targets_.files.open({path}); });
   }
   if (recent_->isEmpty()) {

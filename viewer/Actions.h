@@ -66,11 +66,13 @@ class Actions : public QObject {
   QMenu* makeAtRestMenu();
   void makeOverlayEntries(QMenu& menu);
   void makeWindowLevelMenu();
+  void makeMeasureMenu();
   void makeFocusMenu();
   void addRegionEntries(QMenu& menu);
   void makeHelpMenu();
   void fillRecentMenu();
-  /// Cancels reading, growing or measuring; without any, puts the brush down; without that, shows all views.
+  /// Cancels reading, growing or placing; without any, puts the brush down, then the measuring tool; without these,
+  /// shows all views.
   void stop();
 
   Targets targets_;

@@ -1,11 +1,18 @@
 #include "viewer/Dialogs.h"
 
+#include <functional>
+
+#include <QAction>
 #include <QApplication>
 #include <QDialog>
 #include <QDialogButtonBox>
+#include <QMenu>
+#include <QMenuBar>
 #include <QMessageBox>
 #include <QTextBrowser>
 #include <QVBoxLayout>
+
+#include "viewer/Gestures.h"
 
 namespace fenestra::viewer {
 namespace {
@@ -14,73 +21,41 @@ QString tr(const char* text) { return QCoreApplication::translate("Dialogs", tex
 
 }  // namespace
 
-void showKeys(QWidget* parent) {
-  struct Line {
-    const char *keys, *meaning;
+QList<MenuKey> menuKeys(const QMenuBar& menus) {
+  QList<MenuKey> keys;
+  const std::function<void(const QList<QAction*>&, const QString&)> add = [&](const QList<QAction*>& actions,
+                                                                              const QString& menu) {
+    for (const QAction* action : actions) {
+      const QString text = QString(action->text()).remove(QLatin1Char('&')).remove(QStringLiteral("…"));
+      if (action->menu())
+        add(action->menu()->actions(), menu.isEmpty() ? text : menu);
+      else if (!action->shortcut().isEmpty())
+        keys << MenuKey{menu, action->shortcut().toString(QKeySequence::NativeText), text};
+    }
   };
-  static constexpr Line lines[] = {
-      {nullptr, QT_TRANSLATE_NOOP("Dialogs", "Slices")},
-      {QT_TRANSLATE_NOOP("Dialogs", "Click"),
-       QT_TRANSLATE_NOOP("Dialogs", "crosshair; the label there, or the region around the place, becomes the focus")},
-      {QT_TRANSLATE_NOOP("Dialogs", "Ctrl+click"), QT_TRANSLATE_NOOP("Dialogs", "the label joins or leaves the focus")},
-      {QT_TRANSLATE_NOOP("Dialogs", "Drag"),
-       QT_TRANSLATE_NOOP("Dialogs", "window width (across) and level (up and down)")},
-      {QT_TRANSLATE_NOOP("Dialogs", "Ctrl+double-click"), QT_TRANSLATE_NOOP("Dialogs", "window and level of the data")},
-      {QT_TRANSLATE_NOOP("Dialogs", "Wheel, arrows, Page up/down"),
-       QT_TRANSLATE_NOOP("Dialogs", "next and previous slices")},
-      {nullptr, QT_TRANSLATE_NOOP("Dialogs", "3-D views")},
-      {QT_TRANSLATE_NOOP("Dialogs", "Drag, arrows"), QT_TRANSLATE_NOOP("Dialogs", "rotate; the linked view follows")},
-      {QT_TRANSLATE_NOOP("Dialogs", "Click"),
-       QT_TRANSLATE_NOOP("Dialogs", "crosshair to what is seen there; its label or region becomes the focus")},
-      {QT_TRANSLATE_NOOP("Dialogs", "Ctrl+click"), QT_TRANSLATE_NOOP("Dialogs", "its label joins or leaves the focus")},
-      {QT_TRANSLATE_NOOP("Dialogs", "Wheel"), QT_TRANSLATE_NOOP("Dialogs", "zoom")},
-      {QT_TRANSLATE_NOOP("Dialogs", "Shift+A P L R S I"),
-       QT_TRANSLATE_NOOP("Dialogs", "look from anterior, posterior, left, right, superior, inferior")},
-      {QT_TRANSLATE_NOOP("Dialogs", "F5"), QT_TRANSLATE_NOOP("Dialogs", "place both cameras for the focus")},
-      {nullptr, QT_TRANSLATE_NOOP("Dialogs", "A grown region, in all views")},
-      {QT_TRANSLATE_NOOP("Dialogs", "Shift+click, Ctrl+click"),
-       QT_TRANSLATE_NOOP("Dialogs", "add what is there to the region; take it away")},
-      {QT_TRANSLATE_NOOP("Dialogs", "Alt+wheel, , and ."), QT_TRANSLATE_NOOP("Dialogs", "tolerance")},
-      {QT_TRANSLATE_NOOP("Dialogs", "Esc"), QT_TRANSLATE_NOOP("Dialogs", "give up a region that is being grown")},
-      {QT_TRANSLATE_NOOP("Dialogs", "G"), QT_TRANSLATE_NOOP("Dialogs", "whether a click grows a region")},
-      {nullptr, QT_TRANSLATE_NOOP("Dialogs", "Brush, in the 3-D views")},
-      {QT_TRANSLATE_NOOP("Dialogs", "P"),
-       QT_TRANSLATE_NOOP("Dialogs",
-                         "activate the brush, which restores removed tissue; again (or Esc) deactivates it")},
-      {QT_TRANSLATE_NOOP("Dialogs", "E"),
-       QT_TRANSLATE_NOOP("Dialogs", "the opposite brush: open further, or strengthen the context's edges")},
-      {QT_TRANSLATE_NOOP("Dialogs", "Drag"), QT_TRANSLATE_NOOP("Dialogs", "paint; Ctrl+drag still rotates")},
-      {QT_TRANSLATE_NOOP("Dialogs", "[  ]"), QT_TRANSLATE_NOOP("Dialogs", "smaller, larger")},
-      {QT_TRANSLATE_NOOP("Dialogs", "Shift+wheel, Shift+drag"),
-       QT_TRANSLATE_NOOP("Dialogs", "depth, or by how much the context's edges change")},
-      {nullptr, QT_TRANSLATE_NOOP("Dialogs", "All views")},
-      {QT_TRANSLATE_NOOP("Dialogs", "Ctrl+Z, Ctrl+Shift+Z"), QT_TRANSLATE_NOOP("Dialogs", "undo, redo")},
-      {QT_TRANSLATE_NOOP("Dialogs", "Middle drag"), QT_TRANSLATE_NOOP("Dialogs", "move the picture")},
-      {QT_TRANSLATE_NOOP("Dialogs", "Right drag, Ctrl+wheel"), QT_TRANSLATE_NOOP("Dialogs", "zoom")},
-      {QT_TRANSLATE_NOOP("Dialogs", "Right click"), QT_TRANSLATE_NOOP("Dialogs", "a menu for that place")},
-      {QT_TRANSLATE_NOOP("Dialogs", "Shift+move"), QT_TRANSLATE_NOOP("Dialogs", "crosshair follows the mouse")},
-      {QT_TRANSLATE_NOOP("Dialogs", "Double-click"),
-       QT_TRANSLATE_NOOP("Dialogs", "show this view alone; Esc shows all")},
-      {QT_TRANSLATE_NOOP("Dialogs", "R"), QT_TRANSLATE_NOOP("Dialogs", "reset the view; Ctrl+R all views")},
-      {QT_TRANSLATE_NOOP("Dialogs", "Ctrl+S  Ctrl+Shift+S"),
-       QT_TRANSLATE_NOOP("Dialogs", "save the session; save it as another file")},
-      {QT_TRANSLATE_NOOP("Dialogs", "L"), QT_TRANSLATE_NOOP("Dialogs", "link the 3-D views")},
-      {QT_TRANSLATE_NOOP("Dialogs", "C  O  T"), QT_TRANSLATE_NOOP("Dialogs", "crosshair, label overlay, corner text")},
-      {QT_TRANSLATE_NOOP("Dialogs", "1"), QT_TRANSLATE_NOOP("Dialogs", "window and level of the data")},
-      {QT_TRANSLATE_NOOP("Dialogs", "3 4 5 6 7"),
-       QT_TRANSLATE_NOOP("Dialogs", "CT window: brain, abdomen, mediastinum, bone, lung")},
+  add(menus.actions(), {});
+  return keys;
+}
+
+QString keysHtml(const QMenuBar& menus) {
+  QString html = QStringLiteral("<table cellspacing='0' cellpadding='3'>"), group;
+  const auto line = [&](const QString& where, const QString& keys, const QString& meaning) {
+    if (where != group)
+      html += QStringLiteral("<tr><td colspan='2'><br><b>%1</b></td></tr>").arg(where.toHtmlEscaped());
+    group = where;
+    html += QStringLiteral("<tr><td><b>%1</b>&nbsp;&nbsp;</td><td>%2</td></tr>")
+                .arg(keys.toHtmlEscaped(), meaning.toHtmlEscaped());
   };
-  QString html = QStringLiteral("<table cellspacing='0' cellpadding='3'>");
-  for (const Line& line : lines)
-    html +=
-        line.keys
-            ? QStringLiteral("<tr><td><b>%1</b>&nbsp;&nbsp;</td><td>%2</td></tr>").arg(tr(line.keys), tr(line.meaning))
-            : QStringLiteral("<tr><td colspan='2'><br><b>%1</b></td></tr>").arg(tr(line.meaning));
-  html += QStringLiteral("</table>");
+  for (const Gesture& each : gestures) line(tr(each.where), tr(each.gesture), tr(each.meaning));
+  for (const MenuKey& each : menuKeys(menus)) line(tr("Menu: %1").arg(each.menu), each.keys, each.text);
+  return html + QStringLiteral("</table>");
+}
+
+void showKeys(const QMenuBar& menus, QWidget* parent) {
   QDialog dialog(parent);
   dialog.setWindowTitle(tr("Keys and mouse"));
   auto* text = new QTextBrowser;
-  text->setHtml(html);
+  text->setHtml(keysHtml(menus));
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
   QObject::connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
   auto* column = new QVBoxLayout(&dialog);

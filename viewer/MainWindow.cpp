@@ -20,6 +20,7 @@
 #include "viewer/Exports.h"
 #include "viewer/FileOpener.h"
 #include "viewer/LoadingBar.h"
+#include "viewer/MeasureMenu.h"
 #include "viewer/NoticeBar.h"
 #include "viewer/PictureExports.h"
 #include "viewer/SegmentationMenu.h"
@@ -28,6 +29,7 @@
 #include "viewer/StructureMenu.h"
 #include "viewer/WelcomePage.h"
 #include "viewer/model/CamerasChange.h"
+#include "viewer/model/PatientLines.h"
 #include "viewer/panels/AppearancePanel.h"
 #include "viewer/panels/BrushPanel.h"
 #include "viewer/panels/CamerasPanel.h"
@@ -78,9 +80,9 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
   setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
 
   connectModels();  // before the views connect, so that the models are up to date when a view draws
-  views_ =
-      new ViewArea(workspace_.document, workspace_.cursor, workspace_.cameras, workspace_.options, workspace_.brush,
-                   gl_, setup.atRest.value_or(workspace_.preferences.atRest()), setup.chooseSchedule);
+  views_ = new ViewArea(workspace_.document, workspace_.cursor, workspace_.cameras, workspace_.options,
+                        workspace_.brush, workspace_.measuring, gl_,
+                        setup.atRest.value_or(workspace_.preferences.atRest()), setup.chooseSchedule);
   views_->warmUp(setup.expected);
   notices_ = new NoticeBar;
   sessions_ = new Sessions(*this, workspace_, loader_, *notices_,
@@ -142,6 +144,8 @@ void MainWindow::connectViews() {
   connect(&grower_, &RegionGrower::failed, this, &MainWindow::showError);
   connect(views_, &ViewArea::menuRequested, this,
           [this](glm::dvec3 world, QPoint at) { showStructureMenu(workspace_, world, at); });
+  connect(views_, &ViewArea::measureMenuRequested, this,
+          [this](std::size_t measure, QPoint at) { showMeasureMenu(workspace_, measure, at); });
   connect(views_, &ViewArea::failed, this, &MainWindow::showError, Qt::QueuedConnection);
   connect(
       views_, &ViewArea::reduced, this,
@@ -179,6 +183,7 @@ void MainWindow::restoreLayout() {
   views_->restoreLayout(preferences.viewLayout());
   workspace_.placement.setSettings(preferences.placement());
   workspace_.cameras.setAnimated(preferences.animatesCameras());
+  workspace_.options.setHidesPatient(preferences.hidesPatient());
   // Only what the user changes in the panel is remembered: a session's settings are that session's.
   connect(&panels_.cameras->form(), &PlacementForm::edited, this, [&preferences](const auto& change) {
     PlacementSettings habit = preferences.placement();
@@ -295,7 +300,15 @@ void MainWindow::whenDrawn(std::function<void()> done) {
   poll->start(milliseconds);
 }
 
-QImage MainWindow::picture() {
+QImage MainWindow::picture(Patient patient) {
+  ViewOptions& options = workspace_.options;
+  if (patient == Patient::Hidden && !options.hidesPatient() &&
+      !patientLines(workspace_.document.study().patient, workspace_.document.study().series).isEmpty()) {
+    options.setHidesPatient(true);
+    QImage without = picture(Patient::Hidden);
+    options.setHidesPatient(false);
+    return without;
+  }
   QPixmap pixmap = grab();
   // grab() redirects the QPainters of a 3-D view into the pixmap and then draws the view's picture over them. The
   // view's framebuffer holds both in the right order.

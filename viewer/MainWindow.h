@@ -52,8 +52,10 @@ class MainWindow : public QMainWindow {
   /// Calls `done` once, when nothing is being read and all views show the scene at full quality.
   void whenDrawn(std::function<void()> done);
 
-  /// The whole window in device pixels, including the 3-D views and their overlays.
-  QImage picture();
+  /// The whole window in device pixels, including the 3-D views and their overlays. Patient and study are left out
+  /// unless asked for.
+  enum class Patient : std::uint8_t { Hidden, Shown };
+  QImage picture(Patient patient = Patient::Hidden);
 
   Workspace& workspace() { return workspace_; }
   Sessions& sessions() { return *sessions_; }

@@ -4,6 +4,8 @@
 #include <QPixmap>
 #include <QVBoxLayout>
 
+#include "viewer/model/PatientLines.h"
+
 namespace fenestra::viewer {
 namespace {
 
@@ -28,7 +30,7 @@ SeriesChooser::SeriesChooser(const Study& study, QWidget* parent) : QDialog(pare
   list_ = new QTreeWidget;
   list_->setRootIsDecorated(false);
   list_->setIconSize({pictureSide, pictureSide});
-  list_->setHeaderLabels({tr("Picture"), tr("Type"), tr("Description"), tr("Size"), tr("Images")});
+  list_->setHeaderLabels({tr("Picture"), tr("Type"), tr("Date"), tr("Description"), tr("Size"), tr("Images")});
   // Rows have their height before the pictures are there, so that nothing moves under the pointer.
   QPixmap blank(list_->iconSize() * devicePixelRatio());
   blank.setDevicePixelRatio(devicePixelRatio());
@@ -38,9 +40,11 @@ SeriesChooser::SeriesChooser(const Study& study, QWidget* parent) : QDialog(pare
     auto* row = new QTreeWidgetItem(list_);
     row->setIcon(0, blank);
     row->setText(1, QString::fromStdString(series.modality));
-    row->setText(2, descriptionOf(series));
-    row->setText(3, QStringLiteral("%1×%2×%3").arg(series.dims.x).arg(series.dims.y).arg(series.dims.z));
-    row->setText(4, QString::number(series.files.size()));
+    row->setText(2, dateText(series.date));
+    row->setText(3, descriptionOf(series));
+    row->setToolTip(3, QString::fromStdString(series.study));
+    row->setText(4, QStringLiteral("%1×%2×%3").arg(series.dims.x).arg(series.dims.y).arg(series.dims.z));
+    row->setText(5, QString::number(series.files.size()));
     row->setData(0, Qt::UserRole, QString::fromStdString(series.id));
   }
   list_->setCurrentItem(list_->topLevelItem(0));

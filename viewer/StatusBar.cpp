@@ -6,6 +6,7 @@
 
 #include "viewer/model/Document.h"
 #include "viewer/model/LabelName.h"
+#include "viewer/model/MeasureText.h"
 #include "viewer/views/GlSupport.h"
 #include "viewer/views/ViewArea.h"
 
@@ -49,9 +50,8 @@ void StatusBar::pointAt(glm::dvec3 world) {
     return;
   }
   const Volume& volume = *document_.scene().volume;
-  const int decimals = volume.range.high - volume.range.low < 20.0 ? 3 : 0;
   QStringList parts{QStringLiteral("%1 %2")
-                        .arg(volume.value(*voxel), 0, 'f', decimals)
+                        .arg(valueText(volume.value(*voxel), volume.range))
                         .arg(QString::fromStdString(volume.unit))
                         .trimmed(),
                     patientCoordinates(world)};

@@ -61,6 +61,7 @@ Study readScene(const app::SceneOptions& options, const io::Progress& progress) 
   study.placeCameras = loaded.placed.has_value();
   study.path = study.session.volume.path;
   study.series = std::move(loaded.volume.series);
+  study.patient = std::move(loaded.volume.patient);
   study.otherSeries = std::move(loaded.volume.otherSeries);
   study.segmentations = std::move(loaded.volume.segmentations);
   study.warnings = std::move(loaded.warnings);
@@ -75,8 +76,8 @@ StudyLoader::Reader phantomReader(const std::string& name) {
 }
 
 /// The whole window as a PNG, in device pixels.
-void saveScreenshot(MainWindow& window, const std::filesystem::path& path) {
-  const QImage picture = window.picture().convertToFormat(QImage::Format_RGB888);
+void saveScreenshot(MainWindow& window, const std::filesystem::path& path, MainWindow::Patient patient) {
+  const QImage picture = window.picture(patient).convertToFormat(QImage::Format_RGB888);
   std::vector<std::uint8_t> pixels;
   pixels.reserve(static_cast<std::size_t>(picture.width()) * static_cast<std::size_t>(picture.height()) * 3);
   for (int row = 0; row < picture.height(); ++row) {
@@ -89,9 +90,10 @@ void saveScreenshot(MainWindow& window, const std::filesystem::path& path) {
 /// What the command line asks for.
 struct Request {
   app::SceneOptions scene;
-  std::filesystem::path screenshot;  ///< empty: stay open
-  std::optional<Effort> atRest;      ///< unset: as remembered
-  std::optional<Schedule> schedule;  ///< unset: the faster one
+  std::filesystem::path screenshot;                           ///< empty: stay open
+  MainWindow::Patient patient = MainWindow::Patient::Hidden;  ///< in the screenshot
+  std::optional<Effort> atRest;                               ///< unset: as remembered
+  std::optional<Schedule> schedule;                           ///< unset: the faster one
 };
 
 /// Reads the command line into `request`. Returns an exit code when the program should end at once.
@@ -109,6 +111,9 @@ std::optional<int> parse(int argc, char** argv, Request& request) {
           "--screenshot", [&](const std::string& path) { request.screenshot = path; },
           "save the whole window once everything is drawn, and exit")
       ->type_name("OUT.png");
+  program.add_flag_callback(
+      "--with-patient", [&] { request.patient = MainWindow::Patient::Shown; },
+      "let the screenshot show the patient's name, number, sex and dates");
   try {
     program.parse(argc, argv);
     if (!morePaths.empty()) {
@@ -153,21 +158,21 @@ void openInWindow(MainWindow& window, const app::SceneOptions& options) {
   });
 }
 
-/// Opens what `options` names, saves the window once it is drawn, and ends the program.
-void openForScreenshot(MainWindow& window, const app::SceneOptions& options, const std::filesystem::path& path) {
+/// Opens what `request` names, saves the window once it is drawn, and ends the program.
+void openForScreenshot(MainWindow& window, const Request& request) {
   QObject::connect(&window, &MainWindow::failed,
                    [](const QString& message) { QCoreApplication::exit(fail(message.toStdString())); });
-  QObject::connect(&window, &MainWindow::opened, [&window, path] {
-    window.whenDrawn([&window, path] {
+  QObject::connect(&window, &MainWindow::opened, [&window, path = request.screenshot, patient = request.patient] {
+    window.whenDrawn([&window, path, patient] {
       try {
-        saveScreenshot(window, path);
+        saveScreenshot(window, path, patient);
         QCoreApplication::exit(done);
       } catch (const std::exception& error) {
         QCoreApplication::exit(fail(error.what()));
       }
     });
   });
-  window.open([options](const io::Progress& progress) { return readScene(options, progress); });
+  window.open([options = request.scene](const io::Progress& progress) { return readScene(options, progress); });
 }
 
 int main(int argc, char** argv) {
@@ -196,7 +201,7 @@ int main(int argc, char** argv) {
   if (stays)
     openInWindow(window, request.scene);
   else
-    openForScreenshot(window, request.scene, request.screenshot);
+    openForScreenshot(window, request);
   return QApplication::exec();
 }
 

@@ -83,6 +83,8 @@ struct OpenOptions {
   /// Whether the header of a detached volume may name voxel files anywhere, not only in its own folder and below.
   bool allowOutside = false;
   Regularise regularise = Regularise::Automatic;
+  /// What a volume outside DICOM is; unset: what its file says, or CT where its values are those of one.
+  std::optional<Modality> modality = {};
   Progress progress = {};  ///< may be empty
 };
 
@@ -95,6 +97,17 @@ struct SeriesInfo {
   glm::ivec3 dims{0};
   std::vector<std::filesystem::path> files;
   int time = 0, times = 0;  ///< which of how many time points, from 1; 0: it is the only one
+  std::string study;        ///< StudyDescription; may hold anything the operator typed
+  std::string date;         ///< of the series, or else of the study, YYYYMMDD; empty outside DICOM
+};
+
+/// What names the patient of a DICOM series, as its first file says; empty where it says nothing. For the corner text
+/// of pictures on screen alone: never for files, logs or titles.
+struct PatientText {
+  std::string name;       ///< "Family^Given^Middle^Prefix^Suffix"
+  std::string id, sex;    ///< "F", "M" or "O"
+  std::string birthDate;  ///< YYYYMMDD
+  bool isEmpty() const { return name.empty() && id.empty() && sex.empty() && birthDate.empty(); }
 };
 
 /// A segmentation that lies beside a DICOM series and belongs to it; openLabels opens its file.
@@ -109,9 +122,11 @@ struct OpenedVolume {
   std::shared_ptr<const Volume> volume;
   std::string format;  ///< "DICOM", "NIfTI", "NRRD", "MetaImage", "MGH", "Analyze", "raw"
   SeriesInfo series;
+  PatientText patient;
   std::vector<SeriesInfo> otherSeries;
   std::vector<SegmentationInfo> segmentations;  ///< of the series, among the files that were opened with it
   std::vector<Warning> warnings;
+  std::optional<Modality> modality;        ///< told by OpenOptions or recognised; unset: the file's own
   std::optional<GeometryReport> geometry;  ///< of a series whose slices do not lie straight behind each other, evenly
 };
 

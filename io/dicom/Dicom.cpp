@@ -168,6 +168,8 @@ std::vector<Candidate> candidatesOf(const Scan& scan) {
       candidate.info.id = (uid.empty() ? "no-uid" : uid) + (n == 0 ? "" : "#" + std::to_string(n + 1));
       candidate.info.modality = first.modality;
       candidate.info.description = first.description;
+      candidate.info.study = first.study;
+      candidate.info.date = first.date;
       candidate.info.dims = stacks[n].grid.dims;
       candidate.info.time = stacks[n].time;
       candidate.info.times = stacks[n].times;
@@ -325,6 +327,7 @@ OpenedVolume openScanned(const fs::path& path, const OpenOptions& options, Packe
                                   {.progress = options.progress, .from = pixelsShare, .to = 1.0}, *volume);
     opened.volume = std::move(volume);
     opened.format = "DICOM";
+    opened.patient = readPatientText(first.path);
     if (opened.geometry) opened.warnings = opened.geometry->findings;
     opened.warnings.insert(opened.warnings.end(), stack.warnings.begin(), stack.warnings.end());
     addSegmentations(scan, stack, opened);

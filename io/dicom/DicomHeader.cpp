@@ -192,6 +192,14 @@ unsigned assumedOf(DcmItem& dataset, const DicomFile& file) {
 
 }  // namespace
 
+PatientText readPatientText(const fs::path& path) {
+  DcmFileFormat fileFormat;
+  loadHeader(path, fileFormat);
+  DcmDataset& dataset = *fileFormat.getDataset();
+  return {typedTextOf(dataset, DCM_PatientName), typedTextOf(dataset, DCM_PatientID), textOf(dataset, DCM_PatientSex),
+          textOf(dataset, DCM_PatientBirthDate)};
+}
+
 DicomFile readDicomHeader(const fs::path& path) {
   DcmFileFormat fileFormat;
   loadHeader(path, fileFormat);
@@ -206,6 +214,9 @@ DicomFile readDicomHeader(const fs::path& path) {
   file.series = textOf(dataset, DCM_SeriesInstanceUID);
   file.modality = textOf(dataset, DCM_Modality);
   file.description = typedTextOf(dataset, DCM_SeriesDescription);
+  file.study = typedTextOf(dataset, DCM_StudyDescription);
+  file.date = textOf(dataset, DCM_SeriesDate);
+  if (file.date.empty()) file.date = textOf(dataset, DCM_StudyDate);
 
   file.transferSyntax = dataset.getOriginalXfer();
   const auto pixels = pixelsOf(dataset, path);

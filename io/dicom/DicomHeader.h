@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "io/base/Reading.h"
 #include "io/dicom/DicomLabels.h"
 #include "io/dicom/DicomPixels.h"
 #include "rendering/scene/Volume.h"
@@ -86,7 +87,8 @@ struct DicomFrame {
 struct DicomFile {
   std::filesystem::path path;
   std::string sopClass, instance, series, modality, description, unit;
-  std::string refusal;                             ///< why this is no scalar image; empty when it is one
+  std::string study, date;  ///< description of the study; YYYYMMDD of the series, or else of the study
+  std::string refusal;      ///< why this is no scalar image; empty when it is one
   std::shared_ptr<const DicomLabelObject> labels;  ///< of a segmentation or structure set
   PixelFormat format;
   int transferSyntax = 0;  ///< DCMTK's E_TransferSyntax
@@ -100,5 +102,7 @@ struct DicomFile {
 
 /// Throws Error when the file is no DICOM file or its header is damaged.
 DicomFile readDicomHeader(const std::filesystem::path& path);
+/// Throws Error as readDicomHeader.
+PatientText readPatientText(const std::filesystem::path& path);
 
 }  // namespace fenestra::io

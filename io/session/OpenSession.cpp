@@ -191,6 +191,7 @@ SessionVolume sessionVolume(const fs::path& path, const OpenedVolume& volume, co
     data.time = std::max(volume.series.time, 1);
   data.raw = options.raw;
   data.regularise = options.regularise;
+  data.modality = volume.modality;
   return data;
 }
 
@@ -234,6 +235,7 @@ OpenedSession openSession(Session read, const fs::path& folder, const SessionPla
   const auto openVolumeAt = [&](const fs::path& path) {
     OpenOptions options;
     options.regularise = session.volume.regularise;
+    options.modality = session.volume.modality;
     options.series = session.volume.series;
     if (session.volume.time > 1) options.time = session.volume.time;
     options.raw = session.volume.raw;

@@ -16,6 +16,7 @@
 #include "io/base/Contents.h"
 #include "rendering/scene/Camera.h"
 #include "rendering/scene/Look.h"
+#include "rendering/scene/Measure.h"
 #include "rendering/scene/PlacementOptions.h"
 #include "rendering/scene/Quality.h"
 
@@ -34,6 +35,7 @@ struct SessionVolume : SessionData {
   int time = 1;                       ///< time point outside DICOM, where each is a series
   std::optional<RawDescription> raw;  ///< how its bytes are read
   Regularise regularise = Regularise::Automatic;
+  std::optional<Modality> modality;  ///< as in OpenedVolume
   bool operator==(const SessionVolume&) const = default;
 };
 
@@ -85,10 +87,12 @@ struct Session {
   std::array<Camera, 2> home;        ///< where resetting the views goes
   bool linked = true;
   std::optional<WindowLevel> window;  ///< of the slices; unset: Volume::defaultWindow
+  bool inverted = false;              ///< the slices show low values bright
   std::optional<glm::dvec3> crosshair;
   SessionOverlays overlays;
-  std::string maximised;  ///< the view that has the whole area: "C1", "C2", "axial", …; empty: none
-  std::string layout;     ///< the window's own, in Base64
+  std::vector<Measure> measures;  ///< on the slices
+  std::string maximised;          ///< the view that has the whole area: "C1", "C2", "axial", …; empty: none
+  std::string layout;             ///< the window's own, in Base64
   SessionPlacement placement;
 
   /// In an automatic copy, the file of the session that it is newer than; empty: there is none, or this is no copy.

@@ -87,6 +87,8 @@ void check(const Session& session, const json::Reader& top) {
     refuseUnless(region->inside.size() + region->outside.size() <= mostSeeds, top,
                  "has a region in the focus with more seeds than anybody clicks");
   }
+  refuseUnless(std::all_of(session.measures.begin(), session.measures.end(), isWellFormed), top,
+               "has a measure without the points or the plane that its kind needs");
   refuseUnless(
       isOrdered(session.look.context.function.nodes, [](const auto& a, const auto& b) { return a.value < b.value; }),
       top, "has a transfer function whose nodes are not in order");

@@ -2,6 +2,7 @@
 // The members of a session in JSON: what readSession takes, writeSession writes and sessionSchema publishes. Private to
 // io/session.
 
+#include "io/base/ModalityWords.h"
 #include "io/session/SceneJson.h"
 #include "io/session/Session.h"
 
@@ -15,6 +16,23 @@ inline auto wordsOf(ScalarType) {
                                 ScalarType::UInt32, ScalarType::Int32, ScalarType::Float32, ScalarType::Float64})
     words.push_back({type, nameOf(type)});
   return words;
+}
+
+inline auto wordsOf(MeasureKind) {
+  return std::to_array<Word<MeasureKind>>({{MeasureKind::Distance, "distance"},
+                                           {MeasureKind::Angle, "angle"},
+                                           {MeasureKind::Ellipse, "ellipse"},
+                                           {MeasureKind::Rectangle, "rectangle"}});
+}
+
+void members(auto& io, Is<Measure> auto& measure) {
+  io.required("kind", measure.kind);
+  io.required(
+      "points", measure.points, millimetres,
+      {"In the patient's mm (LPS). Distance: its ends; angle: end, vertex, end; ellipse and rectangle: opposite "
+       "corners of the box around it"});
+  io.required("right", measure.right, {-1.0, 1.0}, {"Unit vector along the rows of the slice that it lies on"});
+  io.required("down", measure.down, {-1.0, 1.0}, {"Unit vector down the columns of that slice"});
 }
 
 namespace placement {
@@ -64,6 +82,8 @@ void members(auto& io, Is<SessionVolume> auto& volume) {
   io.optional("raw", volume.raw, volume.raw.has_value(), {}, {"How the bytes of a file without a header are read"});
   io.optional("regularise", volume.regularise, volume.regularise != Regularise::Automatic, {},
               {"Whether slices that lie unevenly or askew are resampled onto even planes"});
+  io.optional("modality", volume.modality, volume.modality.has_value(), {},
+              {"What the volume was told to be or recognised as, where its file does not say"});
 }
 
 void members(auto& io, Is<SessionPhantom> auto& phantom) {
@@ -113,8 +133,10 @@ void members(auto& io, Is<Session> auto& session) {
   io("linked", session.linked, {}, {"Whether turning one camera turns the other"});
   io.optional("window", session.window, session.window.has_value(), {},
               {"Display window of the slices; without it, the data's own"});
+  io("inverted", session.inverted, {}, {"Whether the slices show low values bright"});
   io.optional("crosshair", session.crosshair, session.crosshair.has_value(), millimetres);
   io("overlays", session.overlays, {}, {"What is drawn over the pictures"});
+  io("measures", session.measures, {}, {"Distances, angles and regions drawn on the slices"});
   io.optional("maximised", session.maximised, !session.maximised.empty(), {},
               {"The view that has the whole area: C1, C2, axial, sagittal or coronal"});
   io.optional("layout", session.layout, !session.layout.empty(), {},

@@ -64,6 +64,12 @@ bool liesOnVoxels(const IndexWalk& walk, const SliceGeometry& geometry) {
          isNearInteger(walk.down, tolerance / geometry.height);
 }
 
+/// Whether an index position lies in the grid's box. Written so that a position that is no number is outside as well.
+bool isInside(const Grid& grid, glm::dvec3 position) {
+  return glm::all(glm::greaterThanEqual(position, glm::dvec3(-0.5))) &&
+         glm::all(glm::lessThanEqual(position, glm::dvec3(grid.dims) - 0.5));
+}
+
 std::size_t pixelCount(const SliceGeometry& geometry) {
   return static_cast<std::size_t>(geometry.width) * static_cast<std::size_t>(geometry.height);
 }
@@ -174,15 +180,27 @@ std::vector<float> sliceValues(const Volume& volume, const SliceGeometry& geomet
     });
     return values;
   }
-  const glm::dvec3 last = glm::dvec3(volume.grid.dims) - 0.5;
   forEachPixel(geometry, walk, [&](std::size_t pixel, glm::dvec3 position) {
-    // Written so that a position that is no number is outside as well.
-    const bool inside = glm::all(glm::greaterThanEqual(position, glm::dvec3(-0.5))) &&
-                        glm::all(glm::lessThanEqual(position, last));
-    if (!inside) return;
-    values[pixel] = static_cast<float>(volume.sample(position));
+    if (isInside(volume.grid, position)) values[pixel] = static_cast<float>(volume.sample(position));
   });
   return values;
+}
+
+SliceSampler::SliceSampler(const Volume& volume, const SliceGeometry& geometry, int slice) : volume_(volume) {
+  const IndexWalk walk = indexWalk(volume.grid, geometry, slice);
+  start_ = walk.start;
+  right_ = walk.right;
+  down_ = walk.down;
+  onVoxels_ = liesOnVoxels(walk, geometry);
+}
+
+double SliceSampler::at(int i, int j) const {
+  const glm::dvec3 position = IndexWalk{start_, right_, down_}.at(i, j);
+  if (onVoxels_) {
+    const glm::ivec3 index(glm::round(position));
+    return volume_.grid.contains(index) ? volume_.value(index) : std::numeric_limits<double>::quiet_NaN();
+  }
+  return isInside(volume_.grid, position) ? volume_.sample(position) : std::numeric_limits<double>::quiet_NaN();
 }
 
 std::vector<std::uint16_t> sliceLabels(const LabelMap& labels, const SliceGeometry& geometry, int slice) {

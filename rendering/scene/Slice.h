@@ -41,6 +41,18 @@ SliceGeometry sliceGeometry(const Grid& grid, SlicePlane plane);
 
 /// Real values of a slice, row by row from the top, width·height of them; NaN outside the volume.
 std::vector<float> sliceValues(const Volume& volume, const SliceGeometry& geometry, int slice);
+/// The same values one by one, in double precision. The volume outlives this.
+class SliceSampler {
+ public:
+  SliceSampler(const Volume& volume, const SliceGeometry& geometry, int slice);
+  /// At a pixel's centre; NaN outside the volume.
+  double at(int i, int j) const;
+
+ private:
+  const Volume& volume_;
+  glm::dvec3 start_, right_, down_;  ///< index positions of the first pixel, and steps
+  bool onVoxels_;
+};
 /// Labels of a slice by nearest voxel, 0 outside.
 std::vector<std::uint16_t> sliceLabels(const LabelMap& labels, const SliceGeometry& geometry, int slice);
 /// 8-bit grey of real values under a window; `lowIsWhite` turns it round. NaN is black in either case.

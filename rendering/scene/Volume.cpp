@@ -64,6 +64,28 @@ bool Volume::isInHounsfieldUnits() const {
   return (unit == "HU" && range.low < 0.0) || spansAirAndBone;
 }
 
+bool looksLikeCt(const Volume& volume) {
+  if (!volume.isInHounsfieldUnits()) return false;
+  std::size_t total = 0, air = 0, soft = 0, lung = 0, impossible = 0;
+  volume.voxels.visit([&](auto scalars) {
+    // A million voxels tell shares of a thousandth.
+    const std::size_t stride = std::max<std::size_t>(1, scalars.size() >> 20);
+    for (std::size_t i = 0; i < scalars.size(); i += stride) {
+      const double hu = volume.slope * static_cast<double>(scalars[i]) + volume.intercept;
+      ++total;
+      // The least value stands for what was not scanned, whatever it is.
+      air += (hu >= -1100.0 && hu <= -900.0) || hu == volume.range.low;
+      soft += hu >= -150.0 && hu <= 150.0;
+      lung += hu >= -600.0 && hu <= -300.0;
+      impossible += !(hu >= -1100.0 && hu <= 4100.0) && hu != volume.range.low;
+    }
+  });
+  const auto share = [&](std::size_t count) { return static_cast<double>(count) / static_cast<double>(total); };
+  // Between air and soft tissue lie only lung and edges, 300 HU wide as soft tissue here: where values are spread
+  // evenly, as much falls there. Interpolation rings a little below air.
+  return share(air) > 0.001 && share(soft) > 0.02 && soft > 2 * lung && share(impossible) < 0.01;
+}
+
 WindowLevel Volume::defaultWindow() const {
   if (!windows.empty()) return windows.front();
   if (isInHounsfieldUnits()) return {400.0, 40.0};  // soft tissue, what CT is read with first

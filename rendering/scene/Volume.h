@@ -51,4 +51,9 @@ struct Volume {
   WindowLevel defaultWindow() const;
 };
 
+/// Whether the values of a volume without a modality are Hounsfield units beyond reasonable doubt: as
+/// isInHounsfieldUnits(), and the voxels are spread as in a patient: air, soft tissue, and next to nothing below air
+/// but padding. Fields of signed values (phase, displacement) are not.
+bool looksLikeCt(const Volume& volume);
+
 }  // namespace fenestra

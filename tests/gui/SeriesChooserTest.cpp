@@ -22,6 +22,7 @@ Study writeStudy(const fs::path& folder) {
     tests::DicomSpec spec;
     spec.series = image == 0 ? "1.2.1" : "1.2.2";
     spec.description = image == 0 ? "Scout" : "Head 1.0";
+    spec.date = "20210203";
     spec.instance = "1.2.9." + std::to_string(image);
     spec.columns = spec.rows = 16;
     spec.window = "50 100";
@@ -40,9 +41,12 @@ TEST(SeriesChooser, ListsTheSeriesWithTheirPictures) {
   SeriesChooser chooser(writeStudy(tests::scratchFolder() / "study"));
   chooser.show();
   ASSERT_EQ(chooser.list()->topLevelItemCount(), 2);
-  EXPECT_EQ(chooser.list()->topLevelItem(0)->text(2), QStringLiteral("Head 1.0"));
-  EXPECT_EQ(chooser.list()->topLevelItem(1)->text(2), QStringLiteral("Scout"));
-  EXPECT_EQ(chooser.list()->topLevelItem(0)->text(4), QStringLiteral("3"));
+  const auto text = [&](int row, int column) { return chooser.list()->topLevelItem(row)->text(column); };
+  EXPECT_EQ(text(0, 1), QStringLiteral("CT"));
+  EXPECT_EQ(text(0, 2), QStringLiteral("2021-02-03"));
+  EXPECT_EQ(text(0, 3), QStringLiteral("Head 1.0"));
+  EXPECT_EQ(text(1, 3), QStringLiteral("Scout"));
+  EXPECT_EQ(text(0, 5), QStringLiteral("3"));
   const auto colourAt = [&](int row, double across) {
     const QImage picture = chooser.list()->topLevelItem(row)->icon(0).pixmap(chooser.list()->iconSize()).toImage();
     return picture.pixelColor(static_cast<int>(across * picture.width()), picture.height() / 2);

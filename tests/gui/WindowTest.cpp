@@ -343,6 +343,32 @@ TEST_F(Window, CrosshairGoesToAFocusThatIsChosenByNameOrOpened) {
   EXPECT_LT(glm::length(cursor().position()), 1.0 + 1e-6) << "without a focus: the volume's middle";
 }
 
+TEST_F(Window, TheOpeningsEdgeIsDrawnOnTheSlices) {
+  cursor().moveTo(markerCentre);
+  document().focusOn(marker);
+  waitUntilDrawn();
+  SliceView* axial = slice(SlicePlane::Axial);
+  const QPainterPath edge = axial->openingEdge();
+  ASSERT_FALSE(edge.isEmpty());
+  // C1 looks from anterior: the body before the marker is removed, and what lies behind or beside it is not.
+  EXPECT_TRUE(edge.contains(axial->widgetFromWorld(markerCentre - glm::dvec3(0, 12, 0))));
+  EXPECT_FALSE(edge.contains(axial->widgetFromWorld(markerCentre + glm::dvec3(0, 20, 0))));
+  EXPECT_FALSE(edge.contains(axial->widgetFromWorld(markerCentre - glm::dvec3(45, 0, 0))));
+  EXPECT_FALSE(edge.contains(axial->widgetFromWorld(markerCentre - glm::dvec3(0, 29, 0)))) << "air before the body";
+  options().setCrosshair(false);
+  const QImage with = picture(axial);
+  cameras().orbit(0, 0.5, 0.0);
+  EXPECT_TRUE(axial->openingEdge().isEmpty()) << "while C1 moves";
+  waitUntilDrawn();
+  EXPECT_FALSE(axial->openingEdge().isEmpty());
+  EXPECT_NE(picture(axial), with);
+  Look closed = document().look();
+  closed.cutaway.enabled = false;
+  document().edit({}, closed);
+  waitUntilDrawn();
+  EXPECT_TRUE(axial->openingEdge().isEmpty());
+}
+
 TEST_F(Window, NamesWhatIsUnderTheMouse) {
   cursor().moveTo(markerCentre);
   SliceView* axial = slice(SlicePlane::Axial);

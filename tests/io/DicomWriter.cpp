@@ -109,6 +109,9 @@ void writeDicom(const std::filesystem::path& path, const DicomSpec& spec) {
   if (!spec.patientName.empty()) put(dataset, DCM_PatientName, spec.patientName);
   if (!spec.patientId.empty()) put(dataset, DCM_PatientID, spec.patientId);
   if (!spec.birthDate.empty()) put(dataset, DCM_PatientBirthDate, spec.birthDate);
+  if (!spec.sex.empty()) put(dataset, DCM_PatientSex, spec.sex);
+  if (!spec.study.empty()) put(dataset, DCM_StudyDescription, spec.study);
+  if (!spec.date.empty()) put(dataset, DCM_SeriesDate, spec.date);
   if (!spec.accessionNumber.empty()) put(dataset, DCM_AccessionNumber, spec.accessionNumber);
   put(dataset, DCM_FrameOfReferenceUID, spec.frameOfReference);
   put(dataset, DCM_InstanceNumber, std::to_string(spec.instanceNumber));

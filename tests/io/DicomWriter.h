@@ -26,7 +26,7 @@ struct DicomSpec {
   std::string series = "1.2.3.4";
   std::string modality = "CT";
   std::string description;
-  std::string patientName, patientId, birthDate, accessionNumber;
+  std::string patientName, patientId, birthDate, sex, accessionNumber, study, date;
   Syntax syntax = Syntax::ExplicitLittle;
   int columns = 4, rows = 3;
   int bitsAllocated = 16, bitsStored = 16, highBit = 15;

@@ -153,6 +153,36 @@ TEST(RealImage, Nifti) {
   EXPECT_EQ(files, 27u);
 }
 
+TEST(RealImage, CtWithoutAModalityIsRecognised) {
+  FENESTRA_TEST_DATA_OR_SKIP(root, "labelled");
+  const fs::path data = root / "..";
+  const auto recognised = [](const io::OpenedVolume& opened) {
+    return std::any_of(opened.warnings.begin(), opened.warnings.end(), [](const io::Warning& warning) {
+      return warning.text.find("Hounsfield units") != std::string::npos;
+    });
+  };
+  for (const char* ct : {"labelled/totalsegmentator-torso/example_ct.nii.gz", "labelled/slicer-ctchest/CTChest4.nrrd",
+                         "labelled/elastix-lung/3DCT_lung.mha"}) {
+    const io::OpenedVolume opened = io::openVolume(data / ct);
+    EXPECT_EQ(opened.volume->unit, "HU") << ct;
+    EXPECT_EQ(opened.volume->modality, Modality::CT) << ct;
+    EXPECT_EQ(opened.modality, Modality::CT) << ct;
+    EXPECT_TRUE(recognised(opened)) << ct;
+    const io::OpenedVolume denied = io::openVolume(data / ct, {.raw = {}, .modality = Modality::MR});
+    EXPECT_EQ(denied.volume->unit, "") << ct;
+    EXPECT_EQ(denied.volume->modality, Modality::MR) << ct;
+    EXPECT_FALSE(recognised(denied)) << ct;
+  }
+  // 0 to 1, an MR, and a CT offset by 1024.
+  for (const char* other : {"ct-head/ct.nii.gz", "labelled/brain-colin27/ch2.nii.gz", "visible-human/vm_head_ct.mha",
+                            "visible-human/vm_head_mri.mha"}) {
+    const io::OpenedVolume opened = io::openVolume(data / other);
+    EXPECT_EQ(opened.volume->unit, "") << other;
+    EXPECT_FALSE(opened.modality) << other;
+    EXPECT_FALSE(recognised(opened)) << other;
+  }
+}
+
 TEST(RealImage, NiftiOrientationsAreOneVolumeInTheWorld) {
   FENESTRA_TEST_DATA_OR_SKIP(folder, "formats/nifti/orientation");
   const auto reference = io::openVolume(folder / "LPS.nii.gz").volume;

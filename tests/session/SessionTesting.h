@@ -40,6 +40,7 @@ inline io::Session fullSession(const std::filesystem::path& folder) {
   session.volume.raw =
       io::RawDescription{{3, 4, 5}, ScalarType::Int32, true, std::size_t{1} << 40, {0.1, 0.2, 0.30000000000000004}};
   session.volume.regularise = io::Regularise::Cubic;
+  session.volume.modality = Modality::CT;
   session.labels.path = folder / "labels.nii.gz";
   session.labels.contents = contents;
   session.look.focus = ValueFocus{{-1000.5, 3071.0}, 12.5};
@@ -67,8 +68,12 @@ inline io::Session fullSession(const std::filesystem::path& folder) {
   session.home = {someCamera(3.0), someCamera(0.5)};
   session.linked = false;
   session.window = WindowLevel{401.5, -39.25};
+  session.inverted = true;
   session.crosshair = glm::dvec3(-0.0, 1e-300, 33.3);
   session.overlays = {false, false, false};
+  session.measures = {
+      {MeasureKind::Angle, {{1.5, -2.25, 1.0 / 3.0}, {0.0, 7.0, 1e-9}, {-3.0, 0.1, 12.0}}, {0, 1, 0}, {0, 0, -1}},
+      {MeasureKind::Ellipse, {{10.0, 20.0, 30.0}, {11.0, 22.0, 30.0}}, {0.6, 0.8, 0}, {-0.8, 0.6, 0}}};
   session.maximised = "sagittal";
   session.layout = "AAECAw==";
   session.placement = {.samples = 588,

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "rendering/scene/FocusCells.h"
 #include "rendering/reference/Reference.h"
+#include "rendering/scene/FocusCells.h"
 #include "rendering/scene/Phantom.h"
 #include "tests/support/Scenes.h"
 

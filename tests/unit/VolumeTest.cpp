@@ -133,4 +133,32 @@ TEST(Thinned, LabelsAreThoseInTheMiddle) {
   EXPECT_EQ(thin->value({1, 0, 0}), 5);
 }
 
+/// 30³ voxels whose values `at` gives by a number from 0 to 1, evenly spread.
+template <class F>
+bool looksLikeCtOf(F&& at) {
+  constexpr int side = 30;
+  auto volume = volumeOf<float>(gridOf({side, side, side}), [&](glm::ivec3 i) {
+    return static_cast<float>(at(((i.z * side + i.y) * side + i.x) / (1.0 * side * side * side)));
+  });
+  volume->computeRange();
+  return looksLikeCt(*volume);
+}
+
+TEST(Volume, LooksLikeACtWhereItsValuesArePlausibleHounsfieldUnits) {
+  // Air, fat and muscle, a little lung and bone, as in a patient; with and without padding.
+  const auto patient = [](double share) {
+    return share < 0.4 ? -1000.0 + 50.0 * share : share < 0.45 ? -800.0 : share < 0.9 ? -100.0 + 200.0 * share : 900.0;
+  };
+  EXPECT_TRUE(looksLikeCtOf(patient));
+  EXPECT_TRUE(looksLikeCtOf([&](double share) { return share < 0.2 ? -3024.0 : patient(share); }));
+  // The same in other units, as converters write them.
+  EXPECT_FALSE(looksLikeCtOf([&](double share) { return patient(share) + 1024.0; }));
+  EXPECT_FALSE(looksLikeCtOf([&](double share) { return (patient(share) + 1024.0) / 4000.0; }));
+  // Fields of signed values: phase, a field map, a displacement.
+  EXPECT_FALSE(looksLikeCtOf([](double share) { return -4096.0 + 8190.0 * share; }));
+  EXPECT_FALSE(looksLikeCtOf([](double share) { return -1000.0 + 2000.0 * share; }));
+  EXPECT_FALSE(looksLikeCtOf([](double share) { return -500.0 + 1000.0 * share * share; }));
+  EXPECT_FALSE(looksLikeCtOf([](double share) { return share < 0.9 ? 0.0 : -2000.0 + 2200.0 * (share - 0.9) * 10.0; }));
+}
+
 }  // namespace fenestra

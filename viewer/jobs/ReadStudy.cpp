@@ -1,7 +1,9 @@
 #include "viewer/jobs/ReadStudy.h"
 
 #include <algorithm>
+#include <cctype>
 #include <iterator>
+#include <system_error>
 
 #include "io/TransferFunctionFile.h"
 
@@ -17,6 +19,7 @@ Study readStudy(const PathsToOpen& paths, const Look& look, const io::Progress& 
   study.path = paths.volume;
   study.session.volume = io::sessionVolume(paths.volume, opened);
   study.series = std::move(opened.series);
+  study.patient = std::move(opened.patient);
   study.otherSeries = std::move(opened.otherSeries);
   study.segmentations = std::move(opened.segmentations);
   study.warnings = std::move(opened.warnings);
@@ -55,6 +58,7 @@ Study studyOf(io::OpenedSession opened, const io::Progress& progress) {
   study.camera = opened.session.views[0].camera;
   study.path = opened.session.volume.path;
   study.series = std::move(opened.volume.series);
+  study.patient = std::move(opened.volume.patient);
   study.otherSeries = std::move(opened.volume.otherSeries);
   study.segmentations = std::move(opened.volume.segmentations);
   study.warnings = std::move(opened.warnings);
@@ -78,15 +82,53 @@ Study readAgain(const io::Session& session, io::Regularise regularise, const io:
   return studyOf(io::openSession(session, session.volume.path.parent_path(), same, progress), progress);
 }
 
-PathsToOpen interpret(const std::vector<std::filesystem::path>& paths) {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool isFolder(const fs::path& path) {
+  std::error_code unknown;
+  return fs::is_directory(path, unknown);
+}
+
+/// Whether a name says that a file holds labels. File managers drop several files in any order.
+bool soundsLikeLabels(const fs::path& path) {
+  std::string name = path.filename().string();
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  const char* const words[] = {"seg", "label", "mask", "rtstruct"};
+  return std::any_of(std::begin(words), std::end(words),
+                     [&](const char* word) { return name.find(word) != std::string::npos; });
+}
+
+/// The folder that holds these folders and no others, whose series are then those of all; empty: there is none.
+fs::path folderOfAll(const std::vector<fs::path>& folders) {
+  const fs::path parent = folders.front().parent_path();
+  std::error_code unknown;
+  for (const fs::directory_entry& entry : fs::directory_iterator(parent, unknown))
+    if (std::find(folders.begin(), folders.end(), entry.path()) == folders.end()) return {};
+  return unknown ? fs::path() : parent;
+}
+
+}  // namespace
+
+PathsToOpen interpret(const std::vector<fs::path>& paths) {
   if (paths.size() == 1) return {paths.front(), {}, {}};
-  const std::filesystem::path folder = paths.front().parent_path();
-  const bool slices = std::all_of(paths.begin(), paths.end(), [&](const std::filesystem::path& path) {
-    return path.parent_path() == folder && io::volumeEnding(path).empty();
-  });
-  if (slices) return {folder.empty() ? std::filesystem::path(".") : folder, {}, {}};
-  if (paths.size() == 2) return {paths[0], {}, paths[1]};
-  throw io::Error(paths[2], "too many files at once", "open a volume, a volume and its label map, or one folder");
+  const fs::path folder = paths.front().parent_path();
+  const auto folders = std::count_if(paths.begin(), paths.end(), isFolder);
+  if (folders == static_cast<std::ptrdiff_t>(paths.size())) {
+    const fs::path all = folderOfAll(paths);
+    if (!all.empty()) return {all, {}, {}};
+    throw io::Error(paths[1], "is a second folder", "open one folder, or the folder that holds them all");
+  }
+  const bool slices = folders == 0 && std::all_of(paths.begin(), paths.end(), [&](const fs::path& path) {
+                        return path.parent_path() == folder && io::volumeEnding(path).empty();
+                      });
+  if (slices) return {folder.empty() ? fs::path(".") : folder, {}, {}};
+  if (paths.size() > 2)
+    throw io::Error(paths[2], "too many files at once", "open a volume, a volume and its label map, or one folder");
+  const bool swapped = folders == 1 ? isFolder(paths[1]) : soundsLikeLabels(paths[0]) && !soundsLikeLabels(paths[1]);
+  return swapped ? PathsToOpen{paths[1], {}, paths[0]} : PathsToOpen{paths[0], {}, paths[1]};
 }
 
 }  // namespace fenestra::viewer

@@ -14,8 +14,9 @@ struct PathsToOpen {
 };
 
 /// Interprets files that the user dropped or named together. Files of one folder whose names are not those of whole
-/// volumes are slices, so the folder is opened; otherwise the first file is the volume and the second its label map.
-/// `paths` must not be empty. Throws io::Error for more files.
+/// volumes are slices, so the folder is opened; otherwise one is the volume and the other its label map: a folder is a
+/// volume, and so is the first file unless its name alone speaks of labels. Several folders are opened as the folder
+/// that holds them and nothing else. `paths` must not be empty. Throws io::Error for other combinations.
 PathsToOpen interpret(const std::vector<std::filesystem::path>& paths);
 
 /// Opens a volume with the transfer function that suits it and otherwise `look`, without its focus

@@ -102,9 +102,36 @@ class Document::LabelsChange : public Change {
   State before_, after_;
 };
 
+/// From one list of measures to another.
+class Document::MeasuresChange : public Change {
+ public:
+  MeasuresChange(Document& document, std::vector<Measure> before, std::vector<Measure> after)
+      : document_(document), before_(std::move(before)), after_(std::move(after)) {}
+
+  void undo() override { document_.showMeasures(before_); }
+  void redo() override { document_.showMeasures(after_); }
+  bool absorb(const Change& next) override {
+    after_ = static_cast<const MeasuresChange&>(next).after_;
+    return true;
+  }
+  bool isNothing() const override { return before_ == after_; }
+  std::size_t bytes() const override { return sizeof(*this) + heldBy(before_) + heldBy(after_); }
+
+ private:
+  static std::size_t heldBy(const std::vector<Measure>& measures) {
+    std::size_t bytes = measures.capacity() * sizeof(Measure);
+    for (const Measure& each : measures) bytes += each.points.capacity() * sizeof(each.points[0]);
+    return bytes;
+  }
+
+  Document& document_;
+  std::vector<Measure> before_, after_;
+};
+
 void Document::open(Study study) {
   study_ = std::move(study);
   window_ = study_.session.window.value_or(study_.scene.volume->defaultWindow());
+  inverted_ = study_.session.inverted;
   history_.clear();
   shown_ = {};
   labelsRevision_ = filedRevision_ = ++lastRevision_;
@@ -113,6 +140,7 @@ void Document::open(Study study) {
   if (study_.growth) grown_.push_back({std::get<RegionFocus>(study_.scene.look.focus), std::move(study_.growth)});
   updateShown();
   Q_EMIT volumeChanged();
+  showMeasures(study_.session.measures);
   Q_EMIT labelsChanged();
   Q_EMIT focusChanged();
   Q_EMIT transferFunctionChanged();
@@ -223,7 +251,14 @@ void Document::setWindow(WindowLevel window) {
   Q_EMIT windowChanged();
 }
 
+void Document::setInverted(bool inverted) {
+  if (inverted == inverted_) return;
+  inverted_ = inverted;
+  Q_EMIT windowChanged();
+}
+
 void Document::resetWindow() {
+  setInverted(false);
   if (hasVolume()) setWindow(study_.scene.volume->defaultWindow());
 }
 
@@ -331,6 +366,19 @@ void Document::setStrokes(BrushStrokes strokes, const QString& name) {
   Look changed = look();
   changed.strokes = std::move(strokes);
   edit(name, std::move(changed));
+}
+
+void Document::showMeasures(std::vector<Measure> measures) {
+  measures_ = std::move(measures);
+  measured_.clear();
+  for (const Measure& each : measures_) measured_.push_back(valuesOf(each, *study_.scene.volume));
+  Q_EMIT measuresChanged();
+}
+
+void Document::setMeasures(std::vector<Measure> measures, const QString& name) {
+  std::vector<Measure> before = measures_;
+  showMeasures(std::move(measures));
+  history_.push(name, std::make_shared<MeasuresChange>(*this, std::move(before), measures_));
 }
 
 std::optional<glm::ivec3> Document::voxelAt(glm::dvec3 world) const {

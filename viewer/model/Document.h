@@ -13,6 +13,7 @@
 
 #include "io/VolumeReader.h"
 #include "io/session/Session.h"
+#include "rendering/scene/Measure.h"
 #include "rendering/scene/Scene.h"
 #include "rendering/segmentation/LabelEdit.h"
 #include "rendering/segmentation/RegionGrowing.h"
@@ -30,6 +31,7 @@ struct Study {
   bool placeCameras = false;                           ///< place both for the focus once the study is open
   std::filesystem::path path;                          ///< what the user opened; empty for a phantom
   io::SeriesInfo series;
+  io::PatientText patient;
   std::vector<io::SeriesInfo> otherSeries;
   std::vector<io::SegmentationInfo> segmentations;  ///< of the series, in what was opened
   std::vector<io::Warning> warnings;
@@ -80,6 +82,10 @@ class Document : public QObject {
 
   WindowLevel window() const { return window_; }
   void setWindow(WindowLevel window);
+  /// Whether the slices show low values bright, where the data's own way is dark, and the other way round.
+  bool isInverted() const { return inverted_; }
+  void setInverted(bool inverted);
+  /// To the data's own window, not inverted.
   void resetWindow();
 
   const Focus& focus() const { return look().focus; }
@@ -120,6 +126,12 @@ class Document : public QObject {
   const BrushStrokes& strokes() const { return look().strokes; }
   void setStrokes(BrushStrokes strokes, const QString& name);
 
+  /// Distances, angles and regions drawn on the slices, and what each says.
+  const std::vector<Measure>& measures() const { return measures_; }
+  const MeasureValues& measured(std::size_t index) const { return measured_.at(index); }
+  /// As one step, named as the Edit menu shows it.
+  void setMeasures(std::vector<Measure> measures, const QString& name);
+
   /// The study's labels; null without any.
   const std::shared_ptr<const LabelMap>& labels() const { return study_.scene.labels; }
   /// The label of the nearest voxel; null for background, outside and without labels.
@@ -131,19 +143,21 @@ class Document : public QObject {
   void volumeChanged();
   void labelsChanged();
   void focusChanged();
-  void windowChanged();
+  void windowChanged();  ///< or inverted
   void transferFunctionChanged();
   /// The cutaway or the context layer.
   void cutawayChanged();
   void shadingChanged();
   /// Brush strokes: a small part of a 3-D picture.
   void strokesChanged();
-  /// After any of the above, strokes excepted, that changes a 3-D picture.
+  void measuresChanged();
+  /// After any of the above, strokes and measures excepted, that changes a 3-D picture.
   void sceneChanged();
 
  private:
   class LookChange;
   class LabelsChange;
+  class MeasuresChange;
   struct Grown {
     RegionFocus seeds;
     std::shared_ptr<const segmentation::Growth> growth;
@@ -151,6 +165,7 @@ class Document : public QObject {
   /// Shows a look and reports what differs from the one before.
   void show(Look look);
   void showLabels(std::shared_ptr<const LabelMap> labels, std::uint64_t revision, Focus focus);
+  void showMeasures(std::vector<Measure> measures);
   /// Makes the scene that is drawn from the one that the user set.
   void updateShown();
 
@@ -160,6 +175,9 @@ class Document : public QObject {
   std::vector<Grown> grown_;  ///< wholes for undo to come back to, the latest last; see mostGrownBytes
   std::uint64_t labelsRevision_ = 0, filedRevision_ = 0, lastRevision_ = 0;
   WindowLevel window_;
+  bool inverted_ = false;
+  std::vector<Measure> measures_;
+  std::vector<MeasureValues> measured_;  ///< of each of measures_
   History history_;
 };
 

@@ -17,6 +17,7 @@ const QString qualityKey = QStringLiteral("picture/quality");
 const QString maxErrorKey = QStringLiteral("picture/maxError");
 const QString viewsKey = QStringLiteral("layout/views");
 const QString animatedKey = QStringLiteral("picture/animatedCameras");
+const QString hidesPatientKey = QStringLiteral("picture/hidesPatient");
 const QString lightKey = QStringLiteral("window/lightTheme");
 const QString placementKey = QStringLiteral("placement/%1");
 
@@ -100,6 +101,8 @@ void Preferences::setAtRest(const Effort& effort) {
 bool Preferences::animatesCameras() const { return value(animatedKey, true).toBool(); }
 void Preferences::setAnimatesCameras(bool animates) { store(animatedKey, animates); }
 
+bool Preferences::hidesPatient() const { return value(hidesPatientKey, false).toBool(); }
+void Preferences::setHidesPatient(bool hides) { store(hidesPatientKey, hides); }
 bool Preferences::hasLightTheme() const { return value(lightKey, false).toBool(); }
 void Preferences::setLightTheme(bool light) { store(lightKey, light); }
 

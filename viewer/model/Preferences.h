@@ -37,6 +37,9 @@ class Preferences {
   bool animatesCameras() const;
   void setAnimatesCameras(bool animates);
 
+  /// Whether patient and study are hidden in corner text and in the list of recent data.
+  bool hidesPatient() const;
+  void setHidesPatient(bool hides);
   bool hasLightTheme() const;
   void setLightTheme(bool light);
 

@@ -93,7 +93,9 @@ io::Session SessionController::session() const {
   }
   session.linked = parts_.cameras.isLinked();
   session.window = document.window();
+  session.inverted = document.isInverted();
   session.crosshair = parts_.cursor.position();
+  session.measures = document.measures();
   session.overlays = {parts_.options.crosshair(), parts_.options.text(), parts_.options.labels()};
   session.placement = sessionFrom(parts_.placement.settings());
   session.autosaveOf.clear();

@@ -3,6 +3,7 @@
 
 #include "viewer/model/Brush.h"
 #include "viewer/model/Document.h"
+#include "viewer/model/MeasureMode.h"
 #include "viewer/model/PlacementController.h"
 #include "viewer/model/Preferences.h"
 #include "viewer/model/SliceCursor.h"
@@ -20,6 +21,7 @@ struct Workspace {
   PlacementController placement{document, cameras};
   ViewOptions options;
   Brush brush;
+  MeasureMode measuring{document};
   Preferences preferences;
 };
 

@@ -120,6 +120,13 @@ void drawCorner(QPainter& painter, const QRectF& view, Qt::Alignment corner, con
   }
 }
 
+void drawStudyText(QPainter& painter, const QRectF& view, const QStringList& lines, int above) {
+  QStringList shown(above);
+  for (const QString& line : lines)
+    shown << painter.fontMetrics().elidedText(line, Qt::ElideRight, static_cast<int>(0.5 * view.width()));
+  drawCorner(painter, view, Qt::AlignTop | Qt::AlignRight, shown, overlayGrey);
+}
+
 void drawEdgeLetters(QPainter& painter, const QRectF& view, glm::dvec3 right, glm::dvec3 down) {
   const auto letters = [](glm::dvec3 direction) { return QString::fromStdString(orientationLetters(direction)); };
   painter.save();

@@ -31,6 +31,9 @@ void drawText(QPainter& painter, const QRectF& box, int alignment, const QString
 /// Lines of text in a corner; the first line in `colour`, the rest in grey.
 void drawCorner(QPainter& painter, const QRectF& view, Qt::Alignment corner, const QStringList& lines,
                 const QColor& colour = Qt::white);
+/// Lines right-aligned in the top right corner, below `above` other lines and no wider than half the view; longer ones
+/// end in dots.
+void drawStudyText(QPainter& painter, const QRectF& view, const QStringList& lines, int above);
 /// Patient letters at the middle of the four edges; `right` and `down` are world directions.
 void drawEdgeLetters(QPainter& painter, const QRectF& view, glm::dvec3 right, glm::dvec3 down);
 /// A bar of a round number of mm, at most a quarter of the view wide, at the bottom right.

@@ -4,13 +4,14 @@
 #include <cmath>
 #include <utility>
 
-#include <QMouseEvent>
 #include <QPainter>
-#include <QWheelEvent>
 
+#include "rendering/scene/Outline.h"
 #include "viewer/model/Document.h"
+#include "viewer/model/MeasureMode.h"
+#include "viewer/model/OpeningEdge.h"
+#include "viewer/model/PatientLines.h"
 #include "viewer/model/SliceCursor.h"
-#include "viewer/model/StructureClick.h"
 #include "viewer/model/ViewOptions.h"
 #include "viewer/style/InterpolatedPlanes.h"
 #include "viewer/style/Overlay.h"
@@ -18,8 +19,6 @@
 namespace fenestra::viewer {
 namespace {
 
-/// Device-independent pixels that the mouse may move between press and release for a click.
-constexpr double clickSlack = 4.0;
 /// Share of the label's colour in a tinted pixel.
 constexpr int tintPercent = 25, focusTintPercent = 45;
 
@@ -30,10 +29,31 @@ QRgb blend(int grey, glm::dvec3 colour, int percent) {
   return qRgb(channel(colour.r), channel(colour.g), channel(colour.b));
 }
 
+/// Lines in pixels whose centres are whole numbers, in pixels from the picture's corner.
+QList<QPolygonF> polygonsOf(const std::vector<std::vector<glm::dvec2>>& loops) {
+  QList<QPolygonF> polygons;
+  for (const std::vector<glm::dvec2>& loop : loops) {
+    QPolygonF& line = polygons.emplace_back();
+    for (const glm::dvec2 point : loop) line << QPointF(point.x + 0.5, point.y + 0.5);
+  }
+  return polygons;
+}
+
 }  // namespace
 
-SliceView::SliceView(SlicePlane plane, Document& document, SliceCursor& cursor, ViewOptions& options, QWidget* parent)
-    : QWidget(parent), document_(document), cursor_(cursor), options_(options), toleranceWheel_(document) {
+SliceView::SliceView(SlicePlane plane, Document& document, SliceCursor& cursor, ViewOptions& options,
+                     MeasureMode& measuring, OpeningEdge& opening, QWidget* parent)
+    : QWidget(parent),
+      document_(document),
+      cursor_(cursor),
+      options_(options),
+      opening_(opening),
+      measureTool_(measuring, document,
+                   {.widgetFromWorld = [this](glm::dvec3 world) { return widgetFromWorld(world); },
+                    .worldFromWidget = [this](QPointF position) { return worldFromWidget(position); },
+                    .geometry = [this]() -> const SliceGeometry& { return geometry_; },
+                    .slice = [this] { return slice_; }}),
+      toleranceWheel_(document) {
   geometry_.plane = plane;
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
@@ -49,6 +69,15 @@ SliceView::SliceView(SlicePlane plane, Document& document, SliceCursor& cursor, 
   });
   connect(&options, &ViewOptions::changed, this, &SliceView::invalidate);
   connect(&cursor, &SliceCursor::moved, this, &SliceView::followCursor);
+  connect(&document, &Document::measuresChanged, this, [this] { update(); });
+  connect(&opening, &OpeningEdge::changed, this, [this] {
+    openingOutline_.reset();
+    update();
+  });
+  connect(&measuring, &MeasureMode::changed, this, [this] {
+    setCursor(measureTool_.pointer(last_));
+    update();
+  });
   readGeometry();
 }
 
@@ -59,6 +88,7 @@ void SliceView::readGeometry() {
   centre_ = {0.5 * geometry_.width * glm::length(geometry_.right),
              0.5 * geometry_.height * glm::length(geometry_.down)};
   slice_ = cursor_.slice(geometry_);
+  openingOutline_.reset();
   values_.clear();
   labels_.clear();
   steps_.clear();
@@ -69,6 +99,7 @@ void SliceView::followCursor() {
   const int slice = cursor_.slice(geometry_);
   if (slice != slice_) {
     slice_ = slice;
+    openingOutline_.reset();
     values_.clear();
     labels_.clear();
     steps_.clear();
@@ -135,7 +166,8 @@ void SliceView::makeImage() {
   const std::shared_ptr<const LabelMap> steps = document_.growth() ? document_.growth()->steps : nullptr;
   if (std::exchange(stepsOf_, steps) != steps) steps_.clear();
   if (steps && steps_.empty()) steps_ = sliceLabels(*steps, geometry_, slice_);
-  const std::vector<std::uint8_t> grey = windowed(values_, document_.window(), volume.lowIsWhite);
+  const std::vector<std::uint8_t> grey =
+      windowed(values_, document_.window(), volume.lowIsWhite != document_.isInverted());
 
   const Tints tints(document_, *this);
   std::vector<char> focused(values_.size(), 0);
@@ -155,18 +187,29 @@ void SliceView::makeImage() {
 }
 
 void SliceView::collectOutline(const std::vector<char>& focused) {
-  outline_.clear();
-  if (!options_.labels()) return;
-  const auto in = [&](int column, int row) {
-    return column >= 0 && row >= 0 && column < geometry_.width && row < geometry_.height &&
-           focused[static_cast<std::size_t>(row) * static_cast<std::size_t>(geometry_.width) +
-                   static_cast<std::size_t>(column)];
-  };
-  for (int row = 0; row <= geometry_.height; ++row)
-    for (int column = 0; column <= geometry_.width; ++column) {
-      if (in(column, row) != in(column - 1, row)) outline_.append({QPointF(column, row), QPointF(column, row + 1)});
-      if (in(column, row) != in(column, row - 1)) outline_.append({QPointF(column, row), QPointF(column + 1, row)});
-    }
+  outline_ =
+      options_.labels() ? polygonsOf(smoothOutlines(focused, geometry_.width, geometry_.height)) : QList<QPolygonF>();
+}
+
+QTransform SliceView::widgetFromPixels() const {
+  const double scale = pixelsPerMm();
+  const QPointF topLeft = QPointF(0.5 * width(), 0.5 * height()) - centre_ * scale;
+  QTransform transform = QTransform::fromTranslate(topLeft.x(), topLeft.y());
+  transform.scale(scale * glm::length(geometry_.right), scale * glm::length(geometry_.down));
+  return transform;
+}
+
+QPainterPath SliceView::openingEdge() const {
+  if (!opening_.starts() || !document_.hasVolume()) return {};
+  if (!openingOutline_)
+    openingOutline_ = polygonsOf(
+        smoothOutlines(openedPixels(*opening_.starts(), geometry_, slice_), geometry_.width, geometry_.height));
+  QPainterPath path;
+  for (const QPolygonF& line : *openingOutline_) {
+    path.addPolygon(line);
+    path.closeSubpath();
+  }
+  return widgetFromPixels().map(path);
 }
 
 double SliceView::pixelsPerMm() const {
@@ -195,6 +238,9 @@ bool SliceView::inPicture(glm::dvec3 world) const {
 void SliceView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   draw(painter, true);
+  // Here and not among the marks: saved pictures name nobody.
+  if (document_.hasVolume() && options_.text() && !options_.hidesPatient())
+    drawStudyText(painter, rect(), patientLines(document_.study().patient, document_.study().series), 1);
   if (document_.hasVolume() && hasFocus()) {
     painter.setPen(QColor(86, 140, 190));
     painter.drawRect(rect().adjusted(0, 0, -1, -1));
@@ -213,16 +259,7 @@ void SliceView::draw(QPainter& painter, bool marks) {
   painter.setRenderHint(QPainter::SmoothPixmapTransform);
   painter.drawImage(target, image_);
 
-  if (!outline_.isEmpty()) {
-    painter.save();
-    painter.translate(topLeft);
-    painter.scale(target.width() / geometry_.width, target.height() / geometry_.height);
-    QPen pen(QColor(255, 240, 190), 1.2);
-    pen.setCosmetic(true);
-    painter.setPen(pen);
-    painter.drawLines(outline_);
-    painter.restore();
-  }
+  drawOutlines(painter);
   const bool interpolated = drawInterpolated(painter, target);
   if (marks) drawMarks(painter, interpolated);
 }
@@ -230,6 +267,7 @@ void SliceView::draw(QPainter& painter, bool marks) {
 void SliceView::drawMarks(QPainter& painter, bool interpolated) const {
   if (options_.labels()) drawSeeds(painter);
   if (options_.crosshair()) drawCrosshair(painter);
+  measureTool_.draw(painter, rect());
 
   const QRectF view = rect();
   drawEdgeLetters(painter, view, geometry_.right, geometry_.down);
@@ -238,14 +276,37 @@ void SliceView::drawMarks(QPainter& painter, bool interpolated) const {
   if (interpolated) title << tr("Interpolated, not scanned");
   if (options_.text()) {
     title << tr("%1 / %2").arg(slice_ + 1).arg(geometry_.count);
-    const WindowLevel window = document_.window();
-    const int decimals = window.width < 10.0 ? 2 : 0;
-    drawCorner(painter, view, Qt::AlignBottom | Qt::AlignLeft,
-               {tr("W %1  L %2").arg(window.width, 0, 'f', decimals).arg(window.level, 0, 'f', decimals)}, overlayGrey);
+    drawCorner(painter, view, Qt::AlignBottom | Qt::AlignLeft, {windowText()}, overlayGrey);
     if (geometry_.plane != SlicePlane::Sagittal)  // where left and right could be mistaken
       drawCorner(painter, view, Qt::AlignTop | Qt::AlignRight, {tr("Radiological")}, overlayGrey);
   }
   drawCorner(painter, view, Qt::AlignTop | Qt::AlignLeft, title, planeColour(geometry_.plane));
+}
+
+void SliceView::drawOutlines(QPainter& painter) const {
+  if (!options_.labels()) return;
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setBrush(Qt::NoBrush);
+  QPen dashes(toColour(document_.look().cutaway.borderColour), 1.2);
+  dashes.setDashPattern({5.0, 4.0});
+  const QPainterPath opening = openingEdge();
+  // A dark line below, so that the dashes show on bone.
+  painter.strokePath(opening, QPen(QColor(0, 0, 0, 150), 2.4));
+  painter.strokePath(opening, dashes);
+  painter.setPen(QPen(QColor(255, 240, 190), 1.2));
+  const QTransform transform = widgetFromPixels();
+  for (const QPolygonF& line : outline_) painter.drawPolygon(transform.map(line));
+  painter.restore();
+}
+
+QString SliceView::windowText() const {
+  const WindowLevel window = document_.window();
+  const int decimals = window.width < 10.0 ? 2 : 0;
+  QString text = tr("W %1  L %2").arg(window.width, 0, 'f', decimals).arg(window.level, 0, 'f', decimals);
+  if (const std::string& unit = document_.scene().volume->unit; !unit.empty())
+    text += QLatin1Char(' ') + QString::fromStdString(unit);
+  return document_.isInverted() ? text + tr("  inverted") : text;
 }
 
 bool SliceView::drawInterpolated(QPainter& painter, const QRectF& picture) const {
@@ -290,121 +351,5 @@ void SliceView::drawSeeds(QPainter& painter) const {
   draw(region->inside, true);
   draw(region->outside, false);
 }
-
-void SliceView::mousePressEvent(QMouseEvent* event) {
-  pressed_ = last_ = event->position();
-  beforeClick_.reset();
-  windowAtPress_ = document_.window();
-  dragging_ = false;
-}
-
-void SliceView::mouseMoveEvent(QMouseEvent* event) {
-  if (!document_.hasVolume()) return;
-  const QPointF position = event->position(), move = position - last_, total = position - pressed_;
-  last_ = position;
-  const Qt::MouseButtons buttons = event->buttons();
-  if (buttons == Qt::NoButton) {
-    const glm::dvec3 world = worldFromWidget(position);
-    if (event->modifiers() & Qt::ShiftModifier && inPicture(world)) cursor_.moveTo(world);
-    if (inPicture(world))
-      Q_EMIT pointed(world);
-    else
-      Q_EMIT left();
-    return;
-  }
-  if (!dragging_ && std::hypot(total.x(), total.y()) <= clickSlack) return;
-  dragging_ = true;
-  if (buttons & Qt::LeftButton) {
-    // A drag over 250 pixels doubles the width. A very narrow window changes faster, or it could not be widened.
-    const ValueRange range = document_.scene().volume->range;
-    const double perPixel = std::max(windowAtPress_.width, 0.02 * (range.high - range.low)) / 250.0;
-    const double least = std::max(1e-4 * (range.high - range.low), 1e-9);
-    document_.setWindow(
-        {std::max(windowAtPress_.width + total.x() * perPixel, least), windowAtPress_.level + total.y() * perPixel});
-  } else if (buttons & Qt::MiddleButton) {
-    centre_ -= move / pixelsPerMm();
-    update();
-  } else if (buttons & Qt::RightButton) {
-    zoomAt(pressed_, std::exp(-0.01 * move.y()));
-  }
-}
-
-void SliceView::mouseReleaseEvent(QMouseEvent* event) {
-  if (dragging_ || !document_.hasVolume()) return;
-  const glm::dvec3 world = worldFromWidget(event->position());
-  if (event->button() == Qt::LeftButton)
-    click(event->position(), event->modifiers());
-  else if (event->button() == Qt::RightButton && inPicture(world))
-    Q_EMIT menuRequested(world, event->globalPosition().toPoint());
-}
-
-void SliceView::click(QPointF position, Qt::KeyboardModifiers modifiers) {
-  const glm::dvec3 world = worldFromWidget(position);
-  if (!inPicture(world)) return;
-  beforeClick_ = BeforeClick{document_.focus(), cursor_.position()};
-  cursor_.moveTo(world);
-  clickStructure(document_, world, modifiers, options_.grows());
-}
-
-void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
-  if (event->button() != Qt::LeftButton || !document_.hasVolume()) return;
-  dragging_ = true;  // so that the release that follows is no click
-  if (beforeClick_) {
-    if (beforeClick_->focus != document_.focus()) document_.history().takeBack();
-    cursor_.moveTo(beforeClick_->cursor);
-  }
-  if (event->modifiers() & Qt::ControlModifier)
-    document_.resetWindow();
-  else
-    Q_EMIT maximiseRequested();
-}
-
-void SliceView::zoomAt(QPointF position, double factor) {
-  const QPointF fromMiddle = position - QPointF(0.5 * width(), 0.5 * height());
-  const QPointF fixed = centre_ + fromMiddle / pixelsPerMm();
-  zoom_ = std::clamp(zoom_ * factor, 0.2, 50.0);
-  centre_ = fixed - fromMiddle / pixelsPerMm();
-  update();
-}
-
-void SliceView::wheelEvent(QWheelEvent* event) {
-  if (!document_.hasVolume() || toleranceWheel_.wheel(*event)) return;
-  const double angle = event->angleDelta().y();
-  if (event->modifiers() & Qt::ControlModifier) {
-    zoomAt(event->position(), std::exp(angle * 0.0015));
-    return;
-  }
-  // One notch of a wheel is 120; touchpads send less at a time.
-  wheel_ += angle;
-  const int steps = static_cast<int>(wheel_ / 120.0);
-  wheel_ -= steps * 120.0;
-  if (steps) cursor_.step(geometry_, steps);
-}
-
-void SliceView::keyPressEvent(QKeyEvent* event) {
-  int steps = 0;
-  switch (event->key()) {
-    case Qt::Key_Up:
-    case Qt::Key_Right:
-      steps = 1;
-      break;
-    case Qt::Key_Down:
-    case Qt::Key_Left:
-      steps = -1;
-      break;
-    case Qt::Key_PageUp:
-      steps = 10;
-      break;
-    case Qt::Key_PageDown:
-      steps = -10;
-      break;
-    default:
-      QWidget::keyPressEvent(event);
-      return;
-  }
-  if (document_.hasVolume()) cursor_.step(geometry_, steps);
-}
-
-void SliceView::leaveEvent(QEvent*) { Q_EMIT left(); }
 
 }  // namespace fenestra::viewer

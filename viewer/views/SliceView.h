@@ -2,35 +2,43 @@
 // One anatomical plane through the volume: grey values under the window, label colours, focus outline, crosshair.
 // Plain QWidget and QImage, so it works where 3-D cannot start.
 //
-// Left click: crosshair and focus, see clickStructure(); left drag: window/level; middle: pan; right drag or
-// Ctrl+wheel: zoom; wheel and arrows: slices; Alt+wheel: tolerance of the region in focus; Shift+move: crosshair.
+// Left click: crosshair and focus, see clickStructure(); left drag: window/level, or a measure, see MeasureTool;
+// middle: pan; right drag or Ctrl+wheel: zoom; wheel and arrows: slices; Alt+wheel: tolerance of the region in focus;
+// Shift+move: crosshair.
 
 #include <memory>
 #include <optional>
 
 #include <QImage>
-#include <QLineF>
+#include <QPainterPath>
+#include <QPolygonF>
+#include <QTransform>
 #include <QWidget>
 
 #include "rendering/scene/Focus.h"
 #include "rendering/scene/LabelMap.h"
 #include "rendering/scene/Slice.h"
+#include "viewer/tools/MeasureTool.h"
 #include "viewer/tools/ToleranceWheel.h"
 
 namespace fenestra::viewer {
 
 class Document;
+class MeasureMode;
+class OpeningEdge;
 class SliceCursor;
 class ViewOptions;
 
 class SliceView : public QWidget {
   Q_OBJECT
  public:
-  SliceView(SlicePlane plane, Document& document, SliceCursor& cursor, ViewOptions& options, QWidget* parent = nullptr);
+  SliceView(SlicePlane plane, Document& document, SliceCursor& cursor, ViewOptions& options, MeasureMode& measuring,
+            OpeningEdge& opening, QWidget* parent = nullptr);
 
   SlicePlane plane() const { return geometry_.plane; }
   const SliceGeometry& sliceGeometry() const { return geometry_; }
   int slice() const { return slice_; }
+  const MeasureTool& measureTool() const { return measureTool_; }
   /// Fits the whole slice into the view and sets the data's own window and level.
   void resetView();
 
@@ -39,6 +47,8 @@ class SliceView : public QWidget {
   QPointF widgetFromWorld(glm::dvec3 world) const;
   glm::dvec3 worldFromWidget(QPointF position) const;
 
+  /// The edge of what C1's opening removes of the shown slice, in the widget; empty while C1 moves.
+  QPainterPath openingEdge() const;
   /// Draws the view as it is on screen; without `marks` only the picture with its tints and outlines.
   void draw(QPainter& painter, bool marks);
 
@@ -50,6 +60,8 @@ class SliceView : public QWidget {
   void pointed(glm::dvec3 world);
   void left();
   void menuRequested(glm::dvec3 world, QPoint globalPosition);
+  /// `measure` is its place in Document::measures().
+  void measureMenuRequested(std::size_t measure, QPoint globalPosition);
   void maximiseRequested();
 
  protected:
@@ -69,11 +81,16 @@ class SliceView : public QWidget {
   void makeImage();
   /// Tints of a pixel's label, and of the focus over it.
   class Tints;
+  /// Pixels to the widget.
+  QTransform widgetFromPixels() const;
   void collectOutline(const std::vector<char>& focused);
   void zoomAt(QPointF position, double factor);
   void click(QPointF position, Qt::KeyboardModifiers modifiers);
   double pixelsPerMm() const;
+  QString windowText() const;
   bool inPicture(glm::dvec3 world) const;
+  /// Of the focus, and of the opening.
+  void drawOutlines(QPainter& painter) const;
   /// Crosshair, seeds, letters, scale bar and corner text.
   void drawMarks(QPainter& painter, bool interpolated) const;
   void drawCrosshair(QPainter& painter) const;
@@ -92,7 +109,10 @@ class SliceView : public QWidget {
   std::vector<std::uint16_t> steps_;         ///< of the region in the focus; empty without one
   std::shared_ptr<const LabelMap> stepsOf_;  ///< that steps_ are of
   QImage image_;                             ///< null until it is made
-  QVector<QLineF> outline_;                  ///< of the focus, in slice pixels
+  QList<QPolygonF> outline_;                 ///< of the focus, in slice pixels from the picture's corner
+
+  OpeningEdge& opening_;
+  mutable std::optional<QList<QPolygonF>> openingOutline_;  ///< in pixels as outline_; empty until it is found
 
   double zoom_ = 1.0;  ///< 1: the whole slice fits
   QPointF centre_;     ///< slice position in the middle of the widget, in mm from the corner of the slice's first pixel
@@ -106,6 +126,8 @@ class SliceView : public QWidget {
     glm::dvec3 cursor;
   };
   std::optional<BeforeClick> beforeClick_;
+  MeasureTool measureTool_;
+  bool measured_ = false;  ///< the tool took the last press
   ToleranceWheel toleranceWheel_;
   double wheel_ = 0.0;  ///< wheel angle that is not yet a whole notch, in eighths of a degree
 };

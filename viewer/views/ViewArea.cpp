@@ -13,8 +13,8 @@
 namespace fenestra::viewer {
 
 ViewArea::ViewArea(Document& document, SliceCursor& cursor, ViewLink& cameras, ViewOptions& options, Brush& brush,
-                   const GlSupport& gl, const Effort& atRest, const ScenePreparation::ChooseSchedule& chooseSchedule,
-                   QWidget* parent)
+                   MeasureMode& measuring, const GlSupport& gl, const Effort& atRest,
+                   const ScenePreparation::ChooseSchedule& chooseSchedule, QWidget* parent)
     : QWidget(parent),
       pacer_(std::make_shared<FramePacer>(atRest)),
       rows_(new QSplitter(Qt::Vertical)),
@@ -46,6 +46,7 @@ ViewArea::ViewArea(Document& document, SliceCursor& cursor, ViewLink& cameras, V
       connect(view, &VolumeView::failed, this, &ViewArea::failed);
       connect(view, &VolumeView::reduced, this, &ViewArea::reduced);
       connect(view, &VolumeView::drawn, this, &ViewArea::drawn);
+      connect(view, &VolumeView::raysStarted, &opening_, &OpeningEdge::set);
       upper_->addWidget(view);
       volumes_.push_back(view);
     }
@@ -60,8 +61,9 @@ ViewArea::ViewArea(Document& document, SliceCursor& cursor, ViewLink& cameras, V
     upper_->addWidget(reason);
   }
   for (const SlicePlane plane : {SlicePlane::Axial, SlicePlane::Sagittal, SlicePlane::Coronal}) {
-    auto* view = new SliceView(plane, document, cursor, options);
+    auto* view = new SliceView(plane, document, cursor, options, measuring, opening_);
     connectView(view);
+    connect(view, &SliceView::measureMenuRequested, this, &ViewArea::measureMenuRequested);
     lower_->addWidget(view);
     slices_.push_back(view);
   }

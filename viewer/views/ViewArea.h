@@ -9,6 +9,7 @@
 #include <QWidget>
 
 #include "io/session/Session.h"
+#include "viewer/model/OpeningEdge.h"
 #include "viewer/views/GlSupport.h"
 #include "viewer/views/SliceView.h"
 #include "viewer/views/VolumeView.h"
@@ -20,8 +21,8 @@ class ViewArea : public QWidget {
  public:
   /// Without OpenGL a text in place of the 3-D views says why; the slices work all the same.
   ViewArea(Document& document, SliceCursor& cursor, ViewLink& cameras, ViewOptions& options, Brush& brush,
-           const GlSupport& gl, const Effort& atRest, const ScenePreparation::ChooseSchedule& chooseSchedule,
-           QWidget* parent = nullptr);
+           MeasureMode& measuring, const GlSupport& gl, const Effort& atRest,
+           const ScenePreparation::ChooseSchedule& chooseSchedule, QWidget* parent = nullptr);
 
   const std::vector<VolumeView*>& volumeViews() const { return volumes_; }  ///< empty without OpenGL
   const std::vector<SliceView*>& sliceViews() const { return slices_; }     ///< axial, sagittal, coronal
@@ -55,6 +56,7 @@ class ViewArea : public QWidget {
   void pointed(glm::dvec3 world);
   void left();
   void menuRequested(glm::dvec3 world, QPoint globalPosition);
+  void measureMenuRequested(std::size_t measure, QPoint globalPosition);
   void failed(const QString& problem);
   /// See VolumeView.
   void reduced(const QString& notice);
@@ -67,6 +69,7 @@ class ViewArea : public QWidget {
   std::vector<std::pair<std::string, QWidget*>> namedViews() const;
 
   std::shared_ptr<FramePacer> pacer_;
+  OpeningEdge opening_;
   std::shared_ptr<ScenePreparation> preparation_;  ///< null without OpenGL
   QSplitter *rows_, *upper_, *lower_;
   std::vector<VolumeView*> volumes_;

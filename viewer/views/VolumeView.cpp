@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include <QOpenGLContext>
 #include <QPainter>
@@ -11,6 +12,7 @@
 #include "rendering/gl/ShaderProgram.h"
 #include "viewer/model/Brush.h"
 #include "viewer/model/Document.h"
+#include "viewer/model/PatientLines.h"
 #include "viewer/model/SliceCursor.h"
 #include "viewer/model/ViewLink.h"
 #include "viewer/model/ViewOptions.h"
@@ -48,6 +50,8 @@ VolumeView::VolumeView(int index, Document& document, SliceCursor& cursor, ViewL
   setFocusPolicy(Qt::StrongFocus);
   setObjectName(QStringLiteral("volume%1").arg(index));
   rest_.setSingleShot(true);
+  hover_.setSingleShot(true);
+  connect(&hover_, &QTimer::timeout, this, &VolumeView::readUnderMouse);
   connect(&rest_, &QTimer::timeout, this, &VolumeView::settle);
   connect(&refining_, &QTimer::timeout, this, &VolumeView::refine);
   connect(&document, &Document::volumeChanged, this, [this] {
@@ -93,6 +97,7 @@ bool VolumeView::isSettled() const { return settled_ || !problem_.isEmpty() || !
 
 void VolumeView::disturb(int views) {
   stopRefining();
+  forgetStarts();
   settled_ = false;
   due_ = Due::Motion;
   moving_ = views;
@@ -108,6 +113,7 @@ void VolumeView::follow() {
                      pacer.frames() - followed_ < pacer.framesPerFollowing();
   if (!skips) return disturb(both ? ViewLink::count : 1);
   stopRefining();
+  forgetStarts();
   settled_ = false;
   due_ = Due::Motion;
   rest_.start(restMilliseconds);
@@ -183,6 +189,7 @@ void VolumeView::refined(Effort effort) {
 
 void VolumeView::refresh() {
   stopRefining();
+  forgetStarts();
   settled_ = false;
   rest_.stop();
   due_ = Due::Strokes;
@@ -219,8 +226,23 @@ void VolumeView::attemptOnPicture(const std::function<void()>& work) {
 
 void VolumeView::paintGL() {
   if (problem_.isEmpty() && document_.hasVolume()) attempt([this] { renderScene(); });
+  if (settled_ && problem_.isEmpty()) attempt([this] { reportStarts(); });
   drawOverlay();
   if (isSettled()) Q_EMIT settled();
+}
+
+void VolumeView::forgetStarts() {
+  startsDue_ = true;
+  if (index_ == 0) Q_EMIT raysStarted(nullptr);
+}
+
+void VolumeView::reportStarts() {
+  if (index_ != 0 || !picture_ || !document_.hasVolume() || !std::exchange(startsDue_, false)) return;
+  Layers layers = picture_->shown().readRayStarts();
+  auto starts = std::make_shared<RayStarts>();
+  *starts = {picture_->shownView().camera, document_.scene().volume->grid, layers.size, std::move(layers.tContext),
+             std::move(layers.tStart)};
+  Q_EMIT raysStarted(std::move(starts));
 }
 
 Scene VolumeView::shownScene() const {
@@ -293,6 +315,9 @@ void VolumeView::drawOverlay() {
   }
   if (!document_.hasVolume()) return;
   drawMarks(painter, shownCamera());
+  // Here and not among the marks: saved pictures name nobody.
+  if (options_.text() && !options_.hidesPatient())
+    drawStudyText(painter, view, patientLines(document_.study().patient, document_.study().series), 0);
   brushTool_.draw(painter, view);
   if (hasFocus()) {
     painter.setPen(QColor(86, 140, 190));

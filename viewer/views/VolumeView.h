@@ -17,6 +17,7 @@
 #include <QTimer>
 
 #include "rendering/gpu/GpuScene.h"
+#include "rendering/scene/Opening.h"
 #include "viewer/model/FramePacer.h"
 #include "viewer/tools/BrushTool.h"
 #include "viewer/tools/ToleranceWheel.h"
@@ -77,6 +78,8 @@ class VolumeView : public QOpenGLWidget {
   void settled();
   /// A picture is on screen.
   void drawn();
+  /// Of C1: where its rays start, once it shows the scene at full quality; null when that changes.
+  void raysStarted(std::shared_ptr<const RayStarts> starts);
   void failed(const QString& problem);
   /// The volume does not fit onto the device and is drawn with fewer voxels; `notice` says with how many.
   void reduced(const QString& notice);
@@ -103,6 +106,9 @@ class VolumeView : public QOpenGLWidget {
   void follow();
   /// Begins to refine the picture.
   void settle();
+  /// Reports raysStarted(), and that what was reported no longer holds.
+  void reportStarts();
+  void forgetStarts();
   /// Goes on with that for a moment.
   void refine();
   /// A refined picture is done.
@@ -127,6 +133,10 @@ class VolumeView : public QOpenGLWidget {
   std::optional<glm::dvec3> pick(QPointF position);
   /// The ray of the last picture through a world position.
   glm::dvec3 rayThrough(glm::dvec3 world) const;
+  /// The point of the structure that shows most on the ray to a hit.
+  glm::dvec3 seenAt(glm::dvec3 hit) const;
+  /// Reports what the picture shows under the mouse, once it is at full quality.
+  void readUnderMouse();
   void click(glm::dvec3 hit, Qt::KeyboardModifiers modifiers);
   glm::dvec2 pixelAt(QPointF position) const;
   BrushTool::Canvas canvas();
@@ -156,9 +166,12 @@ class VolumeView : public QOpenGLWidget {
   double refinedFor_ = 0.0;           ///< ms
   bool compiled_ = false;             ///< meanwhile programs were compiled, so its time says nothing
   bool held_ = false;
-  bool settled_ = false;  ///< the last picture is of the present scene, at full quality
-  QTimer rest_;           ///< fires a moment after the last change
-  QTimer refining_;       ///< fires between slices of refinement
+  bool startsDue_ = true;  ///< raysStarted() is to be reported
+  bool settled_ = false;   ///< the last picture is of the present scene, at full quality
+  QTimer rest_;            ///< fires a moment after the last change
+  QTimer refining_;        ///< fires between slices of refinement
+
+  QTimer hover_;  ///< fires a moment after the mouse has stopped
 
   QPointF pressed_, last_;
   bool dragging_ = false;

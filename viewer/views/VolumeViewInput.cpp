@@ -21,11 +21,14 @@ namespace fenestra::viewer {
 namespace {
 
 constexpr double clickSlack = 4.0;  ///< device-independent pixels between press and release of a click
+/// Until what lies under the mouse is read: a moving mouse reads nothing.
+constexpr int hoverMilliseconds = 40;
 constexpr double arrowTurn = glm::pi<double>() / 36.0;  ///< 5 degrees
 
 }  // namespace
 
 void VolumeView::mousePressEvent(QMouseEvent* event) {
+  hover_.stop();
   shared_.pacer->lead(index_);
   if (brushTool_.press(*event)) return;
   pressed_ = last_ = event->position();
@@ -45,6 +48,7 @@ void VolumeView::mouseMoveEvent(QMouseEvent* event) {
         cursor_.moveTo(*hit);
         Q_EMIT pointed(*hit);
       }
+    hover_.start(hoverMilliseconds);
     return;
   }
   if (!dragging_ && std::hypot(total.x(), total.y()) <= clickSlack) return;
@@ -73,10 +77,26 @@ void VolumeView::mouseReleaseEvent(QMouseEvent* event) {
   }
 }
 
+glm::dvec3 VolumeView::seenAt(glm::dvec3 hit) const {
+  const glm::dvec3 ray = rayThrough(hit);
+  return seenPoint(shownScene(), hit - halfVoxel() * ray, ray).value_or(hit);
+}
+
+void VolumeView::readUnderMouse() {
+  if (brush_.isActive()) return;
+  if (!isSettled()) {  // reading the picture must not hold up the next one
+    hover_.start(hoverMilliseconds);
+    return;
+  }
+  if (const std::optional<glm::dvec3> hit = pick(last_))
+    Q_EMIT pointed(seenAt(*hit));
+  else
+    Q_EMIT left();
+}
+
 void VolumeView::click(glm::dvec3 hit, Qt::KeyboardModifiers modifiers) {
   beforeClick_ = BeforeClick{document_.focus(), cursor_.position()};
-  const glm::dvec3 ray = rayThrough(hit);
-  const glm::dvec3 seen = seenPoint(shownScene(), hit - halfVoxel() * ray, ray).value_or(hit);
+  const glm::dvec3 seen = seenAt(hit);
   cursor_.moveTo(seen);
   Q_EMIT pointed(seen);
   if (options_.grows() || modifiers & Qt::ControlModifier) clickStructure(document_, seen, modifiers, options_.grows());
@@ -137,6 +157,7 @@ void VolumeView::keyPressEvent(QKeyEvent* event) {
 }
 
 void VolumeView::leaveEvent(QEvent*) {
+  hover_.stop();
   brushTool_.leave();
   Q_EMIT left();
 }

@@ -1,0 +1,24 @@
+#pragma once
+// What the cutaway of a view removes, on a slice.
+
+#include <vector>
+
+#include "rendering/scene/Camera.h"
+#include "rendering/scene/Slice.h"
+
+namespace fenestra {
+
+/// Of a view's picture, row by row from the top: where its rays meet the context, and where they start to see. t in mm
+/// along the pixel's ray (see Camera), NaN where there is nothing.
+struct RayStarts {
+  Camera camera;
+  Grid grid;  ///< of the volume in the picture
+  glm::ivec2 size{0};
+  std::vector<float> tContext, tStart;
+};
+
+/// 1 for each pixel of a slice, row by row, that the view's opening removes: it lies on its ray behind the context's
+/// surface and before the ray's start. 0 elsewhere and outside the picture. Found at the nearest ray.
+std::vector<char> openedPixels(const RayStarts& starts, const SliceGeometry& geometry, int slice);
+
+}  // namespace fenestra

@@ -1,0 +1,447 @@
+// Every key of the menus and every gesture of the key list, performed as a user does. Both lists come from the program:
+// a key or a gesture without a case here fails.
+
+#include <map>
+#include <set>
+
+#include <QAction>
+#include <QClipboard>
+#include <QDialog>
+#include <QGuiApplication>
+#include <QMainWindow>
+#include <QMenuBar>
+#include <QMouseEvent>
+#include <QTest>
+#include <QTimer>
+
+#include "tests/gui/WindowFixture.h"
+#include "tests/support/TestData.h"
+#include "viewer/Dialogs.h"
+#include "viewer/Gestures.h"
+#include "viewer/Sessions.h"
+#include "viewer/WindowLevelDialog.h"
+
+namespace fenestra::viewer {
+namespace {
+
+class Conventions : public Window {
+ protected:
+  using Cases = std::map<std::string, std::function<void()>>;
+
+  void press(const char* keys) {
+    QApplication::setActiveWindow(window_.get());  // a dialog may have been it
+    const QKeyCombination key = QKeySequence(QLatin1String(keys))[0];
+    QTest::keyClick(window_.get(), key.key(), key.keyboardModifiers());
+  }
+  /// The keys open a dialog, which is closed again.
+  void expectDialog(const char* keys) {
+    bool opened = false;
+    QTimer poll;
+    QObject::connect(&poll, &QTimer::timeout, [&] {
+      if (auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget())) {
+        opened = true;
+        dialog->reject();
+      }
+    });
+    poll.start(20);
+    press(keys);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return opened; }, patience));
+    EXPECT_TRUE(QTest::qWaitFor([] { return !QApplication::activeModalWidget(); }, patience));
+  }
+  void expectWindow(const char* key, WindowLevel wanted) {
+    press(key);
+    EXPECT_EQ(document().window(), wanted);
+  }
+  void expectLook(const char* keys, glm::dvec3 forward) {
+    press(keys);
+    EXPECT_LT(glm::distance(cameras().camera(0).axes().forward, forward), 1e-9);
+  }
+  /// The keys turn an option over, and back.
+  void expectToggle(const char* keys, const std::function<bool()>& is) {
+    const bool before = is();
+    press(keys);
+    EXPECT_NE(is(), before);
+    press(keys);
+    EXPECT_EQ(is(), before);
+  }
+  void run(const Cases& cases, const std::set<std::string>& wanted) {
+    for (const std::string& each : wanted) EXPECT_TRUE(cases.contains(each)) << each << " has no test";
+    for (const auto& [name, check] : cases) {
+      SCOPED_TRACE(name);
+      EXPECT_TRUE(wanted.contains(name)) << "the list has no such entry";
+      check();
+    }
+  }
+  void move(QWidget* view, QPoint at, Qt::KeyboardModifiers modifiers = {}, Qt::MouseButton button = Qt::NoButton) {
+    QMouseEvent event(QEvent::MouseMove, at, view->mapToGlobal(at), Qt::NoButton, button, modifiers);
+    QApplication::sendEvent(view, &event);
+  }
+  SliceView* axial() { return slice(SlicePlane::Axial); }
+  QPoint at(glm::dvec3 world) { return axial()->widgetFromWorld(world).toPoint(); }
+  MeasureMode& measuring() { return window_->workspace().measuring; }
+  Cases menuCases();
+  void addFileAndEditCases(Cases& cases);
+  void addViewCases(Cases& cases);
+  Cases sliceGestures();
+  void addVolumeGestures(Cases& cases);
+  void addGesturesOfAllViews(Cases& cases);
+};
+
+void Conventions::addFileAndEditCases(Cases& cases) {
+  for (const char* keys : {"Ctrl+Shift+O", "Ctrl+O", "Ctrl+L", "Ctrl+E", "?"})
+    cases[keys] = [this, keys] { expectDialog(keys); };
+  for (const char* keys : {"Ctrl+S", "Ctrl+Shift+S"})
+    cases[keys] = [this, keys] {
+      int asked = 0;
+      window_->sessions().questions().saveWhere = [&](const std::filesystem::path&) {
+        ++asked;
+        return std::optional<std::filesystem::path>();
+      };
+      press(keys);
+      EXPECT_EQ(asked, 1);
+    };
+  cases["Ctrl+C"] = [this] {
+    QGuiApplication::clipboard()->clear();
+    press("Ctrl+C");
+    EXPECT_TRUE(QTest::qWaitFor([] { return !QGuiApplication::clipboard()->image().isNull(); }, patience));
+  };
+  cases["Ctrl+Q"] = [this] {
+    window_->sessions().questions().saveChanges = [] { return SessionQuestions::Answer::Discard; };
+    press("Ctrl+Q");
+    EXPECT_FALSE(window_->isVisible());
+    window_->show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get()));
+    QApplication::setActiveWindow(window_.get());
+  };
+  const auto undoAndRedo = [this] {
+    document().focusOn(marker);
+    document().focusOn(body);
+    press("Ctrl+Z");
+    EXPECT_TRUE(document().isFocused(marker));
+    press("Ctrl+Shift+Z");
+    EXPECT_TRUE(document().isFocused(body));
+  };
+  cases["Ctrl+Z"] = cases["Ctrl+Shift+Z"] = undoAndRedo;
+  cases["P"] = [this] { expectToggle("P", [this] { return brush().isActive(); }); };
+  cases["E"] = [this] {
+    press("P");
+    const BrushMode mode = brush().settings().mode;
+    press("E");
+    EXPECT_NE(brush().settings().mode, mode);
+    press("Esc");
+    EXPECT_FALSE(brush().isActive());
+  };
+  for (const char* keys : {"[", "]"})
+    cases[keys] = [this, keys] {
+      const double radius = brush().settings().radius;
+      press(keys);
+      EXPECT_EQ(*keys == '[', brush().settings().radius < radius);
+      EXPECT_NE(brush().settings().radius, radius);
+    };
+}
+
+void Conventions::addViewCases(Cases& cases) {
+  cases["Shift+A"] = [this] { expectLook("Shift+A", {0, 1, 0}); };
+  cases["Shift+P"] = [this] { expectLook("Shift+P", {0, -1, 0}); };
+  cases["Shift+L"] = [this] { expectLook("Shift+L", {-1, 0, 0}); };
+  cases["Shift+R"] = [this] { expectLook("Shift+R", {1, 0, 0}); };
+  cases["Shift+S"] = [this] { expectLook("Shift+S", {0, 0, -1}); };
+  cases["Shift+I"] = [this] { expectLook("Shift+I", {0, 0, 1}); };
+  cases["F5"] = [this] {
+    document().focusOn(marker);
+    const ViewLink::Pose before = cameras().pose();
+    press("F5");
+    waitUntilDrawn();
+    EXPECT_NE(cameras().pose(), before);
+  };
+  for (const char* keys : {"R", "Ctrl+R"})
+    cases[keys] = [this, keys] {
+      volume(0)->setFocus();
+      press("Ctrl+R");
+      const ViewLink::Pose reset = cameras().pose();
+      cameras().orbit(0, 0.3, 0.2);
+      press(keys);
+      EXPECT_EQ(cameras().pose().cameras, reset.cameras);
+    };
+  cases["L"] = [this] { expectToggle("L", [this] { return cameras().isLinked(); }); };
+  cases["Ctrl+P"] = [this] {
+    expectToggle("Ctrl+P", [this] { return cameras().projection() == Projection::Orthographic; });
+  };
+  cases["C"] = [this] { expectToggle("C", [this] { return options().crosshair(); }); };
+  cases["O"] = [this] { expectToggle("O", [this] { return options().labels(); }); };
+  cases["T"] = [this] { expectToggle("T", [this] { return options().text(); }); };
+  cases["H"] = [this] { expectToggle("H", [this] { return options().hidesPatient(); }); };
+  cases["F11"] = [this] { expectToggle("F11", [this] { return window_->isFullScreen(); }); };
+  cases["Esc"] = [this] {
+    views().toggleMaximised(axial());
+    press("Esc");
+    EXPECT_FALSE(views().isMaximised());
+  };
+}
+
+Conventions::Cases Conventions::menuCases() {
+  Cases cases;
+  addFileAndEditCases(cases);
+  addViewCases(cases);
+  // The windows of product conventions, width and level.
+  cases["1"] = [this] { expectWindow("1", {400.0, 40.0}); };
+  cases["3"] = [this] { expectWindow("3", {110.0, 35.0}); };
+  cases["4"] = [this] { expectWindow("4", {320.0, 50.0}); };
+  cases["5"] = [this] { expectWindow("5", {400.0, 80.0}); };
+  cases["6"] = [this] { expectWindow("6", {2000.0, 350.0}); };
+  cases["7"] = [this] { expectWindow("7", {1500.0, -500.0}); };
+  cases["I"] = [this] { expectToggle("I", [this] { return document().isInverted(); }); };
+  cases["W"] = [this] {
+    press("W");
+    auto* dialog = window_->findChild<WindowLevelDialog*>();
+    ASSERT_TRUE(dialog);
+    dialog->close();
+    QApplication::setActiveWindow(window_.get());
+  };
+  const std::pair<const char*, MeasureKind> tools[] = {{"D", MeasureKind::Distance},
+                                                       {"A", MeasureKind::Angle},
+                                                       {"Q", MeasureKind::Ellipse},
+                                                       {"B", MeasureKind::Rectangle}};
+  for (const auto& tool : tools)
+    cases[tool.first] = [this, tool] {
+      press(tool.first);
+      EXPECT_EQ(measuring().kind(), tool.second);
+      press("Esc");
+      EXPECT_FALSE(measuring().kind());
+    };
+  cases["Ctrl+Shift+C"] = cases["Del"] = [this] {
+    document().setMeasures({{MeasureKind::Distance, {{0, 0, 1}, {9, 0, 1}}, {1, 0, 0}, {0, 1, 0}}}, {});
+    measuring().select(0);
+    press("Ctrl+Shift+C");
+    press("Del");
+    EXPECT_TRUE(document().measures().empty());
+  };
+  cases["G"] = [this] { expectToggle("G", [this] { return options().grows(); }); };
+  cases[","] = cases["."] = [this] {
+    document().growFrom(markerCentre);
+    ASSERT_TRUE(QTest::qWaitFor([this] { return document().isWhole(); }, patience));
+    const int step = document().regionStep();
+    press(".");
+    EXPECT_GT(document().regionStep(), step);
+    press(",");
+    EXPECT_EQ(document().regionStep(), step);
+  };
+  cases["Ctrl+Backspace"] = [this] {
+    document().focusOn(marker);
+    press("Ctrl+Backspace");
+    EXPECT_TRUE(std::holds_alternative<std::monostate>(document().focus()));
+  };
+  return cases;
+}
+
+TEST_F(Conventions, EveryKeyOfTheMenusDoesWhatItSays) {
+  std::set<std::string> keys;
+  for (const MenuKey& each : menuKeys(*qobject_cast<QMainWindow*>(window_.get())->menuBar())) {
+    EXPECT_TRUE(keys.insert(each.keys.toStdString()).second) << each.keys.toStdString() << " twice";
+    EXPECT_TRUE(keysHtml(*qobject_cast<QMainWindow*>(window_.get())->menuBar()).contains(each.text.toHtmlEscaped()));
+  }
+  run(menuCases(), keys);
+}
+
+Conventions::Cases Conventions::sliceGestures() {
+  Cases cases;
+  cases["Slices: Click"] = cases["Slices: Ctrl+click"] = [this] {
+    cursor().moveTo(markerCentre);
+    QTest::mouseClick(axial(), Qt::LeftButton, {}, at(markerCentre));
+    EXPECT_EQ(document().focus(), Focus(LabelFocus{{marker}}));
+    QTest::mouseClick(axial(), Qt::LeftButton, Qt::ControlModifier, at({-10, 10, markerCentre.z}));
+    EXPECT_EQ(document().focus(), Focus(LabelFocus{{body, marker}}));
+  };
+  cases["Slices: Drag"] = cases["Slices: Ctrl+double-click"] = [this] {
+    const WindowLevel before = document().window();
+    drag(axial(), {100, 100}, {150, 100});
+    EXPECT_GT(document().window().width, before.width);
+    EXPECT_EQ(document().window().level, before.level) << "across is the width alone";
+    drag(axial(), {100, 100}, {100, 130});
+    EXPECT_GT(document().window().level, before.level) << "down is the level";
+    QTest::mouseDClick(axial(), Qt::LeftButton, Qt::ControlModifier, {100, 100});
+    EXPECT_EQ(document().window(), document().scene().volume->defaultWindow());
+  };
+  cases["Slices: Wheel, arrows"] = cases["Slices: Page up, Page down"] = [this] {
+    for (SliceView* view : views().sliceViews()) {
+      cursor().moveTo({0, 0, 0});
+      const int first = view->slice();
+      wheel(view, 1);
+      EXPECT_EQ(view->slice(), first + 1);
+      const std::pair<Qt::Key, int> keys[] = {{Qt::Key_Up, 1},    {Qt::Key_Right, 1},   {Qt::Key_Down, -1},
+                                              {Qt::Key_Left, -1}, {Qt::Key_PageUp, 10}, {Qt::Key_PageDown, -10}};
+      for (const auto& [key, steps] : keys) {
+        const int before = view->slice();
+        QTest::keyClick(view, key);
+        EXPECT_EQ(view->slice(), before + steps) << key;
+      }
+    }
+  };
+  cases["Measures, on the slices: Drag, or clicks"] = cases["Measures, on the slices: Drag a handle or line"] =
+      cases["Measures, on the slices: Right click on it"] = [this] {
+        press("D");
+        const QPoint from = at({-20, 5, cursor().position().z}), to = at({10, 5, cursor().position().z});
+        drag(axial(), from, to);
+        QTest::mouseClick(axial(), Qt::LeftButton, {}, from + QPoint(0, 30));
+        move(axial(), to + QPoint(0, 30));
+        QTest::mouseClick(axial(), Qt::LeftButton, {}, to + QPoint(0, 30));
+        press("Esc");
+        ASSERT_EQ(document().measures().size(), 2u);
+        const Measure before = document().measures()[0];
+        drag(axial(), to, to + QPoint(0, -20));
+        EXPECT_NE(document().measures()[0], before);
+        EXPECT_EQ(axial()->measureTool().measureAt(from), 0u) << "which a right click asks for";
+        document().setMeasures({}, {});
+      };
+  return cases;
+}
+
+void Conventions::addVolumeGestures(Cases& cases) {
+  cases["3-D views: Drag, arrows"] = [this] {
+    const Camera before = cameras().camera(0);
+    drag(volume(0), {200, 150}, {240, 150});
+    EXPECT_NE(cameras().camera(0), before);
+    for (const Qt::Key key : {Qt::Key_Left, Qt::Key_Up, Qt::Key_Right, Qt::Key_Down}) {
+      const Camera last = cameras().camera(0);
+      QTest::keyClick(volume(0), key);
+      EXPECT_NE(cameras().camera(0), last) << key;
+    }
+    press("Ctrl+R");
+    waitUntilDrawn();
+  };
+  cases["3-D views: Click"] = cases["3-D views: Ctrl+click"] = [this] {
+    document().setFocus(std::monostate{});
+    press("Ctrl+R");
+    waitUntilDrawn();
+    const QPoint middle = volume(0)->widgetFromWorld({-5.0, -44.0, -5.0}).value().toPoint();
+    QTest::mouseClick(volume(0), Qt::LeftButton, {}, middle);
+    EXPECT_EQ(document().focus(), Focus(LabelFocus{{body}}));
+    EXPECT_LT(cursor().position().y, -35.0);
+    waitUntilDrawn();
+    QTest::mouseClick(volume(0), Qt::LeftButton, Qt::ControlModifier, middle);
+    EXPECT_NE(document().focus(), Focus(LabelFocus{{body}}));
+    document().setFocus(std::monostate{});
+    waitUntilDrawn();
+  };
+  cases["3-D views: Wheel"] = [this] {
+    const Camera before = cameras().camera(0);
+    wheel(volume(0), 2);
+    EXPECT_LT(glm::distance(cameras().camera(0).eye, cameras().camera(0).target),
+              glm::distance(before.eye, before.target));
+  };
+  cases["Brush, in the 3-D views: Drag"] = cases["Brush, in the 3-D views: Ctrl+drag"] =
+      cases["Brush, in the 3-D views: Shift+wheel, Shift+drag"] = [this] {
+        document().focusOn(marker);
+        BrushSettings open = brush().settings();
+        open.mode = BrushMode::Open;
+        brush().setSettings(open);
+        brush().setActive(true);
+        waitUntilDrawn();
+        const QPoint middle = volume(0)->widgetFromWorld({-8.0, -40.0, -8.0}).value().toPoint();
+        const Camera before = cameras().camera(0);
+        drag(volume(0), middle, middle + QPoint(30, 0));
+        EXPECT_EQ(document().strokes().size(), 1u);
+        EXPECT_EQ(cameras().camera(0), before);
+        drag(volume(0), middle, middle + QPoint(30, 0), Qt::LeftButton, Qt::ControlModifier);
+        EXPECT_NE(cameras().camera(0), before);
+        const double depth = brush().settings().depth;
+        wheel(volume(0), 1, Qt::ShiftModifier);
+        EXPECT_NE(brush().settings().depth, depth);
+        const double deeper = brush().settings().depth;
+        drag(volume(0), middle, middle + QPoint(0, 30), Qt::LeftButton, Qt::ShiftModifier);
+        EXPECT_NE(brush().settings().depth, deeper);
+        brush().setActive(false);
+        document().setStrokes({}, {});
+      };
+}
+
+void Conventions::addGesturesOfAllViews(Cases& cases) {
+  const std::string region = "A grown region, in all views: ";
+  cases[region + "Shift+click"] = cases[region + "Ctrl+click"] = cases[region + "Alt+wheel"] = [this] {
+    cursor().moveTo(markerCentre);
+    document().growFrom(markerCentre);
+    ASSERT_TRUE(QTest::qWaitFor([this] { return document().isWhole(); }, patience));
+    const int step = document().regionStep();
+    wheel(axial(), 1, Qt::AltModifier);
+    EXPECT_NE(document().regionStep(), step);
+    QTest::mouseClick(axial(), Qt::LeftButton, Qt::ShiftModifier, at(markerCentre + glm::dvec3(3, 0, 0)));
+    ASSERT_TRUE(document().region());
+    EXPECT_EQ(document().region()->inside.size(), 2u);
+    QTest::mouseClick(axial(), Qt::LeftButton, Qt::ControlModifier, at({-10, 10, markerCentre.z}));
+    ASSERT_TRUE(document().region());
+    EXPECT_EQ(document().region()->outside.size(), 1u);
+    document().setFocus(std::monostate{});
+    waitUntilDrawn();  // Esc would end the growing
+  };
+  cases["All views: Middle drag"] = [this] {
+    const glm::dvec3 before = axial()->worldFromWidget({100, 100});
+    drag(axial(), {100, 100}, {140, 80}, Qt::MiddleButton);
+    EXPECT_LT(glm::distance(axial()->worldFromWidget({140, 80}), before), 1e-6);
+    const Camera camera = cameras().camera(0);
+    drag(volume(0), {200, 150}, {240, 150}, Qt::MiddleButton);
+    EXPECT_NE(cameras().camera(0).target, camera.target);
+    EXPECT_EQ(cameras().camera(0).axes().forward, camera.axes().forward);
+  };
+  cases["All views: Right drag, Ctrl+wheel"] = [this] {
+    const auto width = [this] {
+      return glm::distance(axial()->worldFromWidget({100, 100}), axial()->worldFromWidget({200, 100}));
+    };
+    const double before = width();
+    drag(axial(), {100, 100}, {100, 60}, Qt::RightButton);
+    EXPECT_LT(width(), before);
+    const double zoomed = width();
+    wheel(axial(), -2, Qt::ControlModifier);
+    EXPECT_GT(width(), zoomed);
+    for (const bool byWheel : {false, true}) {
+      const Camera camera = cameras().camera(0);
+      if (byWheel)
+        wheel(volume(0), 2, Qt::ControlModifier);
+      else
+        drag(volume(0), {200, 150}, {200, 110}, Qt::RightButton);
+      EXPECT_LT(glm::distance(cameras().camera(0).eye, cameras().camera(0).target),
+                glm::distance(camera.eye, camera.target));
+    }
+  };
+  cases["All views: Right click"] = [this] {
+    int asked = 0;
+    QObject::disconnect(&views(), &ViewArea::menuRequested, nullptr, nullptr);
+    QObject::connect(&views(), &ViewArea::menuRequested, [&] { ++asked; });
+    QTest::mouseClick(axial(), Qt::RightButton, {}, at({-10, 10, cursor().position().z}));
+    EXPECT_EQ(asked, 1);
+    press("Ctrl+R");
+    waitUntilDrawn();
+    QTest::mouseClick(volume(0), Qt::RightButton, {}, volume(0)->widgetFromWorld({0, -40, 0}).value().toPoint());
+    EXPECT_EQ(asked, 2);
+    QObject::disconnect(&views(), &ViewArea::menuRequested, nullptr, nullptr);
+  };
+  cases["All views: Shift+move"] = [this] {
+    press("Ctrl+R");
+    waitUntilDrawn();
+    const double z = cursor().position().z;
+    const QPoint place = at({-12, 8, z});
+    move(axial(), place, Qt::ShiftModifier);
+    EXPECT_LT(glm::distance(cursor().position(), axial()->worldFromWidget(place)), 1e-6);
+    move(volume(0), volume(0)->widgetFromWorld({0, -44, 0}).value().toPoint(), Qt::ShiftModifier);
+    EXPECT_LT(cursor().position().y, -35.0);
+  };
+  cases["All views: Double-click"] = [this] {
+    for (QWidget* view : {static_cast<QWidget*>(axial()), static_cast<QWidget*>(volume(0))}) {
+      QTest::mouseDClick(view, Qt::LeftButton, {}, view->rect().center() + QPoint(20, 10));
+      EXPECT_TRUE(views().isMaximised());
+      views().showAll();
+    }
+    waitUntilDrawn();
+  };
+}
+
+TEST_F(Conventions, EveryGestureDoesWhatItSays) {
+  std::set<std::string> wanted;
+  for (const Gesture& each : gestures) wanted.insert(std::string(each.where) + ": " + each.gesture);
+  Cases cases = sliceGestures();
+  addVolumeGestures(cases);
+  addGesturesOfAllViews(cases);
+  run(cases, wanted);
+}
+
+}  // namespace
+}  // namespace fenestra::viewer

@@ -1,0 +1,62 @@
+#pragma once
+// What the mouse does in the views, and the keys that only a view takes: the part of the key list that has no menu
+// entry. tests/gui/ConventionsTest.cpp performs each of these and each key of the menus.
+
+#include <array>
+
+#include <QtGlobal>
+
+namespace fenestra::viewer {
+
+struct Gesture {
+  const char* where;  ///< the views that it is for
+  const char* gesture;
+  const char* meaning;
+};
+
+inline constexpr auto gestures = std::to_array<Gesture>({
+    {QT_TRANSLATE_NOOP("Dialogs", "Slices"), QT_TRANSLATE_NOOP("Dialogs", "Click"),
+     QT_TRANSLATE_NOOP("Dialogs", "crosshair; the label there, or the region around the place, becomes the focus")},
+    {"Slices", QT_TRANSLATE_NOOP("Dialogs", "Ctrl+click"),
+     QT_TRANSLATE_NOOP("Dialogs", "the label joins or leaves the focus")},
+    {"Slices", QT_TRANSLATE_NOOP("Dialogs", "Drag"),
+     QT_TRANSLATE_NOOP("Dialogs", "window width (across) and level (up and down)")},
+    {"Slices", QT_TRANSLATE_NOOP("Dialogs", "Ctrl+double-click"),
+     QT_TRANSLATE_NOOP("Dialogs", "window and level of the data")},
+    {"Slices", QT_TRANSLATE_NOOP("Dialogs", "Wheel, arrows"), QT_TRANSLATE_NOOP("Dialogs", "next and previous slices")},
+    {"Slices", QT_TRANSLATE_NOOP("Dialogs", "Page up, Page down"), QT_TRANSLATE_NOOP("Dialogs", "ten slices")},
+    {QT_TRANSLATE_NOOP("Dialogs", "Measures, on the slices"), QT_TRANSLATE_NOOP("Dialogs", "Drag, or clicks"),
+     QT_TRANSLATE_NOOP("Dialogs", "draw the measure whose tool is chosen; Esc ends it")},
+    {"Measures, on the slices", QT_TRANSLATE_NOOP("Dialogs", "Drag a handle or line"),
+     QT_TRANSLATE_NOOP("Dialogs", "move the end, or the measure")},
+    {"Measures, on the slices", QT_TRANSLATE_NOOP("Dialogs", "Right click on it"),
+     QT_TRANSLATE_NOOP("Dialogs", "copy and delete")},
+    {QT_TRANSLATE_NOOP("Dialogs", "3-D views"), QT_TRANSLATE_NOOP("Dialogs", "Drag, arrows"),
+     QT_TRANSLATE_NOOP("Dialogs", "rotate; the linked view follows")},
+    {"3-D views", QT_TRANSLATE_NOOP("Dialogs", "Click"),
+     QT_TRANSLATE_NOOP("Dialogs", "crosshair to what is seen there; its label or region becomes the focus")},
+    {"3-D views", QT_TRANSLATE_NOOP("Dialogs", "Ctrl+click"),
+     QT_TRANSLATE_NOOP("Dialogs", "its label joins or leaves the focus")},
+    {"3-D views", QT_TRANSLATE_NOOP("Dialogs", "Wheel"), QT_TRANSLATE_NOOP("Dialogs", "zoom")},
+    {QT_TRANSLATE_NOOP("Dialogs", "A grown region, in all views"), QT_TRANSLATE_NOOP("Dialogs", "Shift+click"),
+     QT_TRANSLATE_NOOP("Dialogs", "add what is there to the region")},
+    {"A grown region, in all views", QT_TRANSLATE_NOOP("Dialogs", "Ctrl+click"),
+     QT_TRANSLATE_NOOP("Dialogs", "take what is there away from the region")},
+    {"A grown region, in all views", QT_TRANSLATE_NOOP("Dialogs", "Alt+wheel"),
+     QT_TRANSLATE_NOOP("Dialogs", "tolerance")},
+    {QT_TRANSLATE_NOOP("Dialogs", "Brush, in the 3-D views"), QT_TRANSLATE_NOOP("Dialogs", "Drag"),
+     QT_TRANSLATE_NOOP("Dialogs", "paint")},
+    {"Brush, in the 3-D views", QT_TRANSLATE_NOOP("Dialogs", "Ctrl+drag"), QT_TRANSLATE_NOOP("Dialogs", "rotate")},
+    {"Brush, in the 3-D views", QT_TRANSLATE_NOOP("Dialogs", "Shift+wheel, Shift+drag"),
+     QT_TRANSLATE_NOOP("Dialogs", "depth, or by how much the context's edges change")},
+    {QT_TRANSLATE_NOOP("Dialogs", "All views"), QT_TRANSLATE_NOOP("Dialogs", "Middle drag"),
+     QT_TRANSLATE_NOOP("Dialogs", "move the picture")},
+    {"All views", QT_TRANSLATE_NOOP("Dialogs", "Right drag, Ctrl+wheel"), QT_TRANSLATE_NOOP("Dialogs", "zoom")},
+    {"All views", QT_TRANSLATE_NOOP("Dialogs", "Right click"), QT_TRANSLATE_NOOP("Dialogs", "a menu for that place")},
+    {"All views", QT_TRANSLATE_NOOP("Dialogs", "Shift+move"),
+     QT_TRANSLATE_NOOP("Dialogs", "crosshair follows the mouse")},
+    {"All views", QT_TRANSLATE_NOOP("Dialogs", "Double-click"),
+     QT_TRANSLATE_NOOP("Dialogs", "show this view alone; Esc shows all")},
+});
+
+}  // namespace fenestra::viewer

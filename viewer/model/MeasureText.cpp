@@ -1,0 +1,78 @@
+#include "viewer/model/MeasureText.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include "viewer/model/Document.h"
+
+namespace fenestra::viewer {
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("Measure", text); }
+
+QString exact(double number) { return QString::number(number, 'g', QLocale::FloatingPointShortest); }
+QString exact(const std::optional<double>& number) { return number ? exact(*number) : QString(); }
+
+QString csvRow(const Measure& measure, const MeasureValues& values, const QString& unit) {
+  QStringList row{nameOf(measure.kind).toLower(), exact(values.length), exact(values.angle), exact(values.area)};
+  if (const auto& region = values.region)
+    row << exact(region->mean) << exact(region->deviation) << exact(region->least) << exact(region->greatest)
+        << QString::number(region->count) << unit;
+  else
+    row << QStringList(6);
+  for (std::size_t point = 0; point < 3; ++point)
+    for (int axis = 0; axis < 3; ++axis)
+      row << (point < measure.points.size() ? exact(measure.points[point][axis]) : QString());
+  return row.join(QLatin1Char(','));
+}
+
+}  // namespace
+
+QString nameOf(MeasureKind kind) {
+  switch (kind) {
+    case MeasureKind::Distance:
+      return tr("Distance");
+    case MeasureKind::Angle:
+      return tr("Angle");
+    case MeasureKind::Ellipse:
+      return tr("Ellipse");
+    case MeasureKind::Rectangle:
+      break;
+  }
+  return tr("Rectangle");
+}
+
+QString valueText(double value, ValueRange range) {
+  return QString::number(value, 'f', range.high - range.low < 20.0 ? 3 : 0);
+}
+
+QStringList linesOf(const MeasureValues& values, const Volume& volume) {
+  QStringList lines;
+  if (values.length) lines << tr("%1 mm").arg(*values.length, 0, 'f', 1);
+  if (values.angle) lines << tr("%1°").arg(*values.angle, 0, 'f', 1);
+  if (const auto& region = values.region) {
+    const int decimals = volume.range.high - volume.range.low < 20.0 ? 3 : 1;
+    lines << tr("Mean %1 %2").arg(region->mean, 0, 'f', decimals).arg(QString::fromStdString(volume.unit)).trimmed()
+          << tr("SD %1").arg(region->deviation, 0, 'f', decimals)
+          << tr("%1 to %2").arg(valueText(region->least, volume.range), valueText(region->greatest, volume.range));
+  }
+  if (values.area) {
+    constexpr double perCm2 = 100.0;  // mm²
+    lines << (*values.area < perCm2 ? tr("%1 mm²").arg(*values.area, 0, 'f', 1)
+                                    : tr("%1 cm²").arg(*values.area / perCm2, 0, 'f', 2));
+  }
+  return lines;
+}
+
+QString measuresCsv(const Document& document, std::optional<std::size_t> only) {
+  QString text = QStringLiteral(
+      "kind,length_mm,angle_deg,area_mm2,mean,sd,min,max,pixels,unit,"
+      "l1_mm,p1_mm,s1_mm,l2_mm,p2_mm,s2_mm,l3_mm,p3_mm,s3_mm\r\n");
+  const QString unit = QString::fromStdString(document.scene().volume->unit);
+  for (std::size_t index = 0; index < document.measures().size(); ++index)
+    if (!only || *only == index)
+      text += csvRow(document.measures()[index], document.measured(index), unit) + QStringLiteral("\r\n");
+  return text;
+}
+
+}  // namespace fenestra::viewer

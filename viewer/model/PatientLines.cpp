@@ -1,0 +1,41 @@
+#include "viewer/model/PatientLines.h"
+
+#include <algorithm>
+
+#include <QCoreApplication>
+#include <QDate>
+
+namespace fenestra::viewer {
+namespace {
+
+QString trimmed(const std::string& text) { return QString::fromStdString(text).simplified(); }
+
+/// "Doe, Jane" of a person name's first group, "Doe^Jane^Middle^Dr^" (DICOM PS3.5 6.2.1).
+QString nameText(const std::string& name) {
+  const QStringList parts = QString::fromStdString(name).section(QLatin1Char('='), 0, 0).split(QLatin1Char('^'));
+  const QString given = (parts.value(1) + QLatin1Char(' ') + parts.value(2)).simplified();
+  const QString family = parts.value(0).simplified();
+  return given.isEmpty() ? family : family.isEmpty() ? given : family + QStringLiteral(", ") + given;
+}
+
+}  // namespace
+
+QString dateText(const std::string& dicomDate) {
+  const QString text = trimmed(dicomDate);
+  const QDate date = QDate::fromString(text, QStringLiteral("yyyyMMdd"));
+  return date.isValid() ? date.toString(Qt::ISODate) : text;
+}
+
+QStringList patientLines(const io::PatientText& patient, const io::SeriesInfo& series) {
+  QStringList lines{nameText(patient.name)};
+  if (const QString id = trimmed(patient.id); !id.isEmpty())
+    lines << QCoreApplication::translate("Patient", "ID %1").arg(id);
+  QStringList person{trimmed(patient.sex), dateText(patient.birthDate)};
+  person.removeAll(QString());
+  lines << person.join(QStringLiteral(" · ")) << trimmed(series.study) << trimmed(series.description)
+        << dateText(series.date);
+  lines.removeAll(QString());
+  return lines;
+}
+
+}  // namespace fenestra::viewer

@@ -1,0 +1,155 @@
+#include "viewer/tools/MeasureTool.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <QLineF>
+#include <QMouseEvent>
+
+#include "viewer/model/Document.h"
+#include "viewer/model/MeasureMode.h"
+#include "viewer/model/MeasureText.h"
+
+namespace fenestra::viewer {
+namespace {
+
+// Device-independent pixels.
+constexpr double handleReach = 7.0, lineReach = 5.0;
+constexpr double clickSlack = 4.0;  ///< between press and release of a click
+
+double distanceTo(const QLineF& line, QPointF point) {
+  const QPointF along = line.p2() - line.p1(), from = point - line.p1();
+  const double square = QPointF::dotProduct(along, along);
+  const double share = square > 0.0 ? std::clamp(QPointF::dotProduct(from, along) / square, 0.0, 1.0) : 0.0;
+  return QLineF(point, line.p1() + share * along).length();
+}
+
+}  // namespace
+
+MeasureTool::MeasureTool(MeasureMode& mode, Document& document, Canvas canvas)
+    : mode_(mode), document_(document), canvas_(std::move(canvas)) {}
+
+bool MeasureTool::liesHere(const Measure& measure) const {
+  return sliceOf(measure, canvas_.geometry()) == canvas_.slice();
+}
+
+bool MeasureTool::isDrawing() const { return mode_.draft() && liesHere(*mode_.draft()); }
+
+std::optional<ShownMeasure> MeasureTool::shown(const Measure& measure, const MeasureValues& values) const {
+  if (!liesHere(measure)) return std::nullopt;
+  ShownMeasure shown{measure.kind, {}, linesOf(values, *document_.scene().volume), false};
+  for (const glm::dvec3 handle : handlesOf(measure)) shown.handles << canvas_.widgetFromWorld(handle);
+  return shown;
+}
+
+std::optional<MeasureTool::Grip> MeasureTool::gripAt(QPointF position) const {
+  std::optional<Grip> line;
+  for (std::size_t index = document_.measures().size(); index-- > 0;) {
+    const std::optional<ShownMeasure> measure = shown(document_.measures()[index], {});
+    if (!measure) continue;
+    for (qsizetype handle = 0; handle < measure->handles.size(); ++handle)
+      if (QLineF(measure->handles[handle], position).length() <= handleReach)
+        return Grip{index, static_cast<std::size_t>(handle)};
+    const QPolygonF outline = outlineOf(*measure);
+    for (qsizetype corner = 1; corner < outline.size() && !line; ++corner)
+      if (distanceTo({outline[corner - 1], outline[corner]}, position) <= lineReach) line = Grip{index, {}};
+  }
+  return line;
+}
+
+std::optional<std::size_t> MeasureTool::measureAt(QPointF position) const {
+  const std::optional<Grip> grip = gripAt(position);
+  return grip ? std::optional(grip->measure) : std::nullopt;
+}
+
+Qt::CursorShape MeasureTool::pointer(QPointF position) const {
+  if (mode_.draft()) return Qt::CrossCursor;
+  if (const std::optional<Grip> grip = gripAt(position)) return grip->handle ? Qt::SizeAllCursor : Qt::OpenHandCursor;
+  return mode_.kind() ? Qt::CrossCursor : Qt::ArrowCursor;
+}
+
+bool MeasureTool::press(const QMouseEvent& event) {
+  if (event.button() != Qt::LeftButton || !document_.hasVolume()) return false;
+  pressed_ = event.position();
+  dragging_ = false;
+  if (isDrawing()) return true;
+  if (event.modifiers() == Qt::NoModifier) grip_ = gripAt(event.position());
+  if (grip_) {
+    mode_.select(grip_->measure);
+    gripped_ = canvas_.worldFromWidget(event.position());
+    return true;
+  }
+  mode_.select(std::nullopt);
+  if (!mode_.kind()) return false;
+  const SliceGeometry& geometry = canvas_.geometry();
+  const glm::dvec3 at = canvas_.worldFromWidget(event.position());
+  mode_.setDraft(Measure{*mode_.kind(), {at, at}, glm::normalize(geometry.right), glm::normalize(geometry.down)});
+  return true;
+}
+
+bool MeasureTool::move(const QMouseEvent& event) {
+  if (!document_.hasVolume()) return false;
+  const glm::dvec3 world = canvas_.worldFromWidget(event.position());
+  const bool left = event.buttons() & Qt::LeftButton;
+  if (grip_ && left) {
+    if (!dragging_ && QLineF(pressed_, event.position()).length() <= clickSlack) return true;
+    if (!std::exchange(dragging_, true)) document_.history().beginGesture();
+    drag(world);
+    return true;
+  }
+  if (!isDrawing()) return false;
+  Measure draft = *mode_.draft();
+  draft.points.back() = world;
+  mode_.setDraft(std::move(draft));
+  return left;
+}
+
+void MeasureTool::drag(glm::dvec3 to) {
+  std::vector<Measure> measures = document_.measures();
+  Measure& measure = measures.at(grip_->measure);
+  measure =
+      grip_->handle ? withHandleAt(std::move(measure), *grip_->handle, to) : movedBy(std::move(measure), to - gripped_);
+  gripped_ = to;
+  document_.setMeasures(std::move(measures), MeasureMode::tr("Move measure"));
+}
+
+bool MeasureTool::release(const QMouseEvent& event) {
+  if (event.button() != Qt::LeftButton) return false;
+  if (grip_) {
+    grip_.reset();
+    if (dragging_) document_.history().endGesture();
+    return true;
+  }
+  if (!isDrawing()) return false;
+  Measure draft = *mode_.draft();
+  const glm::dvec3 world = canvas_.worldFromWidget(event.position());
+  const QPointF before = canvas_.widgetFromWorld(draft.points[draft.points.size() - 2]);
+  if (QLineF(before, event.position()).length() <= clickSlack) return true;  // the first click of two
+  draft.points.back() = world;
+  if (draft.points.size() < pointCount(draft.kind)) {
+    draft.points.push_back(world);
+    mode_.setDraft(std::move(draft));
+  } else {
+    mode_.setDraft(std::move(draft));
+    mode_.finishDraft();
+  }
+  return true;
+}
+
+void MeasureTool::draw(QPainter& painter, const QRectF& view) const {
+  for (std::size_t index = 0; index < document_.measures().size(); ++index)
+    if (std::optional<ShownMeasure> measure = shown(document_.measures()[index], document_.measured(index))) {
+      measure->selected = mode_.selected() == index;
+      drawMeasure(painter, *measure, view);
+    }
+  if (!isDrawing()) return;
+  const Measure& draft = *mode_.draft();
+  // An angle's first arm is a distance until the second is drawn.
+  Measure sofar = draft;
+  if (draft.points.size() < pointCount(draft.kind)) sofar.kind = MeasureKind::Distance;
+  if (const auto measure = shown(sofar, valuesOf(sofar, *document_.scene().volume)))
+    drawMeasure(painter, *measure, view);
+}
+
+}  // namespace fenestra::viewer

@@ -1,0 +1,69 @@
+#pragma once
+// Drawing, moving and selecting measures on one slice view. Positions are in device-independent pixels of the view.
+//
+// While a kind is chosen (MeasureMode), a drag or two clicks draw a distance or a region; an angle takes a third point.
+// A left drag on a handle moves it, one on the line moves the measure; both are one step to undo. A press on a measure
+// selects it, one beside it deselects.
+
+#include <functional>
+#include <optional>
+
+#include <QPainter>
+#include <QPointF>
+
+#include "rendering/scene/Measure.h"
+#include "viewer/style/MeasureDrawing.h"
+
+class QMouseEvent;
+
+namespace fenestra::viewer {
+
+class Document;
+class MeasureMode;
+
+class MeasureTool {
+ public:
+  /// What the tool needs of its view.
+  struct Canvas {
+    std::function<QPointF(glm::dvec3)> widgetFromWorld;
+    std::function<glm::dvec3(QPointF)> worldFromWidget;  ///< on the shown slice
+    std::function<const SliceGeometry&()> geometry;
+    std::function<int()> slice;
+  };
+
+  MeasureTool(MeasureMode& mode, Document& document, Canvas canvas);
+
+  /// Handle an event. True: the tool has taken it, and the view must ignore it.
+  bool press(const QMouseEvent& event);
+  bool move(const QMouseEvent& event);
+  bool release(const QMouseEvent& event);
+
+  /// The measure at a place in the view, if any.
+  std::optional<std::size_t> measureAt(QPointF position) const;
+  /// Over a measure, or while one can be drawn, the pointer's shape; otherwise an arrow.
+  Qt::CursorShape pointer(QPointF position) const;
+  /// A measure as this view shows it; empty when it lies on another slice.
+  std::optional<ShownMeasure> shown(const Measure& measure, const MeasureValues& values) const;
+  /// All measures of the shown slice, and the one being drawn.
+  void draw(QPainter& painter, const QRectF& view) const;
+
+ private:
+  struct Grip {
+    std::size_t measure;
+    std::optional<std::size_t> handle;  ///< unset: the line
+  };
+  std::optional<Grip> gripAt(QPointF position) const;
+  bool liesHere(const Measure& measure) const;
+  bool isDrawing() const;
+  void drag(glm::dvec3 to);
+
+  MeasureMode& mode_;
+  Document& document_;
+  Canvas canvas_;
+  std::optional<Grip> grip_;  ///< being dragged
+  glm::dvec3 gripped_{0.0};   ///< where the mouse was last, world
+  bool dragging_ = false;     ///< has moved since the press
+  QPointF pressed_;
+};
+
+}  // namespace fenestra::viewer

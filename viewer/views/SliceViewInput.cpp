@@ -1,0 +1,150 @@
+// What the mouse and the keyboard do on a slice.
+
+#include <algorithm>
+#include <cmath>
+
+#include <QMouseEvent>
+#include <QWheelEvent>
+
+#include "viewer/model/Document.h"
+#include "viewer/model/SliceCursor.h"
+#include "viewer/model/StructureClick.h"
+#include "viewer/model/ViewOptions.h"
+#include "viewer/views/SliceView.h"
+
+namespace fenestra::viewer {
+namespace {
+
+/// Device-independent pixels that the mouse may move between press and release for a click.
+constexpr double clickSlack = 4.0;
+
+}  // namespace
+
+void SliceView::mousePressEvent(QMouseEvent* event) {
+  pressed_ = last_ = event->position();
+  measured_ = measureTool_.press(*event);
+  beforeClick_.reset();
+  windowAtPress_ = document_.window();
+  dragging_ = false;
+}
+
+void SliceView::mouseMoveEvent(QMouseEvent* event) {
+  if (!document_.hasVolume()) return;
+  const QPointF position = event->position(), move = position - last_, total = position - pressed_;
+  last_ = position;
+  if (measureTool_.move(*event)) return;
+  const Qt::MouseButtons buttons = event->buttons();
+  if (buttons == Qt::NoButton) {
+    setCursor(measureTool_.pointer(position));
+    const glm::dvec3 world = worldFromWidget(position);
+    if (event->modifiers() & Qt::ShiftModifier && inPicture(world)) cursor_.moveTo(world);
+    if (inPicture(world))
+      Q_EMIT pointed(world);
+    else
+      Q_EMIT left();
+    return;
+  }
+  if (!dragging_ && std::hypot(total.x(), total.y()) <= clickSlack) return;
+  dragging_ = true;
+  if (buttons & Qt::LeftButton) {
+    // A drag over 250 pixels doubles the width. A very narrow window changes faster, or it could not be widened.
+    const ValueRange range = document_.scene().volume->range;
+    const double perPixel = std::max(windowAtPress_.width, 0.02 * (range.high - range.low)) / 250.0;
+    const double least = std::max(1e-4 * (range.high - range.low), 1e-9);
+    document_.setWindow(
+        {std::max(windowAtPress_.width + total.x() * perPixel, least), windowAtPress_.level + total.y() * perPixel});
+  } else if (buttons & Qt::MiddleButton) {
+    centre_ -= move / pixelsPerMm();
+    update();
+  } else if (buttons & Qt::RightButton) {
+    zoomAt(pressed_, std::exp(-0.01 * move.y()));
+  }
+}
+
+void SliceView::mouseReleaseEvent(QMouseEvent* event) {
+  if (measureTool_.release(*event) || dragging_ || !document_.hasVolume()) return;
+  const glm::dvec3 world = worldFromWidget(event->position());
+  if (const auto measure = measureTool_.measureAt(event->position()); measure && event->button() == Qt::RightButton) {
+    Q_EMIT measureMenuRequested(*measure, event->globalPosition().toPoint());
+    return;
+  }
+  if (event->button() == Qt::LeftButton)
+    click(event->position(), event->modifiers());
+  else if (event->button() == Qt::RightButton && inPicture(world))
+    Q_EMIT menuRequested(world, event->globalPosition().toPoint());
+}
+
+void SliceView::click(QPointF position, Qt::KeyboardModifiers modifiers) {
+  const glm::dvec3 world = worldFromWidget(position);
+  if (!inPicture(world)) return;
+  beforeClick_ = BeforeClick{document_.focus(), cursor_.position()};
+  cursor_.moveTo(world);
+  clickStructure(document_, world, modifiers, options_.grows());
+}
+
+void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton || !document_.hasVolume()) return;
+  if (measured_) {  // two quick points of a measure
+    mousePressEvent(event);
+    return;
+  }
+  dragging_ = true;  // so that the release that follows is no click
+  if (beforeClick_) {
+    if (beforeClick_->focus != document_.focus()) document_.history().takeBack();
+    cursor_.moveTo(beforeClick_->cursor);
+  }
+  if (event->modifiers() & Qt::ControlModifier)
+    document_.resetWindow();
+  else
+    Q_EMIT maximiseRequested();
+}
+
+void SliceView::zoomAt(QPointF position, double factor) {
+  const QPointF fromMiddle = position - QPointF(0.5 * width(), 0.5 * height());
+  const QPointF fixed = centre_ + fromMiddle / pixelsPerMm();
+  zoom_ = std::clamp(zoom_ * factor, 0.2, 50.0);
+  centre_ = fixed - fromMiddle / pixelsPerMm();
+  update();
+}
+
+void SliceView::wheelEvent(QWheelEvent* event) {
+  if (!document_.hasVolume() || toleranceWheel_.wheel(*event)) return;
+  const double angle = event->angleDelta().y();
+  if (event->modifiers() & Qt::ControlModifier) {
+    zoomAt(event->position(), std::exp(angle * 0.0015));
+    return;
+  }
+  // One notch of a wheel is 120; touchpads send less at a time.
+  wheel_ += angle;
+  const int steps = static_cast<int>(wheel_ / 120.0);
+  wheel_ -= steps * 120.0;
+  if (steps) cursor_.step(geometry_, steps);
+}
+
+void SliceView::keyPressEvent(QKeyEvent* event) {
+  int steps = 0;
+  switch (event->key()) {
+    case Qt::Key_Up:
+    case Qt::Key_Right:
+      steps = 1;
+      break;
+    case Qt::Key_Down:
+    case Qt::Key_Left:
+      steps = -1;
+      break;
+    case Qt::Key_PageUp:
+      steps = 10;
+      break;
+    case Qt::Key_PageDown:
+      steps = -10;
+      break;
+    default:
+      QWidget::keyPressEvent(event);
+      return;
+  }
+  if (document_.hasVolume()) cursor_.step(geometry_, steps);
+}
+
+void SliceView::leaveEvent(QEvent*) { Q_EMIT left(); }
+
+}  // namespace fenestra::viewer
