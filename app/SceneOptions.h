@@ -48,10 +48,20 @@ enum class PlacedView : std::uint8_t { Best, Dual };
 /// A standard view, angles, a camera file, or a placed camera.
 using CameraChoice = std::variant<StandardView, ViewAngles, std::filesystem::path, PlacedView>;
 
+/// Changes of how single labels are shown; labels by value or name.
+struct LabelChanges {
+  std::vector<std::string> hidden, guarded;  ///< guarded: protected
+  std::vector<std::pair<std::string, double>> opacities;
+  std::vector<std::pair<std::string, glm::dvec3>> colours;
+
+  bool empty() const { return hidden.empty() && guarded.empty() && opacities.empty() && colours.empty(); }
+};
+
 /// All options of a scene; unset members take what suits the data.
 struct SceneOptions : VolumeOptions {
   std::filesystem::path labels;
   std::vector<std::string> focusLabels;  ///< values or names
+  LabelChanges labelChanges;
   std::optional<ValueRange> focusRange;
   double focusMinimumSize = ValueFocus{}.minimumComponent;  ///< mm³
   std::string transferFunction;                             ///< preset or file; empty: io::defaultPreset
@@ -59,8 +69,8 @@ struct SceneOptions : VolumeOptions {
   std::optional<Projection> projection;
   std::optional<glm::ivec2> size;  ///< rendered pixels
   std::filesystem::path strokes;   ///< file of brush strokes; empty: those of the look
-  RegionFocus region;  ///< without an inside seed: none
-  Look look;           ///< starts as the session's; the members above override its focus, context and strokes
+  RegionFocus region;              ///< without an inside seed: none
+  Look look;  ///< starts as the session's; the members above override its focus, context and strokes
   Quality quality = Quality::Normal;
   std::optional<double> maxError;  ///< in 1/255; see View
   int viewOfSession = 0;           ///< whose camera and picture size are taken from a session: 0 is C1, 1 is C2
@@ -88,7 +98,7 @@ OpenedData openData(const VolumeOptions& options, const io::Progress& progress =
 OpenedData openData(const VolumeOptions& options, const std::filesystem::path& labels, const io::Progress& progress);
 
 struct LoadedScene {
-  io::OpenedVolume volume;  ///< its warnings moved to `warnings`
+  io::OpenedVolume volume;                             ///< its warnings moved to `warnings`
   Scene asSet;                                         ///< its focus may be a region
   std::shared_ptr<const segmentation::Growth> growth;  ///< of that region, or null
   Scene scene;                                         ///< as it is drawn
@@ -100,10 +110,5 @@ struct LoadedScene {
 /// From options to a scene: opens the data, resolves labels and transfer function, places the camera. A phantom
 /// without focus options gets the focus that shows the cutaway best. Throws io::Error, io::Cancelled.
 LoadedScene loadScene(const SceneOptions& options, const io::Progress& progress = {});
-
-/// Label values for `wanted` (values or names, case ignored) out of `labels`; sorted, unique. Throws io::Error with
-/// `file` and the nearest names.
-std::vector<std::uint16_t> resolveLabels(const LabelMap& labels, const std::vector<std::string>& wanted,
-                                         const std::filesystem::path& file);
 
 }  // namespace fenestra::app

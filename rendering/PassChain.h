@@ -17,6 +17,7 @@
 #include "rendering/passes/EditMapPass.h"
 #include "rendering/passes/FocusLayerPass.h"
 #include "rendering/passes/HitPointPass.h"
+#include "rendering/passes/ProtectedLayerPass.h"
 #include "rendering/passes/PullPushPass.h"
 #include "rendering/passes/RayStartPass.h"
 #include "rendering/passes/Steps.h"
@@ -35,11 +36,13 @@ struct PassChain {
   EditMapPass editMapPass{gpu->programs()};
   RayStartPass rayStartPass{gpu->programs()};
   FocusLayerPass focusLayerPass{gpu->programs()};
+  ProtectedLayerPass protectedLayerPass{gpu->programs()};
   ContextLayerPass contextLayerPass{gpu->programs()};
   CompositePass compositePass{gpu->programs()};
   gl::ShaderProgram presentProgram, enlargeProgram;
 
-  gl::Texture hitPoints, focusFilled, distances, editMap, rayStart, focusLayer, contextLayer, silhouette, composed;
+  gl::Texture hitPoints, focusFilled, distances, editMap, rayStart, focusLayer, protectedLayer, contextLayer,
+      silhouette, composed;
   gl::Texture pickedHit;
 
   Memo<HitKey> hits;
@@ -47,6 +50,7 @@ struct PassChain {
   Memo<DistanceKey> distance;
   Memo<RayStartKey> edits, start;
   Memo<FocusLayerKey> focus;
+  Memo<ProtectedLayerKey> guard;
   Memo<ContextLayerKey> context;
   Memo<CompositeKey> composite;
 
@@ -89,6 +93,7 @@ struct PassChain {
   void mapDistances();
   void startRays();
   void drawFocusLayer();
+  void drawProtectedLayer();
   void drawContextLayer();
   void compose();
   void beginStage();
@@ -134,6 +139,7 @@ struct PassChain {
     edits.forget();
     start.forget();
     focus.forget();
+    guard.forget();
     composite.forget();
   }
 

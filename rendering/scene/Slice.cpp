@@ -177,8 +177,8 @@ std::vector<float> sliceValues(const Volume& volume, const SliceGeometry& geomet
   const glm::dvec3 last = glm::dvec3(volume.grid.dims) - 0.5;
   forEachPixel(geometry, walk, [&](std::size_t pixel, glm::dvec3 position) {
     // Written so that a position that is no number is outside as well.
-    const bool inside = glm::all(glm::greaterThanEqual(position, glm::dvec3(-0.5))) &&
-                        glm::all(glm::lessThanEqual(position, last));
+    const bool inside =
+        glm::all(glm::greaterThanEqual(position, glm::dvec3(-0.5))) && glm::all(glm::lessThanEqual(position, last));
     if (!inside) return;
     values[pixel] = static_cast<float>(volume.sample(position));
   });
