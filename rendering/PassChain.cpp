@@ -251,10 +251,17 @@ void PassChain::drawProtectedLayer() {
   const Look& look = frame->scene.look;
   const ProtectedLayerKey key{start.version(),  version.volume, version.protectedLabels, version.transfer,
                               version.gradient, look.shading,   frame->sampling};
-  addIfStale(Pass::ProtectedLayer, guard, key, frame->changed, [&](Regions regions) {
-    protectedLayerPass.run(steps, *gpu, look, *rays, {hitPoints, rayStart}, frame->sampling, regions,
-                           sized(protectedLayer, gl::Format::RGBA32F, frame->view.size));
-  });
+  // Rays farther from the focus start where they did, unless a stroke opened them.
+  const auto part = frame->strokes.empty() ? nearFocus(widths.x + 1.0) : std::nullopt;
+  const bool anew = part && guard.isStale(key);
+  addIfStale(
+      Pass::ProtectedLayer, guard, key, frame->changed,
+      [&](Regions regions) {
+        gl::Texture& layer = sized(protectedLayer, gl::Format::RGBA32F, frame->view.size);
+        if (anew) clearAround(*part, layer);
+        protectedLayerPass.run(steps, *gpu, look, *rays, {hitPoints, rayStart}, frame->sampling, regions, layer);
+      },
+      part);
 }
 
 void PassChain::drawContextLayer() {

@@ -1,5 +1,7 @@
 #include "rendering/passes/ProtectedLayerPass.h"
 
+#include <algorithm>
+
 #include "rendering/gpu/SceneBinding.h"
 
 namespace fenestra {
@@ -8,7 +10,7 @@ void ProtectedLayerPass::run(Steps& steps, const GpuScene& gpu, const Look& look
                              const FocusLayerPass::Opening& opening, const FocusLayerPass::Sampling& sampling,
                              Regions regions, gl::Texture& protectedLayer) {
   FocusLayerPass::Sampling bounded = sampling;
-  bounded.maxError = 0.5 * sampling.maxError.value_or(FocusLayerPass::coarseBound);
+  bounded.maxError = 0.5 * sampling.maxError.value_or(std::max(FocusLayerPass::coarseBound, 4.0 * sampling.tolerance));
   steps.add(regions, [this, &gpu, &look, &rays, opening, bounded, &protectedLayer](Regions tile) {
     const bool lit = look.shading.enabled;
     gl::ShaderProgram& program = programs_.get({{volumeDefine(gpu),

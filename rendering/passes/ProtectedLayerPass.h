@@ -22,8 +22,8 @@ class ProtectedLayerPass {
  public:
   explicit ProtectedLayerPass(const gl::SharedPrograms& programs = std::make_shared<gl::ComputePrograms>())
       : programs_("ProtectedLayer.comp", programs) {}
-  /// Writes P, premultiplied RGBA32F, cell by cell: within half of the sampling's bound on the error of a colour, where
-  /// it has one. `gpu` has protected labels.
+  /// Writes P, premultiplied RGBA32F, cell by cell: within half of the sampling's bound on the error of a colour, or
+  /// where it has none, of four times its tolerance. `gpu` has protected labels.
   void run(Steps& steps, const GpuScene& gpu, const Look& look, const RayFrame& rays,
            const FocusLayerPass::Opening& opening, const FocusLayerPass::Sampling& sampling, Regions regions,
            gl::Texture& protectedLayer);
