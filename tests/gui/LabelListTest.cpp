@@ -103,7 +103,7 @@ TEST_F(LabelListWindow, OpacityAndColourAreSteps) {
   ASSERT_TRUE(box);
   box->setValue(35);
   QTest::keyClick(box, Qt::Key_Return);
-  EXPECT_EQ(document().labelSetting(marker).opacity, 0.35);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return document().labelSetting(marker).opacity == 0.35; }, patience));
   EXPECT_EQ(opacity.data().toString(), QStringLiteral("35 %"));
   expectUndone(look);
   document().undoStack().undo();
@@ -124,7 +124,7 @@ TEST_F(LabelListWindow, ANameIsChangedInPlace) {
   ASSERT_TRUE(line);
   line->setText(QStringLiteral("lesion"));
   QTest::keyClick(line, Qt::Key_Return);
-  EXPECT_EQ(document().labels()->find(marker)->name, "lesion");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return document().labels()->find(marker)->name == "lesion"; }, patience));
   EXPECT_FALSE(document().labelsAreInFile());
   document().undoStack().undo();
   EXPECT_EQ(document().labels()->labels, before->labels);
