@@ -191,8 +191,11 @@ bool LabelModel::setData(const QModelIndex& index, const QVariant& value, int ro
   LabelSetting setting = document_.labelSetting(which);
   if (index.column() == Name && role == Qt::EditRole) {
     const QString name = value.toString().simplified();
-    if (!name.isEmpty()) document_.renameLabel(which, name);
-    return !name.isEmpty();
+    if (name.isEmpty()) return false;
+    // Once the editor is closed: new labels reset the model.
+    QMetaObject::invokeMethod(
+        this, [this, which, name] { document_.renameLabel(which, name); }, Qt::QueuedConnection);
+    return true;
   }
   if (role != Qt::EditRole) return false;
   if (index.column() == Colour) {
