@@ -10,6 +10,7 @@
 
 #include "app/CameraFile.h"
 #include "app/Growing.h"
+#include "app/LabelOptions.h"
 #include "app/SceneSession.h"
 #include "app/SettingOptions.h"
 #include "io/PhantomFile.h"
@@ -38,41 +39,6 @@ std::optional<CameraChoice> parseCamera(const std::string& text) {
   if (const auto angles = parseNumbers<double, 2>(text, ',')) return ViewAngles{(*angles)[0], (*angles)[1]};
   if (fs::path(text).extension() == ".json") return fs::path(text);
   return std::nullopt;
-}
-
-/// Number of insertions, deletions and replacements that turn a into b (Levenshtein).
-std::size_t editDistance(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i + 1;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
-    }
-  }
-  return row.back();
-}
-
-std::string described(const Label& label) { return std::to_string(label.value) + " " + label.name; }
-
-/// The labels most like `wanted`: by name, or by value when it is a number.
-std::string nearestLabels(const LabelMap& labels, const std::string& wanted) {
-  const std::optional<long> number = parseNumber<long>(wanted);
-  const auto distance = [&](const Label& label) -> std::size_t {
-    if (number) return static_cast<std::size_t>(std::abs(*number - static_cast<long>(label.value)));
-    const std::string name = io::lowered(label.name), part = io::lowered(wanted);
-    return name.find(part) != std::string::npos ? 0 : editDistance(name, part);
-  };
-  std::vector<const Label*> order;
-  for (const Label& label : labels.labels) order.push_back(&label);
-  std::stable_sort(order.begin(), order.end(), [&](auto* a, auto* b) { return distance(*a) < distance(*b); });
-  std::string text;
-  constexpr std::size_t shown = 3;
-  for (std::size_t i = 0; i < std::min(shown, order.size()); ++i) text += (i ? ", " : "") + described(*order[i]);
-  return text;
 }
 
 std::size_t countVoxels(const LabelMap& labels, const std::vector<std::uint16_t>& wanted) {
@@ -178,7 +144,7 @@ void setView(const SceneOptions& options, LoadedScene& loaded) {
       choice = StandardView::Anterior;
     }
     view.camera =
-        makeCamera(options, *choice, visibleFraming(*shownVolume(loaded.scene), loaded.scene.look.context.shifted()));
+        makeCamera(options, *choice, visibleFraming(shownVolume(loaded.scene), loaded.scene.look.context.shifted()));
   }
   view.size = options.size.value_or(view.size);
 }
@@ -290,6 +256,7 @@ CLI::Option* addLabelChoice(CLI::App& command, SceneOptions& options) {
 /// Labels and the values or labels to open the view to.
 void addFocus(CLI::App& command, SceneOptions& options) {
   auto* focusLabels = addLabelChoice(command, options);
+  addLabelSettings(command, options.labelChanges);
   addParsed(command, "--focus-range", "LOW:HIGH", "values to open the view to, e.g. 300:3000",
             [&options](const std::string& text) {
               const auto range = parseNumbers<double, 2>(text, ':');
@@ -464,36 +431,15 @@ LoadedScene loadScene(const SceneOptions& options, const io::Progress& progress)
     scene.look.context = io::loadContextFunction(
         options.transferFunction.empty() ? io::defaultPreset(*scene.volume) : options.transferFunction, *scene.volume);
   if (scene.look.hideTable) {
-    scene.tissue = segmentation::withoutTable(scene.volume);
-    if (scene.tissue != scene.volume)
-      loaded.warnings.push_back({io::Warning::Kind::Other, segmentation::tableNotice, {}});
+    scene.table = segmentation::tableOf(*scene.volume);
+    if (scene.table->count > 0) loaded.warnings.push_back({io::Warning::Kind::Other, segmentation::tableNotice, {}});
   }
   setFocus(options, loaded);
+  setLabelSettings(options, scene);
   if (!options.strokes.empty()) scene.look.strokes = io::readStrokes(options.strokes);
   growFocus(options, loaded, progress);
   setView(options, loaded);
   return loaded;
-}
-
-std::vector<std::uint16_t> resolveLabels(const LabelMap& labels, const std::vector<std::string>& wanted,
-                                         const fs::path& file) {
-  std::vector<std::uint16_t> values;
-  for (const std::string& text : wanted) {
-    const std::string name = io::lowered(text);
-    const std::optional<std::uint16_t> number = parseNumber<std::uint16_t>(text);
-    const auto at = std::find_if(labels.labels.begin(), labels.labels.end(), [&](const Label& label) {
-      return number ? label.value == *number : io::lowered(label.name) == name;
-    });
-    if (at == labels.labels.end()) {
-      const std::string nearest = nearestLabels(labels, text);
-      throw io::Error(file, "there is no label \"" + text + "\"",
-                      nearest.empty() ? "the label map is empty" : "the nearest are " + nearest);
-    }
-    values.push_back(at->value);
-  }
-  std::sort(values.begin(), values.end());
-  values.erase(std::unique(values.begin(), values.end()), values.end());
-  return values;
 }
 
 }  // namespace fenestra::app

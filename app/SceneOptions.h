@@ -49,10 +49,20 @@ enum class PlacedView : std::uint8_t { Best, Dual };
 /// A standard view, angles, a camera file, or a placed camera.
 using CameraChoice = std::variant<StandardView, ViewAngles, std::filesystem::path, PlacedView>;
 
+/// Changes of how single labels are shown; labels by value or name.
+struct LabelChanges {
+  std::vector<std::string> hidden, guarded;  ///< guarded: protected
+  std::vector<std::pair<std::string, double>> opacities;
+  std::vector<std::pair<std::string, glm::dvec3>> colours;
+
+  bool empty() const { return hidden.empty() && guarded.empty() && opacities.empty() && colours.empty(); }
+};
+
 /// All options of a scene; unset members take what suits the data.
 struct SceneOptions : VolumeOptions {
   std::filesystem::path labels;
   std::vector<std::string> focusLabels;  ///< values or names
+  LabelChanges labelChanges;
   std::optional<ValueRange> focusRange;
   double focusMinimumSize = ValueFocus{}.minimumComponent;  ///< mm³
   std::string transferFunction;                             ///< preset or file; empty: io::defaultPreset
@@ -105,10 +115,5 @@ struct LoadedScene {
 /// From options to a scene: opens the data, resolves labels and transfer function, places the camera. A phantom
 /// without focus options gets the focus that shows the cutaway best. Throws io::Error, io::Cancelled.
 LoadedScene loadScene(const SceneOptions& options, const io::Progress& progress = {});
-
-/// Label values for `wanted` (values or names, case ignored) out of `labels`; sorted, unique. Throws io::Error with
-/// `file` and the nearest names.
-std::vector<std::uint16_t> resolveLabels(const LabelMap& labels, const std::vector<std::string>& wanted,
-                                         const std::filesystem::path& file);
 
 }  // namespace fenestra::app

@@ -118,9 +118,9 @@ void PassChain::drop() {
 }
 
 void PassChain::beginStage() {
-  constexpr std::array stages{&PassChain::findHitPoints, &PassChain::fillFocusHits,  &PassChain::mapDistances,
-                              &PassChain::startRays,     &PassChain::drawFocusLayer, &PassChain::drawContextLayer,
-                              &PassChain::compose};
+  constexpr std::array stages{&PassChain::findHitPoints,    &PassChain::fillFocusHits,  &PassChain::mapDistances,
+                              &PassChain::startRays,        &PassChain::drawFocusLayer, &PassChain::drawProtectedLayer,
+                              &PassChain::drawContextLayer, &PassChain::compose};
   if (frame->stagesBegun == 0 && !frame->hasCutaway) dropCutaway();
   constexpr std::size_t ofCutaway = 4;  // the first stages, which only a cutaway has
   if (!frame->hasCutaway) frame->stagesBegun = std::max(frame->stagesBegun, ofCutaway);
@@ -241,6 +241,29 @@ void PassChain::drawFocusLayer() {
       onlyMoved ? nearFocus(*frame->moved + reach) : nearVolume);
 }
 
+void PassChain::drawProtectedLayer() {
+  if (!frame->hasCutaway || !gpu->protectedLabels().any()) {
+    protectedLayer = {};
+    guard.forget();
+    return;
+  }
+  const GpuScene::Versions& version = gpu->versions();
+  const Look& look = frame->scene.look;
+  const ProtectedLayerKey key{start.version(),  version.volume, version.protectedLabels, version.transfer,
+                              version.gradient, look.shading,   frame->sampling};
+  // Rays farther from the focus start where they did, unless a stroke opened them.
+  const auto part = frame->strokes.empty() ? nearFocus(widths.x + 1.0) : std::nullopt;
+  const bool anew = part && guard.isStale(key);
+  addIfStale(
+      Pass::ProtectedLayer, guard, key, frame->changed,
+      [&](Regions regions) {
+        gl::Texture& layer = sized(protectedLayer, gl::Format::RGBA32F, frame->view.size);
+        if (anew) clearAround(*part, layer);
+        protectedLayerPass.run(steps, *gpu, look, *rays, {hitPoints, rayStart}, frame->sampling, regions, layer);
+      },
+      part);
+}
+
 void PassChain::drawContextLayer() {
   if (!frame->hasContextLayer) {
     contextLayer = {};
@@ -271,13 +294,17 @@ void PassChain::compose() {
                          distance.version(),
                          hasLayer ? std::optional(context.version()) : std::nullopt,
                          hasLayer ? std::optional(gpu->versions().transfer) : std::nullopt,
+                         protectedLayer ? std::optional(guard.version()) : std::nullopt,
                          widths,
                          look.cutaway.borderColour,
                          look.contextLayer};
   // What lies over the focus layer lies near the focus; elsewhere the picture is the focus layer.
   const auto& last = composite.key();
   const bool sameBelow = last && last->sameBelow(key), stale = composite.isStale(key);
-  const auto part = nearFocus(std::max(sameBelow ? last->reach() : 0.0, key.reach()));
+  // Strokes may open anywhere, and so bring protected labels anywhere.
+  const auto part = protectedLayer && !frame->strokes.empty()
+                        ? std::nullopt
+                        : nearFocus(std::max(sameBelow ? last->reach() : 0.0, key.reach()));
   addIfStale(
       Pass::Composite, composite, key, frame->changed,
       [&](Regions regions) {
@@ -285,6 +312,7 @@ void PassChain::compose() {
         if (stale && !sameBelow && part) picture.copy(focusLayer);
         CompositePass::Inputs inputs{focusLayer, hitPoints, distances, widths};
         if (editMap) inputs.editMap = &editMap;
+        if (protectedLayer) inputs.protectedLayer = &protectedLayer;
         if (hasLayer) {
           inputs.contextLayer = &contextLayer;
           inputs.silhouette = &silhouette;

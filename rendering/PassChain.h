@@ -17,6 +17,7 @@
 #include "rendering/passes/EditMapPass.h"
 #include "rendering/passes/FocusLayerPass.h"
 #include "rendering/passes/HitPointPass.h"
+#include "rendering/passes/ProtectedLayerPass.h"
 #include "rendering/passes/PullPushPass.h"
 #include "rendering/passes/RayStartPass.h"
 #include "rendering/passes/Steps.h"
@@ -35,10 +36,12 @@ struct PassChain {
   EditMapPass editMapPass{gpu->programs()};
   RayStartPass rayStartPass{gpu->programs()};
   FocusLayerPass focusLayerPass{gpu->programs()};
+  ProtectedLayerPass protectedLayerPass{gpu->programs()};
   ContextLayerPass contextLayerPass{gpu->programs()};
   CompositePass compositePass{gpu->programs()};
 
-  gl::Texture hitPoints, focusFilled, distances, editMap, rayStart, focusLayer, contextLayer, silhouette, composed;
+  gl::Texture hitPoints, focusFilled, distances, editMap, rayStart, focusLayer, protectedLayer, contextLayer,
+      silhouette, composed;
   gl::Texture pickedHit;
 
   Memo<HitKey> hits;
@@ -46,6 +49,7 @@ struct PassChain {
   Memo<DistanceKey> distance;
   Memo<RayStartKey> edits, start;
   Memo<FocusLayerKey> focus;
+  Memo<ProtectedLayerKey> guard;
   Memo<ContextLayerKey> context;
   Memo<CompositeKey> composite;
 
@@ -88,6 +92,7 @@ struct PassChain {
   void mapDistances();
   void startRays();
   void drawFocusLayer();
+  void drawProtectedLayer();
   void drawContextLayer();
   void compose();
   void beginStage();
@@ -133,6 +138,7 @@ struct PassChain {
     edits.forget();
     start.forget();
     focus.forget();
+    guard.forget();
     composite.forget();
   }
 

@@ -58,6 +58,12 @@ struct FocusLayerKey {
   FocusLayerPass::Sampling sampling;
   bool operator==(const FocusLayerKey&) const = default;
 };
+struct ProtectedLayerKey {
+  std::uint64_t rayStart, volume, protectedLabels, transfer, gradient;
+  Shading shading;
+  FocusLayerPass::Sampling sampling;
+  bool operator==(const ProtectedLayerKey&) const = default;
+};
 struct ContextLayerKey {
   std::uint64_t hits, derivative;
   Shading shading;
@@ -66,14 +72,15 @@ struct ContextLayerKey {
 struct CompositeKey {
   std::uint64_t focusLayer;
   std::uint64_t distance;
-  std::optional<std::uint64_t> contextLayer, ownColours;
+  std::optional<std::uint64_t> contextLayer, ownColours, protectedLayer;
   glm::dvec2 widths;
   glm::dvec3 borderColour;
   ContextLayer look;
   bool operator==(const CompositeKey&) const = default;
   /// Whether both lay something over the same picture.
   bool sameBelow(const CompositeKey& other) const {
-    return focusLayer == other.focusLayer && distance == other.distance && contextLayer == other.contextLayer;
+    return focusLayer == other.focusLayer && distance == other.distance && contextLayer == other.contextLayer &&
+           protectedLayer == other.protectedLayer;
   }
   double reach() const { return widths.x + widths.y + 1.0; }  ///< rendered pixels around the focus, its rim included
 };

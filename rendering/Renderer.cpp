@@ -9,8 +9,9 @@
 namespace fenestra {
 
 std::string_view nameOf(Pass pass) {
-  constexpr std::array<std::string_view, passCount> names{"hit points", "pull-push",   "distance map",  "edit map",
-                                                          "ray start",  "focus layer", "context layer", "composite"};
+  constexpr std::array<std::string_view, passCount> names{"hit points",      "pull-push",     "distance map",
+                                                          "edit map",        "ray start",     "focus layer",
+                                                          "protected layer", "context layer", "composite"};
   return names[static_cast<std::size_t>(pass)];
 }
 
@@ -128,6 +129,10 @@ Layers Renderer::readLayers() {
   }
   layers.focusLayer.resize(count);
   s.focusLayer.readInto(std::span(layers.focusLayer));
+  if (s.protectedLayer) {
+    layers.protectedLayer.resize(count);
+    s.protectedLayer.readInto(std::span(layers.protectedLayer));
+  }
   layers.final = layers.focusLayer;
   if (s.composed) s.composed.readInto(std::span(layers.final));
   return layers;
@@ -182,7 +187,7 @@ std::size_t Renderer::imageBytes() const {
   std::size_t sum =
       s.pullPushPass.bytes() + s.distanceMapPass.bytes() + s.editMapPass.bytes() + s.focusLayerPass.bytes();
   for (const gl::Texture* texture : {&s.hitPoints, &s.focusFilled, &s.distances, &s.editMap, &s.rayStart, &s.focusLayer,
-                                     &s.contextLayer, &s.silhouette, &s.composed, &s.pickedHit})
+                                     &s.protectedLayer, &s.contextLayer, &s.silhouette, &s.composed, &s.pickedHit})
     if (*texture) sum += texture->bytes();
   return sum;
 }

@@ -24,21 +24,23 @@ enum class Pass : std::uint8_t {
   EditMap,
   RayStart,
   FocusLayer,
+  ProtectedLayer,
   ContextLayer,
   Composite
 };
-inline constexpr std::size_t passCount = 8;
+inline constexpr std::size_t passCount = 9;
 std::string_view nameOf(Pass pass);
 
 /// Row-major from the top of the picture; t in mm along the pixel's ray (see Camera), NaN where there is nothing.
 struct Layers {
   glm::ivec2 size{0};
   std::vector<float> tContext, tFocus, tFocusFilled, tStart;
-  std::vector<float> distance;          ///< px, 0 inside the focus projection, +inf beyond w_open + w_border
-  std::vector<glm::vec2> edits;         ///< of brush strokes: EditMapPass's output
-  std::vector<glm::vec4> focusLayer;    ///< premultiplied RGBA
-  std::vector<glm::vec4> contextLayer;  ///< κ1, κ2 (1/mm), illumination, value (real units)
-  std::vector<glm::vec4> final;         ///< premultiplied RGBA
+  std::vector<float> distance;            ///< px, 0 inside the focus projection, +inf beyond w_open + w_border
+  std::vector<glm::vec2> edits;           ///< of brush strokes: EditMapPass's output
+  std::vector<glm::vec4> focusLayer;      ///< premultiplied RGBA
+  std::vector<glm::vec4> protectedLayer;  ///< premultiplied RGBA, in front of the focus layer
+  std::vector<glm::vec4> contextLayer;    ///< κ1, κ2 (1/mm), illumination, value (real units)
+  std::vector<glm::vec4> final;           ///< premultiplied RGBA
 };
 
 struct PassStats {

@@ -68,7 +68,7 @@ void Exports::writeLabels(const std::filesystem::path& path, Labels which) {
 void Exports::writeSurface(const std::filesystem::path& path, io::SurfaceFrame frame) {
   if (!canWriteSurface()) return;
   job_.start([this, path, frame, scene = document_.scene()](const io::Progress& progress) {
-    io::writeSurface(io::extractSurface(shownScene(scene), path, {}, progress), path, frame);
+    io::writeSurface(io::extractSurface(scene, path, {}, progress), path, frame);
     return written(path);
   });
 }

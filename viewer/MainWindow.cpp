@@ -58,13 +58,13 @@ QString describe(const io::SeriesInfo& series) {
 /// What a study needs of its voxels, while it is read in the background.
 void prepare(Study& study) {
   Scene& scene = study.scene;
-  if (!scene.tissue) {
-    scene.tissue = segmentation::withoutTable(scene.volume);
-    if (scene.tissue != scene.volume && scene.look.hideTable)
+  if (!scene.table) {
+    scene.table = segmentation::tableOf(*scene.volume);
+    if (scene.table->count > 0 && scene.look.hideTable)
       study.warnings.push_back({io::Warning::Kind::Other, segmentation::tableNotice, {}});
   }
-  study.visible = visibleFraming(*shownVolume(scene), scene.look.context.shifted());
-  study.focusCentre = focusCentre(shownScene(scene));
+  study.visible = visibleFraming(shownVolume(scene), scene.look.context.shifted());
+  study.focusCentre = focusCentre(scene);
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ QString tr(const char* text) { return QCoreApplication::translate("Panels", text
 
 Panels makePanels(QMainWindow& window, Workspace& workspace) {
   Document& document = workspace.document;
-  const Panels panels{.focus = new FocusPanel(document),
+  const Panels panels{.focus = new FocusPanel(document, workspace.placement, workspace.cameras),
                       .appearance = new AppearancePanel(document),
                       .cutaway = new CutawayPanel(document),
                       .contextLayer = new ContextLayerPanel(document),

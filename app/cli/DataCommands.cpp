@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/LabelOptions.h"
 #include "app/cli/Report.h"
 #include "io/ImageWriter.h"
 #include "io/LabelWriter.h"
@@ -202,8 +203,8 @@ void convert(const ConvertOptions& options) {
 void surface(const SurfaceOptions& options) {
   const app::LoadedScene loaded = app::loadScene(options.scene, progressOnTerminal());
   printWarnings(loaded.warnings);
-  const io::Surface surface = io::extractSurface(shownScene(loaded.scene), options.scene.source(),
-                                                 {.smooth = !options.raw}, progressOnTerminal());
+  const io::Surface surface =
+      io::extractSurface(loaded.scene, options.scene.source(), {.smooth = !options.raw}, progressOnTerminal());
   io::writeSurface(surface, options.output, options.frame);
   glm::dvec3 low = surface.points.front(), high = low;
   for (const glm::dvec3& point : surface.points) {

@@ -81,7 +81,7 @@ void place(const PlaceOptions& options) {
 
   if (!options.map.empty()) writeQualityMap(options.map, *measured, options.placement.weights, placement);
   const Weights& weights = options.placement.weights;
-  const Framing framed = visibleFraming(*shownVolume(scene), scene.look.context.shifted());
+  const Framing framed = visibleFraming(shownVolume(scene), scene.look.context.shifted());
   const Projection projection = loaded.view.camera.projection;
   const auto standard = bestStandardPair(measured->candidates, measured->surfacePoints);
   Json json = {

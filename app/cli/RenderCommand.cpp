@@ -55,6 +55,7 @@ void writeLayers(const fs::path& folder, const Layers& layers, const View& view,
   if (!layers.edits.empty())
     io::writeLayer(folder / "edit_map.mha", layers.size, 2, {&layers.edits[0].x, layers.edits.size() * 2});
   writeLayer(folder, "focus_layer", layers.size, layers.focusLayer);
+  writeLayer(folder, "protected_layer", layers.size, layers.protectedLayer);
   writeLayer(folder, "context_layer", layers.size, layers.contextLayer);
   writeLayer(folder, "final", layers.size, layers.final);
 }
@@ -79,6 +80,7 @@ Layers referenceLayers(const Scene& scene, const View& view) {
   for (std::size_t i = 0; i < stages.editOffset.size(); ++i)
     layers.edits.emplace_back(stages.editOffset[i], stages.editFactor[i]);
   layers.focusLayer = colours(picture.focusLayer);
+  layers.protectedLayer = colours(picture.protectedLayer);
   layers.contextLayer = colours(picture.contextLayer);
   layers.final = colours(picture.final);
   return layers;
@@ -141,7 +143,7 @@ Camera placedCamera(const fs::path& source, const app::LoadedScene& loaded, GpuS
   const placement::Placement placement = placement::choose(measured, {}, placement::jointByDefault);
   const std::optional<std::size_t> chosen = *loaded.placed == app::PlacedView::Best ? placement.c1 : placement.c2;
   if (!chosen) throw io::Error(source, placement.note, placementHint);
-  const Framing framed = visibleFraming(*shownVolume(loaded.scene), loaded.scene.look.context.shifted());
+  const Framing framed = visibleFraming(shownVolume(loaded.scene), loaded.scene.look.context.shifted());
   return Camera::fromDirection(measured.candidates[*chosen].direction, framed, loaded.view.camera.projection);
 }
 
@@ -167,7 +169,7 @@ void render(const RenderOptions& options) {
   const bool second = loaded.placed == app::PlacedView::Dual;
   loaded.scene.look.strokes = strokesIn(second ? 1 : options.scene.viewOfSession, loaded.scene.look.strokes);
   if (options.reference) {
-    const Layers layers = referenceLayers(shownScene(scene), view);
+    const Layers layers = referenceLayers(scene, view);
     if (!options.layers.empty()) writeLayers(options.layers, layers, view, scene.volume->grid);
     if (!options.output.empty())
       io::writePng(options.output, view.size, 3, overBackground(layers.final, scene.look.background));

@@ -93,9 +93,23 @@ inline void focusMember(io::json::SchemaWriter& io, const Focus&) {
                                                  "values from low to high, or the region grown from seeds"});
 }
 
+void members(auto& io, io::json::Is<LabelSetting> auto& setting) {
+  io.required("label", setting.label, {1.0, 65535.0}, {"Its value in the label map"});
+  io("role", setting.role, {},
+     {"Of a label that is not in focus: part of the context, left out of 3-D pictures, or never cut away"});
+  io("visible", setting.visible, {},
+     {"Whether slices tint it, and 3-D pictures draw it in focus and keep it from being cut away"});
+  io("opacity", setting.opacity, fraction, {"Of 10 mm of it in focus, and of its tint on slices"});
+  io.optional("colour", setting.colour, setting.colour.has_value(), fraction, {"In place of the label map's"});
+}
+
 void members(auto& io, io::json::Is<Look> auto& look) {
-  auto& [focus, focusAppearance, context, cutaway, contextLayer, shading, background, hideTable, strokes] = look;
+  auto& [focus, labels, focusAppearance, context, cutaway, contextLayer, shading, background, hideTable, strokes] =
+      look;
   focusMember(io, focus);
+  io.optional("label_settings", labels, !labels.empty(), {},
+              {"How labels of the label map are shown, ascending by label; those that are shown as they come are left "
+               "out"});
   io("focus_appearance", focusAppearance);
   io.required("context", context, {}, {"The transfer function of everything but the focus"});
   io("cutaway", cutaway);

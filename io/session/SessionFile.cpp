@@ -75,6 +75,10 @@ bool isOrdered(const std::vector<T>& list, Less less) {
 void check(const Session& session, const json::Reader& top) {
   const bool hasVolume = !session.volume.path.empty();
   refuseUnless(hasVolume != session.phantom.has_value(), top, "must name either a volume or a phantom");
+  const LabelSettings& settings = session.look.labels;
+  const auto follow = [](const LabelSetting& a, const LabelSetting& b) { return a.label >= b.label; };
+  refuseUnless(std::adjacent_find(settings.begin(), settings.end(), follow) == settings.end(), top,
+               "has settings of labels that do not ascend");
   if (const auto* labels = std::get_if<LabelFocus>(&session.look.focus)) {
     refuseUnless(!session.labels.path.empty() || session.phantom, top, "has a focus of labels, but no labels");
     refuseUnless(!labels->labels.empty() && isOrdered(labels->labels, std::less_equal<>()), top,

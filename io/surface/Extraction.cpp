@@ -74,11 +74,11 @@ Field labelField(const LabelMap& labels, const LabelFocus& focus, const fs::path
   });
 }
 
-Field valueField(const Volume& volume, const ValueFocus& focus, const fs::path& source) {
-  const FocusCells cells = focusCells(volume, focus);
-  return withValues(volume, [&](auto valueAt) {
+Field valueField(const ShownVolume& shown, const ValueFocus& focus, const fs::path& source) {
+  const FocusCells cells = focusCells(shown, focus);
+  return withValues(shown, [&](auto valueAt) {
     Field field = fieldOf(
-        volume.grid,
+        shown.volume->grid,
         [&](glm::ivec3 index) {
           const double value = valueAt(index);
           const double inside = std::min(value - focus.values.low, focus.values.high - value);
@@ -198,7 +198,7 @@ Surface extractWithVtk(const Scene& scene, const fs::path& source, const Surface
   if (labels && scene.labels)
     field = labelField(*scene.labels, *labels, source);
   else if (values && scene.volume)
-    field = valueField(*scene.volume, *values, source);
+    field = valueField(shownVolume(scene), *values, source);
   else
     throw Error(source, "has no focus to take a surface of", "choose labels or a range of values as the focus");
 

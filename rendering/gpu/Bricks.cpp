@@ -25,7 +25,9 @@ std::size_t cellInBrick(glm::ivec3 cell) {
   return static_cast<std::size_t>(local.x + brickSide * (local.y + brickSide * local.z));
 }
 
-BrickRanges brickRanges(const Volume& volume) {
+BrickRanges brickRanges(const ShownVolume& shown) {
+  const Volume& volume = *shown.volume;
+  const ShownVoxels voxels(shown);
   const glm::ivec3 dims = volume.grid.dims;
   BrickRanges result;
   result.dims = brickCount(dims);
@@ -38,7 +40,7 @@ BrickRanges brickRanges(const Volume& volume) {
     const T lowest = static_cast<T>(std::min(low, high)), highest = static_cast<T>(std::max(low, high));
     const T standIn = static_cast<T>(low);  // for NaN: the least real value
     parallelFor(static_cast<std::size_t>(result.dims.z), 1, [&](std::size_t zBegin, std::size_t zEnd) {
-      std::vector<T> least(static_cast<std::size_t>(result.dims.x)), greatest(least.size());
+      std::vector<T> least(static_cast<std::size_t>(result.dims.x)), greatest(least.size()), buffer;
       for (int bz = static_cast<int>(zBegin); bz < static_cast<int>(zEnd); ++bz)
         for (int by = 0; by < result.dims.y; ++by) {
           std::fill(least.begin(), least.end(), std::numeric_limits<T>::max());
@@ -47,7 +49,7 @@ BrickRanges brickRanges(const Volume& volume) {
           for (int z = std::max(bz * brickSide - 1, 0); z <= std::min(bz * brickSide + brickSide - 1, dims.z - 1); ++z)
             for (int y = std::max(by * brickSide - 1, 0); y <= std::min(by * brickSide + brickSide - 1, dims.y - 1);
                  ++y) {
-              const T* row = scalars.data() + volume.grid.offset({0, y, z});
+              const T* row = voxels.row(y, z, buffer);
               for (int bx = 0; bx < result.dims.x; ++bx) {
                 T minimum = least[static_cast<std::size_t>(bx)], maximum = greatest[static_cast<std::size_t>(bx)];
                 for (int x = std::max(bx * brickSide - 1, 0); x <= std::min(bx * brickSide + brickSide - 1, dims.x - 1);

@@ -10,7 +10,7 @@
 
 #include <glm/glm.hpp>
 
-#include "rendering/scene/Volume.h"
+#include "rendering/scene/ShownVolume.h"
 
 namespace fenestra {
 
@@ -37,7 +37,7 @@ struct BrickRanges {
   glm::ivec3 dims{0};
   std::vector<ValueRange> ranges;  ///< x fastest
 };
-BrickRanges brickRanges(const Volume& volume);
+BrickRanges brickRanges(const ShownVolume& shown);
 
 /// For each brick the Chebyshev distance, in bricks, to the nearest one with `occupied` ≠ 0; 0 in those, at most 255.
 /// All bricks nearer than that are empty.

@@ -57,33 +57,39 @@ glm::ivec3 fittingFactor(const Scene& scene, const DeviceLimits& limits) {
 void FittedScene::take(const Scene& scene, const DeviceLimits& limits) {
   source_ = shownVolume(scene);
   volume_ = nullptr;
-  labelSource_ = labels_ = nullptr;
+  labels_ = structures_ = {};
   factor_ = fittingFactor(scene, limits);
 }
 
 bool FittedScene::coarsen() {
-  const std::size_t before = thinned(source_->grid, factor_).voxelCount();
+  const std::size_t before = thinned(source_.volume->grid, factor_).voxelCount();
   glm::ivec3 factor = factor_;
   // Half of what failed: fewer attempts, each of which takes seconds.
-  while (2 * thinned(source_->grid, factor).voxelCount() > before) {
-    const std::optional<int> axis = nextAxis(source_->grid, factor);
+  while (2 * thinned(source_.volume->grid, factor).voxelCount() > before) {
+    const std::optional<int> axis = nextAxis(source_.volume->grid, factor);
     if (!axis || before < fewVoxels) return false;
     ++factor[*axis];
   }
   factor_ = factor;
   volume_ = nullptr;
-  labelSource_ = labels_ = nullptr;
+  labels_ = structures_ = {};
   return true;
 }
 
 Scene FittedScene::of(const Scene& scene) {
-  if (factor_ == glm::ivec3(1)) return shownScene(scene);
-  if (!volume_) volume_ = thinned(*source_, factor_);
-  if (scene.labels != labelSource_) {
-    labelSource_ = scene.labels;
-    labels_ = scene.labels ? thinned(*scene.labels, factor_) : nullptr;
-  }
-  return {volume_, labels_, scene.look};
+  if (factor_ == glm::ivec3(1)) return scene;
+  if (!volume_) volume_ = thinned(source_, factor_);
+  Scene fitted{volume_, thinnedOnce(labels_, scene.labels), scene.look};
+  if (scene.structures) fitted.structures = thinnedOnce(structures_, scene.structures);
+  // What is hidden is air in the thinned voxels.
+  std::erase_if(fitted.look.labels, [](const LabelSetting& each) { return each.role == LabelRole::Hidden; });
+  return fitted;
+}
+
+const std::shared_ptr<const LabelMap>& FittedScene::thinnedOnce(Labels& labels,
+                                                                const std::shared_ptr<const LabelMap>& source) {
+  if (source != labels.source) labels = {source, source ? thinned(*source, factor_) : nullptr};
+  return labels.thinned;
 }
 
 }  // namespace fenestra

@@ -28,7 +28,7 @@ glm::ivec3 fittingFactor(const Scene& scene, const DeviceLimits& limits);
 
 class FittedScene {
  public:
-  /// Whether `scene` shows another volume than the one that was fitted last.
+  /// Whether `scene` shows another volume, or other parts of it, than what was fitted last.
   bool isOfOther(const Scene& scene) const { return shownVolume(scene) != source_; }
   /// Takes a new volume. Nothing is thinned yet.
   void take(const Scene& scene, const DeviceLimits& limits);
@@ -41,8 +41,13 @@ class FittedScene {
   glm::ivec3 factor() const { return factor_; }
 
  private:
-  std::shared_ptr<const Volume> source_, volume_;
-  std::shared_ptr<const LabelMap> labelSource_, labels_;
+  ShownVolume source_;
+  std::shared_ptr<const Volume> volume_;  ///< thinned
+  /// Thinned label maps: those that hold the focus, and those that have roles.
+  struct Labels {
+    std::shared_ptr<const LabelMap> source, thinned;
+  } labels_, structures_;
+  const std::shared_ptr<const LabelMap>& thinnedOnce(Labels& labels, const std::shared_ptr<const LabelMap>& source);
   glm::ivec3 factor_{1};
 };
 

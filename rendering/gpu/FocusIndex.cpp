@@ -190,18 +190,20 @@ std::vector<Run> runsOf(const std::vector<std::uint8_t>& classes, int cells) {
 
 /// All cells whose corner values overlap `values`.
 template <class T>
-CellRuns activeCells(std::span<const T> scalars, const Volume& volume, ValueRange values, const BrickRanges& bricks) {
+CellRuns activeCells(const ShownVoxels& voxels, ValueRange values, const BrickRanges& bricks) {
+  const Volume& volume = voxels.volume();
   const glm::ivec3 dims = volume.grid.dims;
   CellRuns runs(dims);
   parallelFor(static_cast<std::size_t>(runs.cells.z), 1, [&](std::size_t zBegin, std::size_t zEnd) {
     std::vector<std::uint8_t> classes(static_cast<std::size_t>(dims.x));
+    std::vector<T> buffer;
     for (int z = static_cast<int>(zBegin); z < static_cast<int>(zEnd); ++z)
       for (int y = 0; y < runs.cells.y; ++y) {
         if (!rowCanMeet(y, z, values, bricks)) continue;
         std::fill(classes.begin(), classes.end(), std::uint8_t{0});
         for (const int cornerZ : {z, std::min(z + 1, dims.z - 1)})
           for (const int cornerY : {y, std::min(y + 1, dims.y - 1)})
-            classifyRow(scalars.data() + volume.grid.offset({0, cornerY, cornerZ}), volume, values, classes);
+            classifyRow(voxels.row(cornerY, cornerZ, buffer), volume, values, classes);
         runs.rows[runs.row(y, z)] = runsOf(classes, runs.cells.x);
       }
   });
@@ -314,10 +316,12 @@ void indexCells(FocusIndex& index, const CellRuns& runs, glm::ivec3 dims) {
   });
 }
 
-void indexValues(FocusIndex& index, const Volume& volume, const ValueFocus& focus, const BrickRanges& bricks) {
+void indexValues(FocusIndex& index, const ShownVolume& shown, const ValueFocus& focus, const BrickRanges& bricks) {
   if (!(focus.values.low <= focus.values.high)) return;
+  const Volume& volume = *shown.volume;
+  const ShownVoxels voxels(shown);
   volume.voxels.visit([&](auto scalars) {
-    CellRuns runs = activeCells(scalars, volume, focus.values, bricks);
+    CellRuns runs = activeCells<typename decltype(scalars)::value_type>(voxels, focus.values, bricks);
     dropSmallComponents(runs, volume.grid.voxelVolume(), focus.minimumComponent);
     indexCells(index, runs, volume.grid.dims);
   });
@@ -340,7 +344,7 @@ FocusIndex buildFocusIndex(const Scene& scene, const BrickRanges& bricks) {
   } else if (const auto* values = std::get_if<ValueFocus>(&scene.look.focus)) {
     index.kind = FocusIndex::Kind::Values;
     index.slots.assign(bricks.ranges.size(), 0);
-    indexValues(index, *scene.volume, *values, bricks);
+    indexValues(index, shownVolume(scene), *values, bricks);
   }
   return index;
 }
@@ -353,7 +357,7 @@ std::optional<glm::dvec3> FocusIndex::centre(const Grid& grid) const {
 
 std::optional<glm::dvec3> focusCentre(const Scene& scene) {
   if (std::holds_alternative<std::monostate>(scene.look.focus)) return std::nullopt;
-  return buildFocusIndex(scene, brickRanges(*scene.volume)).centre(scene.volume->grid);
+  return buildFocusIndex(scene, brickRanges(shownVolume(scene))).centre(scene.volume->grid);
 }
 
 }  // namespace fenestra

@@ -72,6 +72,16 @@ gl::Texture skipTexture(glm::ivec3 bricks, const std::vector<std::uint8_t>& occu
   return texture;
 }
 
+/// How the labels in focus are shown; those that are shown as they come are left out.
+LabelSettings settingsInFocus(const Scene& scene) {
+  LabelSettings settings;
+  const auto* focus = std::get_if<LabelFocus>(&scene.look.focus);
+  if (!focus || !focusesStructures(scene)) return settings;
+  for (const LabelSetting& each : scene.look.labels)
+    if (std::binary_search(focus->labels.begin(), focus->labels.end(), each.label)) settings.push_back(each);
+  return settings;
+}
+
 std::vector<std::uint8_t> focusOccupied(const FocusIndex& focus) {
   std::vector<std::uint8_t> occupied(focus.slots.size());
   std::transform(focus.slots.begin(), focus.slots.end(), occupied.begin(),
@@ -101,7 +111,7 @@ void GpuScene::update(const Scene& scene) {
 }
 
 bool GpuScene::holds(const Scene& scene) const {
-  if (!volume_ || fitted_.isOfOther(scene) || scene.look.focus != focusWanted_) return false;
+  if (!shown_.volume || fitted_.isOfOther(scene) || scene.look.focus != focusWanted_) return false;
   if (std::holds_alternative<LabelFocus>(scene.look.focus) && scene.labels != labelSource_) return false;
   const bool wantsDerivative = hasCutaway(scene) && scene.look.contextLayer.strength > 0.0;
   return (gradient_ || !scene.look.shading.enabled) && (derivative_.texture || !wantsDerivative);
@@ -123,7 +133,7 @@ std::string GpuScene::reductionNotice() const {
 }
 
 void GpuScene::release() {
-  volume_ = nullptr;
+  shown_ = {};
   volumeTexture_ = {};
   gradient_ = {};
   derivative_ = {};
@@ -131,21 +141,28 @@ void GpuScene::release() {
        {&contextSkip_, &occupiedSkip_, &focusBricks_, &focusSkip_, &focusPaletteIndex_, &focusPalette_, &focusSmooth_})
     *texture = {};
   focusCells_ = {};
+  protected_ = {};
 }
 
 void GpuScene::updateAll(const Scene& scene) {
-  const bool volumeChanged = scene.volume != volume_;
-  if (volumeChanged) updateVolume(scene);
+  ShownVolume shown = shownVolume(scene);
+  const bool volumeChanged = shown != shown_;
+  if (volumeChanged) updateVolume(std::move(shown));
 
   // A label map matters only while its labels are in focus.
   const bool usesLabels = std::holds_alternative<LabelFocus>(scene.look.focus);
   const bool focusChanged =
       volumeChanged || scene.look.focus != focusWanted_ || (usesLabels && scene.labels != labels_);
-  const bool coloursChanged = focusChanged || scene.look.focusAppearance != appearance_;
+  LabelSettings focusSettings = settingsInFocus(scene);
+  const bool coloursChanged =
+      focusChanged || scene.look.focusAppearance != appearance_ || focusSettings != focusSettings_;
   labels_ = usesLabels ? scene.labels : nullptr;
   if (focusChanged) updateFocus(scene);
   if (coloursChanged) updateFocusColours(scene);
   appearance_ = scene.look.focusAppearance;
+  focusSettings_ = std::move(focusSettings);
+
+  updateProtected(scene, volumeChanged);
 
   const bool transferChanged = volumeChanged || scene.look.context != contextWanted_;
   if (transferChanged) updateTransfer(scene);
@@ -165,16 +182,16 @@ void GpuScene::updateAll(const Scene& scene) {
   const bool wantsDerivative = hasCutaway(scene) && scene.look.contextLayer.strength > 0.0;
   if (!wantsDerivative) derivative_ = {};
   if (wantsDerivative && !derivative_.texture) {
-    derivative_ = makeDerivativeVolume(*volume_, volumeTexture_);
+    derivative_ = makeDerivativeVolume(shown_, volumeTexture_);
     ++versions_.derivative;
   }
 }
 
-void GpuScene::updateVolume(const Scene& scene) {
+void GpuScene::updateVolume(ShownVolume shown) {
   release();
-  volumeTexture_ = makeVolumeTexture(*scene.volume);
-  bricks_ = brickRanges(*scene.volume);
-  volume_ = scene.volume;
+  volumeTexture_ = makeVolumeTexture(shown);
+  bricks_ = brickRanges(shown);
+  shown_ = std::move(shown);
   ++versions_.volume;
 }
 
@@ -182,7 +199,7 @@ void GpuScene::updateGradient() {
   // Lighting asks for gradients where something shows and values vary by more than noise. The least change of value in
   // a brick that can lift a central difference over the gate: it may span two bricks, and has three components.
   const double leastChange =
-      lighting::gradientGateLow * (volume_->range.high - volume_->range.low) / (2.0 * std::sqrt(3.0));
+      lighting::gradientGateLow * (shown_.volume->range.high - shown_.volume->range.low) / (2.0 * std::sqrt(3.0));
   std::optional<IndexBox> varied, shown;
   for (int z = 0; z < bricks_.dims.z; ++z)
     for (int y = 0; y < bricks_.dims.y; ++y)
@@ -194,7 +211,7 @@ void GpuScene::updateGradient() {
         grow(varied, low, high);
         if (contextOccupied_[brick] || (!focus_.slots.empty() && focus_.slots[brick] != 0)) grow(shown, low, high);
       }
-  const glm::ivec3 last = volume_->grid.dims - 1;
+  const glm::ivec3 last = shown_.volume->grid.dims - 1;
   const auto clipped = [&](const std::optional<IndexBox>& box) {
     return box ? IndexBox{glm::clamp(box->low, glm::ivec3(0), last), glm::clamp(box->high, glm::ivec3(0), last)}
                : IndexBox{};
@@ -209,7 +226,7 @@ void GpuScene::updateGradient() {
   }
   gradient_ = {};
   gradientBox_ = wanted;
-  gradient_ = makeGradientTexture(*volume_, wanted.low, wanted.high);
+  gradient_ = makeGradientTexture(shown_, wanted.low, wanted.high);
   ++versions_.gradient;
 }
 
@@ -226,29 +243,47 @@ void GpuScene::updateFocus(const Scene& scene) {
   focusCells_ = gl::Buffer(std::as_bytes(std::span(focus_.cells)));
 }
 
+void GpuScene::updateProtected(const Scene& scene, bool volumeChanged) {
+  std::vector<std::uint16_t> wanted;
+  if (hasCutaway(scene)) wanted = labelsWith(LabelRole::Protected, scene);
+  const std::shared_ptr<const LabelMap> map = wanted.empty() ? nullptr : structuresOf(scene);
+  if (!volumeChanged && wanted == protectedWanted_ && map == protectedMap_) return;
+  protectedWanted_ = std::move(wanted);
+  protectedMap_ = map;
+  protected_ = {};
+  ++versions_.protectedLabels;
+  if (!map) return;
+  Scene held{scene.volume, map, {}};
+  held.look.focus = LabelFocus{protectedWanted_};
+  const FocusIndex index = buildFocusIndex(held, bricks_);
+  if (!index.box) return;
+  protected_.bricks = gl::Texture::make3D(gl::Format::R32UI, bricks_.dims);
+  protected_.bricks.upload(std::span<const std::uint32_t>(index.slots));
+  protected_.skip = skipTexture(bricks_.dims, focusOccupied(index));
+  protected_.cells = gl::Buffer(std::as_bytes(std::span(index.cells)));
+}
+
 void GpuScene::updateFocusColours(const Scene& scene) {
   ++versions_.palette;
   focusPaletteIndex_ = {};
   focusPalette_ = {};
-  focusColour_ = scene.look.focusAppearance.colour;
+  focusMaterial_ = glm::dvec4(scene.look.focusAppearance.colour, 1.0);
   const auto* focus = std::get_if<LabelFocus>(&scene.look.focus);
   if (!focus || !scene.labels) return;
 
   // Palette entry per label value; one colour needs no texture.
   std::vector<glm::vec4> palette;
   std::vector<std::uint8_t> entryOf(1 << 16, 0);
-  const auto colourOf = [&](std::uint16_t value) {
-    const Label* label = scene.labels->find(value);
-    return label ? label->colour : defaultLabelColour(value);
-  };
+  const double extinction = scene.look.focusAppearance.extinction;
   for (const std::uint16_t value : focus->labels) {
-    const glm::vec4 colour(glm::vec3(colourOf(value)), 1.0f);
+    const OpticalProperties material = fenestra::focusMaterial(scene, value);
+    const glm::vec4 colour(glm::vec3(material.colour), extinction > 0.0 ? material.extinction / extinction : 1.0);
     auto at = std::find(palette.begin(), palette.end(), colour);
     // Entry 0 is "no label"; beyond 254 colours the last one serves for the rest.
     if (at == palette.end() && palette.size() < 254) at = palette.insert(palette.end(), colour);
     entryOf[value] = static_cast<std::uint8_t>(std::min<std::ptrdiff_t>(at - palette.begin(), 253) + 1);
   }
-  if (!palette.empty()) focusColour_ = glm::dvec3(palette.front());
+  if (!palette.empty()) focusMaterial_ = glm::dvec4(palette.front());
   if (palette.size() < 2 || !focus_.box) return;
   palette.insert(palette.begin(), palette.front());
   focusPalette_ = gl::Texture::make2D(gl::Format::RGBA32F, {static_cast<int>(palette.size()), 1});
@@ -312,8 +347,8 @@ void GpuScene::updateTransfer(const Scene& scene) {
 
   // The table spans the nodes and an entry more at either end, which stands for all that lies beyond: there the
   // transfer function is constant, though it may begin or end with a step.
-  ValueRange span =
-      context_.nodes.empty() ? volume_->range : ValueRange{context_.nodes.front().value, context_.nodes.back().value};
+  ValueRange span = context_.nodes.empty() ? shown_.volume->range
+                                           : ValueRange{context_.nodes.front().value, context_.nodes.back().value};
   const double margin = span.high > span.low ? (span.high - span.low) / (tableSize - 3) : 0.5;
   span = {span.low - margin, span.high + margin};
   const TransferTables tables = makeTransferTables(context_, span, tableSize);
@@ -355,6 +390,7 @@ std::vector<GpuScene::Resource> GpuScene::resources() const {
   add("focus index", of(focusBricks_) + focusCells_.bytes());
   add("focus palette", of(focusPaletteIndex_) + of(focusPalette_));
   add("focus normals", of(focusSmooth_));
+  add("protected labels", of(protected_.bricks) + of(protected_.skip) + protected_.cells.bytes());
   return all;
 }
 

@@ -21,6 +21,14 @@
 
 namespace fenestra {
 
+/// Where the labels are that the opening never removes.
+struct ProtectedLabels {
+  gl::Texture bricks, skip;  ///< as focusBricks() and focusSkip()
+  gl::Buffer cells;
+
+  bool any() const { return static_cast<bool>(bricks); }
+};
+
 class GpuScene {
  public:
   /// With programs that other scenes draw by, too: not at the same time.
@@ -62,12 +70,13 @@ class GpuScene {
 
   // What the passes bind. A version grows whenever what it names was remade.
   struct Versions {
-    std::uint64_t volume = 0, gradient = 0, focus = 0, gaps = 0, transfer = 0, derivative = 0, palette = 0;
+    std::uint64_t volume = 0, gradient = 0, focus = 0, gaps = 0, transfer = 0, derivative = 0, palette = 0,
+                  protectedLabels = 0;
     bool operator==(const Versions&) const = default;
   };
   const Versions& versions() const { return versions_; }
 
-  const Grid& grid() const { return volume_->grid; }  ///< of the voxels on the device
+  const Grid& grid() const { return shown_.volume->grid; }  ///< of the voxels on the device
   const VolumeTexture& volume() const { return volumeTexture_; }
   const gl::Texture& gradient() const { return gradient_; }
   glm::ivec3 gradientOrigin() const { return gradientBox_.low; }  ///< index of its first texel
@@ -95,11 +104,13 @@ class GpuScene {
   const gl::Texture& focusBricks() const { return focusBricks_; }
   const gl::Texture& focusSkip() const { return focusSkip_; }
   const gl::Buffer& focusCells() const { return focusCells_; }
-  /// Per-voxel palette entries around a label focus of several colours; empty when one colour does.
+  /// Per-voxel palette entries around a label focus of several colours or opacities; empty when one does for all.
   const gl::Texture& focusPaletteIndex() const { return focusPaletteIndex_; }
   const gl::Texture& focusPalette() const { return focusPalette_; }
-  glm::ivec3 focusOrigin() const { return focusOrigin_; }  ///< index of focusPaletteIndex's first texel
-  glm::dvec3 focusColour() const { return focusColour_; }  ///< where one colour does
+  glm::ivec3 focusOrigin() const { return focusOrigin_; }      ///< index of focusPaletteIndex's first texel
+  glm::dvec4 focusMaterial() const { return focusMaterial_; }  ///< where one does: colour, share of the extinction
+  /// Only while there is an opening, and something that is protected from it.
+  const ProtectedLabels& protectedLabels() const { return protected_; }
   /// Smoothed indicator around a label focus, for its normals; only while shading is on.
   const gl::Texture& focusSmooth() const { return focusSmooth_; }
   glm::ivec3 focusSmoothOrigin() const { return focusSmoothOrigin_; }  ///< index of its first texel
@@ -107,10 +118,11 @@ class GpuScene {
  private:
   void release();
   void updateAll(const Scene& scene);
-  void updateVolume(const Scene& scene);
+  void updateVolume(ShownVolume shown);
   void updateFocus(const Scene& scene);
   void updateFocusColours(const Scene& scene);
   void updateFocusSmooth(const Scene& scene);
+  void updateProtected(const Scene& scene, bool volumeChanged);
   void updateTransfer(const Scene& scene);
   void updateGradient();
 
@@ -119,12 +131,13 @@ class GpuScene {
   std::optional<Schedule> schedule_;
   std::optional<DeviceLimits> limits_;
   FittedScene fitted_;
-  std::shared_ptr<const Volume> volume_;
+  ShownVolume shown_;
   std::shared_ptr<const LabelMap> labels_, labelSource_;  ///< as drawn, and as given
   Focus focusWanted_;
   ContextFunction contextWanted_;
   TransferFunction context_;  ///< contextWanted_, shifted
   FocusAppearance appearance_;
+  LabelSettings focusSettings_;  ///< of the labels in focus
   Versions versions_;
 
   VolumeTexture volumeTexture_;
@@ -146,9 +159,13 @@ class GpuScene {
   gl::Buffer focusCells_;
   gl::Texture focusPaletteIndex_, focusPalette_;
   glm::ivec3 focusOrigin_{0};
-  glm::dvec3 focusColour_{1.0};
+  glm::dvec4 focusMaterial_{1.0};
   gl::Texture focusSmooth_;
   glm::ivec3 focusSmoothOrigin_{0};
+
+  ProtectedLabels protected_;
+  std::vector<std::uint16_t> protectedWanted_;
+  std::shared_ptr<const LabelMap> protectedMap_;
 };
 
 }  // namespace fenestra

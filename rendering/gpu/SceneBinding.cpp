@@ -40,6 +40,14 @@ void bindFocus(const GpuScene& scene, gl::ShaderProgram& program, FocusBlock blo
   program.set(block);
 }
 
+void bindProtected(const GpuScene& scene, gl::ShaderProgram& program) {
+  const ProtectedLabels& labels = scene.protectedLabels();
+  program.bind("focusBricks", labels.bricks);
+  program.bind("occupiedSkip", labels.skip);
+  labels.cells.bind(focusCellsBlock);
+  program.set(FocusBlock());
+}
+
 void bindFirstHit(const GpuScene& scene, gl::ShaderProgram& program) {
   bindVolume(scene, program);
   bindFocus(scene, program);
@@ -55,6 +63,15 @@ void bindTransfer(const GpuScene& scene, gl::ShaderProgram& program) {
 }
 
 gl::Define tableDefine() { return {"TABLE_SIZE", GpuScene::tableSize}; }
+
+gl::Choice lightChoice(bool lit) { return {"light", lit ? "lib/light/Lit.glsl" : "lib/light/Unlit.glsl"}; }
+
+void bindLight(const GpuScene& scene, gl::ShaderProgram& program, const Camera::Axes& axes, const Shading& shading) {
+  LightBlock light = lightBlock(axes, shading);
+  light.gradientOrigin = scene.gradientOrigin();
+  program.set(light);
+  program.bind("gradientTexels", scene.gradient());
+}
 
 LightBlock lightBlock(const Camera::Axes& axes, const Shading& shading) {
   return {glm::vec3(lightDirection(axes, shading)),

@@ -16,6 +16,9 @@ gl::Choice focusChoice(const GpuScene& scene);
 /// The focus's index; nothing without a focus. The block's other members are for passes that show the focus.
 void bindFocus(const GpuScene& scene, gl::ShaderProgram& program, FocusBlock block = {});
 
+/// The index of the protected labels, in place of a focus.
+void bindProtected(const GpuScene& scene, gl::ShaderProgram& program);
+
 /// What rays that look for first hits skip and leave (lib/FirstHit.glsl), with volume and focus.
 void bindFirstHit(const GpuScene& scene, gl::ShaderProgram& program);
 
@@ -23,6 +26,10 @@ void bindFirstHit(const GpuScene& scene, gl::ShaderProgram& program);
 void bindTransfer(const GpuScene& scene, gl::ShaderProgram& program);
 gl::Define tableDefine();
 
+/// What `#include <light>` stands for.
+gl::Choice lightChoice(bool lit);
+/// lib/light/Lit.glsl, for a view with these axes.
+void bindLight(const GpuScene& scene, gl::ShaderProgram& program, const Camera::Axes& axes, const Shading& shading);
 /// Light as Lighting.h describes it, for a view with these axes.
 LightBlock lightBlock(const Camera::Axes& axes, const Shading& shading);
 

@@ -1,6 +1,7 @@
 #include "rendering/gpu/VolumeTexture.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -49,6 +50,13 @@ struct Sanitizer {
   }
 };
 
+/// Calls use(row) for the rows of one plane of voxels.
+template <class T, class Use>
+void forEachRow(const ShownVoxels& voxels, int z, const Use& use) {
+  std::vector<T> buffer;
+  for (int y = 0; y < voxels.volume().grid.dims.y; ++y) use(voxels.row(y, z, buffer));
+}
+
 std::size_t planeSize(glm::ivec3 dims) { return static_cast<std::size_t>(dims.x) * static_cast<std::size_t>(dims.y); }
 
 }  // namespace
@@ -58,7 +66,9 @@ ValueRange VolumeTexture::codedFromReal(ValueRange real) const {
   return {std::min(a, b), std::max(a, b)};
 }
 
-VolumeTexture makeVolumeTexture(const Volume& volume) {
+VolumeTexture makeVolumeTexture(const ShownVolume& shown) {
+  const Volume& volume = *shown.volume;
+  const ShownVoxels voxels(shown);
   const glm::ivec3 dims = volume.grid.dims;
   const int limit = gl::maxTextureSize3D();
   if (std::max({dims.x, dims.y, dims.z}) > limit)
@@ -79,16 +89,19 @@ VolumeTexture makeVolumeTexture(const Volume& volume) {
       base = asIs ? 0.0 : low;
       const auto fill = [&]<class Texel>(Texel) {
         uploadBySlabs<Texel>(result.texture, planeSize(dims), [&](int z, Texel* plane) {
-          const T* from = scalars.data() + volume.grid.offset({0, 0, z});
           const auto shift = static_cast<std::int64_t>(base);
-          for (std::size_t i = 0; i < planeSize(dims); ++i)
-            plane[i] = static_cast<Texel>(static_cast<std::int64_t>(from[i]) - shift);
+          forEachRow<T>(voxels, z, [&](const T* from) {
+            for (int x = 0; x < dims.x; ++x) *plane++ = static_cast<Texel>(static_cast<std::int64_t>(from[x]) - shift);
+          });
         });
       };
       result.integers = span <= 65535.0;
-      if (asIs) {
+      if (asIs && voxels.hidesNothing()) {
         result.texture = gl::Texture::make3D(sizeof(T) == 1 ? gl::Format::R8 : gl::Format::R16, dims);
         result.texture.upload(scalars);
+      } else if (asIs) {
+        result.texture = gl::Texture::make3D(sizeof(T) == 1 ? gl::Format::R8 : gl::Format::R16, dims);
+        fill(T{});
       } else if (span <= 255.0) {
         result.texture = gl::Texture::make3D(gl::Format::R8, dims);
         fill(std::uint8_t{});
@@ -103,8 +116,9 @@ VolumeTexture makeVolumeTexture(const Volume& volume) {
       result.texture = gl::Texture::make3D(gl::Format::R32F, dims);
       const Sanitizer<T> sanitize(volume);
       uploadBySlabs<float>(result.texture, planeSize(dims), [&](int z, float* plane) {
-        const T* from = scalars.data() + volume.grid.offset({0, 0, z});
-        for (std::size_t i = 0; i < planeSize(dims); ++i) plane[i] = static_cast<float>(sanitize(from[i]));
+        forEachRow<T>(voxels, z, [&](const T* from) {
+          for (int x = 0; x < dims.x; ++x) *plane++ = static_cast<float>(sanitize(from[x]));
+        });
       });
     }
     result.offset = volume.slope * base + volume.intercept;
@@ -115,7 +129,9 @@ VolumeTexture makeVolumeTexture(const Volume& volume) {
   return result;
 }
 
-gl::Texture makeGradientTexture(const Volume& volume, glm::ivec3 low, glm::ivec3 high) {
+gl::Texture makeGradientTexture(const ShownVolume& shown, glm::ivec3 low, glm::ivec3 high) {
+  const Volume& volume = *shown.volume;
+  const ShownVoxels voxels(shown);
   const glm::ivec3 dims = volume.grid.dims, size = high - low + 1;
   gl::Texture texture = gl::Texture::make3D(gl::Format::RGB10A2, size);
   const glm::dvec3 spacing = volume.grid.spacing;
@@ -134,14 +150,15 @@ gl::Texture makeGradientTexture(const Volume& volume, glm::ivec3 low, glm::ivec3
       const int z = low.z + depth;
       const int zLow = std::max(z - 1, 0), zHigh = std::min(z + 1, dims.z - 1);
       const float zScale = zHigh > zLow ? 1.0f / static_cast<float>(zHigh - zLow) : 0.0f;
+      std::array<std::vector<T>, 5> buffers;
       for (int y = low.y; y <= high.y; ++y) {
         const int yLow = std::max(y - 1, 0), yHigh = std::min(y + 1, dims.y - 1);
         const float yScale = yHigh > yLow ? 1.0f / static_cast<float>(yHigh - yLow) : 0.0f;
-        const T* row = scalars.data() + volume.grid.offset({0, y, z});
-        const T* above = scalars.data() + volume.grid.offset({0, y, zHigh});
-        const T* below = scalars.data() + volume.grid.offset({0, y, zLow});
-        const T* front = scalars.data() + volume.grid.offset({0, yLow, z});
-        const T* back = scalars.data() + volume.grid.offset({0, yHigh, z});
+        const T* row = voxels.row(y, z, buffers[0]);
+        const T* above = voxels.row(y, zHigh, buffers[1]);
+        const T* below = voxels.row(y, zLow, buffers[2]);
+        const T* front = voxels.row(yLow, z, buffers[3]);
+        const T* back = voxels.row(yHigh, z, buffers[4]);
         std::uint32_t* out = plane + static_cast<std::size_t>(y - low.y) * static_cast<std::size_t>(size.x) - low.x;
         for (int x = low.x; x <= high.x; ++x) {
           const int xLow = std::max(x - 1, 0), xHigh = std::min(x + 1, dims.x - 1);
@@ -168,7 +185,9 @@ gl::Texture makeGradientTexture(const Volume& volume, glm::ivec3 low, glm::ivec3
   return texture;
 }
 
-DerivativeVolume makeDerivativeVolume(const Volume& volume, const VolumeTexture& coding) {
+DerivativeVolume makeDerivativeVolume(const ShownVolume& shown, const VolumeTexture& coding) {
+  const Volume& volume = *shown.volume;
+  const ShownVoxels voxels(shown);
   const Grid& grid = volume.grid;
   DerivativeVolume result;
   const double finest = std::min({grid.spacing.x, grid.spacing.y, grid.spacing.z});
@@ -202,13 +221,13 @@ DerivativeVolume makeDerivativeVolume(const Volume& volume, const VolumeTexture&
     const Sanitizer<T> sanitize(volume);
     const auto plane = [&](int z, auto* out) {
       std::vector<float> column(static_cast<std::size_t>(grid.dims.x));
+      std::vector<T> buffer;
       for (int y = 0; y < dims.y; ++y) {
         std::fill(column.begin(), column.end(), 0.0f);
         for (const Tap& a : tz)
           for (const Tap& b : ty) {
-            const glm::ivec3 from(0, std::clamp(y * result.factor.y + b.offset, 0, grid.dims.y - 1),
-                                  std::clamp(z * result.factor.z + a.offset, 0, grid.dims.z - 1));
-            const T* row = scalars.data() + grid.offset(from);
+            const T* row = voxels.row(std::clamp(y * result.factor.y + b.offset, 0, grid.dims.y - 1),
+                                      std::clamp(z * result.factor.z + a.offset, 0, grid.dims.z - 1), buffer);
             const float weight = a.weight * b.weight;
             for (int x = 0; x < grid.dims.x; ++x)
               column[static_cast<std::size_t>(x)] +=

@@ -2,7 +2,7 @@
 // A volume as a 3-D texture in the narrowest format that holds it exactly, and what shading needs beside it.
 
 #include "rendering/gl/Texture.h"
-#include "rendering/scene/Volume.h"
+#include "rendering/scene/ShownVolume.h"
 
 namespace fenestra {
 
@@ -21,11 +21,11 @@ struct VolumeTexture {
 
 /// NaN becomes the volume's least value, ±Inf the ends of its range. Throws RenderError when the volume is larger than
 /// the machine's 3-D textures.
-VolumeTexture makeVolumeTexture(const Volume& volume);
+VolumeTexture makeVolumeTexture(const ShownVolume& shown);
 
 /// Gated normals for lighting over a box of voxels (rendering/scene/Lighting.h), RGB10A2: a component v
 /// in -1..1 is stored as round(511·v) + 511. `low` and `high` are the box's first and last voxel.
-gl::Texture makeGradientTexture(const Volume& volume, glm::ivec3 low, glm::ivec3 high);
+gl::Texture makeGradientTexture(const ShownVolume& shown, glm::ivec3 low, glm::ivec3 high);
 
 /// The volume smoothed and thinned by two along each axis that is finer than twice the finest spacing, for derivatives:
 /// on noisy scans curvature needs a scale of more than a voxel. Binomial filter (1 3 3 1)/8 on thinned axes.
@@ -35,6 +35,6 @@ struct DerivativeVolume {
   glm::ivec3 factor{1};     ///< voxels per texel along each axis
   double spacing = 1.0;     ///< mm, the finest texel spacing: the scale of the derivatives
 };
-DerivativeVolume makeDerivativeVolume(const Volume& volume, const VolumeTexture& coding);
+DerivativeVolume makeDerivativeVolume(const ShownVolume& shown, const VolumeTexture& coding);
 
 }  // namespace fenestra

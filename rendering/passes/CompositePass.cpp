@@ -21,13 +21,16 @@ void CompositePass::run(Steps& steps, const GpuScene& gpu, const Inputs& inputs,
                         gl::Texture& picture) {
   steps.add(regions, [this, &gpu, inputs, &look, &picture](Regions tile) {
     const bool hasLayer = inputs.contextLayer != nullptr;
-    gl::ShaderProgram& program =
-        programs_.get({{{"CONTEXT_LAYER", hasLayer}, {"EDITED", inputs.editMap != nullptr}, tableDefine()},
-                       {scheduleChoice(gpu.schedule())}});
+    gl::ShaderProgram& program = programs_.get({{{"CONTEXT_LAYER", hasLayer},
+                                                 {"EDITED", inputs.editMap != nullptr},
+                                                 {"PROTECTED", inputs.protectedLayer != nullptr},
+                                                 tableDefine()},
+                                                {scheduleChoice(gpu.schedule())}});
     program.bind("focusLayer", inputs.focusLayer);
     program.bind("hitPoints", inputs.hitPoints);
     program.bind("distances", inputs.distances);
     if (inputs.editMap) program.bind("editMap", *inputs.editMap);
+    if (inputs.protectedLayer) program.bind("protectedLayer", *inputs.protectedLayer);
     program.set(CutawayBlock{glm::vec2(inputs.widths), glm::vec3(look.cutaway.borderColour)});
     if (hasLayer) {
       program.bind("contextLayer", *inputs.contextLayer);

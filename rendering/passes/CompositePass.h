@@ -21,7 +21,8 @@ class CompositePass {
     glm::dvec2 widths;                          ///< w_open, w_border in rendered pixels
     const gl::Texture* contextLayer = nullptr;  ///< with silhouette
     const gl::Texture* silhouette = nullptr;
-    const gl::Texture* editMap = nullptr;  ///< of brush strokes
+    const gl::Texture* editMap = nullptr;         ///< of brush strokes
+    const gl::Texture* protectedLayer = nullptr;  ///< in front of the focus layer
   };
   /// Writes premultiplied RGBA32F without background.
   void run(Steps& steps, const GpuScene& gpu, const Inputs& inputs, const Look& look, Regions regions,

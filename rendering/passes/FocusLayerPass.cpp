@@ -23,11 +23,6 @@ double leastTransmittance(const FocusLayerPass::Sampling& sampling) {
 /// and estimates that are too low.
 constexpr double shareOfBound = 0.4;
 
-/// For this bound and greater ones a cell begins with two pieces of constant material each, instead of three pieces
-/// that account for attenuation inside a piece. On the ten scenes of tests/bench/results the errors stay below the
-/// bound.
-constexpr double coarseBound = 4.0 / 255.0;
-
 /// The estimated error up to which a pixel is interpolated. Lit pictures have a greater error of their own from face to
 /// face, so more is allowed. Over larger squares the estimate is less certain, so less is allowed.
 double toleranceOf(const FocusLayerPass::Sampling& sampling, bool lit, int halfSide) {
@@ -65,6 +60,11 @@ std::size_t bytesOfList(std::span<const gl::Region> squares) {
 
 }  // namespace
 
+IntegralBlock FocusLayerPass::integralBlock(const Sampling& sampling) {
+  return {static_cast<float>(leastTransmittance(sampling)),
+          static_cast<float>(shareOfBound * sampling.maxError.value_or(0.0))};
+}
+
 gl::ShaderProgram& FocusLayerPass::program(bool listed, const Drawn& drawn) {
   const auto& [gpu, look, rays, opening, sampling] = drawn;
   const bool lit = look.shading.enabled, bounded = sampling.maxError.has_value();
@@ -77,7 +77,7 @@ gl::ShaderProgram& FocusLayerPass::program(bool listed, const Drawn& drawn) {
                          {"RAYS", raysTogether(gpu.schedule(), sampling, lit)}},
                         {scheduleChoice(gpu.schedule()),
                          focusChoice(gpu),
-                         {"light", lit ? "lib/light/Lit.glsl" : "lib/light/Unlit.glsl"},
+                         lightChoice(lit),
                          {"opening", opening ? "lib/opening/Open.glsl" : "lib/opening/Closed.glsl"},
                          {"integral", bounded ? "lib/integral/CellByCell.glsl" : "lib/integral/FaceToFace.glsl"}}});
 }
@@ -89,8 +89,7 @@ gl::ShaderProgram& FocusLayerPass::prepared(bool listed, const Drawn& drawn) {
   bindVolume(gpu, program);
   bindTransfer(gpu, program);
   program.bind("occupiedSkip", gpu.occupiedSkip());
-  program.set(IntegralBlock{static_cast<float>(leastTransmittance(sampling)),
-                            static_cast<float>(shareOfBound * sampling.maxError.value_or(0.0))});
+  program.set(integralBlock(sampling));
   if (opening) {
     program.bind("rayStart", opening->rayStart);
     program.bind("hitPoints", opening->hitPoints);
@@ -99,18 +98,15 @@ gl::ShaderProgram& FocusLayerPass::prepared(bool listed, const Drawn& drawn) {
         CutFaceBlock{static_cast<float>(lighting::wallDepthVoxels * std::min({spacing.x, spacing.y, spacing.z})),
                      static_cast<float>(lighting::wallShare)});
   }
-  FocusBlock focus{.material = glm::vec4(gpu.focusColour(), look.focusAppearance.extinction),
-                   .paletteOrigin = gpu.focusOrigin()};
+  FocusBlock focus{
+      .material = glm::vec4(glm::vec3(gpu.focusMaterial()), look.focusAppearance.extinction * gpu.focusMaterial().a),
+      .paletteOrigin = gpu.focusOrigin()};
   if (gpu.focusPaletteIndex()) {
     program.bind("focusPaletteIndex", gpu.focusPaletteIndex());
     program.bind("focusPalette", gpu.focusPalette());
+    focus.material.a = static_cast<float>(look.focusAppearance.extinction);
   }
-  if (look.shading.enabled) {
-    LightBlock light = lightBlock(rays.axes(), look.shading);
-    light.gradientOrigin = gpu.gradientOrigin();
-    program.set(light);
-    program.bind("gradientTexels", gpu.gradient());
-  }
+  if (look.shading.enabled) bindLight(gpu, program, rays.axes(), look.shading);
   if (look.shading.enabled && gpu.focusSmooth()) {
     program.bind("focusSmooth", gpu.focusSmooth());
     program.bind("focusSmoothTexels", gpu.focusSmooth());

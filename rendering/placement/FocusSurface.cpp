@@ -21,7 +21,8 @@ struct Element {
 /// Which corners of cells are in the focus.
 class Corners {
  public:
-  Corners(const Scene& scene, const FocusIndex& index) : scene_(scene), index_(index) {
+  Corners(const Scene& scene, const FocusIndex& index)
+      : scene_(scene), index_(index), shown_(shownVolume(scene)), voxels_(shown_) {
     if (index.kind == FocusIndex::Kind::Values) range_ = std::get<ValueFocus>(scene.look.focus).values;
   }
 
@@ -39,16 +40,13 @@ class Corners {
       const std::size_t bit = (slot - 2) * cellsPerBrick + local;
       if (((index_.cells[bit / 32] >> (bit % 32)) & 1u) == 0) return 0;
     }
-    return scene_.volume->voxels.visit([&](auto scalars) {
-      unsigned corners = 0;
-      for (int i = 0; i < 8; ++i) {
-        const glm::ivec3 voxel = glm::min(cell + glm::ivec3(i & 1, (i >> 1) & 1, i >> 2), scene_.volume->grid.dims - 1);
-        const double value = scene_.volume->slope * static_cast<double>(scalars[scene_.volume->grid.offset(voxel)]) +
-                             scene_.volume->intercept;
-        if (value >= range_.low && value <= range_.high) corners |= 1u << i;
-      }
-      return corners;
-    });
+    unsigned corners = 0;
+    for (int i = 0; i < 8; ++i) {
+      const glm::ivec3 voxel = glm::min(cell + glm::ivec3(i & 1, (i >> 1) & 1, i >> 2), scene_.volume->grid.dims - 1);
+      const double value = voxels_.value(voxel);
+      if (value >= range_.low && value <= range_.high) corners |= 1u << i;
+    }
+    return corners;
   }
 
   /// Whether a brick may hold cells that are partly in the focus.
@@ -59,6 +57,8 @@ class Corners {
  private:
   const Scene& scene_;
   const FocusIndex& index_;
+  ShownVolume shown_;
+  ShownVoxels voxels_;  ///< of shown_
   ValueRange range_;
 };
 

@@ -10,6 +10,29 @@
 namespace fenestra::placement {
 namespace {
 
+/// The label in focus at or next to each point of the surface, which lies between a voxel of it and one of none.
+std::vector<std::uint16_t> labelsOf(const FocusSurface& surface, const Scene& scene) {
+  std::vector<std::uint16_t> labels;
+  const auto* focus = std::get_if<LabelFocus>(&scene.look.focus);
+  if (!focus || !scene.labels) return labels;
+  const Grid& grid = scene.labels->grid;
+  const auto labelAt = [&](glm::dvec3 index) {
+    const glm::ivec3 voxel = glm::clamp(glm::ivec3(glm::floor(index + 0.5)), glm::ivec3(0), grid.dims - 1);
+    const std::uint16_t label = scene.labels->value(voxel);
+    return std::binary_search(focus->labels.begin(), focus->labels.end(), label) ? label : std::uint16_t{0};
+  };
+  const glm::dmat3 indexFromWorld(grid.indexFromWorld());
+  for (const FocusSurface::Point& point : surface.points) {
+    std::uint16_t label = labelAt(point.index);
+    // Steps of a quarter voxel into the focus reach the next voxel.
+    const glm::dvec3 inwards = -indexFromWorld * point.normal;
+    const glm::dvec3 step = 0.25 * inwards / std::max({std::abs(inwards.x), std::abs(inwards.y), std::abs(inwards.z)});
+    for (int i = 1; label == 0 && i <= 6; ++i) label = labelAt(point.index + static_cast<double>(i) * step);
+    labels.push_back(label);
+  }
+  return labels;
+}
+
 /// A, P, L, R, S, I, as directions towards the camera (LPS).
 const std::array<glm::dvec3, 6> standardDirections{glm::dvec3(0, -1, 0), glm::dvec3(0, 1, 0), glm::dvec3(1, 0, 0),
                                                    glm::dvec3(-1, 0, 0), glm::dvec3(0, 0, 1), glm::dvec3(0, 0, -1)};
@@ -50,6 +73,7 @@ void Placer::begin(GpuScene& gpu, const Scene& scene, const Sampling& sampling, 
             .measured = {}};
   task.measured.surfacePoints = task.surface.points.size();
   task.measured.surfaceArea = task.surface.area;
+  task.measured.pointLabels = labelsOf(task.surface, gpu.drawn(scene));
   if (sampling.refined) {
     task.refinement.emplace(options, task.measured.surfacePoints);
     task.measured.refinedFor = options;

@@ -105,7 +105,7 @@ std::vector<std::optional<ContextPoint>> contextLayer(const Scene& scene, const 
   const glm::dmat3 indexFromWorld(grid.indexFromWorld()), worldFromGradient = glm::transpose(indexFromWorld);
   std::vector<std::optional<ContextPoint>> layer(rays.size());
 
-  withValues(*scene.volume, [&](auto valueAt) {
+  withValues(shownVolume(scene), [&](auto valueAt) {
     parallelFor(rays.size(), 16, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         const std::optional<Span> span = clip(rays[i], grid);

@@ -2,9 +2,9 @@
 #include <cmath>
 #include <limits>
 
-#include "rendering/scene/FocusCells.h"
 #include "rendering/reference/Reference.h"
 #include "rendering/reference/Strokes.h"
+#include "rendering/scene/FocusCells.h"
 #include "rendering/scene/Parallel.h"
 
 namespace fenestra::reference {
@@ -83,7 +83,7 @@ IndexBox focusBox(const Scene& scene) {
       return std::binary_search(focus->labels.begin(), focus->labels.end(), scene.labels->value(index));
     });
   if (const auto* focus = std::get_if<ValueFocus>(&scene.look.focus)) {
-    const FocusCells cells = focusCells(*scene.volume, *focus);
+    const FocusCells cells = focusCells(shownVolume(scene), *focus);
     IndexBox box = boxOf(cells.dims, [&](glm::ivec3 cell) { return cells.contains(cell); });
     if (!box.empty()) box.high = glm::min(box.high + 1, dims - 1);  // a cell ends at its upper corners
     return box;

@@ -5,21 +5,24 @@
 namespace fenestra::reference {
 
 FocusField::FocusField(const Scene& scene) : grid_(scene.volume->grid) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   if (const auto* focus = std::get_if<LabelFocus>(&scene.look.focus); focus && scene.labels) {
-    range_ = {0.5, infinity};
-    std::vector<std::uint8_t> isFocus(std::numeric_limits<std::uint16_t>::max() + 1, 0);
-    for (const std::uint16_t label : focus->labels) isFocus[label] = 1;
-    indicator_.resize(grid_.voxelCount());
-    scene.labels->voxels.visit([&](auto labels) {
-      parallelFor(indicator_.size(), 1 << 20, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) indicator_[i] = isFocus[static_cast<std::uint16_t>(labels[i])];
-      });
-    });
+    *this = FocusField(*scene.labels, focus->labels);
   } else if (const auto* values = std::get_if<ValueFocus>(&scene.look.focus)) {
     range_ = values->values;
-    cells_ = focusCells(*scene.volume, *values);
+    cells_ = focusCells(shownVolume(scene), *values);
   }
+}
+
+FocusField::FocusField(const LabelMap& map, const std::vector<std::uint16_t>& labels)
+    : grid_(map.grid), range_{0.5, std::numeric_limits<double>::infinity()} {
+  std::vector<std::uint8_t> isFocus(std::numeric_limits<std::uint16_t>::max() + 1, 0);
+  for (const std::uint16_t label : labels) isFocus[label] = 1;
+  indicator_.resize(grid_.voxelCount());
+  map.voxels.visit([&](auto values) {
+    parallelFor(indicator_.size(), 1 << 20, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) indicator_[i] = isFocus[static_cast<std::uint16_t>(values[i])];
+    });
+  });
 }
 
 std::optional<Corners> FocusField::corners(glm::ivec3 cell, const Corners& values) const {

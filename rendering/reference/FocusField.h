@@ -13,6 +13,8 @@ namespace fenestra::reference {
 class FocusField {
  public:
   explicit FocusField(const Scene& scene);
+  /// The same of labels.
+  FocusField(const LabelMap& map, const std::vector<std::uint16_t>& labels);
 
   const ValueRange& range() const { return range_; }
   /// The field's values at the corners of `cell`, of which `values` are the volume's; empty where the cell holds no

@@ -9,27 +9,28 @@
 namespace fenestra::reference {
 namespace {
 
-/// Colours of a label focus: that of the nearest voxel, or where that has no label of the focus, of the first of its
-/// neighbours that has one (x fastest, from the lowest index).
+/// Colours and extinctions of a label focus: those of the nearest voxel, or where that has no label of the focus, of
+/// the first of its neighbours that has one (x fastest, from the lowest index).
 class FocusColours {
  public:
-  explicit FocusColours(const Scene& scene) : labels_(scene.labels.get()), first_(scene.look.focusAppearance.colour) {
+  explicit FocusColours(const Scene& scene)
+      : labels_(scene.labels.get()), first_{scene.look.focusAppearance.colour, scene.look.focusAppearance.extinction} {
     const auto* focus = std::get_if<LabelFocus>(&scene.look.focus);
     if (!focus || !labels_ || focus->labels.empty()) return;
     entryOf_.resize(std::numeric_limits<std::uint16_t>::max() + 1, none);
     for (const std::uint16_t value : focus->labels) {
-      const Label* label = labels_->find(value);
       entryOf_[value] = static_cast<int>(colours_.size());
-      colours_.push_back(label ? label->colour : defaultLabelColour(value));
+      colours_.push_back(focusMaterial(scene, value));
     }
     first_ = colours_.front();
-    differ_ = std::any_of(colours_.begin(), colours_.end(), [&](const glm::dvec3& c) { return c != first_; });
+    differ_ =
+        std::any_of(colours_.begin(), colours_.end(), [&](const OpticalProperties& each) { return !(each == first_); });
   }
 
-  /// Whether there is more than one colour.
+  /// Whether there is more than one.
   bool differ() const { return differ_; }
 
-  glm::dvec3 at(glm::dvec3 index) const {
+  OpticalProperties at(glm::dvec3 index) const {
     if (!differ_) return first_;
     const glm::ivec3 nearest(glm::floor(index + 0.5));
     int entry = entryAt(nearest);
@@ -43,16 +44,17 @@ class FocusColours {
   int entryAt(glm::ivec3 voxel) const { return labels_->grid.contains(voxel) ? entryOf_[labels_->value(voxel)] : none; }
 
   const LabelMap* labels_;
-  glm::dvec3 first_;
+  OpticalProperties first_;
   bool differ_ = false;
   std::vector<int> entryOf_;  ///< per label value
-  std::vector<glm::dvec3> colours_;
+  std::vector<OpticalProperties> colours_;
 };
 
 /// What all rays of a picture share.
 struct Medium {
   const Scene& scene;
-  FocusField focus;
+  FocusField focus;        ///< or the protected labels, of which the context shows
+  bool onlyFocus = false;  ///< nothing else shows
   FocusColours focusColours;
   Light light;
   VoxelNormals normals;
@@ -61,16 +63,25 @@ struct Medium {
   std::vector<ValueGap> clear;  ///< values without any extinction
   double wallDepth;             ///< mm
 
-  Medium(const Scene& what, const Camera& camera)
+  Medium(const Scene& what, const Camera& camera) : Medium(what, camera, FocusField(what)) {
+    if (scene.look.shading.enabled && focus.hasLabels()) focusNormals.emplace(scene.volume->grid, focus);
+  }
+  /// Of the protected labels alone.
+  static Medium ofProtected(const Scene& what, const Camera& camera) {
+    Medium medium(what, camera, FocusField(*structuresOf(what), labelsWith(LabelRole::Protected, what)));
+    medium.onlyFocus = true;
+    return medium;
+  }
+
+  Medium(const Scene& what, const Camera& camera, FocusField field)
       : scene(what),
-        focus(what),
+        focus(std::move(field)),
         focusColours(what),
         light(camera, what.look.shading),
         normals(*what.volume),
         context(what.look.context.shifted()),
         clear(context.transparentGaps(0.0)) {
     const Grid& grid = scene.volume->grid;
-    if (scene.look.shading.enabled && focus.hasLabels()) focusNormals.emplace(grid, focus);
     wallDepth = lighting::wallDepthVoxels * std::min({grid.spacing.x, grid.spacing.y, grid.spacing.z});
   }
 
@@ -177,7 +188,7 @@ class Integrator {
     const Corners values = cornersOf(piece.cell, grid_.dims, valueAt_);
     const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
     const std::optional<Corners> field = medium_.focus.corners(piece.cell, values);
-    if (!field && medium_.isClear(*least, *greatest)) return;
+    if (!field && (medium_.onlyFocus || medium_.isClear(*least, *greatest))) return;
     piece_ = &piece;
 
     const Cubic value = alongPiece(values, piece);
@@ -207,11 +218,13 @@ class Integrator {
       const double begin = places_[k], end = places_[k + 1], middle = 0.5 * (begin + end);
       if (!(begin < end)) continue;
       const double inField = evaluate(focusValue, middle);
-      inFocus_ = field && inField >= focusRange.low && inField <= focusRange.high;
+      const bool held = field && inField >= focusRange.low && inField <= focusRange.high;
+      if (medium_.onlyFocus && !held) continue;
+      inFocus_ = held && !medium_.onlyFocus;
       Part part;
       if (inFocus_) {
         const glm::dvec3 at = glm::mix(piece.begin, piece.end, middle) + glm::dvec3(piece.cell);
-        part.from = {medium_.focusColours.at(at), medium_.scene.look.focusAppearance.extinction};
+        part.from = medium_.focusColours.at(at);
       } else {
         part = contextPart(medium_.context, value, begin, end);
       }
@@ -313,12 +326,10 @@ class Integrator {
   double depth_ = 0.0, error_ = 0.0;
 };
 
-}  // namespace
-
-FocusLayer focusLayer(const Scene& scene, const Camera& camera, const std::vector<CutRay>& rays, double tolerance) {
-  const Medium medium(scene, camera);
+FocusLayer integrated(const Medium& medium, const std::vector<CutRay>& rays, double tolerance) {
+  const Scene& scene = medium.scene;
   FocusLayer layer{std::vector<glm::dvec4>(rays.size(), glm::dvec4(0.0)), Image(rays.size(), 0.0)};
-  withValues(*scene.volume, [&](auto valueAt) {
+  withValues(shownVolume(scene), [&](auto valueAt) {
     // Rays differ widely in cost: threads take blocks of them as they get free.
     constexpr std::size_t block = 64;
     std::atomic<std::size_t> next = 0;
@@ -335,6 +346,22 @@ FocusLayer focusLayer(const Scene& scene, const Camera& camera, const std::vecto
     });
   });
   return layer;
+}
+
+}  // namespace
+
+FocusLayer focusLayer(const Scene& scene, const Camera& camera, const std::vector<CutRay>& rays, double tolerance) {
+  return integrated(Medium(scene, camera), rays, tolerance);
+}
+
+FocusLayer protectedLayer(const Scene& scene, const Camera& camera, const std::vector<CutRay>& rays,
+                          const Image& tContext, double tolerance) {
+  std::vector<CutRay> removed = rays;
+  for (std::size_t i = 0; i < removed.size(); ++i) {
+    removed[i].span = std::isnan(tContext[i]) ? Span{1.0, 0.0} : Span{tContext[i], removed[i].span.tIn};
+    removed[i].wall = glm::dvec3(0.0);
+  }
+  return integrated(Medium::ofProtected(scene, camera), removed, tolerance);
 }
 
 }  // namespace fenestra::reference

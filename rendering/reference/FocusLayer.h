@@ -17,6 +17,11 @@ struct FocusLayer {
   Image error;                     ///< estimated, of the worst channel; at most the tolerance
 };
 
+/// What the opening removes of the scene's protected labels: the integral from `tContext` to the start of each ray, of
+/// the context alone and where the labels' interpolated 0/1 indicator is ½ or more. One element a ray.
+FocusLayer protectedLayer(const Scene& scene, const Camera& camera, const std::vector<CutRay>& rays,
+                          const Image& tContext, double tolerance);
+
 /// One element a ray.
 FocusLayer focusLayer(const Scene& scene, const Camera& camera, const std::vector<CutRay>& rays, double tolerance);
 

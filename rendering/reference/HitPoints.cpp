@@ -54,7 +54,7 @@ HitPoints hitPoints(const Scene& scene, const Camera& camera, glm::ivec2 size) {
   const FocusField focus(scene);
   const Gaps outsideFocus{{-infinity, focus.range().low}, {focus.range().high, infinity}};
 
-  withValues(*scene.volume, [&](auto valueAt) {
+  withValues(shownVolume(scene), [&](auto valueAt) {
     const auto cast = [&](const Ray& ray, Span span) {
       Hit hit;
       walkCells(ray, span, grid.dims, [&](const Piece& piece) {

@@ -127,7 +127,9 @@ Picture picture(const Scene& scene, const Camera& camera, glm::ivec2 size, const
   const bool cutaway = hasCutaway(scene), hasContext = cutaway && scene.look.contextLayer.strength > 0.0;
   const std::vector<glm::ivec2> pixels = pixelsOf(size, options);
   const std::vector<CutRay> cut = cutRays(scene, camera, size, cutaway ? &stages : nullptr, pixels);
-  FocusLayer layer = focusLayer(scene, camera, cut, options.tolerance);
+  const bool guarded = cutaway && !labelsWith(LabelRole::Protected, scene).empty();
+  const double tolerance = guarded ? 0.5 * options.tolerance : options.tolerance;  // of each of two layers
+  FocusLayer layer = focusLayer(scene, camera, cut, tolerance);
 
   const auto factor = [&](glm::ivec2 pixel) {
     return stages.editFactor.empty() ? 1.0 : stages.editFactor[offset(size, pixel)];
@@ -135,6 +137,16 @@ Picture picture(const Scene& scene, const Camera& camera, glm::ivec2 size, const
 
   Picture result;
   result.final = layer.colour;
+  if (guarded) {
+    Image tContext;
+    for (const glm::ivec2 pixel : pixels) tContext.push_back(stages.hits.tContext[offset(size, pixel)]);
+    FocusLayer front = protectedLayer(scene, camera, cut, tContext, tolerance);
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+      result.final[i] = over(front.colour[i], result.final[i]);
+      layer.error[i] += front.error[i];
+    }
+    result.protectedLayer = std::move(front.colour);
+  }
   if (hasContext) {
     std::vector<Ray> rays;
     Image tContext, tFocus;

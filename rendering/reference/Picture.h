@@ -27,7 +27,8 @@ struct PictureOptions {
 
 /// One element a pixel, in the order of PictureOptions::pixels.
 struct Picture {
-  std::vector<glm::dvec4> focusLayer;  ///< premultiplied RGBA
+  std::vector<glm::dvec4> focusLayer;      ///< premultiplied RGBA
+  std::vector<glm::dvec4> protectedLayer;  ///< the same, in front of it; empty without an opening or protected labels
   /// κ1 ≥ κ2 (1/mm, positive where the surface bends away from lower values), illumination, value (real units); NaN
   /// where there is no surface to draw. Empty when the scene has no context layer.
   std::vector<glm::dvec4> contextLayer;

@@ -26,8 +26,8 @@ struct ValueFocus {
   bool operator==(const ValueFocus&) const = default;
 };
 
-/// The region grown from seeds, see rendering/segmentation. What draws a scene knows labels and values alone: a scene is
-/// drawn as segmentation::shownScene makes it, and as one without a focus otherwise.
+/// The region grown from seeds, see rendering/segmentation. What draws a scene knows labels and values alone: a scene
+/// is drawn as segmentation::shownScene makes it, and as one without a focus otherwise.
 struct RegionFocus {
   std::vector<glm::dvec3> inside;   ///< world mm; the first is the click, at least one lies in the volume
   std::vector<glm::dvec3> outside;  ///< world mm: in structures that the region must not enter

@@ -9,9 +9,10 @@ namespace {
 
 constexpr std::uint8_t inactive = 0, kept = 1, unvisited = 2;
 
-std::vector<std::uint8_t> activeCells(const Volume& volume, ValueRange range, const Grid& cells) {
+std::vector<std::uint8_t> activeCells(const ShownVolume& shown, ValueRange range, const Grid& cells) {
+  const glm::ivec3 last = shown.volume->grid.dims - 1;
   std::vector<std::uint8_t> state(cells.voxelCount(), inactive);
-  withValues(volume, [&](auto valueAt) {
+  withValues(shown, [&](auto valueAt) {
     parallelFor(static_cast<std::size_t>(cells.dims.z), 1, [&](std::size_t begin, std::size_t end) {
       for (int z = static_cast<int>(begin); z < static_cast<int>(end); ++z)
         for (int y = 0; y < cells.dims.y; ++y)
@@ -19,7 +20,7 @@ std::vector<std::uint8_t> activeCells(const Volume& volume, ValueRange range, co
             double least = valueAt({x, y, z}), greatest = least;
             for (int corner = 1; corner < 8; ++corner) {
               const glm::ivec3 step(corner & 1, (corner >> 1) & 1, corner >> 2);
-              const double value = valueAt(glm::min(glm::ivec3(x, y, z) + step, volume.grid.dims - 1));
+              const double value = valueAt(glm::min(glm::ivec3(x, y, z) + step, last));
               least = std::min(least, value);
               greatest = std::max(greatest, value);
             }
@@ -39,12 +40,13 @@ bool FocusCells::contains(glm::ivec3 cell) const {
   return kept[lattice.offset(nearest)] != 0;
 }
 
-FocusCells focusCells(const Volume& volume, const ValueFocus& focus) {
+FocusCells focusCells(const ShownVolume& shown, const ValueFocus& focus) {
+  const Grid& grid = shown.volume->grid;
   Grid cells;
-  cells.dims = glm::max(volume.grid.dims - 1, 1);
+  cells.dims = glm::max(grid.dims - 1, 1);
   if (!(focus.values.low <= focus.values.high)) return {cells.dims, std::vector<std::uint8_t>(cells.voxelCount(), 0)};
-  std::vector<std::uint8_t> state = activeCells(volume, focus.values, cells);
-  const double cellVolume = volume.grid.voxelVolume();
+  std::vector<std::uint8_t> state = activeCells(shown, focus.values, cells);
+  const double cellVolume = grid.voxelVolume();
 
   std::vector<glm::ivec3> component;
   const auto visit = [&](glm::ivec3 cell) {

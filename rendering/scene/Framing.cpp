@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <optional>
+#include <type_traits>
 
 #include "rendering/scene/Parallel.h"
 #include "rendering/scene/Scene.h"
@@ -86,8 +87,10 @@ double Framing::radius() const {
   return farthest;
 }
 
-Framing visibleFraming(const Volume& volume, const TransferFunction& context) {
-  const Grid box = visibleGrid(volume, context);
+Framing visibleFraming(const ShownVolume& shown, const TransferFunction& context) {
+  const Grid box = visibleGrid(shown, context);
+  const Volume& volume = *shown.volume;
+  const ShownVoxels voxels(shown);
   const Grid& grid = volume.grid;
   const glm::ivec3 first(glm::round(glm::dvec3(grid.indexFromWorld() * glm::dvec4(box.origin, 1.0))));
   const Blocks block(box.dims);
@@ -99,14 +102,16 @@ Framing visibleFraming(const Volume& volume, const TransferFunction& context) {
   };
   std::vector<std::vector<glm::ivec2>> hulls(static_cast<std::size_t>(blocks.z));
   volume.voxels.visit([&](auto scalars) {
+    using T = std::remove_const_t<typename decltype(scalars)::value_type>;
     parallelFor(hulls.size(), 1, [&](std::size_t begin, std::size_t end) {
       std::vector<std::uint8_t> counts(static_cast<std::size_t>(blocks.x) * static_cast<std::size_t>(blocks.y));
+      std::vector<T> buffer;
       for (std::size_t layer = begin; layer < end; ++layer) {
         std::fill(counts.begin(), counts.end(), std::uint8_t{0});
         const int low = static_cast<int>(layer) * block.side, high = std::min(low + block.side, box.dims.z);
         for (int z = low; z < high; ++z)
           for (int y = z % block.rowStep; y < box.dims.y; y += block.rowStep) {
-            const auto* row = scalars.data() + grid.offset(first + glm::ivec3(0, y, z));
+            const T* row = voxels.row(first.y + y, first.z + z, buffer) + first.x;
             std::uint8_t* into = counts.data() + static_cast<std::size_t>(y / block.side * blocks.x);
             for (int x = 0; x < box.dims.x; ++x)
               into[x / block.side] = static_cast<std::uint8_t>(

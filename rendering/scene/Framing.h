@@ -7,8 +7,8 @@
 
 namespace fenestra {
 
+struct ShownVolume;
 struct TransferFunction;
-struct Volume;
 
 /// Points that enclose what is to be seen, and the point that a camera turns around.
 struct Framing {
@@ -25,6 +25,6 @@ struct Framing {
 
 /// What `context` shows of a volume: the hull of the blocks of voxels that show in part, within visibleGrid() and
 /// around its centre. Tighter than that box, whose corners are air around a head.
-Framing visibleFraming(const Volume& volume, const TransferFunction& context);
+Framing visibleFraming(const ShownVolume& shown, const TransferFunction& context);
 
 }  // namespace fenestra

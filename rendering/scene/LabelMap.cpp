@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
+
+#include "rendering/scene/Parallel.h"
 
 namespace fenestra {
 
@@ -13,6 +16,21 @@ const Label* LabelMap::find(std::uint16_t value) const {
   const auto at = std::lower_bound(labels.begin(), labels.end(), value,
                                    [](const Label& label, std::uint16_t wanted) { return label.value < wanted; });
   return at != labels.end() && at->value == value ? &*at : nullptr;
+}
+
+std::vector<bool> labelsWithVoxels(const LabelMap& map) {
+  constexpr std::size_t values = 65536;
+  std::vector<std::uint8_t> found(values, 0);
+  std::mutex mutex;
+  map.voxels.visit([&](auto voxels) {
+    parallelFor(voxels.size(), 1 << 20, [&](std::size_t begin, std::size_t end) {
+      std::vector<std::uint8_t> mine(values, 0);
+      for (std::size_t i = begin; i < end; ++i) mine[static_cast<std::uint16_t>(voxels[i])] = 1;
+      const std::scoped_lock lock(mutex);
+      for (std::size_t value = 0; value < values; ++value) found[value] |= mine[value];
+    });
+  });
+  return {found.begin(), found.end()};
 }
 
 glm::dvec3 defaultLabelColour(std::uint16_t value) {

@@ -28,6 +28,9 @@ struct LabelMap {
   const Label* find(std::uint16_t value) const;
 };
 
+/// Which values some voxel has: an element for each of the 65536 that there may be. Reads the whole map, on all cores.
+std::vector<bool> labelsWithVoxels(const LabelMap& map);
+
 /// The colour of a label whose file gives it none: hues are well separated and fixed per value.
 glm::dvec3 defaultLabelColour(std::uint16_t value);
 

@@ -9,6 +9,7 @@
 #include "rendering/scene/BrushStroke.h"
 #include "rendering/scene/Cutaway.h"
 #include "rendering/scene/Focus.h"
+#include "rendering/scene/LabelSettings.h"
 #include "rendering/scene/TransferFunction.h"
 
 namespace fenestra {
@@ -45,13 +46,14 @@ struct Shading {
 
 struct Look {
   Focus focus;
+  LabelSettings labels;  ///< of the label map; empty until one is changed
   FocusAppearance focusAppearance;
   ContextFunction context;
   Cutaway cutaway;
   ContextLayer contextLayer;
   Shading shading;
   glm::dvec3 background{0.0};  ///< display RGB 0..1
-  bool hideTable = true;       ///< of a CT, in 3-D pictures; see Scene::tissue
+  bool hideTable = true;       ///< of a CT, in 3-D pictures; see Scene::table
   BrushStrokes strokes;        ///< edits of the opening; without any, no pass runs and no memory is used for them
   bool operator==(const Look&) const = default;
 };

@@ -13,20 +13,47 @@ bool hasCutaway(const Scene& scene) {
          (std::holds_alternative<LabelFocus>(scene.look.focus) || std::holds_alternative<ValueFocus>(scene.look.focus));
 }
 
-const std::shared_ptr<const Volume>& shownVolume(const Scene& scene) {
-  return scene.look.hideTable && scene.tissue ? scene.tissue : scene.volume;
+ShownVolume shownVolume(const Scene& scene) {
+  ShownVolume shown{scene.volume};
+  if (scene.look.hideTable && scene.table && scene.table->count > 0) shown.table = scene.table;
+  shown.hidden = labelsWith(LabelRole::Hidden, scene);
+  if (!shown.hidden.empty()) shown.labels = structuresOf(scene);
+  return shown;
 }
 
-Scene shownScene(Scene scene) {
-  scene.volume = shownVolume(scene);
-  scene.tissue = nullptr;
-  return scene;
+const std::shared_ptr<const LabelMap>& structuresOf(const Scene& scene) {
+  return scene.structures ? scene.structures : scene.labels;
 }
 
-Grid visibleGrid(const Volume& volume, const TransferFunction& context) {
+bool focusesStructures(const Scene& scene) { return !scene.structures || scene.structures == scene.labels; }
+
+std::vector<std::uint16_t> labelsWith(LabelRole role, const Scene& scene) {
+  std::vector<std::uint16_t> found;
+  if (scene.look.labels.empty() || !structuresOf(scene)) return found;
+  const auto* focus = focusesStructures(scene) ? std::get_if<LabelFocus>(&scene.look.focus) : nullptr;
+  for (const LabelSetting& each : scene.look.labels) {
+    if (each.role != role || (role == LabelRole::Protected && !each.visible)) continue;
+    if (!focus || !std::binary_search(focus->labels.begin(), focus->labels.end(), each.label))
+      found.push_back(each.label);
+  }
+  return found;
+}
+
+OpticalProperties focusMaterial(const Scene& scene, std::uint16_t label) {
+  const LabelSetting setting =
+      focusesStructures(scene) ? settingFor(scene.look.labels, label) : LabelSetting{.label = label};
+  const Label* known = scene.labels->find(label);
+  const glm::dvec3 own = known ? known->colour : defaultLabelColour(label);
+  return {setting.colour.value_or(own),
+          setting.visible ? opticalExtinction(scene.look.focusAppearance.extinction, setting.opacity) : 0.0};
+}
+
+Grid visibleGrid(const ShownVolume& shown, const TransferFunction& context) {
   constexpr double visibleOpacity = 0.05;  // of 1 mm: the frame leaves haze out
   constexpr double leastShare = 0.01;      // of the fullest slab
+  const Volume& volume = *shown.volume;
   const Grid& grid = volume.grid;
+  const ShownVoxels voxels(shown);
   const std::vector<ValueGap> gaps = context.transparentGaps(visibleOpacity);
   const auto isVisible = [&](double value) {
     return std::none_of(gaps.begin(), gaps.end(),
@@ -37,13 +64,15 @@ Grid visibleGrid(const Volume& volume, const TransferFunction& context) {
     counts[static_cast<std::size_t>(axis)].resize(static_cast<std::size_t>(grid.dims[axis]));
   std::mutex mutex;
   volume.voxels.visit([&](auto scalars) {
+    using T = typename decltype(scalars)::value_type;
     parallelFor(static_cast<std::size_t>(grid.dims.z), 4, [&](std::size_t begin, std::size_t end) {
       auto local = counts;
+      std::vector<T> buffer;
       for (auto& axis : local) std::fill(axis.begin(), axis.end(), std::size_t{0});
       // Every other row is enough to find the extent.
       for (std::size_t z = begin; z < end; ++z)
         for (int y = static_cast<int>(z % 2); y < grid.dims.y; y += 2) {
-          const auto* row = scalars.data() + grid.offset({0, y, static_cast<int>(z)});
+          const T* row = voxels.row(y, static_cast<int>(z), buffer);
           for (int x = 0; x < grid.dims.x; ++x) {
             if (!isVisible(volume.slope * static_cast<double>(row[x]) + volume.intercept)) continue;
             ++local[0][static_cast<std::size_t>(x)];

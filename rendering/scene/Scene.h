@@ -6,7 +6,7 @@
 #include "rendering/scene/Camera.h"
 #include "rendering/scene/LabelMap.h"
 #include "rendering/scene/Look.h"
-#include "rendering/scene/Volume.h"
+#include "rendering/scene/ShownVolume.h"
 
 namespace fenestra {
 
@@ -14,22 +14,33 @@ struct Scene {
   std::shared_ptr<const Volume> volume;
   std::shared_ptr<const LabelMap> labels;  ///< may be null; same grid dims as the volume
   Look look;
-  /// `volume` with the scanner's table as air; `volume` itself where there is none; null where nobody looked for one.
-  std::shared_ptr<const Volume> tissue = nullptr;
+  /// Where the scanner's table is: of no cells where there is none, null where nobody looked for one.
+  std::shared_ptr<const CoarseMask> table = nullptr;
+  /// The label map that look.labels is about, where `labels` holds a region in focus instead; null: `labels`.
+  std::shared_ptr<const LabelMap> structures = nullptr;
 
   bool operator==(const Scene&) const = default;
 };
 
-/// The volume that 3-D pictures show: `tissue` where the look hides the table. Slices show `volume`.
-const std::shared_ptr<const Volume>& shownVolume(const Scene& scene);
-/// The scene with that as its volume.
-Scene shownScene(Scene scene);
+/// What 3-D pictures show of the volume: neither the table, where the look hides it, nor hidden labels. Slices show
+/// all.
+ShownVolume shownVolume(const Scene& scene);
+
+/// The label map that look.labels is about.
+const std::shared_ptr<const LabelMap>& structuresOf(const Scene& scene);
+/// Whether the labels in focus are labels of that map.
+bool focusesStructures(const Scene& scene);
+/// The labels of that map that have a role and are not in focus, ascending; for Protected, those that are visible.
+std::vector<std::uint16_t> labelsWith(LabelRole role, const Scene& scene);
+
+/// Colour and extinction (1/mm) of a label in focus, as the look has changed them.
+OpticalProperties focusMaterial(const Scene& scene, std::uint16_t label);
 
 /// A scene has an opening when it has a focus and its cutaway is on.
 bool hasCutaway(const Scene& scene);
 
 /// The part of the volume's grid that `context` shows, for a camera to frame: scans hold much air. Nearly empty slabs
 /// of voxels (a table's edge, noise) do not count. The whole grid when the context shows nothing.
-Grid visibleGrid(const Volume& volume, const TransferFunction& context);
+Grid visibleGrid(const ShownVolume& shown, const TransferFunction& context);
 
 }  // namespace fenestra

@@ -16,7 +16,12 @@ constexpr double farthestOn = 1.5;  // voxels from the surface into the structur
 class RaySamples {
  public:
   RaySamples(const Scene& scene, glm::dvec3 start, glm::dvec3 direction)
-      : scene_(scene), context_(scene.look.context.shifted()), start_(start), direction_(direction) {
+      : scene_(scene),
+        shown_(shownVolume(scene)),
+        voxels_(shown_),
+        context_(scene.look.context.shifted()),
+        start_(start),
+        direction_(direction) {
     const Grid& grid = scene.volume->grid;
     indexFromWorld_ = grid.indexFromWorld();
     const glm::dvec3 spacing = grid.spacing;
@@ -30,7 +35,7 @@ class RaySamples {
     const glm::dvec3 index = indexAt(t), size(scene_.volume->grid.dims);
     return glm::all(glm::greaterThanEqual(index, glm::dvec3(-0.5))) && glm::all(glm::lessThan(index, size - 0.5));
   }
-  double valueAt(double t) const { return scene_.volume->sample(indexAt(t)); }
+  double valueAt(double t) const { return voxels_.sample(indexAt(t)); }
   bool isFocus(double t) const {
     if (const auto* values = std::get_if<ValueFocus>(&scene_.look.focus)) {
       const double value = valueAt(t);
@@ -38,20 +43,28 @@ class RaySamples {
     }
     const auto* labels = std::get_if<LabelFocus>(&scene_.look.focus);
     if (!labels || !scene_.labels || !isInside(t)) return false;
-    const glm::ivec3 voxel =
-        glm::clamp(glm::ivec3(glm::floor(indexAt(t) + 0.5)), glm::ivec3(0), scene_.volume->grid.dims - 1);
-    return std::binary_search(labels->labels.begin(), labels->labels.end(), scene_.labels->value(voxel));
+    return std::binary_search(labels->labels.begin(), labels->labels.end(), labelAt(t));
   }
   double extinctionAt(double t) const {
-    if (isFocus(t)) return scene_.look.focusAppearance.extinction;
+    if (isFocus(t)) return focusExtinctionAt(t);
     const double value = valueAt(t);
     return std::isfinite(value) ? context_.evaluate(value).extinction : 0.0;
   }
 
  private:
+  std::uint16_t labelAt(double t) const {
+    return scene_.labels->value(
+        glm::clamp(glm::ivec3(glm::floor(indexAt(t) + 0.5)), glm::ivec3(0), scene_.volume->grid.dims - 1));
+  }
+  double focusExtinctionAt(double t) const {
+    const bool ofLabels = std::holds_alternative<LabelFocus>(scene_.look.focus);
+    return ofLabels ? focusMaterial(scene_, labelAt(t)).extinction : scene_.look.focusAppearance.extinction;
+  }
   glm::dvec3 indexAt(double t) const { return glm::dvec3(indexFromWorld_ * glm::dvec4(worldAt(t), 1.0)); }
 
   const Scene& scene_;
+  ShownVolume shown_;
+  ShownVoxels voxels_;  ///< of shown_
   TransferFunction context_;
   glm::dvec3 start_, direction_;
   glm::dmat4 indexFromWorld_{1.0};

@@ -66,6 +66,12 @@ constexpr auto wordsOf(BrushMode) {
        {BrushMode::Fade, "fade", "Fade", "Shows less of the context's edges over the focus"},
        {BrushMode::Strengthen, "strengthen", "Strengthen", "Shows more of the context's edges over the focus"}});
 }
+constexpr auto wordsOf(LabelRole) {
+  return std::to_array<Word<LabelRole>>(
+      {{LabelRole::Context, "context", "Context", "Cut away where it hides the focus"},
+       {LabelRole::Hidden, "hidden", "Hidden", "Left out of 3-D pictures; slices show its voxels"},
+       {LabelRole::Protected, "protected", "Protected", "Never cut away, even where it hides the focus"}});
+}
 constexpr auto wordsOf(Projection) {
   return std::to_array<Word<Projection>>(
       {{Projection::Perspective, "perspective"}, {Projection::Orthographic, "orthographic"}});

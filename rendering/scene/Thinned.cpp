@@ -41,7 +41,9 @@ Grid thinned(const Grid& grid, glm::ivec3 factor) {
   return result;
 }
 
-std::shared_ptr<const Volume> thinned(const Volume& volume, glm::ivec3 factor) {
+std::shared_ptr<const Volume> thinned(const ShownVolume& shown, glm::ivec3 factor) {
+  const Volume& volume = *shown.volume;
+  const ShownVoxels voxels(shown);
   auto result = std::make_shared<Volume>();
   result->grid = thinned(volume.grid, factor);
   result->slope = volume.slope;
@@ -58,13 +60,14 @@ std::shared_ptr<const Volume> thinned(const Volume& volume, glm::ivec3 factor) {
     parallelFor(static_cast<std::size_t>(to.z), 1, [&](std::size_t begin, std::size_t end) {
       std::vector<double> sums(static_cast<std::size_t>(to.x));
       std::vector<int> counts(sums.size());
+      std::vector<T> buffer;
       for (int z = static_cast<int>(begin); z < static_cast<int>(end); ++z)
         for (int y = 0; y < to.y; ++y) {
           std::fill(sums.begin(), sums.end(), 0.0);
           std::fill(counts.begin(), counts.end(), 0);
           for (int fz = z * factor.z; fz < std::min((z + 1) * factor.z, from.z); ++fz)
             for (int fy = y * factor.y; fy < std::min((y + 1) * factor.y, from.y); ++fy)
-              addRow(scalars.data() + volume.grid.offset({0, fy, fz}), from.x, factor.x, sums, counts);
+              addRow(voxels.row(fy, fz, buffer), from.x, factor.x, sums, counts);
           T* row = out + result->grid.offset({0, y, z});
           for (std::size_t x = 0; x < sums.size(); ++x) row[x] = meanOf<T>(sums[x], counts[x]);
         }

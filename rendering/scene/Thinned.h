@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "rendering/scene/LabelMap.h"
-#include "rendering/scene/Volume.h"
+#include "rendering/scene/ShownVolume.h"
 
 namespace fenestra {
 
@@ -12,8 +12,8 @@ namespace fenestra {
 /// beyond it.
 Grid thinned(const Grid& grid, glm::ivec3 factor);
 /// Each voxel is the mean of its block's finite voxels in the same type, integers rounded; NaN where there is none. The
-/// range stays that of `volume`, which lighting refers to.
-std::shared_ptr<const Volume> thinned(const Volume& volume, glm::ivec3 factor);
+/// range stays that of the volume, which lighting refers to. What is hidden counts as the air that is shown.
+std::shared_ptr<const Volume> thinned(const ShownVolume& shown, glm::ivec3 factor);
 /// Each voxel has the label of the voxel in the middle of its block.
 std::shared_ptr<const LabelMap> thinned(const LabelMap& labels, glm::ivec3 factor);
 

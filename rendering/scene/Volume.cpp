@@ -15,16 +15,7 @@ double Volume::value(glm::ivec3 index) const {
 }
 
 double Volume::sample(glm::dvec3 index) const {
-  const glm::dvec3 clamped = glm::clamp(index, glm::dvec3(0.0), glm::dvec3(grid.dims - 1));
-  const glm::ivec3 base = glm::min(glm::ivec3(glm::floor(clamped)), glm::max(grid.dims - 2, 0));
-  const glm::dvec3 f = clamped - glm::dvec3(base);
-  double sum = 0.0;
-  for (int corner = 0; corner < 8; ++corner) {
-    const glm::ivec3 step(corner & 1, (corner >> 1) & 1, corner >> 2);
-    const double weight = (step.x ? f.x : 1.0 - f.x) * (step.y ? f.y : 1.0 - f.y) * (step.z ? f.z : 1.0 - f.z);
-    if (weight != 0.0) sum += weight * value(glm::min(base + step, grid.dims - 1));
-  }
-  return sum;
+  return interpolated(grid, index, [&](glm::ivec3 voxel) { return value(voxel); });
 }
 
 void Volume::computeRange() {

@@ -16,6 +16,8 @@ struct ValueRange {
   bool operator==(const ValueRange&) const = default;
 };
 
+inline constexpr double airValue = -1000.0;  ///< HU
+
 /// Display window: values from level - width/2 (black) to level + width/2 (white).
 struct WindowLevel {
   double width = 1.0;
@@ -24,6 +26,21 @@ struct WindowLevel {
 };
 
 enum class Modality : std::uint8_t { Unknown, CT, MR };
+
+/// Trilinear between valueAt(voxel), at a continuous index position clamped to the edge.
+template <class ValueAt>
+double interpolated(const Grid& grid, glm::dvec3 index, const ValueAt& valueAt) {
+  const glm::dvec3 clamped = glm::clamp(index, glm::dvec3(0.0), glm::dvec3(grid.dims - 1));
+  const glm::ivec3 base = glm::min(glm::ivec3(glm::floor(clamped)), glm::max(grid.dims - 2, 0));
+  const glm::dvec3 f = clamped - glm::dvec3(base);
+  double sum = 0.0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::ivec3 step(corner & 1, (corner >> 1) & 1, corner >> 2);
+    const double weight = (step.x ? f.x : 1.0 - f.x) * (step.y ? f.y : 1.0 - f.y) * (step.z ? f.z : 1.0 - f.z);
+    if (weight != 0.0) sum += weight * valueAt(glm::min(base + step, grid.dims - 1));
+  }
+  return sum;
+}
 
 /// Immutable once built and shared by std::shared_ptr<const Volume>; its address is its identity.
 struct Volume {

@@ -101,6 +101,15 @@ LabelEdit relabel(const LabelMap* map, const Mask& mask, const Label& label, Ove
   return edit;
 }
 
+LabelEdit renamed(const LabelMap& map, std::uint16_t label, const std::string& name) {
+  LabelEdit edit;
+  edit.grid = map.grid;
+  edit.before = edit.after = sideOf(&map);
+  for (Label& each : edit.after.labels)
+    if (each.value == label) each.name = name;
+  return edit;
+}
+
 std::uint16_t freeLabel(const LabelMap* map) {
   std::uint16_t value = 1;
   if (map)

@@ -46,6 +46,9 @@ enum class Overlap : std::uint8_t { Take, Leave };
 /// of that value that is there already gets the new name and colour. `map` is null or on the mask's grid.
 LabelEdit relabel(const LabelMap* map, const Mask& mask, const Label& label, Overlap overlap);
 
+/// The edit that gives a label of the map another name.
+LabelEdit renamed(const LabelMap& map, std::uint16_t label, const std::string& name);
+
 /// The least label value that `map`, which may be null, does not use; 0 where all are used.
 std::uint16_t freeLabel(const LabelMap* map);
 

@@ -248,7 +248,8 @@ Scene shownScene(Scene scene, const Growth& growth) {
   LabelFocus labels;
   for (int label = 1; label <= growth.stepOf(*region); ++label)
     labels.labels.push_back(static_cast<std::uint16_t>(label));
-  scene.labels = growth.steps;
+  if (!scene.labels) scene.look.labels.clear();
+  scene.structures = std::exchange(scene.labels, growth.steps);
   scene.look.focus = labels.labels.empty() ? Focus() : Focus(std::move(labels));
   return scene;
 }

@@ -22,7 +22,6 @@ constexpr double leastPart = 1000.0;                         // mm³ of a part's
 constexpr double leastMean = -150.0, greatestMean = 700.0;   // HU of a part
 constexpr double slabThickness = 30.0, slabLength = 200.0;   // mm
 constexpr double appendageReach = 40.0;                      // mm
-constexpr double airValue = -1000.0;                         // HU
 constexpr int shellCells = 2;
 
 /// The volume's cells.
@@ -356,54 +355,15 @@ CoarseMask findTable(const Volume& volume) {
   mask.stride = cells.stride;
   mask.dims = cells.dims;
   mask.count = static_cast<std::size_t>(std::count(hidden.begin(), hidden.end(), 1));
-  mask.cells = std::move(hidden);
+  mask.cells.assign(hidden.begin(), hidden.end());
   return mask;
 }
 
-namespace {
-
-/// A copy with the masked voxels as air.
-std::shared_ptr<const Volume> cleared(const std::shared_ptr<const Volume>& volume, const CoarseMask& mask) {
-  auto result = std::make_shared<Volume>();
-  result->grid = volume->grid;
-  result->slope = volume->slope;
-  result->intercept = volume->intercept;
-  result->range = volume->range;
-  result->modality = volume->modality;
-  result->unit = volume->unit;
-  result->lowIsWhite = volume->lowIsWhite;
-  result->windows = volume->windows;
-  result->voxels = Voxels(volume->voxels.type(), volume->voxels.count());
-  const double air = (std::max(airValue, volume->range.low) - volume->intercept) / volume->slope;
-  volume->voxels.visit([&](auto from) {
-    using Scalar = typename decltype(from)::value_type;
-    const std::span<Scalar> to = result->voxels.as<Scalar>();
-    const auto stored = static_cast<Scalar>(std::is_floating_point_v<Scalar> ? air : std::round(air));
-    const bool rising = volume->slope > 0.0;
-    const Grid& grid = volume->grid;
-    parallelFor(static_cast<std::size_t>(grid.dims.z), 4, [&](std::size_t begin, std::size_t end) {
-      for (int z = static_cast<int>(begin); z < static_cast<int>(end); ++z)
-        for (int y = 0; y < grid.dims.y; ++y) {
-          const std::size_t row = grid.offset({0, y, z});
-          for (int x = 0; x < grid.dims.x; ++x) {
-            const Scalar value = from[row + static_cast<std::size_t>(x)];
-            const bool brighter = rising ? !(value <= stored) : !(value >= stored);
-            to[row + static_cast<std::size_t>(x)] = brighter && mask.hides({x, y, z}) ? stored : value;
-          }
-        }
-    });
-  });
-  return result;
-}
-
-}  // namespace
-
-std::shared_ptr<const Volume> withoutTable(const std::shared_ptr<const Volume>& volume) {
+std::shared_ptr<const CoarseMask> tableOf(const Volume& volume) {
   try {
-    const CoarseMask mask = findTable(*volume);
-    return mask.count == 0 ? volume : cleared(volume, mask);
+    return std::make_shared<CoarseMask>(findTable(volume));
   } catch (const std::bad_alloc&) {
-    return volume;
+    return std::make_shared<CoarseMask>();
   }
 }
 

@@ -1,28 +1,12 @@
 #pragma once
 // The scanner's table, head rest and cushions in a CT: what lies around the patient.
 
-#include <cstdint>
 #include <memory>
-#include <vector>
 
+#include "rendering/scene/CoarseMask.h"
 #include "rendering/scene/Volume.h"
 
 namespace fenestra::segmentation {
-
-/// The cells of a coarser grid: each joins `stride` voxels along each axis, the last one what remains.
-struct CoarseMask {
-  glm::ivec3 stride{1}, dims{0};
-  std::vector<std::uint8_t> cells;  ///< x fastest; 1: to be hidden
-  std::size_t count = 0;            ///< of cells to be hidden
-
-  bool hides(glm::ivec3 voxel) const {
-    const glm::ivec3 cell = voxel / stride;
-    return cells[static_cast<std::size_t>(cell.x) +
-                 static_cast<std::size_t>(dims.x) *
-                     (static_cast<std::size_t>(cell.y) +
-                      static_cast<std::size_t>(dims.y) * static_cast<std::size_t>(cell.z))] != 0;
-  }
-};
 
 /// Finds what is not the patient in a volume in Hounsfield units; nothing in other volumes. Works on cells of about
 /// 2 mm, at most 2²⁴ of them, in some 30 bytes a cell and on all cores. Deterministic.
@@ -42,8 +26,7 @@ inline constexpr const char* tableNotice =
     "the scanner's table is left out of 3-D pictures; slices show it; \"Hide the table\" or --hide-table off brings it "
     "back";
 
-/// The volume with the values of hidden voxels replaced by air, -1000 HU, or by the least value where that is more;
-/// voxels darker than that stay. `volume` itself where nothing is hidden, or where there is no memory for a copy.
-std::shared_ptr<const Volume> withoutTable(const std::shared_ptr<const Volume>& volume);
+/// The same for a scene to hold. Without cells where there is no memory to look for a table.
+std::shared_ptr<const CoarseMask> tableOf(const Volume& volume);
 
 }  // namespace fenestra::segmentation

@@ -21,6 +21,9 @@ UNIFORM_BLOCK(CutawayBlock, storedCutaway, CutawaySettings, cutaway);
 #if EDITED
 TEXELS_2D(rg32f, editMap);
 #endif
+#if PROTECTED
+TEXELS_2D(rgba32f, protectedLayer);
+#endif
 #if CONTEXT_LAYER
 TEXELS_2D(rgba32f, contextLayer);
 TEXELS_2D(r32f, silhouette);
@@ -41,6 +44,10 @@ void main() {
   ivec2 pixel = regionPixel();
   if (any(greaterThanEqual(pixel, imageSize(picture)))) return;
   vec4 result = texelOf(focusLayer, pixel);
+#if PROTECTED
+  vec4 front = texelOf(protectedLayer, pixel);
+  result = front + (1.0 - front.a) * result;
+#endif
   vec2 hit = texelOf(hitPoints, pixel).xy;
 #if CONTEXT_LAYER
   vec4 context = texelOf(contextLayer, pixel);

@@ -38,7 +38,8 @@ struct Measured {
   std::optional<Options> refinedFor;
   std::size_t spread = 0;  ///< number of spread candidates; the standard views serve comparisons and the joint search
   std::size_t surfacePoints = 0;
-  double surfaceArea = 0.0;  ///< mm²
+  std::vector<std::uint16_t> pointLabels;  ///< of the surface points, where the focus is labels; else empty
+  double surfaceArea = 0.0;                ///< mm²
 };
 
 /// In the paper's order: the best view, then the best view of its region. With `joint` both at once (jointSearch), the

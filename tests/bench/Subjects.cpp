@@ -125,7 +125,7 @@ Scene plainScene(const Scene& scene) {
 }
 
 std::vector<Camera> cameraPath(const Scene& scene, int count) {
-  const Grid framed = visibleGrid(*shownVolume(scene), scene.look.context.shifted());
+  const Grid framed = visibleGrid(shownVolume(scene), scene.look.context.shifted());
   std::vector<Camera> path;
   for (int i = 0; i < count; ++i) {
     // Off the axes, where rays would run along the voxels' planes and flatter everybody.

@@ -71,7 +71,7 @@ TEST_F(GpuSceneTest, AVolumeBeyondTheLimitsIsDrawnWithWholeVoxelsJoined) {
     gpu.update(scene);
     EXPECT_EQ(gpu.reduction(), glm::ivec3(2, 2, 2));
     EXPECT_NE(gpu.reductionNotice().find("2×2×2"), std::string::npos);
-    const Scene thin{thinned(*scene.volume, {2, 2, 2}), thinned(*scene.labels, {2, 2, 2}), scene.look};
+    const Scene thin{thinned(shownVolume(scene), {2, 2, 2}), thinned(*scene.labels, {2, 2, 2}), scene.look};
     EXPECT_EQ(gpu.grid(), thin.volume->grid);
     // The camera frames the whole volume in both.
     Renderer direct(std::make_shared<GpuScene>());
@@ -103,14 +103,17 @@ TEST_F(GpuSceneTest, TheTableIsHiddenAsIfItWereAir) {
   const auto inBody = [](glm::ivec3 v) { return glm::length(glm::dvec3(v) - glm::dvec3(24.0, 20.0, 18.0)) < 14.0; };
   const Grid grid = gridOf({48, 40, 36});
   scene.volume = volumeOf<std::int16_t>(grid, [&](glm::ivec3 v) { return inBody(v) ? 60 : v.y > 36 ? 100 : -1000; });
-  scene.tissue = volumeOf<std::int16_t>(grid, [&](glm::ivec3 v) { return inBody(v) ? 60 : -1000; });
+  scene.table = tableWhere(grid, [](glm::ivec3 v) { return v.y > 36; });
   scene.labels = nullptr;
   scene.look.focus = {};
   const auto hidden = pictureOf(scene);
-  EXPECT_EQ(hidden, pictureOf(shownScene(scene)));
+  Scene cleared = scene;
+  cleared.volume = volumeOf<std::int16_t>(grid, [&](glm::ivec3 v) { return inBody(v) ? 60 : -1000; });
+  cleared.table = nullptr;
+  EXPECT_EQ(hidden, pictureOf(cleared));
   Scene shown = scene;
   shown.look.hideTable = false;
-  EXPECT_EQ(shownVolume(shown), scene.volume);
+  EXPECT_EQ(shownVolume(shown), ShownVolume{scene.volume});
   EXPECT_NE(pictureOf(shown), hidden);
   // The same objects follow the choice both ways.
   GpuScene gpu;
@@ -121,12 +124,71 @@ TEST_F(GpuSceneTest, TheTableIsHiddenAsIfItWereAir) {
   gpu.update(shown);
   EXPECT_GT(gpu.versions().volume, first);
   // Without a table, hiding is no change.
-  scene.tissue = scene.volume;
+  scene.table = std::make_shared<CoarseMask>();
   gpu.update(scene);
   const std::uint64_t second = gpu.versions().volume;
   scene.look.hideTable = false;
   gpu.update(scene);
   EXPECT_EQ(gpu.versions().volume, second);
+}
+
+TEST_F(GpuSceneTest, HiddenLabelsAreAirFocusAndHaveNoHits) {
+  for (const bool lit : {false, true})
+    for (const Focus& focus : {Focus(LabelFocus{{3}}), Focus(ValueFocus{{800.0, 1000.0}, 0.0}), Focus()}) {
+      Scene scene = largeScene();
+      const Grid& grid = scene.volume->grid;
+      const auto isBone = [](glm::ivec3 v) { return glm::length(glm::dvec2(v.x - 20, v.z - 12)) < 4.0; };
+      const auto valueAt = [&](glm::ivec3 v) {
+        const double before = scene.volume->value(v);
+        return isBone(v) && before > 0.0 ? 900.0 : before;
+      };
+      const auto whole = volumeOf<std::int16_t>(grid, valueAt);
+      const auto cleared = volumeOf<std::int16_t>(
+          grid, [&](glm::ivec3 v) { return isBone(v) ? std::min(valueAt(v), -900.0) : valueAt(v); });
+      scene.labels = labelsOf(grid, [labels = scene.labels, &isBone](glm::ivec3 v) {
+        return isBone(v) ? 5 : static_cast<int>(labels->value(v));
+      });
+      scene.look.focus = focus;
+      scene.look.shading.enabled = lit;
+      Scene hidden = scene, expected = scene;
+      hidden.volume = whole;
+      put(hidden.look.labels, {.label = 5, .role = LabelRole::Hidden});
+      expected.volume = cleared;
+      EXPECT_EQ(whole->range, cleared->range);
+      EXPECT_EQ(pictureOf(hidden), pictureOf(expected));
+      EXPECT_EQ(pictureOf(hidden, DeviceLimits{32, {}}), pictureOf(expected, DeviceLimits{32, {}})) << "thinned";
+      scene.volume = whole;
+      if (std::holds_alternative<ValueFocus>(focus)) {
+        EXPECT_NE(pictureOf(hidden), pictureOf(scene)) << "the bone would be in focus";
+      }
+      EXPECT_EQ(visibleGrid(shownVolume(hidden), scene.look.context.function),
+                visibleGrid(shownVolume(expected), scene.look.context.function));
+      EXPECT_EQ(focusCentre(hidden), focusCentre(expected));
+    }
+}
+
+TEST_F(GpuSceneTest, ProtectedLabelsTakeMemoryOnlyWhileTheyAreUsed) {
+  Scene scene = largeScene();
+  GpuScene gpu;
+  const auto has = [&] {
+    gpu.update(scene);
+    const auto all = gpu.resources();
+    return std::any_of(all.begin(), all.end(), [](const auto& each) { return each.name == "protected labels"; });
+  };
+  EXPECT_FALSE(has());
+  put(scene.look.labels, {.label = 3, .role = LabelRole::Protected});
+  EXPECT_FALSE(has()) << "it is in focus";
+  scene.look.focus = ValueFocus{{20.0, 50.0}, 0.0};
+  EXPECT_TRUE(has());
+  const std::uint64_t version = gpu.versions().protectedLabels;
+  EXPECT_TRUE(has());
+  EXPECT_EQ(gpu.versions().protectedLabels, version) << "made once";
+  scene.look.cutaway.enabled = false;
+  EXPECT_FALSE(has());
+  scene.look.cutaway.enabled = true;
+  EXPECT_TRUE(has());
+  put(scene.look.labels, {.label = 3, .role = LabelRole::Protected, .visible = false});
+  EXPECT_FALSE(has());
 }
 
 /// Has no room for 3-D textures of more than so many texels.

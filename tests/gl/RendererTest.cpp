@@ -85,14 +85,18 @@ TEST_F(Passes, SameAnswerWhetherPassesWereReusedOrNot) {
   const View view = viewOf(scene);
   Renderer reused(std::make_shared<GpuScene>());
   reused.render(scene, view);
-  const std::array<void (*)(Scene&), 6> changes{
+  const std::array<void (*)(Scene&), 10> changes{
+      [](Scene& s) { put(s.look.labels, {.label = 2, .role = LabelRole::Protected}); },
       [](Scene& s) { s.look.cutaway.openWidth = 4.0; },
+      [](Scene& s) { put(s.look.labels, {.label = 2, .role = LabelRole::Hidden}); },
+      [](Scene& s) { put(s.look.labels, {.label = 1, .opacity = 0.25, .colour = glm::dvec3(0.1, 0.9, 0.2)}); },
       [](Scene& s) { s.look.contextLayer.strength = 0.0; },
       [](Scene& s) {
         s.look.focus = ValueFocus{{800.0, 2000.0}, 0.0};
       },
       [](Scene& s) { s.look.cutaway.enabled = false; },
       [](Scene& s) { s.look.shading.enabled = false; },
+      [](Scene& s) { put(s.look.labels, {.label = 2, .role = LabelRole::Protected}); },
       [](Scene& s) { s.look.cutaway.enabled = s.look.shading.enabled = true; }};
   for (const auto change : changes) {
     change(scene);
@@ -107,6 +111,7 @@ TEST_F(Passes, MovingTheOpeningKeepsOnlyWhatStaysTheSame) {
   for (const bool shading : {true, false}) {
     Scene scene = ballScene();
     scene.look.shading.enabled = shading;
+    if (shading) put(scene.look.labels, {.label = 2, .role = LabelRole::Protected});
     const View view = viewOf(scene);
     Renderer reused(std::make_shared<GpuScene>());
     reused.render(scene, view);

@@ -78,6 +78,12 @@ inline Scene brushed(Scene scene) {
   return scene;
 }
 
+/// A body whose second organ is never cut away, unless it is in focus.
+inline Scene withProtected(Scene scene) {
+  put(scene.look.labels, {.label = 2, .role = LabelRole::Protected});
+  return scene;
+}
+
 /// All of them for one voxel type; of the others, whose shaders differ in how they read a voxel alone, every seventh.
 inline std::vector<SceneKind> allSceneKinds() {
   std::vector<SceneKind> kinds, others;
@@ -92,6 +98,10 @@ inline std::vector<SceneKind> allSceneKinds() {
     withStroke.name += ", brushed";
     withStroke.scene = brushed(withStroke.scene);
     kinds.push_back(withStroke);
+    SceneKind guarded = withStroke;
+    guarded.name += ", protected label";
+    guarded.scene = withProtected(guarded.scene);
+    kinds.push_back(guarded);
     SceneKind bare = withStroke;
     bare.name += ", no edges";
     bare.scene.look.contextLayer.strength = 0.0;
@@ -100,6 +110,13 @@ inline std::vector<SceneKind> allSceneKinds() {
     parallel.name += ", orthographic";
     parallel.view.camera = Camera::fromAngles(-70.0, 35.0, parallel.scene.volume->grid, Projection::Orthographic);
     kinds.push_back(parallel);
+  }
+  for (std::size_t i = 0; i < plain; i += 5) {
+    if (!hasCutaway(kinds[i].scene)) continue;
+    SceneKind guarded = kinds[i];
+    guarded.name += ", protected label";
+    guarded.scene = withProtected(guarded.scene);
+    kinds.push_back(guarded);
   }
   return kinds;
 }

@@ -24,6 +24,7 @@
 #include "viewer/model/Paths.h"
 #include "viewer/panels/CamerasPanel.h"
 #include "viewer/panels/FocusPanel.h"
+#include "viewer/panels/LabelList.h"
 
 namespace fenestra::viewer {
 namespace {

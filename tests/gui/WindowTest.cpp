@@ -15,6 +15,7 @@
 #include "viewer/panels/ContextLayerPanel.h"
 #include "viewer/panels/CutawayPanel.h"
 #include "viewer/panels/FocusPanel.h"
+#include "viewer/panels/LabelList.h"
 #include "viewer/panels/SliderSpin.h"
 
 namespace fenestra::viewer {
@@ -329,7 +330,7 @@ TEST_F(Window, TicksAndFilterWorkOnTheLabelList) {
 }
 
 TEST_F(Window, CrosshairGoesToAFocusThatIsChosenByNameOrOpened) {
-  QListView* list = panel<FocusPanel>().list();
+  LabelList* list = panel<FocusPanel>().list();
   list->doubleClicked(list->model()->index(1, 0));
   EXPECT_EQ(document().focus(), Focus(LabelFocus{{marker}}));
   const auto atMarker = [&] { return glm::distance(cursor().position(), markerCentre) < 1e-6; };

@@ -81,12 +81,19 @@ std::vector<Grid> grids() {
           gridOf({320, 240, 60}, {1.0, 1.0, 1.0})};
 }
 
+/// What 3-D pictures show of a volume without its table.
+ShownVolume withoutTable(const std::shared_ptr<const Volume>& volume) {
+  Scene scene{volume, nullptr, {}};
+  scene.table = tableOf(*volume);
+  return shownVolume(scene);
+}
+
 TEST(Table, IsHiddenAndTheBodyIsNot) {
   for (const Grid& grid : grids()) {
-    const std::shared_ptr<const Volume> volume = scan(grid), cleared = withoutTable(volume);
-    ASSERT_NE(cleared, volume);
-    EXPECT_EQ(cleared->grid, grid);
-    EXPECT_EQ(cleared->range, volume->range);
+    const std::shared_ptr<const Volume> volume = scan(grid);
+    const ShownVolume shown = withoutTable(volume);
+    ASSERT_NE(shown, ShownVolume{volume});
+    const ShownVoxels cleared(shown);
     std::size_t wrong = 0, left = 0, table = 0;
     for (int z = 0; z < grid.dims.z; ++z)
       for (int y = 0; y < grid.dims.y; ++y)
@@ -96,9 +103,9 @@ TEST(Table, IsHiddenAndTheBodyIsNot) {
           const bool isTable = part == Part::Table || part == Part::Cushion || part == Part::Wire;
           if (isTable) {
             ++table;
-            left += cleared->value(index) != air;
+            left += cleared.value(index) != air;
           } else {
-            wrong += cleared->value(index) != volume->value(index);
+            wrong += cleared.value(index) != volume->value(index);
           }
         }
     EXPECT_EQ(wrong, 0u) << "of the body";
@@ -116,7 +123,7 @@ TEST(Table, IsLookedForInHounsfieldUnitsOnly) {
   std::copy_n(ct->voxels.data(), ct->voxels.byteCount(), volume->voxels.data());
   volume->modality = Modality::MR;
   volume->computeRange();
-  EXPECT_EQ(withoutTable(volume), volume);
+  EXPECT_EQ(withoutTable(volume), ShownVolume{volume});
   EXPECT_EQ(findTable(*volume).count, 0u);
 }
 
@@ -127,7 +134,7 @@ TEST(Table, NoneAndNoBodyLeaveTheVolumeAsItIs) {
       return static_cast<std::int16_t>(glm::length(glm::dvec2(i.x - 30, i.y - 25)) < 20.0 ? value : air);
     });
     volume->modality = Modality::CT;
-    EXPECT_EQ(withoutTable(volume), volume);
+    EXPECT_EQ(withoutTable(volume), ShownVolume{volume});
   }
   for (const glm::ivec3 dims : {glm::ivec3(1), glm::ivec3(1, 40, 50), glm::ivec3(40, 40, 1)}) {
     std::shared_ptr<Volume> volume = volumeOf<float>(gridOf(dims), [](glm::ivec3 i) {
@@ -146,7 +153,9 @@ TEST(Table, EqualCallsHideTheSame) {
 }
 
 /// How many labelled voxels hiding changes, by their label's name.
-std::map<std::string, std::size_t> hiddenLabels(const Volume& volume, const Volume& cleared, const LabelMap& labels) {
+std::map<std::string, std::size_t> hiddenLabels(const ShownVolume& shown, const LabelMap& labels) {
+  const Volume& volume = *shown.volume;
+  const ShownVoxels cleared(shown);
   std::map<std::string, std::size_t> hidden;
   forEachVoxel(volume.grid.dims, [&](glm::ivec3 index) {
     const std::uint16_t value = labels.value(index);
@@ -170,10 +179,11 @@ TEST(Table, NothingOfALabelledTorsoIsHidden) {
         Case{"labelled/slicer-ctchest/CTChest4.nrrd", "labelled/slicer-ctchest/Segmentation.seg.nrrd", true}}) {
     const std::filesystem::path image = findTestData(each.image), labels = findTestData(each.labels);
     if (image.empty() || labels.empty()) GTEST_SKIP() << "needs " << each.image;
-    const std::shared_ptr<const Volume> volume = io::openVolume(image).volume, cleared = withoutTable(volume);
+    const std::shared_ptr<const Volume> volume = io::openVolume(image).volume;
+    const ShownVolume cleared = withoutTable(volume);
     const auto map = io::openLabels(labels, volume->grid).labels;
-    EXPECT_EQ(hiddenLabels(*volume, *cleared, *map), (std::map<std::string, std::size_t>{})) << each.image;
-    EXPECT_EQ(cleared != volume, each.hasTable) << each.image;
+    EXPECT_EQ(hiddenLabels(cleared, *map), (std::map<std::string, std::size_t>{})) << each.image;
+    EXPECT_EQ(cleared != ShownVolume{volume}, each.hasTable) << each.image;
   }
 }
 

@@ -60,6 +60,18 @@ std::shared_ptr<LabelMap> labelsOf(const Grid& grid, F&& labelAt) {
   return labels;
 }
 
+/// A table of single voxels.
+template <class F>
+std::shared_ptr<const CoarseMask> tableWhere(const Grid& grid, F&& isTable) {
+  auto table = std::make_shared<CoarseMask>();
+  table->dims = grid.dims;
+  forEachVoxel(grid.dims, [&](glm::ivec3 index) {
+    table->cells.push_back(isTable(index));
+    table->count += table->cells.back();
+  });
+  return table;
+}
+
 /// Transparent below `value`, opaque above.
 inline TransferFunction opaqueFrom(double value) {
   return {{{value, {glm::dvec3(1.0), 0.0}}, {value, {glm::dvec3(1.0), 5.0}}}};

@@ -12,7 +12,7 @@
 namespace fenestra::tests {
 namespace {
 
-FocusIndex indexOf(const Scene& scene) { return buildFocusIndex(scene, brickRanges(*scene.volume)); }
+FocusIndex indexOf(const Scene& scene) { return buildFocusIndex(scene, brickRanges(shownVolume(scene))); }
 
 /// Around the bricks' side, and volumes with an axis of one voxel.
 const std::vector<glm::ivec3> awkwardSizes{{1, 1, 1}, {1, 7, 5}, {6, 1, 9}, {3, 3, 3},

@@ -32,7 +32,7 @@ void expectSmooth(glm::ivec3 dims, InsideAt insideAt) {
   scene.volume = volumeOf(grid, [](glm::ivec3 v) { return double(v.x); });
   scene.labels = labelsOf(grid, [&](glm::ivec3 v) { return insideAt(v) ? 7 : v.x % 3; });
   scene.look.focus = LabelFocus{{7, 9}};
-  const FocusIndex index = buildFocusIndex(scene, brickRanges(*scene.volume));
+  const FocusIndex index = buildFocusIndex(scene, brickRanges(shownVolume(scene)));
   ASSERT_TRUE(index.box);
   const FocusSmooth smooth = smoothFocus(*scene.labels, std::get<LabelFocus>(scene.look.focus), index);
   EXPECT_EQ(smooth.origin, index.box->low - 5);

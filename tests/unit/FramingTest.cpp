@@ -55,7 +55,7 @@ double filledBy(const std::vector<glm::dvec3>& points, const Camera& camera, con
 TEST(Framing, EnclosesWhatShowsFromEverywhere) {
   for (const int side : {40, 100, 200}) {
     const Head head(side);
-    const Framing framing = visibleFraming(*head.volume, head.context);
+    const Framing framing = visibleFraming({head.volume}, head.context);
     for (const Projection projection : {Projection::Perspective, Projection::Orthographic})
       for (int azimuth = -170; azimuth <= 180; azimuth += 35)
         for (const int elevation : {-80, -30, 0, 25, 60}) {
@@ -72,7 +72,7 @@ TEST(Framing, IsTheGridWhereNothingShows) {
   const Head head(40);
   TransferFunction nothing;
   nothing.nodes = {{5000.0, {glm::dvec3(1.0), 0.0}}, {6000.0, {glm::dvec3(1.0), 1.0}}};
-  const Framing framing = visibleFraming(*head.volume, nothing);
+  const Framing framing = visibleFraming({head.volume}, nothing);
   const Grid& grid = head.volume->grid;
   for (const StandardView view : {StandardView::Anterior, StandardView::Superior})
     EXPECT_EQ(Camera::standard(view, framing), Camera::standard(view, grid));
@@ -80,7 +80,7 @@ TEST(Framing, IsTheGridWhereNothingShows) {
 
 TEST(Framing, TurnsAroundTheMiddleOfWhatShows) {
   const Head head(100);
-  const Framing framing = visibleFraming(*head.volume, head.context);
+  const Framing framing = visibleFraming({head.volume}, head.context);
   glm::dvec3 mean(0.0);
   for (const glm::dvec3& point : head.shown) mean += point / static_cast<double>(head.shown.size());
   EXPECT_LT(glm::distance(framing.centre, mean), 1.0);

@@ -279,7 +279,7 @@ TEST(ReferenceFocusCells, smallComponentsAreDropped) {
   };
   const auto volume = volumeOf(grid, cubes);
   const auto kept = [&](double minimum) {
-    const FocusCells cells = focusCells(*volume, {{0.5, 2.0}, minimum});
+    const FocusCells cells = focusCells({volume}, {{0.5, 2.0}, minimum});
     return std::count(cells.kept.begin(), cells.kept.end(), 1);
   };
   EXPECT_EQ(kept(0.0), 64 + 8);
@@ -293,11 +293,11 @@ TEST(ReferenceFocusCells, cellsThatShareACornerAreConnected) {
   // Cells of voxel (5,5,5) reach corner 6; those of voxel (7,7,7) begin there.
   const auto volume =
       volumeOf(gridOf({12, 12, 12}), [](glm::ivec3 i) { return i == glm::ivec3(5) || i == glm::ivec3(7) ? 1.0 : 0.0; });
-  const FocusCells together = focusCells(*volume, {{0.5, 2.0}, 16.0});
+  const FocusCells together = focusCells({volume}, {{0.5, 2.0}, 16.0});
   EXPECT_EQ(std::count(together.kept.begin(), together.kept.end(), 1), 16);
   const auto apart =
       volumeOf(gridOf({12, 12, 12}), [](glm::ivec3 i) { return i == glm::ivec3(5) || i == glm::ivec3(8) ? 1.0 : 0.0; });
-  const FocusCells none = focusCells(*apart, {{0.5, 2.0}, 16.0});
+  const FocusCells none = focusCells({apart}, {{0.5, 2.0}, 16.0});
   EXPECT_EQ(std::count(none.kept.begin(), none.kept.end(), 1), 0);
 }
 

@@ -105,7 +105,7 @@ TEST(Thinned, VoxelsAreTheMeansOfTheirBlocks) {
   const Grid grid = tests::obliqueGrid({5, 4, 3});
   const auto volume =
       tests::volumeOf<std::int16_t>(grid, [](glm::ivec3 v) { return 10 * v.x + 100 * v.y + 1000 * v.z; });
-  const auto thin = thinned(*volume, {2, 1, 3});
+  const auto thin = thinned(ShownVolume{volume}, {2, 1, 3});
   EXPECT_EQ(thin->grid.dims, glm::ivec3(3, 4, 1));
   EXPECT_EQ(thin->value({0, 0, 0}), 1005.0);
   EXPECT_EQ(thin->value({2, 1, 0}), 1140.0) << "half a block";
@@ -120,7 +120,7 @@ TEST(Thinned, NotANumberCountsForNothing) {
   const auto volume = tests::volumeOf<float>(tests::gridOf({4, 1, 1}), [](glm::ivec3 v) {
     return v.x == 0 ? 7.0 : v.x == 1 ? tests::nan : tests::infinity;
   });
-  const auto thin = thinned(*volume, {2, 1, 1});
+  const auto thin = thinned(ShownVolume{volume}, {2, 1, 1});
   EXPECT_EQ(thin->value({0, 0, 0}), 7.0);
   EXPECT_TRUE(std::isnan(thin->value({1, 0, 0})));
 }

@@ -62,7 +62,8 @@ class Document::LookChange : public Change {
 
   static std::size_t heldBy(const Look& look) {
     const ContextFunction& context = look.context;
-    std::size_t bytes = context.preset.capacity() + context.file.native().capacity() +
+    std::size_t bytes = look.labels.capacity() * sizeof(LabelSetting) + context.preset.capacity() +
+                        context.file.native().capacity() +
                         context.function.nodes.capacity() * sizeof(TransferFunction::Node) +
                         look.strokes.capacity() * sizeof(BrushStroke);
     for (const BrushStroke& stroke : look.strokes) bytes += stroke.anchors.capacity() * sizeof(glm::dvec3);
@@ -157,6 +158,8 @@ void Document::updateShown() {
     shown_ = segmentation::shownScene(study_.scene, *grown);
   } else if (region()) {
     shown_.labels = before.labels;
+    shown_.structures = study_.scene.labels;
+    if (!shown_.structures) shown_.look.labels.clear();
     shown_.look.focus = before.look.focus;
   }
 }
@@ -169,9 +172,11 @@ void Document::show(Look look) {
   const bool context = now.context != before.context;
   const bool cutaway = now.cutaway != before.cutaway || now.contextLayer != before.contextLayer;
   const bool shading = now.shading != before.shading, strokes = now.strokes != before.strokes;
-  const bool scene = focus || context || cutaway || shading || now.background != before.background ||
+  const bool labels = now.labels != before.labels;
+  const bool scene = focus || labels || context || cutaway || shading || now.background != before.background ||
                      now.hideTable != before.hideTable;
   if (focus) Q_EMIT focusChanged();
+  if (labels) Q_EMIT labelSettingsChanged();
   if (context) Q_EMIT transferFunctionChanged();
   if (cutaway) Q_EMIT cutawayChanged();
   if (shading) Q_EMIT shadingChanged();
@@ -196,9 +201,10 @@ void Document::setLabels(std::shared_ptr<const LabelMap> labels, io::SessionData
   labelsRevision_ = filedRevision_ = ++lastRevision_;
   updateShown();
   Q_EMIT labelsChanged();
-  if (std::holds_alternative<LabelFocus>(focus())) {
+  if (std::holds_alternative<LabelFocus>(focus()) || !look().labels.empty()) {
     Look without = look();
-    without.focus = std::monostate{};
+    if (std::holds_alternative<LabelFocus>(focus())) without.focus = std::monostate{};
+    without.labels.clear();
     show(std::move(without));
   } else {
     Q_EMIT sceneChanged();
@@ -343,6 +349,41 @@ void Document::setFocused(std::uint16_t label, bool focused) {
 bool Document::isFocused(std::uint16_t label) const {
   const auto* current = std::get_if<LabelFocus>(&focus());
   return current && std::binary_search(current->labels.begin(), current->labels.end(), label);
+}
+
+void Document::setLabelSetting(const LabelSetting& setting, const QString& name) {
+  Look changed = look();
+  put(changed.labels, setting);
+  edit(name, std::move(changed));
+}
+
+std::optional<LabelRole> Document::roleOf(std::uint16_t label) const {
+  if (isFocused(label)) return std::nullopt;
+  return labelSetting(label).role;
+}
+
+void Document::setRole(std::uint16_t label, std::optional<LabelRole> role) {
+  if (role == roleOf(label)) return;
+  Look changed = look();
+  LabelFocus focus;
+  if (const auto* current = std::get_if<LabelFocus>(&changed.focus)) focus = *current;
+  const auto at = std::lower_bound(focus.labels.begin(), focus.labels.end(), label);
+  if (!role)
+    focus.labels.insert(at, label);
+  else if (isFocused(label))
+    focus.labels.erase(at);
+  if (!role || isFocused(label)) changed.focus = focus.labels.empty() ? Focus() : Focus(std::move(focus));
+  LabelSetting setting = settingFor(changed.labels, label);
+  setting.role = role.value_or(LabelRole::Context);
+  put(changed.labels, setting);
+  edit(tr("Role"), std::move(changed));
+}
+
+void Document::renameLabel(std::uint16_t label, const QString& name) {
+  segmentation::LabelEdit change = segmentation::renamed(*labels(), label, name.toStdString());
+  if (change.after.labels == change.before.labels) return;
+  std::shared_ptr<const LabelMap> after = change.applied(labels().get());
+  editLabels(tr("Rename"), std::move(change), std::move(after), focus());
 }
 
 void Document::setPreset(const std::string& presetOrPath) {

@@ -50,8 +50,8 @@ class Document : public QObject {
   /// Shows a study with its scene's look and, where it comes from a session, that session's display window. Nothing of
   /// what was open before can be undone then.
   void open(Study study);
-  /// A label map on the volume's grid, or null. A focus made of the old map's labels goes with it, and so does what
-  /// could be undone.
+  /// A label map on the volume's grid, or null. A focus made of the old map's labels goes with it, and so do their
+  /// settings and what could be undone.
   void setLabels(std::shared_ptr<const LabelMap> labels, io::SessionData from = {});
   /// Changes the labels, with another focus, as one step. `after` is what `edit` makes of labels().
   void editLabels(const QString& name, segmentation::LabelEdit edit, std::shared_ptr<const LabelMap> after,
@@ -116,6 +116,16 @@ class Document : public QObject {
   void setFocused(std::uint16_t label, bool focused);
   bool isFocused(std::uint16_t label) const;
 
+  /// How a label of labels() is shown beside being in focus or not.
+  LabelSetting labelSetting(std::uint16_t label) const { return settingFor(look().labels, label); }
+  void setLabelSetting(const LabelSetting& setting, const QString& name);
+  /// The role of a label, as one step; empty: in focus.
+  std::optional<LabelRole> roleOf(std::uint16_t label) const;
+  void setRole(std::uint16_t label, std::optional<LabelRole> role);
+  /// The colour of a label of labels(), its own or the user's.
+  glm::dvec3 colourOf(const Label& label) const { return labelSetting(label.value).colour.value_or(label.colour); }
+  void renameLabel(std::uint16_t label, const QString& name);
+
   /// A built-in preset's id or a file. Throws io::Error; nothing changes then.
   void setPreset(const std::string& presetOrPath);
   std::string preset() const;
@@ -143,6 +153,8 @@ class Document : public QObject {
   void volumeChanged();
   void labelsChanged();
   void focusChanged();
+  /// The look of single labels beside the focus.
+  void labelSettingsChanged();
   void windowChanged();  ///< or inverted
   void transferFunctionChanged();
   /// The cutaway or the context layer.

@@ -190,8 +190,8 @@ void PlacementController::fly(glm::dvec3 c1, std::optional<glm::dvec3> c2, bool 
 }
 
 Camera PlacementController::framing(glm::dvec3 direction) {
-  const std::shared_ptr<const Volume>& shown = shownVolume(document_.scene());
-  if (!visible_ || visibleOf_ != shown) visible_ = visibleFraming(*shown, document_.scene().look.context.shifted());
+  const ShownVolume shown = shownVolume(document_.scene());
+  if (!visible_ || visibleOf_ != shown) visible_ = visibleFraming(shown, document_.scene().look.context.shifted());
   visibleOf_ = shown;
   return Camera::fromDirection(direction, *visible_, cameras_.projection());
 }
@@ -202,6 +202,26 @@ std::optional<double> PlacementController::share() const {
     return measured_.candidates[nearest(measured_.candidates, directionOf(cameras_.camera(view)))];
   };
   return placement::seenShare(seen(0), seen(1), measured_.surfacePoints);
+}
+
+std::optional<PlacementController::LabelShare> PlacementController::share(std::uint16_t label) const {
+  if (!measured()) return std::nullopt;
+  const auto seen = [this](int view) -> const std::vector<std::uint64_t>& {
+    return measured_.candidates[nearest(measured_.candidates, directionOf(cameras_.camera(view)))].seen;
+  };
+  const std::vector<std::uint64_t>&first = seen(0), &second = seen(1);
+  std::size_t points = 0, c1 = 0, c2 = 0, both = 0;
+  for (std::size_t i = 0; i < measured_.pointLabels.size(); ++i) {
+    if (measured_.pointLabels[i] != label) continue;
+    const bool inFirst = first[i / 64] >> (i % 64) & 1u, inSecond = second[i / 64] >> (i % 64) & 1u;
+    ++points;
+    c1 += inFirst;
+    c2 += inSecond;
+    both += inFirst || inSecond;
+  }
+  if (points == 0) return std::nullopt;
+  const auto of = [&](std::size_t count) { return static_cast<double>(count) / static_cast<double>(points); };
+  return LabelShare{of(c1), of(c2), of(both)};
 }
 
 std::vector<std::size_t> PlacementController::best(std::size_t count) const {

@@ -81,6 +81,11 @@ class PlacementController : public QObject {
   /// Share of the focus's surface that the two cameras see, taken from the candidates nearest to them; empty until
   /// measured.
   std::optional<double> share() const;
+  /// The same of one label in focus: what C1, C2 and the two together see of its surface.
+  struct LabelShare {
+    double c1 = 0.0, c2 = 0.0, both = 0.0;
+  };
+  std::optional<LabelShare> share(std::uint16_t label) const;
   /// The best candidates at least 30° apart, best first.
   std::vector<std::size_t> best(std::size_t count) const;
   /// The picture of a candidate's camera.
@@ -98,7 +103,7 @@ class PlacementController : public QObject {
  private:
   /// The data that the measurements are of.
   struct Subject {
-    std::shared_ptr<const Volume> volume;
+    ShownVolume volume;
     std::shared_ptr<const LabelMap> labels;
     Focus focus;
     bool operator==(const Subject&) const = default;
@@ -125,7 +130,7 @@ class PlacementController : public QObject {
   std::shared_ptr<const Volume> volume_;   ///< the volume at the last change of focus
   std::optional<Framing> visible_;         ///< the visible voxels, which a camera frames
   std::optional<glm::dvec3> placedClick_;  ///< of the last region in focus that was grown
-  std::shared_ptr<const Volume> visibleOf_;
+  ShownVolume visibleOf_;
   QString note_;
   QTimer chosen_;  ///< fires a moment after a focus was chosen
   QTimer turned_;  ///< fires a moment after C1 was last turned

@@ -66,7 +66,7 @@ AppearancePanel::AppearancePanel(Document& document, QWidget* parent)
     const Volume& volume = *document_.scene().volume;
     // Only a volume with a table can be shown without.
     const Scene& scene = document_.scene();
-    table_->setVisible(scene.tissue && scene.tissue != scene.volume);
+    table_->setVisible(scene.table && scene.table->count > 0);
     // A quarter of the range either way; for CT ±500 HU, which separate lung, soft tissue and bone.
     const double span = volume.isInHounsfieldUnits() ? 500.0 : 0.25 * (volume.range.high - volume.range.low);
     const double step = std::pow(10.0, std::floor(std::log10(std::max(span, 1e-9) / 200.0)));

@@ -8,21 +8,23 @@
 #include <QVBoxLayout>
 
 #include "viewer/model/Document.h"
+#include "viewer/model/PlacementController.h"
+#include "viewer/model/ViewLink.h"
 #include "viewer/panels/LabelEditPanel.h"
+#include "viewer/panels/LabelList.h"
 #include "viewer/panels/LabelModel.h"
 #include "viewer/panels/RegionPanel.h"
 #include "viewer/panels/SliderSpin.h"
 
 namespace fenestra::viewer {
 
-FocusPanel::FocusPanel(Document& document, QWidget* parent)
+FocusPanel::FocusPanel(Document& document, const PlacementController& placement, const ViewLink& cameras,
+                       QWidget* parent)
     : QWidget(parent),
       document_(document),
-      labels_(new LabelModel(document, this)),
-      filtered_(new QSortFilterProxyModel(this)),
       study_(new QLabel),
       filter_(new QLineEdit),
-      list_(new QListView),
+      list_(new LabelList(document, placement)),
       noLabels_(new QLabel(tr(
           "No labels. Click a structure in a picture, open a label map (Ctrl+L), or choose a range of values below."))),
       byValue_(new QCheckBox(tr("Focus on values"))),
@@ -37,14 +39,6 @@ FocusPanel::FocusPanel(Document& document, QWidget* parent)
   noLabels_->setEnabled(false);
   filter_->setPlaceholderText(tr("Find a structure"));
   filter_->setClearButtonEnabled(true);
-  filtered_->setSourceModel(labels_);
-  filtered_->setFilterCaseSensitivity(Qt::CaseInsensitive);
-  list_->setModel(filtered_);
-  list_->setUniformItemSizes(true);
-  list_->setIconSize({12, 12});
-  list_->setToolTip(tr("Tick the structures of the focus; double-click to focus on one alone and go there"));
-  list_->setMinimumHeight(80);
-  list_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);  // the height that the panel's other rows leave
 
   byValue_->setToolTip(tr("The focus is everything whose value lies in this range"));
   auto* range = new QHBoxLayout;
@@ -72,10 +66,15 @@ FocusPanel::FocusPanel(Document& document, QWidget* parent)
   column->addWidget(islandsRow_);
   column->addStretch(0);
 
-  connect(filter_, &QLineEdit::textChanged, filtered_, &QSortFilterProxyModel::setFilterFixedString);
-  connect(list_, &QListView::doubleClicked, this, [this](const QModelIndex& index) {
-    document_.focusOn(labels_->label(filtered_->mapToSource(index)));
+  connect(filter_, &QLineEdit::textChanged, list_, &LabelList::filter);
+  connect(list_, &LabelList::doubleClicked, this, [this](const QModelIndex& index) {
+    const std::uint16_t label = list_->labelAt(index);
+    if (label == 0 || index.column() != LabelModel::Name) return;
+    document_.focusOn(label);
     Q_EMIT structureChosen();
+  });
+  connect(&cameras, &ViewLink::changed, this, [this] {
+    if (list_->isVisible()) list_->labels().refreshSeen();
   });
   connect(byValue_, &QCheckBox::clicked, this, [this](bool on) {
     if (on)
@@ -104,7 +103,7 @@ void FocusPanel::makeIslandsRow() {
 void FocusPanel::showStudy() {
   setEnabled(document_.hasVolume());
   study_->setText(document_.hasVolume() ? document_.description() : tr("Nothing open"));
-  const bool labelled = labels_->rowCount() > 0;
+  const bool labelled = !list_->isEmpty();
   list_->setVisible(labelled);
   filter_->setVisible(labelled);
   noLabels_->setVisible(!labelled && document_.hasVolume());
@@ -138,10 +137,7 @@ void FocusPanel::showFocus() {
   high_->setEnabled(values != nullptr);
   islandsRow_->setVisible(values != nullptr);
   if (const auto* labels = std::get_if<LabelFocus>(&document_.focus())) {
-    for (int row = 0; row < filtered_->rowCount(); ++row) {
-      const QModelIndex index = filtered_->index(row, 0);
-      if (labels_->label(filtered_->mapToSource(index)) == labels->labels.front()) list_->scrollTo(index);
-    }
+    list_->scrollToLabel(labels->labels.front());
   }
   if (!values) return;
   const QSignalBlocker quietLow(low_), quietHigh(high_);

@@ -5,24 +5,25 @@
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLineEdit>
-#include <QListView>
-#include <QSortFilterProxyModel>
 #include <QWidget>
 
 namespace fenestra::viewer {
 
 class Document;
 class LabelEditPanel;
-class LabelModel;
+class LabelList;
+class PlacementController;
 class RegionPanel;
 class SliderSpin;
+class ViewLink;
 
 class FocusPanel : public QWidget {
   Q_OBJECT
  public:
-  explicit FocusPanel(Document& document, QWidget* parent = nullptr);
+  FocusPanel(Document& document, const PlacementController& placement, const ViewLink& cameras,
+             QWidget* parent = nullptr);
 
-  QListView* list() const { return list_; }
+  LabelList* list() const { return list_; }
   QLineEdit* filter() const { return filter_; }
   QCheckBox* byValue() const { return byValue_; }
   QDoubleSpinBox* low() const { return low_; }
@@ -42,11 +43,9 @@ class FocusPanel : public QWidget {
   void applyRange();
 
   Document& document_;
-  LabelModel* labels_;
-  QSortFilterProxyModel* filtered_;
   QLabel* study_;
   QLineEdit* filter_;
-  QListView* list_;
+  LabelList* list_;
   QLabel* noLabels_;
   QCheckBox* byValue_;
   QDoubleSpinBox *low_, *high_;

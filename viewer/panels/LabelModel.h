@@ -1,26 +1,53 @@
 #pragma once
-// The document's labels as rows: colour, name, and a tick that makes a label part of the focus.
+// The document's labels as rows: a tick that makes a label part of the focus and its name, then its colour, whether it
+// is visible, its role, its opacity and how much of it the cameras see. Labels without voxels are children of one last
+// row.
 
-#include <QAbstractListModel>
+#include <vector>
+
+#include <QAbstractItemModel>
 
 namespace fenestra::viewer {
 
 class Document;
+class PlacementController;
 
-class LabelModel : public QAbstractListModel {
+class LabelModel : public QAbstractItemModel {
   Q_OBJECT
  public:
-  explicit LabelModel(Document& document, QObject* parent = nullptr);
+  enum Column { Name, Colour, Visible, Role, Opacity, Seen, columns };
 
+  LabelModel(Document& document, const PlacementController& placement, QObject* parent = nullptr);
+
+  QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
+  QModelIndex parent(const QModelIndex& child) const override;
   int rowCount(const QModelIndex& parent = {}) const override;
+  int columnCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role) const override;
+  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+  /// Of Name the tick and the name, of Colour a QColor, of Opacity whole percents.
   bool setData(const QModelIndex& index, const QVariant& value, int role) override;
   Qt::ItemFlags flags(const QModelIndex& index) const override;
-  /// The label's value, 0 for an invalid index.
+  /// The label's value; 0 for the row of labels without voxels, and for an invalid index.
   std::uint16_t label(const QModelIndex& index) const;
+  /// The row of labels without voxels; invalid where there are none.
+  QModelIndex absentRow() const;
+  /// What the cameras see of the labels in focus may have changed.
+  void refreshSeen();
 
  private:
+  void readLabels();
+  QVariant nameData(std::size_t label, int role) const;
+  QVariant settingData(std::size_t label, int column, int role) const;
+  QVariant seenData(std::size_t label, int role) const;
+  void refresh(int first, int last, const QList<int>& roles);
+  /// Place in the label map's list, of a row of a label.
+  std::size_t at(const QModelIndex& index) const;
+  bool isAbsentRow(const QModelIndex& index) const;
+
   Document& document_;
+  const PlacementController& placement_;
+  std::vector<std::size_t> present_, absent_;  ///< places in the label map's list
 };
 
 }  // namespace fenestra::viewer

@@ -71,6 +71,7 @@ ScenePreparation::Kind ScenePreparation::kindOf(const Scene& scene, const View& 
   return {.volume = shownVolume(scene),
           .focus = look.focus.index(),
           .manyLabels = labels && labels->labels.size() > 1,
+          .protects = hasCutaway(scene) && !labelsWith(LabelRole::Protected, scene).empty(),
           .lit = look.shading.enabled,
           .cutaway = hasCutaway(scene),
           .contextLayer = look.contextLayer.strength > 0.0,
@@ -146,7 +147,7 @@ void ScenePreparation::runBehind(RenderContext::Work work, RenderContext::Done d
 
 void ScenePreparation::forgetFailure() {
   failure_ = nullptr;
-  failed_ = nullptr;
+  failed_ = {};
 }
 
 void ScenePreparation::start(const Scene& scene, const View& view, const Kind& kind) {

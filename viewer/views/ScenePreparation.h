@@ -45,9 +45,9 @@ class ScenePreparation {
  private:
   /// What decides on the programs that draw a picture.
   struct Kind {
-    std::shared_ptr<const Volume> volume;
+    ShownVolume volume;
     std::size_t focus = 0;
-    bool manyLabels = false, lit = false, cutaway = false, contextLayer = false;
+    bool manyLabels = false, protects = false, lit = false, cutaway = false, contextLayer = false;
     bool enlarged = false;  ///< pixels smaller than voxels: rays between others
     Quality quality{};
     std::optional<double> maxError;
@@ -71,7 +71,7 @@ class ScenePreparation {
   std::deque<Sample> samples_;  ///< to be compiled for
   bool isAhead_ = false;        ///< the work behind is for a picture that nobody waits for
   std::exception_ptr failure_;
-  std::shared_ptr<const Volume> failed_;
+  ShownVolume failed_;
   RenderContext context_;
 };
 

@@ -63,6 +63,7 @@ SliceView::SliceView(SlicePlane plane, Document& document, SliceCursor& cursor, 
   connect(&document, &Document::volumeChanged, this, &SliceView::readGeometry);
   connect(&document, &Document::windowChanged, this, &SliceView::invalidate);
   connect(&document, &Document::focusChanged, this, &SliceView::invalidate);
+  connect(&document, &Document::labelSettingsChanged, this, &SliceView::invalidate);
   connect(&document, &Document::labelsChanged, this, [this] {
     labels_.clear();
     invalidate();
@@ -137,8 +138,11 @@ class SliceView::Tints {
     labels_.resize(std::size_t{1} + *std::max_element(view.labels_.begin(), view.labels_.end()));
     for (const Label& label : document.labels()->labels) {
       if (label.value >= labels_.size() || label.value == 0) continue;
+      const LabelSetting setting = document.labelSetting(label.value);
+      if (!setting.visible) continue;
       const bool focused = document.isFocused(label.value);
-      labels_[label.value] = {label.colour, focused ? focusTintPercent : tintPercent, focused};
+      const double percent = setting.opacity * (focused ? focusTintPercent : tintPercent);
+      labels_[label.value] = {document.colourOf(label), static_cast<int>(std::lround(percent)), focused};
     }
   }
 

@@ -35,11 +35,12 @@ vec2 focusRange() { return vec2(0.5, FAR); }
 
 #if FOCUS_PALETTE
 uniform usampler3D focusPaletteIndex;
-uniform sampler2D focusPalette;  // colours, one row
+uniform sampler2D focusPalette;  // colours and shares of the extinction, one row
 
 vec4 focusMaterial(vec3 at) {
   uint entry = texelFetch(focusPaletteIndex, ivec3(floor(at - 0.5)) - focus.paletteOrigin, 0).r;
-  return vec4(texelFetch(focusPalette, ivec2(entry, 0), 0).rgb, 1.0) * focus.material.a;
+  vec4 colour = texelFetch(focusPalette, ivec2(entry, 0), 0);
+  return vec4(colour.rgb, 1.0) * (colour.a * focus.material.a);
 }
 
 // The nearest voxel tells the colour; it changes half way between voxel centres.

@@ -75,6 +75,7 @@ int lookInto(Ray ray, ivec3 cell, float s, float sNext, float f[8], out CellPath
   path.focusAlong = focusAlong(held, path.a, path.b, stored);
   vec2 range = focusRange();
   if (mayHoldFocus(held) && lowest(path.focusAlong) <= range.y && highest(path.focusAlong) >= range.x) return FOCUS;
+  if (ONLY_FOCUS) return LEAP;
   vec2 visible = transfer.visibleEntries;
   return highest(path.entries) > visible.x && lowest(path.entries) < visible.y ? CONTEXT : LEAP;
 }
@@ -252,7 +253,8 @@ vec4 integrateFocusCell(CellPath path, Ray ray, Cut cut, float transmittance, fl
   section.uTo = 0.0;
   do {
     section.uFrom = section.uTo;
-    section.inFocus = sideOf(bernstein(path.focusAlong, section.uFrom)) == 0.0;
+    bool held = sideOf(bernstein(path.focusAlong, section.uFrom)) == 0.0;
+    section.inFocus = held && !ONLY_FOCUS;
     section.uTo = nextChange(path.focusAlong, section.uFrom);
     if (section.inFocus) section.uTo = min(section.uTo, nextColour(path.a, path.b, section.uFrom));
     section.sFrom = mix(path.sFrom, path.sTo, section.uFrom);
@@ -260,8 +262,9 @@ vec4 integrateFocusCell(CellPath path, Ray ray, Cut cut, float transmittance, fl
     section.entries = bernsteinBetween(path.entries, section.uFrom, section.uTo);
     float middle = 0.5 * (section.uFrom + section.uTo);
     section.material = focusMaterial(vec3(path.cell) + mix(path.a, path.b, middle));
-    result = over(result, integrateSection(section, ray, cut, transmittance * (1.0 - result.a),
-                                           share * (section.uTo - section.uFrom)));
+    if (held || !ONLY_FOCUS)
+      result = over(result, integrateSection(section, ray, cut, transmittance * (1.0 - result.a),
+                                             share * (section.uTo - section.uFrom)));
   } while (section.uTo < 1.0 && --left > 0);
   return result;
 }

@@ -1,11 +1,14 @@
 // No opening: rays start where they enter the volume.
 //
-// Open.glsl has the same interface; `#include <opening>` names the one that the scene needs:
+// Open.glsl and Removed.glsl have the same interface; `#include <opening>` names the one that the scene needs:
 //   Cut         where and how a ray starts
 //   cutAt       the cut of a pixel's ray
 //   startsHere  whether the ray has anything to see
 //   behindCut   the light at s, near the face that the opening cut
+//   ONLY_FOCUS  whether only what `<focus>` holds shows, with the context's own colours
 #include "lib/Ray.glsl"
+
+const bool ONLY_FOCUS = false;
 
 struct Cut {
   float start;   // mm along the ray

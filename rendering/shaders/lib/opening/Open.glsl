@@ -13,6 +13,8 @@ struct CutFaceSettings {
 };
 UNIFORM_BLOCK(CutFaceBlock, storedCutFace, CutFaceSettings, cutFace);
 
+const bool ONLY_FOCUS = false;
+
 struct Cut {
   float start;    // mm along the ray
   uint onFocus;   // 1: the ray starts on the focus's surface, on whichever side rounding has put it

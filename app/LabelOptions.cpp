@@ -1,0 +1,148 @@
+#include "app/LabelOptions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include <CLI/CLI.hpp>
+
+#include "app/OptionHelpers.h"
+
+namespace fenestra::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Number of insertions, deletions and replacements that turn a into b (Levenshtein).
+std::size_t editDistance(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i + 1;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+std::string described(const Label& label) { return std::to_string(label.value) + " " + label.name; }
+
+/// The labels most like `wanted`: by name, or by value when it is a number.
+std::string nearestLabels(const LabelMap& labels, const std::string& wanted) {
+  const std::optional<long> number = parseNumber<long>(wanted);
+  const auto distance = [&](const Label& label) -> std::size_t {
+    if (number) return static_cast<std::size_t>(std::abs(*number - static_cast<long>(label.value)));
+    const std::string name = io::lowered(label.name), part = io::lowered(wanted);
+    return name.find(part) != std::string::npos ? 0 : editDistance(name, part);
+  };
+  std::vector<const Label*> order;
+  for (const Label& label : labels.labels) order.push_back(&label);
+  std::stable_sort(order.begin(), order.end(), [&](auto* a, auto* b) { return distance(*a) < distance(*b); });
+  std::string text;
+  constexpr std::size_t shown = 3;
+  for (std::size_t i = 0; i < std::min(shown, order.size()); ++i) text += (i ? ", " : "") + described(*order[i]);
+  return text;
+}
+
+/// "#rrggbb" as display RGB.
+std::optional<glm::dvec3> colourIn(const std::string& text) {
+  if (text.size() != 7 || text[0] != '#') return std::nullopt;
+  unsigned code = 0;
+  const auto [end, error] = std::from_chars(text.data() + 1, text.data() + text.size(), code, 16);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return glm::dvec3(code >> 16, (code >> 8) & 255u, code & 255u) / 255.0;
+}
+
+std::optional<double> shareIn(const std::string& text) {
+  const std::optional<double> share = parseNumber<double>(text);
+  return share && *share >= 0.0 && *share <= 1.0 ? share : std::nullopt;
+}
+
+/// LABEL=VALUE,… with values that `read` takes.
+template <class T, class Read>
+bool readPairs(const std::string& text, std::vector<std::pair<std::string, T>>& pairs, const Read& read) {
+  pairs.clear();
+  for (const std::string& part : io::split(text, ',')) {
+    const std::size_t equals = part.rfind('=');
+    if (equals == std::string::npos || equals == 0) return false;
+    const std::optional<T> value = read(part.substr(equals + 1));
+    if (!value) return false;
+    pairs.emplace_back(part.substr(0, equals), *value);
+  }
+  return true;
+}
+
+void addLabelList(CLI::App& command, const char* name, const char* description, std::vector<std::string>& labels) {
+  addParsed(command, name, "LABEL,...", description, [&labels](const std::string& text) {
+    labels = io::split(text, ',');
+    return std::find(labels.begin(), labels.end(), "") == labels.end();
+  });
+}
+
+}  // namespace
+
+void addLabelSettings(CLI::App& command, LabelChanges& changes) {
+  addLabelList(command, "--hidden", "labels, by value or name, that 3-D pictures leave out", changes.hidden);
+  addLabelList(command, "--protected", "labels, by value or name, that are never cut away, though they hide the focus",
+               changes.guarded);
+  addParsed(command, "--label-opacity", "LABEL=0..1,...",
+            "opacity of labels in focus: the share of what 10 mm of them have otherwise",
+            [&changes](const std::string& text) { return readPairs(text, changes.opacities, shareIn); });
+  addParsed(command, "--label-colour", "LABEL=#rrggbb,...", "colours of labels, in place of the label map's",
+            [&changes](const std::string& text) { return readPairs(text, changes.colours, colourIn); });
+}
+
+void setLabelSettings(const SceneOptions& options, Scene& scene) {
+  const LabelChanges& changes = options.labelChanges;
+  if (changes.empty()) return;
+  const fs::path file = options.labels.empty() ? fs::path(options.source()) : options.labels;
+  if (!scene.labels) throw io::Error(file, "has no labels to show in another way", "name a label map with --labels");
+  const auto change = [&](const std::string& wanted, const auto& apply) {
+    LabelSetting setting = settingFor(scene.look.labels, resolveLabels(*scene.labels, {wanted}, file).front());
+    apply(setting);
+    put(scene.look.labels, setting);
+  };
+  const auto setRole = [&](const std::vector<std::string>& labels, LabelRole role) {
+    const auto* focus = std::get_if<LabelFocus>(&scene.look.focus);
+    for (const std::string& wanted : labels)
+      change(wanted, [&](LabelSetting& setting) {
+        if (focus && std::binary_search(focus->labels.begin(), focus->labels.end(), setting.label))
+          throw io::Error(file, "label \"" + wanted + "\" cannot be " + wordOf(role).word + ": it is in focus",
+                          "name the labels of the focus with --focus-labels");
+        setting.role = role;
+      });
+  };
+  setRole(changes.hidden, LabelRole::Hidden);
+  setRole(changes.guarded, LabelRole::Protected);
+  for (const auto& [label, opacity] : changes.opacities)
+    change(label, [value = opacity](LabelSetting& setting) { setting.opacity = value; });
+  for (const auto& [label, colour] : changes.colours)
+    change(label, [value = colour](LabelSetting& setting) { setting.colour = value; });
+}
+
+std::vector<std::uint16_t> resolveLabels(const LabelMap& labels, const std::vector<std::string>& wanted,
+                                         const fs::path& file) {
+  std::vector<std::uint16_t> values;
+  for (const std::string& text : wanted) {
+    const std::string name = io::lowered(text);
+    const std::optional<std::uint16_t> number = parseNumber<std::uint16_t>(text);
+    const auto at = std::find_if(labels.labels.begin(), labels.labels.end(), [&](const Label& label) {
+      return number ? label.value == *number : io::lowered(label.name) == name;
+    });
+    if (at == labels.labels.end()) {
+      const std::string nearest = nearestLabels(labels, text);
+      throw io::Error(file, "there is no label \"" + text + "\"",
+                      nearest.empty() ? "the label map is empty" : "the nearest are " + nearest);
+    }
+    values.push_back(at->value);
+  }
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+  return values;
+}
+
+}  // namespace fenestra::app

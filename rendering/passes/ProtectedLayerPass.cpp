@@ -1,0 +1,40 @@
+#include "rendering/passes/ProtectedLayerPass.h"
+
+#include <algorithm>
+
+#include "rendering/gpu/SceneBinding.h"
+
+namespace fenestra {
+
+void ProtectedLayerPass::run(Steps& steps, const GpuScene& gpu, const Look& look, const RayFrame& rays,
+                             const FocusLayerPass::Opening& opening, const FocusLayerPass::Sampling& sampling,
+                             Regions regions, gl::Texture& protectedLayer) {
+  FocusLayerPass::Sampling bounded = sampling;
+  bounded.maxError = 0.5 * sampling.maxError.value_or(std::max(FocusLayerPass::coarseBound, 4.0 * sampling.tolerance));
+  steps.add(regions, [this, &gpu, &look, &rays, opening, bounded, &protectedLayer](Regions tile) {
+    const bool lit = look.shading.enabled;
+    gl::ShaderProgram& program = programs_.get({{volumeDefine(gpu),
+                                                 tableDefine(),
+                                                 {"FOCUS_PALETTE", false},
+                                                 {"FOCUS_SMOOTH", false},
+                                                 {"FINE", *bounded.maxError < FocusLayerPass::coarseBound / 2.0},
+                                                 {"RAYS", 1}},
+                                                {scheduleChoice(gpu.schedule()),
+                                                 {"focus", "lib/focus/Labels.glsl"},
+                                                 lightChoice(lit),
+                                                 {"opening", "lib/opening/Removed.glsl"},
+                                                 {"integral", "lib/integral/CellByCell.glsl"}}});
+    rays.setBlocks(program);
+    bindVolume(gpu, program);
+    bindTransfer(gpu, program);
+    bindProtected(gpu, program);
+    program.set(FocusLayerPass::integralBlock(bounded));
+    program.bind("rayStart", opening.rayStart);
+    program.bind("hitPoints", opening.hitPoints);
+    if (lit) bindLight(gpu, program, rays.axes(), look.shading);
+    program.bind("protectedLayer", protectedLayer, gl::Access::Write);
+    program.dispatch(tile);
+  });
+}
+
+}  // namespace fenestra

@@ -1,0 +1,42 @@
+#pragma once
+// How single labels are shown, beside being in focus or not, which Look::focus alone says.
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+namespace fenestra {
+
+/// What becomes of a label that is not in focus.
+enum class LabelRole : std::uint8_t {
+  Context,    ///< shown, and cut away around the focus
+  Hidden,     ///< its voxels are air in 3-D pictures; slices show them
+  Protected,  ///< shown, and never cut away
+};
+
+struct LabelSetting {
+  std::uint16_t label = 0;
+  LabelRole role = LabelRole::Context;  ///< while the label is not in focus
+  bool visible = true;                  ///< off: slices do not tint it, 3-D pictures do not draw it in focus or keep it
+  double opacity = 1.0;                 ///< 0..1, of it in focus (see opticalExtinction) and of its tint on slices
+  std::optional<glm::dvec3> colour{};   ///< display RGB 0..1, in place of the label map's
+
+  bool operator==(const LabelSetting&) const = default;
+};
+
+/// Ascending by label, each once; labels that are shown as they come have none.
+using LabelSettings = std::vector<LabelSetting>;
+
+/// The setting of a label, or the default.
+LabelSetting settingFor(const LabelSettings& settings, std::uint16_t label);
+/// Puts a setting in place; a default one removes what was there.
+void put(LabelSettings& settings, const LabelSetting& setting);
+
+/// Extinction (1/mm) of a structure in focus at an opacity: 10 mm of it have that share of the opacity that they have
+/// at
+/// 1. So half of the slider is half of what is seen, whatever the extinction.
+double opticalExtinction(double extinction, double opacity);
+
+}  // namespace fenestra

@@ -1,0 +1,20 @@
+// What the opening removes: rays run from the context's first hit to where stage 4 lets them start, and show the labels
+// that are never cut away, alone (the interface is described in Closed.glsl).
+#include <schedule>
+#include "lib/PixelRay.glsl"
+
+TEXELS_2D(r32f, rayStart);
+uniform sampler2D hitPoints;
+
+const bool ONLY_FOCUS = true;
+
+struct Cut {
+  float start;   // mm along the ray
+  uint onFocus;
+};
+
+Cut cutAt(ivec2 pixel, Ray ray) { return Cut(texelFetch(hitPoints, pixel, 0).x, 0u); }
+// Where the ray starts to see the rest; not beyond cut.start where nothing is removed.
+float endAt(ivec2 pixel, Ray ray) { return min(texelOf(rayStart, pixel).r, ray.sOut); }
+bool startsHere(Cut cut, Ray ray) { return !isNone(cut.start) && cut.start < ray.sOut; }
+vec2 behindCut(vec2 unchanged, Cut cut, float s) { return unchanged; }

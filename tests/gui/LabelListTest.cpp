@@ -1,0 +1,176 @@
+// The list of labels, driven as a user drives it: clicks on its columns, and undo.
+
+#include <QLineEdit>
+#include <QMenu>
+#include <QSpinBox>
+#include <QTest>
+
+#include "tests/gui/WindowFixture.h"
+#include "viewer/panels/FocusPanel.h"
+#include "viewer/panels/LabelList.h"
+#include "viewer/panels/LabelModel.h"
+
+namespace fenestra::viewer {
+namespace {
+
+class LabelListWindow : public Window {
+ protected:
+  LabelList& list() { return *panel<FocusPanel>().list(); }
+  QModelIndex cell(int row, int column) { return list().model()->index(row, column); }
+  /// The row of a label.
+  int rowOf(std::uint16_t label) {
+    for (int row = 0; row < list().model()->rowCount(); ++row)
+      if (list().labelAt(cell(row, 0)) == label) return row;
+    return -1;
+  }
+  void click(const QModelIndex& index) {
+    list().scrollTo(index);
+    QTest::mouseClick(list().viewport(), Qt::LeftButton, {}, list().visualRect(index).center());
+  }
+  /// Chooses an entry of the menu that a click opens.
+  void choose(const QModelIndex& index, const QString& entry) {
+    click(index);
+    auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+    ASSERT_TRUE(menu);
+    for (QAction* action : menu->actions())
+      if (action->text() == entry) QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(action).center());
+    ASSERT_FALSE(QApplication::activePopupWidget());
+  }
+  /// Undoes the last step, and checks that the look is `before` to the bit; then does it again.
+  void expectUndone(const Look& before) {
+    const Look after = document().look();
+    EXPECT_FALSE(after == before);
+    document().undoStack().undo();
+    EXPECT_EQ(document().look(), before);
+    document().undoStack().redo();
+    EXPECT_EQ(document().look(), after);
+  }
+};
+
+TEST_F(LabelListWindow, RolesAreChosenInTheirColumn) {
+  const int row = rowOf(marker);
+  ASSERT_GE(row, 0);
+  const QImage before = picture(volume(0));
+  Look look = document().look();
+  choose(cell(row, LabelModel::Role), QStringLiteral("Hidden"));
+  EXPECT_EQ(document().roleOf(marker), LabelRole::Hidden);
+  expectUndone(look);
+  waitUntilDrawn();
+  look = document().look();
+  choose(cell(row, LabelModel::Role), QStringLiteral("Focus"));
+  EXPECT_EQ(document().focus(), Focus(LabelFocus{{marker}}));
+  EXPECT_TRUE(document().look().labels.empty()) << "being in focus is said once";
+  expectUndone(look);
+  look = document().look();
+  choose(cell(row, LabelModel::Role), QStringLiteral("Protected"));
+  EXPECT_EQ(document().focus(), Focus());
+  EXPECT_EQ(document().roleOf(marker), LabelRole::Protected);
+  expectUndone(look);
+  choose(cell(row, LabelModel::Role), QStringLiteral("Context"));
+  EXPECT_TRUE(document().look().labels.empty());
+  waitUntilDrawn();
+  EXPECT_EQ(picture(volume(0)), before) << "as at first";
+}
+
+TEST_F(LabelListWindow, AnInvisibleLabelIsNotTintedOnSlices) {
+  QTest::keyClick(window_.get(), Qt::Key_C);  // the crosshair is green, too
+  cursor().moveTo(markerCentre);
+  document().focusOn(marker);
+  waitUntilDrawn();
+  ASSERT_TRUE(green(slice(SlicePlane::Axial)));
+  const Look look = document().look();
+  click(cell(rowOf(marker), LabelModel::Visible));
+  EXPECT_FALSE(document().labelSetting(marker).visible);
+  EXPECT_FALSE(green(slice(SlicePlane::Axial)));
+  waitUntilDrawn();
+  EXPECT_FALSE(green(volume(0))) << "in focus, but not drawn";
+  expectUndone(look);
+  click(cell(rowOf(marker), LabelModel::Visible));
+  EXPECT_TRUE(document().look().labels.empty());
+  waitUntilDrawn();
+  EXPECT_TRUE(green(volume(0)));
+}
+
+TEST_F(LabelListWindow, OpacityAndColourAreSteps) {
+  QTest::keyClick(window_.get(), Qt::Key_C);
+  document().focusOn(marker);
+  waitUntilDrawn();
+  Look look = document().look();
+  const QModelIndex opacity = cell(rowOf(marker), LabelModel::Opacity);
+  EXPECT_EQ(opacity.data().toString(), QStringLiteral("100 %"));
+  click(opacity);
+  auto* box = list().viewport()->findChild<QSpinBox*>();
+  ASSERT_TRUE(box);
+  box->setValue(35);
+  QTest::keyClick(box, Qt::Key_Return);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return document().labelSetting(marker).opacity == 0.35; }, patience));
+  EXPECT_EQ(opacity.data().toString(), QStringLiteral("35 %"));
+  expectUndone(look);
+  document().undoStack().undo();
+
+  list().model()->setData(cell(rowOf(marker), LabelModel::Colour), QColor(255, 0, 0));
+  EXPECT_EQ(document().labelSetting(marker).colour, glm::dvec3(1.0, 0.0, 0.0));
+  expectUndone(look);
+  waitUntilDrawn();
+  EXPECT_FALSE(green(volume(0))) << "it is red now";
+}
+
+TEST_F(LabelListWindow, ANameIsChangedInPlace) {
+  const QModelIndex name = cell(rowOf(marker), LabelModel::Name);
+  const auto before = document().labels();
+  list().setCurrentIndex(name);
+  QTest::keyClick(&list(), Qt::Key_F2);
+  auto* line = list().viewport()->findChild<QLineEdit*>();
+  ASSERT_TRUE(line);
+  line->setText(QStringLiteral("lesion"));
+  QTest::keyClick(line, Qt::Key_Return);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return document().labels()->find(marker)->name == "lesion"; }, patience));
+  EXPECT_FALSE(document().labelsAreInFile());
+  document().undoStack().undo();
+  EXPECT_EQ(document().labels()->labels, before->labels);
+}
+
+TEST_F(LabelListWindow, LabelsWithoutVoxelsAreFoldedAway) {
+  Study study = markedBall();
+  auto labels = std::make_shared<LabelMap>();
+  labels->grid = study.scene.labels->grid;
+  labels->voxels = Voxels(study.scene.labels->voxels.type(), study.scene.labels->voxels.count());
+  std::copy_n(study.scene.labels->voxels.data(), labels->voxels.byteCount(), labels->voxels.data());
+  labels->labels = study.scene.labels->labels;
+  const int present = static_cast<int>(labels->labels.size());
+  labels->labels.push_back({200, "spleen"});
+  labels->labels.push_back({201, "pancreas"});
+  study.scene.labels = labels;
+  open(study);
+  ASSERT_EQ(list().model()->rowCount(), present + 1);
+  const QModelIndex folded = cell(present, 0);
+  EXPECT_EQ(folded.data().toString(), QStringLiteral("2 labels without voxels"));
+  EXPECT_FALSE(list().isExpanded(folded));
+  click(folded);
+  EXPECT_TRUE(list().isExpanded(folded));
+  EXPECT_EQ(list().model()->index(1, 0, folded).data().toString(), QStringLiteral("pancreas"));
+  QTest::keyClicks(panel<FocusPanel>().filter(), QStringLiteral("spl"));
+  ASSERT_EQ(list().model()->rowCount(), 1);
+  EXPECT_EQ(list().model()->rowCount(cell(0, 0)), 1);
+}
+
+TEST_F(LabelListWindow, TheShareThatIsSeenShowsOnceCamerasArePlaced) {
+  document().focusOn(marker);
+  waitUntilDrawn();
+  const auto seen = [&] { return cell(rowOf(marker), LabelModel::Seen).data().toString(); };
+  EXPECT_EQ(seen(), QString());
+  placement().place();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return placement().measured() != nullptr; }, patience));
+  waitUntilDrawn();
+  const auto share = placement().share(marker);
+  ASSERT_TRUE(share);
+  // The only label in focus: what is seen of it is what is seen of the focus.
+  EXPECT_NEAR(share->both, placement().share().value(), 1e-12);
+  EXPECT_LE(std::max(share->c1, share->c2), share->both);
+  EXPECT_GE(share->c1 + share->c2, share->both);
+  EXPECT_EQ(seen(), QStringLiteral("%1 %").arg(std::lround(100.0 * share->both)));
+  EXPECT_FALSE(placement().share(99));
+}
+
+}  // namespace
+}  // namespace fenestra::viewer
