@@ -73,7 +73,7 @@ void recogniseCt(const fs::path& path, Volume& volume, OpenedVolume& opened) {
   volume.modality = Modality::CT;
   volume.unit = "HU";
   opened.series.modality = "CT";
-  opened.warnings.push_back({Warning::Kind::Other,
+  opened.warnings.push_back({Warning::Kind::Recognised,
                              "the file names no modality; its values (" + plain(volume.range.low) + " to " +
                                  plain(volume.range.high) +
                                  ") are taken for Hounsfield units of a CT, --modality MR or other says otherwise",

@@ -66,6 +66,8 @@ const char* nameOf(io::Warning::Kind kind) {
       return "moved data";
     case Kind::ChangedData:
       return "changed data";
+    case Kind::Recognised:
+      return "recognised";
     case Kind::Placement:
       return "placement";
     case Kind::Other:

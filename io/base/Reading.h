@@ -35,6 +35,7 @@ struct Warning {
     TimePoints,   ///< the file or series holds further volumes of the same place (time, repeats, layers); one is shown
     MovedData,    ///< a session's data lie elsewhere now
     ChangedData,  ///< a session's data are not what they were
+    Recognised,   ///< nothing is odd: what the file leaves open was told from its values
     Placement,    ///< where the slices of an irregular series are shown, and how far from their true places
     Other
   };

@@ -22,7 +22,8 @@ UNIFORM_BLOCK(CutawayBlock, storedCutaway, CutawaySettings, cutaway);
 TEXELS_2D(rg32f, editMap);
 #endif
 #if PROTECTED
-TEXELS_2D(rgba32f, protectedLayer);
+// A sampler under either schedule: with it, the images would be more than the eight that OpenGL guarantees.
+uniform sampler2D protectedLayer;
 #endif
 #if CONTEXT_LAYER
 TEXELS_2D(rgba32f, contextLayer);
@@ -45,7 +46,7 @@ void main() {
   if (any(greaterThanEqual(pixel, imageSize(picture)))) return;
   vec4 result = texelOf(focusLayer, pixel);
 #if PROTECTED
-  vec4 front = texelOf(protectedLayer, pixel);
+  vec4 front = texelFetch(protectedLayer, pixel, 0);
   result = front + (1.0 - front.a) * result;
 #endif
   vec2 hit = texelOf(hitPoints, pixel).xy;

@@ -429,9 +429,10 @@ TEST_F(CommandLine, RenderWritesPictureLayersCameraAndStatistics) {
   EXPECT_EQ(camera["clipFromWorld"][3].size(), 4u);
 
   const Json stats = Json::parse(contents(at("stats.json")));
-  ASSERT_EQ(stats["passes"].size(), 8u);
-  // Without strokes there is nothing to edit.
-  for (const Json& pass : stats["passes"]) EXPECT_EQ(pass["runs"], pass["name"] == "edit map" ? 0 : 3) << pass["name"];
+  ASSERT_EQ(stats["passes"].size(), 9u);
+  // Without strokes there is nothing to edit, and without protected labels nothing to protect.
+  for (const Json& pass : stats["passes"])
+    EXPECT_EQ(pass["runs"], pass["name"] == "edit map" || pass["name"] == "protected layer" ? 0 : 3) << pass["name"];
   EXPECT_EQ(stats["frames_ms"].size(), 3u);
   EXPECT_GT(stats["total_ms"].get<double>(), 0.0);
   EXPECT_GE(stats["median_ms"].get<double>(), stats["min_ms"].get<double>());

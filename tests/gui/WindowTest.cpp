@@ -424,8 +424,8 @@ TEST_F(Window, ASwitchShowsAndHidesTheTable) {
     return at && seen.pixelColor((*at * scale).toPoint()).red() > 60;
   };
   waitUntilDrawn();
-  const Camera camera = cameras().camera(0).zoomed(0.5);
-  cameras().show(0, camera);
+  cameras().zoom(0, 0.5);
+  const Camera camera = cameras().camera(0);
   waitUntilDrawn();
   EXPECT_FALSE(shows());
   hides->click();

@@ -157,7 +157,7 @@ void PlacementController::choose(bool framed, bool asked) {
 }
 
 void PlacementController::follow() {
-  if (!settings_.follow || !measured()) return;
+  if (!settings_.follow || !measured() || cameras_.isFlying()) return;
   const auto dual = placement::chooseDual(measured_, directionOf(cameras_.camera(0)), settings_.options);
   if (!dual.c2) return;
   const Camera c2 = facing(cameras_.camera(1), measured_.candidates[*dual.c2].direction);
@@ -180,6 +180,7 @@ void PlacementController::goTo(glm::dvec3 direction) {
 }
 
 void PlacementController::fly(glm::dvec3 c1, std::optional<glm::dvec3> c2, bool framed, bool asked) {
+  turned_.stop();  // both cameras have a new aim
   const Camera &first = cameras_.camera(0), &second = cameras_.camera(1);
   const ViewLink::Pair home{framing(c1), framing(c2.value_or(directionOf(second)))};
   const ViewLink::Pair there{framed ? home[0] : facing(first, c1), !c2      ? second

@@ -19,11 +19,6 @@ namespace {
 /// Internal id of the children of the row of labels without voxels.
 constexpr quintptr absentChild = 1;
 
-const std::vector<Label>& labelsOf(const Document& document) {
-  static const std::vector<Label> none;
-  return document.labels() ? document.labels()->labels : none;
-}
-
 QString percent(double share) { return QStringLiteral("%1 %").arg(std::lround(100.0 * share)); }
 
 QIcon roleIcon(std::optional<LabelRole> role) {
@@ -51,9 +46,10 @@ LabelModel::LabelModel(Document& document, const PlacementController& placement,
 void LabelModel::readLabels() {
   present_.clear();
   absent_.clear();
-  if (!document_.labels()) return;
-  const std::vector<bool> present = labelsWithVoxels(*document_.labels());
-  const std::vector<Label>& labels = labelsOf(document_);
+  listed_ = document_.labels();
+  if (!listed_) return;
+  const std::vector<bool> present = labelsWithVoxels(*listed_);
+  const std::vector<Label>& labels = listed_->labels;
   for (std::size_t i = 0; i < labels.size(); ++i) (present[labels[i].value] ? present_ : absent_).push_back(i);
 }
 
@@ -94,7 +90,7 @@ int LabelModel::rowCount(const QModelIndex& parent) const {
 int LabelModel::columnCount(const QModelIndex&) const { return columns; }
 
 QVariant LabelModel::nameData(std::size_t label, int role) const {
-  const Label& of = labelsOf(document_)[label];
+  const Label& of = listed_->labels[label];
   switch (role) {
     case Qt::DisplayRole:
       return of.name.empty() ? tr("Label %1").arg(of.value) : QString::fromStdString(of.name);
@@ -112,7 +108,7 @@ QVariant LabelModel::nameData(std::size_t label, int role) const {
 }
 
 QVariant LabelModel::settingData(std::size_t label, int column, int role) const {
-  const Label& of = labelsOf(document_)[label];
+  const Label& of = listed_->labels[label];
   const LabelSetting setting = document_.labelSetting(of.value);
   const std::optional<LabelRole> labelRole = document_.roleOf(of.value);
   const bool tip = role == Qt::ToolTipRole, drawn = role == Qt::DecorationRole;
@@ -144,7 +140,7 @@ QVariant LabelModel::settingData(std::size_t label, int column, int role) const 
 
 QVariant LabelModel::seenData(std::size_t label, int role) const {
   if (role != Qt::DisplayRole && role != Qt::ToolTipRole) return {};
-  const auto share = placement_.share(labelsOf(document_)[label].value);
+  const auto share = placement_.share(listed_->labels[label].value);
   if (role == Qt::DisplayRole) return share ? percent(share->both) : QString();
   return share ? tr("C1 sees %1 of its surface, C2 %2, both together %3: measured where cameras are tried, nearest to "
                     "these")
@@ -220,7 +216,7 @@ Qt::ItemFlags LabelModel::flags(const QModelIndex& index) const {
 }
 
 std::uint16_t LabelModel::label(const QModelIndex& index) const {
-  return index.isValid() && !isAbsentRow(index) ? labelsOf(document_)[at(index)].value : std::uint16_t{0};
+  return index.isValid() && !isAbsentRow(index) ? listed_->labels[at(index)].value : std::uint16_t{0};
 }
 
 }  // namespace fenestra::viewer

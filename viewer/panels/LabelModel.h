@@ -3,9 +3,12 @@
 // is visible, its role, its opacity and how much of it the cameras see. Labels without voxels are children of one last
 // row.
 
+#include <memory>
 #include <vector>
 
 #include <QAbstractItemModel>
+
+#include "rendering/scene/LabelMap.h"
 
 namespace fenestra::viewer {
 
@@ -47,6 +50,8 @@ class LabelModel : public QAbstractItemModel {
 
   Document& document_;
   const PlacementController& placement_;
+  /// A new study's labels are listed a moment after it is there: until then rows are those of the old one.
+  std::shared_ptr<const LabelMap> listed_;
   std::vector<std::size_t> present_, absent_;  ///< places in the label map's list
 };
 
