@@ -46,6 +46,8 @@ namespace {
 
 constexpr int layoutVersion = 4;  ///< of the docks and toolbars; a saved layout of another version is not restored
 
+constexpr int recognisedMilliseconds = 10000;  ///< that the status bar shows a remark
+
 QString describe(const io::SeriesInfo& series) {
   return QStringLiteral("%1 %2×%3×%4")
       .arg(QString::fromStdString(series.modality))
@@ -244,6 +246,11 @@ void MainWindow::studyOpened() {
     });
     notices_->addGeometry(*study.geometry, [this](io::Regularise choice) { sessions_->regularise(choice); });
   }
+  // Nothing is odd about what was recognised: no notice takes room of the pictures for it.
+  for (const io::Warning& warning : warnings)
+    if (warning.kind == io::Warning::Kind::Recognised)
+      statusBar()->showMessage(QString::fromStdString(warning.text), recognisedMilliseconds);
+  std::erase_if(warnings, [](const auto& warning) { return warning.kind == io::Warning::Kind::Recognised; });
   notices_->addWarnings(warnings);
   if (study.placeCameras) workspace_.placement.placeAutomatically();
   Q_EMIT opened();

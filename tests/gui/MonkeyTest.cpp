@@ -140,7 +140,8 @@ class Monkey : public Window, public testing::WithParamInterface<unsigned> {
 
   /// The window as it is after opening a study, whatever was done to it.
   int objectsAtRest() {
-    QTest::qWait(200);  // dialogs are closed
+    QTest::qWait(200);                             // dialogs are closed
+    QApplication::setActiveWindow(window_.get());  // as no window manager does after a dialog
     window_->setWindowState(Qt::WindowNoState);
     window_->resize(1280, 800);
     for (int i = 0; i < 4; ++i) QTest::keyClick(window_.get(), Qt::Key_Escape);

@@ -186,7 +186,7 @@ TEST_F(RegionWindow, EscapeTakesAGrowingRegionBack) {
   EXPECT_FALSE(document().region());
   waitUntilDrawn();
   EXPECT_FALSE(document().undoStack().canUndo());
-  EXPECT_TRUE(window_->notices().texts().isEmpty());
+  EXPECT_TRUE(window_->notices().texts().isEmpty()) << window_->notices().texts().join(QLatin1Char('|')).toStdString();
 }
 
 TEST_F(RegionWindow, TheCancelButtonTakesAWaitingRegionBack) {

@@ -120,11 +120,12 @@ QString styleSheetOf(const Colours& colours) {
     QSplitter::handle { background: @line; }
     QSplitter::handle:horizontal { width: 3px; }
     QSplitter::handle:vertical { height: 3px; }
-    QCheckBox::indicator, QListView::indicator { width: 13px; height: 13px; border: 1px solid @controlEdge;
-      border-radius: 2px; background: @controlFace; }
-    QCheckBox::indicator:hover, QListView::indicator:hover { border-color: @controlHover; }
-    QCheckBox::indicator:checked, QListView::indicator:checked { background: @accent; border-color: @brightAccent;
-      image: url(:/icons/check.svg); }
+    QCheckBox::indicator, QTreeView::indicator, QListView::indicator { width: 13px; height: 13px;
+      border: 1px solid @controlEdge; border-radius: 2px; background: @controlFace; }
+    QCheckBox::indicator:hover, QTreeView::indicator:hover, QListView::indicator:hover {
+      border-color: @controlHover; }
+    QCheckBox::indicator:checked, QTreeView::indicator:checked, QListView::indicator:checked { background: @accent;
+      border-color: @brightAccent; image: url(:/icons/check.svg); }
     QCheckBox::indicator:disabled { border-color: @controlDisabled; }
     QToolButton#choice { background: @raised; border: 1px solid @edge; border-radius: 3px; padding: 3px 4px; }
     QToolButton#choice:hover { background: @hover; }
