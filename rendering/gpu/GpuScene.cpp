@@ -363,13 +363,12 @@ void GpuScene::updateTransfer(const Scene& scene) {
   const double perReal = (tableSize - 1) / (span.high - span.low);
   transferMap_ = glm::vec2(volumeTexture_.slope * perReal, (volumeTexture_.offset - span.low) * perReal);
 
-  // The tables are read to the nearest entry: a brick within one entry of something visible may show it.
-  const double slack = 1.0 / perReal;
+  // Exactly: a brick whose values reach no further than the node where opacity begins stays empty, although the tables,
+  // which are read to the nearest entry, may show a little there.
   std::vector<std::uint8_t> occupied(bricks_.ranges.size());
-  for (std::size_t i = 0; i < occupied.size(); ++i) {
-    const ValueRange& range = bricks_.ranges[i];
-    occupied[i] = context_.maxExtinction({range.low - slack, range.high + slack}) > 0.0;
-  }
+  std::transform(bricks_.ranges.begin(), bricks_.ranges.end(), occupied.begin(), [this](const ValueRange& range) {
+    return static_cast<std::uint8_t>(context_.maxExtinction(range) > 0.0);
+  });
   if (occupied != contextOccupied_ || !contextSkip_ || contextSkip_.size() != bricks_.dims) {
     contextOccupied_ = std::move(occupied);
     contextSkip_ = skipTexture(bricks_.dims, contextOccupied_);
