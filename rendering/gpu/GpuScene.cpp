@@ -114,7 +114,7 @@ bool GpuScene::holds(const Scene& scene) const {
   if (!shown_.volume || fitted_.isOfOther(scene) || scene.look.focus != focusWanted_) return false;
   if (std::holds_alternative<LabelFocus>(scene.look.focus) && scene.labels != labelSource_) return false;
   const bool wantsDerivative = hasCutaway(scene) && scene.look.contextLayer.strength > 0.0;
-  return (gradient_ || !scene.look.shading.enabled) && (derivative_.texture || !wantsDerivative);
+  return (gradient_.texture || !scene.look.shading.enabled) && (derivative_.texture || !wantsDerivative);
 }
 
 gl::ShaderProgram& GpuScene::presentation(bool enlarged) {
@@ -174,7 +174,7 @@ void GpuScene::updateAll(const Scene& scene) {
 
   const bool wantsGradient = scene.look.shading.enabled;
   if (!wantsGradient) gradient_ = {};
-  if (wantsGradient && (!gradient_ || transferChanged || focusChanged)) updateGradient();
+  if (wantsGradient && (!gradient_.texture || transferChanged || focusChanged)) updateGradient();
   const bool wantsSmooth = wantsGradient && focus_.kind == FocusIndex::Kind::Labels && focus_.box;
   if (!wantsSmooth) focusSmooth_ = {};
   if (wantsSmooth && !focusSmooth_) updateFocusSmooth(scene);
@@ -212,21 +212,19 @@ void GpuScene::updateGradient() {
         if (contextOccupied_[brick] || (!focus_.slots.empty() && focus_.slots[brick] != 0)) grow(shown, low, high);
       }
   const glm::ivec3 last = shown_.volume->grid.dims - 1;
-  const auto clipped = [&](const std::optional<IndexBox>& box) {
-    return box ? IndexBox{glm::clamp(box->low, glm::ivec3(0), last), glm::clamp(box->high, glm::ivec3(0), last)}
-               : IndexBox{};
-  };
-  IndexBox wanted = clipped(shown);
-  if (gradient_) {
-    if (glm::all(glm::lessThanEqual(gradientBox_.low, wanted.low)) &&
-        glm::all(glm::greaterThanEqual(gradientBox_.high, wanted.high)))
-      return;
+  for (std::optional<IndexBox>* box : {&varied, &shown})
+    if (*box) *box = IndexBox{glm::max((*box)->low, glm::ivec3(0)), glm::min((*box)->high, last)};
+  std::optional<IndexBox> wanted = shown;
+  if (gradient_.texture) {
+    const bool holds = !wanted || (gradientBox_ && glm::all(glm::lessThanEqual(gradientBox_->low, wanted->low)) &&
+                                   glm::all(glm::greaterThanEqual(gradientBox_->high, wanted->high)));
+    if (holds) return;
     // More shows than at first: all that can ever be asked for, so that dragging a transfer function rebuilds but once.
-    wanted = clipped(varied);
+    wanted = varied;
   }
   gradient_ = {};
   gradientBox_ = wanted;
-  gradient_ = makeGradientTexture(shown_, wanted.low, wanted.high);
+  gradient_ = makeGradientTexture(shown_, wanted);
   ++versions_.gradient;
 }
 
@@ -382,7 +380,7 @@ std::vector<GpuScene::Resource> GpuScene::resources() const {
   };
   const auto of = [](const gl::Texture& texture) { return texture ? texture.bytes() : 0; };
   add("volume", of(volumeTexture_.texture));
-  add("gradient", of(gradient_));
+  add("gradient", of(gradient_.texture));
   add("derivative volume", of(derivative_.texture));
   add("transfer tables", of(transferTables_));
   add("empty-space skipping", of(contextSkip_) + of(occupiedSkip_) + of(focusSkip_));

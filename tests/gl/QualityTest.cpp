@@ -86,6 +86,22 @@ TEST_F(QualityErrors, AirAtTheNodeWhereOpacityBeginsStaysEmpty) {
   }
 }
 
+/// Around a cube whose faces lie on those of bricks, air that shows has no gradient, in any direction and however far.
+TEST_F(QualityErrors, AirAroundASurfaceIsLitAsAir) {
+  const Grid grid = gridOf({48, 48, 48});
+  Scene scene;
+  scene.volume = volumeOf<std::int16_t>(grid, [](glm::ivec3 i) {
+    return glm::all(glm::greaterThanEqual(i, glm::ivec3(16))) && glm::all(glm::lessThan(i, glm::ivec3(31))) ? 400
+                                                                                                            : -900;
+  });
+  const glm::dvec3 colour(0.9, 0.7, 0.5);
+  scene.look.context.function = {{{-900.0, {colour, 0.03}}, {400.0, {colour, 0.2}}}};
+  for (const Camera& camera : {aside(scene), Camera::fromAngles(-150, -40, grid, Projection::Perspective)}) {
+    EXPECT_LE(errorsOf(scene, camera, Quality::High).worst, highQualityError);
+    EXPECT_LE(errorsOf(scene, camera, Quality::Normal).worst, 8.0);  // a step edge between two voxels
+  }
+}
+
 TEST_F(QualityErrors, NormalLightsTheSideThatIsSeen) {
   // Surfaces that turn opaque within a voxel: lit where light comes from, not in the middle of what is behind it.
   Scene scene = waves(32);
