@@ -17,7 +17,7 @@ namespace {
 constexpr double contextThreshold = 1.0 / 255.0;
 
 /// Emission (colour · extinction) and extinction at each entry, their integrals from the first entry on, and that of
-/// emission times the integral of extinction up to there.
+/// emission times the integral of extinction up to there, with the number of nodes before the entry.
 struct TransferTables {
   std::vector<glm::vec4> properties, integrals, hidden;
 
@@ -47,7 +47,7 @@ TransferTables makeTransferTables(const TransferFunction& function, ValueRange s
     const double here = span.low + perEntry * i, next = span.low + perEntry * (i + 1);
     tables.properties.emplace_back(at(here));
     tables.integrals.emplace_back(integral);
-    tables.hidden.emplace_back(hidden);
+    tables.hidden.emplace_back(glm::dvec3(hidden), static_cast<double>(node - function.nodes.begin()));
     // Between nodes emission is a quadratic function of the value, so Simpson's rule is exact. Points a hair inside
     // tell the two sides of a step.
     double low = here;
