@@ -68,7 +68,7 @@ Layers referenceLayers(const Scene& scene, const View& view) {
   reference::PictureOptions options;
   options.pixelScale = view.pixelScale;
   reference::Stages stages;
-  if (hasCutaway(scene)) stages = reference::geometricStages(scene, view.camera, view.size, view.pixelScale);
+  if (hasCutaway(scene)) stages = reference::geometricStages(scene, view);
   const reference::Picture picture = reference::picture(scene, view.camera, view.size, stages, options);
   Layers layers;
   layers.size = view.size;

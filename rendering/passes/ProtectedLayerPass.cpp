@@ -17,6 +17,7 @@ void ProtectedLayerPass::run(Steps& steps, const GpuScene& gpu, const Look& look
                                                  tableDefine(),
                                                  {"FOCUS_PALETTE", false},
                                                  {"FOCUS_SMOOTH", false},
+                                                 {"APART", false},
                                                  {"FINE", *bounded.maxError < FocusLayerPass::coarseBound / 2.0},
                                                  {"RAYS", 1}},
                                                 {scheduleChoice(gpu.schedule()),
