@@ -84,7 +84,7 @@ int expectSlidersAsDeclared(const QWidget& panel) {
 }
 
 TEST_F(Window, SlidersAreThoseOfTheDeclaredSettings) {
-  EXPECT_EQ(expectSlidersAsDeclared<Cutaway>(panel<CutawayPanel>()), 2);
+  EXPECT_EQ(expectSlidersAsDeclared<Cutaway>(panel<CutawayPanel>()), 3);
   EXPECT_EQ(expectSlidersAsDeclared<ContextLayer>(panel<ContextLayerPanel>()), 5);
 }
 
