@@ -285,6 +285,7 @@ QAction* Actions::makeFreezeEntry() {
   QAction* freeze = volumeAction(tr("&Freeze the opening"), QKeySequence(tr("F")),
                                  [this, &cameras] { viewCommands_.freeze(!cameras.isFrozen()); });
   freeze->setObjectName(QStringLiteral("freeze"));
+  freeze->setIconText(tr("Freeze"));
   freeze->setCheckable(true);
   freeze->setToolTip(tr("Keeps the opening where it is while the cameras move, so that they look into it (%1)")
                          .arg(freeze->shortcut().toString(QKeySequence::NativeText)));

@@ -26,6 +26,7 @@
 #include "viewer/SegmentationMenu.h"
 #include "viewer/Sessions.h"
 #include "viewer/StatusBar.h"
+#include "viewer/UndoKeys.h"
 #include "viewer/StructureMenu.h"
 #include "viewer/WelcomePage.h"
 #include "viewer/model/CamerasChange.h"
@@ -81,6 +82,7 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
   setWindowTitle(QStringLiteral("Fenestra"));
   setAcceptDrops(true);
   new FocusRing(this);
+  new UndoKeys(this);
   setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
 
   connectModels();  // before the views connect, so that the models are up to date when a view draws
@@ -321,6 +323,7 @@ void MainWindow::whenDrawn(std::function<void()> done) {
   connect(poll, &QTimer::timeout, this, [this, poll, done = std::move(done)] {
     workspace_.cameras.finishFlight();
     if (!isIdle()) return;
+    static_cast<StatusBar*>(statusBar())->showFrame();  // the last picture may not have reached the screen yet
     poll->stop();
     poll->deleteLater();
     done();
