@@ -110,6 +110,16 @@ void growFocus(const SceneOptions& options, LoadedScene& loaded, const io::Progr
   loaded.scene = loaded.growth ? segmentation::shownScene(scene, *loaded.growth) : scene;
 }
 
+/// A camera that is not placed; with a size where a file names one.
+CameraFile cameraOf(const SceneOptions& options, const CameraChoice& choice, const Scene& scene) {
+  if (const auto* file = std::get_if<fs::path>(&choice)) {
+    CameraFile read = readCamera(*file);
+    read.camera.projection = options.projection.value_or(read.camera.projection);
+    return read;
+  }
+  return {makeCamera(options, choice, visibleFraming(shownVolume(scene), scene.look.context.shifted())), glm::ivec2(0)};
+}
+
 /// Camera, size and sampling: from the options, else from the session's view, else the defaults.
 void setView(const SceneOptions& options, LoadedScene& loaded) {
   View& view = loaded.view;
@@ -133,20 +143,23 @@ void setView(const SceneOptions& options, LoadedScene& loaded) {
     if (saved->fitsWidth) view.camera = view.camera.fittedTo(static_cast<double>(view.size.x) / view.size.y);
     return;
   }
-  if (const auto* file = std::get_if<fs::path>(&*choice)) {
-    const CameraFile read = readCamera(*file);
-    view.camera = read.camera;
-    view.camera.projection = options.projection.value_or(read.camera.projection);
-    view.size = read.size;
-  } else {
-    if (const auto* placed = std::get_if<PlacedView>(&*choice)) {
-      loaded.placed = *placed;
-      choice = StandardView::Anterior;
-    }
-    view.camera =
-        makeCamera(options, *choice, visibleFraming(shownVolume(loaded.scene), loaded.scene.look.context.shifted()));
+  if (const auto* placed = std::get_if<PlacedView>(&*choice)) {
+    loaded.placed = *placed;
+    choice = StandardView::Anterior;
   }
+  const CameraFile chosen = cameraOf(options, *choice, loaded.scene);
+  view.camera = chosen.camera;
+  if (chosen.size.x > 0) view.size = chosen.size;
   view.size = options.size.value_or(view.size);
+}
+
+/// The opening's own camera, from the options or else from the session's view.
+void freezeView(const SceneOptions& options, LoadedScene& loaded) {
+  View& view = loaded.view;
+  if (loaded.session) view.frozen = loaded.session->views[static_cast<std::size_t>(options.viewOfSession)].frozen;
+  if (!options.frozen) return;
+  const CameraFile chosen = cameraOf(options, *options.frozen, loaded.scene);
+  view.frozen = OpeningView{chosen.camera, chosen.size.x > 0 ? chosen.size : view.size, view.pixelScale};
 }
 
 /// `onPath` runs as soon as PATH is known: options take effect in the order in which they are added.
@@ -281,6 +294,12 @@ void addView(CLI::App& command, SceneOptions& options) {
         options.camera = parseCamera(text);
         return options.camera.has_value();
       });
+  addParsed(command, "--freeze", "A|P|L|R|S|I|AZIMUTH,ELEVATION|FILE.json",
+            "cut the opening for this camera instead, so that --camera looks into it from another side",
+            [&options](const std::string& text) {
+              options.frozen = parseCamera(text);
+              return options.frozen && !std::holds_alternative<PlacedView>(*options.frozen);
+            });
   addChoice<Projection>(command, "--projection", "default perspective", options.projection);
   addChoice<int>(command, "--view", "of a session: whose camera, size and strokes, default C1", {{"C1", 0}, {"C2", 1}},
                  options.viewOfSession);
@@ -439,6 +458,7 @@ LoadedScene loadScene(const SceneOptions& options, const io::Progress& progress)
   if (!options.strokes.empty()) scene.look.strokes = io::readStrokes(options.strokes);
   growFocus(options, loaded, progress);
   setView(options, loaded);
+  freezeView(options, loaded);
   return loaded;
 }
 

@@ -67,6 +67,7 @@ struct SceneOptions : VolumeOptions {
   double focusMinimumSize = ValueFocus{}.minimumComponent;  ///< mm³
   std::string transferFunction;                             ///< preset or file; empty: io::defaultPreset
   std::optional<CameraChoice> camera;
+  std::optional<CameraChoice> frozen;  ///< the camera that the opening stays cut for; not a placed one
   std::optional<Projection> projection;
   std::optional<glm::ivec2> size;  ///< rendered pixels
   std::filesystem::path strokes;   ///< file of brush strokes; empty: those of the look

@@ -33,6 +33,7 @@ io::Session sessionOf(const SceneOptions& options, const LoadedScene& loaded) {
     view = {.camera = loaded.view.camera, .fitsWidth = false};
   view.size = loaded.view.size;
   view.pixelScale = loaded.view.pixelScale;
+  view.frozen = loaded.view.frozen;
   if (!loaded.session) session.home = {session.views[0].camera, session.views[1].camera};
   return session;
 }

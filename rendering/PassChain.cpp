@@ -37,6 +37,13 @@ FocusLayerPass::Sampling samplingOf(const View& view, const Grid& grid, const Ra
   return {.pitch = pitchOf(grid, rays, 1.0)};
 }
 
+/// Where another camera cuts the opening, rays may see nothing on a part of their way: only the integral that keeps a
+/// bound knows where a ray ends. Each of the two parts gets half of it.
+FocusLayerPass::Sampling inParts(FocusLayerPass::Sampling sampling) {
+  sampling.maxError = 0.5 * sampling.maxError.value_or(FocusLayerPass::coarseBound);
+  return sampling;
+}
+
 /// Distance maps reach this far (rendered pixels) or the next power of two beyond what the widths need: a slider that
 /// moves within it leaves the map as it is.
 constexpr int leastDistanceRange = 64;
@@ -96,17 +103,27 @@ void PassChain::begin(const Scene& scene, const View& view) {
   pixelScale = view.pixelScale;
   background = glm::vec3(scene.look.background);
 
-  Frame& made = frame.emplace(Frame{.scene = scene, .view = view, .sampling = samplingOf(view, gpu->grid(), *rays)});
+  const Grid& grid = gpu->grid();
+  std::optional<OpeningView> cutFor;
+  if (hasCutaway(scene) && !onlyStarts)
+    cutFor = openingOf(view, scene.look.cutaway, gpu->focus().centre(grid).value_or(grid.centre()));
+  Frame& made = frame.emplace(Frame{.scene = scene, .view = view, .sampling = samplingOf(view, grid, *rays)});
+  if (cutFor) made.sampling = inParts(made.sampling);
   made.hasCutaway = hasCutaway(scene);
+  made.opening = cutFor;
   made.hasContextLayer = made.hasCutaway && scene.look.contextLayer.strength > 0.0;
   made.startBefore = start.version();
   made.drawn = gpu->versions();
   widths = made.hasCutaway ? widthsInPixels(scene) : glm::dvec2(0.0);
+  if (cutFor)
+    beginOpening(*cutFor);
+  else
+    dropOpening();
 
   // Strokes are in no pass's key: all that depends on them is patched together, or not at all.
   std::optional<ProjectedStrokes> before = std::exchange(strokes, std::nullopt);
   if (!before) forgetEdited();
-  if (made.hasCutaway) made.strokes = project(scene.look.strokes, *rays);
+  if (made.hasCutaway && !cutFor) made.strokes = project(scene.look.strokes, *rays);
   if (before) made.changed = changedRegions(*before, made.strokes, view.size, FocusLayerPass::reach(made.sampling));
   // Without any, a picture that is dropped half way has patched nothing.
   if (before && before->empty() && made.strokes.empty()) strokes = std::move(before);
@@ -115,6 +132,37 @@ void PassChain::begin(const Scene& scene, const View& view) {
 void PassChain::drop() {
   steps.drop();
   frame.reset();
+  if (opening) opening->drop();
+}
+
+void PassChain::beginOpening(const OpeningView& view) {
+  if (!opening) {
+    opening = std::make_unique<PassChain>(gpu);
+    opening->onlyStarts = true;
+    opening->stats = stats;
+    // What the stages made for the picture's own camera.
+    pullPushPass.release();
+    distanceMapPass.release();
+    releaseEdits();
+    focusFilled = {};
+    fill.forget();
+    distance.forget();
+    forgetEdited();
+  }
+  opening->timing = timing;
+  opening->begin(frame->scene, {.camera = view.camera, .size = view.size, .pixelScale = view.pixelScale});
+  widths = opening->widths;
+}
+
+void PassChain::dropOpening() {
+  if (!opening) return;
+  opening.reset();
+  faces = {};
+  hole = {};
+  editMap = {};
+  removed.forget();
+  distance.forget();
+  forgetEdited();
 }
 
 void PassChain::beginStage() {
@@ -124,7 +172,7 @@ void PassChain::beginStage() {
   if (frame->stagesBegun == 0 && !frame->hasCutaway) dropCutaway();
   constexpr std::size_t ofCutaway = 4;  // the first stages, which only a cutaway has
   if (!frame->hasCutaway) frame->stagesBegun = std::max(frame->stagesBegun, ofCutaway);
-  if (frame->stagesBegun < stages.size()) {
+  if (frame->stagesBegun < (onlyStarts ? ofCutaway : stages.size())) {
     (this->*stages[frame->stagesBegun++])();
     return;
   }
@@ -144,6 +192,11 @@ bool PassChain::advance(std::optional<double> milliseconds) try {
     std::optional<double> left = milliseconds;
     if (left) *left -= std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun).count();
     if (left && *left <= 0.0 && advanced) return false;
+    if (opening && opening->frame) {
+      advanced = true;
+      if (!opening->advance(left)) return false;
+      continue;
+    }
     advanced = !steps.isDone();
     if (!steps.advance(left)) return false;
     beginStage();
@@ -162,12 +215,14 @@ void PassChain::findHitPoints() {
 }
 
 void PassChain::fillFocusHits() {
+  if (opening) return;
   addIfStale(Pass::PullPush, fill, FillKey{hits.version()}, {}, [&](Regions) {
     pullPushPass.run(steps, gpu->schedule(), hitPoints, sized(focusFilled, gl::Format::R32F, rays->size()));
   });
 }
 
 void PassChain::mapDistances() {
+  if (opening) return;
   const int range = distanceRange(widths, frame->view.size);
   addIfStale(Pass::DistanceMap, distance, DistanceKey{hits.version(), range}, {}, [&](Regions) {
     distanceMapPass.run(steps, gpu->schedule(), hitPoints, range, sized(distances, gl::Format::R32F, frame->view.size));
@@ -175,6 +230,7 @@ void PassChain::mapDistances() {
 }
 
 void PassChain::startRays() {
+  if (opening) return startRaysApart();
   const glm::ivec2 size = frame->view.size;
   const RayStartKey key{hits.version(), fill.version(), distance.version(), widths.x};
   const RayStartPass::Inputs inputs{hitPoints, focusFilled, distances, widths.x};
@@ -196,6 +252,29 @@ void PassChain::startRays() {
       frame->moved ? nearFocus(*frame->moved) : std::nullopt);
 }
 
+void PassChain::startRaysApart() {
+  const glm::ivec2 size = frame->view.size;
+  const bool holes = !gpu->protectedLabels().any();
+  const RemovedPass::Opening cut{*opening->rays,           opening->hitPoints,
+                                 opening->focusFilled,     opening->distances,
+                                 opening->rayStart,        opening->editMap ? &opening->editMap : nullptr,
+                                 widths.x + widths.y + 1.0};
+  if (!opening->editMap) editMap = {};
+  const glm::dvec3 spacing = gpu->grid().spacing;
+  const double voxel = std::min({spacing.x, spacing.y, spacing.z});
+  addIfStale(Pass::RayStart, removed,
+             RemovedKey{hits.version(), opening->start.version(), *frame->opening, widths,
+                        opening->strokes.value_or(ProjectedStrokes()), holes},
+             {}, [&](Regions) {
+               const RemovedPass::Outputs outputs{sized(rayStart, gl::Format::R32F, size),
+                                                  sized(hole, gl::Format::RG32F, size),
+                                                  sized(distances, gl::Format::R32F, size),
+                                                  cut.editMap ? &sized(editMap, gl::Format::RG32F, size) : nullptr};
+               removedPass.run(steps, gpu->schedule(), *rays, hitPoints, cut, holes, voxel,
+                               sized(faces, gl::Format::RGBA32F, opening->rays->size()), outputs);
+             });
+}
+
 /// A plain volume rendering keeps none of the cutaway's images.
 void PassChain::dropCutaway() {
   for (gl::Texture* texture : {&hitPoints, &focusFilled, &distances, &rayStart}) *texture = {};
@@ -214,6 +293,7 @@ void PassChain::drawFocusLayer() {
   const View& view = frame->view;
   const int reach = FocusLayerPass::reach(frame->sampling);
   const FocusLayerKey key{frame->hasCutaway ? start.version() : 0,
+                          opening ? removed.version() : 0,
                           version.volume,
                           version.focus,
                           version.transfer,
@@ -232,11 +312,11 @@ void PassChain::drawFocusLayer() {
   addIfStale(
       Pass::FocusLayer, focus, key, anew ? Regions() : Regions(frame->changed),
       [&](Regions regions) {
-        std::optional<FocusLayerPass::Opening> opening;
-        if (frame->hasCutaway) opening.emplace(FocusLayerPass::Opening{hitPoints, rayStart});
+        std::optional<FocusLayerPass::Opening> cut;
+        if (frame->hasCutaway) cut.emplace(FocusLayerPass::Opening{hitPoints, rayStart, opening ? &hole : nullptr});
         gl::Texture& layer = sized(focusLayer, gl::Format::RGBA32F, view.size, presented);
         if (anew) clearAround(nearVolume, layer);
-        focusLayerPass.run(steps, *gpu, look, *rays, opening, frame->sampling, regions, layer);
+        focusLayerPass.run(steps, *gpu, look, *rays, cut, frame->sampling, regions, layer);
       },
       onlyMoved ? nearFocus(*frame->moved + reach) : nearVolume);
 }
@@ -249,10 +329,12 @@ void PassChain::drawProtectedLayer() {
   }
   const GpuScene::Versions& version = gpu->versions();
   const Look& look = frame->scene.look;
-  const ProtectedLayerKey key{start.version(),  version.volume, version.protectedLabels, version.transfer,
-                              version.gradient, look.shading,   frame->sampling};
+  const ProtectedLayerKey key{start.version(),  opening ? removed.version() : 0,
+                              version.volume,   version.protectedLabels,
+                              version.transfer, version.gradient,
+                              look.shading,     frame->sampling};
   // Rays farther from the focus start where they did, unless a stroke opened them.
-  const auto part = frame->strokes.empty() ? nearFocus(widths.x + 1.0) : std::nullopt;
+  const auto part = frame->strokes.empty() && !opening ? nearFocus(widths.x + 1.0) : std::nullopt;
   const bool anew = part && guard.isStale(key);
   addIfStale(
       Pass::ProtectedLayer, guard, key, frame->changed,
@@ -302,7 +384,7 @@ void PassChain::compose() {
   const auto& last = composite.key();
   const bool sameBelow = last && last->sameBelow(key), stale = composite.isStale(key);
   // Strokes may open anywhere, and so bring protected labels anywhere.
-  const auto part = protectedLayer && !frame->strokes.empty()
+  const auto part = opening || (protectedLayer && !frame->strokes.empty())
                         ? std::nullopt
                         : nearFocus(std::max(sameBelow ? last->reach() : 0.0, key.reach()));
   addIfStale(
@@ -312,6 +394,7 @@ void PassChain::compose() {
         if (stale && !sameBelow && part) picture.copy(focusLayer);
         CompositePass::Inputs inputs{focusLayer, hitPoints, distances, widths};
         if (editMap) inputs.editMap = &editMap;
+        if (opening) inputs.rayStart = &rayStart;
         if (protectedLayer) inputs.protectedLayer = &protectedLayer;
         if (hasLayer) {
           inputs.contextLayer = &contextLayer;

@@ -20,6 +20,7 @@
 #include "rendering/passes/ProtectedLayerPass.h"
 #include "rendering/passes/PullPushPass.h"
 #include "rendering/passes/RayStartPass.h"
+#include "rendering/passes/RemovedPass.h"
 #include "rendering/passes/Steps.h"
 
 namespace fenestra {
@@ -35,6 +36,7 @@ struct PassChain {
   DistanceMapPass distanceMapPass{gpu->programs()};
   EditMapPass editMapPass{gpu->programs()};
   RayStartPass rayStartPass{gpu->programs()};
+  RemovedPass removedPass{gpu->programs()};
   FocusLayerPass focusLayerPass{gpu->programs()};
   ProtectedLayerPass protectedLayerPass{gpu->programs()};
   ContextLayerPass contextLayerPass{gpu->programs()};
@@ -43,11 +45,17 @@ struct PassChain {
   gl::Texture hitPoints, focusFilled, distances, editMap, rayStart, focusLayer, protectedLayer, contextLayer,
       silhouette, composed;
   gl::Texture pickedHit;
+  gl::Texture faces, hole;  ///< of RemovedPass
+
+  /// Stages 1 to 4 of the camera that cuts the opening, where that is another than the picture's.
+  std::unique_ptr<PassChain> opening;
+  bool onlyStarts = false;  ///< this chain is another one's `opening`
 
   Memo<HitKey> hits;
   Memo<FillKey> fill;
   Memo<DistanceKey> distance;
   Memo<RayStartKey> edits, start;
+  Memo<RemovedKey> removed;
   Memo<FocusLayerKey> focus;
   Memo<ProtectedLayerKey> guard;
   Memo<ContextLayerKey> context;
@@ -61,7 +69,7 @@ struct PassChain {
   glm::dvec2 widths{0.0};
   glm::vec3 background{0.0f};
   bool timing = false;
-  std::array<PassStats, passCount> stats{};
+  std::shared_ptr<std::array<PassStats, passCount>> stats = std::make_shared<std::array<PassStats, passCount>>();
 
   /// One picture on its way through the stages.
   struct Frame {
@@ -69,6 +77,7 @@ struct PassChain {
     View view;
     FocusLayerPass::Sampling sampling;
     bool hasCutaway = false, hasContextLayer = false;
+    std::optional<OpeningView> opening{};  ///< cut by another camera
     ProjectedStrokes strokes{};
     std::vector<gl::Region> changed{};  ///< where strokes changed
     std::uint64_t startBefore = 0;      ///< version of the ray starts of the last picture
@@ -91,12 +100,16 @@ struct PassChain {
   void fillFocusHits();
   void mapDistances();
   void startRays();
+  /// Instead of the last three, where another camera cuts the opening.
+  void startRaysApart();
   void drawFocusLayer();
   void drawProtectedLayer();
   void drawContextLayer();
   void compose();
   void beginStage();
   void dropCutaway();
+  void dropOpening();
+  void beginOpening(const OpeningView& view);
 
   /// What of the picture lies within so many pixels of the focus, where it is known to end.
   std::optional<gl::Region> nearFocus(double reach) const;
@@ -120,7 +133,7 @@ struct PassChain {
     steps.beginPass(static_cast<std::size_t>(pass));
     add(regions);
     steps.then([this, pass, &memo, kept = std::make_shared<Key>(std::move(key)), stale, pixels, timer] {
-      PassStats& mine = stats[static_cast<std::size_t>(pass)];
+      PassStats& mine = (*stats)[static_cast<std::size_t>(pass)];
       ++mine.runs;
       mine.pixels = pixels;
       if (timer) mine.milliseconds = timer->elapsedMilliseconds();

@@ -5,8 +5,10 @@
 #include <cstdint>
 #include <optional>
 
+#include "rendering/gpu/StrokeLines.h"
 #include "rendering/passes/FocusLayerPass.h"
 #include "rendering/scene/Scene.h"
+#include "rendering/scene/View.h"
 
 namespace fenestra {
 
@@ -48,8 +50,18 @@ struct RayStartKey {
   double openWidth;
   bool operator==(const RayStartKey&) const = default;
 };
+/// Where another camera cuts the opening.
+struct RemovedKey {
+  std::uint64_t hits, openingStart;  ///< of the picture; of the opening's camera
+  OpeningView opening;
+  glm::dvec2 widths;
+  ProjectedStrokes strokes;
+  bool holes;
+  bool operator==(const RemovedKey&) const = default;
+};
 struct FocusLayerKey {
   std::uint64_t rayStart;  ///< 0 without a cutaway
+  std::uint64_t removed;   ///< 0 where the picture's own camera cuts the opening
   std::uint64_t volume, focus, transfer, gradient, palette;
   double focusExtinction;
   Shading shading;
@@ -59,7 +71,7 @@ struct FocusLayerKey {
   bool operator==(const FocusLayerKey&) const = default;
 };
 struct ProtectedLayerKey {
-  std::uint64_t rayStart, volume, protectedLabels, transfer, gradient;
+  std::uint64_t rayStart, removed, volume, protectedLabels, transfer, gradient;
   Shading shading;
   FocusLayerPass::Sampling sampling;
   bool operator==(const ProtectedLayerKey&) const = default;

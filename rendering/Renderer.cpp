@@ -80,13 +80,11 @@ void readTimes(const PassChain& chain, const gl::Texture& texture, std::vector<f
   for (float& value : into) value = timeOf(chain, value);
 }
 
-}  // namespace
-
-Layers Renderer::readRayStarts() {
-  PassChain& s = *chain_;
+/// Where a chain's rays meet context and focus and where they start.
+/// Where a chain's rays meet context and focus and where they start.
+Layers rayStartsOf(PassChain& s) {
   Layers layers;
-  if (!s.picture()) return layers;
-  layers.size = glm::ivec2(s.picture().size());
+  layers.size = s.rays->size();
   if (!s.hitPoints) return layers;
   const std::size_t count = pixelCount(layers);
   std::vector<glm::vec2> hits(count);
@@ -99,13 +97,22 @@ Layers Renderer::readRayStarts() {
   return layers;
 }
 
+}  // namespace
+
+Renderer::Opening Renderer::readOpening() {
+  PassChain& s = *chain_;
+  if (!s.picture()) return {};
+  PassChain& cuts = s.opening ? *s.opening : s;
+  return {cuts.rays->camera(), rayStartsOf(cuts)};
+}
+
 Layers Renderer::readLayers() {
   PassChain& s = *chain_;
-  Layers layers = readRayStarts();
-  if (!s.picture()) return layers;
+  if (!s.picture()) return {};
+  Layers layers = rayStartsOf(s);
   const std::size_t count = pixelCount(layers);
+  if (s.focusFilled) readTimes(s, s.focusFilled, layers.tFocusFilled, count);
   if (s.hitPoints) {
-    readTimes(s, s.focusFilled, layers.tFocusFilled, count);
     layers.distance.resize(count);
     s.distances.readInto(std::span(layers.distance));
     for (float& distance : layers.distance)
@@ -180,16 +187,22 @@ std::optional<BrushPoint> Renderer::pickBrush(glm::dvec2 pixel, BrushMode mode, 
 
 void Renderer::setTiming(bool on) { chain_->timing = on; }
 
-const std::array<PassStats, passCount>& Renderer::stats() const { return chain_->stats; }
+const std::array<PassStats, passCount>& Renderer::stats() const { return *chain_->stats; }
 
-std::size_t Renderer::imageBytes() const {
-  const PassChain& s = *chain_;
+namespace {
+
+std::size_t imageBytesOf(const PassChain& s) {
   std::size_t sum =
       s.pullPushPass.bytes() + s.distanceMapPass.bytes() + s.editMapPass.bytes() + s.focusLayerPass.bytes();
-  for (const gl::Texture* texture : {&s.hitPoints, &s.focusFilled, &s.distances, &s.editMap, &s.rayStart, &s.focusLayer,
-                                     &s.protectedLayer, &s.contextLayer, &s.silhouette, &s.composed, &s.pickedHit})
+  for (const gl::Texture* texture :
+       {&s.hitPoints, &s.focusFilled, &s.distances, &s.editMap, &s.rayStart, &s.focusLayer, &s.protectedLayer,
+        &s.contextLayer, &s.silhouette, &s.composed, &s.pickedHit, &s.faces, &s.hole})
     if (*texture) sum += texture->bytes();
-  return sum;
+  return s.opening ? sum + imageBytesOf(*s.opening) : sum;
 }
+
+}  // namespace
+
+std::size_t Renderer::imageBytes() const { return imageBytesOf(*chain_); }
 
 }  // namespace fenestra

@@ -81,8 +81,13 @@ class Renderer {
   /// Every stage of the last picture. Stages that the scene does not use come back empty.
   Layers readLayers();
 
-  /// Of these, only where rays meet context and focus and where they start: tContext, tFocus and tStart.
-  Layers readRayStarts();
+  /// Of the camera that cuts the opening (View::frozen), in a picture of its own size: where its rays meet context and
+  /// focus and where they start, tContext, tFocus and tStart.
+  struct Opening {
+    Camera camera;
+    Layers starts;
+  };
+  Opening readOpening();
 
   /// World position of what pixel (i, j from the top, in rendered pixels) of the last picture shows: where its ray
   /// starts to see. Empty where it shows the background.

@@ -8,6 +8,7 @@
 #include <QMainWindow>
 #include <QMenuBar>
 #include <QToolBar>
+#include <QToolButton>
 
 #include "viewer/Dialogs.h"
 #include "viewer/Exports.h"
@@ -16,11 +17,13 @@
 #include "viewer/PictureExports.h"
 #include "viewer/SegmentationMenu.h"
 #include "viewer/Sessions.h"
+#include "viewer/SettingsDialog.h"
 #include "viewer/WindowLevelDialog.h"
 #include "viewer/jobs/RegionGrower.h"
 #include "viewer/model/Paths.h"
 #include "viewer/model/WindowPresets.h"
 #include "viewer/model/Workspace.h"
+#include "viewer/panels/CutawayPanel.h"
 #include "viewer/style/Style.h"
 #include "viewer/views/ViewArea.h"
 
@@ -44,6 +47,7 @@ Actions::Actions(const Targets& targets)
     if (!bar->actions().isEmpty()) bar->addSeparator();
     bar->addActions(group);
   }
+  for (QToolButton* button : bar->findChildren<QToolButton*>()) button->setFocusPolicy(Qt::TabFocus);
   connect(&targets_.workspace.document, &Document::volumeChanged, this, [this] {
     for (QAction* each : needVolume_) each->setEnabled(true);
   });
@@ -76,6 +80,15 @@ QAction* Actions::toggle(const QString& text, const QKeySequence& keys, bool on,
     made->setToolTip(
         QStringLiteral("%1 (%2)").arg(QString(text).remove(QLatin1Char('&')), keys.toString(QKeySequence::NativeText)));
   connect(made, &QAction::toggled, this, std::move(does));
+  return made;
+}
+
+QAction* Actions::preferenceToggle(const QString& text, const QKeySequence& keys, Preference which) {
+  Preferences& preferences = targets_.workspace.preferences;
+  QAction* made =
+      toggle(text, keys, preferences.isOn(which), [&preferences, which](bool on) { preferences.set(which, on); });
+  connect(&preferences, &Preferences::changed, made,
+          [&preferences, made, which] { made->setChecked(preferences.isOn(which)); });
   return made;
 }
 
@@ -137,10 +150,14 @@ void Actions::addExports(QMenu& menu) {
   QAction* all = group->addAction(tr("All &labels…"));
   QAction* focus = group->addAction(tr("The &focus as labels…"));
   QAction* surface = group->addAction(tr("The focus as a &surface…"));
+  QAction* measures = group->addAction(tr("&Measures as a table…"));
+  measures->setObjectName(QStringLiteral("exportMeasures"));
+  connect(measures, &QAction::triggered, this, [&exports] { exports.chooseMeasureFile(); });
   connect(all, &QAction::triggered, this, [&exports] { exports.chooseLabelFile(Exports::Labels::All); });
   connect(focus, &QAction::triggered, this, [&exports] { exports.chooseLabelFile(Exports::Labels::Focus); });
   connect(surface, &QAction::triggered, this, [&exports] { exports.chooseSurfaceFile(); });
-  const auto enable = [&exports, all, focus, surface] {
+  const auto enable = [&exports, all, focus, surface, measures] {
+    measures->setEnabled(exports.canWriteMeasures());
     all->setEnabled(exports.canWriteLabels(Exports::Labels::All));
     focus->setEnabled(exports.canWriteLabels(Exports::Labels::Focus));
     surface->setEnabled(exports.canWriteSurface());
@@ -149,6 +166,7 @@ void Actions::addExports(QMenu& menu) {
   connect(&document, &Document::volumeChanged, group, enable);
   connect(&document, &Document::labelsChanged, group, enable);
   connect(&document, &Document::focusChanged, group, enable);
+  connect(&document, &Document::measuresChanged, group, enable);
   enable();
 }
 
@@ -179,6 +197,9 @@ void Actions::makeEditMenu() {
   menu->addAction(volumeAction(tr("&Copy picture"), QKeySequence::Copy, [&pictures] { pictures.copyPicture(); }));
   menu->addSeparator();
   menu->addActions({paint, opposite, smaller, larger});
+  menu->addSeparator();
+  menu->addAction(action(tr("Se&ttings…"), {},
+                         [this] { SettingsDialog(targets_.workspace.preferences, &targets_.window).exec(); }));
   tools_ << QList<QAction*>{undo, redo, paint};
 }
 
@@ -197,11 +218,7 @@ void Actions::makeViewMenu() {
   menu->addSeparator();
   for (QDockWidget* dock : targets_.window.findChildren<QDockWidget*>()) menu->addAction(dock->toggleViewAction());
   menu->addAction(action(tr("Reset la&yout"), {}, [this] { targets_.resetLayout(); }));
-  Preferences& preferences = targets_.workspace.preferences;
-  menu->addAction(toggle(tr("Li&ght theme"), {}, preferences.hasLightTheme(), [&preferences](bool on) {
-    applyStyle(*qApp, on ? Theme::Light : Theme::Dark);
-    preferences.setLightTheme(on);
-  }));
+  menu->addAction(preferenceToggle(tr("Li&ght theme"), {}, Preference::LightTheme));
 }
 
 void Actions::makeLookFromMenu(QMenu& menu) {
@@ -255,16 +272,26 @@ void Actions::makeCameraEntries(QMenu& menu) {
 
   menu.addActions({place, reset, resetAll});
   menu.addSeparator();
-  Preferences& preferences = targets_.workspace.preferences;
-  QAction* animated =
-      toggle(tr("&Animate the cameras"), {}, preferences.animatesCameras(), [&cameras, &preferences](bool on) {
-        cameras.setAnimated(on);
-        preferences.setAnimatesCameras(on);
-      });
+  menu.addAction(makeFreezeEntry());
+  QAction* animated = preferenceToggle(tr("&Animate the cameras"), {}, Preference::AnimatedCameras);
   animated->setObjectName(QStringLiteral("animated"));
   menu.addActions({link, parallel, animated});
   tools_.back() << reset << place;
   tools_ << QList<QAction*>{link, parallel};
+}
+
+QAction* Actions::makeFreezeEntry() {
+  ViewLink& cameras = targets_.workspace.cameras;
+  QAction* freeze = volumeAction(tr("&Freeze the opening"), QKeySequence(tr("F")),
+                                 [this, &cameras] { viewCommands_.freeze(!cameras.isFrozen()); });
+  freeze->setObjectName(QStringLiteral("freeze"));
+  freeze->setIconText(tr("Freeze"));
+  freeze->setCheckable(true);
+  freeze->setToolTip(tr("Keeps the opening where it is while the cameras move, so that they look into it (%1)")
+                         .arg(freeze->shortcut().toString(QKeySequence::NativeText)));
+  connect(&cameras, &ViewLink::frozenChanged, freeze, [&cameras, freeze] { freeze->setChecked(cameras.isFrozen()); });
+  targets_.cutaway.addFreeze(freeze);
+  return freeze;
 }
 
 void Actions::makeOverlayEntries(QMenu& menu) {
@@ -278,12 +305,7 @@ void Actions::makeOverlayEntries(QMenu& menu) {
   QAction* text =
       toggle(tr("Corner &text"), QKeySequence(tr("T")), options.text(), [&options](bool on) { options.setText(on); });
   text->setIcon(icon("text"));
-  Preferences& preferences = targets_.workspace.preferences;
-  QAction* patient = toggle(tr("&Hide the patient"), QKeySequence(tr("H")), preferences.hidesPatient(),
-                            [&options, &preferences](bool on) {
-                              options.setHidesPatient(on);
-                              preferences.setHidesPatient(on);
-                            });
+  QAction* patient = preferenceToggle(tr("&Hide the patient"), QKeySequence(tr("H")), Preference::HidesPatient);
   connect(&options, &ViewOptions::changed, this, [&options, crosshair, labels, text] {
     crosshair->setChecked(options.crosshair());
     labels->setChecked(options.labels());
@@ -344,6 +366,7 @@ void Actions::makeWindowLevelMenu() {
 void Actions::makeMeasureMenu() {
   Document& document = targets_.workspace.document;
   MeasureMode& mode = targets_.workspace.measuring;
+  ViewOptions& options = targets_.workspace.options;
   struct Tool {
     const char *text, *key, *icon;
     MeasureKind kind;
@@ -353,8 +376,11 @@ void Actions::makeMeasureMenu() {
                            Tool{QT_TR_NOOP("&Angle"), "A", "angle", MeasureKind::Angle},
                            Tool{QT_TR_NOOP("&Ellipse"), "Q", "ellipse", MeasureKind::Ellipse},
                            Tool{QT_TR_NOOP("&Rectangle"), "B", "rectangle", MeasureKind::Rectangle}}) {
-    QAction* made = volumeAction(tr(tool.text), QKeySequence(QLatin1String(tool.key)),
-                                 [&mode, kind = tool.kind] { mode.toggle(kind); });
+    QAction* made =
+        volumeAction(tr(tool.text), QKeySequence(QLatin1String(tool.key)), [&mode, &options, kind = tool.kind] {
+          options.setMeasures(true);  // or what is drawn would not show
+          mode.toggle(kind);
+        });
     made->setIcon(icon(tool.icon));
     made->setCheckable(true);
     connect(&mode, &MeasureMode::changed, made,
@@ -378,6 +404,12 @@ void Actions::makeMeasureMenu() {
   menu->addActions(tools);
   menu->addSeparator();
   menu->addActions({copy, remove, removeAll});
+  menu->addSeparator();
+  QAction* shown =
+      toggle(tr("&Show measures"), {}, options.measures(), [&options](bool on) { options.setMeasures(on); });
+  shown->setObjectName(QStringLiteral("showMeasures"));
+  connect(&options, &ViewOptions::changed, shown, [&options, shown] { shown->setChecked(options.measures()); });
+  menu->addAction(shown);
   tools_ << tools;
 }
 

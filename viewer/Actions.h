@@ -9,6 +9,7 @@
 
 #include "viewer/ViewCommands.h"
 #include "viewer/jobs/StudyLoader.h"
+#include "viewer/model/Preferences.h"
 #include "viewer/views/GlSupport.h"
 
 class QAction;
@@ -17,6 +18,7 @@ class QMainWindow;
 
 namespace fenestra::viewer {
 
+class CutawayPanel;
 class Exports;
 class PictureExports;
 class FileOpener;
@@ -41,6 +43,7 @@ class Actions : public QObject {
     ViewArea& views;
     GlSupport gl;
     std::function<void()> resetLayout;
+    CutawayPanel& cutaway;
   };
 
   /// The window owns this.
@@ -53,6 +56,8 @@ class Actions : public QObject {
   QAction* action(const QString& text, const QKeySequence& keys, std::function<void()> does);
   /// Enabled while something is open.
   QAction* volumeAction(const QString& text, const QKeySequence& keys, std::function<void()> does);
+  /// Follows a preference, and changes it.
+  QAction* preferenceToggle(const QString& text, const QKeySequence& keys, Preference which);
   QAction* toggle(const QString& text, const QKeySequence& keys, bool on, std::function<void(bool)> does);
 
   void makeFileMenu();
@@ -63,6 +68,7 @@ class Actions : public QObject {
   void makeViewMenu();
   void makeLookFromMenu(QMenu& menu);
   void makeCameraEntries(QMenu& menu);
+  QAction* makeFreezeEntry();
   QMenu* makeAtRestMenu();
   void makeOverlayEntries(QMenu& menu);
   void makeWindowLevelMenu();

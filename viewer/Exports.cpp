@@ -4,10 +4,12 @@
 #include <QStatusBar>
 
 #include "io/LabelWriter.h"
+#include "io/base/AtomicFile.h"
 #include "rendering/segmentation/Mask.h"
 #include "viewer/NoticeBar.h"
 #include "viewer/SaveDialog.h"
 #include "viewer/model/Document.h"
+#include "viewer/model/MeasureText.h"
 #include "viewer/model/Paths.h"
 
 namespace fenestra::viewer {
@@ -29,6 +31,8 @@ bool Exports::canWriteSurface() const {
          !std::holds_alternative<std::monostate>(document_.focus());
 }
 
+bool Exports::canWriteMeasures() const { return document_.hasVolume() && !document_.measures().empty(); }
+
 void Exports::chooseLabelFile(Labels which) {
   const QList<FileKind> kinds{{tr("NRRD, with names and colours"), QStringLiteral(".nrrd")},
                               {tr("DICOM segmentation, with names and colours"), QStringLiteral(".dcm")},
@@ -48,6 +52,21 @@ void Exports::chooseSurfaceFile() {
   qsizetype chosen = 0;
   const std::filesystem::path path = askForSaveFile(window_, tr("Export the focus as a surface"), kinds, chosen);
   if (!path.empty()) writeSurface(path, chosen < kinds.size() / 2 ? io::SurfaceFrame::Lps : io::SurfaceFrame::Ras);
+}
+
+void Exports::chooseMeasureFile() {
+  qsizetype chosen = 0;
+  const std::filesystem::path path =
+      askForSaveFile(window_, tr("Export the measures"), {{tr("Table (CSV)"), QStringLiteral(".csv")}}, chosen);
+  if (!path.empty()) writeMeasures(path);
+}
+
+void Exports::writeMeasures(const std::filesystem::path& path) {
+  if (!canWriteMeasures()) return;
+  job_.start([this, path, table = measuresCsv(document_).toStdString()](const io::Progress&) {
+    io::writeText(path, table);
+    return written(path);
+  });
 }
 
 void Exports::writeLabels(const std::filesystem::path& path, Labels which) {

@@ -25,11 +25,15 @@ class Exports : public QObject {
 
   bool canWriteLabels(Labels which) const;
   bool canWriteSurface() const;
+  bool canWriteMeasures() const;
   /// Ask for the file, then write it.
   void chooseLabelFile(Labels which);
   void chooseSurfaceFile();
+  void chooseMeasureFile();
   /// Write in the background what the document shows now; failures become notices.
   void writeLabels(const std::filesystem::path& path, Labels which);
+  /// All measures as CSV; see measuresCsv().
+  void writeMeasures(const std::filesystem::path& path);
   void writeSurface(const std::filesystem::path& path, io::SurfaceFrame frame);
 
   LoadJob& job() { return job_; }

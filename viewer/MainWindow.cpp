@@ -26,6 +26,7 @@
 #include "viewer/SegmentationMenu.h"
 #include "viewer/Sessions.h"
 #include "viewer/StatusBar.h"
+#include "viewer/UndoKeys.h"
 #include "viewer/StructureMenu.h"
 #include "viewer/WelcomePage.h"
 #include "viewer/model/CamerasChange.h"
@@ -37,6 +38,7 @@
 #include "viewer/panels/LabelEditPanel.h"
 #include "viewer/panels/RegionPanel.h"
 #include "viewer/panels/StrokeList.h"
+#include "viewer/style/FocusRing.h"
 #include "viewer/style/Style.h"
 #include "viewer/views/PlacementRenderer.h"
 #include "viewer/views/ViewArea.h"
@@ -76,9 +78,11 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
       gl_(setup.gl),
       workspace_(setup.remember ? Preferences::Mode::Stored : Preferences::Mode::Transient),
       loader_(workspace_.document, prepare) {
-  if (workspace_.preferences.hasLightTheme()) applyStyle(*qApp, Theme::Light);
+  if (workspace_.preferences.isOn(Preference::LightTheme)) applyPreference(Preference::LightTheme);
   setWindowTitle(QStringLiteral("Fenestra"));
   setAcceptDrops(true);
+  new FocusRing(this);
+  new UndoKeys(this);
   setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
 
   connectModels();  // before the views connect, so that the models are up to date when a view draws
@@ -96,7 +100,7 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
   setCentralWidget(makeCentre());
   panels_ = makePanels(*this, workspace_);
   actions_ = new Actions({*this, workspace_, loader_, grower_, *files_, *exports_, *pictures_, *sessions_, *views_, gl_,
-                          [this] { resetLayout(); }});
+                          [this] { resetLayout(); }, *panels_.cutaway});
   setStatusBar(new StatusBar(workspace_.document, *views_, gl_));
   // Not above the pictures: they would be drawn anew in another size with each click.
   // Also what waits for a job that is stopping.
@@ -184,14 +188,34 @@ void MainWindow::restoreLayout() {
   restoreState(preferences.windowState(), layoutVersion);
   views_->restoreLayout(preferences.viewLayout());
   workspace_.placement.setSettings(preferences.placement());
-  workspace_.cameras.setAnimated(preferences.animatesCameras());
-  workspace_.options.setHidesPatient(preferences.hidesPatient());
+  for (const Preference which :
+       {Preference::AnimatedCameras, Preference::PicturesPerSecond, Preference::HidesPatient, Preference::KeepsCopies})
+    applyPreference(which);
+  connect(&preferences, &Preferences::changed, this, &MainWindow::applyPreference);
   // Only what the user changes in the panel is remembered: a session's settings are that session's.
   connect(&panels_.cameras->form(), &PlacementForm::edited, this, [&preferences](const auto& change) {
     PlacementSettings habit = preferences.placement();
     change(habit);
     preferences.setPlacement(habit);
   });
+}
+
+void MainWindow::applyPreference(Preference which) {
+  const int value = workspace_.preferences.value(which);
+  switch (which) {
+    case Preference::LightTheme:
+      return applyStyle(*qApp, value ? Theme::Light : Theme::Dark);
+    case Preference::AnimatedCameras:
+      return workspace_.cameras.setAnimated(value != 0);
+    case Preference::PicturesPerSecond:
+      return views_->setPicturesPerSecond(value);
+    case Preference::HidesPatient:
+      return workspace_.options.setHidesPatient(value != 0);
+    case Preference::KeepsCopies:
+      return sessions_->setKeepsCopies(value != 0);
+    case Preference::KeepsRecent:
+      return;  // takes effect when something is opened
+  }
 }
 
 void MainWindow::resetLayout() {
@@ -299,6 +323,7 @@ void MainWindow::whenDrawn(std::function<void()> done) {
   connect(poll, &QTimer::timeout, this, [this, poll, done = std::move(done)] {
     workspace_.cameras.finishFlight();
     if (!isIdle()) return;
+    static_cast<StatusBar*>(statusBar())->showFrame();  // the last picture may not have reached the screen yet
     poll->stop();
     poll->deleteLater();
     done();

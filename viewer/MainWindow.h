@@ -84,6 +84,7 @@ class MainWindow : public QMainWindow {
   void connectLoader();
   void restoreLayout();
   /// Panels and views as they are when the program runs for the first time.
+  void applyPreference(Preference which);
   void resetLayout();
   /// Moves crosshair and cameras to a new volume, before any view draws it.
   void followVolume();

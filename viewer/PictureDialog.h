@@ -17,7 +17,8 @@ class PictureDialog : public QDialog {
   Q_OBJECT
  public:
   enum class What { Picture, Turntable };
-  /// Offers the views that are on screen; there is at least one. Of a turntable only the 3-D views can be taken. `views` and `maker` outlive this.
+  /// Offers the views that are on screen; there is at least one. Of a turntable only the 3-D views can be taken.
+  /// `views` and `maker` outlive this.
   PictureDialog(What what, const ViewArea& views, const PictureMaker& maker, QWidget* parent = nullptr);
 
   PictureMaker::Request request() const;

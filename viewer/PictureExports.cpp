@@ -123,6 +123,15 @@ void PictureExports::writePicture(const std::filesystem::path& png, const Pictur
 void PictureExports::writeTurntable(const std::filesystem::path& file, const PictureMaker::Request& request, int frames,
                                     int framesPerSecond) {
   cancel();
+  // The dialog asked about NAME.png, and a cancelled turntable removes what it has written.
+  if (toQString(file).endsWith(pictureEnding, Qt::CaseInsensitive))
+    for (int number = 1; number <= frames; ++number)
+      if (const std::filesystem::path frame = frameFile(file, number); std::filesystem::exists(frame)) {
+        notices_.add(NoticeBar::Kind::Warning,
+                     tr("%1 exists already: choose another name, or delete the pictures of an earlier turntable.")
+                         .arg(toQString(frame.filename())));
+        return;
+      }
   turntable_ = std::make_unique<Turntable>();
   turntable_->file = file;
   turntable_->request = request;

@@ -33,7 +33,8 @@ class PictureExports : public QObject {
 
   /// Failures become notices, and leave no file. What is being exported is dropped.
   void writePicture(const std::filesystem::path& png, const PictureMaker::Request& request);
-  /// `file` is a film with the ending .mp4; or names the pictures: NAME.png gives NAME-0001.png and so on.
+  /// `file` is a film with the ending .mp4; or names the pictures: NAME.png gives NAME-0001.png and so on. Nothing is
+  /// written where one of these exists already.
   void writeTurntable(const std::filesystem::path& file, const PictureMaker::Request& request, int frames,
                       int framesPerSecond);
   void cancel();

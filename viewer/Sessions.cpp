@@ -209,8 +209,18 @@ bool Sessions::mayGo() {
   return false;
 }
 
+void Sessions::setKeepsCopies(bool keeps) {
+  keepsCopies_ = keeps;
+  if (copiesFolder_.empty()) return;
+  if (keeps)
+    controller_.startAutosave(copiesFolder_, autosaveMilliseconds);
+  else
+    controller_.stopAutosave();
+}
+
 bool Sessions::startRecovery(const fs::path& folder) {
-  controller_.startAutosave(folder, autosaveMilliseconds);
+  copiesFolder_ = folder;
+  setKeepsCopies(keepsCopies_);
   for (const AbandonedSession& abandoned : SessionController::abandonedIn(folder)) {
     switch (questions_.restoreWork(abandoned.saved)) {
       case SessionQuestions::Answer::Save:

@@ -63,6 +63,8 @@ class Sessions : public QObject {
 
   /// Starts saving copies to `folder`, and offers to restore the copies of a run that crashed. True when the user
   /// restores one.
+  /// Whether unsaved work is copied in case of a crash, once startRecovery() says where.
+  void setKeepsCopies(bool keeps);
   bool startRecovery(const std::filesystem::path& folder);
   /// $XDG_STATE_HOME/fenestra/sessions; ~/.local/state replaces an unset variable.
   static std::filesystem::path recoveryFolder();
@@ -76,6 +78,8 @@ class Sessions : public QObject {
   StudyLoader& loader_;
   NoticeBar& notices_;
   SessionController controller_;
+  std::filesystem::path copiesFolder_;  ///< empty before startRecovery()
+  bool keepsCopies_ = true;
   SessionQuestions questions_;
   std::optional<AbandonedSession> restoring_;  ///< being opened
 };

@@ -18,11 +18,12 @@ class StatusBar : public QStatusBar {
  public:
   StatusBar(const Document& document, const ViewArea& views, const GlSupport& gl, QWidget* parent = nullptr);
 
+  /// Shows time and sampling of the last picture. It does so itself once that is on screen.
+  void showFrame();
+
  private:
   /// Value, coordinates and label of a world position.
   void pointAt(glm::dvec3 world);
-  /// Time and sampling of the last picture.
-  void showFrame();
 
   const Document& document_;
   const ViewArea& views_;

@@ -25,6 +25,8 @@ class ViewCommands : public QObject {
   /// The slice with the keyboard focus, or else both cameras.
   void resetActiveView();
   void resetAllViews();
+  /// Freezes both views' openings for the cameras as they are, or lets them follow the cameras again; a step.
+  void freeze(bool on);
 
  private:
   void moveCameras(const QString& step, const std::function<void()>& move);

@@ -69,7 +69,7 @@ Layers referenceLayers(const Scene& scene, const View& view) {
   reference::PictureOptions options;
   options.pixelScale = view.pixelScale;
   reference::Stages stages;
-  if (hasCutaway(scene)) stages = reference::geometricStages(scene, view.camera, view.size, view.pixelScale);
+  if (hasCutaway(scene)) stages = reference::geometricStages(scene, view);
   const reference::Picture picture = reference::picture(scene, view.camera, view.size, stages, options);
   Layers layers;
   layers.size = view.size;
@@ -164,11 +164,9 @@ std::optional<double> errorBound(const View& view) {
 Json prove(const RenderOptions& options, const app::LoadedScene& loaded, const io::Session& session,
            const std::vector<glm::vec4>& picture) {
   const View& view = loaded.view;
-  const reference::CertificateOptions sample{.pixels = *options.certify,
-                                             .seed = options.certifySeed,
-                                             .within = errorBound(view),
-                                             .pixelScale = view.pixelScale};
-  return app::proofJson(reference::certify(picture, loaded.scene, view.camera, view.size, sample), session);
+  const reference::CertificateOptions sample{
+      .pixels = *options.certify, .seed = options.certifySeed, .within = errorBound(view)};
+  return app::proofJson(reference::certify(picture, loaded.scene, view, sample), session);
 }
 
 }  // namespace

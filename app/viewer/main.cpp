@@ -58,6 +58,7 @@ Study readScene(const app::SceneOptions& options, const io::Progress& progress) 
   study.scene = std::move(loaded.asSet);
   study.growth = std::move(loaded.growth);
   study.camera = loaded.view.camera;
+  study.frozen = loaded.view.frozen;
   study.placeCameras = loaded.placed.has_value();
   study.path = study.session.volume.path;
   study.series = std::move(loaded.volume.series);

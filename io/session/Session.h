@@ -19,6 +19,7 @@
 #include "rendering/scene/Measure.h"
 #include "rendering/scene/PlacementOptions.h"
 #include "rendering/scene/Quality.h"
+#include "rendering/scene/View.h"
 
 namespace fenestra::io {
 
@@ -53,6 +54,7 @@ struct SessionView {
   double pixelScale = 1.0;    ///< pixels per device-independent pixel
   /// Whether a picture higher than wide gets a wider field of view, as in the window; see Camera::fittedTo.
   bool fitsWidth = true;
+  std::optional<OpeningView> frozen = std::nullopt;  ///< see View::frozen
   bool operator==(const SessionView&) const = default;
 };
 
@@ -72,7 +74,7 @@ struct SessionPlacement {
 
 /// What is drawn over the pictures.
 struct SessionOverlays {
-  bool crosshair = true, text = true, labels = true;
+  bool crosshair = true, text = true, labels = true, measures = true;
   bool operator==(const SessionOverlays&) const = default;
 };
 

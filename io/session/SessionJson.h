@@ -35,6 +35,12 @@ void members(auto& io, Is<Measure> auto& measure) {
   io.required("down", measure.down, {-1.0, 1.0}, {"Unit vector down the columns of that slice"});
 }
 
+void members(auto& io, Is<OpeningView> auto& opening) {
+  io.required("camera", opening.camera);
+  io.required("size", opening.size, {1.0, 16384.0}, {"Of the picture that the opening was cut for", "pixels"});
+  io("pixel_scale", opening.pixelScale, {0.01, 100.0}, {"Pixels per device-independent pixel"});
+}
+
 namespace placement {
 
 void members(auto& io, Is<Weights> auto& weights) {
@@ -97,6 +103,8 @@ void members(auto& io, Is<SessionView> auto& view) {
   io("pixel_scale", view.pixelScale, {0.01, 100.0}, {"Pixels per device-independent pixel"});
   io("fits_width", view.fitsWidth, {},
      {"Whether the field of view is widened in a picture higher than wide, so that it shows what a square one does"});
+  io.optional("frozen", view.frozen, view.frozen.has_value(), {},
+              {"The opening stays cut for this camera while the view's own moves"});
 }
 
 void members(auto& io, Is<SessionPlacement> auto& placement) {
@@ -118,6 +126,7 @@ void members(auto& io, Is<SessionOverlays> auto& overlays) {
   io("crosshair", overlays.crosshair);
   io("text", overlays.text);
   io("labels", overlays.labels);
+  io("measures", overlays.measures);
 }
 
 void members(auto& io, Is<Session> auto& session) {

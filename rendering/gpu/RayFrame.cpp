@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "rendering/gpu/UniformBlocks.h"
-
 namespace fenestra {
 
 RayFrame::RayFrame(const Camera& camera, glm::ivec2 size, const Grid& grid)
@@ -31,6 +29,18 @@ void RayFrame::setBlocks(gl::ShaderProgram& program) const {
                        glm::vec2(halfSize_), perspective() ? glm::vec2(halfSize_) : glm::vec2(0.0f),
                        perspective() ? static_cast<float>(distance_) : 1.0f, size_});
   program.set(VolumeBlock{grid_.dims});
+}
+
+OpeningCameraBlock RayFrame::seenFrom(const RayFrame& other) const {
+  const glm::dmat3 viewFromWorld = glm::transpose(glm::dmat3(axes_.right, axes_.up, axes_.forward));
+  const auto anchor = [](const RayFrame& frame) { return frame.camera_.eye + frame.axes_.forward * frame.distance_; };
+  constexpr double nearest = 1e-3;  // of the way from the eye to the anchor plane
+  return {Std140Mat3(glm::mat3(viewFromWorld)),
+          glm::vec3(viewFromWorld * (anchor(other) - anchor(*this))),
+          perspective() ? static_cast<float>(1.0 / distance_) : 0.0f,
+          glm::vec2(halfSize_),
+          size_,
+          static_cast<float>(distance_ * (perspective() ? nearest - 1.0 : -1.0))};
 }
 
 glm::dvec3 RayFrame::worldPosition(glm::dvec2 pixel, double s) const {

@@ -3,6 +3,7 @@
 
 #include "rendering/gl/ShaderProgram.h"
 #include "rendering/gpu/Bricks.h"
+#include "rendering/gpu/UniformBlocks.h"
 #include "rendering/scene/Camera.h"
 
 namespace fenestra {
@@ -17,8 +18,11 @@ class RayFrame {
   void setBlocks(gl::ShaderProgram& program) const;
 
   glm::ivec2 size() const { return size_; }
+  const Camera& camera() const { return camera_; }
   const Camera::Axes& axes() const { return axes_; }
   double distance() const { return distance_; }
+  /// For shaders/RemovedParts.comp: how rays of `other`, of a camera on the same volume, run through this picture.
+  OpeningCameraBlock seenFrom(const RayFrame& other) const;
   bool perspective() const { return camera_.projection == Projection::Perspective; }
   /// World position of s on pixel (i, j)'s ray, and t there.
   glm::dvec3 worldPosition(glm::dvec2 pixel, double s) const;

@@ -64,6 +64,17 @@ struct alignas(16) CutFaceBlock {
   float depth, share;
 };
 
+/// shaders/RemovedParts.comp.
+struct alignas(16) OpeningCameraBlock {
+  static constexpr const char* name = "OpeningCameraBlock";
+  Std140Mat3 viewFromWorld;
+  glm::vec3 offset;
+  float perDepth;
+  glm::vec2 halfSize;
+  alignas(8) glm::ivec2 pictureSize;
+  float nearest;
+};
+
 /// shaders/lib/Curvature.glsl.
 struct alignas(16) DerivativeBlock {
   static constexpr const char* name = "DerivativeBlock";

@@ -24,6 +24,7 @@ void CompositePass::run(Steps& steps, const GpuScene& gpu, const Inputs& inputs,
     gl::ShaderProgram& program = programs_.get({{{"CONTEXT_LAYER", hasLayer},
                                                  {"EDITED", inputs.editMap != nullptr},
                                                  {"PROTECTED", inputs.protectedLayer != nullptr},
+                                                 {"APART", inputs.rayStart != nullptr},
                                                  tableDefine()},
                                                 {scheduleChoice(gpu.schedule())}});
     program.bind("focusLayer", inputs.focusLayer);
@@ -31,6 +32,7 @@ void CompositePass::run(Steps& steps, const GpuScene& gpu, const Inputs& inputs,
     program.bind("distances", inputs.distances);
     if (inputs.editMap) program.bind("editMap", *inputs.editMap);
     if (inputs.protectedLayer) program.bind("protectedLayer", *inputs.protectedLayer);
+    if (inputs.rayStart && hasLayer) program.bind("rayStart", *inputs.rayStart);
     program.set(CutawayBlock{glm::vec2(inputs.widths), glm::vec3(look.cutaway.borderColour)});
     if (hasLayer) {
       program.bind("contextLayer", *inputs.contextLayer);

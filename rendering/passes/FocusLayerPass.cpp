@@ -73,6 +73,7 @@ gl::ShaderProgram& FocusLayerPass::program(bool listed, const Drawn& drawn) {
                          {"FOCUS_PALETTE", static_cast<bool>(gpu.focusPaletteIndex())},
                          {"FOCUS_SMOOTH", lit && gpu.focusSmooth()},
                          {"LISTED", listed},
+                         {"APART", opening && opening->hole},
                          {"RAYS", raysTogether(gpu.schedule(), sampling, lit)}},
                         {scheduleChoice(gpu.schedule()),
                          focusChoice(gpu),
@@ -90,6 +91,7 @@ gl::ShaderProgram& FocusLayerPass::prepared(bool listed, const Drawn& drawn) {
   program.bind("occupiedSkip", gpu.occupiedSkip());
   program.set(integralBlock(sampling));
   if (opening) {
+    if (opening->hole) program.bind("hole", *opening->hole);
     program.bind("rayStart", opening->rayStart);
     program.bind("hitPoints", opening->hitPoints);
     const glm::dvec3 spacing = gpu.grid().spacing;

@@ -20,6 +20,8 @@ class FocusLayerPass {
   struct Opening {
     const gl::Texture& hitPoints;
     const gl::Texture& rayStart;
+    /// Where another camera cuts the opening; see RemovedPass. Needs a sampling with a bound on the error.
+    const gl::Texture* hole = nullptr;
   };
   /// How the integral is found: cell by cell within a bound on the error of a pixel's colour (0..1), or without one
   /// from face to face of the cells. Rays are traced through every pitch-th pixel of every pitch-th row (a power of

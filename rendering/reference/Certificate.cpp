@@ -85,16 +85,18 @@ double leastShare(int pixels, int exceeding, double confidence) {
   return boost::math::binomial_distribution<>::find_lower_bound_on_p(pixels, pixels - exceeding, 1.0 - confidence);
 }
 
-Certificate certify(std::span<const glm::vec4> picture, const Scene& scene, const Camera& camera, glm::ivec2 size,
+Certificate certify(std::span<const glm::vec4> picture, const Scene& scene, const View& view,
                     const CertificateOptions& options) {
+  const glm::ivec2 size = view.size;
   const std::vector<glm::ivec2> pixels = sampledPixels(size, options);
   Certificate certificate;
   certificate.pixels = static_cast<int>(pixels.size());
   certificate.seed = options.seed;
   if (pixels.empty()) return certificate;
 
-  const PictureOptions exactly{.pixelScale = options.pixelScale, .pixels = pixels};
-  const std::vector<glm::dvec4> exact = reference::picture(scene, camera, size, exactly).final;
+  const PictureOptions exactly{.pixelScale = view.pixelScale, .pixels = pixels};
+  const Stages stages = hasCutaway(scene) ? geometricStages(scene, view) : Stages{};
+  const std::vector<glm::dvec4> exact = reference::picture(scene, view.camera, size, stages, exactly).final;
   const std::vector<double> measured = differences(picture, exact, pixels, size.x, scene.look.background);
   certificate.greatest = *std::max_element(measured.begin(), measured.end());
   const bool all = std::int64_t{size.x} * size.y == std::int64_t{certificate.pixels};

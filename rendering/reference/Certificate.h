@@ -19,7 +19,6 @@ struct CertificateOptions {
   /// Greatest difference of a channel that counts as right, in 1/255. Empty: the least with which the wanted share can
   /// be stated.
   std::optional<double> within{};
-  double pixelScale = 1.0;  ///< as in PictureOptions
 };
 
 /// "With `confidence`, at least `share` of all pixels are within `within`/255 of the exact picture."
@@ -38,9 +37,9 @@ inline constexpr double wantedShare = 0.999, wantedConfidence = 0.95;
 /// lower limit of Clopper and Pearson.
 double leastShare(int pixels, int exceeding, double confidence);
 
-/// `picture`: premultiplied RGBA before rounding to 8 bits, row by row from the top, of `size`. What is not a number is
-/// infinitely wrong.
-Certificate certify(std::span<const glm::vec4> picture, const Scene& scene, const Camera& camera, glm::ivec2 size,
+/// `picture`: premultiplied RGBA before rounding to 8 bits, row by row from the top, of the view's size. What is not a
+/// number is infinitely wrong.
+Certificate certify(std::span<const glm::vec4> picture, const Scene& scene, const View& view,
                     const CertificateOptions& options = {});
 
 /// One sentence in English.

@@ -167,6 +167,13 @@ Widths widthsInPixels(const Scene& scene, const Camera& camera, glm::ivec2 size,
   return {scene.look.cutaway.openWidth * scale, scene.look.cutaway.borderWidth * scale};
 }
 
+glm::dvec3 focusCentre(const Scene& scene) {
+  const Grid& grid = scene.volume->grid;
+  const IndexBox box = focusBox(scene);
+  if (box.empty()) return grid.centre();
+  return glm::dvec3(grid.worldFromIndex() * glm::dvec4(0.5 * (glm::dvec3(box.low) + glm::dvec3(box.high)), 1.0));
+}
+
 Stages geometricStages(const Scene& scene, const Camera& camera, glm::ivec2 size, double pixelScale) {
   Stages stages;
   stages.hits = hitPoints(scene, camera, size);

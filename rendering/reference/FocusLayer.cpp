@@ -169,7 +169,19 @@ class Integrator {
         perMillimetre_(1.0 / std::max(ray.span.tOut - ray.span.tIn, std::numeric_limits<double>::min())) {}
 
   void run() {
-    walkCells(indexRay(ray_.ray, grid_), ray_.span, grid_.dims, [&](const Piece& piece) {
+    const Span &span = ray_.span, &hole = ray_.hole;
+    const double before = std::min(hole.tIn, span.tOut);
+    if (span.tIn <= before) walk({span.tIn, before});
+    isBehindHole_ = true;
+    if (hole.tOut < span.tOut) walk({std::max(hole.tOut, span.tIn), span.tOut});
+  }
+
+  glm::dvec4 colour() const { return {colour_, -std::expm1(-depth_)}; }
+  double error() const { return error_; }
+
+ private:
+  void walk(Span span) {
+    walkCells(indexRay(ray_.ray, grid_), span, grid_.dims, [&](const Piece& piece) {
       addCell(piece);
       // The rest of the ray adds at most the transmittance times twice the colour, the most that lighting makes of it.
       if (2.0 * transmittance() > 0.1 * tolerance_) return true;
@@ -178,10 +190,6 @@ class Integrator {
     });
   }
 
-  glm::dvec4 colour() const { return {colour_, -std::expm1(-depth_)}; }
-  double error() const { return error_; }
-
- private:
   double transmittance() const { return std::exp(-depth_); }
 
   void addCell(const Piece& piece) {
@@ -287,7 +295,7 @@ class Integrator {
     const double s = glm::mix(part.begin, part.end, u);
     const glm::dvec3 at = glm::mix(piece_->begin, piece_->end, s), world = ray_.ray.direction;
     glm::dvec3 shaded = medium_.light.shade(colour, normalAt(at), world);
-    if (ray_.wall != glm::dvec3(0.0)) {
+    if (ray_.wall != glm::dvec3(0.0) && !isBehindHole_) {
       const double behind = piece_->tBegin + s * (piece_->tEnd - piece_->tBegin) - ray_.span.tIn;
       const double share = lighting::wallShare * std::exp(-behind / medium_.wallDepth);
       shaded = glm::mix(shaded, medium_.light.lit(colour, ray_.wall, world), share);
@@ -321,6 +329,7 @@ class Integrator {
   std::vector<double> places_;
   std::array<glm::dvec3, 8> normals_{};
   bool inFocus_ = false;
+  bool isBehindHole_ = false;
 
   glm::dvec3 colour_{0.0};
   double depth_ = 0.0, error_ = 0.0;

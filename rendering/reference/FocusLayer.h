@@ -1,6 +1,8 @@
 #pragma once
 // Stage 5: the emission-absorption integral along given rays (see Picture.h).
 
+#include <limits>
+
 #include "rendering/reference/Reference.h"
 
 namespace fenestra::reference {
@@ -8,7 +10,9 @@ namespace fenestra::reference {
 /// The visible part of a ray, from where the cutaway lets it start.
 struct CutRay {
   Ray ray;
-  Span span;             ///< from the start to where the ray leaves the box; tIn > tOut: nothing is seen
+  Span span;  ///< from the start to where the ray leaves the box; tIn > tOut: nothing is seen
+  /// Where it sees nothing again behind the start; see rendering/passes/RemovedPass.h.
+  Span hole{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   glm::dvec3 wall{0.0};  ///< unit normal of the cut face at the start, world; zero where there is none
 };
 

@@ -40,7 +40,9 @@ class Opening {
   /// focus, or on the context's own surface.
   glm::dvec3 wallNormal(glm::ivec2 pixel) const {
     const std::size_t at = offset(size_, pixel);
-    if (!std::isnan(stages_.hits.tFocus[at])) return glm::dvec3(0.0);
+    const double tFocus = stages_.hits.tFocus[at];
+    // Another camera's opening may let a ray start in front of the focus.
+    if (stages_.apart ? start(pixel) == tFocus : !std::isnan(tFocus)) return glm::dvec3(0.0);
     if (!(start(pixel) > stages_.hits.tContext[at] + 0.5 * wallDepth_)) return glm::dvec3(0.0);
     std::array<glm::dvec3, 2> tangents;
     for (int axis = 0; axis < 2; ++axis) {
@@ -75,7 +77,7 @@ std::vector<CutRay> cutRays(const Scene& scene, const Camera& camera, glm::ivec2
   std::optional<Opening> opening;
   if (stages) opening.emplace(scene, camera, size, *stages);
   for (const glm::ivec2 pixel : pixels) {
-    CutRay ray{pixelRay(camera, size, pixel), missed, glm::dvec3(0.0)};
+    CutRay ray{.ray = pixelRay(camera, size, pixel), .span = missed};
     if (const std::optional<Span> span = clip(ray.ray, scene.volume->grid)) ray.span = *span;
     if (opening) {
       const double start = opening->start(pixel);
@@ -84,6 +86,10 @@ std::vector<CutRay> cutRays(const Scene& scene, const Camera& camera, glm::ivec2
       } else {
         ray.span.tIn = std::max(ray.span.tIn, start);
         ray.wall = opening->wallNormal(pixel);
+        if (stages->apart) {
+          const std::size_t at = offset(size, pixel);
+          ray.hole = {stages->apart->holeBegin[at], stages->apart->holeEnd[at]};
+        }
       }
     }
     rays.push_back(ray);
@@ -122,6 +128,11 @@ Picture picture(const Scene& scene, const Camera& camera, glm::ivec2 size, const
   return picture(scene, camera, size, stages, options);
 }
 
+Picture picture(const Scene& scene, const View& view, double tolerance) {
+  return picture(scene, view.camera, view.size, hasCutaway(scene) ? geometricStages(scene, view) : Stages{},
+                 {.pixelScale = view.pixelScale, .tolerance = tolerance, .pixels = {}});
+}
+
 Picture picture(const Scene& scene, const Camera& camera, glm::ivec2 size, const Stages& stages,
                 const PictureOptions& options) {
   const bool cutaway = hasCutaway(scene), hasContext = cutaway && scene.look.contextLayer.strength > 0.0;
@@ -152,8 +163,11 @@ Picture picture(const Scene& scene, const Camera& camera, glm::ivec2 size, const
     Image tContext, tFocus;
     for (std::size_t i = 0; i < pixels.size(); ++i) {
       rays.push_back(cut[i].ray);
-      tContext.push_back(stages.hits.tContext[offset(size, pixels[i])]);
-      tFocus.push_back(stages.hits.tFocus[offset(size, pixels[i])]);
+      const std::size_t at = offset(size, pixels[i]);
+      tContext.push_back(stages.hits.tContext[at]);
+      // Of a surface that another camera's opening leaves, the edges show in itself.
+      const bool stays = stages.apart && !(stages.tStart[at] > stages.hits.tContext[at]);
+      tFocus.push_back(stays ? nothing : stages.hits.tFocus[at]);
     }
     const double scale = derivativeSpacing(scene.volume->grid);
     const TransferFunction context = scene.look.context.shifted();
@@ -169,9 +183,10 @@ Picture picture(const Scene& scene, const Camera& camera, glm::ivec2 size, const
     }
   }
   if (cutaway && scene.look.cutaway.borderWidth > 0.0) {
-    const Widths widths = widthsInPixels(scene, camera, size, options.pixelScale);
+    const Widths widths = stages.apart ? stages.apart->widths : widthsInPixels(scene, camera, size, options.pixelScale);
     // The border's rim is filtered over one pixel, so it shows half a pixel beyond the border.
-    const Image distance = distanceMap(stages.hits.tFocus, size, widths.open + widths.border + 1.0);
+    const Image distance = stages.apart ? stages.apart->distance
+                                        : distanceMap(stages.hits.tFocus, size, widths.open + widths.border + 1.0);
     for (std::size_t i = 0; i < pixels.size(); ++i) {
       const std::size_t at = offset(size, pixels[i]);
       if (std::isnan(stages.hits.tContext[at])) continue;

@@ -41,6 +41,9 @@ struct Picture {
 /// The whole chain. With no cutaway (see hasCutaway) it is a plain volume rendering from the box's entry on.
 Picture picture(const Scene& scene, const Camera& camera, glm::ivec2 size, const PictureOptions& options = {});
 
+/// The same of a view, whose opening may be frozen or have an axis offset. `tolerance` as in PictureOptions.
+Picture picture(const Scene& scene, const View& view, double tolerance = 1e-5);
+
 /// The same from given stages 1 to 4. With another renderer's, only its errors of stages 5 to 7 remain in a comparison.
 /// Needs tContext, tFocus and tStart, and tOut where the scene has strokes; nothing when the scene has no cutaway.
 Picture picture(const Scene& scene, const Camera& camera, glm::ivec2 size, const Stages& stages,

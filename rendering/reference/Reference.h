@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "rendering/scene/Scene.h"
+#include "rendering/scene/View.h"
 
 namespace fenestra::reference {
 
@@ -65,13 +66,27 @@ struct Widths {
 };
 Widths widthsInPixels(const Scene& scene, const Camera& camera, glm::ivec2 size, double pixelScale);
 
+/// Centre of that box, or of the volume when there is no focus; world, mm.
+glm::dvec3 focusCentre(const Scene& scene);
+
+/// What another camera's opening does to a picture; see rendering/passes/RemovedPass.h. One element a pixel.
+struct Apart {
+  Image holeBegin, holeEnd;  ///< t from where to where the ray sees nothing again; infinite where there is no hole
+  Image distance;            ///< of the opening's picture, in its pixels, where the border is projected; +inf elsewhere
+  Widths widths;             ///< in the opening's pixels
+};
+
 /// Stages 1 to 4 in one go, with the scene's brush strokes (see Strokes.h for what they edit). Without a cutaway,
 /// tFocusFilled and distance are empty and tStart is tContext; without strokes, the edits are empty.
 struct Stages {
   HitPoints hits;
   Image tFocusFilled, distance, tStart;
   Image editOffset, editFactor;
+  std::optional<Apart> apart;  ///< where another camera cuts the opening
 };
 Stages geometricStages(const Scene& scene, const Camera& camera, glm::ivec2 size, double pixelScale = 1.0);
+/// The same of a view, whose opening may be frozen or have an axis offset. Where another camera cuts the opening,
+/// tFocusFilled, distance and editOffset stay empty.
+Stages geometricStages(const Scene& scene, const View& view);
 
 }  // namespace fenestra::reference

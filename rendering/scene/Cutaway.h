@@ -19,6 +19,10 @@ struct Cutaway {
   double borderWidth = 2.0;  ///< w_border, ≥ 0
   WidthUnit unit = WidthUnit::Pixel;
   glm::dvec3 borderColour{0.95, 0.85, 0.55};  ///< display RGB 0..1
+  /// Degrees between the axis of the opening and the line of sight, 0 ≤ axisOffset ≤ 80: a cut straight along the view
+  /// looks flat (Lidal et al. 2012).
+  double axisOffset = 0.0;
+  double axisDirection = 0.0;  ///< degrees: to which side of the picture the axis leans, 0 right, 90 up
   bool operator==(const Cutaway&) const = default;
 };
 

@@ -123,7 +123,23 @@ inline constexpr std::tuple settingsOf<Cutaway>{
     Setting(&Cutaway::borderColour, {.key = "border_colour",
                                      .option = "--border-colour",
                                      .name = "Border colour",
-                                     .description = "Colour of the line around the opening"})};
+                                     .description = "Colour of the line around the opening"}),
+    Setting(&Cutaway::axisOffset,
+            {.key = "axis_offset",
+             .option = "--axis-offset",
+             .name = "Axis offset",
+             .description = "Angle between the opening's axis and the line of sight, so that its depth shows",
+             .unit = "°",
+             .range = {0.0, 80.0},
+             .slider = {0.0, 60.0},
+             .step = 1.0}),
+    Setting(&Cutaway::axisDirection,
+            {.key = "axis_direction",
+             .option = "--axis-direction",
+             .name = "Direction",
+             .description = "To which side of the picture the opening's axis leans: 0 is the right, 90 the top",
+             .unit = "°",
+             .range = {-180.0, 180.0}})};
 
 template <>
 inline constexpr std::tuple settingsOf<ContextLayer>{

@@ -6,9 +6,18 @@
 #include <glm/glm.hpp>
 
 #include "rendering/scene/Camera.h"
+#include "rendering/scene/Cutaway.h"
 #include "rendering/scene/Quality.h"
 
 namespace fenestra {
+
+/// The picture that an opening is cut for: w_open and w_border count in its pixels.
+struct OpeningView {
+  Camera camera;
+  glm::ivec2 size{0};       ///< pixels, at least 1×1
+  double pixelScale = 1.0;  ///< pixels per device-independent pixel
+  bool operator==(const OpeningView&) const = default;
+};
 
 /// One picture to make.
 struct View {
@@ -19,7 +28,13 @@ struct View {
   /// Greatest error of a pixel's colour in 1/255 that sampling may leave; used instead of `quality`. It is kept by
   /// estimates: on the ten scenes of tests/bench/results by 99.99 % of the pixels.
   std::optional<double> maxError = std::nullopt;
+  /// A frozen opening: it stays cut for that picture while the camera moves. Empty: the opening follows the camera.
+  std::optional<OpeningView> frozen = std::nullopt;
   bool operator==(const View&) const = default;
 };
+
+/// The picture that a view's opening is cut for, where that is not the view's own: the frozen one or else the view's,
+/// turned about the focus's centre (world, mm) by the cutaway's axis offset. Empty: the view's own.
+std::optional<OpeningView> openingOf(const View& view, const Cutaway& cutaway, glm::dvec3 focusCentre);
 
 }  // namespace fenestra

@@ -25,6 +25,9 @@ TEXELS_2D(rg32f, editMap);
 // A sampler under either schedule: with it, the images would be more than the eight that OpenGL guarantees.
 uniform sampler2D protectedLayer;
 #endif
+#if APART
+uniform sampler2D rayStart;
+#endif
 #if CONTEXT_LAYER
 TEXELS_2D(rgba32f, contextLayer);
 TEXELS_2D(r32f, silhouette);
@@ -52,7 +55,11 @@ void main() {
   vec2 hit = texelOf(hitPoints, pixel).xy;
 #if CONTEXT_LAYER
   vec4 context = texelOf(contextLayer, pixel);
-  if (!isNone(hit.y) && !isNone(context.x)) {
+  bool isRemoved = !isNone(hit.y);
+#if APART
+  isRemoved = isRemoved && texelFetch(rayStart, pixel, 0).r > hit.x;
+#endif
+  if (isRemoved && !isNone(context.x)) {
     float bend = sqrt(0.5 * dot(context.xy, context.xy)) * look.curvatureScale;
     float rim = texelOf(silhouette, pixel).r;
     // Edges come out as lines: both terms rise steeply.

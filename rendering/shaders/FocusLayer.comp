@@ -21,6 +21,27 @@ uniform int pitch;  // pixels from one ray to the next
 ivec2 pixelOf(int i) { return pitch * (regionPixel() * ivec2(1, RAYS) + ivec2(0, i)); }
 #endif
 
+#if APART
+// A ray may see nothing on a part of its way; RAYS is 1.
+void main() {
+  ivec2 pixel = pixelOf(0);
+  Ray ray = pixelRay(pixel);
+  Cut cut = cutAt(pixel, ray);
+  vec2 removed = holeAt(pixel);
+  bool visible = startsHere(cut, ray) && all(lessThan(pixel, rays.pictureSize));
+  float sOut = ray.sOut;
+  vec4 colour = vec4(0.0);
+  for (int part = 0; part < 2; ++part) {
+    ray.sOut = part == 0 ? min(sOut, removed.x) : sOut;
+    if (part == 1) cut = behindHole(cut, pixel, removed.y);
+    Walk walks[RAYS];
+    walks[0] = walkFrom(ray, cut, visible && cut.start <= ray.sOut);
+    integrate(walks);
+    colour = over(colour, colourOf(walks[0]));
+  }
+  imageStore(focusLayer, pixel, colour);
+}
+#else
 void main() {
   Walk walks[RAYS];
   for (int i = 0; i < RAYS; ++i) {
@@ -32,3 +53,4 @@ void main() {
   integrate(walks);
   for (int i = 0; i < RAYS; ++i) imageStore(focusLayer, pixelOf(i), colourOf(walks[i]));
 }
+#endif

@@ -29,10 +29,10 @@ struct Linked {
 /// By source, so that each counts once.
 using Programs = std::map<std::string, Linked>;
 
-const std::vector<std::string> blockNames{RayBlock::name,          VolumeBlock::name,     TransferBlock::name,
-                                          FocusBlock::name,        LightBlock::name,      IntegralBlock::name,
-                                          CutFaceBlock::name,      DerivativeBlock::name, CutawayBlock::name,
-                                          ContextLayerBlock::name, CandidateBlock::name};
+const std::vector<std::string> blockNames{RayBlock::name,     VolumeBlock::name,        TransferBlock::name,
+                                          FocusBlock::name,   LightBlock::name,         IntegralBlock::name,
+                                          CutFaceBlock::name, OpeningCameraBlock::name, DerivativeBlock::name,
+                                          CutawayBlock::name, ContextLayerBlock::name,  CandidateBlock::name};
 
 constexpr std::array schedules{Schedule::Plain, Schedule::Llvmpipe};
 
@@ -176,6 +176,10 @@ TEST_F(ProgramsTest, BlocksHaveTheLayoutOfTheirStructs) {
         OFFSET(LightBlock, gradientOrigin), OFFSET(LightBlock, certainLength)}},
       {IntegralBlock::name, {OFFSET(IntegralBlock, leastTransmittance), OFFSET(IntegralBlock, maxError)}},
       {CutFaceBlock::name, {OFFSET(CutFaceBlock, depth), OFFSET(CutFaceBlock, share)}},
+      {OpeningCameraBlock::name,
+       {OFFSET(OpeningCameraBlock, viewFromWorld), OFFSET(OpeningCameraBlock, offset),
+        OFFSET(OpeningCameraBlock, perDepth), OFFSET(OpeningCameraBlock, halfSize),
+        OFFSET(OpeningCameraBlock, pictureSize), OFFSET(OpeningCameraBlock, nearest)}},
       {DerivativeBlock::name,
        {OFFSET(DerivativeBlock, worldFromDerivative), OFFSET(DerivativeBlock, factor), OFFSET(DerivativeBlock, scale)}},
       {CutawayBlock::name, {OFFSET(CutawayBlock, widths), OFFSET(CutawayBlock, borderColour)}},

@@ -111,6 +111,21 @@ inline std::vector<SceneKind> allSceneKinds() {
     parallel.view.camera = Camera::fromAngles(-70.0, 35.0, parallel.scene.volume->grid, Projection::Orthographic);
     kinds.push_back(parallel);
   }
+  for (std::size_t i = 0; i < plain; i += 9) {
+    if (!hasCutaway(kinds[i].scene)) continue;
+    SceneKind frozen = kinds[i];
+    frozen.name += ", frozen";
+    frozen.view.frozen = OpeningView{Camera::fromAngles(-10.0, 5.0, frozen.scene.volume->grid), {47, 58}, 1.0};
+    kinds.push_back(frozen);
+    SceneKind edited = frozen;
+    edited.name += ", brushed, protected label";
+    edited.scene = withProtected(brushed(edited.scene));
+    kinds.push_back(edited);
+    SceneKind bare = frozen;
+    bare.name += ", no edges";
+    bare.scene.look.contextLayer.strength = 0.0;
+    kinds.push_back(bare);
+  }
   for (std::size_t i = 0; i < plain; i += 5) {
     if (!hasCutaway(kinds[i].scene)) continue;
     SceneKind guarded = kinds[i];

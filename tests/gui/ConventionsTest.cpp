@@ -164,6 +164,7 @@ void Conventions::addViewCases(Cases& cases) {
       EXPECT_EQ(cameras().pose().cameras, reset.cameras);
     };
   cases["L"] = [this] { expectToggle("L", [this] { return cameras().isLinked(); }); };
+  cases["F"] = [this] { expectToggle("F", [this] { return cameras().isFrozen(); }); };
   cases["Ctrl+P"] = [this] {
     expectToggle("Ctrl+P", [this] { return cameras().projection() == Projection::Orthographic; });
   };

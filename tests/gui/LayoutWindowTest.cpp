@@ -67,7 +67,7 @@ TEST_F(Window, LightThemeIsRememberedAndLeavesPicturesAlone) {
     for (QAction* action : window.findChildren<QAction*>())
       if (action->text().remove(QLatin1Char('&')) == QStringLiteral("Light theme")) action->trigger();
     EXPECT_GT(lightness(), dark + 100);
-    EXPECT_TRUE(Preferences().hasLightTheme());
+    EXPECT_TRUE(Preferences().isOn(Preference::LightTheme));
   }
   EXPECT_EQ(picture(slice(SlicePlane::Axial)), before);
   applyStyle(*qApp);
@@ -76,7 +76,7 @@ TEST_F(Window, LightThemeIsRememberedAndLeavesPicturesAlone) {
     const MainWindow again({.gl = {.problem = QStringLiteral("slices are enough here")}});
     EXPECT_GT(lightness(), dark + 100);
   }
-  Preferences().setLightTheme(false);
+  Preferences().set(Preference::LightTheme, 0);
   applyStyle(*qApp);
 }
 

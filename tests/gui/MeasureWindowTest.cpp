@@ -1,5 +1,9 @@
 // Measures on the slices, drawn, moved, copied and deleted with mouse and keys.
 
+#include <fstream>
+#include <iterator>
+
+#include <QAction>
 #include <QClipboard>
 #include <QGuiApplication>
 #include <QMenu>
@@ -7,8 +11,11 @@
 
 #include "io/session/SessionFile.h"
 #include "tests/gui/WindowFixture.h"
+#include "tests/support/TestData.h"
+#include "viewer/Exports.h"
 #include "viewer/MeasureMenu.h"
 #include "viewer/Sessions.h"
+#include "viewer/model/MeasureText.h"
 
 namespace fenestra::viewer {
 namespace {
@@ -160,6 +167,39 @@ TEST_F(MeasureWindow, IsShownOnItsSliceOnly) {
   wheel(axial(), 1);
   EXPECT_FALSE(tool.shown(document().measures()[0], document().measured(0)));
   EXPECT_FALSE(tool.measureAt((from_ + to_) / 2));
+}
+
+TEST_F(MeasureWindow, HiddenMeasuresAreNeitherDrawnNorTouched) {
+  const QImage without = picture(axial());
+  drawDistance();
+  QTest::keyClick(axial(), Qt::Key_Escape);
+  QTest::keyClick(axial(), Qt::Key_Escape);
+  auto* shown = window_->findChild<QAction*>(QStringLiteral("showMeasures"));
+  ASSERT_TRUE(shown && shown->isChecked());
+  const QImage with = picture(axial());
+  shown->trigger();
+  EXPECT_FALSE(options().measures());
+  EXPECT_NE(picture(axial()), with);
+  EXPECT_FALSE(axial()->measureTool().measureAt((from_ + to_) / 2));
+  EXPECT_EQ(document().measures().size(), 1u);
+  QTest::keyClick(axial(), Qt::Key_D);
+  EXPECT_TRUE(options().measures() && shown->isChecked()) << "what is drawn shows";
+}
+
+TEST_F(MeasureWindow, TheTableOfAllIsExported) {
+  auto* entry = window_->findChild<QAction*>(QStringLiteral("exportMeasures"));
+  ASSERT_TRUE(entry);
+  EXPECT_FALSE(entry->isEnabled());
+  drawDistance();
+  EXPECT_TRUE(entry->isEnabled());
+  const std::filesystem::path file = tests::scratchFolder() / "measures.csv";
+  auto* exports = window_->findChild<Exports*>();
+  exports->writeMeasures(file);
+  QTRY_VERIFY_WITH_TIMEOUT(!exports->job().isRunning(), patience);
+  std::ifstream stream(file, std::ios::binary);
+  const std::string written(std::istreambuf_iterator<char>(stream), {});
+  EXPECT_EQ(written, measuresCsv(document()).toStdString());
+  EXPECT_GT(written.size(), 40u);
 }
 
 TEST_F(MeasureWindow, CopiesTextOfOneAndTheTableOfAll) {

@@ -339,11 +339,16 @@ TEST(FramePacer, ViewsRefineInTurnTheLeaderFirst) {
   EXPECT_TRUE(pacer.mayRefine(1));
 }
 
-TEST(Preferences, RecentPathsAreLatestFirstOnceEachAndFew) {
+/// Preferences are stored in a folder of the test's own.
+void useScratchSettings() {
   QSettings::setDefaultFormat(QSettings::IniFormat);
   QSettings::setPath(QSettings::IniFormat, QSettings::UserScope,
                      QString::fromStdString(tests::scratchFolder().string()));
   QCoreApplication::setOrganizationName(QStringLiteral("Fenestra tests"));
+}
+
+TEST(Preferences, RecentPathsAreLatestFirstOnceEachAndFew) {
+  useScratchSettings();
   Preferences preferences;
   preferences.clearRecent();
   for (int i = 0; i < Preferences::recentCount + 3; ++i) preferences.addRecent("/data/" + std::to_string(i));
@@ -354,6 +359,50 @@ TEST(Preferences, RecentPathsAreLatestFirstOnceEachAndFew) {
   EXPECT_EQ(recent[0], "/data/9");
   EXPECT_EQ(recent[1], "/data/Größe 頭部");
   EXPECT_EQ(recent[2], "/data/10");
+}
+
+TEST(Preferences, TheTableIsInTheOrderOfItsNames) {
+  for (std::size_t i = 0; i < preferenceTable().size(); ++i) {
+    const PreferenceEntry& entry = preferenceTable()[i];
+    EXPECT_EQ(static_cast<std::size_t>(entry.which), i);
+    EXPECT_TRUE(*entry.key && *entry.name && *entry.description);
+    EXPECT_TRUE(entry.low <= entry.otherwise && entry.otherwise <= entry.high && entry.low < entry.high) << entry.key;
+  }
+}
+
+TEST(Preferences, AreStoredAndNonsenseCountsAsTheDefault) {
+  useScratchSettings();
+  for (const PreferenceEntry& entry : preferenceTable()) {
+    Preferences preferences;
+    QSignalSpy changed(&preferences, &Preferences::changed);
+    EXPECT_EQ(preferences.value(entry.which), entry.otherwise);
+    const int other = entry.otherwise == entry.high ? entry.low : entry.high;
+    preferences.set(entry.which, other);
+    preferences.set(entry.which, other);
+    EXPECT_EQ(changed.size(), 1);
+    EXPECT_EQ(Preferences().value(entry.which), other) << entry.key;
+    preferences.set(entry.which, entry.high + 1000);
+    EXPECT_EQ(preferences.value(entry.which), entry.high);
+    if (entry.isSwitch()) continue;
+    QSettings().setValue(QLatin1String(entry.key), QStringLiteral("many"));
+    EXPECT_EQ(preferences.value(entry.which), entry.otherwise);
+    QSettings().setValue(QLatin1String(entry.key), entry.high + 1);
+    EXPECT_EQ(preferences.value(entry.which), entry.otherwise);
+  }
+  Preferences preferences;
+  preferences.restoreDefaults();
+  for (const PreferenceEntry& entry : preferenceTable()) EXPECT_EQ(Preferences().value(entry.which), entry.otherwise);
+}
+
+TEST(Preferences, RecentDataAreForgottenWhereTheyAreNotKept) {
+  useScratchSettings();
+  Preferences preferences;
+  preferences.addRecent("/data/one");
+  preferences.set(Preference::KeepsRecent, 0);
+  EXPECT_TRUE(Preferences().recent().empty());
+  preferences.addRecent("/data/two");
+  EXPECT_TRUE(Preferences().recent().empty());
+  preferences.restoreDefaults();
 }
 
 TEST(Preferences, QualityAtRestIsRememberedAndNonsenseIsNot) {

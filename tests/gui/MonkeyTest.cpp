@@ -43,7 +43,7 @@ class Monkey : public Window, public testing::WithParamInterface<unsigned> {
   void SetUp() override {
     Window::SetUp();
     // Dialogs and menus wait for an answer: the monkey waits a moment and leaves them.
-    connect_ = QObject::connect(&closer_, &QTimer::timeout, [] {
+    QObject::connect(&closer_, &QTimer::timeout, [] {
       if (QWidget* popup = QApplication::activePopupWidget()) popup->close();
       if (auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget())) dialog->reject();
     });
@@ -157,7 +157,6 @@ class Monkey : public Window, public testing::WithParamInterface<unsigned> {
 
   std::mt19937 random_{GetParam()};
   QTimer closer_;
-  QMetaObject::Connection connect_;
 };
 
 TEST_P(Monkey, TheWindowSurvivesAndAnswers) {

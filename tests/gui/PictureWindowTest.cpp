@@ -1,5 +1,6 @@
 // Saved and copied pictures, and turntables.
 
+#include <fstream>
 #include <numbers>
 
 #include <QApplication>
@@ -139,6 +140,17 @@ TEST_F(PictureWindow, ACancelledTurntableLeavesNothing) {
   QTest::qWait(50);
   EXPECT_TRUE(fs::is_empty(folder_));
   waitUntilDrawn();
+}
+
+TEST_F(PictureWindow, ATurntableReplacesNoOlderPictures) {
+  std::ofstream(folder_ / "turn-0003.png") << "older";
+  pictures().writeTurntable(folder_ / "turn.png", ofBoth(), 4, 24);
+  EXPECT_FALSE(pictures().isBusy());
+  ASSERT_EQ(window_->notices().texts().size(), 1);
+  EXPECT_TRUE(window_->notices().texts().front().contains(QStringLiteral("turn-0003.png")));
+  std::ifstream kept(folder_ / "turn-0003.png");
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(kept), {}), "older");
+  EXPECT_FALSE(fs::exists(folder_ / "turn-0001.png"));
 }
 
 TEST_F(PictureWindow, AFolderThatCannotBeWrittenIsSaid) {

@@ -345,10 +345,10 @@ TEST(PlacementPreferences, KeepWhetherTheCamerasAreAnimated) {
                      QString::fromStdString(tests::scratchFolder().string()));
   QCoreApplication::setOrganizationName(QStringLiteral("Fenestra tests"));
   QSettings().remove(QStringLiteral("picture"));
-  EXPECT_TRUE(Preferences().animatesCameras());
+  EXPECT_TRUE(Preferences().isOn(Preference::AnimatedCameras));
   Preferences preferences;
-  preferences.setAnimatesCameras(false);
-  EXPECT_FALSE(Preferences().animatesCameras());
+  preferences.set(Preference::AnimatedCameras, 0);
+  EXPECT_FALSE(Preferences().isOn(Preference::AnimatedCameras));
   QSettings().remove(QStringLiteral("picture"));
 }
 

@@ -9,6 +9,7 @@
 #include <QImage>
 #include <QProcess>
 
+#include "tests/io/DicomWriter.h"
 #include "tests/support/LargeVolume.h"
 #include "tests/support/TestData.h"
 
@@ -40,6 +41,34 @@ TEST(Program, SavesTheWholeWindowAndExits) {
   const QImage image(qt(picture));
   const int scale = std::max(1, qEnvironmentVariableIntValue("QT_SCALE_FACTOR"));
   EXPECT_EQ(image.size(), QSize(1200, 760) * scale);
+}
+
+TEST(Program, AScreenshotNamesThePatientOnlyWhenAsked) {
+  const auto series = [](const char* name, const char* patient) {
+    const std::filesystem::path folder = tests::scratchFolder() / name;
+    std::filesystem::create_directories(folder);
+    for (int i = 0; i < 3; ++i) {
+      tests::DicomSpec slice;
+      slice.columns = slice.rows = 16;
+      slice.instance = "1.2.3.4." + std::to_string(i);
+      slice.position = glm::dvec3(0, 0, i);
+      slice.patientName = patient;
+      slice.patientId = std::string(patient).empty() ? "" : "4711";
+      tests::writeDicom(folder / std::to_string(i), slice);
+    }
+    return folder;
+  };
+  const auto shot = [](const std::filesystem::path& folder, const QStringList& more) {
+    const std::filesystem::path picture = folder.parent_path() / "shot.png";
+    const Ended ended = run(QStringList{qt(folder), "--size", "1000x700", "--screenshot", qt(picture)} + more);
+    EXPECT_EQ(ended.code, 0) << ended.errors.toStdString();
+    EXPECT_FALSE(ended.errors.contains(QStringLiteral("Vermeer")));
+    return QImage(qt(picture));
+  };
+  const std::filesystem::path named = series("named", "Vermeer^Johanna"), nobody = series("nobody", "");
+  const QImage without = shot(named, {}), asked = shot(named, {"--with-patient"});
+  EXPECT_EQ(without, shot(nobody, {}));
+  EXPECT_NE(without, asked);
 }
 
 TEST(Program, EndsWithOneLineWhenTheFileIsAtFault) {

@@ -212,6 +212,34 @@ TEST_F(SessionWindow, TheCommandLineAgreesWithTheWindow) {
   expectCommandLineAgrees();
 }
 
+TEST_F(SessionWindow, AFrozenOpeningStaysFrozenOnTheCommandLineToo) {
+  work();
+  QTest::keyClick(window_.get(), Qt::Key_F);
+  cameras().orbit(0, 0.4, 0.1);
+  waitUntilDrawn();
+  ASSERT_TRUE(cameras().isFrozen());
+  const ViewLink::Frozen frozen = cameras().frozen();
+  save(file_);
+  expectCommandLineAgrees();
+  restart();
+  open(file_);
+  EXPECT_EQ(cameras().frozen(), frozen);
+}
+
+TEST_F(SessionWindow, TheQualitySphereIsFilledAndTheCamerasStay) {
+  setAutomatic(true);
+  document().focusOn(marker);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return placement().measured() && !cameras().isFlying(); }, patience));
+  waitUntilDrawn();
+  const ViewLink::Pair where = cameras().pose().cameras;
+  save(file_);
+  restart();
+  open(file_);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return placement().measured() != nullptr; }, patience));
+  EXPECT_EQ(cameras().pose().cameras, where);
+  EXPECT_FALSE(window_->isWindowModified());
+}
+
 TEST_F(SessionWindow, LinkedCamerasStayLinkedAndUnlinkedOnesDoNot) {
   for (const bool linked : {false, true}) {
     cameras().setLinked(linked);

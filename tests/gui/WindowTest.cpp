@@ -4,6 +4,7 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QColorDialog>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QStatusBar>
 #include <QTest>
@@ -84,8 +85,40 @@ int expectSlidersAsDeclared(const QWidget& panel) {
 }
 
 TEST_F(Window, SlidersAreThoseOfTheDeclaredSettings) {
-  EXPECT_EQ(expectSlidersAsDeclared<Cutaway>(panel<CutawayPanel>()), 2);
+  EXPECT_EQ(expectSlidersAsDeclared<Cutaway>(panel<CutawayPanel>()), 3);
   EXPECT_EQ(expectSlidersAsDeclared<ContextLayer>(panel<ContextLayerPanel>()), 5);
+}
+
+TEST_F(Window, ATypedFocusValueIsOneStepAndUndoneFromItsBox) {
+  document().setFocus(ValueFocus{{100.0, 800.0}, 0.0});
+  auto boxes = panel<FocusPanel>().findChildren<QDoubleSpinBox*>();
+  const auto low =
+      std::find_if(boxes.begin(), boxes.end(), [](const QDoubleSpinBox* box) { return box->value() == 100.0; });
+  ASSERT_NE(low, boxes.end());
+  const int steps = document().undoStack().index();
+  (*low)->setFocus();
+  (*low)->selectAll();
+  QTest::keyClicks(*low, QStringLiteral("250"));
+  QTest::keyClick(*low, Qt::Key_Return);
+  EXPECT_EQ(document().focus(), Focus(ValueFocus{{250.0, 800.0}, 0.0}));
+  EXPECT_EQ(document().undoStack().index(), steps + 1);
+  QTest::keyClick(*low, Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(document().focus(), Focus(ValueFocus{{100.0, 800.0}, 0.0}));
+  EXPECT_EQ((*low)->value(), 100.0);
+}
+
+TEST_F(Window, AtRestTheStatusBarTellsOfThePictureAtRest) {
+  const auto tellsOfSmaller = [this] {
+    for (const QLabel* label : window_->statusBar()->findChildren<QLabel*>())
+      if (label->text().contains(QStringLiteral("% size"))) return true;
+    return false;
+  };
+  for (int turn = 0; turn < 5; ++turn) {
+    cameras().orbit(0, 0.1, 0.0);
+    QTest::qWait(30);
+    waitUntilDrawn();
+    EXPECT_FALSE(tellsOfSmaller()) << "turn " << turn;
+  }
 }
 
 TEST_F(Window, LightSlidersChangeThePictureAndAreUndone) {

@@ -51,7 +51,7 @@ inline io::Session fullSession(const std::filesystem::path& folder) {
   session.look.context.function.nodes = {{-0.1, {{0.9, 0.8, 0.7}, 0.0}},
                                          {300.0, {{0.0, 1.0, 0.5}, 13.815510557964274}}};
   session.look.context.shift = -17.25;
-  session.look.cutaway = {false, 31.0, 0.5, WidthUnit::Millimetre, {0.3, 0.2, 0.1}};
+  session.look.cutaway = {false, 31.0, 0.5, WidthUnit::Millimetre, {0.3, 0.2, 0.1}, 22.5, -135.0};
   session.look.contextLayer = {.strength = 0.25,
                                .curvatureWeight = 2.0,
                                .silhouetteWeight = 0.75,
@@ -65,14 +65,15 @@ inline io::Session fullSession(const std::filesystem::path& folder) {
                           someStroke(BrushMode::Strengthen)};
   session.quality = Quality::High;
   session.maxError = 1.5;
-  session.views = {io::SessionView{someCamera(1.0), {640, 481}, 1.25, false},
-                   io::SessionView{someCamera(2.0), {799, 600}, 2.0, false}};
+  session.views = {
+      io::SessionView{someCamera(1.0), {640, 481}, 1.25, false},
+      io::SessionView{someCamera(2.0), {799, 600}, 2.0, false, OpeningView{someCamera(0.25), {321, 123}, 1.5}}};
   session.home = {someCamera(3.0), someCamera(0.5)};
   session.linked = false;
   session.window = WindowLevel{401.5, -39.25};
   session.inverted = true;
   session.crosshair = glm::dvec3(-0.0, 1e-300, 33.3);
-  session.overlays = {false, false, false};
+  session.overlays = {false, false, false, false};
   session.measures = {
       {MeasureKind::Angle, {{1.5, -2.25, 1.0 / 3.0}, {0.0, 7.0, 1e-9}, {-3.0, 0.1, 12.0}}, {0, 1, 0}, {0, 0, -1}},
       {MeasureKind::Ellipse, {{10.0, 20.0, 30.0}, {11.0, 22.0, 30.0}}, {0.6, 0.8, 0}, {-0.8, 0.6, 0}}};

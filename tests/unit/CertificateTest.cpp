@@ -46,7 +46,7 @@ class CertificateOfAPicture : public ::testing::Test {
     for (const glm::dvec4& colour : picture(scene_, camera_, size_).final) exact_.emplace_back(colour);
   }
   Certificate certified(const std::vector<glm::vec4>& picture, CertificateOptions options) const {
-    return certify(picture, scene_, camera_, size_, options);
+    return certify(picture, scene_, {.camera = camera_, .size = size_}, options);
   }
 
   static constexpr glm::ivec2 size_{60, 50};

@@ -5,6 +5,8 @@
 #include <QPromise>
 #include <QtConcurrentRun>
 
+#include "viewer/model/Translation.h"
+
 namespace fenestra::viewer {
 namespace {
 
@@ -32,8 +34,7 @@ void LoadJob::start(Read read) {
   watcher_.setFuture(QtConcurrent::run([read = std::move(read)](QPromise<Outcome>& promise) {
     promise.setProgressRange(0, progressSteps);
     const io::Progress progress = [&promise](double fraction, std::string_view doing) {
-      promise.setProgressValueAndText(static_cast<int>(fraction * progressSteps),
-                                      QString::fromUtf8(doing.data(), static_cast<qsizetype>(doing.size())));
+      promise.setProgressValueAndText(static_cast<int>(fraction * progressSteps), translated(doing));
       return !promise.isCanceled();
     };
     Outcome outcome;

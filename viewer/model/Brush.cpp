@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "viewer/model/Translation.h"
+
 namespace fenestra::viewer {
 
 bool movesRayStart(BrushMode mode) { return mode == BrushMode::Restore || mode == BrushMode::Open; }
@@ -10,7 +12,7 @@ bool usesDepth(const BrushSettings& settings) {
   return movesRayStart(settings.mode) && !(settings.mode == BrushMode::Restore && settings.toSurface);
 }
 
-QString nameOf(BrushMode mode) { return QString::fromUtf8(wordOf(mode).name); }
+QString nameOf(BrushMode mode) { return translated(wordOf(mode).name); }
 
 BrushMode opposite(BrushMode mode) {
   switch (mode) {

@@ -239,7 +239,7 @@ void Document::noteLabelsFile(std::uint64_t revision, const io::SessionData& fil
 QString Document::description() const {
   if (!hasVolume()) return {};
   const Grid& grid = study_.scene.volume->grid;
-  QString text = QStringLiteral("%1×%2×%3 · %4×%5×%6 mm")
+  QString text = tr("%1×%2×%3 · %4×%5×%6 mm")
                      .arg(grid.dims.x)
                      .arg(grid.dims.y)
                      .arg(grid.dims.z)

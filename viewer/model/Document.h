@@ -15,6 +15,7 @@
 #include "io/session/Session.h"
 #include "rendering/scene/Measure.h"
 #include "rendering/scene/Scene.h"
+#include "rendering/scene/View.h"
 #include "rendering/segmentation/LabelEdit.h"
 #include "rendering/segmentation/RegionGrowing.h"
 #include "viewer/model/History.h"
@@ -25,6 +26,7 @@ namespace fenestra::viewer {
 struct Study {
   Scene scene;                                         ///< as the user set it: its focus may be a region
   std::shared_ptr<const segmentation::Growth> growth;  ///< of that region, or null
+  std::optional<OpeningView> frozen;                   ///< what C1's opening is frozen for, without a session
   std::optional<Camera> camera;                        ///< where to look from first; unset: from anterior
   std::optional<Framing> visible;                      ///< the part that `scene` shows, for a camera to frame
   std::optional<glm::dvec3> focusCentre;               ///< of `scene`, world mm; where the crosshair goes first

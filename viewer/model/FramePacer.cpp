@@ -42,7 +42,7 @@ QString nameOf(const Effort& effort) {
 /// What a frame's pictures may take together.
 double FramePacer::timeForPictures() const {
   // However slow the rest of a frame is, pictures get a part of it.
-  return std::max(budget - overhead_.value_or(0.0), 0.4 * budget);
+  return std::max(budget_ - overhead_.value_or(0.0), 0.4 * budget_);
 }
 
 Effort FramePacer::moving(int count, bool leads) const {

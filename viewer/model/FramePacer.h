@@ -24,7 +24,7 @@ QString nameOf(const Effort& effort);
 
 class FramePacer {
  public:
-  /// Milliseconds that a frame of all moving views may take: 12 frames a second.
+  /// Milliseconds that a frame of all moving views may take, unless setBudget() says otherwise: 12 frames a second.
   static constexpr double budget = 1000.0 / 12.0;
   /// Below a quarter of the resolution anatomy is hard to recognise.
   static constexpr double leastScale = 0.25;
@@ -42,6 +42,7 @@ class FramePacer {
 
   explicit FramePacer(const Effort& atRest = {}) : rest_(atRest) {}
 
+  void setBudget(double milliseconds) { budget_ = milliseconds; }
   Effort atRest() const { return rest_; }
   void setAtRest(Quality quality, std::optional<double> maxError);
   /// For the next frame of a drag that redraws so many views. The view that leads gets more of the time.
@@ -82,6 +83,7 @@ class FramePacer {
   double timeForPictures() const;
   void note(Effort effort, double milliseconds);
 
+  double budget_ = budget;
   Effort rest_;
   int leader_ = 0;
   std::array<std::optional<int>, views> levels_;

@@ -102,6 +102,7 @@ void PlacementController::focusChanged() {
 void PlacementController::measure(bool asked) {
   cancel();
   asked_ = asked;
+  moves_ = true;
   if (!canPlace()) return;
   note_.clear();
   try {
@@ -111,6 +112,12 @@ void PlacementController::measure(bool asked) {
     fail(error);
   }
   Q_EMIT changed();
+}
+
+void PlacementController::measureAlone() {
+  if (measured() || document_.awaitsGrowth()) return;
+  measure(false);
+  moves_ = false;
 }
 
 void PlacementController::cancel() {
@@ -139,7 +146,7 @@ void PlacementController::slice() {
   measured_ = backend_->measured();
   measuredSubject_ = subject();
   Q_EMIT measuredFocus();
-  choose(true, asked_);
+  if (moves_) choose(true, asked_);
   Q_EMIT changed();
 }
 

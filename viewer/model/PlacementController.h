@@ -65,6 +65,8 @@ class PlacementController : public QObject {
   /// The same without a request of the user: after a focus was chosen, or for a study that asks for it. leaving() is
   /// not emitted.
   void placeAutomatically() { measure(false); }
+  /// Measures the focus without moving a camera.
+  void measureAlone();
   void cancel();
   bool isMeasuring() const { return slice_.isActive(); }
   /// Measuring, or about to measure.
@@ -135,6 +137,7 @@ class PlacementController : public QObject {
   QTimer chosen_;  ///< fires a moment after a focus was chosen
   QTimer turned_;  ///< fires a moment after C1 was last turned
   QTimer slice_;
+  bool moves_ = true;   ///< the cameras fly to the answer of the measurement under way
   bool asked_ = false;  ///< the measurement under way was asked for by place()
 };
 

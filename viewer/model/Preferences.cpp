@@ -1,5 +1,6 @@
 #include "viewer/model/Preferences.h"
 
+#include <algorithm>
 #include <array>
 
 #include <QStringList>
@@ -16,9 +17,6 @@ const QString stateKey = QStringLiteral("layout/docks");
 const QString qualityKey = QStringLiteral("picture/quality");
 const QString maxErrorKey = QStringLiteral("picture/maxError");
 const QString viewsKey = QStringLiteral("layout/views");
-const QString animatedKey = QStringLiteral("picture/animatedCameras");
-const QString hidesPatientKey = QStringLiteral("picture/hidesPatient");
-const QString lightKey = QStringLiteral("window/lightTheme");
 const QString placementKey = QStringLiteral("placement/%1");
 
 struct NamedWeight {
@@ -41,22 +39,73 @@ const std::array<NamedSwitch, 3> namedSwitches{{{"joint", &PlacementSettings::jo
                                                 {"follow", &PlacementSettings::follow},
                                                 {"automatic", &PlacementSettings::automatic}}};
 
+constexpr std::array table{
+    PreferenceEntry{Preference::LightTheme, "window/lightTheme", QT_TRANSLATE_NOOP("Settings", "Light theme"),
+                    QT_TRANSLATE_NOOP("Settings", "Light colours around the pictures, for bright rooms")},
+    PreferenceEntry{Preference::AnimatedCameras, "picture/animatedCameras",
+                    QT_TRANSLATE_NOOP("Settings", "Animate the cameras"),
+                    QT_TRANSLATE_NOOP("Settings", "Cameras fly to where they are placed instead of jumping there"), 1},
+    PreferenceEntry{
+        Preference::PicturesPerSecond, "picture/perSecond", QT_TRANSLATE_NOOP("Settings", "While something moves"),
+        QT_TRANSLATE_NOOP("Settings",
+                          "Pictures a second to aim at: more of them are smaller on a slow machine. At rest "
+                          "they always have full quality"),
+        12, 4, 30, QT_TRANSLATE_NOOP("Settings", "pictures/s")},
+    PreferenceEntry{Preference::HidesPatient, "picture/hidesPatient", QT_TRANSLATE_NOOP("Settings", "Hide the patient"),
+                    QT_TRANSLATE_NOOP("Settings", "No patient and no study in corner texts and in the recent list")},
+    PreferenceEntry{Preference::KeepsRecent, "list/keepsRecent", QT_TRANSLATE_NOOP("Settings", "Remember recent data"),
+                    QT_TRANSLATE_NOOP("Settings", "List the folders and files opened last in the File menu"), 1},
+    PreferenceEntry{Preference::KeepsCopies, "session/copies",
+                    QT_TRANSLATE_NOOP("Settings", "Keep a copy of unsaved work"),
+                    QT_TRANSLATE_NOOP("Settings", "Every minute, to be offered after a crash"), 1}};
+
 }  // namespace
+
+std::span<const PreferenceEntry> preferenceTable() { return table; }
 
 Preferences::Preferences(Mode mode) {
   if (mode == Mode::Stored) settings_.emplace();
 }
 
+int Preferences::value(Preference which) const {
+  const PreferenceEntry& entry = table[static_cast<std::size_t>(which)];
+  const QVariant stored = value(QLatin1String(entry.key));
+  if (!stored.isValid()) return entry.otherwise;
+  bool isNumber = false;
+  // Switches are stored as such.
+  const int number = entry.isSwitch() ? stored.toBool() : stored.toInt(&isNumber);
+  return entry.isSwitch() || (isNumber && number >= entry.low && number <= entry.high) ? number : entry.otherwise;
+}
+
+void Preferences::set(Preference which, int wanted) {
+  const PreferenceEntry& entry = table[static_cast<std::size_t>(which)];
+  const int number = std::clamp(wanted, entry.low, entry.high);
+  if (number == value(which)) return;
+  store(QLatin1String(entry.key), entry.isSwitch() ? QVariant(number != 0) : QVariant(number));
+  if (which == Preference::KeepsRecent && number == 0) clearRecent();
+  Q_EMIT changed(which);
+}
+
+void Preferences::restoreDefaults() {
+  for (const PreferenceEntry& entry : table) set(entry.which, entry.otherwise);
+}
+
 QVariant Preferences::value(const QString& key, const QVariant& otherwise) const {
-  return settings_ ? settings_->value(key, otherwise) : otherwise;
+  return settings_ ? settings_->value(key, otherwise) : unstored_.value(key, otherwise);
 }
 
 void Preferences::store(const QString& key, const QVariant& value) {
-  if (settings_) settings_->setValue(key, value);
+  if (settings_)
+    settings_->setValue(key, value);
+  else
+    unstored_.insert(key, value);
 }
 
 void Preferences::remove(const QString& key) {
-  if (settings_) settings_->remove(key);
+  if (settings_)
+    settings_->remove(key);
+  else
+    unstored_.remove(key);
 }
 
 std::vector<std::filesystem::path> Preferences::recent() const {
@@ -66,6 +115,7 @@ std::vector<std::filesystem::path> Preferences::recent() const {
 }
 
 void Preferences::addRecent(const std::filesystem::path& path) {
+  if (!isOn(Preference::KeepsRecent)) return;
   std::error_code ignored;
   const std::filesystem::path absolute = std::filesystem::absolute(path, ignored);
   QStringList paths = value(recentKey).toStringList();
@@ -97,14 +147,6 @@ void Preferences::setAtRest(const Effort& effort) {
   else
     remove(maxErrorKey);
 }
-
-bool Preferences::animatesCameras() const { return value(animatedKey, true).toBool(); }
-void Preferences::setAnimatesCameras(bool animates) { store(animatedKey, animates); }
-
-bool Preferences::hidesPatient() const { return value(hidesPatientKey, false).toBool(); }
-void Preferences::setHidesPatient(bool hides) { store(hidesPatientKey, hides); }
-bool Preferences::hasLightTheme() const { return value(lightKey, false).toBool(); }
-void Preferences::setLightTheme(bool light) { store(lightKey, light); }
 
 QByteArray Preferences::windowGeometry() const { return value(geometryKey).toByteArray(); }
 QByteArray Preferences::windowState() const { return value(stateKey).toByteArray(); }

@@ -5,9 +5,12 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <QByteArray>
+#include <QHash>
+#include <QObject>
 #include <QSettings>
 #include <QVariant>
 
@@ -16,13 +19,45 @@
 
 namespace fenestra::viewer {
 
-class Preferences {
+/// What the settings dialog offers.
+enum class Preference : std::uint8_t {
+  LightTheme,
+  AnimatedCameras,
+  PicturesPerSecond,
+  HidesPatient,
+  KeepsRecent,
+  KeepsCopies
+};
+
+/// A preference's declaration: storage, the dialog and the defaults are made from preferenceTable().
+struct PreferenceEntry {
+  Preference which;
+  const char* key;          ///< in the file of settings
+  const char* name;         ///< label in the dialog
+  const char* description;  ///< tool tip
+  int otherwise = 0;        ///< default; of a switch, 0 or 1
+  int low = 0, high = 1;    ///< a number's range; 0 and 1: a switch
+  const char* unit = "";
+
+  bool isSwitch() const { return low == 0 && high == 1; }
+};
+std::span<const PreferenceEntry> preferenceTable();
+
+class Preferences : public QObject {
+  Q_OBJECT
  public:
-  /// Transient: all preferences have their defaults, and none is stored.
+  /// Transient: all preferences begin with their defaults, and none is stored.
   enum class Mode : std::uint8_t { Stored, Transient };
   static constexpr int recentCount = 8;
 
   explicit Preferences(Mode mode = Mode::Stored);
+
+  /// A stored value out of range counts as the default.
+  int value(Preference which) const;
+  bool isOn(Preference which) const { return value(which) != 0; }
+  void set(Preference which, int value);
+  /// Of all in the table.
+  void restoreDefaults();
 
   /// Latest first. Paths that no longer exist stay listed: they may lie on a disk that is not connected.
   std::vector<std::filesystem::path> recent() const;
@@ -33,16 +68,6 @@ class Preferences {
   Effort atRest() const;
   void setAtRest(const Effort& effort);
 
-  /// Whether the cameras fly to where they are placed.
-  bool animatesCameras() const;
-  void setAnimatesCameras(bool animates);
-
-  /// Whether patient and study are hidden in corner text and in the list of recent data.
-  bool hidesPatient() const;
-  void setHidesPatient(bool hides);
-  bool hasLightTheme() const;
-  void setLightTheme(bool light);
-
   QByteArray windowGeometry() const;
   QByteArray windowState() const;
   QByteArray viewLayout() const;
@@ -52,12 +77,16 @@ class Preferences {
   PlacementSettings placement() const;
   void setPlacement(const PlacementSettings& placement);
 
+ Q_SIGNALS:
+  void changed(Preference which);
+
  private:
   QVariant value(const QString& key, const QVariant& otherwise = {}) const;
   void store(const QString& key, const QVariant& value);
   void remove(const QString& key);
 
   std::optional<QSettings> settings_;  ///< empty when transient
+  QHash<QString, QVariant> unstored_;  ///< when transient
 };
 
 }  // namespace fenestra::viewer

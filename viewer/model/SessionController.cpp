@@ -90,13 +90,15 @@ io::Session SessionController::session() const {
     session.views[view].camera = pose.cameras[view];
     session.views[view].fitsWidth = true;
     session.home[view] = pose.home[view];
+    session.views[view].frozen = parts_.cameras.frozen()[view];
   }
   session.linked = parts_.cameras.isLinked();
   session.window = document.window();
   session.inverted = document.isInverted();
   session.crosshair = parts_.cursor.position();
   session.measures = document.measures();
-  session.overlays = {parts_.options.crosshair(), parts_.options.text(), parts_.options.labels()};
+  session.overlays = {parts_.options.crosshair(), parts_.options.text(), parts_.options.labels(),
+                      parts_.options.measures()};
   session.placement = sessionFrom(parts_.placement.settings());
   session.autosaveOf.clear();
   window_.describe(session);
@@ -110,16 +112,21 @@ void SessionController::studyOpened() {
   ownLabels_ = !file_.empty() && study.session.labels.path == labelsFile(file_) ? labelsFile(file_) : fs::path();
   recovered_ = study.isRecovered;
   copied_.reset();
+  parts_.cameras.setFrozen({study.frozen, std::nullopt});
   if (study.restoresSession) {
     const io::Session& session = study.session;
     parts_.placement.setSettings(settingsFrom(session.placement, parts_.placement.settings()));
     parts_.cameras.setLinked(session.linked);
     parts_.cameras.setPose({{session.views[0].camera, session.views[1].camera}, session.home});
+    parts_.cameras.setFrozen({session.views[0].frozen, session.views[1].frozen});
     if (session.crosshair) parts_.cursor.moveTo(*session.crosshair);
     parts_.options.setCrosshair(session.overlays.crosshair);
     parts_.options.setText(session.overlays.text);
     parts_.options.setLabels(session.overlays.labels);
+    parts_.options.setMeasures(session.overlays.measures);
     window_.restore(session);
+    // The quality sphere shows what the cameras were chosen from; they stay.
+    if (session.placement.automatic) parts_.placement.measureAlone();
   }
   Q_EMIT changed();
 }
@@ -207,6 +214,12 @@ void SessionController::startAutosave(const fs::path& folder, int milliseconds) 
   QDir().mkpath(toQString(folder));
   autosaveFolder_ = folder;
   timer_.start(milliseconds);
+}
+
+void SessionController::stopAutosave() {
+  timer_.stop();
+  autosaveFolder_.clear();
+  dropAutosave();
 }
 
 void SessionController::autosave() {

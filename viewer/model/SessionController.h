@@ -70,6 +70,8 @@ class SessionController : public QObject {
   /// From now on, what is modified is copied to `folder` every `milliseconds`. The folder is made when it is missing.
   void startAutosave(const std::filesystem::path& folder, int milliseconds);
   /// Copies now, if there is something new to copy. The pause that the window feels is that of gathering.
+  /// Drops the present copy, too.
+  void stopAutosave();
   void autosave();
   /// Copies in `folder` whose run has ended without removing them, the latest first.
   static std::vector<AbandonedSession> abandonedIn(const std::filesystem::path& folder);

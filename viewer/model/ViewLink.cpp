@@ -99,6 +99,13 @@ void ViewLink::place(const Camera& first) {
   reset();
 }
 
+void ViewLink::setFrozen(const Frozen& frozen) {
+  if (frozen == frozen_) return;
+  frozen_ = frozen;
+  Q_EMIT frozenChanged();
+  for (int view = 0; view < count; ++view) Q_EMIT changed(view);
+}
+
 void ViewLink::reset() {
   flight_.stop();
   for (int view = 0; view < count; ++view) set(view, placed_[static_cast<std::size_t>(view)]);

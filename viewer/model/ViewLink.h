@@ -3,11 +3,13 @@
 // rotation, so that the angle between them stays, and both zoom by the same factor. Pan acts on one view.
 
 #include <array>
+#include <optional>
 
 #include <QObject>
 #include <QVariantAnimation>
 
 #include "rendering/scene/Camera.h"
+#include "rendering/scene/View.h"
 
 namespace fenestra::viewer {
 
@@ -17,6 +19,8 @@ class ViewLink : public QObject {
   static constexpr int count = 2;
 
   using Pair = std::array<Camera, count>;
+  /// What each view's opening is frozen for; see View::frozen.
+  using Frozen = std::array<std::optional<OpeningView>, count>;
   /// Where both cameras are, and where reset() takes them.
   struct Pose {
     Pair cameras, home;
@@ -50,6 +54,10 @@ class ViewLink : public QObject {
   void setAnimated(bool animated);
   bool isFlying() const { return flight_.state() == QAbstractAnimation::Running; }
 
+  const Frozen& frozen() const { return frozen_; }
+  bool isFrozen() const { return frozen_ != Frozen(); }
+  void setFrozen(const Frozen& frozen);
+
   /// Turns a view by a world rotation about its target.
   void rotate(int view, const glm::dmat3& worldRotation);
   /// Turns a view by angles in radians about its own up and right axes (Camera::orbited).
@@ -68,6 +76,7 @@ class ViewLink : public QObject {
   /// A view was turned by hand; its linked partner has turned too.
   void turned(int view);
   void landed();
+  void frozenChanged();
   void linkedChanged(bool linked);
   void projectionChanged(Projection projection);
 
@@ -75,6 +84,7 @@ class ViewLink : public QObject {
   void set(int view, const Camera& camera);
 
   Pair cameras_, placed_, from_, to_;  ///< from_ and to_: start and end of the flight
+  Frozen frozen_;
   QVariantAnimation flight_;
   bool linked_ = true, animated_ = true;
 };

@@ -13,11 +13,13 @@ class ViewOptions : public QObject {
   bool crosshair() const { return crosshair_; }
   bool text() const { return text_; }                  ///< corner text
   bool labels() const { return labels_; }              ///< label colours on the slices
+  bool measures() const { return measures_; }          ///< drawn on the slices
   bool grows() const { return grows_; }                ///< a click grows a region where there is no label
   bool hidesPatient() const { return hidesPatient_; }  ///< no patient or study anywhere in the window
   void setCrosshair(bool on) { set(crosshair_, on); }
   void setText(bool on) { set(text_, on); }
   void setLabels(bool on) { set(labels_, on); }
+  void setMeasures(bool on) { set(measures_, on); }
   void setGrows(bool on) { set(grows_, on); }
   void setHidesPatient(bool on) { set(hidesPatient_, on); }
 
@@ -31,7 +33,7 @@ class ViewOptions : public QObject {
     Q_EMIT changed();
   }
 
-  bool crosshair_ = true, text_ = true, labels_ = true, grows_ = true, hidesPatient_ = false;
+  bool crosshair_ = true, text_ = true, labels_ = true, measures_ = true, grows_ = true, hidesPatient_ = false;
 };
 
 }  // namespace fenestra::viewer

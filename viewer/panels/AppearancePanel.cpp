@@ -10,6 +10,7 @@
 
 #include "io/TransferFunctionFile.h"
 #include "viewer/model/Paths.h"
+#include "viewer/model/Translation.h"
 #include "viewer/panels/TransferFunctionPlot.h"
 
 namespace fenestra::viewer {
@@ -20,22 +21,22 @@ AppearancePanel::AppearancePanel(Document& document, QWidget* parent)
       light_(document, &Look::shading),
       presets_(new QComboBox),
       shift_(new SliderSpin(-500.0, 500.0, 1.0)),
-      background_(new ColourButton(QString::fromUtf8(settingOf(&Look::background).description))),
-      table_(new QCheckBox(QString::fromUtf8(settingOf(&Look::hideTable).name))) {
+      background_(new ColourButton(translated(settingOf(&Look::background).description))),
+      table_(new QCheckBox(translated(settingOf(&Look::hideTable).name))) {
   for (const io::TransferFunctionPreset& preset : io::transferFunctionPresets())
-    presets_->addItem(QString::fromStdString(preset.name), QString::fromStdString(preset.id));
+    presets_->addItem(translated(preset.name), QString::fromStdString(preset.id));
   presets_->addItem(tr("From a file…"));
-  shift_->setToolTip(QString::fromUtf8(settingOf(&ContextFunction::shift).description));
+  shift_->setToolTip(translated(settingOf(&ContextFunction::shift).description));
 
   auto* form = new QFormLayout;
   form->addRow(tr("Preset"), presets_);
-  form->addRow(QString::fromUtf8(settingOf(&ContextFunction::shift).name), shift_);
+  form->addRow(translated(settingOf(&ContextFunction::shift).name), shift_);
   light_.addRow(*form, &Shading::lightAzimuth);
   light_.addRow(*form, &Shading::lightElevation);
   background_->setObjectName(QString::fromUtf8(settingOf(&Look::background).key));
-  form->addRow(QString::fromUtf8(settingOf(&Look::background).name), background_);
+  form->addRow(translated(settingOf(&Look::background).name), background_);
   table_->setObjectName(QString::fromUtf8(settingOf(&Look::hideTable).key));
-  table_->setToolTip(QString::fromUtf8(settingOf(&Look::hideTable).description));
+  table_->setToolTip(translated(settingOf(&Look::hideTable).description));
   form->addRow(table_);
   auto* body = new QWidget;
   auto* column = new QVBoxLayout(body);
@@ -49,7 +50,7 @@ AppearancePanel::AppearancePanel(Document& document, QWidget* parent)
   connect(background_, &ColourButton::edited, &document, [this](glm::dvec3 colour) {
     Look look = document_.look();
     look.background = colour;
-    document_.edit(QString::fromUtf8(settingOf(&Look::background).name), std::move(look));
+    document_.edit(translated(settingOf(&Look::background).name), std::move(look));
   });
   connect(table_, &QCheckBox::clicked, &document, [this](bool hide) {
     Look look = document_.look();

@@ -6,6 +6,7 @@
 #include <QVBoxLayout>
 
 #include "viewer/model/Document.h"
+#include "viewer/model/Translation.h"
 #include "viewer/panels/SliderSpin.h"
 #include "viewer/panels/StrokeList.h"
 #include "viewer/style/Style.h"
@@ -48,8 +49,8 @@ QLayout* BrushPanel::makeModes() {
   for (const Word<BrushMode>& each : wordsOf(BrushMode{})) {
     auto* button = new QToolButton;
     makeChoice(*button);
-    button->setText(QString::fromUtf8(each.name));
-    button->setToolTip(QString::fromUtf8(each.description));
+    button->setText(translated(each.name));
+    button->setToolTip(translated(each.description));
     group->addButton(button);
     row->addWidget(button);
     modes_[static_cast<std::size_t>(each.value)] = button;

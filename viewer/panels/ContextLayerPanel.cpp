@@ -1,5 +1,7 @@
 #include "viewer/panels/ContextLayerPanel.h"
 
+#include "viewer/model/Translation.h"
+
 namespace fenestra::viewer {
 
 ContextLayerPanel::ContextLayerPanel(Document& document, QWidget* parent)
@@ -9,12 +11,12 @@ ContextLayerPanel::ContextLayerPanel(Document& document, QWidget* parent)
       strength_(controls_.slider(&ContextLayer::strength)) {
   auto* body = new QWidget;
   auto* form = new QFormLayout(body);
-  form->addRow(QString::fromUtf8(settingOf(&ContextLayer::strength).name), strength_);
+  form->addRow(translated(settingOf(&ContextLayer::strength).name), strength_);
   for (const auto member : {&ContextLayer::curvatureWeight, &ContextLayer::silhouetteWeight,
                             &ContextLayer::illuminationWeight, &ContextLayer::valueWeight})
     rest_.push_back(controls_.addRow(*form, member));
   rest_.push_back(controls_.colour(&ContextLayer::colour));
-  form->addRow(QString::fromUtf8(settingOf(&ContextLayer::colour).name), rest_.back());
+  form->addRow(translated(settingOf(&ContextLayer::colour).name), rest_.back());
   setBody(body);
   connect(&document, &Document::cutawayChanged, this, &ContextLayerPanel::show);
   connect(&document, &Document::volumeChanged, this, &ContextLayerPanel::show);

@@ -13,6 +13,8 @@ class CutawayPanel : public QWidget {
   explicit CutawayPanel(Document& document, QWidget* parent = nullptr);
 
   SliderSpin* openWidth() const { return openWidth_; }
+  /// A button for the command that freezes the opening, beside the axis offset.
+  void addFreeze(QAction* freeze);
 
  private:
   void show();
@@ -20,7 +22,9 @@ class CutawayPanel : public QWidget {
   Document& document_;
   LookControls<Cutaway> controls_;
   QCheckBox* enabled_;
-  SliderSpin *openWidth_, *borderWidth_;
+  SliderSpin *openWidth_, *borderWidth_, *axisOffset_;
+  QDoubleSpinBox* axisDirection_;
+  QHBoxLayout* axis_;
   QComboBox *look_, *unit_;
   ColourButton* colour_;
 };

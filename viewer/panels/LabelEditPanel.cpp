@@ -5,6 +5,7 @@
 #include <QGridLayout>
 
 #include "viewer/model/Document.h"
+#include "viewer/model/Translation.h"
 
 namespace fenestra::viewer {
 
@@ -13,12 +14,12 @@ LabelEditPanel::LabelEditPanel(Document& document, QWidget* parent)
   distance_->setRange(0.1, 20.0);
   distance_->setSingleStep(0.5);
   distance_->setValue(1.0);
-  distance_->setSuffix(QStringLiteral(" mm"));
+  distance_->setSuffix(unitSuffix("mm"));
   island_->setRange(0.0, 1e7);
   island_->setDecimals(0);
   island_->setSingleStep(100.0);
   island_->setValue(100.0);
-  island_->setSuffix(QStringLiteral(" mm³"));
+  island_->setSuffix(unitSuffix("mm³"));
 
   auto* rows = new QGridLayout(this);
   rows->setContentsMargins(0, 0, 0, 0);

@@ -8,10 +8,13 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QFormLayout>
+#include <QSignalBlocker>
 
 #include "rendering/scene/Settings.h"
 #include "viewer/model/Document.h"
+#include "viewer/model/Translation.h"
 #include "viewer/panels/ColourButton.h"
 #include "viewer/panels/SliderSpin.h"
 
@@ -32,22 +35,36 @@ class LookControls {
     makeDragsSteps(*slider, document_.history());
     return bind(setting, slider, &SliderSpin::edited, [=](double value) { slider->setValue(value); });
   }
+  /// A box to type into, without a slider.
+  QDoubleSpinBox* spin(double Part::*member, double step) {
+    const auto& setting = settingOf(member);
+    auto* spin = new QDoubleSpinBox;
+    spin->setRange(setting.range.low, setting.range.high);
+    spin->setSingleStep(step);
+    spin->setDecimals(0);
+    spin->setKeyboardTracking(false);
+    spin->setSuffix(unitSuffix(setting.unit));
+    const auto show = [=](double value) {
+      const QSignalBlocker silent(spin);
+      spin->setValue(value);
+    };
+    return bind(setting, spin, &QDoubleSpinBox::valueChanged, show);
+  }
   QCheckBox* box(bool Part::*member) {
     const auto& setting = settingOf(member);
-    auto* box = new QCheckBox(QString::fromUtf8(setting.name));
+    auto* box = new QCheckBox(translated(setting.name));
     return bind(setting, box, &QCheckBox::clicked, [=](bool on) { box->setChecked(on); });
   }
   ColourButton* colour(glm::dvec3 Part::*member) {
     const auto& setting = settingOf(member);
-    auto* button = new ColourButton(QString::fromUtf8(setting.description));
+    auto* button = new ColourButton(translated(setting.description));
     return bind(setting, button, &ColourButton::edited, [=](glm::dvec3 colour) { button->setColour(colour); });
   }
   template <class E>
   QComboBox* choice(E Part::*member) {
     const auto& setting = settingOf(member);
     auto* choice = new QComboBox;
-    for (const Word<E>& word : wordsOf(E{}))
-      choice->addItem(QString::fromUtf8(word.name), static_cast<int>(word.value));
+    for (const Word<E>& word : wordsOf(E{})) choice->addItem(translated(word.name), static_cast<int>(word.value));
     const auto show = [=](E value) { choice->setCurrentIndex(choice->findData(static_cast<int>(value))); };
     QObject::connect(choice, &QComboBox::activated, &document_, [this, choice, &setting](int row) {
       set(setting, static_cast<E>(choice->itemData(row).toInt()));
@@ -57,7 +74,7 @@ class LookControls {
   /// A row of the setting's name and its slider.
   SliderSpin* addRow(QFormLayout& form, double Part::*member) {
     SliderSpin* control = slider(member);
-    form.addRow(QString::fromUtf8(settingOf(member).name), control);
+    form.addRow(translated(settingOf(member).name), control);
     return control;
   }
 
@@ -71,7 +88,7 @@ class LookControls {
   void set(const Setting<Part, Value>& setting, const Value& value) {
     Look look = document_.look();
     (look.*part_).*setting.member = value;
-    document_.edit(step_.arg(QString::fromUtf8(setting.name)), std::move(look));
+    document_.edit(step_.arg(translated(setting.name)), std::move(look));
   }
 
   template <class Value, class Control, class Signal, class Show>
@@ -83,7 +100,7 @@ class LookControls {
   template <class Value, class Control, class Show>
   Control* added(const Setting<Part, Value>& setting, Control* control, Show show) {
     control->setObjectName(QString::fromUtf8(setting.key));
-    control->setToolTip(QString::fromUtf8(setting.description));
+    control->setToolTip(translated(setting.description));
     controls_.push_back([show, member = setting.member](const Part& part) { show(part.*member); });
     return control;
   }

@@ -6,6 +6,7 @@
 #include <QWidget>
 
 #include "rendering/scene/Settings.h"
+#include "viewer/model/Translation.h"
 
 namespace fenestra::viewer {
 
@@ -20,8 +21,8 @@ class SliderSpin : public QWidget {
   template <class Owner>
   explicit SliderSpin(const Setting<Owner, double>& setting, QWidget* parent = nullptr)
       : SliderSpin(setting.slider.low, setting.slider.high, setting.step, parent) {
-    if (*setting.unit) setSuffix(QStringLiteral(" ") + QString::fromUtf8(setting.unit));
-    setToolTip(QString::fromUtf8(setting.description));
+    setSuffix(unitSuffix(setting.unit));
+    setToolTip(translated(setting.description));
   }
 
   void setRange(double low, double high, double step);

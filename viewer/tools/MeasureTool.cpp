@@ -31,7 +31,7 @@ MeasureTool::MeasureTool(MeasureMode& mode, Document& document, Canvas canvas)
     : mode_(mode), document_(document), canvas_(std::move(canvas)) {}
 
 bool MeasureTool::liesHere(const Measure& measure) const {
-  return sliceOf(measure, canvas_.geometry()) == canvas_.slice();
+  return canvas_.shows() && sliceOf(measure, canvas_.geometry()) == canvas_.slice();
 }
 
 bool MeasureTool::isDrawing() const { return mode_.draft() && liesHere(*mode_.draft()); }

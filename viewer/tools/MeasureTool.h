@@ -29,6 +29,7 @@ class MeasureTool {
     std::function<glm::dvec3(QPointF)> worldFromWidget;  ///< on the shown slice
     std::function<const SliceGeometry&()> geometry;
     std::function<int()> slice;
+    std::function<bool()> shows;  ///< measures are not hidden
   };
 
   MeasureTool(MeasureMode& mode, Document& document, Canvas canvas);

@@ -75,6 +75,7 @@ ScenePreparation::Kind ScenePreparation::kindOf(const Scene& scene, const View& 
           .lit = look.shading.enabled,
           .cutaway = hasCutaway(scene),
           .contextLayer = look.contextLayer.strength > 0.0,
+          .apart = hasCutaway(scene) && (view.frozen || look.cutaway.axisOffset != 0.0),
           .enlarged = view.quality == Quality::Draft || std::min({spacing.x, spacing.y, spacing.z}) > pixel,
           .quality = view.quality,
           .maxError = view.maxError};

@@ -13,6 +13,7 @@
 #include "viewer/model/PatientLines.h"
 #include "viewer/model/SliceCursor.h"
 #include "viewer/model/ViewOptions.h"
+#include "viewer/style/FocusRing.h"
 #include "viewer/style/InterpolatedPlanes.h"
 #include "viewer/style/Overlay.h"
 
@@ -52,11 +53,13 @@ SliceView::SliceView(SlicePlane plane, Document& document, SliceCursor& cursor, 
                    {.widgetFromWorld = [this](glm::dvec3 world) { return widgetFromWorld(world); },
                     .worldFromWidget = [this](QPointF position) { return worldFromWidget(position); },
                     .geometry = [this]() -> const SliceGeometry& { return geometry_; },
-                    .slice = [this] { return slice_; }}),
+                    .slice = [this] { return slice_; },
+                    .shows = [this] { return options_.measures(); }}),
       toleranceWheel_(document) {
   geometry_.plane = plane;
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
+  setProperty(FocusRing::drawnByWidget, true);
   setAttribute(Qt::WA_OpaquePaintEvent);
   setObjectName(QStringLiteral("slice%1").arg(static_cast<int>(plane)));
 

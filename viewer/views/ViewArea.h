@@ -43,6 +43,8 @@ class ViewArea : public QWidget {
   /// How the 3-D views are drawn when nothing moves.
   Effort atRest() const { return pacer_->atRest(); }
   void setAtRest(Quality quality, std::optional<double> maxError);
+  /// To aim at while something moves.
+  void setPicturesPerSecond(int count) { pacer_->setBudget(1000.0 / count); }
   const FramePacer& pacer() const { return *pacer_; }
 
   /// Write and restore the pictures' sizes, their sampling and the layout.

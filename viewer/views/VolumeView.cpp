@@ -16,6 +16,7 @@
 #include "viewer/model/SliceCursor.h"
 #include "viewer/model/ViewLink.h"
 #include "viewer/model/ViewOptions.h"
+#include "viewer/style/FocusRing.h"
 #include "viewer/style/Overlay.h"
 #include "viewer/views/RenderProblem.h"
 
@@ -48,6 +49,7 @@ VolumeView::VolumeView(int index, Document& document, SliceCursor& cursor, ViewL
       shared_(std::move(shared)) {
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
+  setProperty(FocusRing::drawnByWidget, true);
   setObjectName(QStringLiteral("volume%1").arg(index));
   rest_.setSingleShot(true);
   hover_.setSingleShot(true);
@@ -238,10 +240,9 @@ void VolumeView::forgetStarts() {
 
 void VolumeView::reportStarts() {
   if (index_ != 0 || !picture_ || !document_.hasVolume() || !std::exchange(startsDue_, false)) return;
-  Layers layers = picture_->shown().readRayStarts();
+  auto [camera, layers] = picture_->shown().readOpening();
   auto starts = std::make_shared<RayStarts>();
-  *starts = {picture_->shownView().camera, document_.scene().volume->grid, layers.size, std::move(layers.tContext),
-             std::move(layers.tStart)};
+  *starts = {camera, document_.scene().volume->grid, layers.size, std::move(layers.tContext), std::move(layers.tStart)};
   Q_EMIT raysStarted(std::move(starts));
 }
 
@@ -259,6 +260,7 @@ View VolumeView::viewFor(Effort effort) const {
       .pixelScale = scale,
       .quality = effort.quality,
       .maxError = effort.maxError,
+      .frozen = cameras_.frozen()[static_cast<std::size_t>(index_)],
   };
 }
 

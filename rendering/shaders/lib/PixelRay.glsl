@@ -43,6 +43,13 @@ Ray pixelRay(ivec2 pixel) {
   return ray;
 }
 
+// View depth of s on the pixel's ray, mm behind the anchor plane.
+float depthAtPosition(ivec2 pixel, float s) {
+  vec3 towards = towardsAnchor(pixel);
+  float along = length(towards);
+  return (s - beyondPlane(towards, along)) * (towards.z / along);
+}
+
 // Where the pixel's ray crosses the plane parallel to the picture `depth` mm behind the anchor plane.
 float positionAtDepth(ivec2 pixel, float depth) {
   vec3 towards = towardsAnchor(pixel);

@@ -24,7 +24,13 @@ struct Cut {
 
 // Normal of the cut face at a pixel, from its neighbours' ray starts; zero where the ray does not start on a cut face.
 vec3 wallNormal(ivec2 pixel, float start, vec2 hit) {
-  if (!isNone(hit.y) || start <= hit.x + 0.5 * cutFace.depth) return vec3(0.0);
+#if APART
+  // A ray may start on a face in front of the focus.
+  bool hasNone = start == hit.y;
+#else
+  bool hasNone = !isNone(hit.y);
+#endif
+  if (hasNone || start <= hit.x + 0.5 * cutFace.depth) return vec3(0.0);
   vec3 tangent[2];
   for (int axis = 0; axis < 2; ++axis) {
     ivec2 step = ivec2(1 - axis, axis);
@@ -58,3 +64,14 @@ vec2 behindCut(vec2 volumeLight, Cut cut, float s) {
   if (!LIT || cut.share == 0.0) return volumeLight;
   return mix(volumeLight, cut.light, cut.share * exp((cut.start - s) / cutFace.depth));
 }
+
+#if APART
+// Of an opening that another camera cuts: from where to where a ray sees nothing again (RemovedParts.comp).
+uniform sampler2D hole;
+
+vec2 holeAt(ivec2 pixel) { return texelFetch(hole, pixel, 0).xy; }
+
+Cut behindHole(Cut cut, ivec2 pixel, float end) {
+  return Cut(end, end == texelFetch(hitPoints, pixel, 0).y ? 1u : 0u, 0.0, vec2(0.0));
+}
+#endif

@@ -1,0 +1,37 @@
+#include "rendering/passes/RemovedPass.h"
+
+namespace fenestra {
+
+void RemovedPass::run(Steps& steps, Schedule schedule, const RayFrame& rays, const gl::Texture& hitPoints,
+                      const Opening& opening, bool holes, double voxel, gl::Texture& faces, const Outputs& outputs) {
+  steps.add(opening.rays.size(), [this, schedule, opening, &faces](Regions tile) {
+    gl::ShaderProgram& program = faces_.get({{}, {scheduleChoice(schedule)}});
+    opening.rays.setBlocks(program);
+    program.bind("hitPoints", opening.hitPoints);
+    program.bind("rayStart", opening.rayStart);
+    program.bind("focusFilled", opening.focusFilled);
+    program.bind("distances", opening.distances);
+    program.set("reach", static_cast<float>(opening.reach));
+    program.bind("faces", faces, gl::Access::Write);
+    program.dispatch(tile);
+  });
+  steps.add(rays.size(), [this, schedule, &rays, &hitPoints, opening, holes, voxel, &faces, outputs](Regions tile) {
+    gl::ShaderProgram& program = parts_.get({{{"EDITED", opening.editMap != nullptr}}, {scheduleChoice(schedule)}});
+    rays.setBlocks(program);
+    program.set(opening.rays.seenFrom(rays));
+    program.set("firstHole", holes ? -1e30f : 1e30f);
+    program.set("voxel", static_cast<float>(voxel));
+    program.bind("hitPoints", hitPoints);
+    program.bind("faces", faces);
+    program.bind("rayStart", outputs.rayStart, gl::Access::Write);
+    program.bind("hole", outputs.hole, gl::Access::Write);
+    program.bind("distances", outputs.distances, gl::Access::Write);
+    if (opening.editMap) {
+      program.bind("openingEdits", *opening.editMap);
+      program.bind("editMap", *outputs.editMap, gl::Access::Write);
+    }
+    program.dispatch(tile);
+  });
+}
+
+}  // namespace fenestra

@@ -1,0 +1,212 @@
+// Stage 4 where another camera cuts the opening, second step: what of a ray it removes. rendering/passes/RemovedPass.h
+// defines it.
+#include <schedule>
+#include "lib/PixelRay.glsl"
+#include "lib/Region.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(r32f) uniform writeonly image2D rayStart;
+layout(rg32f) uniform writeonly image2D hole;
+layout(r32f) uniform writeonly image2D distances;
+TEXELS_2D(rg32f, hitPoints);
+uniform sampler2D faces;   // of RemovedFaces.comp
+uniform float firstHole;   // mm: no hole begins before it
+uniform float voxel;       // mm, its shortest side
+
+// Shares of a voxel; see RemovedPass.h.
+const float SLIVER = 0.01, SKIN = 0.5, BEHIND = 1.0;
+#if EDITED
+layout(rg32f) uniform writeonly image2D editMap;
+uniform sampler2D openingEdits;
+#endif
+
+struct OpeningCamera {
+  mat3 viewFromWorld;
+  vec3 offset;        // mm, in the opening's view axes: from its anchor point to that of this picture's rays
+  float perDepth;     // 1/mm: how the picture widens behind the anchor plane; 0 where rays are parallel
+  vec2 halfSize;      // mm on the anchor plane at the right and top edge
+  ivec2 pictureSize;
+  float nearest;      // view depth in mm before which nothing is removed: near the eye, or behind the plane of the rays
+};
+UNIFORM_BLOCK(OpeningCameraBlock, storedOpeningCamera, OpeningCamera, opening);
+
+// This picture's ray in the opening's view axes: mm from the opening's anchor point, at s = 0 and per mm.
+struct Line {
+  vec3 from, along;
+};
+
+vec3 pointOn(Line line, float s) { return line.from + s * line.along; }
+float widening(float depth) { return 1.0 + depth * opening.perDepth; }
+
+// Where a point shows, in pixels from the centre of the first one.
+vec2 texelOfPoint(vec3 point) {
+  vec2 ndc = point.xy / (opening.halfSize * widening(point.z));
+  return vec2(opening.pictureSize) * (0.5 + 0.5 * vec2(ndc.x, -ndc.y)) - 0.5;
+}
+
+// mm on the anchor plane of a texel coordinate, along x or y.
+float planeAt(int axis, float texel) {
+  float ndc = 2.0 * (texel + 0.5) / float(opening.pictureSize[axis]) - 1.0;
+  return opening.halfSize[axis] * (axis == 0 ? ndc : -ndc);
+}
+
+// The line's distance from the plane through the eye and a texel coordinate, at s = 0 and per mm.
+vec2 fromPlane(Line line, int axis, float texel) {
+  float plane = planeAt(axis, texel);
+  return vec2(line.from[axis] - plane * widening(line.from.z), line.along[axis] - plane * line.along.z * opening.perDepth);
+}
+
+// Where the line crosses the next such plane, when its texel coordinates change `way`. Lines that run into the distance
+// may never reach it.
+float nextCrossing(Line line, int axis, int texel, float way) {
+  vec2 distance = fromPlane(line, axis, float(texel + (way > 0.0 ? 1 : 0)));
+  float towards = distance.y * way * (axis == 0 ? 1.0 : -1.0);  // texels run down the picture, the plane's y axis up
+  return towards > 0.0 ? -distance.x / distance.y : FAR;
+}
+
+// Keeps the part of a span where a distance that changes evenly is not negative.
+void keepPositive(inout vec2 span, vec2 distance) {
+  float at = -distance.x / distance.y;
+  if (distance.y > 0.0) span.x = max(span.x, at);
+  else if (distance.y < 0.0) span.y = min(span.y, at);
+  else if (distance.x < 0.0) span.y = -FAR;
+}
+
+// The part of a span that shows in the opening's picture.
+void clipToPicture(Line line, inout vec2 span) {
+  keepPositive(span, vec2(line.from.z - opening.nearest, line.along.z));
+  for (int axis = 0; axis < 2; ++axis) {
+    float side = axis == 0 ? 1.0 : -1.0;
+    keepPositive(span, side * fromPlane(line, axis, -0.5));
+    keepPositive(span, -side * fromPlane(line, axis, float(opening.pictureSize[axis]) - 0.5));
+  }
+}
+
+vec4 faceOf(ivec2 texel) { return texelFetch(faces, clamp(texel, ivec2(0), opening.pictureSize - 1), 0); }
+
+// The square between four texel centres.
+struct Square {
+  ivec2 texel;
+  vec4 starts;  // depths at its corners
+  uint isOpen;  // 1: the opening removes something at a corner
+};
+
+Square squareAt(ivec2 texel) {
+  vec4 corners[4] = vec4[4](faceOf(texel), faceOf(texel + ivec2(1, 0)), faceOf(texel + ivec2(0, 1)),
+                            faceOf(texel + ivec2(1, 1)));
+  Square square;
+  square.texel = texel;
+  square.starts = vec4(corners[0].x, corners[1].x, corners[2].x, corners[3].x);
+  square.isOpen = 0u;
+  float deepest = max(max(square.starts.x, square.starts.y), max(square.starts.z, square.starts.w));
+  for (int i = 0; i < 4; ++i) {
+    if (corners[i].x > corners[i].y) square.isOpen = 1u;
+    if (isNone(corners[i].x)) square.starts[i] = deepest;
+  }
+  return square;
+}
+
+float bilinear(vec4 corners, vec2 at) {
+  vec2 rows = mix(corners.xz, corners.yw, at.x);
+  return mix(rows.x, rows.y, at.y);
+}
+
+// mm that the line at s lies before the opening's face; negative behind it.
+float beforeFace(Line line, Square square, float s) {
+  if (square.isOpen == 0u) return -1.0;
+  vec3 point = pointOn(line, s);
+  vec2 at = clamp(texelOfPoint(point) - vec2(square.texel), 0.0, 1.0);
+  return bilinear(square.starts, at) - point.z;
+}
+
+// What a square removes between s and sNext; empty where from ≥ to.
+vec2 removedIn(Line line, Square square, float s, float sNext) {
+  bool first = beforeFace(line, square, s) > 0.0, last = beforeFace(line, square, sNext) > 0.0;
+  if (first == last) return first ? vec2(s, sNext) : vec2(FAR, FAR);
+  float low = s, high = sNext;
+  for (int i = 0; i < 24; ++i) {
+    float middle = 0.5 * (low + high);
+    if (beforeFace(line, square, middle) > 0.0 == first) low = middle;
+    else high = middle;
+  }
+  return first ? vec2(s, low) : vec2(high, sNext);
+}
+
+// The first two parts of the line that the opening removes between two positions; (FAR, FAR) where there is none.
+vec4 removedParts(Line line, vec2 span) {
+  vec2 parts[2] = vec2[2](vec2(FAR), vec2(FAR));
+  float begin = span.x;
+  clipToPicture(line, span);
+  int count = 0, most = 2 * (opening.pictureSize.x + opening.pictureSize.y) + 8;
+  if (!(span.x < span.y)) return vec4(FAR);
+  ivec2 last = opening.pictureSize - 1;
+  // Along a line, texel coordinates grow or fall throughout.
+  vec2 way = texelOfPoint(pointOn(line, span.y)) - texelOfPoint(pointOn(line, span.x));
+  ivec2 texel = clamp(ivec2(floor(texelOfPoint(pointOn(line, span.x)))), ivec2(-1), last);
+  float s = span.x;
+  for (int step = 0; step < most; ++step) {
+    vec2 next = vec2(nextCrossing(line, 0, texel.x, way.x), nextCrossing(line, 1, texel.y, way.y));
+    float sNext = max(min(min(next.x, next.y), span.y), s);
+    vec2 removed = removedIn(line, squareAt(texel), s, sNext);
+    if (removed.x < removed.y) {
+      if (count > 0 && removed.x <= parts[count - 1].y + SLIVER * voxel) parts[count - 1].y = removed.y;
+      else if (count == 2) break;
+      else parts[count++] = removed;
+    }
+    bool isWhole = count == 2 || (count == 1 && parts[0].x > begin + SLIVER * voxel);
+    if (isWhole && sNext > parts[count - 1].y + SLIVER * voxel) break;
+    if (sNext >= span.y) break;
+    s = sNext;
+    int axis = next.x <= next.y ? 0 : 1;
+    texel[axis] += way[axis] > 0.0 ? 1 : -1;
+    if (any(lessThan(texel, ivec2(-1))) || any(greaterThan(texel, last))) break;
+  }
+  return vec4(parts[0], parts[1]);
+}
+
+void main() {
+  ivec2 pixel = regionPixel();
+  if (any(greaterThanEqual(pixel, rays.pictureSize))) return;
+  vec2 hit = texelOf(hitPoints, pixel).xy;
+  float start = hit.x, distance = FAR, factor = 1.0;
+  vec2 removed = vec2(FAR);
+  if (!isNone(hit.x)) {
+    Ray ray = pixelRay(pixel);
+    Line line = Line(opening.viewFromWorld * ray.worldBase + opening.offset, opening.viewFromWorld * ray.world);
+    vec4 parts = removedParts(line, vec2(hit.x, ray.sOut));
+    bool atStart = parts.x <= hit.x + SLIVER * voxel;
+    start = atStart ? parts.y : hit.x;
+    removed = atStart ? parts.zw : parts.xy;
+    removed = max(removed, vec2(firstHole));
+    // The focus is never removed.
+    if (!isNone(hit.y)) {
+      if (start > hit.x && start > hit.y - SKIN * voxel) start = hit.y;
+      if (removed.x < hit.y && removed.y > hit.y - SKIN * voxel) removed.y = hit.y;
+    }
+    vec2 here = vec2(hit.x);
+    clipToPicture(line, here);
+    if (here.x <= here.y) {
+      vec3 point = pointOn(line, hit.x);
+      vec2 texel = texelOfPoint(point);
+      ivec2 corner = ivec2(floor(texel));
+      vec2 at = texel - vec2(corner);
+      vec4 face = mix(mix(faceOf(corner), faceOf(corner + ivec2(1, 0)), at.x),
+                      mix(faceOf(corner + ivec2(0, 1)), faceOf(corner + ivec2(1, 1)), at.x), at.y);
+      // Below half a pixel lies the focus's projection itself.
+      if (point.z <= max(face.z, face.y) + BEHIND * voxel) distance = face.w < 0.5 ? 0.0 : face.w;
+#if EDITED
+      ivec2 last = opening.pictureSize - 1;
+      vec4 factors;
+      for (int i = 0; i < 4; ++i)
+        factors[i] = texelFetch(openingEdits, clamp(corner + ivec2(i & 1, i >> 1), ivec2(0), last), 0).g;
+      factor = bilinear(factors, at);
+#endif
+    }
+  }
+  imageStore(rayStart, pixel, vec4(start));
+  imageStore(hole, pixel, vec4(removed, 0.0, 0.0));
+  imageStore(distances, pixel, vec4(distance));
+#if EDITED
+  imageStore(editMap, pixel, vec4(0.0, factor, 0.0, 0.0));
+#endif
+}
