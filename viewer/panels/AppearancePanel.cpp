@@ -10,7 +10,6 @@
 
 #include "io/TransferFunctionFile.h"
 #include "viewer/model/Paths.h"
-#include "viewer/panels/TransferFunctionPlot.h"
 
 namespace fenestra::viewer {
 
@@ -19,16 +18,19 @@ AppearancePanel::AppearancePanel(Document& document, QWidget* parent)
       document_(document),
       light_(document, &Look::shading),
       presets_(new QComboBox),
+      editor_(new TransferFunctionEditor(document)),
       shift_(new SliderSpin(-500.0, 500.0, 1.0)),
       background_(new ColourButton(QString::fromUtf8(settingOf(&Look::background).description))),
       table_(new QCheckBox(QString::fromUtf8(settingOf(&Look::hideTable).name))) {
   for (const io::TransferFunctionPreset& preset : io::transferFunctionPresets())
     presets_->addItem(QString::fromStdString(preset.name), QString::fromStdString(preset.id));
   presets_->addItem(tr("From a file…"));
+  presets_->setPlaceholderText(tr("Edited"));
   shift_->setToolTip(QString::fromUtf8(settingOf(&ContextFunction::shift).description));
 
+  auto* presets = new QFormLayout;
+  presets->addRow(tr("Preset"), presets_);
   auto* form = new QFormLayout;
-  form->addRow(tr("Preset"), presets_);
   form->addRow(QString::fromUtf8(settingOf(&ContextFunction::shift).name), shift_);
   light_.addRow(*form, &Shading::lightAzimuth);
   light_.addRow(*form, &Shading::lightElevation);
@@ -39,8 +41,9 @@ AppearancePanel::AppearancePanel(Document& document, QWidget* parent)
   form->addRow(table_);
   auto* body = new QWidget;
   auto* column = new QVBoxLayout(body);
+  column->addLayout(presets);
+  column->addWidget(editor_);
   column->addLayout(form);
-  column->addWidget(new TransferFunctionPlot(document));
   setBody(body);
 
   connect(presets_, &QComboBox::activated, this, &AppearancePanel::choose);
@@ -83,8 +86,8 @@ void AppearancePanel::show() {
     return;
   }
   const QString id = QString::fromStdString(document_.preset());
-  int row = presets_->findData(id);
-  if (row < 0) {  // a file, which gets an entry with its name
+  int row = id.isEmpty() ? -1 : presets_->findData(id);
+  if (row < 0 && !id.isEmpty()) {  // a file, which gets an entry with its name
     row = presets_->count() - 1;
     presets_->insertItem(row, QFileInfo(id).completeBaseName(), id);
   }
