@@ -59,8 +59,7 @@ Panels makePanels(QMainWindow& window, Workspace& workspace) {
   for (QWidget* panel : std::initializer_list<QWidget*>{panels.appearance, panels.cutaway, panels.contextLayer})
     panel->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
   window.resizeDocks({focus}, {310}, Qt::Horizontal);
-  window.resizeDocks({focus, context},
-                     {2 * panels.appearance->sizeHint().height(), panels.appearance->sizeHint().height()},
+  window.resizeDocks({focus, context}, {panels.appearance->sizeHint().height(), panels.appearance->sizeHint().height()},
                      Qt::Vertical);
   return panels;
 }

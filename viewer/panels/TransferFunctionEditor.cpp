@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <QAbstractItemView>
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
@@ -15,6 +15,7 @@ namespace fenestra::viewer {
 TransferFunctionEditor::TransferFunctionEditor(Document& document, QWidget* parent)
     : QWidget(parent),
       document_(document),
+      onlyContext_(new QLabel(tr("Point"))),
       targets_(new QComboBox),
       plot_(new TransferFunctionPlot(document)),
       value_(new QDoubleSpinBox),
@@ -22,6 +23,8 @@ TransferFunctionEditor::TransferFunctionEditor(Document& document, QWidget* pare
       colour_(new ColourButton(tr("Colour of the selected point"))) {
   targets_->setToolTip(tr("What the plot shows and edits"));
   targets_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  targets_->setMinimumContentsLength(5);
+  targets_->view()->setTextElideMode(Qt::ElideNone);
   plot_->setToolTip(
       tr("Drag points, or the edges, top and inside of a trapezoid. Double-click adds a point; Delete removes it; the "
          "wheel enlarges. The key ? lists all."));
@@ -36,13 +39,13 @@ TransferFunctionEditor::TransferFunctionEditor(Document& document, QWidget* pare
     box->setMinimumWidth(60);
   }
   auto* point = new QHBoxLayout;
-  point->addWidget(new QLabel(tr("Point")));
+  point->addWidget(onlyContext_);
+  point->addWidget(targets_, 2);
   point->addWidget(value_, 3);
   point->addWidget(opacity_, 2);
   point->addWidget(colour_);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
-  column->addWidget(targets_);
   column->addWidget(plot_);
   column->addLayout(point);
 
@@ -83,6 +86,8 @@ void TransferFunctionEditor::showTargets() {
     targets_->clear();
     for (const FunctionTarget& target : listed_) targets_->addItem(nameOf(target, document_));
   }
+  targets_->setVisible(listed_.size() > 1);
+  onlyContext_->setVisible(listed_.size() == 1);
   for (std::size_t row = 0; row < listed_.size(); ++row) {
     targets_->setItemText(static_cast<int>(row), nameOf(listed_[row], document_));
     if (listed_[row] == plot_->target()) targets_->setCurrentIndex(static_cast<int>(row));

@@ -4,6 +4,7 @@
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QLabel>
 #include <QWidget>
 
 #include "viewer/panels/ColourButton.h"
@@ -28,6 +29,7 @@ class TransferFunctionEditor : public QWidget {
   void showNode();
 
   Document& document_;
+  QLabel* onlyContext_;  ///< in place of `targets_` where there is one
   QComboBox* targets_;
   TransferFunctionPlot* plot_;
   QDoubleSpinBox *value_, *opacity_;

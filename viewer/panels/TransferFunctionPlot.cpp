@@ -17,7 +17,9 @@ namespace {
 const QColor paper(18, 20, 23), bars(62, 68, 76), lines(44, 48, 54), faint(150, 156, 164), chosen(255, 196, 84),
     ring(110, 163, 210);
 constexpr double handleRadius = 4.5, chosenRadius = 6.0;  ///< device-independent pixels, as all below
-constexpr double leftMargin = 30.0, rightMargin = 10.0, topMargin = 10.0, bottomMargin = 20.0;
+constexpr double rightMargin = 10.0, topMargin = 10.0;
+
+QString percentText(int percent) { return TransferFunctionPlot::tr("%1 %").arg(percent); }
 
 /// 1, 2 or 5 times a power of ten, the least that is not below `least`.
 double roundStep(double least) {
@@ -30,7 +32,7 @@ double roundStep(double least) {
 }  // namespace
 
 TransferFunctionPlot::TransferFunctionPlot(Document& document, QWidget* parent) : QWidget(parent), document_(document) {
-  setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+  setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   setAccessibleName(tr("Transfer function over the histogram"));
@@ -99,8 +101,16 @@ void TransferFunctionPlot::select(std::size_t node) {
   update();
 }
 
+QFont TransferFunctionPlot::axisFont() const {
+  QFont small = font();
+  small.setPointSizeF(0.8 * small.pointSizeF());
+  return small;
+}
+
 QRectF TransferFunctionPlot::area() const {
-  return QRectF(rect()).adjusted(leftMargin, topMargin, -rightMargin, -bottomMargin);
+  const QFontMetricsF text(axisFont());
+  return QRectF(rect()).adjusted(text.horizontalAdvance(percentText(100)) + 8.0, topMargin, -rightMargin,
+                                 -text.height() - 6.0);
 }
 
 QPointF TransferFunctionPlot::place(double value, double opacity) const {
@@ -120,9 +130,9 @@ double TransferFunctionPlot::opacityAt(double y) const {
 }
 
 void TransferFunctionPlot::showValues(ValueRange values) {
-  const double span = std::min(values.high - values.low, axis_.high - axis_.low);
-  const double low = std::clamp(values.low, axis_.low, axis_.high - span);
-  shown_ = {low, low + span};
+  const double span = values.high - values.low;
+  const double low = std::clamp(values.low, axis_.low, std::max(axis_.low, axis_.high - span));
+  shown_ = span < axis_.high - axis_.low ? ValueRange{low, low + span} : axis_;
   update();
 }
 
@@ -162,22 +172,21 @@ void TransferFunctionPlot::drawHistogram(QPainter& painter) const {
 
 void TransferFunctionPlot::drawAxes(QPainter& painter) const {
   const QRectF plot = area();
-  QFont small = font();
-  small.setPointSizeF(0.8 * small.pointSizeF());
-  painter.setFont(small);
-  const double line = QFontMetricsF(small).height();
+  painter.setFont(axisFont());
+  const QFontMetricsF metrics(axisFont());
+  const double line = metrics.height();
   const QLocale locale;
   for (const double opacity : {0.0, 0.5, 1.0}) {
     const double y = place(shown_.low, opacity).y();
     painter.setPen(QPen(lines, 1.0));
     painter.drawLine(QPointF(plot.left(), y), QPointF(plot.right(), y));
     painter.setPen(faint);
-    painter.drawText(QRectF(0.0, y - 0.5 * line, leftMargin - 4.0, line), Qt::AlignRight | Qt::AlignVCenter,
-                     tr("%1 %").arg(std::lround(100.0 * opacity)));
+    painter.drawText(QRectF(0.0, y - 0.5 * line, plot.left() - 4.0, line), Qt::AlignRight | Qt::AlignVCenter,
+                     percentText(static_cast<int>(std::lround(100.0 * opacity))));
   }
   const QString unit = QString::fromStdString(document_.scene().volume->unit);
   const double below = plot.bottom() + 3.0;
-  const double unitWidth = unit.isEmpty() ? 0.0 : QFontMetricsF(small).horizontalAdvance(unit) + 6.0;
+  const double unitWidth = unit.isEmpty() ? 0.0 : metrics.horizontalAdvance(unit) + 6.0;
   painter.drawText(QRectF(rect().right() - unitWidth, below, unitWidth - 3.0, line), Qt::AlignRight | Qt::AlignTop,
                    unit);
   constexpr double pixelsPerTick = 56.0;
@@ -187,7 +196,7 @@ void TransferFunctionPlot::drawAxes(QPainter& painter) const {
     const double x = place(tick * step, 0.0).x();
     const QString text =
         step >= 1e6 ? locale.toString(tick * step, 'g', 3) : locale.toString(tick * step, 'f', decimals);
-    const double half = 0.5 * QFontMetricsF(small).horizontalAdvance(text);
+    const double half = 0.5 * metrics.horizontalAdvance(text);
     painter.drawLine(QPointF(x, plot.bottom()), QPointF(x, plot.bottom() + 3.0));
     if (x + half > rect().right() - unitWidth || x - half < 0.0) continue;
     painter.drawText(QRectF(x - half - 2.0, below, 2.0 * half + 4.0, line), Qt::AlignHCenter | Qt::AlignTop, text);

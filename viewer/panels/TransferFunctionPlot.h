@@ -19,7 +19,7 @@ class TransferFunctionPlot : public QWidget {
  public:
   explicit TransferFunctionPlot(Document& document, QWidget* parent = nullptr);
   QSize sizeHint() const override { return {240, 150}; }
-  QSize minimumSizeHint() const override { return {160, 110}; }
+  QSize minimumSizeHint() const override { return {160, 90}; }
 
   const FunctionTarget& target() const { return target_; }
   void setTarget(const FunctionTarget& target);
@@ -72,6 +72,7 @@ class TransferFunctionPlot : public QWidget {
     QPointF from;
     bool hasMoved = false;  ///< farther than a click's tremor
   };
+  QFont axisFont() const;
   QRectF area() const;
   double valueAt(double x) const;
   double opacityAt(double y) const;

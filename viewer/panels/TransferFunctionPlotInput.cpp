@@ -186,6 +186,7 @@ void TransferFunctionPlot::wheelEvent(QWheelEvent* event) {
   const double factor = std::pow(perNotch, -event->angleDelta().y() / notch);
   const double all = axis_.high - axis_.low, span = shown_.high - shown_.low;
   const double wanted = std::clamp(span * factor, all / mostEnlarged, all);
+  if (wanted >= all) return showValues(axis_);
   const double fixed = valueAt(event->position().x()), share = (fixed - shown_.low) / span;
   showValues({fixed - share * wanted, fixed + (1.0 - share) * wanted});
 }
