@@ -15,6 +15,7 @@
 #include "app/cli/Report.h"
 #include "io/ImageWriter.h"
 #include "io/base/AtomicFile.h"
+#include "io/session/LookFile.h"
 #include "io/session/OpenSession.h"
 #include "io/session/SessionFile.h"
 #include "rendering/Renderer.h"
@@ -166,6 +167,8 @@ void render(const RenderOptions& options) {
   if (context) app::chooseSchedule(options.schedule, gpuScene, scene, view);
   if (loaded.placed) view.camera = placedCamera(options.scene.source(), loaded, *gpuScene);
   if (!options.session.empty()) saveSession(options.session, options.scene, loaded);
+  if (!options.look.empty())
+    io::writeLook(options.look, {options.look.stem().string(), scene.volume->unit, loaded.asSet.look, {}});
   const bool second = loaded.placed == app::PlacedView::Dual;
   loaded.scene.look.strokes = strokesIn(second ? 1 : options.scene.viewOfSession, loaded.scene.look.strokes);
   if (options.reference) {
