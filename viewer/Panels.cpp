@@ -25,7 +25,7 @@ QString tr(const char* text) { return QCoreApplication::translate("Panels", text
 Panels makePanels(QMainWindow& window, Workspace& workspace) {
   Document& document = workspace.document;
   const Panels panels{.focus = new FocusPanel(document, workspace.placement, workspace.cameras),
-                      .appearance = new AppearancePanel(document),
+                      .appearance = new AppearancePanel(document, workspace.looks),
                       .cutaway = new CutawayPanel(document),
                       .contextLayer = new ContextLayerPanel(document),
                       .cameras = new CamerasPanel(document, workspace.cameras, workspace.placement),

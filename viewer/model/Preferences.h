@@ -43,6 +43,9 @@ class Preferences {
   bool hasLightTheme() const;
   void setLightTheme(bool light);
 
+  /// Where the user's presets of looks are; empty when transient.
+  std::filesystem::path looksFolder() const;
+
   QByteArray windowGeometry() const;
   QByteArray windowState() const;
   QByteArray viewLayout() const;
