@@ -196,6 +196,7 @@ void GpuScene::updateVolume(ShownVolume shown) {
 }
 
 void GpuScene::updateGradient() {
+  if (gradient_ && gradientIsWhole_) return;
   // Lighting asks for gradients where something shows and values vary by more than noise. The least change of value in
   // a brick that can lift a central difference over the gate: it may span two bricks, and has three components.
   const double leastChange =
@@ -224,6 +225,7 @@ void GpuScene::updateGradient() {
     // More shows than at first: all that can ever be asked for, so that dragging a transfer function rebuilds but once.
     wanted = clipped(varied);
   }
+  gradientIsWhole_ = static_cast<bool>(gradient_);
   gradient_ = {};
   gradientBox_ = wanted;
   gradient_ = makeGradientTexture(shown_, wanted.low, wanted.high);

@@ -143,7 +143,8 @@ class GpuScene {
   VolumeTexture volumeTexture_;
   BrickRanges bricks_;
   gl::Texture gradient_;
-  IndexBox gradientBox_;  ///< voxels that gradient_ covers
+  IndexBox gradientBox_;          ///< voxels that gradient_ covers
+  bool gradientIsWhole_ = false;  ///< it has all that any transfer function or focus can ask for
   DerivativeVolume derivative_;
 
   std::vector<glm::vec2> gaps_;
