@@ -21,6 +21,7 @@
 #include "app/SceneOptions.h"
 #include "app/SceneSession.h"
 #include "app/ScheduleChoice.h"
+#include "tests/gui/TimedApplication.h"
 #include "viewer/MainWindow.h"
 #include "viewer/style/Style.h"
 #include "viewer/views/ViewArea.h"
@@ -37,44 +38,6 @@ double millisecondsSince(Clock::time_point start) {
 
 const Clock::time_point programStart = Clock::now();
 double now() { return millisecondsSince(programStart); }
-
-/// Measures the longest time that one event took, with all events that it sent on.
-class TimedApplication : public QApplication {
- public:
-  using QApplication::QApplication;
-  bool notify(QObject* receiver, QEvent* event) override {
-    if (depth_ > 0) return QApplication::notify(receiver, event);
-    const int type = event->type();
-    const std::string name = receiver->metaObject()->className();
-    ++depth_;
-    const auto start = Clock::now();
-    const bool result = QApplication::notify(receiver, event);
-    --depth_;
-    const double took = millisecondsSince(start);
-    ++all_;
-    if (took > 50.0) ++over50_;
-    if (took > 100.0) ++over100_;
-    if (took > longest_) {
-      longest_ = took;
-      longestName_ = name + ", event " + std::to_string(type);
-    }
-    return result;
-  }
-  Json takeBlocks() {
-    Json blocks{{"longest_ms", std::exchange(longest_, 0.0)},
-                {"longest_event", std::exchange(longestName_, {})},
-                {"over_50_ms", std::exchange(over50_, 0)},
-                {"over_100_ms", std::exchange(over100_, 0)}};
-    return blocks;
-  }
-
- private:
-  int depth_ = 0;
-  long all_ = 0;
-  int over50_ = 0, over100_ = 0;
-  double longest_ = 0.0;
-  std::string longestName_;
-};
 
 /// When each 3-D view has painted, and that has come onto the screen.
 class PictureTimes : public QObject {
@@ -171,7 +134,7 @@ class Bench {
     for (std::size_t view = 0; view < 2; ++view)
       result["C" + std::to_string(view + 1) + "_ms"] = times_.of(view).empty() ? -1.0 : times_.of(view).front();
     result["at_rest_ms"] = now();
-    result["blocks"] = application_.takeBlocks();
+    result["blocks"] = takeBlocks();
     return result;
   }
 
@@ -202,7 +165,7 @@ class Bench {
         {"turned", ratesOf(times_.of(static_cast<std::size_t>(index)), start, released)},
         {"linked", ratesOf(times_.of(static_cast<std::size_t>(1 - index)), start, released)},
         {"scale_while_turning", window_.views().pacer().last() ? window_.views().pacer().last()->effort.scale : 0.0},
-        {"blocks", application_.takeBlocks()}};
+        {"blocks", takeBlocks()}};
     bool drawn = false;
     window_.whenDrawn([&] { drawn = true; });
     while (!drawn) wait(2);
@@ -213,7 +176,7 @@ class Bench {
         if (time > released) after.push_back(time - released);
       result["at_rest"]["C" + std::to_string(other + 1) + "_pictures_after_ms"] = after;
     }
-    result["at_rest"]["blocks"] = application_.takeBlocks();
+    result["at_rest"]["blocks"] = takeBlocks();
     return result;
   }
 
@@ -225,13 +188,21 @@ class Bench {
     const double start = now();
     placement.place();
     while (placement.isBusy()) wait(2);
-    Json result{{"measured_after_ms", now() - start}, {"blocks", application_.takeBlocks()}};
+    Json result{{"measured_after_ms", now() - start}, {"blocks", takeBlocks()}};
     bool drawn = false;
     window_.whenDrawn([&] { drawn = true; });
     while (!drawn) wait(2);
     result["at_rest_after_ms"] = now() - start;
-    result["blocks_after"] = application_.takeBlocks();
+    result["blocks_after"] = takeBlocks();
     return result;
+  }
+
+  Json takeBlocks() {
+    const TimedApplication::Blocks blocks = application_.takeBlocks();
+    return {{"longest_ms", blocks.longest},
+            {"longest_event", blocks.event},
+            {"over_50_ms", blocks.over50},
+            {"over_100_ms", blocks.over100}};
   }
 
   TimedApplication& application_;

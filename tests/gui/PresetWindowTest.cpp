@@ -207,11 +207,7 @@ TEST_F(PresetWindow, TheOpenListShowsPicturesOfTheVolume) {
       all.push_back(box.itemIcon(row).pixmap(QSize(64, 56)).toImage().convertToFormat(QImage::Format_RGB32));
     return all;
   };
-  const auto areDrawn = [&] {
-    for (int row = 0; row + 1 < box.count(); ++row)
-      if (!box.itemData(row, Qt::UserRole + 2).toBool()) return false;
-    return true;
-  };
+  const auto areDrawn = [this] { return picker().hasAllPictures(); };
   EXPECT_FALSE(areDrawn()) << "before the list is opened nothing is drawn";
   box.showPopup();
   ASSERT_TRUE(QTest::qWaitFor(areDrawn, patience));

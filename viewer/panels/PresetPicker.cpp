@@ -235,6 +235,12 @@ void PresetPicker::attempt(const std::function<void()>& work) {
   }
 }
 
+bool PresetPicker::hasAllPictures() const {
+  for (int row = 0; row + 1 < box_->count(); ++row)
+    if (!box_->itemData(row, HasPicture).toBool()) return false;
+  return true;
+}
+
 void PresetPicker::clearPictures() {
   for (int row = 0; row < box_->count(); ++row) {
     box_->setItemIcon(row, {});

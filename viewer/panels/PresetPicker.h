@@ -49,6 +49,8 @@ class PresetPicker : public QWidget {
   PresetPicker(Document& document, LookLibrary& library, QWidget* parent = nullptr);
 
   QComboBox* box() const { return box_; }
+  /// The list shows a picture of each preset.
+  bool hasAllPictures() const;
   QMenu* menu() const { return menu_; }
   PresetQuestions& questions() { return questions_; }
   /// Draws the pictures of the list; null: it has none. It outlives this, or is taken away first.
