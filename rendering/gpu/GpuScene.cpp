@@ -217,15 +217,18 @@ void GpuScene::updateGradient() {
     return box ? IndexBox{glm::clamp(box->low, glm::ivec3(0), last), glm::clamp(box->high, glm::ivec3(0), last)}
                : IndexBox{};
   };
+  const auto contains = [](const IndexBox& outer, const IndexBox& inner) {
+    return glm::all(glm::lessThanEqual(outer.low, inner.low)) &&
+           glm::all(glm::greaterThanEqual(outer.high, inner.high));
+  };
+  const IndexBox all = clipped(varied);
   IndexBox wanted = clipped(shown);
   if (gradient_) {
-    if (glm::all(glm::lessThanEqual(gradientBox_.low, wanted.low)) &&
-        glm::all(glm::greaterThanEqual(gradientBox_.high, wanted.high)))
-      return;
+    if (contains(gradientBox_, wanted)) return;
     // More shows than at first: all that can ever be asked for, so that dragging a transfer function rebuilds but once.
-    wanted = clipped(varied);
+    wanted = all;
   }
-  gradientIsWhole_ = static_cast<bool>(gradient_);
+  gradientIsWhole_ = contains(wanted, all);
   gradient_ = {};
   gradientBox_ = wanted;
   gradient_ = makeGradientTexture(shown_, wanted.low, wanted.high);
