@@ -21,8 +21,8 @@ AppearancePanel::AppearancePanel(Document& document, LookLibrary& library, QWidg
 
   auto* presets = new QFormLayout;
   presets->addRow(tr("Preset"), presets_);
+  presets->addRow(QString::fromUtf8(settingOf(&ContextFunction::shift).name), shift_);
   auto* form = new QFormLayout;
-  form->addRow(QString::fromUtf8(settingOf(&ContextFunction::shift).name), shift_);
   light_.addRow(*form, &Shading::lightAzimuth);
   light_.addRow(*form, &Shading::lightElevation);
   background_->setObjectName(QString::fromUtf8(settingOf(&Look::background).key));

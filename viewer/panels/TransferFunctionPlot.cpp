@@ -175,13 +175,14 @@ void TransferFunctionPlot::drawAxes(QPainter& painter) const {
   painter.setFont(axisFont());
   const QFontMetricsF metrics(axisFont());
   const double line = metrics.height();
-  const QLocale locale;
+  QLocale locale;
+  locale.setNumberOptions(QLocale::OmitGroupSeparator);
   for (const double opacity : {0.0, 0.5, 1.0}) {
     const double y = place(shown_.low, opacity).y();
     painter.setPen(QPen(lines, 1.0));
     painter.drawLine(QPointF(plot.left(), y), QPointF(plot.right(), y));
     painter.setPen(faint);
-    painter.drawText(QRectF(0.0, y - 0.5 * line, plot.left() - 4.0, line), Qt::AlignRight | Qt::AlignVCenter,
+    painter.drawText(QRectF(0.0, y - (opacity > 0.0 ? 0.5 : 0.9) * line, plot.left() - 4.0, line), Qt::AlignRight | Qt::AlignVCenter,
                      percentText(static_cast<int>(std::lround(100.0 * opacity))));
   }
   const QString unit = QString::fromStdString(document_.scene().volume->unit);
