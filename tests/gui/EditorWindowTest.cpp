@@ -159,6 +159,27 @@ TEST_F(EditorWindow, TrapezoidsMoveByTheirEdgesPlateauAndInside) {
   EXPECT_LT(opacity(1), 0.5);
 }
 
+TEST_F(EditorWindow, ATrapezoidIsColouredAndDeletedAsOne) {
+  setTrapezoid();
+  QTest::mouseClick(&plot(), Qt::LeftButton, {}, at(100.0, 0.2));
+  plot().setColour({0.1, 0.8, 0.4});
+  for (const auto& node : function().nodes) EXPECT_EQ(node.properties.colour, glm::dvec3(0.1, 0.8, 0.4));
+  QTest::mouseClick(&plot(), Qt::LeftButton, {}, nodeAt(2));
+  plot().setColour({0.9, 0.1, 0.1});
+  EXPECT_EQ(function().nodes[1].properties.colour, glm::dvec3(0.1, 0.8, 0.4)) << "a point alone";
+  QTest::mouseClick(&plot(), Qt::LeftButton, {}, at(100.0, 0.2));
+  QTest::keyClick(&plot(), Qt::Key_Delete);
+  EXPECT_EQ(function().nodes.size(), 4u) << "there would be nothing left";
+  plot().addNode(800.0, 0.3);
+  QTest::mouseClick(&plot(), Qt::LeftButton, {}, at(100.0, 0.2));
+  const Look before = document().look();
+  document().undoStack().clear();
+  QTest::keyClick(&plot(), Qt::Key_Delete);
+  ASSERT_EQ(function().nodes.size(), 1u);
+  EXPECT_EQ(function().nodes[0].value, 800.0);
+  expectOneStep(before);
+}
+
 TEST_F(EditorWindow, TheMenuAddsATrapezoidThatMovesAsOne) {
   const auto choose = [this](const char* name, QPoint where) {
     QMenu menu;

@@ -13,7 +13,9 @@ namespace {
 
 using Kind = FunctionTarget::Kind;
 
-QString tr(const char* text) { return QCoreApplication::translate("FunctionTarget", text); }
+struct Text {
+  Q_DECLARE_TR_FUNCTIONS(FunctionTarget)
+};
 
 const ValueFocus* rangeOf(const FunctionTarget& target, const Document& document) {
   return target.kind == Kind::Focus ? std::get_if<ValueFocus>(&document.focus()) : nullptr;
@@ -46,7 +48,7 @@ void setContext(Document& document, const TransferFunction& function, const Cont
   if (unshifted == context.function) return;
   context = {.preset = {}, .file = {}, .function = std::move(unshifted), .shift = context.shift};
   if (context.function == start.function && context.shift == start.shift) context = start;
-  document.edit(tr("Transfer function"), std::move(look));
+  document.edit(Text::tr("Transfer function"), std::move(look));
 }
 
 void setLabel(Document& document, std::uint16_t label, const OpticalProperties& material) {
@@ -55,7 +57,7 @@ void setLabel(Document& document, std::uint16_t label, const OpticalProperties& 
   if (material.extinction != before.extinction)
     setting.opacity = opacitySetting(material.extinction, document.look().focusAppearance.extinction);
   if (material.colour != before.colour) setting.colour = material.colour;
-  if (setting != document.labelSetting(label)) document.setLabelSetting(setting, tr("Focus"));
+  if (setting != document.labelSetting(label)) document.setLabelSetting(setting, Text::tr("Focus"));
 }
 
 void setFocus(Document& document, const TransferFunction& function, bool isRange) {
@@ -67,7 +69,7 @@ void setFocus(Document& document, const TransferFunction& function, bool isRange
     std::get<ValueFocus>(look.focus).values = {std::clamp(function.nodes.front().value, all.low, all.high),
                                                std::clamp(function.nodes.back().value, all.low, all.high)};
   }
-  if (look != document.look()) document.edit(tr("Focus"), std::move(look));
+  if (look != document.look()) document.edit(Text::tr("Focus"), std::move(look));
 }
 
 }  // namespace
@@ -81,10 +83,10 @@ std::vector<FunctionTarget> targetsOf(const Document& document) {
 }
 
 QString nameOf(const FunctionTarget& target, const Document& document) {
-  if (target.kind == Kind::Context) return tr("Context");
-  if (target.kind == Kind::Focus) return tr("Focus");
+  if (target.kind == Kind::Context) return Text::tr("Context");
+  if (target.kind == Kind::Focus) return Text::tr("Focus");
   const Label* label = document.labels() ? document.labels()->find(target.label) : nullptr;
-  return tr("Focus: %1").arg(nameOf(label ? *label : Label{target.label, {}, {}}));
+  return Text::tr("Focus: %1").arg(nameOf(label ? *label : Label{target.label, {}, {}}));
 }
 
 TransferFunction functionOf(const FunctionTarget& target, const Document& document, ValueRange axis) {

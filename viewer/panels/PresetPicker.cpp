@@ -39,31 +39,34 @@ void PresetBox::showPopup() {
 }
 
 PresetQuestions presetDialogs(QWidget* parent) {
-  const auto tr = [](const char* text) { return PresetPicker::tr(text); };
-  const auto ask = [parent, tr](const QString& question) {
-    return QMessageBox::question(parent, tr("Presets"), question) == QMessageBox::Yes;
+  const auto ask = [parent](const QString& question) {
+    return QMessageBox::question(parent, PresetPicker::tr("Presets"), question) == QMessageBox::Yes;
   };
   return {
       .name =
           [=](const QString& suggested) {
-            return QInputDialog::getText(parent, tr("Presets"), tr("Name of the preset"), QLineEdit::Normal, suggested)
+            return QInputDialog::getText(parent, PresetPicker::tr("Presets"), PresetPicker::tr("Name of the preset"),
+                                         QLineEdit::Normal, suggested)
                 .trimmed();
           },
       .importWhich =
           [=] {
-            return chosenFile(QFileDialog::getOpenFileName(parent, tr("Import a preset"), {}, tr("Presets (*.json)")));
+            return chosenFile(QFileDialog::getOpenFileName(parent, PresetPicker::tr("Import a preset"), {},
+                                                           PresetPicker::tr("Presets (*.json)")));
           },
       .exportWhere =
           [=](const QString& suggested) {
-            return chosenFile(QFileDialog::getSaveFileName(
-                parent, tr("Export the preset"), suggested + QStringLiteral(".json"), tr("Presets (*.json)")));
+            return chosenFile(QFileDialog::getSaveFileName(parent, PresetPicker::tr("Export the preset"),
+                                                           suggested + QStringLiteral(".json"),
+                                                           PresetPicker::tr("Presets (*.json)")));
           },
-      .mayReplace = [=](const QString& name) { return ask(tr("There is a preset \"%1\". Replace it?").arg(name)); },
-      .mayDelete = [=](const QString& name) { return ask(tr("Delete the preset \"%1\"?").arg(name)); },
+      .mayReplace =
+          [=](const QString& name) { return ask(PresetPicker::tr("There is a preset \"%1\". Replace it?").arg(name)); },
+      .mayDelete = [=](const QString& name) { return ask(PresetPicker::tr("Delete the preset \"%1\"?").arg(name)); },
       .functionWhich =
           [=] {
-            return chosenFile(QFileDialog::getOpenFileName(parent, tr("Open a transfer function"), {},
-                                                           tr("Transfer functions (*.json)")));
+            return chosenFile(QFileDialog::getOpenFileName(parent, PresetPicker::tr("Open a transfer function"), {},
+                                                           PresetPicker::tr("Transfer functions (*.json)")));
           }};
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 #include <QAbstractItemView>
 #include <QHBoxLayout>
@@ -38,6 +39,8 @@ TransferFunctionEditor::TransferFunctionEditor(Document& document, QWidget* pare
     box->setAlignment(Qt::AlignRight);
     box->setMinimumWidth(60);
   }
+  for (QWidget* control : std::initializer_list<QWidget*>{targets_, value_, opacity_, colour_})
+    control->setAccessibleName(control->toolTip());
   auto* point = new QHBoxLayout;
   point->addWidget(onlyContext_);
   point->addWidget(targets_, 2);

@@ -81,6 +81,7 @@ void TransferFunctionPlot::setTarget(const FunctionTarget& target) {
   cancelDrag();
   target_ = target;
   selected_ = 0;
+  isTrapezoidSelected_ = false;
   Q_EMIT changed();
   update();
 }
@@ -97,8 +98,14 @@ std::optional<std::size_t> TransferFunctionPlot::selected() const {
 
 void TransferFunctionPlot::select(std::size_t node) {
   selected_ = node;
+  isTrapezoidSelected_ = false;
   Q_EMIT changed();
   update();
+}
+
+void TransferFunctionPlot::selectTrapezoid(std::size_t first) {
+  select(first + 1);
+  isTrapezoidSelected_ = true;
 }
 
 QFont TransferFunctionPlot::axisFont() const {
@@ -182,8 +189,8 @@ void TransferFunctionPlot::drawAxes(QPainter& painter) const {
     painter.setPen(QPen(lines, 1.0));
     painter.drawLine(QPointF(plot.left(), y), QPointF(plot.right(), y));
     painter.setPen(faint);
-    painter.drawText(QRectF(0.0, y - (opacity > 0.0 ? 0.5 : 0.9) * line, plot.left() - 4.0, line), Qt::AlignRight | Qt::AlignVCenter,
-                     percentText(static_cast<int>(std::lround(100.0 * opacity))));
+    painter.drawText(QRectF(0.0, y - (opacity > 0.0 ? 0.5 : 0.9) * line, plot.left() - 4.0, line),
+                     Qt::AlignRight | Qt::AlignVCenter, percentText(static_cast<int>(std::lround(100.0 * opacity))));
   }
   const QString unit = QString::fromStdString(document_.scene().volume->unit);
   const double below = plot.bottom() + 3.0;
@@ -247,12 +254,12 @@ void TransferFunctionPlot::drawFunction(QPainter& painter) const {
 void TransferFunctionPlot::drawHandles(QPainter& painter) const {
   const QRectF plot = area();
   const TransferFunction function = this->function();
-  const std::optional<std::size_t> selected = this->selected();
+  const auto [first, last] = selection();
   for (std::size_t node = 0; node < function.nodes.size(); ++node) {
     const TransferFunction::Node& each = function.nodes[node];
     const QPointF at = place(each.value, opacityFromExtinction(each.properties.extinction));
     if (at.x() < plot.left() - 0.5 || at.x() > plot.right() + 0.5) continue;
-    const bool isSelected = node == selected;
+    const bool isSelected = node >= first && node < last;
     painter.setPen(QPen(isSelected ? chosen : QColor(Qt::white), isSelected ? 2.0 : 1.2));
     painter.setBrush(toColour(each.properties.colour));
     const double radius = isSelected ? chosenRadius : handleRadius;

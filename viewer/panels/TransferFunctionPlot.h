@@ -4,6 +4,7 @@
 // the values around the mouse.
 
 #include <optional>
+#include <utility>
 
 #include <QWidget>
 
@@ -28,6 +29,8 @@ class TransferFunctionPlot : public QWidget {
   /// The node that keys, colour and exact numbers are about; empty where there is none.
   std::optional<std::size_t> selected() const;
   void select(std::size_t node);
+  /// Selects a whole trapezoid by its first node: it is coloured and deleted as one.
+  void selectTrapezoid(std::size_t first);
 
   /// The values from the left to the right edge, and from the least to the greatest that can be shown.
   ValueRange shown() const { return shown_; }
@@ -77,6 +80,7 @@ class TransferFunctionPlot : public QWidget {
   double valueAt(double x) const;
   double opacityAt(double y) const;
   std::optional<Grip> gripAt(QPointF at) const;
+  void selectPart(Grip grip);
   void countValues();
   void fitAxis();
   void follow();
@@ -91,6 +95,8 @@ class TransferFunctionPlot : public QWidget {
   void moveByKey(const QKeyEvent& event);
   /// The trapezoid that the selected node is a part of, or the node.
   Grip selectedGrip(Grip::Part part) const;
+  /// The selected node, or all four of a selected trapezoid: first and one past the last.
+  std::pair<std::size_t, std::size_t> selection() const;
   void showCursor(QPointF at);
   void drawHistogram(QPainter& painter) const;
   void drawAxes(QPainter& painter) const;
@@ -102,6 +108,7 @@ class TransferFunctionPlot : public QWidget {
   ValueHistogram histogram_;
   ValueRange axis_{0.0, 1.0}, shown_{0.0, 1.0};
   std::size_t selected_ = 0;
+  bool isTrapezoidSelected_ = false;  ///< the one that the selected node belongs to
   std::optional<Drag> drag_;
   std::optional<double> panFrom_;  ///< value under the mouse when the middle button went down
 };

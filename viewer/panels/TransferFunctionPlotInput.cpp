@@ -81,19 +81,18 @@ void TransferFunctionPlot::setOpacity(double opacity) {
 }
 
 void TransferFunctionPlot::setColour(glm::dvec3 colour) {
-  const auto node = selected();
-  if (!node || !hasColour(target_, document_)) return;
+  if (!selected() || !hasColour(target_, document_)) return;
   TransferFunction now = function();
-  for (std::size_t each = 0; each < now.nodes.size(); ++each)
-    if (each == *node || !hasNodes(target_)) now.nodes[each].properties.colour = colour;
+  const auto [first, last] = hasNodes(target_) ? selection() : std::pair(std::size_t{0}, now.nodes.size());
+  for (std::size_t node = first; node < last; ++node) now.nodes[node].properties.colour = colour;
   edit(now);
 }
 
 void TransferFunctionPlot::addNode(double value, double opacity) {
   if (!hasNodes(target_) || !document_.hasVolume()) return;
   const WithNode with = withNode(function(), value, opacity);
-  selected_ = with.node;
   edit(with.function);
+  select(with.node);
 }
 
 void TransferFunctionPlot::addTrapezoid(double value) {
@@ -101,17 +100,27 @@ void TransferFunctionPlot::addTrapezoid(double value) {
   const double half = 0.1 * (shown_.high - shown_.low);
   const double middle = std::clamp(value, axis_.low + half, axis_.high - half);
   const WithNode with = withTrapezoid(function(), {middle - half, middle + half}, 0.5);
-  selected_ = with.node + 1;
   edit(with.function);
+  selectTrapezoid(with.node);
 }
 
 void TransferFunctionPlot::deleteSelected() {
-  const auto node = selected();
-  const TransferFunction now = function();
+  if (!selected() || !hasNodes(target_)) return;
+  TransferFunction now = function();
+  const auto [first, last] = selection();
   // Without any node the context would be gone, and so would be what could be dragged to bring it back.
-  if (!node || !hasNodes(target_) || now.nodes.size() < 2) return;
-  selected_ = *node > 0 ? *node - 1 : 0;
-  edit(withoutNode(now, *node));
+  if (now.nodes.size() == last - first) return;
+  for (std::size_t count = first; count < last; ++count) now = withoutNode(now, first);
+  edit(now);
+  select(first > 0 ? first - 1 : 0);
+}
+
+void TransferFunctionPlot::selectPart(Grip grip) {
+  // A level and a box have one material.
+  if (grip.part == Grip::Part::Node || !hasNodes(target_))
+    select(grip.node);
+  else
+    selectTrapezoid(grip.node);
 }
 
 void TransferFunctionPlot::mousePressEvent(QMouseEvent* event) {
@@ -120,9 +129,7 @@ void TransferFunctionPlot::mousePressEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return;
   const std::optional<Grip> grip = gripAt(event->position());
   if (!grip) return;
-  select(grip->part == Grip::Part::Node        ? grip->node
-         : grip->part == Grip::Part::RightEdge ? grip->node + 2
-                                               : grip->node + 1);
+  selectPart(*grip);
   drag_ = Drag{document_.look(), function(), *grip, event->position()};
   document_.history().beginGesture();
 }
@@ -266,6 +273,12 @@ Grip TransferFunctionPlot::selectedGrip(Grip::Part part) const {
   return {Grip::Part::Node, node};
 }
 
+std::pair<std::size_t, std::size_t> TransferFunctionPlot::selection() const {
+  const std::size_t node = selected().value_or(0);
+  const Grip grip = isTrapezoidSelected_ ? selectedGrip(Grip::Part::Whole) : Grip{Grip::Part::Node, node};
+  return {grip.node, grip.node + (grip.part == Grip::Part::Whole ? 4 : 1)};
+}
+
 void TransferFunctionPlot::moveByKey(const QKeyEvent& event) {
   if (drag_) return;
   // A held key is one step of the history.
@@ -301,16 +314,16 @@ void TransferFunctionPlot::contextMenuEvent(QContextMenuEvent* event) {
 
 void TransferFunctionPlot::fillMenu(QMenu& menu, QPointF at) {
   const std::optional<Grip> grip = gripAt(at);
-  const bool onNode = grip && grip->part == Grip::Part::Node;
-  if (onNode) select(grip->node);
-  if (onNode && hasColour(target_, document_)) menu.addAction(tr("Colour…"), this, &TransferFunctionPlot::colourWanted);
+  const bool isNode = grip && grip->part == Grip::Part::Node;
+  if (grip) selectPart(*grip);
+  if (grip && hasColour(target_, document_)) menu.addAction(tr("Colour…"), this, &TransferFunctionPlot::colourWanted);
   if (hasNodes(target_)) {
-    if (onNode) {
-      menu.addAction(tr("Delete the point"), this, &TransferFunctionPlot::deleteSelected)
-          ->setEnabled(function().nodes.size() > 1);
-    } else {
-      menu.addAction(tr("Add a point"), this, [this, at] { addNode(valueAt(at.x()), opacityAt(at.y())); });
-    }
+    const auto [first, last] = selection();
+    if (grip)
+      menu.addAction(isNode ? tr("Delete the point") : tr("Delete the trapezoid"), this,
+                     &TransferFunctionPlot::deleteSelected)
+          ->setEnabled(function().nodes.size() > last - first);
+    if (!isNode) menu.addAction(tr("Add a point"), this, [this, at] { addNode(valueAt(at.x()), opacityAt(at.y())); });
     menu.addAction(tr("Add a trapezoid"), this, [this, at] { addTrapezoid(valueAt(at.x())); });
   }
   menu.addAction(tr("Show all values"), this, [this] { showValues(axis_); })
