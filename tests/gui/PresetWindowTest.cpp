@@ -209,9 +209,10 @@ TEST_F(PresetWindow, TheOpenListShowsPicturesOfTheVolume) {
   };
   const auto areDrawn = [this] { return picker().hasAllPictures(); };
   EXPECT_FALSE(areDrawn()) << "before the list is opened nothing is drawn";
-  box.showPopup();
+  QTest::mouseClick(&box, Qt::LeftButton);
   ASSERT_TRUE(QTest::qWaitFor(areDrawn, patience));
-  box.hidePopup();
+  for (const Qt::Key key : {Qt::Key_Home, Qt::Key_Down, Qt::Key_Return}) QTest::keyClick(box.view(), key);
+  EXPECT_EQ(document().preset(), "ct-bone") << "chosen in the list";
   const std::vector<QImage> drawn = pictures();
   ASSERT_EQ(drawn.size(), io::transferFunctionPresets().size() + 1);
   const auto lit = [](const QImage& picture) {

@@ -129,14 +129,15 @@ void PresetPicker::list() {
 void PresetPicker::show() {
   int row = -1;
   if (document_.hasVolume()) {
-    const Look style = styleOf(document_.look());
-    const auto& entries = library_.entries();
-    const auto same =
-        std::find_if(entries.begin(), entries.end(), [&](const auto& each) { return each.preset.look == style; });
     const QString function = QString::fromStdString(document_.preset());
-    // A preset of the whole look says more than the function in it; one whose function a preset is, less.
+    // What is a preset's function goes by that; otherwise by the preset of the whole look that it is.
     if (!function.isEmpty()) row = box_->findData(function, Function);
-    if (row < 0 && same != entries.end()) row = box_->findData(QString::fromStdString(same->preset.name), Preset);
+    if (const auto& entries = library_.entries(); row < 0 && !entries.empty()) {
+      const auto same =
+          std::find_if(entries.begin(), entries.end(),
+                       [style = styleOf(document_.look())](const auto& each) { return each.preset.look == style; });
+      if (same != entries.end()) row = box_->findData(QString::fromStdString(same->preset.name), Preset);
+    }
     if (row < 0 && !function.isEmpty()) {  // a file, which gets an entry with its name
       row = box_->count() - 1;
       box_->insertItem(row, QFileInfo(function).completeBaseName(), function);
