@@ -19,6 +19,7 @@
 #include "io/session/OpenSession.h"
 #include "io/session/SessionFile.h"
 #include "io/session/StrokeFile.h"
+#include "rendering/scene/LookStyle.h"
 #include "rendering/segmentation/Table.h"
 
 namespace fenestra::app {
@@ -323,15 +324,23 @@ void addLook(CLI::App& command, SceneOptions& options) {
   // Options apply in the order in which they are added: --look first, so that a width given beside it overrides it.
   std::string looks;
   for (const OpeningLook& each : openingLooks()) looks += (looks.empty() ? "" : "|") + std::string(each.id);
-  addParsed(command, "--look", looks, "context layer and border ready made, default full",
-            [&](const std::string& text) {
-              const auto all = openingLooks();
-              const auto chosen =
-                  std::find_if(all.begin(), all.end(), [&](const OpeningLook& each) { return each.id == text; });
-              if (chosen == all.end()) return false;
-              chosen->applyTo(look.cutaway, look.contextLayer);
-              return true;
-            });
+  addParsed(
+      command, "--look", looks + "|FILE.json",
+      "context layer and border ready made, default full; or a preset that was saved, with its transfer function, "
+      "light and all",
+      [&](const std::string& text) {
+        if (fs::path(text).extension() == ".json") {
+          options.preset = io::readLook(text);
+          look = restyled(look, options.preset->look);
+          return true;
+        }
+        const auto all = openingLooks();
+        const auto chosen =
+            std::find_if(all.begin(), all.end(), [&](const OpeningLook& each) { return each.id == text; });
+        if (chosen == all.end()) return false;
+        chosen->applyTo(look.cutaway, look.contextLayer);
+        return true;
+      });
   addSettings(command, look.cutaway);
   addSettings(command, look.contextLayer);
   addSettings(command, look.shading);
@@ -446,7 +455,11 @@ LoadedScene loadScene(const SceneOptions& options, const io::Progress& progress)
   scene.volume = loaded.volume.volume;
   scene.labels = std::move(data.labels);
   scene.look = options.look;
-  if (!loaded.session || !options.transferFunction.empty())
+  const bool hasFunction = loaded.session || options.preset;
+  if (options.preset && options.transferFunction.empty())
+    if (const std::string odd = io::mismatchOf(*options.preset, scene.volume->unit); !odd.empty())
+      loaded.warnings.push_back({io::Warning::Kind::Other, odd, {}});
+  if (!hasFunction || !options.transferFunction.empty())
     scene.look.context = io::loadContextFunction(
         options.transferFunction.empty() ? io::defaultPreset(*scene.volume) : options.transferFunction, *scene.volume);
   if (scene.look.hideTable) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "io/VolumeReader.h"
+#include "io/session/LookFile.h"
 #include "io/session/Session.h"
 #include "rendering/scene/Scene.h"
 #include "rendering/scene/View.h"
@@ -69,9 +70,10 @@ struct SceneOptions : VolumeOptions {
   std::optional<CameraChoice> camera;
   std::optional<CameraChoice> frozen;  ///< the camera that the opening stays cut for; not a placed one
   std::optional<Projection> projection;
-  std::optional<glm::ivec2> size;  ///< rendered pixels
-  std::filesystem::path strokes;   ///< file of brush strokes; empty: those of the look
-  RegionFocus region;              ///< without an inside seed: none
+  std::optional<glm::ivec2> size;        ///< rendered pixels
+  std::filesystem::path strokes;         ///< file of brush strokes; empty: those of the look
+  RegionFocus region;                    ///< without an inside seed: none
+  std::optional<io::LookPreset> preset;  ///< `look` is in its style, and its transfer function stays
   Look look;  ///< starts as the session's; the members above override its focus, context and strokes
   Quality quality = Quality::Normal;
   std::optional<double> maxError;  ///< in 1/255; see View

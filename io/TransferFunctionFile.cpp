@@ -187,6 +187,8 @@ std::vector<TransferFunctionPreset> transferFunctionPresets() {
     std::string id(path.substr(presetFolder.size(), path.size() - presetFolder.size() - presetEnding.size()));
     presets.push_back({std::move(id), Parser(path, resources::find(path)).name()});
   }
+  // "mr" comes before "mr-bright", and its file's path does not.
+  std::sort(presets.begin(), presets.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
   return presets;
 }
 

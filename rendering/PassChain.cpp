@@ -40,7 +40,7 @@ FocusLayerPass::Sampling samplingOf(const View& view, const Grid& grid, const Ra
 /// Where another camera cuts the opening, rays may see nothing on a part of their way: only the integral that keeps a
 /// bound knows where a ray ends. Each of the two parts gets half of it.
 FocusLayerPass::Sampling inParts(FocusLayerPass::Sampling sampling) {
-  sampling.maxError = 0.5 * sampling.maxError.value_or(FocusLayerPass::coarseBound);
+  sampling.maxError = 0.5 * sampling.maxError.value_or(FocusLayerPass::usualBound);
   return sampling;
 }
 

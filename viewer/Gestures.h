@@ -1,6 +1,7 @@
 #pragma once
-// What the mouse does in the views, and the keys that only a view takes: the part of the key list that has no menu
-// entry. tests/gui/ConventionsTest.cpp performs each of these and each key of the menus.
+// What the mouse does in the views and in the editor of transfer functions, and the keys that only these take: the part
+// of the key list that has no menu entry. tests/gui/ConventionsTest.cpp performs each of these and each key of the
+// menus.
 
 #include <array>
 
@@ -49,6 +50,21 @@ inline constexpr auto gestures = std::to_array<Gesture>({
     {"Brush, in the 3-D views", QT_TRANSLATE_NOOP("Dialogs", "Ctrl+drag"), QT_TRANSLATE_NOOP("Dialogs", "rotate")},
     {"Brush, in the 3-D views", QT_TRANSLATE_NOOP("Dialogs", "Shift+wheel, Shift+drag"),
      QT_TRANSLATE_NOOP("Dialogs", "depth, or by how much the context's edges change")},
+    {QT_TRANSLATE_NOOP("Dialogs", "A transfer function"),
+     QT_TRANSLATE_NOOP("Dialogs", "Drag a point, or a trapezoid's edge, top or inside"),
+     QT_TRANSLATE_NOOP("Dialogs", "move it; with Shift across or up and down alone; Esc takes it back")},
+    {"A transfer function", QT_TRANSLATE_NOOP("Dialogs", "Double-click"),
+     QT_TRANSLATE_NOOP("Dialogs", "add a point, or choose the colour of the point there")},
+    {"A transfer function", QT_TRANSLATE_NOOP("Dialogs", "Right click"),
+     QT_TRANSLATE_NOOP("Dialogs", "colour, delete, and add a point or a trapezoid")},
+    {"A transfer function", QT_TRANSLATE_NOOP("Dialogs", "Wheel, middle drag"),
+     QT_TRANSLATE_NOOP("Dialogs", "enlarge the values, and move along them")},
+    {"A transfer function", QT_TRANSLATE_NOOP("Dialogs", "Arrows"),
+     QT_TRANSLATE_NOOP("Dialogs", "move the point; with Shift ten times as far, with Alt its whole trapezoid")},
+    {"A transfer function", QT_TRANSLATE_NOOP("Dialogs", "Page up, Page down, Home, End"),
+     QT_TRANSLATE_NOOP("Dialogs", "choose another point")},
+    {"A transfer function", QT_TRANSLATE_NOOP("Dialogs", "Ins, Del, Return"),
+     QT_TRANSLATE_NOOP("Dialogs", "add a point, delete the point, choose its colour")},
     {QT_TRANSLATE_NOOP("Dialogs", "All views"), QT_TRANSLATE_NOOP("Dialogs", "Middle drag"),
      QT_TRANSLATE_NOOP("Dialogs", "move the picture")},
     {"All views", QT_TRANSLATE_NOOP("Dialogs", "Right drag, Ctrl+wheel"), QT_TRANSLATE_NOOP("Dialogs", "zoom")},

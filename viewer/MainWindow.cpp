@@ -41,6 +41,7 @@
 #include "viewer/style/FocusRing.h"
 #include "viewer/style/Style.h"
 #include "viewer/views/PlacementRenderer.h"
+#include "viewer/views/PreviewRenderer.h"
 #include "viewer/views/ViewArea.h"
 
 namespace fenestra::viewer {
@@ -143,6 +144,7 @@ void MainWindow::connectModels() {
 void MainWindow::connectViews() {
   if (gl_.available)
     workspace_.placement.setBackend(std::make_unique<PlacementRenderer>(*views_->volumeViews().front()));
+  if (gl_.available) previews_ = std::make_unique<PreviewRenderer>(*views_->volumeViews().front());
   // While the cameras are about to move, a picture at full quality would be wasted.
   connect(&workspace_.placement, &PlacementController::changed, this, [this] {
     for (VolumeView* view : views_->volumeViews()) view->hold(workspace_.placement.isBusy());
@@ -169,7 +171,11 @@ void MainWindow::connectPanels() {
         NoticeBar::Kind::Warning,
         tr("%1 lies over other labels and took %2 ml from them; undo brings them back.").arg(label).arg(ml, 0, 'g', 3));
   });
-  connect(panels_.appearance, &AppearancePanel::failed, this, &MainWindow::showError);
+  panels_.appearance->presets().setBackend(previews_.get());
+  connect(&panels_.appearance->presets(), &PresetPicker::failed, this, &MainWindow::showError);
+  connect(&panels_.appearance->presets(), &PresetPicker::warned, this,
+          [this](const QString& message) { notices_->add(NoticeBar::Kind::Warning, message + QLatin1Char('.')); });
+  for (const std::string& problem : workspace_.looks.problems()) showError(QString::fromStdString(problem));
   connect(&panels_.brush->strokes(), &StrokeList::failed, this, &MainWindow::showError);
 }
 

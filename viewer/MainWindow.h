@@ -12,6 +12,7 @@
 #include "viewer/jobs/LabelEditor.h"
 #include "viewer/jobs/RegionGrower.h"
 #include "viewer/jobs/StudyLoader.h"
+#include "viewer/model/PreviewBackend.h"
 #include "viewer/model/Workspace.h"
 #include "viewer/views/GlSupport.h"
 #include "viewer/views/VolumeView.h"
@@ -105,6 +106,7 @@ class MainWindow : public QMainWindow {
   LoadJob focusSearch_;  ///< of goToFocus()
 
   ViewArea* views_;
+  std::unique_ptr<PreviewBackend> previews_;  ///< goes before the views that it draws with
   NoticeBar* notices_;
   Sessions* sessions_;
   FileOpener* files_;

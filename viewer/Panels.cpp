@@ -25,7 +25,7 @@ QString tr(const char* text) { return QCoreApplication::translate("Panels", text
 Panels makePanels(QMainWindow& window, Workspace& workspace) {
   Document& document = workspace.document;
   const Panels panels{.focus = new FocusPanel(document, workspace.placement, workspace.cameras),
-                      .appearance = new AppearancePanel(document),
+                      .appearance = new AppearancePanel(document, workspace.looks),
                       .cutaway = new CutawayPanel(document),
                       .contextLayer = new ContextLayerPanel(document),
                       .cameras = new CamerasPanel(document, workspace.cameras, workspace.placement),
@@ -59,8 +59,7 @@ Panels makePanels(QMainWindow& window, Workspace& workspace) {
   for (QWidget* panel : std::initializer_list<QWidget*>{panels.appearance, panels.cutaway, panels.contextLayer})
     panel->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
   window.resizeDocks({focus}, {310}, Qt::Horizontal);
-  window.resizeDocks({focus, context},
-                     {2 * panels.appearance->sizeHint().height(), panels.appearance->sizeHint().height()},
+  window.resizeDocks({focus, context}, {panels.appearance->sizeHint().height(), panels.appearance->sizeHint().height()},
                      Qt::Vertical);
   return panels;
 }

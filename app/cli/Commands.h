@@ -47,7 +47,7 @@ void surface(const SurfaceOptions& options);
 
 struct RenderOptions {
   app::SceneOptions scene;
-  std::filesystem::path output, layers, stats, session;  ///< empty: not written
+  std::filesystem::path output, layers, stats, session, look;  ///< empty: not written
   std::optional<Schedule> schedule;                      ///< empty: the faster one
   int repeat = 1;                                        ///< frames, each from the first pass on
   bool reference = false;                                ///< in double precision on the CPU

@@ -16,6 +16,7 @@
 #include "app/cli/Report.h"
 #include "io/ImageWriter.h"
 #include "io/base/AtomicFile.h"
+#include "io/session/LookFile.h"
 #include "io/session/OpenSession.h"
 #include "io/session/SessionFile.h"
 #include "rendering/Renderer.h"
@@ -184,6 +185,8 @@ void render(const RenderOptions& options) {
   io::Session session;
   if (!options.session.empty() || options.certify) session = sessionToSave(options.scene, loaded);
   if (!options.session.empty()) io::writeSession(options.session, session);
+  if (!options.look.empty())
+    io::writeLook(options.look, {options.look.stem().string(), scene.volume->unit, loaded.asSet.look, {}});
   const bool second = loaded.placed == app::PlacedView::Dual;
   loaded.scene.look.strokes = strokesIn(second ? 1 : options.scene.viewOfSession, loaded.scene.look.strokes);
   if (options.reference) {

@@ -226,6 +226,8 @@ Command addRender(CLI::App& program, RenderOptions& options) {
                            ->needs(output);
   command->add_option("--save-session", options.session, "what is shown as a session, for the window or for later")
       ->type_name("FILE.fenestra");
+  command->add_option("--save-look", options.look, "how the volume is looked at as a preset, for --look and the window")
+      ->type_name("FILE.json");
   CLI::Option* repeat =
       command->add_option("--repeat", options.repeat, "frames to draw and time, each from the first pass on")
           ->check(CLI::Range(1, 10000))

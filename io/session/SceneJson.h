@@ -1,5 +1,5 @@
 #pragma once
-// The members of a look and of its parts in JSON, for sessions and for files of strokes. Settings come from their
+// The members of a look and of its parts in JSON, for sessions and for files of strokes and looks. Settings come from their
 // tables in rendering/scene/Settings.h. Private to io/session.
 
 #include "io/session/JsonSchema.h"
@@ -103,6 +103,14 @@ void members(auto& io, io::json::Is<LabelSetting> auto& setting) {
   io.optional("colour", setting.colour, setting.colour.has_value(), fraction, {"In place of the label map's"});
 }
 
+/// What the files of sessions and of presets share.
+void partMembers(auto& io, io::json::Is<Look> auto& look) {
+  io("cutaway", look.cutaway);
+  io("context_layer", look.contextLayer);
+  io("shading", look.shading);
+  settings(io, look);  // background, table
+}
+
 void members(auto& io, io::json::Is<Look> auto& look) {
   auto& [focus, labels, focusAppearance, context, cutaway, contextLayer, shading, background, hideTable, strokes] =
       look;
@@ -112,10 +120,7 @@ void members(auto& io, io::json::Is<Look> auto& look) {
                "out"});
   io("focus_appearance", focusAppearance);
   io.required("context", context, {}, {"The transfer function of everything but the focus"});
-  io("cutaway", cutaway);
-  io("context_layer", contextLayer);
-  io("shading", shading);
-  settings(io, look);  // background, table
+  partMembers(io, look);
   io("strokes", strokes, {}, {"Brush strokes, in the order they were painted"});
 }
 

@@ -196,6 +196,7 @@ void GpuScene::updateVolume(ShownVolume shown) {
 }
 
 void GpuScene::updateGradient() {
+  if (gradient_.texture && gradientIsWhole_) return;
   // Lighting asks for gradients where something shows and values vary by more than noise. The least change of value in
   // a brick that can lift a central difference over the gate: it may span two bricks, and has three components.
   const double leastChange =
@@ -214,14 +215,17 @@ void GpuScene::updateGradient() {
   const glm::ivec3 last = shown_.volume->grid.dims - 1;
   for (std::optional<IndexBox>* box : {&varied, &shown})
     if (*box) *box = IndexBox{glm::max((*box)->low, glm::ivec3(0)), glm::min((*box)->high, last)};
+  const auto contains = [](const std::optional<IndexBox>& outer, const std::optional<IndexBox>& inner) {
+    return !inner || (outer && glm::all(glm::lessThanEqual(outer->low, inner->low)) &&
+                      glm::all(glm::greaterThanEqual(outer->high, inner->high)));
+  };
   std::optional<IndexBox> wanted = shown;
   if (gradient_.texture) {
-    const bool holds = !wanted || (gradientBox_ && glm::all(glm::lessThanEqual(gradientBox_->low, wanted->low)) &&
-                                   glm::all(glm::greaterThanEqual(gradientBox_->high, wanted->high)));
-    if (holds) return;
+    if (contains(gradientBox_, wanted)) return;
     // More shows than at first: all that can ever be asked for, so that dragging a transfer function rebuilds but once.
     wanted = varied;
   }
+  gradientIsWhole_ = contains(wanted, varied);
   gradient_ = {};
   gradientBox_ = wanted;
   gradient_ = makeGradientTexture(shown_, wanted);

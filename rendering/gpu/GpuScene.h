@@ -144,6 +144,7 @@ class GpuScene {
   BrickRanges bricks_;
   GradientTexture gradient_;
   std::optional<IndexBox> gradientBox_;  ///< voxels that it holds the normals of
+  bool gradientIsWhole_ = false;         ///< it has all that any transfer function or focus can ask for
   DerivativeVolume derivative_;
 
   std::vector<glm::vec2> gaps_;

@@ -33,6 +33,9 @@ class FocusLayerPass {
     double tolerance = 1.0 / 256.0;
     bool operator==(const Sampling&) const = default;
   };
+  /// Of pictures of draft or normal quality, for which no bound is asked, where only the integral within a bound can
+  /// draw what they show.
+  static constexpr double usualBound = 4.0 / 255.0;
   /// What a sampling means to the integrals.
   static IntegralBlock integralBlock(const Sampling& sampling);
   /// A pixel's result depends on the ray starts within this many pixels of it: an interpolated pixel on those up to

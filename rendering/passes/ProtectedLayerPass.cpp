@@ -10,7 +10,7 @@ void ProtectedLayerPass::run(Steps& steps, const GpuScene& gpu, const Look& look
                              const FocusLayerPass::Opening& opening, const FocusLayerPass::Sampling& sampling,
                              Regions regions, gl::Texture& protectedLayer) {
   FocusLayerPass::Sampling bounded = sampling;
-  bounded.maxError = 0.5 * sampling.maxError.value_or(std::max(4.0 / 255.0, 4.0 * sampling.tolerance));
+  bounded.maxError = 0.5 * sampling.maxError.value_or(std::max(FocusLayerPass::usualBound, 4.0 * sampling.tolerance));
   steps.add(regions, [this, &gpu, &look, &rays, opening, bounded, &protectedLayer](Regions tile) {
     const bool lit = look.shading.enabled;
     gl::ShaderProgram& program = programs_.get({{volumeDefine(gpu),

@@ -1,12 +1,14 @@
 // window-bench: how the window answers. Opens a scene as `fenestra` does, drags a view in circles with a synthetic
-// mouse at 60 events a second, lets go, and places the cameras. Writes one JSON object: pictures a second of each view,
-// longest gap between two pictures, times until the pictures at rest, and the longest time that one event kept the
-// window's thread busy. Needs a display with OpenGL. Takes the options of a scene, --window WIDTHxHEIGHT and --seconds.
+// mouse at 60 events a second, lets go, drags the transfer function, opens the list of presets, and places the cameras.
+// Writes one JSON object: pictures a second of each view, longest gap between two pictures, times until the pictures at
+// rest, and the longest time that one event kept the window's thread busy. Needs a display with OpenGL. Takes the options
+// of a scene, --window WIDTHxHEIGHT and --seconds.
 
 #include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -23,6 +25,7 @@
 #include "app/ScheduleChoice.h"
 #include "tests/gui/TimedApplication.h"
 #include "viewer/MainWindow.h"
+#include "viewer/panels/AppearancePanel.h"
 #include "viewer/style/Style.h"
 #include "viewer/views/ViewArea.h"
 
@@ -119,6 +122,8 @@ class Bench {
   Json run() {
     Json result = start();
     for (int view = 0; view < 2; ++view) result[view == 0 ? "turn_C1" : "turn_C2"] = turn(view);
+    result["edit_transfer_function"] = edit();
+    result["presets"] = presets();
     result["place"] = place();
     return result;
   }
@@ -138,29 +143,39 @@ class Bench {
     return result;
   }
 
-  Json turn(int index) {
-    VolumeView* view = window_.views().volumeViews()[static_cast<std::size_t>(index)];
-    const QPointF middle = QRectF(view->rect()).center();
+  /// When a drag began and ended.
+  struct Drag {
+    double start, released;
+  };
+  /// Drags the mouse over a widget along `at`, which gives its place after so many seconds.
+  Drag drag(QWidget* widget, const std::function<QPointF(double)>& at) {
     wait(500);
     application_.takeBlocks();
     times_.clear();
-    sendMouse(view, QEvent::MouseButtonPress, middle, Qt::LeftButton, Qt::LeftButton);
+    sendMouse(widget, QEvent::MouseButtonPress, at(0.0), Qt::LeftButton, Qt::LeftButton);
     const double start = now(), end = start + 1000.0 * seconds_;
-    double angle = 0.0;
+    QPointF last;
     QTimer mouse;
     QEventLoop loop;
     QObject::connect(&mouse, &QTimer::timeout, [&] {
-      angle = (now() - start) / 1000.0 * 2.0;
-      const QPointF at = middle + 80.0 * QPointF(std::cos(angle) - 1.0, std::sin(angle));
-      sendMouse(view, QEvent::MouseMove, at, Qt::NoButton, Qt::LeftButton);
+      last = at((now() - start) / 1000.0);
+      sendMouse(widget, QEvent::MouseMove, last, Qt::NoButton, Qt::LeftButton);
       if (now() > end) loop.quit();
     });
     mouse.start(16);
     loop.exec();
     mouse.stop();
-    const QPointF at = middle + 80.0 * QPointF(std::cos(angle) - 1.0, std::sin(angle));
-    sendMouse(view, QEvent::MouseButtonRelease, at, Qt::LeftButton, Qt::NoButton);
-    const double released = now();
+    sendMouse(widget, QEvent::MouseButtonRelease, last, Qt::LeftButton, Qt::NoButton);
+    return {start, now()};
+  }
+
+  Json turn(int index) {
+    VolumeView* view = window_.views().volumeViews()[static_cast<std::size_t>(index)];
+    const QPointF middle = QRectF(view->rect()).center();
+    const auto [start, released] = drag(view, [&](double seconds) {
+      const double angle = 2.0 * seconds;
+      return middle + 80.0 * QPointF(std::cos(angle) - 1.0, std::sin(angle));
+    });
     Json result{
         {"turned", ratesOf(times_.of(static_cast<std::size_t>(index)), start, released)},
         {"linked", ratesOf(times_.of(static_cast<std::size_t>(1 - index)), start, released)},
@@ -177,6 +192,37 @@ class Bench {
       result["at_rest"]["C" + std::to_string(other + 1) + "_pictures_after_ms"] = after;
     }
     result["at_rest"]["blocks"] = takeBlocks();
+    return result;
+  }
+
+  /// Drags the second node of the transfer function to and fro.
+  Json edit() {
+    TransferFunctionPlot& plot = window_.findChild<AppearancePanel*>()->editor().plot();
+    const TransferFunction function = plot.function();
+    const TransferFunction::Node& node = function.nodes.at(1);
+    const QPointF from = plot.place(node.value, opacityFromExtinction(node.properties.extinction));
+    const auto [start, released] =
+        drag(&plot, [&](double seconds) { return from + 40.0 * QPointF(0.0, -std::abs(std::sin(seconds))); });
+    Json result{{"C1", ratesOf(times_.of(0), start, released)},
+                {"C2", ratesOf(times_.of(1), start, released)},
+                {"blocks", takeBlocks()}};
+    window_.workspace().document.undoStack().undo();
+    bool drawn = false;
+    window_.whenDrawn([&] { drawn = true; });
+    while (!drawn) wait(2);
+    return result;
+  }
+
+  /// Opens the list of presets and waits for its pictures.
+  Json presets() {
+    wait(500);
+    application_.takeBlocks();
+    PresetPicker& presets = window_.findChild<AppearancePanel*>()->presets();
+    const double start = now();
+    presets.box()->showPopup();
+    while (!presets.hasAllPictures()) wait(2);
+    Json result{{"all_pictures_ms", now() - start}, {"blocks", takeBlocks()}};
+    presets.box()->hidePopup();
     return result;
   }
 

@@ -49,7 +49,7 @@ std::string causeOf(const std::string& text) {
 
 TEST(TransferFunctionFile, EveryPresetLoads) {
   const auto presets = transferFunctionPresets();
-  ASSERT_EQ(presets.size(), 4u);
+  ASSERT_EQ(presets.size(), 7u);
   for (const TransferFunctionPreset& preset : presets) {
     EXPECT_FALSE(preset.name.empty());
     const TransferFunction function = loadContextFunction(preset.id, ct()).function;
@@ -124,7 +124,7 @@ TEST(TransferFunctionFile, UnknownNameListsThePresets) {
     loadContextFunction("ct-bones", ct());
     FAIL() << "an unknown preset was accepted";
   } catch (const Error& error) {
-    EXPECT_EQ(error.hint(), "the presets are ct-angio, ct-bone, ct-soft-tissue, mr");
+    EXPECT_EQ(error.hint(), "the presets are ct-angio, ct-bone, ct-lung, ct-skin, ct-soft-tissue, mr, mr-bright");
   }
 }
 

@@ -3,6 +3,7 @@
 #include <zlib.h>
 
 #include "io/VolumeWriter.h"
+#include "io/session/LookFile.h"
 #include "io/session/SessionFile.h"
 #include "io/session/StrokeFile.h"
 #include "tests/fuzz/Targets.h"
@@ -127,6 +128,10 @@ std::vector<std::string> seedsOf(const Target& target) {
   if (target.name == "archive") return {zipSeed(nrrdSeeds(folder).front())};
   if (target.name == "labels") return labelSeeds(folder);
   if (target.name == "session") return {io::textOf(tests::fullSession(folder), folder / "a.fenestra")};
+  if (target.name == "look") {
+    io::writeLook(folder / "a.json", {"x", "HU", tests::fullSession(folder).look, R"({"a": [1]})"});
+    return {readFile(folder / "a.json")};
+  }
   if (target.name == "strokes") {
     io::writeStrokes(folder / "a.json", tests::fullSession(folder).look.strokes);
     return {readFile(folder / "a.json")};

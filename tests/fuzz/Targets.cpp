@@ -9,6 +9,7 @@
 
 #include "io/TransferFunctionFile.h"
 #include "io/VolumeReader.h"
+#include "io/session/LookFile.h"
 #include "io/session/SessionFile.h"
 #include "io/session/StrokeFile.h"
 
@@ -25,6 +26,7 @@ void openAsLabels(const fs::path& file) {
 }
 
 void openSession(const fs::path& file) { io::readSession(file); }
+void openLook(const fs::path& file) { io::readLook(file); }
 void openStrokes(const fs::path& file) { io::readStrokes(file); }
 
 void openTransferFunction(const fs::path& file) {
@@ -35,12 +37,17 @@ void openTransferFunction(const fs::path& file) {
   io::loadContextFunction(file.string(), volume);
 }
 
-constexpr std::array all{
-    Target{"dicom", "input.dcm", openAsVolume},     Target{"nifti", "input.nii", openAsVolume},
-    Target{"nrrd", "input.nrrd", openAsVolume},     Target{"metaimage", "input.mha", openAsVolume},
-    Target{"mgh", "input.mgh", openAsVolume},       Target{"archive", "input.zip", openAsVolume},
-    Target{"labels", "input.labels", openAsLabels}, Target{"session", "input.fenestra", openSession},
-    Target{"strokes", "input.json", openStrokes},   Target{"transfer-function", "input.json", openTransferFunction}};
+constexpr std::array all{Target{"dicom", "input.dcm", openAsVolume},
+                         Target{"nifti", "input.nii", openAsVolume},
+                         Target{"nrrd", "input.nrrd", openAsVolume},
+                         Target{"metaimage", "input.mha", openAsVolume},
+                         Target{"mgh", "input.mgh", openAsVolume},
+                         Target{"archive", "input.zip", openAsVolume},
+                         Target{"labels", "input.labels", openAsLabels},
+                         Target{"session", "input.fenestra", openSession},
+                         Target{"look", "input.json", openLook},
+                         Target{"strokes", "input.json", openStrokes},
+                         Target{"transfer-function", "input.json", openTransferFunction}};
 
 /// In memory where the machine has such a folder: a fuzzer writes thousands of files a second.
 class PrivateFolder {

@@ -62,6 +62,25 @@ double meanDifference(const std::vector<std::uint8_t>& a, const std::vector<std:
   return sum / static_cast<double>(a.size());
 }
 
+TEST_F(GpuSceneTest, ATransferFunctionThatShowsMoreRebuildsTheGradientOnceAtMost) {
+  Scene scene = largeScene();
+  scene.look.focus = {};
+  const auto gpu = std::make_shared<GpuScene>();
+  Renderer renderer(gpu);
+  const auto show = [&](double leastValue) {
+    scene.look.context.function = opaqueFrom(leastValue);
+    renderer.render(scene, {.camera = Camera::standard(StandardView::Anterior, scene.volume->grid), .size = {90, 70}});
+  };
+  show(700.0);
+  const std::uint64_t first = gpu->versions().gradient;
+  for (const double leastValue : {500.0, 0.0, -500.0, 600.0, -800.0}) {
+    show(leastValue);
+    EXPECT_EQ(renderer.readPicture(), pictureOf(scene)) << leastValue << ": as from the beginning";
+    EXPECT_LE(gpu->versions().gradient, first + 1);
+  }
+  EXPECT_EQ(gpu->versions().gradient, first + 1);
+}
+
 TEST_F(GpuSceneTest, AVolumeBeyondTheLimitsIsDrawnWithWholeVoxelsJoined) {
   for (const bool values : {false, true}) {
     Scene scene = largeScene();

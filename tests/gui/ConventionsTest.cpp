@@ -9,6 +9,7 @@
 #include <QDialog>
 #include <QGuiApplication>
 #include <QMainWindow>
+#include <QMenu>
 #include <QMenuBar>
 #include <QMouseEvent>
 #include <QTest>
@@ -20,6 +21,7 @@
 #include "viewer/Gestures.h"
 #include "viewer/Sessions.h"
 #include "viewer/WindowLevelDialog.h"
+#include "viewer/panels/AppearancePanel.h"
 
 namespace fenestra::viewer {
 namespace {
@@ -78,12 +80,14 @@ class Conventions : public Window {
   }
   SliceView* axial() { return slice(SlicePlane::Axial); }
   QPoint at(glm::dvec3 world) { return axial()->widgetFromWorld(world).toPoint(); }
+  TransferFunctionPlot& plot() { return panel<AppearancePanel>().editor().plot(); }
   MeasureMode& measuring() { return window_->workspace().measuring; }
   Cases menuCases();
   void addFileAndEditCases(Cases& cases);
   void addViewCases(Cases& cases);
   Cases sliceGestures();
   void addVolumeGestures(Cases& cases);
+  void addEditorGestures(Cases& cases);
   void addGesturesOfAllViews(Cases& cases);
 };
 
@@ -356,6 +360,79 @@ void Conventions::addVolumeGestures(Cases& cases) {
       };
 }
 
+void Conventions::addEditorGestures(Cases& cases) {
+  // EditorWindowTest.cpp has each of these in full.
+  const std::string where = "A transfer function: ";
+  const auto nodes = [this] { return document().look().context.function.nodes; };
+  const auto nodeAt = [this](std::size_t node) {
+    const TransferFunction::Node& each = document().look().context.function.nodes.at(node);
+    return plot().place(each.value, opacityFromExtinction(each.properties.extinction)).toPoint();
+  };
+  cases[where + "Drag a point, or a trapezoid's edge, top or inside"] = [=, this] {
+    const auto before = nodes();
+    drag(&plot(), nodeAt(1), nodeAt(1) + QPoint(20, 20));
+    EXPECT_NE(nodes(), before);
+    document().undoStack().undo();
+    drag(&plot(), nodeAt(1), nodeAt(1) + QPoint(20, 10), Qt::LeftButton, Qt::ShiftModifier);
+    EXPECT_NE(nodes()[1].value, before[1].value);
+    EXPECT_EQ(nodes()[1].properties, before[1].properties);
+    document().undoStack().undo();
+  };
+  cases[where + "Double-click"] = [=, this] {
+    QTest::mouseDClick(&plot(), Qt::LeftButton, {}, plot().place(400.0, 0.5).toPoint());
+    EXPECT_EQ(nodes().size(), 3u);
+    document().undoStack().undo();
+  };
+  cases[where + "Right click"] = [=, this] {
+    QMenu menu;
+    plot().fillMenu(menu, nodeAt(1));
+    EXPECT_EQ(menu.actions().size(), 4);
+  };
+  cases[where + "Wheel, middle drag"] = [this] {
+    const ValueRange all = plot().shown();
+    wheel(&plot(), 3, Qt::ControlModifier);
+    const ValueRange enlarged = plot().shown();
+    EXPECT_LT(enlarged.high - enlarged.low, all.high - all.low);
+    drag(&plot(), plot().rect().center(), plot().rect().center() + QPoint(15, 0), Qt::MiddleButton);
+    EXPECT_LT(plot().shown().low, enlarged.low);
+    wheel(&plot(), -20, Qt::ControlModifier);
+    EXPECT_EQ(plot().shown(), all);
+  };
+  cases[where + "Arrows"] = [=, this] {
+    plot().select(1);
+    for (const Qt::Key key : {Qt::Key_Left, Qt::Key_Down, Qt::Key_Right, Qt::Key_Up}) {
+      const auto before = nodes();
+      QTest::keyClick(&plot(), key);
+      EXPECT_NE(nodes(), before) << key;
+    }
+  };
+  cases[where + "Page up, Page down, Home, End"] = [this] {
+    const std::pair<Qt::Key, std::size_t> keys[] = {
+        {Qt::Key_Home, 0}, {Qt::Key_PageDown, 1}, {Qt::Key_PageUp, 0}, {Qt::Key_End, 1}};
+    for (const auto& [key, node] : keys) {
+      QTest::keyClick(&plot(), key);
+      EXPECT_EQ(plot().selected(), node) << key;
+    }
+  };
+  cases[where + "Ins, Del, Return"] = [=, this] {
+    QTest::keyClick(&plot(), Qt::Key_Insert);
+    EXPECT_EQ(nodes().size(), 3u);
+    QTest::keyClick(&plot(), Qt::Key_Delete);
+    EXPECT_EQ(nodes().size(), 2u);
+    bool opened = false;
+    QTimer poll;
+    QObject::connect(&poll, &QTimer::timeout, [&] {
+      if (auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget())) {
+        opened = true;
+        dialog->reject();
+      }
+    });
+    poll.start(20);
+    QTest::keyClick(&plot(), Qt::Key_Return);
+    EXPECT_TRUE(opened);
+  };
+}
+
 void Conventions::addGesturesOfAllViews(Cases& cases) {
   const std::string region = "A grown region, in all views: ";
   cases[region + "Shift+click"] = cases[region + "Ctrl+click"] = cases[region + "Alt+wheel"] = [this] {
@@ -440,6 +517,7 @@ TEST_F(Conventions, EveryGestureDoesWhatItSays) {
   for (const Gesture& each : gestures) wanted.insert(std::string(each.where) + ": " + each.gesture);
   Cases cases = sliceGestures();
   addVolumeGestures(cases);
+  addEditorGestures(cases);
   addGesturesOfAllViews(cases);
   run(cases, wanted);
 }

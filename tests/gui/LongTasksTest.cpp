@@ -1,4 +1,5 @@
-// The window answers while it reads a long series, makes thumbnails and exports a turntable; each can be cancelled.
+// The window answers while it reads a long series, makes thumbnails and exports a turntable, which can be cancelled,
+// and while a transfer function is dragged and presets are shown.
 
 #include <QSignalSpy>
 #include <QTest>
@@ -12,6 +13,7 @@
 #include "viewer/NoticeBar.h"
 #include "viewer/PictureExports.h"
 #include "viewer/SeriesChooser.h"
+#include "viewer/panels/AppearancePanel.h"
 
 namespace fenestra::viewer {
 namespace {
@@ -113,6 +115,37 @@ TEST_F(LongTasks, ATurntableIsExportedWhileTheWindowAnswers) {
               window_->pictures().writeTurntable(folder_ / "turn.png", {.volumes = views().volumeViews(), .scale = 2.0},
                                                  6, 24);
               ASSERT_TRUE(QTest::qWaitFor([&] { return !window_->pictures().isBusy(); }, 3 * patience));
+            }),
+            allowed);
+}
+
+/// What the events of a drag do at once. The pictures that follow are paced by FramePacer; window-bench measures them.
+TEST_F(LongTasks, ATransferFunctionIsDraggedWhileTheWindowAnswers) {
+  writeBall(folder_ / "a", 256, 300, "1.2.5.1");
+  openFolder(folder_ / "a");
+  TransferFunctionPlot& plot = panel<AppearancePanel>().editor().plot();
+  const TransferFunction::Node node = plot.function().nodes.at(0);
+  const QPoint from = plot.place(node.value, opacityFromExtinction(node.properties.extinction)).toPoint();
+  const TransferFunction before = plot.function();
+  EXPECT_LE(longestBlock([&] {
+              drag(&plot, from, from + QPoint(-30, -30));
+              EXPECT_NE(plot.function(), before);
+              document().undoStack().undo();
+            }),
+            allowed);
+}
+
+TEST_F(LongTasks, PicturesOfPresetsAreDrawnWhileTheWindowAnswers) {
+  for (int run = 0; run < 3; ++run)  // a volume for each run: its pictures are kept
+    writeBall(folder_ / std::to_string(run), 256, 300, "1.2.6." + std::to_string(run + 1));
+  PresetPicker& presets = panel<AppearancePanel>().presets();
+  int next = 0;
+  openFolder(folder_ / std::to_string(next++));
+  EXPECT_LE(longestBlock([&] {
+              presets.box()->showPopup();
+              ASSERT_TRUE(QTest::qWaitFor([&] { return presets.hasAllPictures(); }, patience));
+              presets.box()->hidePopup();
+              if (next < 3) openFolder(folder_ / std::to_string(next++));
             }),
             allowed);
 }

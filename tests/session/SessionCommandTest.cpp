@@ -3,11 +3,13 @@
 
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "io/session/LookFile.h"
 #include "io/session/SessionFile.h"
 #include "io/session/StrokeFile.h"
 #include "tests/io/IoTesting.h"
@@ -84,6 +86,50 @@ const std::vector<std::string> options{"--focus-range",
                                        "0.1,0.2,0.3",
                                        "--transfer-function",
                                        "ct-soft-tissue"};
+
+TEST_F(SessionCommand, APresetOfALookGivesThePictureOfItsSession) {
+  makeFiles();
+  const std::vector<std::string> data{"head.nii.gz", "--focus-range", "300:3000",  "--camera", "-30,20",
+                                      "--size",      "120x90",        "--quality", "draft"};
+  const std::vector<std::string> look{
+      "--transfer-function", "ct-angio",    "--w-open",        "9.5",        "--w-border",      "3.25",
+      "--width-unit",        "mm",          "--light",         "70,-20",     "--context-layer", "0.4",
+      "--background",        "0.1,0.2,0.3", "--border-colour", "0.9,0.1,0.1"};
+  const auto with = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> all = data;
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  };
+  std::vector<std::string> saving = look;
+  saving.insert(saving.end(), {"--save-session", "a.fenestra", "--save-look", "Mine.json"});
+  const std::string byOptions = picture(with(saving));
+  EXPECT_NE(byOptions, picture(with({}))) << "the look differs from the default";
+  EXPECT_EQ(picture(with({"--look", "Mine.json"})), byOptions);
+  EXPECT_EQ(picture({"a.fenestra"}), byOptions);
+  EXPECT_EQ(picture({"a.fenestra", "--look", "Mine.json"}), byOptions);
+  EXPECT_EQ(picture(with({"--look", "Mine.json", "--save-look", "b.json"})), byOptions);
+  io::LookPreset mine = io::readLook(at("Mine.json"));
+  EXPECT_EQ(mine.name, "Mine");
+  mine.name = "b";
+  EXPECT_EQ(mine, io::readLook(at("b.json")));
+  // An option beside it counts.
+  std::vector<std::string> wider = look;
+  wider[3] = "15";
+  EXPECT_EQ(picture(with({"--w-open", "15", "--look", "Mine.json"})), picture(with(wider)));
+}
+
+TEST_F(SessionCommand, ALookThatIsNoneIsOneLineThatNamesTheFile) {
+  makeFiles();
+  writeFile(at("bad.json"), R"({"format": "fenestra-look", "version": 1, "name": "x", "nodes": 7})");
+  for (const char* file : {"bad.json", "missing.json"}) {
+    const Result result = run({"render", "head.nii.gz", "--look", file, "-o", "picture.png"});
+    EXPECT_EQ(result.exitCode, 1);
+    EXPECT_NE(result.error.find(file), std::string::npos) << result.error;
+    EXPECT_EQ(std::count(result.error.begin(), result.error.end(), '\n'), 1) << result.error;
+    EXPECT_FALSE(fs::exists(at("picture.png")));
+  }
+  EXPECT_EQ(run({"render", "head.nii.gz", "--look", "pretty", "-o", "picture.png"}).exitCode, 2);
+}
 
 TEST_F(SessionCommand, RendersASessionAsTheOptionsThatMadeIt) {
   makeFiles();

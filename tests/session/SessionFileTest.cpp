@@ -18,6 +18,7 @@
 #include "io/session/SessionFile.h"
 #include "io/session/SessionSchema.h"
 #include "tests/io/IoTesting.h"
+#include "tests/session/SchemaTesting.h"
 #include "tests/session/SessionTesting.h"
 #include "tests/support/TestData.h"
 
@@ -34,18 +35,6 @@ fs::path saved(const io::Session& session, const std::string& name = "a.fenestra
 }
 
 const fs::path published = FENESTRA_SCHEMA;
-
-/// What python3-jsonschema has against files, by the published schema; members that it does not name are mistakes.
-std::vector<std::string> mistakesIn(const std::vector<fs::path>& files) {
-  std::string command = "python3 '" FENESTRA_VALIDATE "' '" + published.string() + "'";
-  for (const fs::path& file : files) command += " '" + file.string() + "'";
-  std::vector<std::string> mistakes;
-  FILE* output = ::popen(command.c_str(), "r");
-  std::array<char, 4096> line;
-  while (std::fgets(line.data(), line.size(), output)) mistakes.emplace_back(line.data());
-  EXPECT_EQ(::pclose(output), 0) << "python3 with the package python3-jsonschema is needed";
-  return mistakes;
-}
 
 TEST(SessionFile, BringsEverythingBackToTheBit) {
   const fs::path folder = scratchFolder();
@@ -133,7 +122,7 @@ TEST(SessionFile, IsWhatThePublishedSchemaSays) {
   io::Session plain;
   plain.volume.path = folder / "a.nii";
   add(plain);
-  EXPECT_EQ(mistakesIn(files), std::vector<std::string>());
+  EXPECT_EQ(mistakesIn(published, files), std::vector<std::string>());
 }
 
 TEST(SessionFile, TheSchemaRefusesWhatTheReaderRefuses) {
@@ -172,7 +161,7 @@ TEST(SessionFile, TheSchemaRefusesWhatTheReaderRefuses) {
     const std::string said = errorOf([&] { io::readSession(files.back()); });
     EXPECT_NE(said.find(pointer), std::string::npos) << said;
   }
-  const std::vector<std::string> mistakes = mistakesIn(files);
+  const std::vector<std::string> mistakes = mistakesIn(published, files);
   for (std::size_t i = 0; i < files.size(); ++i)
     EXPECT_TRUE(std::any_of(mistakes.begin(), mistakes.end(), [&](const std::string& mistake) {
       return mistake.starts_with(files[i].string() + ": /");

@@ -108,6 +108,10 @@ void Preferences::remove(const QString& key) {
     unstored_.remove(key);
 }
 
+std::filesystem::path Preferences::looksFolder() const {
+  return settings_ ? toPath(settings_->fileName()).parent_path() / "looks" : std::filesystem::path();
+}
+
 std::vector<std::filesystem::path> Preferences::recent() const {
   std::vector<std::filesystem::path> paths;
   for (const QString& path : value(recentKey).toStringList()) paths.push_back(toPath(path));

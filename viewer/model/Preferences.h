@@ -68,6 +68,9 @@ class Preferences : public QObject {
   Effort atRest() const;
   void setAtRest(const Effort& effort);
 
+  /// Where the user's presets of looks are; empty when transient.
+  std::filesystem::path looksFolder() const;
+
   QByteArray windowGeometry() const;
   QByteArray windowState() const;
   QByteArray viewLayout() const;

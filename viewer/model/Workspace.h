@@ -3,6 +3,7 @@
 
 #include "viewer/model/Brush.h"
 #include "viewer/model/Document.h"
+#include "viewer/model/LookLibrary.h"
 #include "viewer/model/MeasureMode.h"
 #include "viewer/model/PlacementController.h"
 #include "viewer/model/Preferences.h"
@@ -23,6 +24,7 @@ struct Workspace {
   Brush brush;
   MeasureMode measuring{document};
   Preferences preferences;
+  LookLibrary looks{preferences.looksFolder()};
 };
 
 }  // namespace fenestra::viewer

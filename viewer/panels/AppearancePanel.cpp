@@ -3,34 +3,28 @@
 #include <algorithm>
 #include <cmath>
 
-#include <QFileDialog>
-#include <QFileInfo>
 #include <QFormLayout>
 #include <QVBoxLayout>
 
-#include "io/TransferFunctionFile.h"
-#include "viewer/model/Paths.h"
 #include "viewer/model/Translation.h"
-#include "viewer/panels/TransferFunctionPlot.h"
 
 namespace fenestra::viewer {
 
-AppearancePanel::AppearancePanel(Document& document, QWidget* parent)
+AppearancePanel::AppearancePanel(Document& document, LookLibrary& library, QWidget* parent)
     : ScrollingPanel(parent),
       document_(document),
       light_(document, &Look::shading),
-      presets_(new QComboBox),
+      presets_(new PresetPicker(document, library)),
+      editor_(new TransferFunctionEditor(document)),
       shift_(new SliderSpin(-500.0, 500.0, 1.0)),
       background_(new ColourButton(translated(settingOf(&Look::background).description))),
       table_(new QCheckBox(translated(settingOf(&Look::hideTable).name))) {
-  for (const io::TransferFunctionPreset& preset : io::transferFunctionPresets())
-    presets_->addItem(translated(preset.name), QString::fromStdString(preset.id));
-  presets_->addItem(tr("From a file…"));
   shift_->setToolTip(translated(settingOf(&ContextFunction::shift).description));
 
+  auto* presets = new QFormLayout;
+  presets->addRow(tr("Preset"), presets_);
+  presets->addRow(translated(settingOf(&ContextFunction::shift).name), shift_);
   auto* form = new QFormLayout;
-  form->addRow(tr("Preset"), presets_);
-  form->addRow(translated(settingOf(&ContextFunction::shift).name), shift_);
   light_.addRow(*form, &Shading::lightAzimuth);
   light_.addRow(*form, &Shading::lightElevation);
   background_->setObjectName(QString::fromUtf8(settingOf(&Look::background).key));
@@ -40,11 +34,11 @@ AppearancePanel::AppearancePanel(Document& document, QWidget* parent)
   form->addRow(table_);
   auto* body = new QWidget;
   auto* column = new QVBoxLayout(body);
+  column->addLayout(presets);
+  column->addWidget(editor_);
   column->addLayout(form);
-  column->addWidget(new TransferFunctionPlot(document));
   setBody(body);
 
-  connect(presets_, &QComboBox::activated, this, &AppearancePanel::choose);
   makeDragsSteps(*shift_, document.history());
   connect(shift_, &SliderSpin::edited, &document, &Document::setShift);
   connect(background_, &ColourButton::edited, &document, [this](glm::dvec3 colour) {
@@ -79,34 +73,10 @@ AppearancePanel::AppearancePanel(Document& document, QWidget* parent)
 
 void AppearancePanel::show() {
   setEnabled(document_.hasVolume());
-  if (!document_.hasVolume()) {
-    presets_->setCurrentIndex(-1);
-    return;
-  }
-  const QString id = QString::fromStdString(document_.preset());
-  int row = presets_->findData(id);
-  if (row < 0) {  // a file, which gets an entry with its name
-    row = presets_->count() - 1;
-    presets_->insertItem(row, QFileInfo(id).completeBaseName(), id);
-  }
-  presets_->setCurrentIndex(row);
+  if (!document_.hasVolume()) return;
   shift_->setValue(document_.shift());
   background_->setColour(document_.look().background);
   table_->setChecked(document_.look().hideTable);
-}
-
-void AppearancePanel::choose(int row) {
-  QString id = presets_->itemData(row).toString();
-  if (id.isEmpty())
-    id = QFileDialog::getOpenFileName(this, tr("Open a transfer function"), {}, tr("Transfer functions (*.json)"));
-  if (!id.isEmpty()) {
-    try {
-      document_.setPreset(toPath(id).string());
-    } catch (const std::exception& error) {
-      Q_EMIT failed(QString::fromUtf8(error.what()));
-    }
-  }
-  show();
 }
 
 }  // namespace fenestra::viewer

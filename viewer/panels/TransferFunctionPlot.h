@@ -1,31 +1,116 @@
 #pragma once
-// The volume's histogram with the transfer function over it: opacity as height, in the function's colours.
+// A volume's histogram, logarithmic, with a transfer function over it to edit: nodes and trapezoids are dragged with
+// the mouse or moved with the keys. Values run from left to right; height is the opacity of 1 mm. The wheel enlarges
+// the values around the mouse.
 
-#include <vector>
+#include <optional>
+#include <utility>
 
 #include <QWidget>
 
-#include "rendering/scene/Volume.h"
+#include "viewer/model/FunctionTarget.h"
+#include "viewer/model/ValueHistogram.h"
+
+class QMenu;
 
 namespace fenestra::viewer {
-
-class Document;
 
 class TransferFunctionPlot : public QWidget {
   Q_OBJECT
  public:
   explicit TransferFunctionPlot(Document& document, QWidget* parent = nullptr);
-  QSize sizeHint() const override { return {240, 84}; }
+  QSize sizeHint() const override { return {240, 150}; }
+  QSize minimumSizeHint() const override { return {160, 90}; }
+
+  const FunctionTarget& target() const { return target_; }
+  void setTarget(const FunctionTarget& target);
+  /// The function that is shown, over values of the volume.
+  TransferFunction function() const;
+  /// The node that keys, colour and exact numbers are about; empty where there is none.
+  std::optional<std::size_t> selected() const;
+  void select(std::size_t node);
+  /// Selects a whole trapezoid by its first node: it is coloured and deleted as one.
+  void selectTrapezoid(std::size_t first);
+
+  /// The values from the left to the right edge, and from the least to the greatest that can be shown.
+  ValueRange shown() const { return shown_; }
+  ValueRange axis() const { return axis_; }
+  /// Where in the widget a value and an opacity are.
+  QPointF place(double value, double opacity) const;
+
+  /// One step of the history each. The selected node gets an exact value, opacity or colour.
+  void setValue(double value);
+  void setOpacity(double opacity);
+  void setColour(glm::dvec3 colour);
+  void addNode(double value, double opacity);
+  void addTrapezoid(double value);
+  void deleteSelected();
+  /// What a right click offers; `at` is a place in the widget.
+  void fillMenu(QMenu& menu, QPointF at);
+
+ Q_SIGNALS:
+  /// Another node is selected, or the function has changed.
+  void changed();
+  /// The user asks for a dialog of the selected node's colour.
+  void colourWanted();
 
  protected:
+  bool event(QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void keyReleaseEvent(QKeyEvent* event) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
 
  private:
+  /// A gesture under way: how things were when it began.
+  struct Drag {
+    Look look;
+    TransferFunction function;
+    Grip grip;
+    QPointF from;
+    bool hasMoved = false;  ///< farther than a click's tremor
+  };
+  QFont axisFont() const;
+  QRectF area() const;
+  double valueAt(double x) const;
+  double opacityAt(double y) const;
+  std::optional<Grip> gripAt(QPointF at) const;
+  void selectPart(Grip grip);
   void countValues();
+  void fitAxis();
+  void follow();
+  void showValues(ValueRange values);
+  /// Shows a function made from function() as a step of its own.
+  void edit(const TransferFunction& function);
+  void dragTo(QPointF at, Qt::KeyboardModifiers modifiers);
+  void endDrag();
+  void cancelDrag();
+  /// False where the key means nothing here.
+  bool useKey(const QKeyEvent& event);
+  void moveByKey(const QKeyEvent& event);
+  /// The trapezoid that the selected node is a part of, or the node.
+  Grip selectedGrip(Grip::Part part) const;
+  /// The selected node, or all four of a selected trapezoid: first and one past the last.
+  std::pair<std::size_t, std::size_t> selection() const;
+  void showCursor(QPointF at);
+  void drawHistogram(QPainter& painter) const;
+  void drawAxes(QPainter& painter) const;
+  void drawFunction(QPainter& painter) const;
+  void drawHandles(QPainter& painter) const;
 
   Document& document_;
-  ValueRange shown_;              ///< values from the left to the right edge
-  std::vector<float> histogram_;  ///< heights 0..1, logarithmic
+  FunctionTarget target_;
+  ValueHistogram histogram_;
+  ValueRange axis_{0.0, 1.0}, shown_{0.0, 1.0};
+  std::size_t selected_ = 0;
+  bool isTrapezoidSelected_ = false;  ///< the one that the selected node belongs to
+  std::optional<Drag> drag_;
+  std::optional<double> panFrom_;  ///< value under the mouse when the middle button went down
 };
 
 }  // namespace fenestra::viewer

@@ -282,8 +282,13 @@ bool VolumeView::drawDue() {
     const GpuScene::Versions before = gpuScene.versions();
     picture_->draw(scene, view, effort == rest);
     gl::finish();
-    // The first picture of a kind also compiles programs or uploads voxels.
-    const bool usual = firstRuns == gl::ShaderProgram::firstRuns() && before == gpuScene.versions();
+    // The first picture of a kind also compiles programs or uploads voxels. Tables of the transfer function and colours
+    // are made anew with each move of a drag: they belong to what its next picture will take.
+    GpuScene::Versions after = gpuScene.versions();
+    after.transfer = before.transfer;
+    after.gaps = before.gaps;
+    after.palette = before.palette;
+    const bool usual = firstRuns == gl::ShaderProgram::firstRuns() && before == after;
     pacer.drew(effort, now() - start, usual);
     followed_ = pacer.frames() + 1;
   });

@@ -1,0 +1,22 @@
+#include "rendering/scene/LookStyle.h"
+
+namespace fenestra {
+
+Look styleOf(Look look) {
+  look.focus = {};
+  look.labels = {};
+  look.strokes = {};
+  look.context.preset.clear();
+  look.context.file.clear();
+  return look;
+}
+
+Look restyled(const Look& look, const Look& style) {
+  Look result = styleOf(style);
+  result.focus = look.focus;
+  result.labels = look.labels;
+  result.strokes = look.strokes;
+  return result;
+}
+
+}  // namespace fenestra

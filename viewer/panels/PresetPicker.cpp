@@ -1,0 +1,290 @@
+#include "viewer/panels/PresetPicker.h"
+
+#include <algorithm>
+
+#include <QAbstractItemView>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QInputDialog>
+#include <QMessageBox>
+#include <QPointer>
+#include <QSignalBlocker>
+#include <QStyledItemDelegate>
+
+#include "io/TransferFunctionFile.h"
+#include "rendering/scene/LookStyle.h"
+#include "viewer/model/Document.h"
+#include "viewer/model/Paths.h"
+#include "viewer/model/PreviewBackend.h"
+#include "viewer/model/Translation.h"
+
+namespace fenestra::viewer {
+namespace {
+
+// Device-independent pixels: in the open list, and beside the name of what is shown.
+constexpr QSize pictureSize(64, 56), smallSize(22, 19);
+
+/// What a row stands for: the id or path that Document::setPreset takes, or the name of a user's preset.
+enum Role : int { Function = Qt::UserRole, Preset, HasPicture };
+
+std::optional<std::filesystem::path> chosenFile(const QString& name) {
+  return name.isEmpty() ? std::nullopt : std::optional(toPath(name));
+}
+
+}  // namespace
+
+void PresetBox::showPopup() {
+  Q_EMIT opening();
+  QComboBox::showPopup();
+}
+
+PresetQuestions presetDialogs(QWidget* parent) {
+  const auto ask = [parent](const QString& question) {
+    return QMessageBox::question(parent, PresetPicker::tr("Presets"), question) == QMessageBox::Yes;
+  };
+  return {
+      .name =
+          [=](const QString& suggested) {
+            return QInputDialog::getText(parent, PresetPicker::tr("Presets"), PresetPicker::tr("Name of the preset"),
+                                         QLineEdit::Normal, suggested)
+                .trimmed();
+          },
+      .importWhich =
+          [=] {
+            return chosenFile(QFileDialog::getOpenFileName(parent, PresetPicker::tr("Import a preset"), {},
+                                                           PresetPicker::tr("Presets (*.json)")));
+          },
+      .exportWhere =
+          [=](const QString& suggested) {
+            return chosenFile(QFileDialog::getSaveFileName(parent, PresetPicker::tr("Export the preset"),
+                                                           suggested + QStringLiteral(".json"),
+                                                           PresetPicker::tr("Presets (*.json)")));
+          },
+      .mayReplace =
+          [=](const QString& name) { return ask(PresetPicker::tr("There is a preset \"%1\". Replace it?").arg(name)); },
+      .mayDelete = [=](const QString& name) { return ask(PresetPicker::tr("Delete the preset \"%1\"?").arg(name)); },
+      .functionWhich =
+          [=] {
+            return chosenFile(QFileDialog::getOpenFileName(parent, PresetPicker::tr("Open a transfer function"), {},
+                                                           PresetPicker::tr("Transfer functions (*.json)")));
+          }};
+}
+
+PresetPicker::PresetPicker(Document& document, LookLibrary& library, QWidget* parent)
+    : QWidget(parent),
+      document_(document),
+      library_(library),
+      box_(new PresetBox),
+      button_(new QToolButton),
+      menu_(new QMenu(this)),
+      questions_(presetDialogs(this)) {
+  box_->setIconSize(smallSize);
+  box_->setItemDelegate(new QStyledItemDelegate(box_));  // that of a menu has small icons
+  box_->view()->setIconSize(pictureSize);
+  box_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  box_->setPlaceholderText(tr("Edited"));
+  box_->setToolTip(tr("Transfer functions, and your own presets of the whole look"));
+  button_->setText(QStringLiteral("…"));
+  button_->setToolTip(tr("Keep, import, export, rename and delete presets"));
+  button_->setAccessibleName(button_->toolTip());
+  button_->setPopupMode(QToolButton::InstantPopup);
+  button_->setFocusPolicy(Qt::StrongFocus);
+  button_->setMenu(menu_);
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->addWidget(box_, 1);
+  row->addWidget(button_);
+
+  connect(box_, &QComboBox::activated, this, &PresetPicker::choose);
+  connect(box_, &PresetBox::opening, this, &PresetPicker::makePictures);
+  connect(menu_, &QMenu::aboutToShow, this, &PresetPicker::fillMenu);
+  connect(&library, &LookLibrary::changed, this, &PresetPicker::list);
+  connect(&document, &Document::volumeChanged, this, &PresetPicker::clearPictures);
+  connect(&document, &Document::transferFunctionChanged, this, &PresetPicker::show);
+  connect(&document, &Document::sceneChanged, this, &PresetPicker::show);
+  list();
+}
+
+void PresetPicker::list() {
+  const QSignalBlocker quiet(box_);
+  const auto presets = io::transferFunctionPresets();
+  // Pictures of the user's presets may be of what they were before.
+  std::vector<QIcon> pictures(presets.size());
+  for (std::size_t row = 0; row < presets.size(); ++row)
+    if (box_->itemData(static_cast<int>(row), HasPicture).toBool())
+      pictures[row] = box_->itemIcon(static_cast<int>(row));
+  box_->clear();
+  for (std::size_t row = 0; row < presets.size(); ++row) {
+    box_->addItem(pictures[row], translated(presets[row].name), QString::fromStdString(presets[row].id));
+    box_->setItemData(static_cast<int>(row), !pictures[row].isNull(), HasPicture);
+  }
+  for (const LookLibrary::Entry& entry : library_.entries()) {
+    box_->addItem(QString::fromStdString(entry.preset.name));
+    box_->setItemData(box_->count() - 1, QString::fromStdString(entry.preset.name), Preset);
+  }
+  box_->addItem(tr("From a file…"));
+  show();
+}
+
+void PresetPicker::show() {
+  int row = -1;
+  if (document_.hasVolume()) {
+    const QString function = QString::fromStdString(document_.preset());
+    // What is a preset's function goes by that; otherwise by the preset of the whole look that it is.
+    if (!function.isEmpty()) row = box_->findData(function, Function);
+    if (const auto& entries = library_.entries(); row < 0 && !entries.empty()) {
+      const auto same =
+          std::find_if(entries.begin(), entries.end(),
+                       [style = styleOf(document_.look())](const auto& each) { return each.preset.look == style; });
+      if (same != entries.end()) row = box_->findData(QString::fromStdString(same->preset.name), Preset);
+    }
+    if (row < 0 && !function.isEmpty()) {  // a file, which gets an entry with its name
+      row = box_->count() - 1;
+      box_->insertItem(row, QFileInfo(function).completeBaseName(), function);
+    }
+  }
+  box_->setCurrentIndex(row);
+}
+
+void PresetPicker::choose(int row) {
+  const QString preset = box_->itemData(row, Preset).toString();
+  attempt([&] {
+    if (!preset.isEmpty()) {
+      if (const LookLibrary::Entry* entry = library_.find(preset)) apply(*entry);
+      return;
+    }
+    QString function = box_->itemData(row, Function).toString();
+    if (function.isEmpty()) {
+      const auto file = questions_.functionWhich();
+      if (file) function = toQString(*file);
+    }
+    if (!function.isEmpty()) document_.setPreset(toPath(function).string());
+  });
+  show();
+}
+
+void PresetPicker::apply(const LookLibrary::Entry& entry) {
+  document_.edit(tr("Preset"), restyled(document_.look(), entry.preset.look));
+  const std::string odd = io::mismatchOf(entry.preset, document_.scene().volume->unit);
+  if (!odd.empty()) Q_EMIT warned(QString::fromStdString(odd));
+}
+
+QString PresetPicker::shownPreset() const { return box_->currentData(Preset).toString(); }
+
+void PresetPicker::fillMenu() {
+  menu_->clear();
+  const auto add = [this](const QString& text, auto does, bool enabled) {
+    menu_->addAction(text, this, does)->setEnabled(enabled);
+  };
+  const bool isOpen = document_.hasVolume(), isOwn = !shownPreset().isEmpty();
+  add(tr("Keep this look as a preset…"), &PresetPicker::keepLook, isOpen && library_.canKeep());
+  add(tr("Rename…"), &PresetPicker::renamePreset, isOwn);
+  add(tr("Delete…"), &PresetPicker::deletePreset, isOwn);
+  menu_->addSeparator();
+  add(tr("Import a preset…"), &PresetPicker::importPreset, library_.canKeep());
+  add(tr("Export this look…"), &PresetPicker::exportPreset, isOpen);
+}
+
+void PresetPicker::keepLook() {
+  attempt([this] {
+    const QString name = questions_.name(shownPreset());
+    if (name.isEmpty() || (library_.find(name) && !questions_.mayReplace(name))) return;
+    library_.keep({name.toStdString(), document_.scene().volume->unit, styleOf(document_.look()), {}});
+  });
+}
+
+void PresetPicker::importPreset() {
+  attempt([this] {
+    const auto file = questions_.importWhich();
+    if (!file) return;
+    const QString name = library_.import(*file);
+    if (const LookLibrary::Entry* entry = library_.find(name); entry && document_.hasVolume()) apply(*entry);
+    show();
+  });
+}
+
+void PresetPicker::exportPreset() {
+  attempt([this] {
+    const QString preset = shownPreset();
+    const auto file = questions_.exportWhere(preset.isEmpty() ? tr("Look") : preset);
+    if (!file) return;
+    const LookLibrary::Entry* entry = library_.find(preset);
+    io::writeLook(
+        *file,
+        entry ? entry->preset
+              : io::LookPreset{file->stem().string(), document_.scene().volume->unit, styleOf(document_.look()), {}});
+  });
+}
+
+void PresetPicker::renamePreset() {
+  attempt([this] {
+    const QString name = shownPreset(), to = questions_.name(name);
+    if (to.isEmpty() || to == name || (library_.find(to) && !questions_.mayReplace(to))) return;
+    library_.rename(name, to);
+  });
+}
+
+void PresetPicker::deletePreset() {
+  attempt([this] {
+    const QString name = shownPreset();
+    if (questions_.mayDelete(name)) library_.remove(name);
+  });
+}
+
+void PresetPicker::attempt(const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const std::exception& error) {
+    Q_EMIT failed(QString::fromUtf8(error.what()));
+  }
+}
+
+bool PresetPicker::hasAllPictures() const {
+  for (int row = 0; row + 1 < box_->count(); ++row)
+    if (!box_->itemData(row, HasPicture).toBool()) return false;
+  return true;
+}
+
+void PresetPicker::clearPictures() {
+  for (int row = 0; row < box_->count(); ++row) {
+    box_->setItemIcon(row, {});
+    box_->setItemData(row, false, HasPicture);
+  }
+}
+
+void PresetPicker::makePictures() {
+  if (!backend_ || !document_.hasVolume()) return;
+  std::vector<PreviewBackend::LookMaker> looks;
+  const double ratio = devicePixelRatioF();
+  QPixmap empty(pictureSize * ratio);
+  empty.setDevicePixelRatio(ratio);
+  empty.fill(Qt::black);
+  std::vector<QString> names;  // rows move when presets come and go
+  for (int row = 0; row + 1 < box_->count(); ++row) {
+    if (box_->itemData(row, HasPicture).toBool()) continue;
+    box_->setItemIcon(row, empty);  // rows keep their height when the pictures come
+    names.push_back(box_->itemText(row));
+    const std::string function = toPath(box_->itemData(row, Function).toString()).string();
+    if (const LookLibrary::Entry* entry = library_.find(box_->itemData(row, Preset).toString()))
+      looks.emplace_back([look = entry->preset.look] { return look; });
+    else
+      looks.emplace_back([function, look = document_.look(), volume = document_.scene().volume]() mutable {
+        look.context = io::loadContextFunction(function, *volume);
+        return look;
+      });
+  }
+  if (looks.empty()) return;
+  backend_->request(
+      document_.scene(), std::move(looks), pictureSize * ratio,
+      [self = QPointer(this), names, ratio, of = document_.scene().volume](std::size_t index, QImage picture) {
+        if (!self || self->document_.scene().volume != of) return;
+        picture.setDevicePixelRatio(ratio);
+        const int row = self->box_->findText(names[index], Qt::MatchExactly);
+        if (row < 0) return;
+        self->box_->setItemIcon(row, QPixmap::fromImage(picture));
+        self->box_->setItemData(row, true, HasPicture);
+      });
+}
+
+}  // namespace fenestra::viewer

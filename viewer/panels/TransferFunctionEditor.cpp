@@ -1,0 +1,126 @@
+#include "viewer/panels/TransferFunctionEditor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+
+#include <QAbstractItemView>
+#include <QHBoxLayout>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include "viewer/model/Document.h"
+
+namespace fenestra::viewer {
+
+TransferFunctionEditor::TransferFunctionEditor(Document& document, QWidget* parent)
+    : QWidget(parent),
+      document_(document),
+      onlyContext_(new QLabel(tr("Point"))),
+      targets_(new QComboBox),
+      plot_(new TransferFunctionPlot(document)),
+      value_(new QDoubleSpinBox),
+      opacity_(new QDoubleSpinBox),
+      colour_(new ColourButton(tr("Colour of the selected point"))) {
+  targets_->setToolTip(tr("What the plot shows and edits"));
+  targets_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  targets_->setMinimumContentsLength(5);
+  targets_->view()->setTextElideMode(Qt::ElideNone);
+  plot_->setToolTip(
+      tr("Drag points, or the edges, top and inside of a trapezoid. Double-click adds a point; Delete removes it; the "
+         "wheel enlarges. The key ? lists all."));
+  value_->setToolTip(tr("Value of the selected point"));
+  opacity_->setToolTip(tr("Opacity of 1 mm at the selected point"));
+  opacity_->setRange(0.0, 100.0);
+  opacity_->setDecimals(2);
+  opacity_->setSuffix(tr(" %"));
+  for (QDoubleSpinBox* box : {value_, opacity_}) {
+    box->setKeyboardTracking(false);
+    box->setAlignment(Qt::AlignRight);
+    box->setMinimumWidth(60);
+  }
+  for (QWidget* control : std::initializer_list<QWidget*>{targets_, value_, opacity_, colour_})
+    control->setAccessibleName(control->toolTip());
+  auto* point = new QHBoxLayout;
+  point->addWidget(onlyContext_);
+  point->addWidget(targets_, 2);
+  point->addWidget(value_, 3);
+  point->addWidget(opacity_, 2);
+  point->addWidget(colour_);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(plot_);
+  column->addLayout(point);
+
+  connect(targets_, &QComboBox::activated, this,
+          [this](int row) { plot_->setTarget(listed_.at(static_cast<std::size_t>(row))); });
+  connect(value_, &QDoubleSpinBox::valueChanged, plot_, &TransferFunctionPlot::setValue);
+  connect(opacity_, &QDoubleSpinBox::valueChanged, plot_,
+          [this](double percent) { plot_->setOpacity(0.01 * percent); });
+  connect(colour_, &ColourButton::edited, plot_, &TransferFunctionPlot::setColour);
+  connect(plot_, &TransferFunctionPlot::colourWanted, colour_, [this] {
+    if (colour_->isEnabled()) colour_->click();
+  });
+  connect(&document, &Document::volumeChanged, this, &TransferFunctionEditor::fitToVolume);
+  connect(plot_, &TransferFunctionPlot::changed, this, [this] {
+    showTargets();
+    showNode();
+  });
+  showTargets();
+  showNode();
+}
+
+void TransferFunctionEditor::fitToVolume() {
+  const Volume& volume = *document_.scene().volume;
+  const double span = std::max(volume.range.high - volume.range.low, 1e-12);
+  const QSignalBlocker quiet(value_);
+  // Four significant digits of the range, and tenths of a Hounsfield unit.
+  value_->setDecimals(std::clamp(static_cast<int>(std::ceil(4.0 - std::log10(span))), 0, 9));
+  value_->setSingleStep(std::pow(10.0, std::floor(std::log10(span)) - 2.0));
+  value_->setSuffix(volume.unit.empty() ? QString() : QStringLiteral(" ") + QString::fromStdString(volume.unit));
+  showNode();
+}
+
+void TransferFunctionEditor::showTargets() {
+  const std::vector<FunctionTarget> targets = targetsOf(document_);
+  const QSignalBlocker quiet(targets_);
+  if (targets != listed_ || targets_->count() == 0) {
+    listed_ = targets;
+    targets_->clear();
+    for (const FunctionTarget& target : listed_) targets_->addItem(nameOf(target, document_));
+  }
+  targets_->setVisible(listed_.size() > 1);
+  onlyContext_->setVisible(listed_.size() == 1);
+  for (std::size_t row = 0; row < listed_.size(); ++row) {
+    targets_->setItemText(static_cast<int>(row), nameOf(listed_[row], document_));
+    if (listed_[row] == plot_->target()) targets_->setCurrentIndex(static_cast<int>(row));
+  }
+}
+
+void TransferFunctionEditor::showNode() {
+  const std::optional<std::size_t> selected = plot_->selected();
+  const FunctionTarget& target = plot_->target();
+  const bool there = document_.hasVolume() && selected;
+  value_->setEnabled(there && hasValues(target, document_));
+  opacity_->setEnabled(there);
+  colour_->setEnabled(there && hasColour(target, document_));
+  if (!there) return;
+  const TransferFunction function = plot_->function();
+  const auto& nodes = function.nodes;
+  const TransferFunction::Node& node = nodes[*selected];
+  const QSignalBlocker quietValue(value_), quietOpacity(opacity_);
+  // As far as the neighbours allow; a box's corner lies on its edge.
+  const bool own = hasNodes(target);
+  const ValueRange all = own ? ValueRange{-1e9, 1e9} : document_.scene().volume->range;
+  double low = all.low, high = all.high;
+  if (own && *selected > 0) low = nodes[*selected - 1].value;
+  if (own && *selected + 1 < nodes.size()) high = nodes[*selected + 1].value;
+  if (!own && *selected >= 2) low = nodes.front().value;
+  if (!own && *selected < 2) high = nodes.back().value;
+  value_->setRange(std::min(low, node.value), std::max(high, node.value));
+  value_->setValue(node.value);
+  opacity_->setValue(100.0 * opacityFromExtinction(node.properties.extinction));
+  colour_->setColour(node.properties.colour);
+}
+
+}  // namespace fenestra::viewer
