@@ -1,7 +1,7 @@
 // Pictures of the whole window to look at: sizes, themes and a long language, at the display's pixel ratio.
 //
-//   FENESTRA_SCREENSHOTS=FOLDER QT_SCALE_FACTOR=1.5 xvfb-run -a -s "-screen 0 4000x2600x24" gui_window_tests \
-//     --gtest_filter=Screenshots.*
+//   FENESTRA_SCREENSHOTS=FOLDER QT_SCALE_FACTOR=1.5 xvfb-run -a -s "-screen 0 4000x2600x24" gui_window_tests
+//   with --gtest_filter=Screenshots.*
 
 #include <QApplication>
 #include <QDockWidget>

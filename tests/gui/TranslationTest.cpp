@@ -108,7 +108,9 @@ QStringList cutIn(const QWidget& window) {
   const auto check = [&](const QWidget* widget, const QString& text) {
     if (!widget->isVisible() || widget->visibleRegion().isEmpty() || text.isEmpty()) return;
     const QSize wanted = widget->minimumSizeHint().expandedTo(QSize(0, 0));
-    if (widget->width() < wanted.width() || widget->height() < wanted.height())
+    // What a panel scrolls out of sight is above or below, never beside.
+    const bool cutAside = widget->visibleRegion().boundingRect().width() < widget->width();
+    if (widget->width() < wanted.width() || widget->height() < wanted.height() || cutAside)
       found << QStringLiteral("\"%1\" %2x%3 of %4x%5 in %6")
                    .arg(text)
                    .arg(widget->width())

@@ -90,10 +90,10 @@ TEST_F(Window, SlidersAreThoseOfTheDeclaredSettings) {
 }
 
 TEST_F(Window, ATypedFocusValueIsOneStepAndUndoneFromItsBox) {
-  document().setFocus(ValueFocus{{100.0, 800.0}, 0.0});
+  document().setFocus(ValueFocus{{123.0, 800.0}, 0.0});
   auto boxes = panel<FocusPanel>().findChildren<QDoubleSpinBox*>();
   const auto low =
-      std::find_if(boxes.begin(), boxes.end(), [](const QDoubleSpinBox* box) { return box->value() == 100.0; });
+      std::find_if(boxes.begin(), boxes.end(), [](const QDoubleSpinBox* box) { return box->value() == 123.0; });
   ASSERT_NE(low, boxes.end());
   const int steps = document().undoStack().index();
   (*low)->setFocus();
@@ -103,8 +103,8 @@ TEST_F(Window, ATypedFocusValueIsOneStepAndUndoneFromItsBox) {
   EXPECT_EQ(document().focus(), Focus(ValueFocus{{250.0, 800.0}, 0.0}));
   EXPECT_EQ(document().undoStack().index(), steps + 1);
   QTest::keyClick(*low, Qt::Key_Z, Qt::ControlModifier);
-  EXPECT_EQ(document().focus(), Focus(ValueFocus{{100.0, 800.0}, 0.0}));
-  EXPECT_EQ((*low)->value(), 100.0);
+  EXPECT_EQ(document().focus(), Focus(ValueFocus{{123.0, 800.0}, 0.0}));
+  EXPECT_EQ((*low)->value(), 123.0);
 }
 
 TEST_F(Window, AtRestTheStatusBarTellsOfThePictureAtRest) {

@@ -31,6 +31,8 @@ QSize ScrollingPanel::minimumSizeHint() const {
 }
 
 bool ScrollingPanel::eventFilter(QObject* watched, QEvent* event) {
+  // Rows that appear may be wider than those before: the dock grows with them.
+  if (watched == this->widget() && event->type() == QEvent::LayoutRequest) updateGeometry();
   const auto* widget = qobject_cast<QWidget*>(watched);
   if (event->type() != QEvent::Wheel || !widget || widget->hasFocus()) return QScrollArea::eventFilter(watched, event);
   event->ignore();  // so that it goes on to the scroll area
