@@ -224,6 +224,13 @@ FocusIndex buildFocusIndex(const Scene& scene, const BrickRanges& bricks) {
   return index;
 }
 
+std::vector<std::uint8_t> FocusIndex::occupied() const {
+  std::vector<std::uint8_t> occupied(slots.size());
+  std::transform(slots.begin(), slots.end(), occupied.begin(),
+                 [](std::uint32_t slot) { return static_cast<std::uint8_t>(slot != 0); });
+  return occupied;
+}
+
 std::optional<glm::dvec3> FocusIndex::centre(const Grid& grid) const {
   if (!box) return std::nullopt;
   const glm::dvec3 index = 0.5 * (glm::dvec3(box->low) + glm::dvec3(box->high));

@@ -1,6 +1,8 @@
 #include "rendering/gpu/LabelIndex.h"
 
 #include <algorithm>
+#include <bit>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -19,52 +21,76 @@ decltype(auto) withLabels(const LabelMap& map, Visit&& visit) {
   return visit(map.voxels.as<std::uint16_t>());
 }
 
+/// Entry i: in byte x, the bits x and x + 1 of i, for all cells along a row of corners.
+constexpr std::array<std::uint32_t, 1 << cornerSide> cornerPairs() {
+  std::array<std::uint32_t, 1 << cornerSide> pairs{};
+  for (std::uint32_t row = 0; row < pairs.size(); ++row)
+    for (std::uint32_t x = 0; x < brickSide; ++x) pairs[row] |= (row >> x & 3u) << (8 * x);
+  return pairs;
+}
+
 /// Which voxels at the corners of a brick's cells have a label of the focus; corners beyond the volume repeat its edge.
 class BrickCorners {
  public:
   template <class T>
   BrickCorners(glm::ivec3 brick, std::span<const T> labels, const Grid& grid, const std::vector<std::uint8_t>& wanted)
       : first_(brick * brickSide - 1), last_(grid.dims - 1) {
-    std::array<int, cornerSide> columns{};
+    std::array<std::ptrdiff_t, cornerSide> columns{};
     for (int x = 0; x < cornerSide; ++x) columns[static_cast<std::size_t>(x)] = std::clamp(first_.x + x, 0, last_.x);
-    for (int z = 0; z < cornerSide; ++z)
-      for (int y = 0; y < cornerSide; ++y) {
-        const glm::ivec3 at(0, std::clamp(first_.y + y, 0, last_.y), std::clamp(first_.z + z, 0, last_.z));
-        const T* row = labels.data() + grid.offset(at);
+    const std::uint8_t* inFocus = wanted.data();
+    for (int z = 0, at = 0; z < cornerSide; ++z)
+      for (int y = 0; y < cornerSide; ++y, ++at) {
+        const T* row =
+            labels.data() + rowOffset(grid, std::clamp(first_.y + y, 0, last_.y), std::clamp(first_.z + z, 0, last_.z));
         std::uint32_t bits = 0;
-        for (int x = 0; x < cornerSide; ++x)
-          bits |= std::uint32_t{wanted[row[columns[static_cast<std::size_t>(x)]]]} << x;
-        rows_[rowAt(y, z)] = bits;
+        for (std::size_t x = 0; x < columns.size(); ++x) bits |= std::uint32_t{inFocus[row[columns[x]]]} << x;
+        rows_[static_cast<std::size_t>(at)] = bits;
         any_ |= bits;
         all_ &= bits;
       }
   }
   bool any() const { return any_ != 0; }
   bool all() const { return all_ == (1u << cornerSide) - 1u; }
-  /// Bit i is corner i of a cell, x fastest.
-  std::uint32_t mask(glm::ivec3 cell) const {
-    const auto pair = [&](int y, int z) { return rows_[rowAt(y, z)] >> cell.x & 3u; };
-    return pair(cell.y, cell.z) | pair(cell.y + 1, cell.z) << 2 | pair(cell.y, cell.z + 1) << 4 |
-           pair(cell.y + 1, cell.z + 1) << 6;
+  /// Of the cells (0…3, y, z), a byte each: bit i is corner i, x fastest.
+  std::uint32_t cells(int y, int z) const {
+    static constexpr std::array<std::uint32_t, 1 << cornerSide> pairs = cornerPairs();
+    return pairs[row(y, z)] | pairs[row(y + 1, z)] << 2 | pairs[row(y, z + 1)] << 4 | pairs[row(y + 1, z + 1)] << 6;
   }
   /// Makes `box` hold the voxels of the focus.
   void addTo(std::optional<IndexBox>& box) const {
     for (int z = 0; z < cornerSide; ++z)
-      for (int y = 0; y < cornerSide; ++y)
-        for (int x = 0; x < cornerSide; ++x) {
-          if (!(rows_[rowAt(y, z)] >> x & 1u)) continue;
-          const glm::ivec3 voxel = glm::clamp(first_ + glm::ivec3(x, y, z), glm::ivec3(0), last_);
-          grow(box, voxel, voxel);
-        }
+      for (int y = 0; y < cornerSide; ++y) {
+        if (row(y, z) == 0) continue;
+        const int left = std::countr_zero(row(y, z)), right = std::bit_width(row(y, z)) - 1;
+        grow(box, glm::clamp(first_ + glm::ivec3(left, y, z), glm::ivec3(0), last_),
+             glm::clamp(first_ + glm::ivec3(right, y, z), glm::ivec3(0), last_));
+      }
+  }
+  /// Where a row of voxels begins.
+  static std::size_t rowOffset(const Grid& grid, int y, int z) {
+    return static_cast<std::size_t>(grid.dims.x) *
+           (static_cast<std::size_t>(y) + static_cast<std::size_t>(grid.dims.y) * static_cast<std::size_t>(z));
   }
 
  private:
-  static std::size_t rowAt(int y, int z) { return static_cast<std::size_t>(y + cornerSide * z); }
+  std::uint32_t row(int y, int z) const { return rows_[static_cast<std::size_t>(y + cornerSide * z)]; }
 
   glm::ivec3 first_, last_;  ///< indices of the brick's first corner, and of the volume's last voxel
   std::array<std::uint32_t, static_cast<std::size_t>(cornerSide* cornerSide)> rows_{};  ///< bit x is a voxel
   std::uint32_t any_ = 0, all_ = ~0u;
 };
+
+/// Starts to fetch a brick's labels from memory: its rows lie far apart, and there are many bricks.
+template <class T>
+void prefetch(glm::ivec3 brick, std::span<const T> labels, const Grid& grid) {
+  const glm::ivec3 first = brick * brickSide - 1, last = grid.dims - 1;
+  const int x = std::clamp(first.x, 0, last.x);
+  for (int z = 0; z < cornerSide; ++z)
+    for (int y = 0; y < cornerSide; ++y)
+      __builtin_prefetch(
+          labels.data() + x +
+          BrickCorners::rowOffset(grid, std::clamp(first.y + y, 0, last.y), std::clamp(first.z + z, 0, last.z)));
+}
 
 /// Entry i: how many labels below i satisfy the condition.
 template <class Holds>
@@ -120,52 +146,67 @@ void LabelIndexer::readRanges(std::span<const T> labels) {
               });
 }
 
+glm::ivec3 LabelIndexer::brickAt(std::size_t offset) const {
+  const auto x = static_cast<std::size_t>(bricks_.x), y = static_cast<std::size_t>(bricks_.y);
+  return {offset % x, offset / x % y, offset / (x * y)};
+}
+
 template <class T>
 LabelIndexer::Found LabelIndexer::lookAt(glm::ivec3 brick, std::span<const T> labels) const {
   const BrickCorners corners(brick, labels, map_->grid, wanted_);
   Found found{.brick = brickOffset(bricks_, brick), .kind = corners.all() ? 1u : corners.any() ? 2u : 0u};
   if (found.kind < 2) return found;
-  glm::ivec3 cell;
-  for (cell.z = 0; cell.z < brickSide; ++cell.z)
-    for (cell.y = 0; cell.y < brickSide; ++cell.y)
-      for (cell.x = 0; cell.x < brickSide; ++cell.x) {
-        const std::size_t byte = cellInBrick(cell);
-        found.cells[byte / 4] |= corners.mask(cell) << (8 * (byte % 4));
-      }
+  static_assert(brickSide == 4, "a word holds a row of cells");
+  for (int z = 0, word = 0; z < brickSide; ++z)
+    for (int y = 0; y < brickSide; ++y, ++word) found.cells[static_cast<std::size_t>(word)] = corners.cells(y, z);
   return found;
 }
 
-std::vector<std::vector<LabelIndexer::Found>> LabelIndexer::changedBricks(
-    const FocusIndex& index, const std::vector<std::uint32_t>& changedUpTo) {
+std::vector<std::size_t> LabelIndexer::concernedBricks(const std::vector<std::uint32_t>& changedUpTo) const {
+  const bool background = changedUpTo[1] != 0;  // label 0, which no range holds
+  const std::size_t layer = brickOffset(bricks_, {0, 0, 1});
+  std::vector<std::vector<std::size_t>> layers(static_cast<std::size_t>(bricks_.z));
+  parallelFor(layers.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t z = begin; z < end; ++z)
+      for (std::size_t brick = z * layer; brick < (z + 1) * layer; ++brick) {
+        const Range range = ranges_[brick];
+        const bool concerned =
+            range.least <= range.greatest && changedUpTo[range.greatest + 1u] != changedUpTo[range.least];
+        if (concerned || background) layers[z].push_back(brick);
+      }
+  });
+  std::vector<std::size_t> bricks;
+  for (const std::vector<std::size_t>& each : layers) bricks.insert(bricks.end(), each.begin(), each.end());
+  return bricks;
+}
+
+std::vector<LabelIndexer::Found> LabelIndexer::changedBricks(const FocusIndex& index,
+                                                             const std::vector<std::size_t>& concerned) const {
   const auto differs = [&](const Found& found) {
     const std::uint32_t slot = index.slots[found.brick];
     if (found.kind != std::min(slot, 2u)) return true;
     return slot >= 2 && !std::equal(found.cells.begin(), found.cells.end(),
                                     index.cells.begin() + static_cast<std::ptrdiff_t>((slot - 2) * wordsPerBrick));
   };
-  const bool background = changedUpTo[1] != 0;  // label 0, which no range holds
-  std::vector<std::vector<Found>> layers(static_cast<std::size_t>(bricks_.z));
+  constexpr std::size_t ahead = 6;  // bricks: long enough for memory to answer
+  constexpr std::size_t piece = 256;
+  std::vector<std::vector<Found>> pieces((concerned.size() + piece - 1) / piece);
   withLabels(*map_, [&](auto labels) {
-    parallelFor(layers.size(), 1, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t layer = begin; layer < end; ++layer) {
-        glm::ivec3 brick(0, 0, static_cast<int>(layer));
-        std::size_t at = brickOffset(bricks_, brick);
-        for (brick.y = 0; brick.y < bricks_.y; ++brick.y)
-          for (brick.x = 0; brick.x < bricks_.x; ++brick.x, ++at) {
-            const Range range = ranges_[at];
-            const bool concerned =
-                range.least <= range.greatest && changedUpTo[range.greatest + 1u] != changedUpTo[range.least];
-            if (!concerned && !background) continue;
-            const Found found = lookAt(brick, labels);
-            if (differs(found)) layers[layer].push_back(found);
-          }
+    parallelFor(pieces.size(), 1, [&](std::size_t begin, std::size_t end) {
+      const std::size_t last = std::min(end * piece, concerned.size());
+      for (std::size_t i = begin * piece; i < last; ++i) {
+        if (i + ahead < last) prefetch(brickAt(concerned[i + ahead]), labels, map_->grid);
+        const Found found = lookAt(brickAt(concerned[i]), labels);
+        if (differs(found)) pieces[i / piece].push_back(found);
       }
     });
   });
-  return layers;
+  std::vector<Found> all;
+  for (const std::vector<Found>& each : pieces) all.insert(all.end(), each.begin(), each.end());
+  return all;
 }
 
-void LabelIndexer::apply(FocusIndex& index, const std::vector<std::vector<Found>>& found, Change& change) {
+void LabelIndexer::apply(FocusIndex& index, const std::vector<Found>& found, Change& change) {
   // Slots that fall free, and bricks that have none yet.
   std::vector<std::uint32_t> free;
   std::vector<const Found*> wanting;
@@ -176,23 +217,22 @@ void LabelIndexer::apply(FocusIndex& index, const std::vector<std::vector<Found>
     owners_[slot - 2] = of.brick;
   };
   std::vector<std::size_t> touched;
-  for (const std::vector<Found>& layer : found)
-    for (const Found& each : layer) {
-      const std::uint32_t before = index.slots[each.brick];
-      change.bricks.push_back(each.brick);
-      if (before == 0) change.filled.push_back(each.brick);
-      if (each.kind == 0) change.emptied.push_back(each.brick);
-      if (before >= 2 && each.kind == 2) {
-        put(before, each);
-        continue;
-      }
-      touched.push_back(each.brick);
-      if (before >= 2) free.push_back(before);
-      if (each.kind == 2)
-        wanting.push_back(&each);
-      else
-        index.slots[each.brick] = each.kind;
+  for (const Found& each : found) {
+    const std::uint32_t before = index.slots[each.brick];
+    change.bricks.push_back(each.brick);
+    if (before == 0) change.filled.push_back(each.brick);
+    if (each.kind == 0) change.emptied.push_back(each.brick);
+    if (before >= 2 && each.kind == 2) {
+      put(before, each);
+      continue;
     }
+    touched.push_back(each.brick);
+    if (before >= 2) free.push_back(before);
+    if (each.kind == 2)
+      wanting.push_back(&each);
+    else
+      index.slots[each.brick] = each.kind;
+  }
   for (const Found* each : wanting) {
     if (free.empty()) {
       free.push_back(static_cast<std::uint32_t>(owners_.size()) + 2);
@@ -266,9 +306,8 @@ LabelIndexer::Change LabelIndexer::update(FocusIndex& index, const std::vector<s
     index.slots.assign(ranges_.size(), 0);
   }
   Change change;
-  const auto found =
-      changedBricks(index, countsUpTo([&](std::size_t label) { return wanted_[label] != before[label]; }));
-  apply(index, found, change);
+  const auto changedUpTo = countsUpTo([&](std::size_t label) { return wanted_[label] != before[label]; });
+  apply(index, changedBricks(index, concernedBricks(changedUpTo)), change);
   if (!change.bricks.empty()) index.box = boxOf(index);
   return change;
 }

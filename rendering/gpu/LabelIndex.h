@@ -44,13 +44,16 @@ class LabelIndexer {
     std::array<std::uint32_t, wordsPerBrick> cells{};
   };
 
+  glm::ivec3 brickAt(std::size_t offset) const;
   template <class T>
   void readRanges(std::span<const T> labels);
   template <class T>
   Found lookAt(glm::ivec3 brick, std::span<const T> labels) const;
-  /// The bricks whose labels have joined or left the focus and whose cells have changed by it.
-  std::vector<std::vector<Found>> changedBricks(const FocusIndex& index, const std::vector<std::uint32_t>& changedUpTo);
-  void apply(FocusIndex& index, const std::vector<std::vector<Found>>& found, Change& change);
+  /// The bricks that hold labels which have joined or left the focus; entry i of `changedUpTo` counts those below i.
+  std::vector<std::size_t> concernedBricks(const std::vector<std::uint32_t>& changedUpTo) const;
+  /// Of those bricks, the ones whose cells have changed.
+  std::vector<Found> changedBricks(const FocusIndex& index, const std::vector<std::size_t>& concerned) const;
+  void apply(FocusIndex& index, const std::vector<Found>& found, Change& change);
   std::optional<IndexBox> boxOf(const FocusIndex& index) const;
 
   std::shared_ptr<const LabelMap> map_;

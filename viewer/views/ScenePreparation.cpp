@@ -154,11 +154,14 @@ void ScenePreparation::start(const Scene& scene, const View& view, const Kind& k
   // Programs of another volume are compiled again in no time where they are the same.
   std::erase_if(known_, [&](const Kind& known) { return known.volume != kind.volume; });
   const bool isNew = scheduledFor_.lock() != scene.volume;
+  // Its programs are there: only what they read has to be brought up to date.
+  const bool hasPrograms = isKnown(kind);
   scheduledFor_ = scene.volume;
   auto isDone = std::make_shared<bool>(false);
   context_.runBehind(
-      [this, scene, view, isNew, isDone](const std::atomic<bool>& stop) {
+      [this, scene, view, isNew, hasPrograms, isDone](const std::atomic<bool>& stop) {
         if (isNew && chooseSchedule_) chooseSchedule_(gpuScene_, scene, view);
+        if (hasPrograms) return gpuScene_->update(scene);
         Renderer trial(gpuScene_);
         trial.begin(scene, middleOf(view));
         while (!*isDone && !stop) *isDone = trial.advance(0.0);
