@@ -68,6 +68,9 @@ FocusSmooth::FocusSmooth(const FocusIndex& index, glm::ivec3 dims) : index_(inde
   constexpr int margin = reach + 1;
   box_.origin = floorTo(index.box->low - margin, tileSide);
   box_.size = floorTo(index.box->high + margin, tileSide) + tileSide - box_.origin;
+  // Mesa's software rasteriser compiles programs again where a side becomes a power of two.
+  for (int axis = 0; axis < 3; ++axis)
+    while (std::has_single_bit(static_cast<unsigned>(box_.size[axis]))) box_.size[axis] += tileSide;
 }
 
 std::vector<glm::ivec3> FocusSmooth::marked(const std::vector<std::uint8_t>& marks) const {
@@ -116,7 +119,8 @@ void FocusSmooth::read(glm::ivec3 tile, Bits& bits) const {
     bits[static_cast<std::size_t>(brick.y * brickSide + y + blockSide * (brick.z * brickSide + z))] |=
         four << (brick.x * brickSide);
   };
-  const glm::ivec3 first = tile / brickSide - 1;
+  // A block beyond the volume holds what one at its last brick does once the edge is repeated.
+  const glm::ivec3 first = glm::min(tile / brickSide - 1, dims_ / brickSide);
   const glm::ivec3 low = glm::max(-first, 0), high = glm::min(index_.bricks - first, side);
   glm::ivec3 brick;
   for (brick.z = low.z; brick.z < high.z; ++brick.z)
@@ -136,12 +140,12 @@ void FocusSmooth::read(glm::ivec3 tile, Bits& bits) const {
             orRow(brick, y, z, (cells >> 7 & 0x01010101u) * 0x01020408u >> 24);
           }
       }
-  repeatEdge(tile - reach, bits);
+  repeatEdge(first * brickSide, bits);
 }
 
 void FocusSmooth::repeatEdge(glm::ivec3 low, Bits& bits) const {
-  // First and last voxel of the block that lie in the volume; the block may lie beyond it.
-  const glm::ivec3 first = glm::clamp(-low, 0, blockSide - 1), last = glm::clamp(dims_ - 1 - low, 0, blockSide - 1);
+  // First and last voxel of the block that the index holds: it repeats the edge once at the volume's end.
+  const glm::ivec3 first = glm::clamp(-low, 0, blockSide - 1), last = glm::clamp(dims_ - low, 0, blockSide - 1);
   if (first == glm::ivec3(0) && last == glm::ivec3(blockSide - 1)) return;
   const std::uint32_t before = (1u << first.x) - 1, after = ~((2u << last.x) - 1) & ((1u << blockSide) - 1);
   for (std::uint32_t& row : bits) {

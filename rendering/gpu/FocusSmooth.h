@@ -11,7 +11,7 @@
 namespace fenestra {
 
 /// The box of voxels that a smoothed indicator covers; low ends and sizes are multiples of FocusSmooth::tileSide, so
-/// that the box seldom changes while the focus does. Size 0: none.
+/// that the box seldom changes while the focus does, and sizes are no powers of two. Size 0: none.
 struct SmoothBox {
   glm::ivec3 origin{0};  ///< index of the first voxel
   glm::ivec3 size{0};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <random>
 
@@ -41,6 +42,7 @@ void expectSmooth(glm::ivec3 dims, InsideAt insideAt) {
   const SmoothBox& box = smooth.box();
   EXPECT_TRUE(glm::all(glm::lessThanEqual(box.origin, index.box->low - 5)));
   EXPECT_TRUE(glm::all(glm::greaterThanEqual(box.origin + box.size, index.box->high + 6)));
+  for (int axis = 0; axis < 3; ++axis) EXPECT_FALSE(std::has_single_bit(static_cast<unsigned>(box.size[axis])));
   // Two passes round: to a 16384th, and to a 65535th; half a step is lost at most. Scaling drops less than one of 2²².
   const double rounding = 0.5 / 16384.0 + 0.5 / 65535.0 + 1.0 / 4194304.0;
   const std::vector<glm::ivec3> filled = smooth.tiles();
