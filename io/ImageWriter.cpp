@@ -8,6 +8,7 @@
 #include <memory>
 
 #include <png.h>
+#include <zlib.h>
 
 #include "io/base/ByteStream.h"
 #include "io/base/Error.h"
@@ -86,21 +87,42 @@ Picture readLayer(const fs::path& path) {
   return picture;
 }
 
+/// Length, type, data and CRC-32 of type and data, numbers with the most significant byte first (PNG specification,
+/// 5.3); the data are the keyword, a zero and the text (11.3.4.3).
+std::string textChunk(const PngText& text) {
+  const std::string content = "tEXt" + text.keyword + '\0' + text.text;
+  const auto number = [](std::uint32_t value) {
+    std::string bytes;
+    for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(value >> shift);
+    return bytes;
+  };
+  const auto* bytes = reinterpret_cast<const Bytef*>(content.data());
+  const auto sum = static_cast<std::uint32_t>(crc32(0, bytes, static_cast<uInt>(content.size())));
+  return number(static_cast<std::uint32_t>(content.size() - 4)) + content + number(sum);
+}
+
 }  // namespace
 
-void writePng(const fs::path& path, glm::ivec2 size, int channels, std::span<const std::uint8_t> pixels) {
+void writePng(const fs::path& path, glm::ivec2 size, int channels, std::span<const std::uint8_t> pixels,
+              const std::optional<PngText>& text) {
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  image.width = static_cast<png_uint_32>(size.x);
+  image.height = static_cast<png_uint_32>(size.y);
+  image.format = channels == 4 ? PNG_FORMAT_RGBA : channels == 3 ? PNG_FORMAT_RGB : PNG_FORMAT_GRAY;
+  if (pixels.size() != PNG_IMAGE_SIZE(image)) throw std::invalid_argument("writePng: pixels do not fill the picture");
+  const auto refuse = [&] {
+    throw Error(path, std::string("cannot be written (") + image.message + ")", "check the picture's size");
+  };
+  std::vector<std::uint8_t> bytes(PNG_IMAGE_PNG_SIZE_MAX(image));
+  png_alloc_size_t count = bytes.size();
+  if (!png_image_write_to_memory(&image, bytes.data(), &count, 0, pixels.data(), 0, nullptr)) refuse();
+  // libpng's simple interface writes no text. Texts may stand anywhere before the last chunk, IEND, which has no data.
+  constexpr std::size_t lastChunk = 12;
+  const std::size_t front = count - lastChunk;
+  const std::string chunk = text ? textChunk(*text) : std::string();
   writeAtomically(path, [&](const fs::path& temporary) {
-    png_image image{};
-    image.version = PNG_IMAGE_VERSION;
-    image.width = static_cast<png_uint_32>(size.x);
-    image.height = static_cast<png_uint_32>(size.y);
-    image.format = channels == 4 ? PNG_FORMAT_RGBA : channels == 3 ? PNG_FORMAT_RGB : PNG_FORMAT_GRAY;
-    if (pixels.size() != PNG_IMAGE_SIZE(image)) throw std::invalid_argument("writePng: pixels do not fill the picture");
-    errno = 0;
-    if (!png_image_write_to_file(&image, temporary.c_str(), 0, pixels.data(), 0, nullptr)) {
-      if (errno != 0) failToWrite(path);
-      throw Error(path, std::string("cannot be written (") + image.message + ")", "check the picture's size");
-    }
+    writeBytes(temporary, {{bytes.data(), front}, {chunk.data(), chunk.size()}, {bytes.data() + front, lastChunk}});
   });
 }
 

@@ -3,15 +3,24 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include <glm/glm.hpp>
 
 namespace fenestra::io {
 
+/// A text chunk (tEXt) of a PNG.
+struct PngText {
+  std::string keyword;  ///< 1 to 79 printable characters of ASCII
+  std::string text;     ///< ASCII
+};
+
 /// 8-bit PNG, row by row from the top, `channels` 1 (grey), 3 (RGB) or 4 (RGBA, not premultiplied).
-void writePng(const std::filesystem::path& path, glm::ivec2 size, int channels, std::span<const std::uint8_t> pixels);
+void writePng(const std::filesystem::path& path, glm::ivec2 size, int channels, std::span<const std::uint8_t> pixels,
+              const std::optional<PngText>& text = {});
 
 /// 2-D MetaImage, float32, uncompressed, local data, `channels` interleaved, first row = top of the picture.
 void writeLayer(const std::filesystem::path& path, glm::ivec2 size, int channels, std::span<const float> values);

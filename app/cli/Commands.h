@@ -51,6 +51,8 @@ struct RenderOptions {
   std::optional<Schedule> schedule;                      ///< empty: the faster one
   int repeat = 1;                                        ///< frames, each from the first pass on
   bool reference = false;                                ///< in double precision on the CPU
+  std::optional<int> certify;                            ///< pixels to compare with the reference
+  std::uint64_t certifySeed = 1;                         ///< that chooses them
 };
 void render(const RenderOptions& options);
 
@@ -68,8 +70,8 @@ void place(const PlaceOptions& options);
 
 struct GrowOptions {
   app::VolumeOptions volume;
-  RegionFocus region;   ///< with an inside seed
-  bool curve = false;                   ///< also the volume at every tolerance
+  RegionFocus region;  ///< with an inside seed
+  bool curve = false;  ///< also the volume at every tolerance
   std::filesystem::path output;
 };
 void grow(const GrowOptions& options);

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/CameraFile.h"
+#include "app/PictureProof.h"
 #include "app/SceneSession.h"
 #include "app/ScheduleChoice.h"
 #include "app/cli/Report.h"
@@ -147,10 +148,27 @@ Camera placedCamera(const fs::path& source, const app::LoadedScene& loaded, GpuS
   return Camera::fromDirection(measured.candidates[*chosen].direction, framed, loaded.view.camera.projection);
 }
 
-void saveSession(const fs::path& file, const app::SceneOptions& options, const app::LoadedScene& loaded) {
+/// With the data's contents.
+io::Session sessionToSave(const app::SceneOptions& options, const app::LoadedScene& loaded) {
   io::Session session = app::sessionOf(options, loaded);
   io::noteContents(session, progressOnTerminal());
-  io::writeSession(file, session);
+  return session;
+}
+
+/// The greatest error, in 1/255, that the picture was asked to have.
+std::optional<double> errorBound(const View& view) {
+  if (view.maxError) return view.maxError;
+  return view.quality == Quality::High ? std::optional(highQualityError) : std::nullopt;
+}
+
+Json prove(const RenderOptions& options, const app::LoadedScene& loaded, const io::Session& session,
+           const std::vector<glm::vec4>& picture) {
+  const View& view = loaded.view;
+  const reference::CertificateOptions sample{.pixels = *options.certify,
+                                             .seed = options.certifySeed,
+                                             .within = errorBound(view),
+                                             .pixelScale = view.pixelScale};
+  return app::proofJson(reference::certify(picture, loaded.scene, view.camera, view.size, sample), session);
 }
 
 }  // namespace
@@ -165,7 +183,9 @@ void render(const RenderOptions& options) {
   const auto gpuScene = context ? std::make_shared<GpuScene>() : nullptr;
   if (context) app::chooseSchedule(options.schedule, gpuScene, scene, view);
   if (loaded.placed) view.camera = placedCamera(options.scene.source(), loaded, *gpuScene);
-  if (!options.session.empty()) saveSession(options.session, options.scene, loaded);
+  io::Session session;
+  if (!options.session.empty() || options.certify) session = sessionToSave(options.scene, loaded);
+  if (!options.session.empty()) io::writeSession(options.session, session);
   const bool second = loaded.placed == app::PlacedView::Dual;
   loaded.scene.look.strokes = strokesIn(second ? 1 : options.scene.viewOfSession, loaded.scene.look.strokes);
   if (options.reference) {
@@ -189,7 +209,13 @@ void render(const RenderOptions& options) {
     frames.push_back(millisecondsSince(start));
   }
   printReduction(*gpuScene);
-  io::writePng(options.output, view.size, 3, overBackground(picture, scene.look.background));
+  std::optional<io::PngText> proof;
+  if (options.certify) {
+    const Json json = prove(options, loaded, session, renderer.readLayers().final);
+    proof = io::PngText{app::proofKeyword, json.dump(-1, ' ', true)};
+    printJson(json);
+  }
+  io::writePng(options.output, view.size, 3, overBackground(picture, scene.look.background), proof);
   if (!options.layers.empty()) writeLayers(options.layers, renderer.readLayers(), view, scene.volume->grid);
   if (!options.stats.empty())
     io::writeText(options.stats, statistics(context->description(), view, renderer, *gpuScene, frames).dump(2) + "\n");

@@ -22,6 +22,7 @@
 #include "rendering/gl/ShaderProgram.h"
 #include "rendering/gl/Texture.h"
 #include "rendering/gpu/RenderError.h"
+#include "rendering/reference/Certificate.h"
 #include "rendering/viewpoints/Sphere.h"
 
 namespace fenestra::cli {
@@ -235,6 +236,18 @@ Command addRender(CLI::App& program, RenderOptions& options) {
                         "the picture, its layers or both in double precision on the CPU, without OpenGL; takes minutes "
                         "where the renderer takes seconds");
   reference->excludes(stats)->excludes(repeat);
+  CLI::Option* certify =
+      command
+          ->add_option("--certify", options.certify,
+                       "compares N random pixels with the reference and says, as JSON and in the PNG, how much of the "
+                       "picture is within --max-error, or without it within which error 99.9 % of it is")
+          ->type_name("[N]")
+          ->expected(0, 1)
+          ->default_str(std::to_string(reference::CertificateOptions{}.pixels))
+          ->check(CLI::Range(1, 100'000'000))
+          ->needs(output)
+          ->excludes(reference);
+  command->add_option("--certify-seed", options.certifySeed, "that chooses the pixels")->needs(certify);
   command->final_callback([=] {
     if (!command->get_option("PATH")->count() && !command->get_option("--phantom")->count())
       throw CLI::RequiredError("PATH or --phantom");

@@ -22,6 +22,7 @@
 #include "app/SceneOptions.h"
 #include "app/SceneSession.h"
 #include "app/ScheduleChoice.h"
+#include "tests/gui/TimedApplication.h"
 #include "viewer/MainWindow.h"
 #include "viewer/panels/RegionPanel.h"
 #include "viewer/style/Style.h"
@@ -40,44 +41,6 @@ double millisecondsSince(Clock::time_point start) {
 
 const Clock::time_point programStart = Clock::now();
 double now() { return millisecondsSince(programStart); }
-
-/// Measures the longest time that one event took, with all events that it sent on.
-class TimedApplication : public QApplication {
- public:
-  using QApplication::QApplication;
-  bool notify(QObject* receiver, QEvent* event) override {
-    if (depth_ > 0) return QApplication::notify(receiver, event);
-    const int type = event->type();
-    const std::string name = receiver->metaObject()->className();
-    ++depth_;
-    const auto start = Clock::now();
-    const bool result = QApplication::notify(receiver, event);
-    --depth_;
-    const double took = millisecondsSince(start);
-    ++all_;
-    if (took > 50.0) ++over50_;
-    if (took > 100.0) ++over100_;
-    if (took > longest_) {
-      longest_ = took;
-      longestName_ = name + ", event " + std::to_string(type);
-    }
-    return result;
-  }
-  Json takeBlocks() {
-    Json blocks{{"longest_ms", std::exchange(longest_, 0.0)},
-                {"longest_event", std::exchange(longestName_, {})},
-                {"over_50_ms", std::exchange(over50_, 0)},
-                {"over_100_ms", std::exchange(over100_, 0)}};
-    return blocks;
-  }
-
- private:
-  int depth_ = 0;
-  long all_ = 0;
-  int over50_ = 0, over100_ = 0;
-  double longest_ = 0.0;
-  std::string longestName_;
-};
 
 /// When each 3-D view has painted, and that has come onto the screen.
 class PictureTimes : public QObject {
@@ -185,7 +148,7 @@ class Bench {
     untilDrawn();
     window_.workspace().cursor.moveTo(seed);
     waitUntilDrawn();
-    application_.takeBlocks();
+    takeBlocks();
     const Document& document = window_.workspace().document;
     SliceView* axial = window_.views().sliceViews().front();
     const QPointF at = axial->widgetFromWorld(seed);
@@ -198,10 +161,10 @@ class Bench {
     waitUntil([&] { return document.isWhole(); });
     axial->repaint();
     result["whole_ms"] = now() - clicked;
-    result["blocks_while_growing"] = application_.takeBlocks();
+    result["blocks_while_growing"] = takeBlocks();
     waitUntilDrawn();
     result["placed_and_at_rest_ms"] = now() - clicked;
-    result["blocks_while_placing"] = application_.takeBlocks();
+    result["blocks_while_placing"] = takeBlocks();
     result["step"] = document.regionStep();
     result["ml"] = document.growth()->curve.volume[static_cast<std::size_t>(document.regionStep())] / 1000.0;
     result["tolerance"] = changeTolerance();
@@ -242,7 +205,7 @@ class Bench {
     return {{"handled", summaryOf(handled)},
             {"focus", summaryOf(focus)},
             {"picture", summaryOf(picture)},
-            {"blocks", application_.takeBlocks()}};
+            {"blocks", takeBlocks()}};
   }
 
   /// The slider is drawn up and down by a step in every 16 ms.
@@ -262,7 +225,7 @@ class Bench {
     mouse.stop();
     Json result{{"C1", ratesOf(times_.of(0), start, now())},
                 {"C2", ratesOf(times_.of(1), start, now())},
-                {"blocks", application_.takeBlocks()}};
+                {"blocks", takeBlocks()}};
     waitUntilDrawn();
     return result;
   }
@@ -281,7 +244,7 @@ class Bench {
     for (std::size_t view = 0; view < 2; ++view)
       result["C" + std::to_string(view + 1) + "_ms"] = times_.of(view).empty() ? -1.0 : times_.of(view).front();
     result["at_rest_ms"] = now();
-    result["blocks"] = application_.takeBlocks();
+    result["blocks"] = takeBlocks();
     return result;
   }
 
@@ -289,7 +252,7 @@ class Bench {
     VolumeView* view = window_.views().volumeViews()[static_cast<std::size_t>(index)];
     const QPointF middle = QRectF(view->rect()).center();
     wait(500);
-    application_.takeBlocks();
+    takeBlocks();
     times_.clear();
     sendMouse(view, QEvent::MouseButtonPress, middle, Qt::LeftButton, Qt::LeftButton);
     const double start = now(), end = start + 1000.0 * seconds_;
@@ -312,7 +275,7 @@ class Bench {
         {"turned", ratesOf(times_.of(static_cast<std::size_t>(index)), start, released)},
         {"linked", ratesOf(times_.of(static_cast<std::size_t>(1 - index)), start, released)},
         {"scale_while_turning", window_.views().pacer().last() ? window_.views().pacer().last()->effort.scale : 0.0},
-        {"blocks", application_.takeBlocks()}};
+        {"blocks", takeBlocks()}};
     waitUntilDrawn();
     result["at_rest"] = {{"all_after_ms", now() - released}};
     for (std::size_t other = 0; other < 2; ++other) {
@@ -321,7 +284,7 @@ class Bench {
         if (time > released) after.push_back(time - released);
       result["at_rest"]["C" + std::to_string(other + 1) + "_pictures_after_ms"] = after;
     }
-    result["at_rest"]["blocks"] = application_.takeBlocks();
+    result["at_rest"]["blocks"] = takeBlocks();
     return result;
   }
 
@@ -329,15 +292,23 @@ class Bench {
     PlacementController& placement = window_.workspace().placement;
     if (!placement.canPlace()) return nullptr;
     wait(500);
-    application_.takeBlocks();
+    takeBlocks();
     const double start = now();
     placement.place();
     while (placement.isBusy()) wait(2);
-    Json result{{"measured_after_ms", now() - start}, {"blocks", application_.takeBlocks()}};
+    Json result{{"measured_after_ms", now() - start}, {"blocks", takeBlocks()}};
     waitUntilDrawn();
     result["at_rest_after_ms"] = now() - start;
-    result["blocks_after"] = application_.takeBlocks();
+    result["blocks_after"] = takeBlocks();
     return result;
+  }
+
+  Json takeBlocks() {
+    const TimedApplication::Blocks blocks = application_.takeBlocks();
+    return {{"longest_ms", blocks.longest},
+            {"longest_event", blocks.event},
+            {"over_50_ms", blocks.over50},
+            {"over_100_ms", blocks.over100}};
   }
 
   TimedApplication& application_;

@@ -2,15 +2,14 @@
 
 #include <gtest/gtest.h>
 
-#include <QApplication>
-
+#include "tests/gui/TimedApplication.h"
 #include "viewer/style/Style.h"
 #include "viewer/views/GlSupport.h"
 
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
   fenestra::viewer::requestOpenGl();
-  QApplication application(argc, argv);
+  fenestra::viewer::TimedApplication application(argc, argv);
   fenestra::viewer::applyStyle(application);
   return RUN_ALL_TESTS();
 }
