@@ -1,13 +1,8 @@
 #include "viewer/jobs/RegionGrower.h"
 
 #include <cmath>
-#include <future>
 #include <stdexcept>
 #include <utility>
-
-#ifdef __linux__
-#include <sys/resource.h>
-#endif
 
 #include "rendering/segmentation/RegionGrowing.h"
 #include "viewer/model/Document.h"
@@ -28,22 +23,6 @@ constexpr double mostOfVolume = 0.5;
 double shareOf(const Growth& growth, const RegionFocus& region) {
   const double box = static_cast<double>(growth.box.count()) * growth.steps->grid.voxelVolume();
   return growth.curve.volume[static_cast<std::size_t>(growth.stepOf(region))] / box;
-}
-
-/// Runs `work` and waits, on a thread whose cores, and those of threads that it starts, go to the window first: a flood
-/// takes seconds, and on few cores pictures would wait for it.
-template <class Work>
-auto givingWay(Work work) {
-  // A thread of its own, because an ordinary user's thread cannot go back to its former priority.
-  return std::async(std::launch::async,
-                    [&work] {
-#ifdef __linux__
-                      constexpr int niceness = 10;
-                      setpriority(PRIO_PROCESS, 0, niceness);  // on Linux that of the calling thread
-#endif
-                      return work();
-                    })
-      .get();
 }
 
 std::shared_ptr<const Growth> grow(const Volume& volume, const RegionFocus& seeds, const segmentation::VoxelBox& reach,
@@ -112,8 +91,7 @@ void RegionGrower::start() {
             },
             Qt::QueuedConnection);
     }
-    const auto grown = givingWay([&] { return grow(*volume, seeds, whole, onward(firstShare, 1.0)); });
-    return [this, seeds, isNew, growth = grown] {
+    return [this, seeds, isNew, growth = grow(*volume, seeds, whole, onward(firstShare, 1.0))] {
       const RegionFocus* asked = document_.region();
       const double share = asked ? shareOf(*growth, *asked) : 0.0;
       QString problem;
