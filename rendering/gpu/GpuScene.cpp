@@ -16,7 +16,7 @@ namespace {
 constexpr double contextThreshold = 1.0 / 255.0;
 
 /// Emission (colour · extinction) and extinction at each entry, their integrals from the first entry on, and that of
-/// emission times the integral of extinction up to there.
+/// emission times the integral of extinction up to there, with the number of nodes before the entry.
 struct TransferTables {
   std::vector<glm::vec4> properties, integrals, hidden;
 
@@ -46,7 +46,7 @@ TransferTables makeTransferTables(const TransferFunction& function, ValueRange s
     const double here = span.low + perEntry * i, next = span.low + perEntry * (i + 1);
     tables.properties.emplace_back(at(here));
     tables.integrals.emplace_back(integral);
-    tables.hidden.emplace_back(hidden);
+    tables.hidden.emplace_back(glm::dvec3(hidden), static_cast<double>(node - function.nodes.begin()));
     // Between nodes emission is a quadratic function of the value, so Simpson's rule is exact. Points a hair inside
     // tell the two sides of a step.
     double low = here;
@@ -106,7 +106,7 @@ bool GpuScene::holds(const Scene& scene) const {
   if (!shown_.volume || fitted_.isOfOther(scene) || scene.look.focus != focusWanted_) return false;
   if (std::holds_alternative<LabelFocus>(scene.look.focus) && scene.labels != labelSource_) return false;
   const bool wantsDerivative = hasCutaway(scene) && scene.look.contextLayer.strength > 0.0;
-  return (gradient_ || !scene.look.shading.enabled) && (derivative_.texture || !wantsDerivative);
+  return (gradient_.texture || !scene.look.shading.enabled) && (derivative_.texture || !wantsDerivative);
 }
 
 gl::ShaderProgram& GpuScene::presentation(bool enlarged) {
@@ -219,13 +219,13 @@ bool GpuScene::isLitFor(const std::vector<std::size_t>& bricks) const {
     if (!(range.high - range.low >= least)) return true;
     const auto x = static_cast<std::size_t>(dims.x), y = static_cast<std::size_t>(dims.y);
     const glm::ivec3 low = glm::ivec3(offset % x, offset / x % y, offset / (x * y)) * brickSide - 1;
-    return glm::all(glm::lessThanEqual(gradientBox_.low, glm::clamp(low, glm::ivec3(0), last))) &&
-           glm::all(glm::greaterThanEqual(gradientBox_.high, glm::clamp(low + brickSide, glm::ivec3(0), last)));
+    return gradientBox_ && glm::all(glm::lessThanEqual(gradientBox_->low, glm::max(low, 0))) &&
+           glm::all(glm::greaterThanEqual(gradientBox_->high, glm::min(low + brickSide, last)));
   });
 }
 
 void GpuScene::updateGradient(const GpuFocus::Change& focus, bool contextChanged) {
-  if (gradient_ && !contextChanged && !focus.isNew && isLitFor(focus.flipped)) return;
+  if (gradient_.texture && !contextChanged && !focus.isNew && isLitFor(focus.flipped)) return;
   // Lighting asks for gradients where something shows and values vary by more than noise.
   const double leastChange = this->leastChange();
   const std::vector<std::uint32_t>& slots = focus_.index().slots;
@@ -241,21 +241,19 @@ void GpuScene::updateGradient(const GpuFocus::Change& focus, bool contextChanged
         if (contextOccupied_[brick] || (!slots.empty() && slots[brick] != 0)) grow(shown, low, high);
       }
   const glm::ivec3 last = shown_.volume->grid.dims - 1;
-  const auto clipped = [&](const std::optional<IndexBox>& box) {
-    return box ? IndexBox{glm::clamp(box->low, glm::ivec3(0), last), glm::clamp(box->high, glm::ivec3(0), last)}
-               : IndexBox{};
-  };
-  IndexBox wanted = clipped(shown);
-  if (gradient_) {
-    if (glm::all(glm::lessThanEqual(gradientBox_.low, wanted.low)) &&
-        glm::all(glm::greaterThanEqual(gradientBox_.high, wanted.high)))
-      return;
+  for (std::optional<IndexBox>* box : {&varied, &shown})
+    if (*box) *box = IndexBox{glm::max((*box)->low, glm::ivec3(0)), glm::min((*box)->high, last)};
+  std::optional<IndexBox> wanted = shown;
+  if (gradient_.texture) {
+    const bool holds = !wanted || (gradientBox_ && glm::all(glm::lessThanEqual(gradientBox_->low, wanted->low)) &&
+                                   glm::all(glm::greaterThanEqual(gradientBox_->high, wanted->high)));
+    if (holds) return;
     // More shows than at first: all that can ever be asked for, so that dragging a transfer function rebuilds but once.
-    wanted = clipped(varied);
+    wanted = varied;
   }
   gradient_ = {};
   gradientBox_ = wanted;
-  gradient_ = makeGradientTexture(shown_, wanted.low, wanted.high);
+  gradient_ = makeGradientTexture(shown_, wanted);
   ++versions_.gradient;
 }
 
@@ -381,13 +379,12 @@ void GpuScene::updateTransfer(const Scene& scene) {
   const double perReal = (tableSize - 1) / (span.high - span.low);
   transferMap_ = glm::vec2(volumeTexture_.slope * perReal, (volumeTexture_.offset - span.low) * perReal);
 
-  // The tables are read to the nearest entry: a brick within one entry of something visible may show it.
-  const double slack = 1.0 / perReal;
+  // Exactly: a brick whose values reach no further than the node where opacity begins stays empty, although the tables,
+  // which are read to the nearest entry, may show a little there.
   std::vector<std::uint8_t> occupied(bricks_.ranges.size());
-  for (std::size_t i = 0; i < occupied.size(); ++i) {
-    const ValueRange& range = bricks_.ranges[i];
-    occupied[i] = context_.maxExtinction({range.low - slack, range.high + slack}) > 0.0;
-  }
+  std::transform(bricks_.ranges.begin(), bricks_.ranges.end(), occupied.begin(), [this](const ValueRange& range) {
+    return static_cast<std::uint8_t>(context_.maxExtinction(range) > 0.0);
+  });
   if (occupied != contextOccupied_ || !contextSkip_ || contextSkip_.size() != bricks_.dims) {
     contextOccupied_ = std::move(occupied);
     contextSkip_ = skipTexture(bricks_.dims, contextOccupied_);
@@ -401,7 +398,7 @@ std::vector<GpuScene::Resource> GpuScene::resources() const {
   };
   const auto of = [](const gl::Texture& texture) { return texture ? texture.bytes() : 0; };
   add("volume", of(volumeTexture_.texture));
-  add("gradient", of(gradient_));
+  add("gradient", of(gradient_.texture));
   add("derivative volume", of(derivative_.texture));
   add("transfer tables", of(transferTables_));
   add("empty-space skipping", of(contextSkip_) + of(occupiedSkip_) + of(focusSkip_));

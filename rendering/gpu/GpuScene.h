@@ -78,8 +78,8 @@ class GpuScene {
 
   const Grid& grid() const { return shown_.volume->grid; }  ///< of the voxels on the device
   const VolumeTexture& volume() const { return volumeTexture_; }
-  const gl::Texture& gradient() const { return gradient_; }
-  glm::ivec3 gradientOrigin() const { return gradientBox_.low; }  ///< index of its first texel
+  const gl::Texture& gradient() const { return gradient_.texture; }
+  glm::ivec3 gradientOrigin() const { return gradient_.origin; }  ///< index of its first texel
   const DerivativeVolume& derivative() const { return derivative_; }
 
   /// Transparent gaps of the context in coded values, clipped to float's range: gapCount() vec2.
@@ -147,8 +147,8 @@ class GpuScene {
 
   VolumeTexture volumeTexture_;
   BrickRanges bricks_;
-  gl::Texture gradient_;
-  IndexBox gradientBox_;  ///< voxels that gradient_ covers
+  GradientTexture gradient_;
+  std::optional<IndexBox> gradientBox_;  ///< voxels that it holds the normals of
   DerivativeVolume derivative_;
 
   std::vector<glm::vec2> gaps_;

@@ -129,11 +129,15 @@ VolumeTexture makeVolumeTexture(const ShownVolume& shown) {
   return result;
 }
 
-gl::Texture makeGradientTexture(const ShownVolume& shown, glm::ivec3 low, glm::ivec3 high) {
+GradientTexture makeGradientTexture(const ShownVolume& shown, const std::optional<IndexBox>& box) {
   const Volume& volume = *shown.volume;
   const ShownVoxels voxels(shown);
-  const glm::ivec3 dims = volume.grid.dims, size = high - low + 1;
-  gl::Texture texture = gl::Texture::make3D(gl::Format::RGB10A2, size);
+  const glm::ivec3 dims = volume.grid.dims;
+  const glm::ivec3 low = box ? box->low : glm::ivec3(0), high = box ? box->high : glm::ivec3(-1);
+  GradientTexture result;
+  result.origin = glm::max(low - 1, glm::ivec3(0));
+  const glm::ivec3 size = glm::min(high + 1, dims - 1) - result.origin + 1;
+  result.texture = gl::Texture::make3D(gl::Format::RGB10A2, size);
   const glm::dvec3 spacing = volume.grid.spacing;
   const double unit =
       std::max(volume.range.high - volume.range.low, 1e-30) / std::min({spacing.x, spacing.y, spacing.z});
@@ -146,8 +150,10 @@ gl::Texture makeGradientTexture(const ShownVolume& shown, glm::ivec3 low, glm::i
   volume.voxels.visit([&](auto scalars) {
     using T = typename decltype(scalars)::value_type;
     const Sanitizer<T> sanitize(volume);
-    uploadBySlabs<std::uint32_t>(texture, planeSize(size), [&](int depth, std::uint32_t* plane) {
-      const int z = low.z + depth;
+    uploadBySlabs<std::uint32_t>(result.texture, planeSize(size), [&](int depth, std::uint32_t* plane) {
+      std::fill_n(plane, planeSize(size), flat);
+      const int z = result.origin.z + depth;
+      if (z < low.z || z > high.z) return;
       const int zLow = std::max(z - 1, 0), zHigh = std::min(z + 1, dims.z - 1);
       const float zScale = zHigh > zLow ? 1.0f / static_cast<float>(zHigh - zLow) : 0.0f;
       std::array<std::vector<T>, 5> buffers;
@@ -159,7 +165,8 @@ gl::Texture makeGradientTexture(const ShownVolume& shown, glm::ivec3 low, glm::i
         const T* below = voxels.row(y, zLow, buffers[2]);
         const T* front = voxels.row(yLow, z, buffers[3]);
         const T* back = voxels.row(yHigh, z, buffers[4]);
-        std::uint32_t* out = plane + static_cast<std::size_t>(y - low.y) * static_cast<std::size_t>(size.x) - low.x;
+        std::uint32_t* out =
+            plane + static_cast<std::size_t>(y - result.origin.y) * static_cast<std::size_t>(size.x) - result.origin.x;
         for (int x = low.x; x <= high.x; ++x) {
           const int xLow = std::max(x - 1, 0), xHigh = std::min(x + 1, dims.x - 1);
           const float xScale = xHigh > xLow ? 1.0f / static_cast<float>(xHigh - xLow) : 0.0f;
@@ -170,10 +177,7 @@ gl::Texture makeGradientTexture(const ShownVolume& shown, glm::ivec3 low, glm::i
                                 difference(above[x], below[x], zScale));
           const glm::vec3 g = worldFromIndexGradient * index;
           const float length2 = glm::dot(g, g);
-          if (!(length2 > gateLow * gateLow)) {
-            out[x] = flat;
-            continue;
-          }
+          if (!(length2 > gateLow * gateLow)) continue;
           const float length = std::sqrt(length2);
           const glm::vec3 n = g * (glm::smoothstep(gateLow, gateHigh, length) / length * 511.0f) + 511.5f;  // truncated
           out[x] = static_cast<std::uint32_t>(n.x) | static_cast<std::uint32_t>(n.y) << 10 |
@@ -182,7 +186,7 @@ gl::Texture makeGradientTexture(const ShownVolume& shown, glm::ivec3 low, glm::i
       }
     });
   });
-  return texture;
+  return result;
 }
 
 DerivativeVolume makeDerivativeVolume(const ShownVolume& shown, const VolumeTexture& coding) {

@@ -1,7 +1,10 @@
 #pragma once
 // A volume as a 3-D texture in the narrowest format that holds it exactly, and what shading needs beside it.
 
+#include <optional>
+
 #include "rendering/gl/Texture.h"
+#include "rendering/gpu/Bricks.h"
 #include "rendering/scene/ShownVolume.h"
 
 namespace fenestra {
@@ -23,9 +26,15 @@ struct VolumeTexture {
 /// the machine's 3-D textures.
 VolumeTexture makeVolumeTexture(const ShownVolume& shown);
 
-/// Gated normals for lighting over a box of voxels (rendering/scene/Lighting.h), RGB10A2: a component v
-/// in -1..1 is stored as round(511·v) + 511. `low` and `high` are the box's first and last voxel.
-gl::Texture makeGradientTexture(const ShownVolume& shown, glm::ivec3 low, glm::ivec3 high);
+/// Gated normals for lighting (rendering/scene/Lighting.h), RGB10A2: a component v in -1..1 is stored as
+/// round(511·v) + 511.
+struct GradientTexture {
+  gl::Texture texture;
+  glm::ivec3 origin{0};  ///< index of the first texel's voxel
+};
+/// Over a box of voxels, with a layer of zeros around it where the volume goes on: a lookup outside, clamped to the
+/// texture, finds no normal.
+GradientTexture makeGradientTexture(const ShownVolume& shown, const std::optional<IndexBox>& box);
 
 /// The volume smoothed and thinned by two along each axis that is finer than twice the finest spacing, for derivatives:
 /// on noisy scans curvature needs a scale of more than a voxel. Binomial filter (1 3 3 1)/8 on thinned axes.

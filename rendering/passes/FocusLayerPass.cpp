@@ -72,7 +72,6 @@ gl::ShaderProgram& FocusLayerPass::program(bool listed, const Drawn& drawn) {
                          tableDefine(),
                          {"FOCUS_PALETTE", static_cast<bool>(gpu.focusPaletteIndex())},
                          {"FOCUS_SMOOTH", lit && gpu.focusSmooth()},
-                         {"FINE", bounded && *sampling.maxError < coarseBound},
                          {"LISTED", listed},
                          {"RAYS", raysTogether(gpu.schedule(), sampling, lit)}},
                         {scheduleChoice(gpu.schedule()),

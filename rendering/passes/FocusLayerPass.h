@@ -31,10 +31,6 @@ class FocusLayerPass {
     double tolerance = 1.0 / 256.0;
     bool operator==(const Sampling&) const = default;
   };
-  /// For this bound and greater ones a cell begins with two pieces of constant material each, instead of three pieces
-  /// that account for attenuation inside a piece. On the ten scenes of tests/bench/results the errors stay below the
-  /// bound.
-  static constexpr double coarseBound = 4.0 / 255.0;
   /// What a sampling means to the integrals.
   static IntegralBlock integralBlock(const Sampling& sampling);
   /// A pixel's result depends on the ray starts within this many pixels of it: an interpolated pixel on those up to

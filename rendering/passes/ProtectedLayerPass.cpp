@@ -10,20 +10,16 @@ void ProtectedLayerPass::run(Steps& steps, const GpuScene& gpu, const Look& look
                              const FocusLayerPass::Opening& opening, const FocusLayerPass::Sampling& sampling,
                              Regions regions, gl::Texture& protectedLayer) {
   FocusLayerPass::Sampling bounded = sampling;
-  bounded.maxError = 0.5 * sampling.maxError.value_or(std::max(FocusLayerPass::coarseBound, 4.0 * sampling.tolerance));
+  bounded.maxError = 0.5 * sampling.maxError.value_or(std::max(4.0 / 255.0, 4.0 * sampling.tolerance));
   steps.add(regions, [this, &gpu, &look, &rays, opening, bounded, &protectedLayer](Regions tile) {
     const bool lit = look.shading.enabled;
-    gl::ShaderProgram& program = programs_.get({{volumeDefine(gpu),
-                                                 tableDefine(),
-                                                 {"FOCUS_PALETTE", false},
-                                                 {"FOCUS_SMOOTH", false},
-                                                 {"FINE", *bounded.maxError < FocusLayerPass::coarseBound / 2.0},
-                                                 {"RAYS", 1}},
-                                                {scheduleChoice(gpu.schedule()),
-                                                 {"focus", "lib/focus/Labels.glsl"},
-                                                 lightChoice(lit),
-                                                 {"opening", "lib/opening/Removed.glsl"},
-                                                 {"integral", "lib/integral/CellByCell.glsl"}}});
+    gl::ShaderProgram& program = programs_.get(
+        {{volumeDefine(gpu), tableDefine(), {"FOCUS_PALETTE", false}, {"FOCUS_SMOOTH", false}, {"RAYS", 1}},
+         {scheduleChoice(gpu.schedule()),
+          {"focus", "lib/focus/Labels.glsl"},
+          lightChoice(lit),
+          {"opening", "lib/opening/Removed.glsl"},
+          {"integral", "lib/integral/CellByCell.glsl"}}});
     rays.setBlocks(program);
     bindVolume(gpu, program);
     bindTransfer(gpu, program);

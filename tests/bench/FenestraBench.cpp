@@ -30,9 +30,9 @@ struct NamedSection {
 };
 
 const std::vector<NamedSection>& allSections() {
-  static const std::vector<NamedSection> all{{"sweep", sweepSection},    {"bounds", boundsSection},
-                                             {"stages", stageSection},   {"passes", passSection},
-                                             {"updates", updateSection}, {"memory", memorySection}};
+  static const std::vector<NamedSection> all{
+      {"sweep", sweepSection}, {"bounds", boundsSection},  {"random", randomSection}, {"stages", stageSection},
+      {"passes", passSection}, {"updates", updateSection}, {"memory", memorySection}};
   return all;
 }
 

@@ -12,6 +12,8 @@ Section boundsSection(const Options& options, const TruthStore& truths);
 
 /// Every setting's and peer's time against its error.
 Section sweepSection(const Options& options, const TruthStore& truths);
+/// Error and time under random transfer functions.
+Section randomSection(const Options& options, const TruthStore& truths);
 /// Each stage's error in its own unit.
 Section stageSection(const Options& options, const TruthStore& truths);
 /// What each pass takes; these three need no reference pictures.

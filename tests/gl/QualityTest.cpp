@@ -67,6 +67,41 @@ TEST_F(QualityErrors, NormalIsOfSecondOrder) {
   EXPECT_GT(one / half, 3.0) << one << " and " << half;
 }
 
+/// Air whose value is the very node where opacity begins, or ends, shows exactly nothing.
+TEST_F(QualityErrors, AirAtTheNodeWhereOpacityBeginsStaysEmpty) {
+  const Grid grid = gridOf({64, 64, 64});
+  Scene scene;
+  scene.volume = volumeOf<std::uint8_t>(grid, [](glm::ivec3 i) { return i == glm::ivec3(63) ? 200 : 100; });
+  scene.look.shading.enabled = false;
+  const OpticalProperties clear{{1.0, 1.0, 1.0}, 0.0}, dense{{1.0, 1.0, 1.0}, 0.36};
+  const glm::dvec3 centre = grid.centre();
+  // The rays pass the corner's voxel and its brick by.
+  const Camera camera = lookAt(centre - glm::dvec3(0.0, 300.0, 0.0), centre, Projection::Orthographic, 40.0);
+  for (const std::vector<TransferFunction::Node>& nodes :
+       {std::vector<TransferFunction::Node>{{100.0, clear}, {110.0, dense}}, {{90.0, dense}, {100.0, clear}}}) {
+    scene.look.context.function.nodes = nodes;
+    for (const Quality quality : {Quality::Draft, Quality::Normal, Quality::High})
+      for (const glm::vec4& colour : renderOnce(scene, camera, {48, 48}, quality).layers.final)
+        ASSERT_EQ(colour, glm::vec4(0.0f));
+  }
+}
+
+/// Around a cube whose faces lie on those of bricks, air that shows has no gradient, in any direction and however far.
+TEST_F(QualityErrors, AirAroundASurfaceIsLitAsAir) {
+  const Grid grid = gridOf({48, 48, 48});
+  Scene scene;
+  scene.volume = volumeOf<std::int16_t>(grid, [](glm::ivec3 i) {
+    return glm::all(glm::greaterThanEqual(i, glm::ivec3(16))) && glm::all(glm::lessThan(i, glm::ivec3(31))) ? 400
+                                                                                                            : -900;
+  });
+  const glm::dvec3 colour(0.9, 0.7, 0.5);
+  scene.look.context.function = {{{-900.0, {colour, 0.03}}, {400.0, {colour, 0.2}}}};
+  for (const Camera& camera : {aside(scene), Camera::fromAngles(-150, -40, grid, Projection::Perspective)}) {
+    EXPECT_LE(errorsOf(scene, camera, Quality::High).worst, highQualityError);
+    EXPECT_LE(errorsOf(scene, camera, Quality::Normal).worst, 8.0);  // a step edge between two voxels
+  }
+}
+
 TEST_F(QualityErrors, NormalLightsTheSideThatIsSeen) {
   // Surfaces that turn opaque within a voxel: lit where light comes from, not in the middle of what is behind it.
   Scene scene = waves(32);

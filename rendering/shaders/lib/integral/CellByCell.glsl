@@ -118,46 +118,39 @@ struct Section {
   CellNormals normals;
 };
 
-#if FINE
 // Over fewer or more entries than these the attenuation inside a piece is lost in rounding (float32).
 const float LEAST_HIDDEN = 256.0, MOST_HIDDEN = 1e6;
 const int FEWEST_PIECES = 3;
-#else
-const int FEWEST_PIECES = 2;
-#endif
 
-// A bound with both integrals continued beyond the table's ends.
+// A bound with both integrals continued beyond the table's ends, and the number of the transfer function's nodes up to
+// it.
 struct End {
   Bound bound;
-#if FINE
   float extinction;
   vec3 hidden;
-#endif
+  float nodes;
 };
 
 End endAt(float entry) {
   End end;
   end.bound = boundAt(entry);
-#if FINE
   float inside = clamp(end.bound.entry, 0.0, LAST_ENTRY), beyond = end.bound.entry - inside;
   vec4 constant = beyond < 0.0 ? transfer.firstMaterial : transfer.lastMaterial;
-  vec3 hidden = texelOf(transferTables, ivec2(int(inside), 2)).rgb;
+  vec4 hidden = texelOf(transferTables, ivec2(int(inside), 2));
   end.extinction = end.bound.integral.a + beyond * constant.a;
-  end.hidden = hidden + constant.rgb * (beyond * 0.5 * (end.bound.integral.a + end.extinction));
-#endif
+  end.hidden = hidden.rgb + constant.rgb * (beyond * 0.5 * (end.bound.integral.a + end.extinction));
+  end.nodes = hidden.a;
   return end;
 }
 
 // Attenuation inside a piece, to second order, for a length of 1: ∫∫ emission(x) extinction(y) dy dx over y in front of x,
 // less the same for the piece's mean material. Values are taken to change evenly along the piece.
 vec3 hiddenBetween(End front, End back, vec4 material) {
-#if FINE
   float span = back.bound.entry - front.bound.entry;
   float inside = clamp(back.bound.entry, 0.0, LAST_ENTRY) - clamp(front.bound.entry, 0.0, LAST_ENTRY);
   if (abs(inside) >= LEAST_HIDDEN && abs(span) <= MOST_HIDDEN)
     return (back.hidden - front.hidden) / (span * span)
            - material.rgb * (front.extinction / span + 0.5 * material.a);
-#endif
   return vec3(0.0);
 }
 
@@ -195,6 +188,12 @@ vec4 integrateSection(Section section, Ray ray, Cut cut, float transmittance, fl
   int countBefore = 1, count = FEWEST_PIECES;
   // Where a piece is opaque, the position of the visible surface inside it is uncertain.
   bool surface = !section.inFocus && coarse.a > 0.99;
+  // Where light of several colours is absorbed inside the section, one piece says little about its error, and few may
+  // agree with it by chance: there are pieces enough to tell the nodes of the transfer function apart, and the error of
+  // one piece is taken to fall no faster than 1/n.
+  float nodes = abs(last.nodes - first.nodes);
+  bool mixed = !section.inFocus && nodes >= 3.0 && coarse.a > 0.5;
+  if (mixed) count = max(count, piecesFor(nodes - 0.5 * log(max(1.0 - coarse.a, 1e-6))));
   count = max(count, piecesFor(piecesOfLight(section.normals, section.inFocus, ray.world, shown / allowed, surface)));
   // One loop over the pieces of all refinements, so that rays that run in step wait for each other only once.
   vec4 fine = vec4(0.0);
@@ -212,7 +211,7 @@ vec4 integrateSection(Section section, Ray ray, Cut cut, float transmittance, fl
     if (i == count) {
       // Richardson extrapolation: the error of n pieces falls as 1/n², at an opaque surface as 1/n.
       float ratio = float(countBefore) / float(count);
-      if (!surface) ratio *= ratio;
+      if (!surface && !(mixed && countBefore == 1)) ratio *= ratio;
       vec4 error = (fine - coarse) * (ratio / (1.0 - ratio));
       float wrong = transmittance * (highest(abs(error)) + doubtful) / allowed;
       coarse = fine;

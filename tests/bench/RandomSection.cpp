@@ -1,0 +1,106 @@
+#include "tests/bench/Sections.h"
+
+#include <iostream>
+#include <random>
+
+#include "rendering/gpu/GpuScene.h"
+#include "rendering/reference/Picture.h"
+#include "tests/bench/Text.h"
+
+namespace fenestra::bench {
+namespace {
+
+constexpr int picturesEach = 50;
+
+/// Two to seven nodes anywhere in the range of values, some of them clear, the others of all opacities from 0.003 to
+/// 0.9 over 1 mm alike.
+TransferFunction randomTransfer(ValueRange range, std::mt19937& random) {
+  std::uniform_real_distribution<double> share(0.0, 1.0);
+  TransferFunction transfer;
+  const int nodes = std::uniform_int_distribution(2, 7)(random);
+  for (int i = 0; i < nodes; ++i) {
+    TransferFunction::Node node;
+    node.value = range.low + share(random) * (range.high - range.low);
+    node.properties.colour = {share(random), share(random), share(random)};
+    const double opacity = share(random) < 0.4 ? 0.0 : std::pow(10.0, -2.5 + 2.45 * share(random));
+    node.properties.extinction = extinctionFromOpacity(opacity);
+    transfer.nodes.push_back(node);
+  }
+  std::sort(transfer.nodes.begin(), transfer.nodes.end(),
+            [](const auto& a, const auto& b) { return a.value < b.value; });
+  return transfer;
+}
+
+Camera randomCamera(const Grid& grid, std::mt19937& random) {
+  std::uniform_real_distribution<double> share(0.0, 1.0);
+  const double azimuth = 360.0 * share(random), elevation = glm::degrees(std::asin(1.9 * share(random) - 0.95));
+  return Camera::fromAngles(azimuth, elevation, grid,
+                            share(random) < 0.5 ? Projection::Perspective : Projection::Orthographic);
+}
+
+struct Row {
+  Distribution milliseconds, pictureRms;
+  ColourErrors errors;
+};
+
+/// Draws one picture with each setting in turn and compares it with the reference.
+void measureOne(Renderer& renderer, const Scene& scene, const Camera& camera, const Options& options,
+                const std::vector<Setting>& settings, std::vector<Row>& rows) {
+  Measurable what{{}, scene, {camera}, sampledPixels(options.views.size, 2 * options.views.pixelBlock), {}};
+  const reference::PictureOptions exactly{.pixels = what.pixels};
+  const std::vector<glm::dvec4> truth = reference::picture(scene, camera, options.views.size, exactly).final;
+  for (std::size_t k = 0; k < settings.size(); ++k) {
+    View view{camera, options.views.size, 1.0, settings[k].quality};
+    view.maxError = settings[k].maxError;
+    renderer.render(scene, view);  // uploads the transfer function and compiles what the setting needs
+    view.camera.eye.x = std::nextafter(view.camera.eye.x, std::numeric_limits<double>::infinity());
+    rows[k].milliseconds.add(timed([&] { renderer.render(scene, view); }));
+    const ColourErrors errors = errorsOf(renderer.readLayers().final, truth, what, view.size);
+    rows[k].pictureRms.add(errors.squares.rms());
+    rows[k].errors.add(errors);
+  }
+}
+
+}  // namespace
+
+Section randomSection(const Options& options, const TruthStore&) {
+  Section section;
+  section.title = "Random transfer functions";
+  section.text =
+      "Plain pictures with " + std::to_string(picturesEach) +
+      " random transfer functions and views of each volume, every other one lit; errors in 1/255 against the "
+      "reference, of the worst channel of each pixel, over all pictures; RMS also of the worst picture. Times are the "
+      "medians of one frame each.";
+  Options small = options;
+  small.views.phantomVoxels = 96;
+  Table table{"random", {"scene", "setting", "99.9 %", "maximum", "RMS", "worst picture's RMS", "ms"}, {}};
+  std::vector<Setting> settings = unboundedSettings();
+  for (const Setting& bound : boundSettings({4.0, 1.0})) settings.push_back(bound);
+  const Subjects subjects = boundSubjects(small.views);
+  for (const Subject& subject : subjects.here) {
+    constexpr std::array wanted{"phantom-plain", "phantom-head", "small-head-plain", "torso", "brain"};
+    if (std::find(wanted.begin(), wanted.end(), subject.id) == wanted.end()) continue;
+    Scene scene = app::loadScene(subject.options).scene;
+    scene.look.cutaway.enabled = false;
+    std::mt19937 random(static_cast<std::mt19937::result_type>(std::hash<std::string>{}(subject.id)));
+    Renderer renderer(std::make_shared<GpuScene>());
+    std::vector<Row> rows(settings.size());
+    for (int picture = 0; picture < picturesEach; ++picture) {
+      scene.look.context = {};
+      scene.look.context.function = randomTransfer(scene.volume->range, random);
+      scene.look.shading.enabled = picture % 2 == 1;
+      measureOne(renderer, scene, randomCamera(scene.volume->grid, random), small, settings, rows);
+    }
+    const std::size_t first = table.rows.size();
+    for (std::size_t k = 0; k < settings.size(); ++k)
+      table.rows.push_back({subject.name, settings[k].name, number(rows[k].errors.channel.percentile(99.9)),
+                            number(rows[k].errors.channel.max()), number(rows[k].errors.squares.rms()),
+                            number(rows[k].pictureRms.max()), fixed(rows[k].milliseconds.median(), 1)});
+    std::cerr << plainText(
+        {"", table.columns, {table.rows.begin() + static_cast<std::ptrdiff_t>(first), table.rows.end()}});
+  }
+  section.tables.push_back(std::move(table));
+  return section;
+}
+
+}  // namespace fenestra::bench
