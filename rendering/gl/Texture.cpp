@@ -146,6 +146,8 @@ glm::vec4 Texture::readTexel(glm::ivec2 pixel) const {
   return texel;
 }
 
+void Texture::clear() { glClearTexImage(name_, 0, traits(format_).external, traits(format_).type, nullptr); }
+
 void Texture::clear(glm::ivec2 offset, glm::ivec2 extent) {
   const Traits t = traits(format_);
   glClearTexSubImage(name_, 0, offset.x, offset.y, 0, extent.x, extent.y, 1, t.external, t.type, nullptr);

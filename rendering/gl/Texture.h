@@ -55,6 +55,8 @@ class Texture {
   void readInto(std::span<T> texels) const {
     read(std::as_writable_bytes(texels));
   }
+  /// Fills it with zeros.
+  void clear();
   /// Fills so many texels of a 2-D one, from `offset` on, with zeros.
   void clear(glm::ivec2 offset, glm::ivec2 extent);
   /// Takes the texels of another one of the same size and format.

@@ -7,129 +7,11 @@
 #include <mutex>
 #include <numeric>
 
+#include "rendering/gpu/LabelIndex.h"
 #include "rendering/scene/Parallel.h"
 
 namespace fenestra {
 namespace {
-
-// --- labels ---------------------------------------------------------------------------------------------------------
-
-template <class T>
-std::optional<IndexBox> labelledBox(std::span<const T> labels, const Grid& grid,
-                                    const std::vector<std::uint8_t>& wanted) {
-  std::mutex mutex;
-  std::optional<IndexBox> box;
-  parallelFor(static_cast<std::size_t>(grid.dims.z), 4, [&](std::size_t begin, std::size_t end) {
-    std::optional<IndexBox> local;
-    for (int z = static_cast<int>(begin); z < static_cast<int>(end); ++z)
-      for (int y = 0; y < grid.dims.y; ++y) {
-        const T* row = labels.data() + grid.offset({0, y, z});
-        int first = -1, last = -1;
-        for (int x = 0; x < grid.dims.x; ++x)
-          if (wanted[row[x]]) {
-            if (first < 0) first = x;
-            last = x;
-          }
-        if (first >= 0) grow(local, {first, y, z}, {last, y, z});
-      }
-    if (!local) return;
-    const std::scoped_lock lock(mutex);
-    grow(box, local->low, local->high);
-  });
-  return box;
-}
-
-/// Which corners of a brick's cells have a label of the focus; corners beyond the volume repeat its edge.
-class BrickCorners {
- public:
-  template <class T>
-  BrickCorners(glm::ivec3 brick, std::span<const T> labels, const Grid& grid, const std::vector<std::uint8_t>& wanted) {
-    const glm::ivec3 first = brick * brickSide - 1;  // index of the brick's first corner
-    const glm::ivec3 last = grid.dims - 1;
-    for (int z = 0, at = 0; z < side; ++z)
-      for (int y = 0; y < side; ++y) {
-        const T* row =
-            labels.data() + grid.offset({0, std::clamp(first.y + y, 0, last.y), std::clamp(first.z + z, 0, last.z)});
-        for (int x = 0; x < side; ++x, ++at) {
-          const std::uint8_t in = wanted[row[std::clamp(first.x + x, 0, last.x)]];
-          inside_[static_cast<std::size_t>(at)] = in;
-          any_ |= in != 0;
-          all_ &= in != 0;
-        }
-      }
-  }
-  bool any() const { return any_; }
-  bool all() const { return all_; }
-  /// Bit i is corner i of a cell, x fastest.
-  std::uint32_t mask(glm::ivec3 cell) const {
-    std::uint32_t bits = 0;
-    for (int corner = 0; corner < 8; ++corner) {
-      const glm::ivec3 at = cell + glm::ivec3(corner & 1, (corner >> 1) & 1, corner >> 2);
-      bits |= std::uint32_t{inside_[static_cast<std::size_t>(at.x + side * (at.y + side * at.z))]} << corner;
-    }
-    return bits;
-  }
-
- private:
-  static constexpr int side = brickSide + 1;
-  std::array<std::uint8_t, static_cast<std::size_t>(side* side* side)> inside_{};
-  bool any_ = false, all_ = true;
-};
-
-/// Bricks that the surface crosses, and their cells' corner masks, a byte each.
-class MixedBricks {
- public:
-  void add(std::size_t brick, const BrickCorners& corners) {
-    bricks_.push_back(brick);
-    const std::size_t begin = cells_.size();
-    cells_.resize(begin + wordsPerBrick, 0);
-    glm::ivec3 cell;
-    for (cell.z = 0; cell.z < brickSide; ++cell.z)
-      for (cell.y = 0; cell.y < brickSide; ++cell.y)
-        for (cell.x = 0; cell.x < brickSide; ++cell.x) {
-          const std::size_t byte = cellInBrick(cell);
-          cells_[begin + byte / 4] |= corners.mask(cell) << (8 * (byte % 4));
-        }
-  }
-  void appendTo(FocusIndex& index) const {
-    auto slot = static_cast<std::uint32_t>(index.cells.size() / wordsPerBrick) + 2;
-    for (const std::size_t brick : bricks_) index.slots[brick] = slot++;
-    index.cells.insert(index.cells.end(), cells_.begin(), cells_.end());
-  }
-
- private:
-  static constexpr std::size_t wordsPerBrick = cellsPerBrick / 4;
-  std::vector<std::size_t> bricks_;  ///< offsets
-  std::vector<std::uint32_t> cells_;
-};
-
-template <class T>
-void indexLabels(FocusIndex& index, std::span<const T> labels, const Grid& grid,
-                 const std::vector<std::uint8_t>& wanted) {
-  index.box = labelledBox(labels, grid, wanted);
-  if (!index.box) return;
-  // The voxel at index i is a corner of cells i and i + 1 in the cell frame.
-  const glm::ivec3 first = index.box->low / brickSide, last = (index.box->high + 1) / brickSide;
-  const auto layers = static_cast<std::size_t>(last.z - first.z + 1);
-  std::vector<MixedBricks> mixed(layers);
-  parallelFor(layers, 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t layer = begin; layer < end; ++layer) {
-      glm::ivec3 brick(0, 0, first.z + static_cast<int>(layer));
-      for (brick.y = first.y; brick.y <= last.y; ++brick.y)
-        for (brick.x = first.x; brick.x <= last.x; ++brick.x) {
-          const BrickCorners corners(brick, labels, grid, wanted);
-          const std::size_t at = brickOffset(index.bricks, brick);
-          if (corners.all())
-            index.slots[at] = 1;
-          else if (corners.any())
-            mixed[layer].add(at, corners);
-        }
-    }
-  });
-  for (const MixedBricks& layer : mixed) layer.appendTo(index);
-}
-
-// --- values ---------------------------------------------------------------------------------------------------------
 
 /// Cells [begin, end) of a row.
 struct Run {
@@ -333,20 +215,20 @@ FocusIndex buildFocusIndex(const Scene& scene, const BrickRanges& bricks) {
   FocusIndex index;
   index.bricks = bricks.dims;
   if (const auto* labels = std::get_if<LabelFocus>(&scene.look.focus); labels && scene.labels) {
-    index.kind = FocusIndex::Kind::Labels;
-    index.slots.assign(bricks.ranges.size(), 0);
-    std::vector<std::uint8_t> wanted(std::numeric_limits<std::uint16_t>::max() + 1, 0);
-    for (const std::uint16_t label : labels->labels) wanted[label] = 1;
-    if (scene.labels->voxels.type() == ScalarType::UInt8)
-      indexLabels(index, scene.labels->voxels.as<std::uint8_t>(), scene.labels->grid, wanted);
-    else
-      indexLabels(index, scene.labels->voxels.as<std::uint16_t>(), scene.labels->grid, wanted);
+    LabelIndexer(scene.labels).update(index, labels->labels);
   } else if (const auto* values = std::get_if<ValueFocus>(&scene.look.focus)) {
     index.kind = FocusIndex::Kind::Values;
     index.slots.assign(bricks.ranges.size(), 0);
     indexValues(index, shownVolume(scene), *values, bricks);
   }
   return index;
+}
+
+std::vector<std::uint8_t> FocusIndex::occupied() const {
+  std::vector<std::uint8_t> occupied(slots.size());
+  std::transform(slots.begin(), slots.end(), occupied.begin(),
+                 [](std::uint32_t slot) { return static_cast<std::uint8_t>(slot != 0); });
+  return occupied;
 }
 
 std::optional<glm::dvec3> FocusIndex::centre(const Grid& grid) const {

@@ -26,6 +26,8 @@ struct FocusIndex {
   /// focus.
   std::optional<IndexBox> box;
 
+  /// By brick: 1 where some of the focus lies in it, else 0.
+  std::vector<std::uint8_t> occupied() const;
   /// World position of the box's centre; empty when nothing is in focus. `grid` is the volume's.
   std::optional<glm::dvec3> centre(const Grid& grid) const;
 };

@@ -1,18 +1,14 @@
 #include "rendering/gpu/FocusSmooth.h"
 
 #include <algorithm>
-#include <array>
-#include <type_traits>
-
-#include "rendering/scene/Parallel.h"
+#include <bit>
 
 namespace fenestra {
 namespace {
 
-constexpr int reach = 4;           ///< voxels: two passes of a five-tap filter
-constexpr int margin = reach + 1;  ///< a gradient reads one more
-constexpr int tileSide = 16;       ///< voxels: a tile with what is read around it fits a core's first cache
-constexpr int blockSide = tileSide + 2 * reach;
+constexpr int side = FocusSmooth::tileSide;
+constexpr int taps = 9;
+constexpr std::uint32_t allTaps = (1u << taps) - 1;
 
 std::size_t offsetIn(glm::ivec3 size, glm::ivec3 at) {
   return static_cast<std::size_t>(at.x) +
@@ -20,134 +16,178 @@ std::size_t offsetIn(glm::ivec3 size, glm::ivec3 at) {
              (static_cast<std::size_t>(at.y) + static_cast<std::size_t>(size.y) * static_cast<std::size_t>(at.z));
 }
 
-/// A tile with what the filter reads around it. Each pass along an axis shortens it there by two voxels at both ends.
-class Block {
- public:
-  std::uint16_t& at(glm::ivec3 index) { return values_[offsetIn(glm::ivec3(blockSide), index)]; }
+int floorTo(int value, int multiple) { return (value >= 0 ? value : value - multiple + 1) / multiple * multiple; }
+glm::ivec3 floorTo(glm::ivec3 value, int multiple) {
+  return {floorTo(value.x, multiple), floorTo(value.y, multiple), floorTo(value.z, multiple)};
+}
 
-  void filter() {
-    glm::ivec3 low(0), high(blockSide);
-    for (int pass = 0; pass < 2; ++pass)
-      for (int axis = 0; axis < 3; ++axis) {
-        low[axis] += 2;
-        high[axis] -= 2;
-        filterAlong(axis, low, high);
-      }
+/// The filter's sums along x, of 256, for two neighbouring voxels: entry i has voxel j in the focus where its bit j
+/// is 1.
+using PairSums = std::array<std::array<std::uint16_t, 2>, 2 << taps>;
+constexpr PairSums pairSums() {
+  constexpr std::array<std::uint16_t, taps> weights{1, 8, 28, 56, 70, 56, 28, 8, 1};
+  PairSums sums{};
+  for (std::uint32_t bits = 0; bits < sums.size(); ++bits)
+    for (std::uint32_t voxel = 0; voxel < 2; ++voxel)
+      for (std::uint32_t tap = 0; tap < taps; ++tap)
+        if (bits >> (voxel + tap) & 1u)
+          sums[bits][voxel] = static_cast<std::uint16_t>(sums[bits][voxel] + weights[tap]);
+  return sums;
+}
+
+using Row = std::array<std::uint16_t, static_cast<std::size_t>(side)>;
+
+void filterAlongX(std::uint32_t bits, Row& sums) {
+  static constexpr PairSums pairs = pairSums();
+  for (std::size_t x = 0; x < sums.size(); x += 2) {
+    const auto& pair = pairs[bits >> x & (2 * allTaps + 1)];
+    sums[x] = pair[0];
+    sums[x + 1] = pair[1];
   }
+}
 
- private:
-  /// For the voxels of [low, high).
-  void filterAlong(int axis, glm::ivec3 low, glm::ivec3 high) {
-    const std::ptrdiff_t step = axis == 0 ? 1 : axis == 1 ? blockSide : blockSide * blockSide;
-    for (int z = low.z; z < high.z; ++z)
-      for (int y = low.y; y < high.y; ++y) {
-        const std::uint16_t* from = &at({low.x, y, z});
-        std::uint16_t* to = &filtered_[offsetIn(glm::ivec3(blockSide), {low.x, y, z})];
-        for (int x = 0; x < high.x - low.x; ++x) {
-          const std::uint16_t* v = from + x;
-          const std::uint32_t sum = std::uint32_t{v[-2 * step]} + v[2 * step] +
-                                    4 * (std::uint32_t{v[-step]} + v[step]) + 6 * std::uint32_t{v[0]};
-          to[x] = static_cast<std::uint16_t>((sum + 8) / 16);
-        }
-      }
-    std::swap(values_, filtered_);
+/// (1 4 6 4 1) without a division.
+void filterOnce(const Row* from, Row& to) {
+  for (std::size_t x = 0; x < to.size(); ++x)
+    to[x] = static_cast<std::uint16_t>(from[0][x] + from[4][x] + 4 * (from[1][x] + from[3][x]) + 6 * from[2][x]);
+}
+
+/// (1 4 6 4 1)/4, rounded, of values up to 4096: in 16 bits, which its sum exceeds by one.
+void filterAgain(const Row* from, Row& to) {
+  for (std::size_t x = 0; x < to.size(); ++x) {
+    const auto outer = static_cast<std::uint16_t>(from[0][x] + from[4][x] + 2 * from[2][x] + 2);
+    to[x] = static_cast<std::uint16_t>(from[1][x] + from[2][x] + from[3][x] + (outer >> 2));
   }
-
-  static constexpr std::size_t count = static_cast<std::size_t>(blockSide) * blockSide * blockSide;
-  std::vector<std::uint16_t> values_ = std::vector<std::uint16_t>(count), filtered_ = values_;
-};
-
-class Smoother {
- public:
-  Smoother(const LabelMap& labels, const LabelFocus& focus, const FocusIndex& index, FocusSmooth& smooth)
-      : labels_(labels), index_(index), smooth_(smooth), wanted_(1 << 16, 0) {
-    for (const std::uint16_t label : focus.labels) wanted_[label] = 65535;
-    const glm::ivec3 end = smooth.origin + smooth.size;
-    // Tiles begin at voxels 0, 16, …; those of the margin before the volume too.
-    first_ = (smooth.origin + tileSide) / tileSide - 1;
-    tiles_ = (end + tileSide - 1) / tileSide - first_;
-  }
-
-  void run() {
-    labels_.voxels.visit([&](auto values) {
-      if constexpr (std::is_unsigned_v<typename decltype(values)::value_type>)
-        parallelFor(static_cast<std::size_t>(tiles_.y) * static_cast<std::size_t>(tiles_.z), 1,
-                    [&](std::size_t begin, std::size_t end) {
-                      Block block;
-                      for (std::size_t row = begin; row < end; ++row)
-                        for (int x = 0; x < tiles_.x; ++x) {
-                          const auto at = static_cast<int>(row);
-                          fill((first_ + glm::ivec3(x, at % tiles_.y, at / tiles_.y)) * tileSide, values, block);
-                        }
-                    });
-    });
-  }
-
- private:
-  /// 0 or 1 where all that a tile's filter reads is outside or inside, else 2.
-  std::uint32_t slotAround(glm::ivec3 tile) const {
-    // A brick's first corner is one voxel before brick · brickSide, its last one is brickSide further.
-    const auto brickOf = [&](glm::ivec3 voxel) {
-      return (glm::clamp(voxel, glm::ivec3(0), labels_.grid.dims - 1) + 1) / brickSide;
-    };
-    const glm::ivec3 low = brickOf(tile - reach), high = brickOf(tile + tileSide - 1 + reach);
-    const std::uint32_t slot = std::min(2u, index_.slots[brickOffset(index_.bricks, low)]);
-    glm::ivec3 brick;
-    for (brick.z = low.z; brick.z <= high.z; ++brick.z)
-      for (brick.y = low.y; brick.y <= high.y; ++brick.y)
-        for (brick.x = low.x; brick.x <= high.x; ++brick.x)
-          if (std::min(2u, index_.slots[brickOffset(index_.bricks, brick)]) != slot) return 2;
-    return slot;
-  }
-
-  template <class Labels>
-  void fill(glm::ivec3 tile, Labels values, Block& block) {
-    const std::uint32_t slot = slotAround(tile);
-    if (slot == 0) return;  // as it is already
-    if (slot == 2) read(tile, values, block);
-    const glm::ivec3 low = glm::max(tile, smooth_.origin),
-                     high = glm::min(tile + tileSide, smooth_.origin + smooth_.size);
-    for (int z = low.z; z < high.z; ++z)
-      for (int y = low.y; y < high.y; ++y) {
-        std::uint16_t* to = &smooth_.field[offsetIn(smooth_.size, glm::ivec3(low.x, y, z) - smooth_.origin)];
-        if (slot == 1)
-          std::fill_n(to, high.x - low.x, std::uint16_t{65535});
-        else
-          std::copy_n(&block.at(glm::ivec3(low.x, y, z) - tile + reach), high.x - low.x, to);
-      }
-  }
-
-  template <class Labels>
-  void read(glm::ivec3 tile, Labels values, Block& block) {
-    const glm::ivec3 last = labels_.grid.dims - 1;
-    for (int z = 0; z < blockSide; ++z)
-      for (int y = 0; y < blockSide; ++y) {
-        const glm::ivec3 voxel = tile - reach + glm::ivec3(0, y, z);
-        const auto* row =
-            values.data() + labels_.grid.offset({0, std::clamp(voxel.y, 0, last.y), std::clamp(voxel.z, 0, last.z)});
-        std::uint16_t* to = &block.at({0, y, z});
-        for (int x = 0; x < blockSide; ++x)
-          to[x] = wanted_[static_cast<std::uint16_t>(row[std::clamp(voxel.x + x, 0, last.x)])];
-      }
-    block.filter();
-  }
-
-  const LabelMap& labels_;
-  const FocusIndex& index_;
-  FocusSmooth& smooth_;
-  std::vector<std::uint16_t> wanted_;  ///< the field's value by label
-  glm::ivec3 first_, tiles_;
-};
+}
 
 }  // namespace
 
-FocusSmooth smoothFocus(const LabelMap& labels, const LabelFocus& focus, const FocusIndex& index) {
-  FocusSmooth smooth;
-  smooth.origin = index.box->low - margin;
-  smooth.size = index.box->high - index.box->low + 1 + 2 * margin;
-  smooth.field.assign(offsetIn(smooth.size, {0, 0, smooth.size.z}), 0);
-  Smoother(labels, focus, index, smooth).run();
-  return smooth;
+FocusSmooth::FocusSmooth(const FocusIndex& index, glm::ivec3 dims) : index_(index), dims_(dims) {
+  static_assert(tileSide % brickSide == 0 && reach == brickSide, "a tile's surroundings are whole bricks");
+  if (!index.box) return;
+  constexpr int margin = reach + 1;
+  box_.origin = floorTo(index.box->low - margin, tileSide);
+  box_.size = floorTo(index.box->high + margin, tileSide) + tileSide - box_.origin;
+  // Mesa's software rasteriser compiles programs again where a side becomes a power of two.
+  for (int axis = 0; axis < 3; ++axis)
+    while (std::has_single_bit(static_cast<unsigned>(box_.size[axis]))) box_.size[axis] += tileSide;
+}
+
+std::vector<glm::ivec3> FocusSmooth::marked(const std::vector<std::uint8_t>& marks) const {
+  std::vector<glm::ivec3> tiles;
+  std::size_t at = 0;
+  glm::ivec3 tile;
+  for (tile.z = 0; tile.z < tileCount().z; ++tile.z)
+    for (tile.y = 0; tile.y < tileCount().y; ++tile.y)
+      for (tile.x = 0; tile.x < tileCount().x; ++tile.x)
+        if (marks[at++]) tiles.push_back(box_.origin + tile * tileSide);
+  return tiles;
+}
+
+std::vector<glm::ivec3> FocusSmooth::tiles() const {
+  std::vector<std::size_t> bricks;
+  for (std::size_t brick = 0; brick < index_.slots.size(); ++brick)
+    if (index_.slots[brick] != 0) bricks.push_back(brick);
+  return tilesNear(bricks);
+}
+
+std::vector<glm::ivec3> FocusSmooth::tilesNear(const std::vector<std::size_t>& bricks) const {
+  constexpr int bricksPerTile = tileSide / brickSide;
+  const glm::ivec3 count = tileCount(), first = box_.origin / tileSide, lastBrick = (dims_ - 1) / brickSide;
+  std::vector<std::uint8_t> marks(offsetIn(count, {0, 0, count.z}), 0);
+  const auto x = static_cast<std::size_t>(index_.bricks.x), y = static_cast<std::size_t>(index_.bricks.y);
+  for (const std::size_t offset : bricks) {
+    const glm::ivec3 brick(offset % x, offset / x % y, offset / (x * y));
+    glm::ivec3 low, high;
+    for (int axis = 0; axis < 3; ++axis) {
+      // What repeats the volume's edge depends on its outermost voxels.
+      low[axis] = brick[axis] == 0 ? 0 : (brick[axis] - 1) / bricksPerTile - first[axis];
+      high[axis] = brick[axis] >= lastBrick[axis] ? count[axis] - 1 : (brick[axis] + 1) / bricksPerTile - first[axis];
+    }
+    low = glm::max(low, 0);
+    high = glm::min(high, count - 1);
+    for (int tileZ = low.z; tileZ <= high.z; ++tileZ)
+      for (int tileY = low.y; tileY <= high.y; ++tileY)
+        for (int tileX = low.x; tileX <= high.x; ++tileX) marks[offsetIn(count, {tileX, tileY, tileZ})] = 1;
+  }
+  return marked(marks);
+}
+
+void FocusSmooth::read(glm::ivec3 tile, Bits& bits) const {
+  constexpr int side = blockSide / brickSide;
+  const auto orRow = [&](glm::ivec3 brick, int y, int z, std::uint32_t four) {
+    bits[static_cast<std::size_t>(brick.y * brickSide + y + blockSide * (brick.z * brickSide + z))] |=
+        four << (brick.x * brickSide);
+  };
+  // A block beyond the volume holds what one at its last brick does once the edge is repeated.
+  const glm::ivec3 first = glm::min(tile / brickSide - 1, dims_ / brickSide);
+  const glm::ivec3 low = glm::max(-first, 0), high = glm::min(index_.bricks - first, side);
+  glm::ivec3 brick;
+  for (brick.z = low.z; brick.z < high.z; ++brick.z)
+    for (brick.y = low.y; brick.y < high.y; ++brick.y)
+      for (brick.x = low.x; brick.x < high.x; ++brick.x) {
+        const std::uint32_t slot = index_.slots[brickOffset(index_.bricks, first + brick)];
+        if (slot == 0) continue;
+        for (int z = 0, word = 0; z < brickSide; ++z)
+          for (int y = 0; y < brickSide; ++y, ++word) {
+            if (slot == 1) {
+              orRow(brick, y, z, 15u);
+              continue;
+            }
+            // The voxel at an index is the last corner of the cell of that number: bit 7 of each byte. The product
+            // gathers them in its highest byte.
+            const std::uint32_t cells = index_.cells[(slot - 2) * (cellsPerBrick / 4) + static_cast<std::size_t>(word)];
+            orRow(brick, y, z, (cells >> 7 & 0x01010101u) * 0x01020408u >> 24);
+          }
+      }
+  repeatEdge(first * brickSide, bits);
+}
+
+void FocusSmooth::repeatEdge(glm::ivec3 low, Bits& bits) const {
+  // First and last voxel of the block that the index holds: it repeats the edge once at the volume's end.
+  const glm::ivec3 first = glm::clamp(-low, 0, blockSide - 1), last = glm::clamp(dims_ - low, 0, blockSide - 1);
+  if (first == glm::ivec3(0) && last == glm::ivec3(blockSide - 1)) return;
+  const std::uint32_t before = (1u << first.x) - 1, after = ~((2u << last.x) - 1) & ((1u << blockSide) - 1);
+  for (std::uint32_t& row : bits) {
+    if (row >> first.x & 1u) row |= before;
+    row = row >> last.x & 1u ? row | after : row & ~after;
+  }
+  const auto rowOf = [&](int y, int z) -> std::uint32_t& { return bits[static_cast<std::size_t>(y + blockSide * z)]; };
+  for (int z = 0; z < blockSide; ++z)
+    for (int y = 0; y < blockSide; ++y)
+      rowOf(y, z) = rowOf(std::clamp(y, first.y, last.y), std::clamp(z, first.z, last.z));
+}
+
+void FocusSmooth::make(glm::ivec3 tile, Tile& voxels) const {
+  Bits bits{};
+  read(tile, bits);
+  constexpr std::uint32_t full = (1u << blockSide) - 1;
+  if (std::all_of(bits.begin(), bits.end(), [&](std::uint32_t row) { return row == bits[0]; }) &&
+      (bits[0] == 0 || bits[0] == full)) {
+    voxels.fill(bits[0] == 0 ? 0 : 65535);
+    return;
+  }
+  std::array<Row, static_cast<std::size_t>(blockSide)> rows;
+  std::array<Row, static_cast<std::size_t>(blockSide - reach)> once;
+  std::array<std::array<Row, static_cast<std::size_t>(side)>, static_cast<std::size_t>(blockSide)> planes;
+  for (std::size_t z = 0; z < planes.size(); ++z) {
+    for (std::size_t y = 0; y < rows.size(); ++y) filterAlongX(bits[y + rows.size() * z], rows[y]);
+    // Exact up to here: a voxel is at most 256, then 4096. Two bits are rounded away, so that 16384 is all.
+    for (std::size_t y = 0; y < once.size(); ++y) filterOnce(&rows[y], once[y]);
+    for (std::size_t y = 0; y < planes[z].size(); ++y) filterAgain(&once[y], planes[z][y]);
+  }
+  for (std::size_t z = 0; z < static_cast<std::size_t>(side); ++z)
+    for (std::size_t y = 0; y < static_cast<std::size_t>(side); ++y) {
+      const auto at = [&](std::size_t tap, std::size_t x) -> std::uint32_t { return planes[z + tap][y][x]; };
+      std::uint16_t* to = voxels.data() + static_cast<std::size_t>(side) * (y + static_cast<std::size_t>(side) * z);
+      for (std::size_t x = 0; x < static_cast<std::size_t>(side); ++x) {
+        // (1 8 28 56 70 56 28 8 1) by shifts: 28, 56 and 70 are multiples of 7 · 2.
+        const std::uint32_t inner = 2 * (at(2, x) + at(6, x)) + 4 * (at(3, x) + at(5, x)) + 5 * at(4, x);
+        const std::uint32_t sum = at(0, x) + at(8, x) + 8 * (at(1, x) + at(7, x)) + 16 * inner - 2 * inner;
+        // 2²² is all; times 65535/65536, so that it fits.
+        to[x] = static_cast<std::uint16_t>((sum - (sum >> 16) + 32) >> 6);
+      }
+    }
 }
 
 }  // namespace fenestra

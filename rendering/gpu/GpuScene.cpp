@@ -6,7 +6,6 @@
 #include <exception>
 #include <limits>
 
-#include "rendering/gpu/FocusSmooth.h"
 #include "rendering/scene/Lighting.h"
 #include "rendering/scene/Parallel.h"
 
@@ -82,13 +81,6 @@ LabelSettings settingsInFocus(const Scene& scene) {
   return settings;
 }
 
-std::vector<std::uint8_t> focusOccupied(const FocusIndex& focus) {
-  std::vector<std::uint8_t> occupied(focus.slots.size());
-  std::transform(focus.slots.begin(), focus.slots.end(), occupied.begin(),
-                 [](std::uint32_t slot) { return static_cast<std::uint8_t>(slot != 0); });
-  return occupied;
-}
-
 }  // namespace
 
 void GpuScene::update(const Scene& scene) {
@@ -137,10 +129,9 @@ void GpuScene::release() {
   volumeTexture_ = {};
   gradient_ = {};
   derivative_ = {};
-  for (gl::Texture* texture :
-       {&contextSkip_, &occupiedSkip_, &focusBricks_, &focusSkip_, &focusPaletteIndex_, &focusPalette_, &focusSmooth_})
+  for (gl::Texture* texture : {&contextSkip_, &occupiedSkip_, &focusSkip_, &focusPaletteIndex_, &focusPalette_})
     *texture = {};
-  focusCells_ = {};
+  focus_.release();
   protected_ = {};
 }
 
@@ -157,7 +148,7 @@ void GpuScene::updateAll(const Scene& scene) {
   const bool coloursChanged =
       focusChanged || scene.look.focusAppearance != appearance_ || focusSettings != focusSettings_;
   labels_ = usesLabels ? scene.labels : nullptr;
-  if (focusChanged) updateFocus(scene);
+  const GpuFocus::Change changed = focusChanged ? updateFocus(scene) : GpuFocus::Change{};
   if (coloursChanged) updateFocusColours(scene);
   appearance_ = scene.look.focusAppearance;
   focusSettings_ = std::move(focusSettings);
@@ -166,18 +157,12 @@ void GpuScene::updateAll(const Scene& scene) {
 
   const bool transferChanged = volumeChanged || scene.look.context != contextWanted_;
   if (transferChanged) updateTransfer(scene);
-  if ((transferChanged || focusChanged) && focus_.kind != FocusIndex::Kind::None) {
-    std::vector<std::uint8_t> occupied = focusOccupied(focus_);
-    for (std::size_t i = 0; i < occupied.size(); ++i) occupied[i] |= contextOccupied_[i];
-    occupiedSkip_ = skipTexture(bricks_.dims, occupied);
-  }
+  updateSkips(changed, transferChanged);
 
   const bool wantsGradient = scene.look.shading.enabled;
   if (!wantsGradient) gradient_ = {};
-  if (wantsGradient && (!gradient_.texture || transferChanged || focusChanged)) updateGradient();
-  const bool wantsSmooth = wantsGradient && focus_.kind == FocusIndex::Kind::Labels && focus_.box;
-  if (!wantsSmooth) focusSmooth_ = {};
-  if (wantsSmooth && !focusSmooth_) updateFocusSmooth(scene);
+  if (wantsGradient) updateGradient(changed, transferChanged);
+  focus_.updateSmooth(wantsGradient);
 
   const bool wantsDerivative = hasCutaway(scene) && scene.look.contextLayer.strength > 0.0;
   if (!wantsDerivative) derivative_ = {};
@@ -195,12 +180,56 @@ void GpuScene::updateVolume(ShownVolume shown) {
   ++versions_.volume;
 }
 
-void GpuScene::updateGradient() {
+void GpuScene::updateSkips(const GpuFocus::Change& focus, bool contextChanged) {
+  if (focus_.index().kind == FocusIndex::Kind::None) return;
+  struct Skip {
+    gl::Texture& texture;
+    std::vector<std::uint8_t> occupied;
+  };
+  std::vector<Skip> skips;
+  const bool focusFlipped = focus.isNew || !focus.flipped.empty();
+  if (focusFlipped) skips.push_back({focusSkip_, focus_.index().occupied()});
+  const bool anyFlipped = focus.isNew || contextChanged ||
+                          std::any_of(focus.flipped.begin(), focus.flipped.end(),
+                                      [&](std::size_t brick) { return !contextOccupied_[brick]; });
+  if (anyFlipped) {
+    std::vector<std::uint8_t> occupied = focus_.index().occupied();
+    for (std::size_t i = 0; i < occupied.size(); ++i) occupied[i] |= contextOccupied_[i];
+    skips.push_back({occupiedSkip_, std::move(occupied)});
+  }
+  parallelFor(skips.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) skips[i].occupied = chebyshevDistance(bricks_.dims, skips[i].occupied);
+  });
+  for (const Skip& skip : skips) {
+    if (!skip.texture) skip.texture = gl::Texture::make3D(gl::Format::R8UI, bricks_.dims);
+    skip.texture.upload(std::span<const std::uint8_t>(skip.occupied));
+  }
+}
+
+double GpuScene::leastChange() const {
+  // It may span two bricks, and has three components.
+  return lighting::gradientGateLow * (shown_.volume->range.high - shown_.volume->range.low) / (2.0 * std::sqrt(3.0));
+}
+
+bool GpuScene::isLitFor(const std::vector<std::size_t>& bricks) const {
+  const double least = leastChange();
+  const glm::ivec3 dims = bricks_.dims, last = shown_.volume->grid.dims - 1;
+  return std::all_of(bricks.begin(), bricks.end(), [&](std::size_t offset) {
+    const ValueRange& range = bricks_.ranges[offset];
+    if (!(range.high - range.low >= least)) return true;
+    const auto x = static_cast<std::size_t>(dims.x), y = static_cast<std::size_t>(dims.y);
+    const glm::ivec3 low = glm::ivec3(offset % x, offset / x % y, offset / (x * y)) * brickSide - 1;
+    return gradientBox_ && glm::all(glm::lessThanEqual(gradientBox_->low, glm::max(low, 0))) &&
+           glm::all(glm::greaterThanEqual(gradientBox_->high, glm::min(low + brickSide, last)));
+  });
+}
+
+void GpuScene::updateGradient(const GpuFocus::Change& focus, bool contextChanged) {
   if (gradient_.texture && gradientIsWhole_) return;
-  // Lighting asks for gradients where something shows and values vary by more than noise. The least change of value in
-  // a brick that can lift a central difference over the gate: it may span two bricks, and has three components.
-  const double leastChange =
-      lighting::gradientGateLow * (shown_.volume->range.high - shown_.volume->range.low) / (2.0 * std::sqrt(3.0));
+  if (gradient_.texture && !contextChanged && !focus.isNew && isLitFor(focus.flipped)) return;
+  // Lighting asks for gradients where something shows and values vary by more than noise.
+  const double leastChange = this->leastChange();
+  const std::vector<std::uint32_t>& slots = focus_.index().slots;
   std::optional<IndexBox> varied, shown;
   for (int z = 0; z < bricks_.dims.z; ++z)
     for (int y = 0; y < bricks_.dims.y; ++y)
@@ -210,7 +239,7 @@ void GpuScene::updateGradient() {
         if (!(range.high - range.low >= leastChange)) continue;
         const glm::ivec3 low = glm::ivec3(x, y, z) * brickSide - 1, high = low + brickSide;
         grow(varied, low, high);
-        if (contextOccupied_[brick] || (!focus_.slots.empty() && focus_.slots[brick] != 0)) grow(shown, low, high);
+        if (contextOccupied_[brick] || (!slots.empty() && slots[brick] != 0)) grow(shown, low, high);
       }
   const glm::ivec3 last = shown_.volume->grid.dims - 1;
   for (std::optional<IndexBox>* box : {&varied, &shown})
@@ -232,17 +261,13 @@ void GpuScene::updateGradient() {
   ++versions_.gradient;
 }
 
-void GpuScene::updateFocus(const Scene& scene) {
+GpuFocus::Change GpuScene::updateFocus(const Scene& scene) {
+  GpuFocus::Change change = focus_.update(scene, bricks_);
   focusWanted_ = scene.look.focus;
-  focus_ = buildFocusIndex(scene, bricks_);
-  for (gl::Texture* texture : {&focusBricks_, &focusSkip_, &occupiedSkip_, &focusSmooth_}) *texture = {};
-  focusCells_ = {};
+  if (change.isNew)
+    for (gl::Texture* texture : {&focusSkip_, &occupiedSkip_}) *texture = {};
   ++versions_.focus;
-  if (focus_.kind == FocusIndex::Kind::None) return;
-  focusBricks_ = gl::Texture::make3D(gl::Format::R32UI, bricks_.dims);
-  focusBricks_.upload(std::span<const std::uint32_t>(focus_.slots));
-  focusSkip_ = skipTexture(bricks_.dims, focusOccupied(focus_));
-  focusCells_ = gl::Buffer(std::as_bytes(std::span(focus_.cells)));
+  return change;
 }
 
 void GpuScene::updateProtected(const Scene& scene, bool volumeChanged) {
@@ -261,7 +286,7 @@ void GpuScene::updateProtected(const Scene& scene, bool volumeChanged) {
   if (!index.box) return;
   protected_.bricks = gl::Texture::make3D(gl::Format::R32UI, bricks_.dims);
   protected_.bricks.upload(std::span<const std::uint32_t>(index.slots));
-  protected_.skip = skipTexture(bricks_.dims, focusOccupied(index));
+  protected_.skip = skipTexture(bricks_.dims, index.occupied());
   protected_.cells = gl::Buffer(std::as_bytes(std::span(index.cells)));
 }
 
@@ -286,15 +311,15 @@ void GpuScene::updateFocusColours(const Scene& scene) {
     entryOf[value] = static_cast<std::uint8_t>(std::min<std::ptrdiff_t>(at - palette.begin(), 253) + 1);
   }
   if (!palette.empty()) focusMaterial_ = glm::dvec4(palette.front());
-  if (palette.size() < 2 || !focus_.box) return;
+  if (palette.size() < 2 || !focus_.index().box) return;
   palette.insert(palette.begin(), palette.front());
   focusPalette_ = gl::Texture::make2D(gl::Format::RGBA32F, {static_cast<int>(palette.size()), 1});
   focusPalette_.upload(std::span<const glm::vec4>(palette));
 
   // The 0.5 level reaches at most half a voxel past the labelled ones: a margin of one takes its neighbour's entry.
   const LabelMap& labels = *scene.labels;
-  focusOrigin_ = glm::max(focus_.box->low - 1, 0);
-  const glm::ivec3 size = glm::min(focus_.box->high + 1, labels.grid.dims - 1) - focusOrigin_ + 1;
+  focusOrigin_ = glm::max(focus_.index().box->low - 1, 0);
+  const glm::ivec3 size = glm::min(focus_.index().box->high + 1, labels.grid.dims - 1) - focusOrigin_ + 1;
   std::vector<std::uint8_t> entries(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *
                                     static_cast<std::size_t>(size.z));
   labels.voxels.visit([&](auto values) {
@@ -320,13 +345,6 @@ void GpuScene::updateFocusColours(const Scene& scene) {
   });
   focusPaletteIndex_ = gl::Texture::make3D(gl::Format::R8UI, size);
   focusPaletteIndex_.upload(std::span<const std::uint8_t>(entries));
-}
-
-void GpuScene::updateFocusSmooth(const Scene& scene) {
-  const FocusSmooth smooth = smoothFocus(*scene.labels, std::get<LabelFocus>(scene.look.focus), focus_);
-  focusSmoothOrigin_ = smooth.origin;
-  focusSmooth_ = gl::Texture::make3D(gl::Format::R16, smooth.size, gl::Filter::Linear);
-  focusSmooth_.upload(std::span<const std::uint16_t>(smooth.field));
 }
 
 void GpuScene::updateTransfer(const Scene& scene) {
@@ -388,9 +406,9 @@ std::vector<GpuScene::Resource> GpuScene::resources() const {
   add("derivative volume", of(derivative_.texture));
   add("transfer tables", of(transferTables_));
   add("empty-space skipping", of(contextSkip_) + of(occupiedSkip_) + of(focusSkip_));
-  add("focus index", of(focusBricks_) + focusCells_.bytes());
+  add("focus index", of(focus_.bricks()) + focus_.cells().bytes());
   add("focus palette", of(focusPaletteIndex_) + of(focusPalette_));
-  add("focus normals", of(focusSmooth_));
+  add("focus normals", of(focus_.smooth()));
   add("protected labels", of(protected_.bricks) + of(protected_.skip) + protected_.cells.bytes());
   return all;
 }

@@ -14,7 +14,7 @@
 #include "rendering/gl/Texture.h"
 #include "rendering/gpu/Bricks.h"
 #include "rendering/gpu/FittedScene.h"
-#include "rendering/gpu/FocusIndex.h"
+#include "rendering/gpu/GpuFocus.h"
 #include "rendering/gpu/Schedule.h"
 #include "rendering/gpu/VolumeTexture.h"
 #include "rendering/scene/Scene.h"
@@ -98,12 +98,12 @@ class GpuScene {
   const gl::Texture& contextSkip() const { return contextSkip_; }
   const gl::Texture& occupiedSkip() const { return focusSkip_ ? occupiedSkip_ : contextSkip_; }
 
-  FocusIndex::Kind focusKind() const { return focus_.kind; }
-  const FocusIndex& focus() const { return focus_; }
+  FocusIndex::Kind focusKind() const { return focus_.index().kind; }
+  const FocusIndex& focus() const { return focus_.index(); }
   ValueRange focusValues() const { return std::get<ValueFocus>(focusWanted_).values; }  ///< of a value focus, real
-  const gl::Texture& focusBricks() const { return focusBricks_; }
+  const gl::Texture& focusBricks() const { return focus_.bricks(); }
   const gl::Texture& focusSkip() const { return focusSkip_; }
-  const gl::Buffer& focusCells() const { return focusCells_; }
+  const gl::Buffer& focusCells() const { return focus_.cells(); }
   /// Per-voxel palette entries around a label focus of several colours or opacities; empty when one does for all.
   const gl::Texture& focusPaletteIndex() const { return focusPaletteIndex_; }
   const gl::Texture& focusPalette() const { return focusPalette_; }
@@ -112,19 +112,24 @@ class GpuScene {
   /// Only while there is an opening, and something that is protected from it.
   const ProtectedLabels& protectedLabels() const { return protected_; }
   /// Smoothed indicator around a label focus, for its normals; only while shading is on.
-  const gl::Texture& focusSmooth() const { return focusSmooth_; }
-  glm::ivec3 focusSmoothOrigin() const { return focusSmoothOrigin_; }  ///< index of its first texel
+  const gl::Texture& focusSmooth() const { return focus_.smooth(); }
+  glm::ivec3 focusSmoothOrigin() const { return focus_.smoothOrigin(); }  ///< index of its first texel
 
  private:
   void release();
   void updateAll(const Scene& scene);
   void updateVolume(ShownVolume shown);
-  void updateFocus(const Scene& scene);
+  /// Which bricks' occupation has changed.
+  GpuFocus::Change updateFocus(const Scene& scene);
   void updateFocusColours(const Scene& scene);
-  void updateFocusSmooth(const Scene& scene);
+  void updateSkips(const GpuFocus::Change& focus, bool contextChanged);
   void updateProtected(const Scene& scene, bool volumeChanged);
   void updateTransfer(const Scene& scene);
-  void updateGradient();
+  void updateGradient(const GpuFocus::Change& focus, bool contextChanged);
+  /// Whether the gradients cover those bricks where lighting asks for any.
+  bool isLitFor(const std::vector<std::size_t>& bricks) const;
+  /// The least change of value in a brick that can lift a central difference over lighting's gate.
+  double leastChange() const;
 
   gl::ShaderProgram presentProgram_, enlargeProgram_;
   gl::SharedPrograms programs_;
@@ -155,14 +160,11 @@ class GpuScene {
   std::vector<std::uint8_t> contextOccupied_;  ///< per brick
   gl::Texture contextSkip_, occupiedSkip_;
 
-  FocusIndex focus_;
-  gl::Texture focusBricks_, focusSkip_;
-  gl::Buffer focusCells_;
+  GpuFocus focus_;
+  gl::Texture focusSkip_;
   gl::Texture focusPaletteIndex_, focusPalette_;
   glm::ivec3 focusOrigin_{0};
   glm::dvec4 focusMaterial_{1.0};
-  gl::Texture focusSmooth_;
-  glm::ivec3 focusSmoothOrigin_{0};
 
   ProtectedLabels protected_;
   std::vector<std::uint16_t> protectedWanted_;

@@ -17,14 +17,15 @@ constexpr double largestRise = 6.0;  ///< noise units: a sharper edge is no bett
 // What a plateau must have. Chosen on the marked structures of tests/bench/results/growing.md. Half the contrast or
 // twice the steadiness changes the mean Dice of the first setting by 0.01 there; twice the contrast or twice the fall
 // costs 0.1 and more.
-constexpr double noiseContrast = 1.6;  ///< noise deviations: surfaces with less lie in the noise
-constexpr double leastContrast = 0.4;  ///< units of the noise: surfaces with less are not seen
-constexpr double leastFall = 0.7;      ///< of the clarity, before a clearer surface follows
-constexpr double leastVoxels = 50.0;   ///< fewer have no surface to speak of
-constexpr double roundness = 1.5;      ///< how much a compact shape counts against a sharp edge
-constexpr double steadiness = 0.5;     ///< how much it counts that the region has hardly grown of late
-constexpr double largestGrowth = 3.0;  ///< of the volume's logarithm: more is no worse
-constexpr double plateauShare = 0.1;   ///< volumes within this share of the best one's are the same plateau
+constexpr double noiseContrast = 1.6;     ///< noise deviations: surfaces with less lie in the noise
+constexpr double leastContrast = 0.4;     ///< units of the noise: surfaces with less are not seen
+constexpr double leastFall = 0.7;         ///< of the clarity, before a clearer surface follows
+constexpr double leastVoxels = 50.0;      ///< fewer have no surface to speak of
+constexpr double roundness = 1.5;         ///< how much a compact shape counts against a sharp edge
+constexpr double steadiness = 0.5;        ///< how much it counts that the region has hardly grown of late
+constexpr double largestGrowth = 3.0;     ///< of the volume's logarithm: more is no worse
+constexpr double plateauShare = 0.1;      ///< volumes within this share of the best one's are the same plateau
+constexpr double leastStructure = 500.0;  ///< mm³, a ball of a centimetre: specks are smaller
 /// Steps over which growth is looked at: half an octave of tolerance.
 constexpr auto lately = static_cast<std::size_t>(levelsPerOctave / 2.0);
 
@@ -121,8 +122,19 @@ Plateau plateauAround(std::size_t best, const GrowthCurve& curve) {
   return {static_cast<int>(first), static_cast<int>(last), static_cast<int>(best), volume, curve.contrast[best]};
 }
 
-/// Local maxima of the clarity on a contrast, before a fall; the first one is where to begin.
-void findPlateaus(GrowthCurve& curve, double voxelVolume, double noiseShare) {
+/// Where to begin: at the first plateau, or at the next one where that is a speck and the next one is neither a speck
+/// nor more than half of all. Bright bone is no even tissue: a click on it meets a clear grain before it meets the
+/// bone.
+const Plateau& firstOf(const std::vector<Plateau>& plateaus, double allVolume) {
+  const auto isStructure = [&](const Plateau& each) {
+    return each.volume >= leastStructure && each.volume <= 0.5 * allVolume;
+  };
+  const auto structure = std::find_if(plateaus.begin(), plateaus.end(), isStructure);
+  return plateaus.front().volume < leastStructure && structure != plateaus.end() ? *structure : plateaus.front();
+}
+
+/// Local maxima of the clarity on a contrast, before a fall; where to begin is one of them.
+void findPlateaus(GrowthCurve& curve, double voxelVolume, double noiseShare, double allVolume) {
   const std::vector<double> clarity = clarityOf(curve, voxelVolume);
   const double contrast = std::max(leastContrast, noiseContrast * noiseShare);
   for (std::size_t step = 1; step < clarity.size(); ++step) {
@@ -132,7 +144,7 @@ void findPlateaus(GrowthCurve& curve, double voxelVolume, double noiseShare) {
       curve.plateaus.push_back(plateauAround(step, curve));
   }
   if (!curve.plateaus.empty()) {
-    curve.automatic = curve.plateaus.front().best;
+    curve.automatic = firstOf(curve.plateaus, allVolume).best;
     return;
   }
   // Nothing stands out: the clearest surface, or of regions too small for one, the least tolerance that has voxels.
@@ -170,7 +182,7 @@ GrowthCurve growthCurve(std::span<const Level> joins, std::span<const Level> cos
     curve.contrast.push_back(area > 0.0 ? rise / area : 0.0);
     curve.compactness.push_back(area > 0.0 ? std::cbrt(36.0 * std::numbers::pi * volume * volume) / area : 0.0);
   }
-  findPlateaus(curve, grid.voxelVolume(), noiseShare);
+  findPlateaus(curve, grid.voxelVolume(), noiseShare, static_cast<double>(wholeOf(dims).count()) * grid.voxelVolume());
   return curve;
 }
 

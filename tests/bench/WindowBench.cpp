@@ -1,8 +1,10 @@
 // window-bench: how the window answers. Opens a scene as `fenestra` does, drags a view in circles with a synthetic
 // mouse at 60 events a second, lets go, drags the transfer function, opens the list of presets, and places the cameras.
 // Writes one JSON object: pictures a second of each view, longest gap between two pictures, times until the pictures at
-// rest, and the longest time that one event kept the window's thread busy. Needs a display with OpenGL. Takes the options
-// of a scene, --window WIDTHxHEIGHT and --seconds.
+// rest, and the longest time that one event kept the window's thread busy. With --grow L,P,S it clicks there, and moves
+// the tolerance of the region that grows. Needs a display with OpenGL. Takes the options of a scene, --window
+// WIDTHxHEIGHT and
+// --seconds.
 
 #include <algorithm>
 #include <array>
@@ -26,7 +28,9 @@
 #include "tests/gui/TimedApplication.h"
 #include "viewer/MainWindow.h"
 #include "viewer/panels/AppearancePanel.h"
+#include "viewer/panels/RegionPanel.h"
 #include "viewer/style/Style.h"
+#include "viewer/views/ScenePreparation.h"
 #include "viewer/views/ViewArea.h"
 
 namespace fenestra::viewer {
@@ -112,6 +116,23 @@ Json ratesOf(const std::vector<double>& times, double start, double end) {
           {"longest_gap_ms", gaps.back()}};
 }
 
+/// Median and greatest of times in ms.
+Json summaryOf(std::vector<double> times) {
+  std::sort(times.begin(), times.end());
+  return {{"median_ms", times[times.size() / 2]}, {"longest_ms", times.back()}};
+}
+
+/// Handles events until `condition` holds, for a minute at most.
+template <class Condition>
+void waitUntil(Condition condition) {
+  QTimer wakes;  // conditions change without an event, too
+  wakes.start(1);
+  for (const double start = now(); !condition();) {
+    QCoreApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents);
+    if (now() > start + 60000.0) throw std::runtime_error("the window did not get there within a minute");
+  }
+}
+
 class Bench {
  public:
   Bench(TimedApplication& application, MainWindow& window, double seconds)
@@ -128,13 +149,103 @@ class Bench {
     return result;
   }
 
+  /// A region from a click at `seed`, world mm, and changes of its tolerance.
+  Json grow(glm::dvec3 seed) {
+    untilDrawn();
+    window_.workspace().cursor.moveTo(seed);
+    waitUntilDrawn();
+    takeBlocks();
+    const Document& document = window_.workspace().document;
+    SliceView* axial = window_.views().sliceViews().front();
+    const QPointF at = axial->widgetFromWorld(seed);
+    const double clicked = now();
+    sendMouse(axial, QEvent::MouseButtonPress, at, Qt::LeftButton, Qt::LeftButton);
+    sendMouse(axial, QEvent::MouseButtonRelease, at, Qt::LeftButton, Qt::NoButton);
+    waitUntil([&] { return document.growth() != nullptr; });
+    axial->repaint();
+    Json result{{"first_region_ms", now() - clicked}};
+    waitUntil([&] { return document.isWhole(); });
+    axial->repaint();
+    result["whole_ms"] = now() - clicked;
+    result["blocks_while_growing"] = takeBlocks();
+    waitUntilDrawn();
+    result["placed_and_at_rest_ms"] = now() - clicked;
+    result["blocks_while_placing"] = takeBlocks();
+    result["step"] = document.regionStep();
+    result["ml"] = document.growth()->curve.volume[static_cast<std::size_t>(document.regionStep())] / 1000.0;
+    result["tolerance"] = changeTolerance();
+    result["drag"] = dragTolerance();
+    return result;
+  }
+
  private:
+  QSlider* toleranceSlider() { return window_.findChild<RegionPanel*>()->slider(); }
+
+  /// Single steps of the slider from rest: until the event is handled, until the 3-D pictures' focus is the new region,
+  /// and until the first picture of it.
+  Json changeTolerance() {
+    QSlider* slider = toleranceSlider();
+    const Document& document = window_.workspace().document;
+    ScenePreparation& preparation = window_.views().volumeViews().front()->preparation();
+    std::vector<double> handled, focus, picture;
+    std::optional<double> made;
+    QObject context;
+    QObject::connect(&preparation.context(), &RenderContext::freed, &context, [&] {
+      if (!made && preparation.gpuScene()->holds(document.scene())) made = now();
+    });
+    const int first = slider->value();
+    for (const int change : {1, 2, 1, 0, -2, 0, 8, 0, -8, 0, 16, 2, -12, 0}) {
+      const int step = std::clamp(first + change, slider->minimum(), slider->maximum());
+      if (step == slider->value()) continue;
+      made.reset();
+      times_.clear();
+      const double start = now();
+      slider->setValue(step);
+      handled.push_back(now() - start);
+      waitUntil([&] { return made.has_value(); });
+      focus.push_back(*made - start);
+      waitUntilDrawn();
+      const std::vector<double>& drawn = times_.of(0);
+      picture.push_back(*std::upper_bound(drawn.begin(), drawn.end(), *made) - start);
+    }
+    return {{"handled", summaryOf(handled)},
+            {"focus", summaryOf(focus)},
+            {"picture", summaryOf(picture)},
+            {"blocks", takeBlocks()}};
+  }
+
+  /// The slider is drawn up and down by a step in every 16 ms.
+  Json dragTolerance() {
+    QSlider* slider = toleranceSlider();
+    const int first = slider->value();
+    times_.clear();
+    const double start = now(), end = start + 1000.0 * seconds_;
+    QTimer mouse;
+    QEventLoop loop;
+    QObject::connect(&mouse, &QTimer::timeout, [&] {
+      slider->setValue(first + static_cast<int>(std::lround(10.0 * std::sin((now() - start) / 300.0))));
+      if (now() > end) loop.quit();
+    });
+    mouse.start(16);
+    loop.exec();
+    mouse.stop();
+    Json result{{"C1", ratesOf(times_.of(0), start, now())},
+                {"C2", ratesOf(times_.of(1), start, now())},
+                {"blocks", takeBlocks()}};
+    waitUntilDrawn();
+    return result;
+  }
+
+  void waitUntilDrawn() {
+    bool drawn = false;
+    window_.whenDrawn([&] { drawn = true; });
+    waitUntil([&] { return drawn; });
+  }
+
   /// After a change at `start`: when each view's first picture came, when all were at rest.
   Json untilDrawn() {
     const double opened = now();
-    bool drawn = false;
-    window_.whenDrawn([&] { drawn = true; });
-    while (!drawn) wait(5);
+    waitUntilDrawn();
     Json result{{"since_start_ms", opened}};
     for (std::size_t view = 0; view < 2; ++view)
       result["C" + std::to_string(view + 1) + "_ms"] = times_.of(view).empty() ? -1.0 : times_.of(view).front();
@@ -150,7 +261,7 @@ class Bench {
   /// Drags the mouse over a widget along `at`, which gives its place after so many seconds.
   Drag drag(QWidget* widget, const std::function<QPointF(double)>& at) {
     wait(500);
-    application_.takeBlocks();
+    takeBlocks();
     times_.clear();
     sendMouse(widget, QEvent::MouseButtonPress, at(0.0), Qt::LeftButton, Qt::LeftButton);
     const double start = now(), end = start + 1000.0 * seconds_;
@@ -181,9 +292,7 @@ class Bench {
         {"linked", ratesOf(times_.of(static_cast<std::size_t>(1 - index)), start, released)},
         {"scale_while_turning", window_.views().pacer().last() ? window_.views().pacer().last()->effort.scale : 0.0},
         {"blocks", takeBlocks()}};
-    bool drawn = false;
-    window_.whenDrawn([&] { drawn = true; });
-    while (!drawn) wait(2);
+    waitUntilDrawn();
     result["at_rest"] = {{"all_after_ms", now() - released}};
     for (std::size_t other = 0; other < 2; ++other) {
       Json after = Json::array();
@@ -230,14 +339,12 @@ class Bench {
     PlacementController& placement = window_.workspace().placement;
     if (!placement.canPlace()) return nullptr;
     wait(500);
-    application_.takeBlocks();
+    takeBlocks();
     const double start = now();
     placement.place();
     while (placement.isBusy()) wait(2);
     Json result{{"measured_after_ms", now() - start}, {"blocks", takeBlocks()}};
-    bool drawn = false;
-    window_.whenDrawn([&] { drawn = true; });
-    while (!drawn) wait(2);
+    waitUntilDrawn();
     result["at_rest_after_ms"] = now() - start;
     result["blocks_after"] = takeBlocks();
     return result;
@@ -265,6 +372,8 @@ int main(int argc, char** argv) {
   bool onlyStart = false;
   program.add_option("--seconds", seconds, "length of each drag");
   program.add_flag("--only-start", onlyStart, "end once the first pictures are at rest");
+  std::vector<double> seed;
+  program.add_option("--grow", seed, "L,P,S in mm: only grow a region from there")->delimiter(',')->expected(3);
   CLI11_PARSE(program, argc, argv);
 
   requestOpenGl();
@@ -299,7 +408,8 @@ int main(int argc, char** argv) {
     std::cout << bench.start().dump(2) << '\n';
     return 0;
   }
-  std::cout << bench.run().dump(2) << '\n';
+  const Json result = seed.empty() ? bench.run() : bench.grow({seed[0], seed[1], seed[2]});
+  std::cout << result.dump(2) << '\n';
   return 0;
 }
 

@@ -48,11 +48,13 @@ Scene largeScene() {
   return scene;
 }
 
-std::vector<std::uint8_t> pictureOf(const Scene& scene, const std::optional<DeviceLimits>& limits = {}) {
+std::vector<std::uint8_t> pictureOf(const Scene& scene, const std::optional<DeviceLimits>& limits = {},
+                                    const std::optional<View>& view = {}) {
   const auto gpu = std::make_shared<GpuScene>();
   if (limits) gpu->setLimits(*limits);
   Renderer renderer(gpu);
-  renderer.render(scene, {.camera = Camera::standard(StandardView::Anterior, scene.volume->grid), .size = {90, 70}});
+  const View anterior{.camera = Camera::standard(StandardView::Anterior, scene.volume->grid), .size = {90, 70}};
+  renderer.render(scene, view.value_or(anterior));
   return renderer.readPicture();
 }
 
@@ -184,6 +186,80 @@ TEST_F(GpuSceneTest, HiddenLabelsAreAirFocusAndHaveNoHits) {
                 visibleGrid(shownVolume(expected), scene.look.context.function));
       EXPECT_EQ(focusCentre(hidden), focusCentre(expected));
     }
+}
+
+/// All texels of a texture or bytes of a buffer that the shaders read of a focus, apart from the order of its slots.
+struct FocusObjects {
+  std::vector<std::uint8_t> skip, occupied;
+  std::vector<std::uint32_t> cells;  ///< per brick: 0, 1, or 2 and the words of its slot
+  std::vector<std::uint16_t> smooth;
+  glm::ivec3 smoothOrigin{0};
+  bool operator==(const FocusObjects&) const = default;
+};
+
+FocusObjects objectsOf(const GpuScene& gpu) {
+  FocusObjects objects;
+  const auto bricks = static_cast<std::size_t>(gpu.focus().slots.size());
+  objects.skip.resize(bricks);
+  gpu.focusSkip().readInto(std::span(objects.skip));
+  objects.occupied.resize(bricks);
+  gpu.occupiedSkip().readInto(std::span(objects.occupied));
+  std::vector<std::uint32_t> slots(bricks), words(gpu.focusCells().bytes() / sizeof(std::uint32_t));
+  gpu.focusBricks().readInto(std::span(slots));
+  gpu.focusCells().read(std::as_writable_bytes(std::span(words)));
+  for (const std::uint32_t slot : slots) {
+    objects.cells.push_back(std::min(slot, 2u));
+    for (std::size_t word = 0; slot >= 2 && word < cellsPerBrick / 4; ++word)
+      objects.cells.push_back(words.at((slot - 2) * (cellsPerBrick / 4) + word));
+  }
+  if (!gpu.focusSmooth()) return objects;
+  objects.smoothOrigin = gpu.focusSmoothOrigin();
+  objects.smooth.resize(gpu.focusSmooth().bytes() / sizeof(std::uint16_t));
+  gpu.focusSmooth().readInto(std::span(objects.smooth));
+  return objects;
+}
+
+TEST_F(GpuSceneTest, AFocusWhoseLabelsChangeIsToTheBitOneMadeFromScratch) {
+  // Steps of a region that grows from a corner, leaks, and fills the volume; in a context, so that bricks are occupied
+  // with and without the focus.
+  std::mt19937 random(11);
+  Scene scene = largeScene();
+  const Grid grid = scene.volume->grid;
+  scene.labels = labelsOf(grid, [&](glm::ivec3 v) {
+    const double leak = v.y > 20 ? 60.0 : 0.0;
+    return std::min(1.0 + 3.0 * glm::distance(glm::dvec3(v), glm::dvec3(30, 12, 9)) + leak + random() % 8, 254.0);
+  });
+  scene.look.context.function = opaqueFrom(500.0);
+  const View view{.camera = Camera::standard(StandardView::Left, grid), .size = {90, 70}};
+  const auto gpu = std::make_shared<GpuScene>();
+  Renderer renderer(gpu);
+  int last = 40;
+  for (int change = 0; change < 24; ++change) {
+    last = change % 4 == 3 ? static_cast<int>(random() % 255)
+                           : std::clamp(last + static_cast<int>(random() % 7) - 3, 1, 254);
+    scene.look.shading.enabled = change % 6 != 5;  // normals are dropped for a while
+    LabelFocus focus;
+    for (int label = 1; label <= last; ++label) focus.labels.push_back(static_cast<std::uint16_t>(label));
+    scene.look.focus = focus;
+    renderer.render(scene, view);
+    const auto scratch = std::make_shared<GpuScene>();
+    Renderer fresh(scratch);
+    fresh.render(scene, view);
+    ASSERT_EQ(gpu->focus().box.has_value(), scratch->focus().box.has_value());
+    if (gpu->focus().box) {
+      EXPECT_EQ(gpu->focus().box->low, scratch->focus().box->low);
+      EXPECT_EQ(gpu->focus().box->high, scratch->focus().box->high);
+    }
+    EXPECT_EQ(objectsOf(*gpu), objectsOf(*scratch)) << "change " << change << " to " << last;
+    EXPECT_EQ(renderer.readPicture(), fresh.readPicture()) << "change " << change << " to " << last;
+  }
+  // Another map, and back.
+  Scene other = scene;
+  other.labels = labelsOf(grid, [](glm::ivec3 v) { return v.x > 30 ? 1 : 0; });
+  renderer.render(other, view);
+  EXPECT_EQ(renderer.readPicture(), pictureOf(other, {}, view));
+  renderer.render(scene, view);
+  EXPECT_EQ(renderer.readPicture(), pictureOf(scene, {}, view));
 }
 
 TEST_F(GpuSceneTest, ProtectedLabelsTakeMemoryOnlyWhileTheyAreUsed) {

@@ -154,6 +154,33 @@ TEST_F(LabelListWindow, LabelsWithoutVoxelsAreFoldedAway) {
   EXPECT_EQ(list().model()->rowCount(cell(0, 0)), 1);
 }
 
+TEST_F(LabelListWindow, LabelsOfALargeMapAreFoldedAwayOnceItIsRead) {
+  Study study;
+  auto volume = std::make_shared<Volume>();
+  auto labels = std::make_shared<LabelMap>();
+  volume->grid = labels->grid = {.dims = glm::ivec3(168), .spacing = glm::dvec3(1.0), .origin = glm::dvec3(0.0)};
+  volume->voxels = Voxels(ScalarType::UInt8, volume->grid.voxelCount());
+  labels->voxels = Voxels(ScalarType::UInt8, volume->grid.voxelCount());
+  std::fill_n(volume->voxels.as<std::uint8_t>().data(), volume->voxels.count(), std::uint8_t{0});
+  std::fill_n(labels->voxels.as<std::uint8_t>().data(), labels->voxels.count(), std::uint8_t{0});
+  labels->voxels.as<std::uint8_t>().back() = 2;
+  labels->labels = {{1, "absent"}, {2, "present"}, {3, "absent too"}};
+  volume->computeRange();
+  study.scene.volume = volume;
+  study.scene.labels = labels;
+  open(study);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return list().model()->rowCount() == 2; }, patience));
+  EXPECT_EQ(list().labelAt(cell(0, 0)), 2);
+  EXPECT_EQ(cell(1, 0).data().toString(), QStringLiteral("2 labels without voxels"));
+  // Another map comes while one is read: the rows are those of the last.
+  document().setLabels(nullptr);
+  document().setLabels(labels);
+  document().setLabels(nullptr);
+  EXPECT_EQ(list().model()->rowCount(), 0);
+  waitUntilDrawn();
+  EXPECT_EQ(list().model()->rowCount(), 0);
+}
+
 TEST_F(LabelListWindow, TheShareThatIsSeenShowsOnceCamerasArePlaced) {
   document().focusOn(marker);
   waitUntilDrawn();

@@ -1,21 +1,16 @@
 // The first minute without labels: data is opened, a structure clicked, the region corrected, all by mouse and keys.
 
 #include <QApplication>
-#include <QDragEnterEvent>
-#include <QDropEvent>
-#include <QMimeData>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QStatusBar>
 #include <QTest>
-#include <QUrl>
 
 #include "io/VolumeWriter.h"
 #include "tests/gui/WindowFixture.h"
 #include "tests/support/TestData.h"
 #include "viewer/LoadingBar.h"
 #include "viewer/NoticeBar.h"
-#include "viewer/model/Paths.h"
 #include "viewer/panels/FocusPanel.h"
 #include "viewer/panels/RegionPanel.h"
 
@@ -38,18 +33,6 @@ class RegionWindow : public Window {
     waitUntilDrawn();
   }
 
-  void drop(const fs::path& path) {
-    QMimeData files;
-    files.setUrls({QUrl::fromLocalFile(toQString(path))});
-    QDragEnterEvent enter(QPoint(400, 300), Qt::CopyAction, &files, Qt::LeftButton, Qt::NoModifier);
-    QApplication::sendEvent(window_.get(), &enter);
-    QSignalSpy opened(window_.get(), &MainWindow::opened);
-    QDropEvent event(QPointF(400, 300), Qt::CopyAction, &files, Qt::LeftButton, Qt::NoModifier);
-    QApplication::sendEvent(window_.get(), &event);
-    ASSERT_TRUE(opened.count() > 0 || opened.wait(patience))
-        << window_->notices().texts().join(QStringLiteral("; ")).toStdString();
-    waitUntilDrawn();
-  }
   void clickSlice(glm::dvec3 world, Qt::KeyboardModifiers modifiers = {}) {
     cursor().moveTo(world);
     SliceView* axial = slice(SlicePlane::Axial);
@@ -223,7 +206,7 @@ TEST_F(RegionWindow, ADoubleClickLeavesNoRegion) {
 TEST_F(RegionWindow, GrowsASinusOfARealHead) {
   const fs::path head = tests::unpackTestData("visible-human/VHMCT1mm_Head.tar.xz", "VHMCT1mm_Head");
   if (head.empty()) GTEST_SKIP() << "needs the test-data file visible-human/VHMCT1mm_Head.tar.xz";
-  drop(head);
+  drop({head});
   if (HasFatalFailure()) return;
   setAutomatic(true);
   const glm::dvec3 sinus(231.5, 187.1, 1122.0);  // the right maxillary one

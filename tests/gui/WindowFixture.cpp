@@ -3,13 +3,19 @@
 #include <cmath>
 
 #include <QApplication>
+#include <QDragEnterEvent>
+#include <QDropEvent>
+#include <QMimeData>
 #include <QMouseEvent>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QTest>
+#include <QUrl>
 #include <QWheelEvent>
 
 #include "tests/support/TestData.h"
+#include "viewer/NoticeBar.h"
+#include "viewer/model/Paths.h"
 
 namespace fenestra::viewer {
 
@@ -51,6 +57,12 @@ Study markedBall() {
 }
 
 void Window::SetUp() {
+  makeWindow();
+  if (HasFatalFailure()) return;
+  open(markedBall());
+}
+
+void Window::makeWindow() {
   ASSERT_TRUE(gl_.available) << gl_.problem.toStdString();
   // Draft, because what is tested here does not depend on the sampling and the machine may have no GPU.
   window_ = std::make_unique<MainWindow>(
@@ -60,7 +72,22 @@ void Window::SetUp() {
   ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get()));
   QApplication::setActiveWindow(window_.get());  // Xvfb has no window manager to do it; keys need it
   setAutomatic(false);
-  open(markedBall());
+}
+
+void Window::drop(const std::vector<std::filesystem::path>& paths) {
+  QList<QUrl> urls;
+  for (const std::filesystem::path& path : paths) urls << QUrl::fromLocalFile(toQString(path));
+  QMimeData files;
+  files.setUrls(urls);
+  QDragEnterEvent enter(QPoint(400, 300), Qt::CopyAction, &files, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(window_.get(), &enter);
+  ASSERT_TRUE(enter.isAccepted());
+  QSignalSpy opened(window_.get(), &MainWindow::opened);
+  QDropEvent event(QPointF(400, 300), Qt::CopyAction, &files, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(window_.get(), &event);
+  ASSERT_TRUE(opened.count() > 0 || opened.wait(patience))
+      << window_->notices().texts().join(QStringLiteral("; ")).toStdString();
+  waitUntilDrawn();
 }
 
 void Window::open(const Study& study) {

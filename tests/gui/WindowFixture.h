@@ -2,8 +2,10 @@
 // A window on a display with OpenGL that shows a ball of soft tissue with a green cube in it, and helpers that move the
 // mouse, turn the wheel and press keys as a user does.
 
+#include <filesystem>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -30,8 +32,12 @@ void useScratchSettings();
 class Window : public testing::Test {
  protected:
   void SetUp() override;
+  /// A window with nothing open in it.
+  void makeWindow();
 
   void open(const Study& study);
+  /// Drops files or a folder from another program, and waits until they are shown.
+  void drop(const std::vector<std::filesystem::path>& paths);
   void waitUntilDrawn();
   /// Whether choosing a focus places the cameras. Off unless a test is about that.
   void setAutomatic(bool on);

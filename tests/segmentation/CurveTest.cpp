@@ -53,6 +53,27 @@ TEST(Curve, BeginsOnTheFirstPlateauBeforeALeak) {
   EXPECT_EQ(curve.plateaus.front().last, 120);
 }
 
+TEST(Curve, BeginsBehindASpeckWhereAStructureFollows) {
+  // A grain; a comb of rods around it, and the block that they lie in; such a comb in the rest, and all of it.
+  const auto curve = [](double spacing, int block) {
+    return curveOf(tests::gridOf(glm::ivec3(41), glm::dvec3(spacing)), [block](glm::ivec3 at) {
+      const int shell = shellOf(at, glm::ivec3(20));
+      if (shell <= 2) return 20;
+      if (shell <= block) return at.x % 2 && at.y % 2 ? 100 : 140;
+      return at.x % 2 && at.y % 2 ? 190 : 230;
+    });
+  };
+  const auto volumeAt = [](const GrowthCurve& of) { return of.volume[static_cast<std::size_t>(of.automatic)]; };
+  const GrowthCurve structure = curve(0.7, 7);
+  ASSERT_GE(structure.plateaus.size(), 2u);
+  EXPECT_NEAR(structure.plateaus.front().volume, 125.0 * 0.343, 1e-9) << "the grain is a plateau";
+  EXPECT_NEAR(volumeAt(structure), 3375.0 * 0.343, 1e-9) << "and the block is begun with";
+  // Large enough to be what was meant.
+  EXPECT_NEAR(volumeAt(curve(1.7, 7)), 125.0 * 4.913, 1e-9);
+  // What follows fills more than half of all.
+  EXPECT_NEAR(volumeAt(curve(0.7, 18)), 125.0 * 0.343, 1e-9);
+}
+
 TEST(Curve, OfNothingBeginsNowhere) {
   const GrowthCurve curve = curveOf(tests::gridOf(glm::ivec3(5)), [](glm::ivec3) { return never; });
   EXPECT_TRUE(curve.plateaus.empty());

@@ -3,10 +3,12 @@
 #include "rendering/gpu/FocusIndex.h"
 
 #include <algorithm>
+#include <random>
 #include <set>
 
 #include <gtest/gtest.h>
 
+#include "rendering/gpu/LabelIndex.h"
 #include "tests/support/Scenes.h"
 
 namespace fenestra::tests {
@@ -141,6 +143,72 @@ TEST(FocusIndex, LabelsOfOneByteAreReadToo) {
   scene.labels = labels;
   scene.look.focus = LabelFocus{{255}};
   expectIndex(indexOf(scene), dims, labelsByHand(*labels, {255}));
+}
+
+TEST(FocusIndex, FollowsLabelsThatJoinAndLeaveAsIfMadeFromScratch) {
+  std::mt19937 random(5);
+  std::vector<glm::ivec3> sizes = awkwardSizes;
+  sizes.push_back({23, 19, 17});
+  for (const glm::ivec3 dims : sizes)
+    for (const bool oneByte : {false, true}) {
+      // Steps of a region grown from the middle, with noise, and voxels that no step reaches.
+      const Grid grid = gridOf(dims);
+      Scene scene;
+      scene.volume = volumeOf<std::uint8_t>(grid, [](glm::ivec3) { return 0; });
+      const auto steps = labelsOf(grid, [&](glm::ivec3 v) {
+        const double step = 8.0 * glm::distance(glm::dvec3(v), glm::dvec3(dims - 1) * 0.5) + random() % 20;
+        return random() % 9 == 0 ? 0.0 : std::min(1.0 + step, 255.0);
+      });
+      scene.labels = steps;
+      if (oneByte) {
+        const auto narrow = std::make_shared<LabelMap>();
+        narrow->grid = grid;
+        narrow->voxels = Voxels(ScalarType::UInt8, grid.voxelCount());
+        const auto from = steps->voxels.as<std::uint16_t>();
+        std::copy(from.begin(), from.end(), narrow->voxels.as<std::uint8_t>().begin());
+        scene.labels = narrow;
+      }
+      LabelIndexer indexer(scene.labels);
+      FocusIndex index;
+      std::vector<unsigned> bits;
+      for (int change = 0; change < 30; ++change) {
+        // Up, down, by one step and by many; now and then single labels.
+        std::vector<std::uint16_t> labels;
+        const unsigned last = change % 3 == 0 ? random() % 256 : static_cast<unsigned>(40 + change);
+        for (unsigned label = 1; label <= last; ++label)
+          if (change % 7 != 0 || random() % 2) labels.push_back(static_cast<std::uint16_t>(label));
+        const FocusIndex old = index;
+        const LabelIndexer::Change changed = indexer.update(index, labels);
+        scene.look.focus = LabelFocus{labels};
+        const Expected expected = labelsByHand(*scene.labels, labels);
+        expectIndex(index, dims, expected);
+        const FocusIndex scratch = indexOf(scene);
+        EXPECT_EQ(index.cells.size(), scratch.cells.size());
+        EXPECT_EQ(index.occupied(), scratch.occupied());
+
+        // What it says has changed, and nothing else.
+        std::set<std::size_t> cells, flipped, layers;
+        std::size_t at = 0;
+        forEachVoxel(dims + 1, [&](glm::ivec3 cell) {
+          const unsigned before = bits.empty() ? 0 : bits[at];
+          if (before != expected.bits[at++]) cells.insert(brickOffset(index.bricks, cell / brickSide));
+        });
+        bits = expected.bits;
+        for (std::size_t brick = 0; brick < index.slots.size(); ++brick) {
+          const std::uint32_t before = old.slots.empty() ? 0 : old.slots[brick];
+          if ((before != 0) != (index.slots[brick] != 0)) flipped.insert(brick);
+          if (before != index.slots[brick]) layers.insert(brick / brickOffset(index.bricks, {0, 0, 1}));
+        }
+        EXPECT_EQ(std::set<std::size_t>(changed.bricks.begin(), changed.bricks.end()), cells);
+        std::set<std::size_t> told(changed.filled.begin(), changed.filled.end());
+        told.insert(changed.emptied.begin(), changed.emptied.end());
+        EXPECT_EQ(told, flipped);
+        for (const std::size_t layer : layers) {
+          EXPECT_GE(static_cast<int>(layer), changed.firstLayer);
+          EXPECT_LE(static_cast<int>(layer), changed.lastLayer);
+        }
+      }
+    }
 }
 
 TEST(FocusIndex, AVoxelAtABricksBoundaryReachesBothBricks) {

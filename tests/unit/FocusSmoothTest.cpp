@@ -1,10 +1,14 @@
 #include "rendering/gpu/FocusSmooth.h"
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <random>
 
 #include <gtest/gtest.h>
 
+#include "rendering/gpu/LabelIndex.h"
 #include "tests/support/Scenes.h"
 
 namespace fenestra::tests {
@@ -34,15 +38,26 @@ void expectSmooth(glm::ivec3 dims, InsideAt insideAt) {
   scene.look.focus = LabelFocus{{7, 9}};
   const FocusIndex index = buildFocusIndex(scene, brickRanges(shownVolume(scene)));
   ASSERT_TRUE(index.box);
-  const FocusSmooth smooth = smoothFocus(*scene.labels, std::get<LabelFocus>(scene.look.focus), index);
-  EXPECT_EQ(smooth.origin, index.box->low - 5);
-  EXPECT_EQ(smooth.size, index.box->high - index.box->low + 11);
-  // Each of six passes rounds by half a step at most, and passes it on undiminished.
-  const double rounding = 6 * 0.5 / 65535.0;
-  forEachVoxel(smooth.size, [&](glm::ivec3 at) {
-    const std::size_t offset = static_cast<std::size_t>(at.x + smooth.size.x * (at.y + smooth.size.y * at.z));
-    ASSERT_NEAR(smooth.field[offset] / 65535.0, expectedAt(smooth.origin + at, dims, insideAt), rounding)
-        << at.x << ' ' << at.y << ' ' << at.z;
+  const FocusSmooth smooth(index, dims);
+  const SmoothBox& box = smooth.box();
+  EXPECT_TRUE(glm::all(glm::lessThanEqual(box.origin, index.box->low - 5)));
+  EXPECT_TRUE(glm::all(glm::greaterThanEqual(box.origin + box.size, index.box->high + 6)));
+  for (int axis = 0; axis < 3; ++axis) EXPECT_FALSE(std::has_single_bit(static_cast<unsigned>(box.size[axis])));
+  // Two passes round: to a 16384th, and to a 65535th; half a step is lost at most. Scaling drops less than one of 2²².
+  const double rounding = 0.5 / 16384.0 + 0.5 / 65535.0 + 1.0 / 4194304.0;
+  const std::vector<glm::ivec3> filled = smooth.tiles();
+  forEachVoxel(box.size / FocusSmooth::tileSide, [&](glm::ivec3 at) {
+    const glm::ivec3 tile = box.origin + at * FocusSmooth::tileSide;
+    FocusSmooth::Tile voxels;
+    smooth.make(tile, voxels);
+    const bool isFilled = std::find(filled.begin(), filled.end(), tile) != filled.end();
+    std::size_t offset = 0;
+    forEachVoxel(glm::ivec3(FocusSmooth::tileSide), [&](glm::ivec3 step) {
+      const std::uint16_t value = voxels[offset++];
+      ASSERT_NEAR(value / 65535.0, expectedAt(tile + step, dims, insideAt), rounding)
+          << tile.x + step.x << ' ' << tile.y + step.y << ' ' << tile.z + step.z;
+      ASSERT_TRUE(isFilled || value == 0);
+    });
   });
 }
 
@@ -51,6 +66,35 @@ TEST(FocusSmooth, IsAGaussianOfTheFocus) {
   expectSmooth({61, 58, 57}, [](glm::ivec3 v) {
     return glm::distance(glm::dvec3(v), glm::dvec3(31, 28, 27)) < 23.5 || v == glm::ivec3(3, 50, 50);
   });
+}
+
+TEST(FocusSmooth, OtherTilesThanThoseNearChangedBricksStay) {
+  // Sizes at which what lies beyond the volume fills tiles of its own, and such at which it does not.
+  std::mt19937 random(8);
+  for (const glm::ivec3 dims : {glm::ivec3(45, 37, 29), glm::ivec3(32, 28, 27), glm::ivec3(16, 1, 33)})
+    for (int run = 0; run < 12; ++run) {
+      const auto labels = labelsOf(gridOf(dims), [&](glm::ivec3 v) {
+        const bool isCorner = v == glm::ivec3(0) || v == dims - 1;  // so that the box stays
+        return isCorner ? 1 : random() % 400 == 0 ? 2 + random() % 3 : 0;
+      });
+      LabelIndexer indexer(labels);
+      FocusIndex before, after;
+      indexer.update(before, {1, 2});
+      const FocusSmooth old(before, dims);
+      after = before;
+      const LabelIndexer::Change change = indexer.update(after, {1, 2, 3});
+      const FocusSmooth now(after, dims);
+      ASSERT_EQ(now.box(), old.box());
+      const std::vector<glm::ivec3> near = now.tilesNear(change.bricks);
+      forEachVoxel(now.box().size / FocusSmooth::tileSide, [&](glm::ivec3 at) {
+        const glm::ivec3 tile = now.box().origin + at * FocusSmooth::tileSide;
+        if (std::find(near.begin(), near.end(), tile) != near.end()) return;
+        FocusSmooth::Tile here, there;
+        old.make(tile, here);
+        now.make(tile, there);
+        ASSERT_EQ(here, there) << tile.x << ' ' << tile.y << ' ' << tile.z;
+      });
+    }
 }
 
 TEST(FocusSmooth, RepeatsTheVolumesEdge) {

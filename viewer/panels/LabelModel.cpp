@@ -5,6 +5,7 @@
 
 #include <QColor>
 #include <QIcon>
+#include <QtConcurrentRun>
 
 #include "rendering/scene/Settings.h"
 #include "viewer/model/Document.h"
@@ -40,15 +41,34 @@ LabelModel::LabelModel(Document& document, const PlacementController& placement,
   connect(&document, &Document::focusChanged, this, [this] { refresh(Name, Seen, {}); });
   connect(&document, &Document::labelSettingsChanged, this, [this] { refresh(Name, Seen, {}); });
   connect(&placement, &PlacementController::changed, this, &LabelModel::refreshSeen);
+  connect(&counting_, &QFutureWatcherBase::finished, this, [this] {
+    if (counting_.future().resultCount() == 0) return;
+    const std::vector<bool> present = counting_.result();
+    const auto isAbsent = [&](const Label& label) { return !present[label.value]; };
+    if (std::none_of(listed_->labels.begin(), listed_->labels.end(), isAbsent)) return;
+    beginResetModel();
+    part(present);
+    endResetModel();
+  });
   readLabels();
 }
 
 void LabelModel::readLabels() {
   present_.clear();
   absent_.clear();
+  counting_.setFuture({});  // of another map
   listed_ = document_.labels();
   if (!listed_) return;
-  const std::vector<bool> present = labelsWithVoxels(*listed_);
+  // A map of up to this many voxels is read within a few milliseconds. The labels of a larger one are all listed first.
+  constexpr std::size_t readAtOnce = std::size_t{1} << 22;
+  if (listed_->voxels.count() <= readAtOnce) return part(labelsWithVoxels(*listed_));
+  part(std::vector<bool>(std::size_t{1} << 16, true));
+  counting_.setFuture(QtConcurrent::run([map = listed_] { return labelsWithVoxels(*map); }));
+}
+
+void LabelModel::part(const std::vector<bool>& present) {
+  present_.clear();
+  absent_.clear();
   const std::vector<Label>& labels = listed_->labels;
   for (std::size_t i = 0; i < labels.size(); ++i) (present[labels[i].value] ? present_ : absent_).push_back(i);
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <QAbstractItemModel>
+#include <QFutureWatcher>
 
 #include "rendering/scene/LabelMap.h"
 
@@ -40,6 +41,8 @@ class LabelModel : public QAbstractItemModel {
 
  private:
   void readLabels();
+  /// Parts the labels of `listed_` into those with voxels and those without.
+  void part(const std::vector<bool>& present);
   QVariant nameData(std::size_t label, int role) const;
   QVariant settingData(std::size_t label, int column, int role) const;
   QVariant seenData(std::size_t label, int role) const;
@@ -52,7 +55,8 @@ class LabelModel : public QAbstractItemModel {
   const PlacementController& placement_;
   /// A new study's labels are listed a moment after it is there: until then rows are those of the old one.
   std::shared_ptr<const LabelMap> listed_;
-  std::vector<std::size_t> present_, absent_;  ///< places in the label map's list
+  QFutureWatcher<std::vector<bool>> counting_;  ///< of listed_, behind the window
+  std::vector<std::size_t> present_, absent_;   ///< places in the label map's list
 };
 
 }  // namespace fenestra::viewer

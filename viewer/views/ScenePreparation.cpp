@@ -55,6 +55,17 @@ View middleOf(View view) {
   return view;
 }
 
+/// Brings `gpuScene` up to date. Whether only a focus has changed by it, and the programs that drew the one before draw
+/// this one: drivers compile programs again for other textures.
+bool followsFocus(GpuScene& gpuScene, const Scene& scene) {
+  GpuScene::Versions before = gpuScene.versions();
+  const bool hadNormals{gpuScene.focusSmooth()};
+  gpuScene.update(scene);
+  before.focus = gpuScene.versions().focus;
+  before.palette = gpuScene.versions().palette;
+  return before == gpuScene.versions() && hadNormals == static_cast<bool>(gpuScene.focusSmooth());
+}
+
 }  // namespace
 
 ScenePreparation::ScenePreparation(ChooseSchedule chooseSchedule) : chooseSchedule_(std::move(chooseSchedule)) {}
@@ -155,11 +166,13 @@ void ScenePreparation::start(const Scene& scene, const View& view, const Kind& k
   // Programs of another volume are compiled again in no time where they are the same.
   std::erase_if(known_, [&](const Kind& known) { return known.volume != kind.volume; });
   const bool isNew = scheduledFor_.lock() != scene.volume;
+  const bool hasPrograms = isKnown(kind);
   scheduledFor_ = scene.volume;
   auto isDone = std::make_shared<bool>(false);
   context_.runBehind(
-      [this, scene, view, isNew, isDone](const std::atomic<bool>& stop) {
+      [this, scene, view, isNew, hasPrograms, isDone](const std::atomic<bool>& stop) {
         if (isNew && chooseSchedule_) chooseSchedule_(gpuScene_, scene, view);
+        if (hasPrograms && followsFocus(*gpuScene_, scene)) return;
         Renderer trial(gpuScene_);
         trial.begin(scene, middleOf(view));
         while (!*isDone && !stop) *isDone = trial.advance(0.0);

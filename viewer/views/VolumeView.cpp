@@ -61,7 +61,10 @@ VolumeView::VolumeView(int index, Document& document, SliceCursor& cursor, ViewL
     shared_.preparation->forgetFailure();
     reduction_.clear();
   });
-  connect(&document, &Document::sceneChanged, this, [this] { disturb(ViewLink::count); });
+  connect(&document, &Document::sceneChanged, this, [this] {
+    disturb(ViewLink::count);
+    prepare();
+  });
   connect(&document, &Document::strokesChanged, this, &VolumeView::refresh);
   connect(&brush, &Brush::changed, this, [this] {
     setCursor(brush_.isActive() ? Qt::CrossCursor : Qt::ArrowCursor);
@@ -107,6 +110,13 @@ void VolumeView::disturb(int views) {
   // One round of the event loop later: Qt paints all that is dirty at once, and the slices need not wait for this view.
   QTimer::singleShot(0, this, [this] { update(); });
 }
+
+void VolumeView::prepare() {
+  if (!problem_.isEmpty() || !document_.hasVolume() || !isVisible() || !picture_ || !picture_->isShown()) return;
+  attempt([this] { shared_.preparation->isReady(shownScene(), viewFor(motion())); });
+}
+
+Effort VolumeView::motion() const { return shared_.pacer->moving(moving_, shared_.pacer->leads(index_)); }
 
 void VolumeView::follow() {
   const bool both = cameras_.isLinked() || cameras_.isFlying();
@@ -269,7 +279,7 @@ bool VolumeView::drawDue() {
   FramePacer& pacer = *shared_.pacer;
   const Effort rest = pacer.atRest();
   const bool onlyStrokes = due_ == Due::Strokes && picture_->showsFull(viewFor(rest));
-  const Effort effort = onlyStrokes ? rest : pacer.moving(moving_, pacer.leads(index_));
+  const Effort effort = onlyStrokes ? rest : motion();
   const View view = viewFor(effort);
   if (!shared_.preparation->isReady(scene, view)) return false;
   if (due_ == Due::Strokes && !onlyStrokes) rest_.start(restMilliseconds);

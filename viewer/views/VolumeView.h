@@ -102,6 +102,10 @@ class VolumeView : public QOpenGLWidget {
  private:
   /// Draws a changing scene; `views` 3-D views draw with each change.
   void disturb(int views);
+  /// Has another thread bring the scene up to date while this one paints the slices.
+  void prepare();
+  /// How a changing scene is drawn.
+  Effort motion() const;
   /// As disturb() after a camera of the pair has moved. A linked view skips frames that there is no time for.
   void follow();
   /// Begins to refine the picture.
