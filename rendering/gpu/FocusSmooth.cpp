@@ -52,11 +52,11 @@ void filterOnce(const Row* from, Row& to) {
     to[x] = static_cast<std::uint16_t>(from[0][x] + from[4][x] + 4 * (from[1][x] + from[3][x]) + 6 * from[2][x]);
 }
 
-/// (1 4 6 4 1)/4, rounded, of values up to 4096: in 16 bits, which its sum exceeds by one.
+/// The same of values up to 4096: exact but for all, 65536, which becomes 65535 to fit.
 void filterAgain(const Row* from, Row& to) {
   for (std::size_t x = 0; x < to.size(); ++x) {
-    const auto outer = static_cast<std::uint16_t>(from[0][x] + from[4][x] + 2 * from[2][x] + 2);
-    to[x] = static_cast<std::uint16_t>(from[1][x] + from[2][x] + from[3][x] + (outer >> 2));
+    const std::uint32_t sum = from[0][x] + from[4][x] + 4u * (from[1][x] + from[3][x]) + 6u * from[2][x];
+    to[x] = static_cast<std::uint16_t>(sum - (sum >> 16));
   }
 }
 
@@ -172,7 +172,7 @@ void FocusSmooth::make(glm::ivec3 tile, Tile& voxels) const {
   std::array<std::array<Row, static_cast<std::size_t>(side)>, static_cast<std::size_t>(blockSide)> planes;
   for (std::size_t z = 0; z < planes.size(); ++z) {
     for (std::size_t y = 0; y < rows.size(); ++y) filterAlongX(bits[y + rows.size() * z], rows[y]);
-    // Exact up to here: a voxel is at most 256, then 4096. Two bits are rounded away, so that 16384 is all.
+    // A voxel is at most 256, then 4096, then 65535.
     for (std::size_t y = 0; y < once.size(); ++y) filterOnce(&rows[y], once[y]);
     for (std::size_t y = 0; y < planes[z].size(); ++y) filterAgain(&once[y], planes[z][y]);
   }
@@ -184,8 +184,7 @@ void FocusSmooth::make(glm::ivec3 tile, Tile& voxels) const {
         // (1 8 28 56 70 56 28 8 1) by shifts: 28, 56 and 70 are multiples of 7 · 2.
         const std::uint32_t inner = 2 * (at(2, x) + at(6, x)) + 4 * (at(3, x) + at(5, x)) + 5 * at(4, x);
         const std::uint32_t sum = at(0, x) + at(8, x) + 8 * (at(1, x) + at(7, x)) + 16 * inner - 2 * inner;
-        // 2²² is all; times 65535/65536, so that it fits.
-        to[x] = static_cast<std::uint16_t>((sum - (sum >> 16) + 32) >> 6);
+        to[x] = static_cast<std::uint16_t>((sum + 128) >> 8);
       }
     }
 }

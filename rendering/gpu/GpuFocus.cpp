@@ -46,11 +46,10 @@ GpuFocus::Change GpuFocus::update(const Scene& scene, const BrickRanges& bricks)
 
 void GpuFocus::uploadCells() {
   const auto bytes = std::as_bytes(std::span(index_.cells));
-  if (cells_ && bytes.size() <= cells_.bytes()) return cells_.write(bytes);
-  // With room for more, because a region that grows has more cells at every step.
-  std::vector<std::uint32_t> roomy = index_.cells;
-  roomy.resize(roomy.size() + roomy.size() / 2);
-  cells_ = gl::Buffer(std::as_bytes(std::span(roomy)));
+  if (cells_ && bytes.size() == cells_.bytes())
+    cells_.write(bytes);
+  else
+    cells_ = gl::Buffer(bytes);
 }
 
 void GpuFocus::updateSmooth(bool wanted) {

@@ -132,36 +132,44 @@ vec2 removedIn(Line line, Square square, float s, float sNext) {
   return first ? vec2(s, low) : vec2(high, sNext);
 }
 
-// The first two parts of the line that the opening removes between two positions; (FAR, FAR) where there is none.
+// The first two parts of the line that the opening removes between two positions; FAR where there is none.
 vec4 removedParts(Line line, vec2 span) {
-  vec2 parts[2] = vec2[2](vec2(FAR), vec2(FAR));
-  float begin = span.x;
+  vec2 first = vec2(FAR), second = vec2(FAR);
+  float begin = span.x, join = SLIVER * voxel;
   clipToPicture(line, span);
-  int count = 0, most = 2 * (opening.pictureSize.x + opening.pictureSize.y) + 8;
   if (!(span.x < span.y)) return vec4(FAR);
+  int most = 2 * (opening.pictureSize.x + opening.pictureSize.y) + 8;
   ivec2 last = opening.pictureSize - 1;
   // Along a line, texel coordinates grow or fall throughout.
   vec2 way = texelOfPoint(pointOn(line, span.y)) - texelOfPoint(pointOn(line, span.x));
+  ivec2 stepOf = ivec2(way.x > 0.0 ? 1 : -1, way.y > 0.0 ? 1 : -1);
   ivec2 texel = clamp(ivec2(floor(texelOfPoint(pointOn(line, span.x)))), ivec2(-1), last);
   float s = span.x;
-  for (int step = 0; step < most; ++step) {
-    vec2 next = vec2(nextCrossing(line, 0, texel.x, way.x), nextCrossing(line, 1, texel.y, way.y));
-    float sNext = max(min(min(next.x, next.y), span.y), s);
+  for (int i = 0; i < most; ++i) {
+    float nextX = nextCrossing(line, 0, texel.x, way.x), nextY = nextCrossing(line, 1, texel.y, way.y);
+    float sNext = max(min(min(nextX, nextY), span.y), s);
     vec2 removed = removedIn(line, squareAt(texel), s, sNext);
+    int count = first.x == FAR ? 0 : second.x == FAR ? 1 : 2;
     if (removed.x < removed.y) {
-      if (count > 0 && removed.x <= parts[count - 1].y + SLIVER * voxel) parts[count - 1].y = removed.y;
-      else if (count == 2) break;
-      else parts[count++] = removed;
+      float end = count == 2 ? second.y : first.y;
+      if (count > 0 && removed.x <= end + join) {
+        if (count == 1) first.y = removed.y;
+        else second.y = removed.y;
+      } else if (count == 0) {
+        first = removed;
+      } else if (count == 1) {
+        second = removed;
+      }
     }
-    bool isWhole = count == 2 || (count == 1 && parts[0].x > begin + SLIVER * voxel);
-    if (isWhole && sNext > parts[count - 1].y + SLIVER * voxel) break;
-    if (sNext >= span.y) break;
+    // Two parts are all that is asked for; one, where the line does not begin in it.
+    bool isEnough = second.x != FAR || (first.x != FAR && first.x > begin + join);
+    float end = second.x != FAR ? second.y : first.y;
+    if ((isEnough && sNext > end + join) || sNext >= span.y) break;
     s = sNext;
-    int axis = next.x <= next.y ? 0 : 1;
-    texel[axis] += way[axis] > 0.0 ? 1 : -1;
+    texel += nextX <= nextY ? ivec2(stepOf.x, 0) : ivec2(0, stepOf.y);
     if (any(lessThan(texel, ivec2(-1))) || any(greaterThan(texel, last))) break;
   }
-  return vec4(parts[0], parts[1]);
+  return vec4(first, second);
 }
 
 void main() {
