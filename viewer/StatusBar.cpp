@@ -62,13 +62,15 @@ void StatusBar::pointAt(glm::dvec3 world) {
 void StatusBar::showFrame() {
   const std::optional<FramePacer::Measured>& last = views_.pacer().last();
   if (!last) return;
+  // At rest the views show what was refined; the last frame may be one in which another view still moved.
+  const Effort effort = views_.isSettled() ? views_.pacer().atRest() : last->effort;
   const double milliseconds = last->milliseconds;
   QString text = milliseconds < 1000.0 ? tr("%1 ms").arg(milliseconds, 0, 'f', milliseconds < 10.0 ? 1 : 0)
                                        : tr("%1 s").arg(milliseconds / 1000.0, 0, 'f', 1);
-  if (last->effort.scale < 1.0)
-    text += tr(", %1 % size").arg(100.0 * last->effort.scale, 0, 'f', 0);
+  if (effort.scale < 1.0)
+    text += tr(", %1 % size").arg(100.0 * effort.scale, 0, 'f', 0);
   else
-    text += QStringLiteral(", ") + nameOf(last->effort);
+    text += QStringLiteral(", ") + nameOf(effort);
   frame_->setText(text);
 }
 

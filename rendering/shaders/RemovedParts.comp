@@ -44,42 +44,45 @@ vec2 texelOfPoint(vec3 point) {
   return vec2(opening.pictureSize) * (0.5 + 0.5 * vec2(ndc.x, -ndc.y)) - 0.5;
 }
 
-// mm on the anchor plane of a texel coordinate, along x or y.
-float planeAt(int axis, float texel) {
-  float ndc = 2.0 * (texel + 0.5) / float(opening.pictureSize[axis]) - 1.0;
-  return opening.halfSize[axis] * (axis == 0 ? ndc : -ndc);
+// The line's distance from the plane through the eye and a texel coordinate along x or along y, at s = 0 and per mm.
+vec2 fromColumn(Line line, float texel) {
+  float plane = opening.halfSize.x * (2.0 * (texel + 0.5) / float(opening.pictureSize.x) - 1.0);
+  return vec2(line.from.x - plane * widening(line.from.z), line.along.x - plane * line.along.z * opening.perDepth);
+}
+vec2 fromRow(Line line, float texel) {
+  float plane = opening.halfSize.y * (1.0 - 2.0 * (texel + 0.5) / float(opening.pictureSize.y));
+  return vec2(line.from.y - plane * widening(line.from.z), line.along.y - plane * line.along.z * opening.perDepth);
 }
 
-// The line's distance from the plane through the eye and a texel coordinate, at s = 0 and per mm.
-vec2 fromPlane(Line line, int axis, float texel) {
-  float plane = planeAt(axis, texel);
-  return vec2(line.from[axis] - plane * widening(line.from.z), line.along[axis] - plane * line.along.z * opening.perDepth);
+// Where the line crosses the plane, when its distance from it grows `way`. Lines that run into the distance may never
+// reach it.
+float crossing(vec2 distance, float way) { return distance.y * way > 0.0 ? -distance.x / distance.y : FAR; }
+// The next plane between texels, when the texel coordinates change `way`. Texels run down the picture, the plane's y axis
+// up.
+float nextColumn(Line line, int texel, float way) {
+  return crossing(fromColumn(line, float(texel + (way > 0.0 ? 1 : 0))), way);
+}
+float nextRow(Line line, int texel, float way) {
+  return crossing(fromRow(line, float(texel + (way > 0.0 ? 1 : 0))), -way);
 }
 
-// Where the line crosses the next such plane, when its texel coordinates change `way`. Lines that run into the distance
-// may never reach it.
-float nextCrossing(Line line, int axis, int texel, float way) {
-  vec2 distance = fromPlane(line, axis, float(texel + (way > 0.0 ? 1 : 0)));
-  float towards = distance.y * way * (axis == 0 ? 1.0 : -1.0);  // texels run down the picture, the plane's y axis up
-  return towards > 0.0 ? -distance.x / distance.y : FAR;
-}
-
-// Keeps the part of a span where a distance that changes evenly is not negative.
-void keepPositive(inout vec2 span, vec2 distance) {
+// The part of a span where a distance that changes evenly is not negative. Without branches: lavapipe of Mesa 22.3 crashes
+// on them here.
+vec2 keptPositive(vec2 span, vec2 distance) {
   float at = -distance.x / distance.y;
-  if (distance.y > 0.0) span.x = max(span.x, at);
-  else if (distance.y < 0.0) span.y = min(span.y, at);
-  else if (distance.x < 0.0) span.y = -FAR;
+  float low = distance.y > 0.0 ? at : distance.y == 0.0 && distance.x < 0.0 ? FAR : -FAR;
+  float high = distance.y < 0.0 ? at : FAR;
+  return vec2(max(span.x, low), min(span.y, high));
 }
 
 // The part of a span that shows in the opening's picture.
-void clipToPicture(Line line, inout vec2 span) {
-  keepPositive(span, vec2(line.from.z - opening.nearest, line.along.z));
-  for (int axis = 0; axis < 2; ++axis) {
-    float side = axis == 0 ? 1.0 : -1.0;
-    keepPositive(span, side * fromPlane(line, axis, -0.5));
-    keepPositive(span, -side * fromPlane(line, axis, float(opening.pictureSize[axis]) - 0.5));
-  }
+vec2 clippedToPicture(Line line, vec2 span) {
+  span = keptPositive(span, vec2(line.from.z - opening.nearest, line.along.z));
+  vec2 last = vec2(opening.pictureSize) - 0.5;
+  span = keptPositive(span, fromColumn(line, -0.5));
+  span = keptPositive(span, -fromColumn(line, last.x));
+  span = keptPositive(span, -fromRow(line, -0.5));
+  return keptPositive(span, fromRow(line, last.y));
 }
 
 vec4 faceOf(ivec2 texel) { return texelFetch(faces, clamp(texel, ivec2(0), opening.pictureSize - 1), 0); }
@@ -92,17 +95,13 @@ struct Square {
 };
 
 Square squareAt(ivec2 texel) {
-  vec4 corners[4] = vec4[4](faceOf(texel), faceOf(texel + ivec2(1, 0)), faceOf(texel + ivec2(0, 1)),
-                            faceOf(texel + ivec2(1, 1)));
+  vec4 a = faceOf(texel), b = faceOf(texel + ivec2(1, 0)), c = faceOf(texel + ivec2(0, 1)), d = faceOf(texel + ivec2(1, 1));
   Square square;
   square.texel = texel;
-  square.starts = vec4(corners[0].x, corners[1].x, corners[2].x, corners[3].x);
-  square.isOpen = 0u;
-  float deepest = max(max(square.starts.x, square.starts.y), max(square.starts.z, square.starts.w));
-  for (int i = 0; i < 4; ++i) {
-    if (corners[i].x > corners[i].y) square.isOpen = 1u;
-    if (isNone(corners[i].x)) square.starts[i] = deepest;
-  }
+  vec4 starts = vec4(a.x, b.x, c.x, d.x), contexts = vec4(a.y, b.y, c.y, d.y);
+  square.isOpen = any(greaterThan(starts, contexts)) ? 1u : 0u;
+  float deepest = max(max(starts.x, starts.y), max(starts.z, starts.w));
+  square.starts = mix(starts, vec4(deepest), lessThan(starts, vec4(0.1 * NONE)));
   return square;
 }
 
@@ -136,7 +135,7 @@ vec2 removedIn(Line line, Square square, float s, float sNext) {
 vec4 removedParts(Line line, vec2 span) {
   vec2 first = vec2(FAR), second = vec2(FAR);
   float begin = span.x, join = SLIVER * voxel;
-  clipToPicture(line, span);
+  span = clippedToPicture(line, span);
   if (!(span.x < span.y)) return vec4(FAR);
   int most = 2 * (opening.pictureSize.x + opening.pictureSize.y) + 8;
   ivec2 last = opening.pictureSize - 1;
@@ -146,7 +145,7 @@ vec4 removedParts(Line line, vec2 span) {
   ivec2 texel = clamp(ivec2(floor(texelOfPoint(pointOn(line, span.x)))), ivec2(-1), last);
   float s = span.x;
   for (int i = 0; i < most; ++i) {
-    float nextX = nextCrossing(line, 0, texel.x, way.x), nextY = nextCrossing(line, 1, texel.y, way.y);
+    float nextX = nextColumn(line, texel.x, way.x), nextY = nextRow(line, texel.y, way.y);
     float sNext = max(min(min(nextX, nextY), span.y), s);
     vec2 removed = removedIn(line, squareAt(texel), s, sNext);
     int count = first.x == FAR ? 0 : second.x == FAR ? 1 : 2;
@@ -191,8 +190,7 @@ void main() {
       if (start > hit.x && start > hit.y - SKIN * voxel) start = hit.y;
       if (removed.x < hit.y && removed.y > hit.y - SKIN * voxel) removed.y = hit.y;
     }
-    vec2 here = vec2(hit.x);
-    clipToPicture(line, here);
+    vec2 here = clippedToPicture(line, vec2(hit.x));
     if (here.x <= here.y) {
       vec3 point = pointOn(line, hit.x);
       vec2 texel = texelOfPoint(point);

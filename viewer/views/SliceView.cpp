@@ -283,7 +283,7 @@ void SliceView::drawMarks(QPainter& painter, bool interpolated) const {
   if (interpolated) title << tr("Interpolated, not scanned");
   if (options_.text()) {
     title << tr("%1 / %2").arg(slice_ + 1).arg(geometry_.count);
-    drawCorner(painter, view, Qt::AlignBottom | Qt::AlignLeft, {windowText()}, overlayGrey);
+    drawCorner(painter, view, Qt::AlignBottom | Qt::AlignLeft, windowText(painter.fontMetrics()), overlayGrey);
     if (geometry_.plane != SlicePlane::Sagittal)  // where left and right could be mistaken
       drawCorner(painter, view, Qt::AlignTop | Qt::AlignRight, {tr("Radiological")}, overlayGrey);
   }
@@ -307,13 +307,18 @@ void SliceView::drawOutlines(QPainter& painter) const {
   painter.restore();
 }
 
-QString SliceView::windowText() const {
+QStringList SliceView::windowText(const QFontMetrics& metrics) const {
   const WindowLevel window = document_.window();
   const int decimals = window.width < 10.0 ? 2 : 0;
-  QString text = tr("W %1  L %2").arg(window.width, 0, 'f', decimals).arg(window.level, 0, 'f', decimals);
+  QString level = tr("L %1").arg(window.level, 0, 'f', decimals);
   if (const std::string& unit = document_.scene().volume->unit; !unit.empty())
-    text += QLatin1Char(' ') + QString::fromStdString(unit);
-  return document_.isInverted() ? text + tr("  inverted") : text;
+    level += QLatin1Char(' ') + QString::fromStdString(unit);
+  QStringList parts{tr("W %1").arg(window.width, 0, 'f', decimals), level};
+  if (document_.isInverted()) parts << tr("inverted");
+  // The letter of the patient's side stands in the middle of the edge.
+  const QString line = parts.join(QStringLiteral("  "));
+  const int letter = 2 * metrics.horizontalAdvance(QLatin1Char('W'));
+  return metrics.horizontalAdvance(line) + letter < width() / 2 ? QStringList{line} : parts;
 }
 
 bool SliceView::drawInterpolated(QPainter& painter, const QRectF& picture) const {

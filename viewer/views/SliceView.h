@@ -87,7 +87,8 @@ class SliceView : public QWidget {
   void zoomAt(QPointF position, double factor);
   void click(QPointF position, Qt::KeyboardModifiers modifiers);
   double pixelsPerMm() const;
-  QString windowText() const;
+  /// Window and level: one line, or one for each where that would reach the edge's letter.
+  QStringList windowText(const QFontMetrics& metrics) const;
   bool inPicture(glm::dvec3 world) const;
   /// Of the focus, and of the opening.
   void drawOutlines(QPainter& painter) const;
