@@ -84,7 +84,11 @@ TEST_F(RefusedWindow, SaysThatCamerasCannotBePlaced) {
 TEST_F(FailingWindow, RefusesShadersOfALaterPicture) {
   {
     const RefusingDriver driver;
-    document().focusOn(marker);  // the cutaway has shaders of its own
+    // An opening along another axis has shaders of its own, which nothing compiles ahead.
+    document().focusOn(marker);
+    Look tilted = document().look();
+    tilted.cutaway.axisOffset = 20.0;
+    document().edit(QStringLiteral("axis"), tilted);
     waitUntilDrawn();
     expectOneMessage(QStringLiteral("LIBGL_ALWAYS_SOFTWARE"));
     for (VolumeView* view : views().volumeViews()) useView(view);

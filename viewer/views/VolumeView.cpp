@@ -98,7 +98,10 @@ bool VolumeView::inContext(const std::function<void(const std::shared_ptr<GpuSce
   return shared_.preparation->context().run([&] { work(shared_.preparation->gpuScene()); });
 }
 
-bool VolumeView::isSettled() const { return settled_ || !problem_.isEmpty() || !document_.hasVolume(); }
+bool VolumeView::isSettled() const {
+  const bool told = index_ != 0 || !startsDue_;  // the slices draw the opening of the first view
+  return (settled_ && told) || !problem_.isEmpty() || !document_.hasVolume();
+}
 
 void VolumeView::disturb(int views) {
   stopRefining();
@@ -279,9 +282,13 @@ bool VolumeView::drawDue() {
   FramePacer& pacer = *shared_.pacer;
   const Effort rest = pacer.atRest();
   const bool onlyStrokes = due_ == Due::Strokes && picture_->showsFull(viewFor(rest));
-  const Effort effort = onlyStrokes ? rest : motion();
+  Effort effort = onlyStrokes ? rest : motion();
+  // The first picture with an opening takes several times as long as those before, from which the effort was found.
+  const bool opens = hasCutaway(scene);
+  if (opens && !showsOpening_ && effort != rest) effort.scale = std::max(0.5 * effort.scale, FramePacer::leastScale);
   const View view = viewFor(effort);
   if (!shared_.preparation->isReady(scene, view)) return false;
+  showsOpening_ = opens;
   if (due_ == Due::Strokes && !onlyStrokes) rest_.start(restMilliseconds);
   shared_.preparation->context().run([&] {
     if (onlyStrokes) return picture_->draw(scene, view, true);
