@@ -282,13 +282,9 @@ bool VolumeView::drawDue() {
   FramePacer& pacer = *shared_.pacer;
   const Effort rest = pacer.atRest();
   const bool onlyStrokes = due_ == Due::Strokes && picture_->showsFull(viewFor(rest));
-  Effort effort = onlyStrokes ? rest : motion();
-  // The first picture with an opening takes several times as long as those before, from which the effort was found.
-  const bool opens = hasCutaway(scene);
-  if (opens && !showsOpening_ && effort != rest) effort.scale = std::max(0.5 * effort.scale, FramePacer::leastScale);
+  const Effort effort = onlyStrokes ? rest : motion();
   const View view = viewFor(effort);
   if (!shared_.preparation->isReady(scene, view)) return false;
-  showsOpening_ = opens;
   if (due_ == Due::Strokes && !onlyStrokes) rest_.start(restMilliseconds);
   shared_.preparation->context().run([&] {
     if (onlyStrokes) return picture_->draw(scene, view, true);

@@ -170,11 +170,10 @@ class VolumeView : public QOpenGLWidget {
   double refinedFor_ = 0.0;           ///< ms
   bool compiled_ = false;             ///< meanwhile programs were compiled, so its time says nothing
   bool held_ = false;
-  bool startsDue_ = true;      ///< raysStarted() is to be reported
-  bool showsOpening_ = false;  ///< the last picture did
-  bool settled_ = false;       ///< the last picture is of the present scene, at full quality
-  QTimer rest_;                ///< fires a moment after the last change
-  QTimer refining_;            ///< fires between slices of refinement
+  bool startsDue_ = true;  ///< raysStarted() is to be reported
+  bool settled_ = false;   ///< the last picture is of the present scene, at full quality
+  QTimer rest_;            ///< fires a moment after the last change
+  QTimer refining_;        ///< fires between slices of refinement
 
   QTimer hover_;  ///< fires a moment after the mouse has stopped
 
