@@ -35,8 +35,9 @@ class Conventions : public Window {
     const QKeyCombination key = QKeySequence(QLatin1String(keys))[0];
     QTest::keyClick(window_.get(), key.key(), key.keyboardModifiers());
   }
-  /// The keys open a dialog, which is closed again.
-  void expectDialog(const char* keys) {
+  /// What is done opens a dialog, which is closed again.
+  template <class Action>
+  void expectDialogOf(const Action& action) {
     bool opened = false;
     QTimer poll;
     QObject::connect(&poll, &QTimer::timeout, [&] {
@@ -46,9 +47,12 @@ class Conventions : public Window {
       }
     });
     poll.start(20);
-    press(keys);
+    action();
     EXPECT_TRUE(QTest::qWaitFor([&] { return opened; }, patience));
     EXPECT_TRUE(QTest::qWaitFor([] { return !QApplication::activeModalWidget(); }, patience));
+  }
+  void expectDialog(const char* keys) {
+    expectDialogOf([&] { press(keys); });
   }
   void expectWindow(const char* key, WindowLevel wanted) {
     press(key);
@@ -419,17 +423,7 @@ void Conventions::addEditorGestures(Cases& cases) {
     EXPECT_EQ(nodes().size(), 3u);
     QTest::keyClick(&plot(), Qt::Key_Delete);
     EXPECT_EQ(nodes().size(), 2u);
-    bool opened = false;
-    QTimer poll;
-    QObject::connect(&poll, &QTimer::timeout, [&] {
-      if (auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget())) {
-        opened = true;
-        dialog->reject();
-      }
-    });
-    poll.start(20);
-    QTest::keyClick(&plot(), Qt::Key_Return);
-    EXPECT_TRUE(opened);
+    expectDialogOf([this] { QTest::keyClick(&plot(), Qt::Key_Return); });
   };
 }
 
