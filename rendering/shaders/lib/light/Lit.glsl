@@ -148,11 +148,11 @@ float piecesOfLight(vec3 normals[4], float from, float to, float leastLength, ve
   if (highlight > 1.0) pieces = max(pieces, 0.5 * turn * sqrt(lighting.shininess));
 
   // Where normals turn from one side of the light to the other, |n·l| has a kink: a parabola through three points is in n
-  // pieces wrong by at most 1/(12 n²) of the change from end to end.
+  // pieces wrong by at most 1/(4 n²) of the change from end to end, where most is seen of the kink itself.
   vec3 towards = vec3(dot(first, lighting.direction), dot(middle, lighting.direction), dot(last, lighting.direction));
   float low = min(min(towards.x, towards.y), towards.z), high = max(max(towards.x, towards.y), towards.z);
   float kink = low < 0.0 && high > 0.0 ? lighting.diffuse * min((high - low) / max(length(middle), leastLength), 2.0) : 0.0;
-  return max(pieces, sqrt(weight * kink * (1.0 / 12.0)));
+  return max(pieces, 0.5 * sqrt(weight * kink));
 }
 
 float piecesOfLight(CellNormals normals, float from, float to, bool ofFocus, vec3 rayDirection, float weight) {
