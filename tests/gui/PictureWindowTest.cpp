@@ -5,6 +5,7 @@
 
 #include <QApplication>
 #include <QClipboard>
+#include <QPainter>
 #include <QProgressDialog>
 #include <QPushButton>
 #include <QTest>
@@ -82,6 +83,41 @@ TEST_F(PictureWindow, ALargerPictureShowsTheSameWithMoreDetail) {
   const QImage reduced = larger.scaled(once.size(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
   // Edges are sharper than in the small picture; where they lie must be the same.
   EXPECT_LT(meanDifference(reduced, once), 1.5);
+}
+
+TEST_F(PictureWindow, APictureOf4000By3000IsTheWindowOnADenserScreen) {
+  constexpr double scale = 4.0;
+  window_->resize(window_->size() + QSize(1000, 750) - views().size());
+  QTRY_COMPARE_WITH_TIMEOUT(views().size(), QSize(1000, 750), patience);
+  qApp->focusWidget()->clearFocus();
+  cursor().moveTo(markerCentre);
+  waitUntilDrawn();
+  PictureMaker::Request request = ofAll();
+  request.scale = scale;
+  pictures().writePicture(folder_ / "large.png", request);
+  waitUntilWritten();
+  const QImage saved = load(folder_ / "large.png");
+  ASSERT_EQ(saved.size(), QSize(4000, 3000));
+  const auto placeOf = [&](const QWidget* view) { return QRect(view->mapTo(&views(), QPoint(0, 0)), view->size()); };
+  // What a screen of four times the density would show of a slice, text and lines included.
+  for (SliceView* view : views().sliceViews()) {
+    QImage dense(view->size() * scale, QImage::Format_RGB32);
+    dense.setDevicePixelRatio(scale);
+    QPainter painter(&dense);
+    view->draw(painter, true);
+    painter.end();
+    dense.setDevicePixelRatio(1.0);
+    const QRect place = placeOf(view);
+    EXPECT_EQ(meanDifference(saved.copy(QRect(place.topLeft() * scale, place.size() * scale)), dense), 0.0)
+        << view->objectName().toStdString();
+  }
+  // Of a 3-D view there is none for such a screen: it must be what is on this one, with sharper edges.
+  for (VolumeView* view : views().volumeViews()) {
+    const QRect place = placeOf(view);
+    const QImage large = saved.copy(QRect(place.topLeft() * scale, place.size() * scale));
+    const QImage reduced = large.scaled(place.size(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+    EXPECT_LT(meanDifference(reduced, view->grabFramebuffer()), 1.5) << view->objectName().toStdString();
+  }
 }
 
 TEST_F(PictureWindow, WithoutMarksOnlyThePictureIsSaved) {

@@ -98,11 +98,12 @@ void drawText(QPainter& painter, const QRectF& box, int alignment, const QString
   if (alignment & Qt::AlignHCenter) at.setX(box.center().x() - 0.5 * size.width());
   if (alignment & Qt::AlignBottom) at.setY(box.bottom() - size.height());
   if (alignment & Qt::AlignVCenter) at.setY(box.center().y() - 0.5 * size.height());
-  // On whole device pixels, or the letters would be blurred.
-  const double ratio = painter.device()->devicePixelRatioF();
-  const auto whole = [ratio](double value) { return std::round(value * ratio) / ratio; };
-  painter.drawPixmap(QPointF(whole(at.x() - haloMargin), whole(at.y() - haloMargin)),
-                     haloedText(text, painter.font(), colour, ratio));
+  // In the pixels of the device, on whole ones, or the letters would be blurred. A saved picture has more of them than
+  // its device's ratio says: its painter is scaled.
+  const QTransform toDevice = painter.deviceTransform();
+  const QPointF corner = toDevice.map(at - QPointF(haloMargin, haloMargin));
+  painter.drawPixmap(toDevice.inverted().map(QPointF(std::round(corner.x()), std::round(corner.y()))),
+                     haloedText(text, painter.font(), colour, toDevice.m11()));
 }
 
 void drawCorner(QPainter& painter, const QRectF& view, Qt::Alignment corner, const QStringList& lines,
