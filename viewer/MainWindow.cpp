@@ -261,14 +261,14 @@ void MainWindow::studyOpened() {
   const std::filesystem::path& path = study.sessionFile.empty() ? study.path : study.sessionFile;
   if (!path.empty()) workspace_.preferences.addRecent(path);
   if (!study.otherSeries.empty() && !study.restoresSession)
-    notices_->add(
-        NoticeBar::Kind::Warning,
-        study.series.times > 1
-            ? tr("There are %1 time points here; this is number %2.").arg(study.series.times).arg(study.series.time)
-            : tr("There are %1 series here; this is the largest, %2.")
-                  .arg(study.otherSeries.size() + 1)
-                  .arg(describe(study.series)),
-        {{tr("Choose…"), [this] { files_->chooseSeries(); }}});
+    notices_->add(NoticeBar::Kind::Warning,
+                  study.series.times > 1
+                      ? tr("There are %n time points here; this is number %1.", nullptr, study.series.times)
+                            .arg(study.series.time)
+                      : tr("There are %n series here; this is the largest, %1.", nullptr,
+                           static_cast<int>(study.otherSeries.size()) + 1)
+                            .arg(describe(study.series)),
+                  {{tr("Choose…"), [this] { files_->chooseSeries(); }}});
   offerSegmentations();
   std::vector<io::Warning> warnings = study.warnings;
   if (study.geometry) {
@@ -300,7 +300,8 @@ void MainWindow::offerSegmentations() {
     return;
   }
   notices_->add(
-      NoticeBar::Kind::Warning, tr("%1 segmentations of this series lie beside it.").arg(study.segmentations.size()),
+      NoticeBar::Kind::Warning,
+      tr("%n segmentations of this series lie beside it.", nullptr, static_cast<int>(study.segmentations.size())),
       {{tr("Choose…"), [this] {
           // From the event loop: the notice may be gone while the menu is open.
           QTimer::singleShot(0, this, [this] {

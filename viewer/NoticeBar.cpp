@@ -59,7 +59,7 @@ void NoticeBar::fold() {
   const int count = rows_->count();
   for (int row = 0; row < count; ++row) rows_->itemAt(row)->widget()->setVisible(unfolded_ || row < few);
   unfold_->setVisible(!unfolded_ && count > few);
-  unfold_->setText(tr("%1 more").arg(count - few));
+  unfold_->setText(tr("%n more", nullptr, count - few));
   setVisible(count > 0);
 }
 

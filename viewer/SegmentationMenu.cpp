@@ -15,9 +15,9 @@ QString titleOf(const io::SegmentationInfo& segmentation, SegmentationTitle kind
     structures << QString::fromStdString(segmentation.structures[i]);
   QString list = structures.join(QStringLiteral(", "));
   if (segmentation.structures.size() > few)
-    list = QCoreApplication::translate("SegmentationMenu", "%1 and %2 more")
-               .arg(list)
-               .arg(segmentation.structures.size() - few);
+    list = QCoreApplication::translate("SegmentationMenu", "%1 and %n more", nullptr,
+                                       static_cast<int>(segmentation.structures.size() - few))
+               .arg(list);
   const QString format = QString::fromStdString(segmentation.kind);
   if (kind == SegmentationTitle::Nameless) return QStringLiteral("%1: %2").arg(format, list);
   const QString name = segmentation.description.empty() ? toQString(segmentation.file.filename())
