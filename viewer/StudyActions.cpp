@@ -58,6 +58,11 @@ void Actions::makeWindowLevelMenu() {
         QKeySequence(QString::number(preset.key)), [&document, &preset] { document.setWindow(preset.window); }));
   menu->addSeparator();
   menu->addAction(volumeAction(tr("By &number…"), QKeySequence(tr("W")), [this, &document] {
+    for (auto* open : targets_.window.findChildren<WindowLevelDialog*>())
+      if (open->isVisible()) {
+        open->raise();
+        return open->activateWindow();
+      }
     auto* dialog = new WindowLevelDialog(document, &targets_.window);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->show();
