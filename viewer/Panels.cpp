@@ -1,14 +1,10 @@
 #include "viewer/Panels.h"
 
-#include <algorithm>
 #include <initializer_list>
-#include <utility>
 
 #include <QCoreApplication>
 #include <QDockWidget>
 #include <QMainWindow>
-#include <QResizeEvent>
-#include <QTimer>
 
 #include "viewer/model/Workspace.h"
 #include "viewer/panels/AppearancePanel.h"
@@ -23,39 +19,6 @@ namespace fenestra::viewer {
 namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("Panels", text); }
-
-/// When the window becomes higher, a panel whose contents are scrolled gets of the new height what it lacks; the list
-/// of structures, which takes any height, the rest.
-class HeightSharing : public QObject {
- public:
-  HeightSharing(QMainWindow& window, QDockWidget& list, QDockWidget& scrolled)
-      : QObject(&window), window_(window), list_(list), scrolled_(scrolled) {
-    window.installEventFilter(this);
-  }
-
- protected:
-  bool eventFilter(QObject* watched, QEvent* event) override {
-    if (event->type() == QEvent::Resize && window_.isVisible()) {
-      const auto* resize = static_cast<QResizeEvent*>(event);
-      gained_ += resize->size().height() - resize->oldSize().height();
-      QTimer::singleShot(0, this, [this] { share(std::exchange(gained_, 0)); });  // once the docks have their new sizes
-    }
-    return QObject::eventFilter(watched, event);
-  }
-
- private:
-  void share(int gained) {
-    if (!list_.isVisible() || !scrolled_.isVisible()) return;
-    const int lacks = scrolled_.widget()->sizeHint().height() - scrolled_.widget()->height();
-    const int given = std::min(gained, lacks);
-    if (given > 0)
-      window_.resizeDocks({&list_, &scrolled_}, {list_.height() - given, scrolled_.height() + given}, Qt::Vertical);
-  }
-
-  QMainWindow& window_;
-  QDockWidget &list_, &scrolled_;
-  int gained_ = 0;
-};
 
 }  // namespace
 
@@ -98,7 +61,6 @@ Panels makePanels(QMainWindow& window, Workspace& workspace) {
   window.resizeDocks({focus}, {310}, Qt::Horizontal);
   window.resizeDocks({focus, context}, {panels.appearance->sizeHint().height(), panels.appearance->sizeHint().height()},
                      Qt::Vertical);
-  new HeightSharing(window, *focus, *context);
   return panels;
 }
 

@@ -4,12 +4,10 @@
 #include <QApplication>
 #include <QDockWidget>
 #include <QScreen>
-#include <QScrollBar>
 #include <QSignalSpy>
 #include <QTest>
 
 #include "tests/gui/WindowFixture.h"
-#include "viewer/panels/AppearancePanel.h"
 #include "viewer/panels/CutawayPanel.h"
 #include "viewer/style/Style.h"
 
@@ -56,25 +54,6 @@ TEST_F(Window, BothWidthsStayInSightOnSmallScreens) {
     for (const VolumeView* view : views().volumeViews()) EXPECT_TRUE(isInSight(*view));
     for (const SliceView* view : views().sliceViews()) EXPECT_TRUE(isInSight(*view));
   }
-}
-
-TEST_F(Window, AHigherWindowShowsWholePanelsBeforeALongerList) {
-  window_->resize(1024, 700);
-  waitUntilDrawn();
-  auto& context = panel<AppearancePanel>();
-  const auto* focus = window_->findChild<QDockWidget*>(QStringLiteral("focusDock"));
-  const int before = focus->height();
-  ASSERT_GT(context.verticalScrollBar()->maximum(), 0) << "nothing to show here";
-  window_->resize(1600, 1100);
-  QTRY_COMPARE_WITH_TIMEOUT(context.verticalScrollBar()->maximum(), 0, patience);
-  EXPECT_GE(focus->height(), before);
-  // What the user then gives to one of them stays.
-  auto* dock = window_->findChild<QDockWidget*>(QStringLiteral("contextDock"));
-  window_->resizeDocks({dock}, {dock->minimumSizeHint().height()}, Qt::Vertical);
-  QTRY_VERIFY_WITH_TIMEOUT(context.verticalScrollBar()->maximum() > 0, patience);
-  window_->resize(1500, 1100);
-  waitUntilDrawn();
-  EXPECT_GT(context.verticalScrollBar()->maximum(), 0);
 }
 
 TEST_F(Window, LightThemeIsRememberedAndLeavesPicturesAlone) {
