@@ -45,7 +45,9 @@ class PictureWindow : public Window {
     waitUntilDrawn();
   }
   PictureExports& pictures() { return window_->pictures(); }
-  void waitUntilWritten() { QTRY_VERIFY_WITH_TIMEOUT(!pictures().isBusy(), patience); }
+  void waitUntilWritten() {
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !pictures().isBusy(); }, patience));
+  }
   PictureMaker::Request ofBoth() { return {.volumes = views().volumeViews()}; }
   PictureMaker::Request ofAll() { return {.volumes = views().volumeViews(), .slices = views().sliceViews()}; }
 
@@ -88,7 +90,7 @@ TEST_F(PictureWindow, ALargerPictureShowsTheSameWithMoreDetail) {
 TEST_F(PictureWindow, APictureOf4000By3000IsTheWindowOnADenserScreen) {
   constexpr double scale = 4.0;
   window_->resize(window_->size() + QSize(1000, 750) - views().size());
-  QTRY_COMPARE_WITH_TIMEOUT(views().size(), QSize(1000, 750), patience);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return views().size() == QSize(1000, 750); }, patience));
   qApp->focusWidget()->clearFocus();
   cursor().moveTo(markerCentre);
   waitUntilDrawn();
@@ -168,7 +170,7 @@ TEST_F(PictureWindow, ATurntableTurnsOnceRound) {
 
 TEST_F(PictureWindow, ACancelledTurntableLeavesNothing) {
   pictures().writeTurntable(folder_ / "turn.png", ofBoth(), 200, 24);
-  QTRY_VERIFY_WITH_TIMEOUT(fs::exists(folder_ / "turn-0002.png"), patience);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return fs::exists(folder_ / "turn-0002.png"); }, patience));
   auto* progress = window_->findChild<QProgressDialog*>();
   ASSERT_NE(progress, nullptr);
   QTest::mouseClick(progress->findChild<QPushButton*>(), Qt::LeftButton);

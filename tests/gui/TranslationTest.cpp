@@ -163,7 +163,7 @@ TEST_F(PseudoWindow, TheWindowShowsNoUntranslatedText) {
   EXPECT_EQ(untranslatedIn(*window_).join(QLatin1Char('\n')).toStdString(), "");
   document().focusOn(marker);
   document().growFrom(markerCentre);
-  QTRY_VERIFY_WITH_TIMEOUT(document().growth(), patience);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return document().growth() != nullptr; }, patience));
   brush().toggle(false);
   forEachPanel([this](QDockWidget& dock) {
     EXPECT_EQ(untranslatedIn(*window_).join(QLatin1Char('\n')).toStdString(), "") << dock.objectName().toStdString();
