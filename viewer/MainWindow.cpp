@@ -119,6 +119,9 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
   restoreLayout();
 }
 
+// Widgets that are hidden lay out and read what they show: while the document is there, not when QWidget ends.
+MainWindow::~MainWindow() { hide(); }
+
 QWidget* MainWindow::makeCentre() {
   pages_ = new QStackedWidget;
   pages_->addWidget(new WelcomePage(*files_));
