@@ -13,6 +13,7 @@ struct LabelOutput {
   std::vector<std::uint16_t> only = {};            ///< labels to write, ascending; empty: all
   std::vector<std::filesystem::path> series = {};  ///< the files of the labels' volume; a DICOM segmentation
                                                    ///< refers to them where they are DICOM
+  bool namesPatient = true;                        ///< a DICOM segmentation has the patient of `series`
 };
 
 /// The file endings that writeLabels knows, for dialogs and messages.

@@ -1,5 +1,6 @@
 #pragma once
-// The window's commands: its menus, its toolbar and their keys.
+// The window's commands: its menus, its toolbar and their keys. FileActions.cpp, ViewActions.cpp and StudyActions.cpp
+// hold the menus.
 
 #include <functional>
 

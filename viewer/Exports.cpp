@@ -11,11 +11,12 @@
 #include "viewer/model/Document.h"
 #include "viewer/model/MeasureText.h"
 #include "viewer/model/Paths.h"
+#include "viewer/model/ViewOptions.h"
 
 namespace fenestra::viewer {
 
-Exports::Exports(QMainWindow& window, const Document& document, NoticeBar& notices)
-    : QObject(&window), window_(window), document_(document) {
+Exports::Exports(QMainWindow& window, const Document& document, const ViewOptions& options, NoticeBar& notices)
+    : QObject(&window), window_(window), document_(document), options_(options) {
   connect(&job_, &LoadJob::failed, this,
           [&notices](const QString& message) { notices.add(NoticeBar::Kind::Error, message); });
 }
@@ -75,6 +76,7 @@ void Exports::writeLabels(const std::filesystem::path& path, Labels which) {
   const bool region = which == Labels::Focus && document_.region();
   if (which == Labels::Focus && !region) output.only = std::get<LabelFocus>(document_.focus()).labels;
   output.series = document_.study().series.files;
+  output.namesPatient = !options_.hidesPatient();
   job_.start([this, path, output, scene = document_.scene(), region, all = document_.labels(),
               name = tr("Region").toStdString()](const io::Progress& progress) {
     // A region in focus is one label, whatever the number of its steps.

@@ -14,6 +14,7 @@ namespace fenestra::viewer {
 
 class Document;
 class NoticeBar;
+class ViewOptions;
 
 class Exports : public QObject {
   Q_OBJECT
@@ -21,7 +22,7 @@ class Exports : public QObject {
   enum class Labels { All, Focus };
 
   /// `window` is the dialogs' parent, shows in its status bar what was written, and owns this; all others outlive it.
-  Exports(QMainWindow& window, const Document& document, NoticeBar& notices);
+  Exports(QMainWindow& window, const Document& document, const ViewOptions& options, NoticeBar& notices);
 
   bool canWriteLabels(Labels which) const;
   bool canWriteSurface() const;
@@ -30,7 +31,8 @@ class Exports : public QObject {
   void chooseLabelFile(Labels which);
   void chooseSurfaceFile();
   void chooseMeasureFile();
-  /// Write in the background what the document shows now; failures become notices.
+  /// Write in the background what the document shows now; failures become notices. A DICOM segmentation names the
+  /// patient unless the window hides it.
   void writeLabels(const std::filesystem::path& path, Labels which);
   /// All measures as CSV; see measuresCsv().
   void writeMeasures(const std::filesystem::path& path);
@@ -43,6 +45,7 @@ class Exports : public QObject {
 
   QMainWindow& window_;
   const Document& document_;
+  const ViewOptions& options_;
   LoadJob job_;
 };
 

@@ -26,8 +26,8 @@
 #include "viewer/SegmentationMenu.h"
 #include "viewer/Sessions.h"
 #include "viewer/StatusBar.h"
-#include "viewer/UndoKeys.h"
 #include "viewer/StructureMenu.h"
+#include "viewer/UndoKeys.h"
 #include "viewer/WelcomePage.h"
 #include "viewer/model/CamerasChange.h"
 #include "viewer/model/PatientLines.h"
@@ -96,7 +96,7 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
                            {.describe = [this](io::Session& session) { views_->describe(session); },
                             .restore = [this](const io::Session& session) { views_->restore(session); }});
   files_ = new FileOpener(*this, workspace_.document, loader_, *sessions_, *notices_);
-  exports_ = new Exports(*this, workspace_.document, *notices_);
+  exports_ = new Exports(*this, workspace_.document, workspace_.options, *notices_);
   pictures_ = new PictureExports(*this, workspace_.document, *views_, *notices_);
   setCentralWidget(makeCentre());
   panels_ = makePanels(*this, workspace_);
@@ -118,6 +118,9 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
   firstViews_ = views_->saveLayout();
   restoreLayout();
 }
+
+// Widgets that are hidden lay out and read what they show: while the document is there, not when QWidget ends.
+MainWindow::~MainWindow() { hide(); }
 
 QWidget* MainWindow::makeCentre() {
   pages_ = new QStackedWidget;
@@ -149,6 +152,8 @@ void MainWindow::connectViews() {
   connect(&workspace_.placement, &PlacementController::changed, this, [this] {
     for (VolumeView* view : views_->volumeViews()) view->hold(workspace_.placement.isBusy());
   });
+  connect(&workspace_.options, &ViewOptions::changed, this,
+          [this] { notices_->hideNames(workspace_.options.hidesPatient()); });
   connect(&grower_, &RegionGrower::failed, this, &MainWindow::showError);
   connect(views_, &ViewArea::menuRequested, this,
           [this](glm::dvec3 world, QPoint at) { showStructureMenu(workspace_, world, at); });
@@ -259,14 +264,14 @@ void MainWindow::studyOpened() {
   const std::filesystem::path& path = study.sessionFile.empty() ? study.path : study.sessionFile;
   if (!path.empty()) workspace_.preferences.addRecent(path);
   if (!study.otherSeries.empty() && !study.restoresSession)
-    notices_->add(
-        NoticeBar::Kind::Warning,
-        study.series.times > 1
-            ? tr("There are %1 time points here; this is number %2.").arg(study.series.times).arg(study.series.time)
-            : tr("There are %1 series here; this is the largest, %2.")
-                  .arg(study.otherSeries.size() + 1)
-                  .arg(describe(study.series)),
-        {{tr("Choose…"), [this] { files_->chooseSeries(); }}});
+    notices_->add(NoticeBar::Kind::Warning,
+                  study.series.times > 1
+                      ? tr("There are %n time points here; this is number %1.", nullptr, study.series.times)
+                            .arg(study.series.time)
+                      : tr("There are %n series here; this is the largest, %1.", nullptr,
+                           static_cast<int>(study.otherSeries.size()) + 1)
+                            .arg(describe(study.series)),
+                  {{tr("Choose…"), [this] { files_->chooseSeries(); }}});
   offerSegmentations();
   std::vector<io::Warning> warnings = study.warnings;
   if (study.geometry) {
@@ -290,21 +295,26 @@ void MainWindow::offerSegmentations() {
   const Study& study = workspace_.document.study();
   if (study.segmentations.empty() || workspace_.document.labels()) return;
   if (study.segmentations.size() == 1) {
-    notices_->add(NoticeBar::Kind::Warning,
-                  tr("A segmentation of this series lies beside it: %1.").arg(titleOf(study.segmentations.front())),
-                  {{tr("Open"), [this, file = study.segmentations.front().file] { loader_.openLabels(file); }}});
+    const io::SegmentationInfo& only = study.segmentations.front();
+    const QString text = tr("A segmentation of this series lies beside it: %1.");
+    notices_->add(NoticeBar::Kind::Warning, text.arg(titleOf(only, SegmentationTitle::Full)),
+                  {{tr("Open"), [this, file = only.file] { loader_.openLabels(file); }}},
+                  text.arg(titleOf(only, SegmentationTitle::Nameless)));
     return;
   }
-  notices_->add(NoticeBar::Kind::Warning,
-                tr("%1 segmentations of this series lie beside it.").arg(study.segmentations.size()),
-                {{tr("Choose…"), [this] {
-                    // From the event loop: the notice may be gone while the menu is open.
-                    QTimer::singleShot(0, this, [this] {
-                      QMenu menu;
-                      fillSegmentationMenu(menu, workspace_.document.study().segmentations, loader_);
-                      menu.exec(QCursor::pos());
-                    });
-                  }}});
+  notices_->add(
+      NoticeBar::Kind::Warning,
+      tr("%n segmentations of this series lie beside it.", nullptr, static_cast<int>(study.segmentations.size())),
+      {{tr("Choose…"), [this] {
+          // From the event loop: the notice may be gone while the menu is open.
+          QTimer::singleShot(0, this, [this] {
+            QMenu menu;
+            fillSegmentationMenu(
+                menu, workspace_.document.study().segmentations,
+                workspace_.options.hidesPatient() ? SegmentationTitle::Nameless : SegmentationTitle::Full, loader_);
+            menu.exec(QCursor::pos());
+          });
+        }}});
 }
 
 void MainWindow::showError(const QString& message) { notices_->add(NoticeBar::Kind::Error, message); }

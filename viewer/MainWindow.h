@@ -41,6 +41,7 @@ class MainWindow : public QMainWindow {
   };
 
   explicit MainWindow(const Setup& setup, QWidget* parent = nullptr);
+  ~MainWindow() override;
 
   /// Reads a study and shows it. The open study stays until then.
   void open(StudyLoader::Reader read);

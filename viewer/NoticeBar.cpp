@@ -14,6 +14,9 @@
 namespace fenestra::viewer {
 namespace {
 
+/// A notice's texts, as properties of its label.
+constexpr const char *withNamesKey = "withNames", *withoutNamesKey = "withoutNames";
+
 /// A clause as a sentence.
 QString sentence(const std::string& clause) {
   QString text = QString::fromStdString(clause);
@@ -56,16 +59,18 @@ void NoticeBar::fold() {
   const int count = rows_->count();
   for (int row = 0; row < count; ++row) rows_->itemAt(row)->widget()->setVisible(unfolded_ || row < few);
   unfold_->setVisible(!unfolded_ && count > few);
-  unfold_->setText(tr("%1 more").arg(count - few));
+  unfold_->setText(tr("%n more", nullptr, count - few));
   setVisible(count > 0);
 }
 
-void NoticeBar::add(Kind kind, const QString& text, const std::vector<Action>& actions) {
+void NoticeBar::add(Kind kind, const QString& text, const std::vector<Action>& actions, const QString& withoutNames) {
   if (texts().contains(text)) return;
   auto* frame = new QFrame;
   frame->setObjectName(QStringLiteral("notice"));
   frame->setProperty("error", kind == Kind::Error);
-  auto* label = new QLabel(text);
+  auto* label = new QLabel(hidesNames_ && !withoutNames.isEmpty() ? withoutNames : text);
+  label->setProperty(withNamesKey, text);
+  label->setProperty(withoutNamesKey, withoutNames);
   label->setWordWrap(true);
   label->setTextFormat(Qt::PlainText);
   label->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -89,6 +94,15 @@ void NoticeBar::add(Kind kind, const QString& text, const std::vector<Action>& a
   });
   rows_->addWidget(frame);
   fold();
+}
+
+void NoticeBar::hideNames(bool hide) {
+  hidesNames_ = hide;
+  for (int row = 0; row < rows_->count(); ++row) {
+    auto* label = rows_->itemAt(row)->widget()->findChild<QLabel*>();
+    const QString without = label->property(withoutNamesKey).toString();
+    label->setText(hide && !without.isEmpty() ? without : label->property(withNamesKey).toString());
+  }
 }
 
 void NoticeBar::addWarnings(const std::vector<io::Warning>& warnings) {

@@ -26,8 +26,10 @@ class NoticeBar : public QWidget {
     QString name;
     std::function<void()> run;
   };
-  /// Adds a notice unless the same text is shown already.
-  void add(Kind kind, const QString& text, const std::vector<Action>& actions = {});
+  /// Adds a notice unless the same text is shown already. `withoutNames` stands for a text that may name the patient
+  /// while names are hidden.
+  void add(Kind kind, const QString& text, const std::vector<Action>& actions = {}, const QString& withoutNames = {});
+  void hideNames(bool hide);
   /// A reader's warnings, each with the files that it concerns.
   void addWarnings(const std::vector<io::Warning>& warnings);
   /// What is odd about a series' slices and where they are shown, with a button for the whole report and one for each
@@ -42,7 +44,7 @@ class NoticeBar : public QWidget {
 
   QVBoxLayout* rows_;
   QPushButton* unfold_;
-  bool unfolded_ = false;
+  bool unfolded_ = false, hidesNames_ = false;
 };
 
 }  // namespace fenestra::viewer

@@ -105,14 +105,29 @@ void addSegment(DcmSegmentation& document, const Label& label, const fs::path& f
   require(document.addSegment(made, number), file, "a segment");
 }
 
+/// Empties what describes the patient and the study; identifiers of study, series and frame of reference stay.
+void removePatient(DcmDataset& dataset) {
+  constexpr Uint16 patientGroup = 0x0010;  // PS3.6: everything about the patient
+  for (unsigned long at = dataset.card(); at-- > 0;)
+    if (dataset.getElement(at)->getGTag() == patientGroup) delete dataset.remove(at);
+  for (const DcmTagKey& tag : {DCM_PatientName, DCM_PatientID, DCM_PatientBirthDate, DCM_PatientSex, DCM_StudyDate,
+                               DCM_StudyTime, DCM_StudyID, DCM_AccessionNumber, DCM_ReferringPhysicianName})
+    dataset.putAndInsertString(tag, "");  // the standard wants them, if empty
+  for (const DcmTagKey& tag :
+       {DCM_StudyDescription, DCM_ConsultingPhysicianName, DCM_PhysiciansOfRecord, DCM_NameOfPhysiciansReadingStudy,
+        DCM_AdmittingDiagnosesDescription, DCM_InstitutionName, DCM_InstitutionAddress})
+    dataset.findAndDeleteElement(tag);
+}
+
 /// Patient, study and frame of reference, of the first file of the series or new.
-void describeOrigin(DcmSegmentation& document, const std::vector<fs::path>& series, const fs::path& file) {
-  if (!series.empty()) {
+void describeOrigin(DcmSegmentation& document, const SegmentationOrigin& origin, const fs::path& file) {
+  if (!origin.series.empty()) {
     DcmFileFormat first;
-    loadHeader(series.front(), first);
+    loadHeader(origin.series.front(), first);
     DcmDataset& dataset = *first.getDataset();
     // Names of segments are UTF-8, so everything is.
     dataset.convertToUTF8();
+    if (!origin.namesPatient) removePatient(dataset);
     require(document.importFromSourceImage(dataset), file, "patient and study");
     if (textOf(dataset, DCM_LossyImageCompression) == "01")
       document.setLossyImageCompressionFlag(textOf(dataset, DCM_LossyImageCompressionRatio).c_str(),
@@ -262,10 +277,10 @@ std::vector<std::uint16_t> presentLabels(const LabelMap& labels, const std::vect
 }  // namespace
 
 void writeSegmentation(const LabelMap& labels, const std::vector<std::uint16_t>& wanted,
-                       const std::vector<fs::path>& series, const fs::path& file, const Progress& progress) {
+                       const SegmentationOrigin& origin, const fs::path& file, const Progress& progress) {
   prepareDcmtk();
   const std::vector<std::uint16_t> present = presentLabels(labels, wanted, file);
-  const Source source = sourceOf(series, labels.grid);
+  const Source source = sourceOf(origin.series, labels.grid);
   const IODGeneralEquipmentModule::EquipmentInfo equipment("Fenestra", "Fenestra", "0", "1");
   const ContentIdentificationMacro content("1", "SEGMENTATION", "", "");
   DcmSegmentation* made = nullptr;
@@ -273,7 +288,7 @@ void writeSegmentation(const LabelMap& labels, const std::vector<std::uint16_t>&
                                                     static_cast<Uint16>(labels.grid.dims.x), equipment, content),
           file, "the document");
   const std::unique_ptr<DcmSegmentation> document(made);
-  describeOrigin(*document, series, file);
+  describeOrigin(*document, origin, file);
   describeGrid(*document, labels.grid, file);
   for (const std::uint16_t value : present) addSegment(*document, describedBy(labels, value), file);
   PackedFrames pixels = addFrames(*document, labels, present, source, file, progress);

@@ -262,10 +262,13 @@ void ShaderProgram::setBlock(std::string_view name, std::span<const std::byte> b
   assert(bytes.size() == block.size);
   if (std::ranges::equal(bytes, block.bytes)) return;
   block.bytes.assign(bytes.begin(), bytes.end());
-  if (block.buffer)
+  if (block.buffer) {
     block.buffer.write(bytes);
-  else
-    block.buffer = Buffer(bytes);
+    return;
+  }
+  block.buffer = Buffer(bytes);
+  const std::string label = "uniform block " + at->first;  // for debuggers, and for who counts what pictures hold
+  glObjectLabel(GL_BUFFER, block.buffer.name(), static_cast<GLsizei>(label.size()), label.data());
 }
 
 void ShaderProgram::bind(std::string_view name, const Texture& texture, Access access) {

@@ -46,7 +46,7 @@ TEST_F(Window, BothWidthsStayInSightOnSmallScreens) {
     window_->resize(small);
     // The most that the panel of the focus may hold: a grown region has rows of its own.
     document().growFrom(markerCentre);
-    QTRY_VERIFY_WITH_TIMEOUT(document().growth(), patience);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return document().growth() != nullptr; }, patience));
     waitUntilDrawn();
     EXPECT_EQ(window_->size(), small);
     EXPECT_TRUE(isInSight(*window_->findChild<SliderSpin*>(QStringLiteral("open_width"))));
@@ -94,7 +94,7 @@ TEST_F(Window, ResetLayoutBringsPanelsAndViewsBack) {
 
   for (QAction* action : window_->findChildren<QAction*>())
     if (action->text().remove(QLatin1Char('&')) == QStringLiteral("Reset layout")) action->trigger();
-  QTRY_VERIFY_WITH_TIMEOUT(cutaway->isVisible() && volume(0)->isVisible(), patience);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return cutaway->isVisible() && volume(0)->isVisible(); }, patience));
   waitUntilDrawn();
   EXPECT_EQ(focus->width(), width);
   EXPECT_EQ(volume(0)->size(), before);

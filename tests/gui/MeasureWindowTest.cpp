@@ -195,7 +195,7 @@ TEST_F(MeasureWindow, TheTableOfAllIsExported) {
   const std::filesystem::path file = tests::scratchFolder() / "measures.csv";
   auto* exports = window_->findChild<Exports*>();
   exports->writeMeasures(file);
-  QTRY_VERIFY_WITH_TIMEOUT(!exports->job().isRunning(), patience);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !exports->job().isRunning(); }, patience));
   std::ifstream stream(file, std::ios::binary);
   const std::string written(std::istreambuf_iterator<char>(stream), {});
   EXPECT_EQ(written, measuresCsv(document()).toStdString());

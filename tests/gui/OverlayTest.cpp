@@ -70,5 +70,41 @@ TEST(Overlay, TextStandsOutFromBrightTissueAtBothDensities) {
     }
 }
 
+TEST(Overlay, LongCornerTextsAreWholeAndLeaveTheLettersAlone) {
+  constexpr int width = 230, height = 200;
+  constexpr int letter = 10, letterRow = 20;  // half a letter with its halo, and the height of its line with the margin
+  const QString text = QStringLiteral("Interpolated contouring instructions");
+  const auto draw = [&](Qt::Alignment corner, const QStringList& lines, int imageWidth) {
+    QImage image(imageWidth, height, QImage::Format_RGB32);
+    image.fill(Qt::black);
+    QPainter painter(&image);
+    drawCorner(painter, image.rect(), corner, lines, Qt::white);
+    return image;
+  };
+  const auto lit = [](const QImage& image) {
+    int count = 0;
+    for (int y = 0; y < image.height(); ++y)
+      for (int x = 0; x < image.width(); ++x) count += image.pixel(x, y) != qRgb(0, 0, 0);
+    return count;
+  };
+  for (const Qt::Alignment corner :
+       {Qt::AlignTop | Qt::AlignLeft, Qt::AlignTop | Qt::AlignRight, Qt::AlignBottom | Qt::AlignLeft}) {
+    const QImage image = draw(corner, {text}, width);
+    // The letters stand in the middle of the edges.
+    EXPECT_EQ(lit(image.copy(width / 2 - letter, 0, 2 * letter, letterRow)), 0);
+    EXPECT_EQ(lit(image.copy(width / 2 - letter, height - letterRow, 2 * letter, letterRow)), 0);
+    EXPECT_GT(lit(image), 0);
+    // Each of the words takes a line of its own.
+    int apart = 0;
+    for (const QString& word : text.split(QLatin1Char(' '))) apart += lit(draw(corner, {word}, 10 * width));
+    EXPECT_EQ(lit(image), apart) << "no word is cut";
+  }
+  // A word that is wider than the view ends in dots.
+  const QImage wide = draw(Qt::AlignTop | Qt::AlignLeft, {QString(60, QLatin1Char('W'))}, width);
+  EXPECT_GT(lit(wide), 0);
+  EXPECT_EQ(lit(wide.copy(width / 2 - letter, 0, 2 * letter, letterRow)), 0);
+  EXPECT_EQ(lit(wide.copy(width - 5, 0, 5, height)), 0);
+}
+
 }  // namespace
 }  // namespace fenestra::viewer

@@ -5,6 +5,7 @@
 
 #include <QApplication>
 #include <QClipboard>
+#include <QPainter>
 #include <QProgressDialog>
 #include <QPushButton>
 #include <QTest>
@@ -44,7 +45,9 @@ class PictureWindow : public Window {
     waitUntilDrawn();
   }
   PictureExports& pictures() { return window_->pictures(); }
-  void waitUntilWritten() { QTRY_VERIFY_WITH_TIMEOUT(!pictures().isBusy(), patience); }
+  void waitUntilWritten() {
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !pictures().isBusy(); }, patience));
+  }
   PictureMaker::Request ofBoth() { return {.volumes = views().volumeViews()}; }
   PictureMaker::Request ofAll() { return {.volumes = views().volumeViews(), .slices = views().sliceViews()}; }
 
@@ -82,6 +85,41 @@ TEST_F(PictureWindow, ALargerPictureShowsTheSameWithMoreDetail) {
   const QImage reduced = larger.scaled(once.size(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
   // Edges are sharper than in the small picture; where they lie must be the same.
   EXPECT_LT(meanDifference(reduced, once), 1.5);
+}
+
+TEST_F(PictureWindow, APictureOf4000By3000IsTheWindowOnADenserScreen) {
+  constexpr double scale = 4.0;
+  window_->resize(window_->size() + QSize(1000, 750) - views().size());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return views().size() == QSize(1000, 750); }, patience));
+  qApp->focusWidget()->clearFocus();
+  cursor().moveTo(markerCentre);
+  waitUntilDrawn();
+  PictureMaker::Request request = ofAll();
+  request.scale = scale;
+  pictures().writePicture(folder_ / "large.png", request);
+  waitUntilWritten();
+  const QImage saved = load(folder_ / "large.png");
+  ASSERT_EQ(saved.size(), QSize(4000, 3000));
+  const auto placeOf = [&](const QWidget* view) { return QRect(view->mapTo(&views(), QPoint(0, 0)), view->size()); };
+  // What a screen of four times the density would show of a slice, text and lines included.
+  for (SliceView* view : views().sliceViews()) {
+    QImage dense(view->size() * scale, QImage::Format_RGB32);
+    dense.setDevicePixelRatio(scale);
+    QPainter painter(&dense);
+    view->draw(painter, true);
+    painter.end();
+    dense.setDevicePixelRatio(1.0);
+    const QRect place = placeOf(view);
+    EXPECT_EQ(meanDifference(saved.copy(QRect(place.topLeft() * scale, place.size() * scale)), dense), 0.0)
+        << view->objectName().toStdString();
+  }
+  // Of a 3-D view there is none for such a screen: it must be what is on this one, with sharper edges.
+  for (VolumeView* view : views().volumeViews()) {
+    const QRect place = placeOf(view);
+    const QImage large = saved.copy(QRect(place.topLeft() * scale, place.size() * scale));
+    const QImage reduced = large.scaled(place.size(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+    EXPECT_LT(meanDifference(reduced, view->grabFramebuffer()), 1.5) << view->objectName().toStdString();
+  }
 }
 
 TEST_F(PictureWindow, WithoutMarksOnlyThePictureIsSaved) {
@@ -132,7 +170,7 @@ TEST_F(PictureWindow, ATurntableTurnsOnceRound) {
 
 TEST_F(PictureWindow, ACancelledTurntableLeavesNothing) {
   pictures().writeTurntable(folder_ / "turn.png", ofBoth(), 200, 24);
-  QTRY_VERIFY_WITH_TIMEOUT(fs::exists(folder_ / "turn-0002.png"), patience);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return fs::exists(folder_ / "turn-0002.png"); }, patience));
   auto* progress = window_->findChild<QProgressDialog*>();
   ASSERT_NE(progress, nullptr);
   QTest::mouseClick(progress->findChild<QPushButton*>(), Qt::LeftButton);

@@ -232,6 +232,31 @@ TEST_F(PresetWindow, TheOpenListShowsPicturesOfTheVolume) {
   EXPECT_FALSE(box.itemData(0, Qt::UserRole + 2).toBool()) << "until there is another one";
 }
 
+TEST_F(PresetWindow, KeysAndTheWheelOnTheClosedBoxNeverAskForAFile) {
+  keepAs(QStringLiteral("A"));
+  QComboBox& box = *picker().box();
+  int questions = 0;
+  picker().questions().functionWhich = [&]() -> std::optional<fs::path> { return ++questions, std::nullopt; };
+  choose(box.itemText(0));
+  box.setFocus();
+  const int lastPreset = box.count() - 2;
+  for (int i = 0; i < box.count() + 3; ++i) QTest::keyClick(&box, Qt::Key_Down);
+  EXPECT_EQ(box.currentIndex(), lastPreset);
+  EXPECT_EQ(box.currentText(), QStringLiteral("A"));
+  QTest::keyClick(&box, Qt::Key_End);
+  QTest::keyClick(&box, Qt::Key_PageDown);
+  QTest::keyClicks(&box, QStringLiteral("From a file"));
+  wheel(&box, -3);
+  EXPECT_EQ(questions, 0);
+  QTest::keyClick(&box, Qt::Key_Home);
+  EXPECT_EQ(box.currentIndex(), 0);
+  // The open list offers it.
+  QTest::mouseClick(&box, Qt::LeftButton);
+  for (const Qt::Key key : {Qt::Key_End, Qt::Key_Return}) QTest::keyClick(box.view(), key);
+  EXPECT_EQ(questions, 1);
+  EXPECT_EQ(box.currentIndex(), 0);
+}
+
 TEST_F(PresetWindow, AListThatIsOpenWhenTheWindowGoesIsNoProblem) {
   picker().box()->showPopup();
   picker().box()->hidePopup();

@@ -148,6 +148,9 @@ TEST_F(StudyWindow, WindowAndLevelAreTypedAsNumbers) {
   ASSERT_TRUE(dialog);
   ASSERT_TRUE(QTest::qWaitForWindowExposed(dialog));
   QApplication::setActiveWindow(dialog);  // Xvfb has no window manager to do it
+  for (QAction* action : window_->findChildren<QAction*>())
+    if (action->shortcut() == QKeySequence(Qt::Key_W)) action->trigger();
+  EXPECT_EQ(window_->findChildren<WindowLevelDialog*>().size(), 1) << "the one that is open comes to the front";
   EXPECT_EQ(dialog->windowWidth()->value(), document().window().width);
   EXPECT_EQ(dialog->windowWidth()->suffix(), QStringLiteral(" HU"));
   dialog->windowWidth()->setFocus();

@@ -163,7 +163,7 @@ TEST_F(PseudoWindow, TheWindowShowsNoUntranslatedText) {
   EXPECT_EQ(untranslatedIn(*window_).join(QLatin1Char('\n')).toStdString(), "");
   document().focusOn(marker);
   document().growFrom(markerCentre);
-  QTRY_VERIFY_WITH_TIMEOUT(document().growth(), patience);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return document().growth() != nullptr; }, patience));
   brush().toggle(false);
   forEachPanel([this](QDockWidget& dock) {
     EXPECT_EQ(untranslatedIn(*window_).join(QLatin1Char('\n')).toStdString(), "") << dock.objectName().toStdString();
@@ -212,6 +212,26 @@ TEST_F(PseudoWindow, TheDialogsShowNoUntranslatedText) {
       }
   }
   EXPECT_GE(dialogs, 8);
+}
+
+TEST_F(PseudoWindow, CornerTextsLeaveTheLettersAlone) {
+  window_->resize(1024, 700);
+  document().setInverted(true);  // which adds a word
+  options().setCrosshair(false);
+  waitUntilDrawn();
+  for (SliceView* view : views().sliceViews()) {
+    const QImage with = view->grab().toImage();
+    options().setText(false);
+    const QImage without = view->grab().toImage();
+    options().setText(true);
+    ASSERT_NE(with, without);
+    // Half a letter, its halo and a gap on either side of the middle.
+    constexpr int half = 10, height = 20;
+    for (const int top : {0, view->height() - height}) {
+      const QRect letter(view->width() / 2 - half, top, 2 * half, height);
+      EXPECT_EQ(with.copy(letter), without.copy(letter)) << view->objectName().toStdString() << ", " << top;
+    }
+  }
 }
 
 TEST_F(PseudoWindow, LongTextsAreNotCut) {

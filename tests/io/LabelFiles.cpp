@@ -56,7 +56,7 @@ void writeSeg(const std::filesystem::path& path, const SegSpec& spec) {
   put(dataset, DCM_SeriesInstanceUID, std::string("1.2.9"));
   put(dataset, DCM_StudyInstanceUID, std::string("1.2"));
   put(dataset, DCM_Modality, std::string("SEG"));
-  put(dataset, DCM_SeriesDescription, std::string("made up"));
+  put(dataset, DCM_SeriesDescription, spec.description);
   put(dataset, DCM_FrameOfReferenceUID, spec.frameOfReference);
   put(dataset, DCM_SegmentationType, spec.type);
   if (spec.type == "FRACTIONAL") put(dataset, DCM_MaximumFractionalValue, spec.greatest);

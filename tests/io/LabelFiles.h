@@ -24,6 +24,7 @@ struct SegFrameSpec {
 };
 struct SegSpec {
   std::string type = "BINARY";
+  std::string description = "made up";
   std::string sopClass = "1.2.840.10008.5.1.4.1.1.66.4";
   int columns = 5, rows = 3;
   int bits = 1;

@@ -7,6 +7,7 @@
 
 #include "rendering/viewpoints/Sphere.h"
 #include "viewer/model/Paths.h"
+#include "viewer/model/PlacementWeights.h"
 
 namespace fenestra::viewer {
 namespace {
@@ -19,18 +20,6 @@ const QString maxErrorKey = QStringLiteral("picture/maxError");
 const QString viewsKey = QStringLiteral("layout/views");
 const QString placementKey = QStringLiteral("placement/%1");
 
-struct NamedWeight {
-  const char* name;
-  double placement::Weights::*member;
-};
-const std::array<NamedWeight, 8> namedWeights{{{"weightDepth", &placement::Weights::visibility},
-                                               {"weightCoverage", &placement::Weights::coverage},
-                                               {"weightLocation", &placement::Weights::location},
-                                               {"weightEntropy", &placement::Weights::entropy},
-                                               {"weightTypical", &placement::Weights::mutualInformation},
-                                               {"weightStability", &placement::Weights::stability},
-                                               {"weightOrientation", &placement::Weights::orientation},
-                                               {"weightEndFace", &placement::Weights::endFace}}};
 struct NamedSwitch {
   const char* name;
   bool PlacementSettings::*member;
@@ -177,8 +166,8 @@ PlacementSettings Preferences::placement() const {
   read("streamHalfWidth", placement.options.streamHalfWidth, 0.0, 90.0);
   read("shareWeight", placement.options.shareWeight, 0.0, 1.0);
   constexpr double mostWeight = 1e3;
-  for (const NamedWeight& weight : namedWeights)
-    read(weight.name, placement.options.weights.*weight.member, -mostWeight, mostWeight);
+  for (const PlacementWeight& weight : placementWeights)
+    read(weight.key, placement.options.weights.*weight.member, -mostWeight, mostWeight);
   for (const NamedSwitch& named : namedSwitches)
     if (const QVariant value = stored(named.name); value.isValid()) placement.*named.member = value.toBool();
   return placement;
@@ -195,7 +184,7 @@ void Preferences::setPlacement(const PlacementSettings& placement) {
        options.region == placement::Region::Stream ? QStringLiteral("stream") : QStringLiteral("semi-sphere"));
   keep("streamHalfWidth", options.streamHalfWidth);
   keep("shareWeight", options.shareWeight);
-  for (const NamedWeight& weight : namedWeights) keep(weight.name, options.weights.*weight.member);
+  for (const PlacementWeight& weight : placementWeights) keep(weight.key, options.weights.*weight.member);
   for (const NamedSwitch& named : namedSwitches) keep(named.name, placement.*named.member);
 }
 

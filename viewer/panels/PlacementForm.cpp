@@ -8,58 +8,6 @@
 #include "viewer/panels/SliderSpin.h"
 
 namespace fenestra::viewer {
-namespace {
-
-struct WeightRow {
-  const char *name, *meaning;
-  double low, high, step;
-  double placement::Weights::*member;
-};
-constexpr std::size_t mainWeights = 4;
-const std::array<WeightRow, PlacementForm::weightCount> weightRows{{
-    {QT_TRANSLATE_NOOP("PlacementForm", "Depth"),
-     QT_TRANSLATE_NOOP("PlacementForm",
-                       "How deep the focus lies; below 0 prefers views with little in front of it.\n"
-                       "vd1 = mean depth of the focus's pixels / diameter of the model's sphere"),
-     -2.0, 2.0, 0.05, &placement::Weights::visibility},
-    {QT_TRANSLATE_NOOP("PlacementForm", "Size"),
-     QT_TRANSLATE_NOOP("PlacementForm",
-                       "How large the focus is in the picture.\nvd2 = pixels of the focus / pixels of the picture"),
-     0.0, 16.0, 0.1, &placement::Weights::coverage},
-    {QT_TRANSLATE_NOOP("PlacementForm", "Centring"),
-     QT_TRANSLATE_NOOP("PlacementForm",
-                       "How near to the middle of the picture it is.\nvd3 = 1 − distance of its centroid from the "
-                       "middle / distance of a corner"),
-     0.0, 2.0, 0.05, &placement::Weights::location},
-    {QT_TRANSLATE_NOOP("PlacementForm", "Cut ends"),
-     QT_TRANSLATE_NOOP("PlacementForm",
-                       "Below 0 avoids looking at the focus through a face where the scan cuts the body off.\n"
-                       "Share of the focus's pixels whose rays enter the volume inside the body"),
-     -2.0, 0.0, 0.05, &placement::Weights::endFace},
-    {QT_TRANSLATE_NOOP("PlacementForm", "Evenness"),
-     QT_TRANSLATE_NOOP("PlacementForm",
-                       "How much of its surface is seen.\nViewpoint entropy −Σ p log p of the seen surface points, "
-                       "over its maximum (Bordoloi, Shen 2005)"),
-     0.0, 2.0, 0.05, &placement::Weights::entropy},
-    {QT_TRANSLATE_NOOP("PlacementForm", "Typical"),
-     QT_TRANSLATE_NOOP("PlacementForm",
-                       "How typical the view is of all views.\n1 − Σ p(o|v) log(p(o|v) / p(o)) over its maximum "
-                       "(Viola et al. 2006)"),
-     0.0, 2.0, 0.05, &placement::Weights::mutualInformation},
-    {QT_TRANSLATE_NOOP("PlacementForm", "Steady"),
-     QT_TRANSLATE_NOOP("PlacementForm",
-                       "How little changes when the camera moves a bit.\n1 − Jensen–Shannon divergence to the eight "
-                       "nearest views"),
-     0.0, 2.0, 0.05, &placement::Weights::stability},
-    {QT_TRANSLATE_NOOP("PlacementForm", "Standard view"),
-     QT_TRANSLATE_NOOP("PlacementForm",
-                       "How near the view is to anterior, left, superior …: a little decides between equally good "
-                       "views.\nCosine of the angle to the nearest of the six"),
-     0.0, 2.0, 0.01, &placement::Weights::orientation},
-}};
-
-}  // namespace
-
 PlacementForm::PlacementForm(PlacementController& placement, QWidget* parent)
     : QWidget(parent),
       placement_(placement),
@@ -78,7 +26,7 @@ PlacementForm::PlacementForm(PlacementController& placement, QWidget* parent)
 }
 
 void PlacementForm::makeChoices() {
-  for (const int count : {48, 108, 192, 300, 588, 1200}) sampling_->addItem(tr("%1 views").arg(count), count);
+  for (const int count : {48, 108, 192, 300, 588, 1200}) sampling_->addItem(tr("%n views", nullptr, count), count);
   sampling_->addItem(tr("Finer near the best"), 0);
   sampling_->setToolTip(
       tr("From how many sides the focus is looked at, evenly all around (12·n² HEALPix directions), or ever finer "
@@ -117,11 +65,11 @@ void PlacementForm::addWeights(QFormLayout& form) {
   auto* further = new QWidget;
   auto* furtherForm = new QFormLayout(further);
   furtherForm->setContentsMargins(0, 0, 0, 0);
-  for (std::size_t i = 0; i < weightRows.size(); ++i) {
-    const WeightRow& row = weightRows[i];
+  for (std::size_t i = 0; i < placementWeights.size(); ++i) {
+    const PlacementWeight& row = placementWeights[i];
     weights_[i] = new SliderSpin(row.low, row.high, row.step);
     weights_[i]->setToolTip(tr(row.meaning));
-    (i < mainWeights ? &form : furtherForm)->addRow(tr(row.name), weights_[i]);
+    (i < mainPlacementWeights ? &form : furtherForm)->addRow(tr(row.name), weights_[i]);
     connect(weights_[i], &SliderSpin::edited, this, [this, member = row.member](double value) {
       edit([=](PlacementSettings& settings) { settings.options.weights.*member = value; });
     });
@@ -187,8 +135,8 @@ void PlacementForm::show() {
   shareWeight_->setEnabled(settings.joint);
   follow_->setChecked(settings.follow);
   automatic_->setChecked(settings.automatic);
-  for (std::size_t i = 0; i < weightRows.size(); ++i)
-    weights_[i]->setValue(settings.options.weights.*weightRows[i].member);
+  for (std::size_t i = 0; i < placementWeights.size(); ++i)
+    weights_[i]->setValue(settings.options.weights.*placementWeights[i].member);
 }
 
 }  // namespace fenestra::viewer

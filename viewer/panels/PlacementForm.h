@@ -8,6 +8,8 @@
 #include <QComboBox>
 #include <QWidget>
 
+#include "viewer/model/PlacementWeights.h"
+
 class QFormLayout;
 
 namespace fenestra::viewer {
@@ -19,8 +21,6 @@ class SliderSpin;
 class PlacementForm : public QWidget {
   Q_OBJECT
  public:
-  static constexpr std::size_t weightCount = 8;
-
   explicit PlacementForm(PlacementController& placement, QWidget* parent = nullptr);
 
   QComboBox* sampling() const { return sampling_; }
@@ -46,7 +46,7 @@ class PlacementForm : public QWidget {
   QCheckBox *automatic_, *follow_, *joint_;
   QComboBox *sampling_, *region_;
   SliderSpin *streamHalfWidth_, *shareWeight_;
-  std::array<SliderSpin*, weightCount> weights_{};
+  std::array<SliderSpin*, placementWeights.size()> weights_{};
 };
 
 }  // namespace fenestra::viewer

@@ -10,6 +10,7 @@
 #include <QMessageBox>
 #include <QPointer>
 #include <QSignalBlocker>
+#include <QStandardItemModel>
 #include <QStyledItemDelegate>
 
 #include "io/TransferFunctionFile.h"
@@ -37,6 +38,22 @@ std::optional<std::filesystem::path> chosenFile(const QString& name) {
 void PresetBox::showPopup() {
   Q_EMIT opening();
   QComboBox::showPopup();
+}
+
+void PresetBox::keyPressEvent(QKeyEvent* event) {
+  enableLast(false);
+  QComboBox::keyPressEvent(event);
+  enableLast(true);
+}
+
+void PresetBox::wheelEvent(QWheelEvent* event) {
+  enableLast(false);
+  QComboBox::wheelEvent(event);
+  enableLast(true);
+}
+
+void PresetBox::enableLast(bool enable) {
+  if (count() > 0) qobject_cast<QStandardItemModel*>(model())->item(count() - 1)->setEnabled(enable);
 }
 
 PresetQuestions presetDialogs(QWidget* parent) {

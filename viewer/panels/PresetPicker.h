@@ -18,7 +18,8 @@ namespace fenestra::viewer {
 class Document;
 class PreviewBackend;
 
-/// Tells when its list opens.
+/// Tells when its list opens. Keys and the wheel on the closed box choose among all entries but the last, which asks
+/// for a file.
 class PresetBox : public QComboBox {
   Q_OBJECT
  public:
@@ -27,6 +28,13 @@ class PresetBox : public QComboBox {
 
  Q_SIGNALS:
   void opening();
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+
+ private:
+  void enableLast(bool enable);
 };
 
 /// The questions to the user: dialogs, unless a test replaces them.

@@ -52,6 +52,26 @@ QPixmap haloedText(const QString& text, const QFont& font, const QColor& colour,
   return made;
 }
 
+/// A text in lines no wider than `width`, broken between words; a wider word has a line of its own.
+QStringList wrapped(const QString& text, const QFontMetricsF& metrics, double width) {
+  if (metrics.horizontalAdvance(text) <= width) return {text};
+  QStringList lines;
+  for (const QString& word : text.split(QLatin1Char(' '), Qt::SkipEmptyParts)) {
+    const QString longer = lines.isEmpty() ? QString() : lines.back() + QLatin1Char(' ') + word;
+    if (!longer.isEmpty() && metrics.horizontalAdvance(longer) <= width)
+      lines.back() = longer;
+    else
+      lines << word;
+  }
+  return lines;
+}
+
+/// How wide a text in a corner may be beside the letter in the middle of the edge: two bold letters at most, half of
+/// them on either side.
+double besideLetter(const QRectF& view, const QFontMetricsF& metrics) {
+  return 0.5 * view.width() - overlayMargin - metrics.horizontalAdvance(QStringLiteral("WW"));
+}
+
 }  // namespace
 
 QColor toColour(glm::dvec3 rgb) {
@@ -98,25 +118,41 @@ void drawText(QPainter& painter, const QRectF& box, int alignment, const QString
   if (alignment & Qt::AlignHCenter) at.setX(box.center().x() - 0.5 * size.width());
   if (alignment & Qt::AlignBottom) at.setY(box.bottom() - size.height());
   if (alignment & Qt::AlignVCenter) at.setY(box.center().y() - 0.5 * size.height());
-  // On whole device pixels, or the letters would be blurred.
-  const double ratio = painter.device()->devicePixelRatioF();
-  const auto whole = [ratio](double value) { return std::round(value * ratio) / ratio; };
-  painter.drawPixmap(QPointF(whole(at.x() - haloMargin), whole(at.y() - haloMargin)),
-                     haloedText(text, painter.font(), colour, ratio));
+  // In the pixels of the device, on whole ones, or the letters would be blurred. A saved picture has more of them than
+  // its device's ratio says: its painter is scaled.
+  const QTransform toDevice = painter.deviceTransform();
+  const QPointF corner = toDevice.map(at - QPointF(haloMargin, haloMargin));
+  painter.drawPixmap(toDevice.inverted().map(QPointF(std::round(corner.x()), std::round(corner.y()))),
+                     haloedText(text, painter.font(), colour, toDevice.m11()));
+}
+
+bool fitsBesideLetter(const QPainter& painter, const QRectF& view, const QString& text) {
+  const QFontMetricsF metrics(painter.font());
+  return metrics.horizontalAdvance(text) <= besideLetter(view, metrics);
 }
 
 void drawCorner(QPainter& painter, const QRectF& view, Qt::Alignment corner, const QStringList& lines,
                 const QColor& colour) {
-  const double height = painter.fontMetrics().lineSpacing();
+  const QFontMetricsF metrics(painter.font());
+  const double height = painter.fontMetrics().lineSpacing(), half = 0.5 * view.width() - overlayMargin;
+  QStringList shown;
+  qsizetype titleLines = 0;
+  for (const QString& text : lines) {
+    shown += wrapped(text, metrics, half);
+    if (titleLines == 0) titleLines = shown.size();
+  }
+  const bool top = !(corner & Qt::AlignBottom);
   QRectF line = view.adjusted(overlayMargin, overlayMargin, -overlayMargin, -overlayMargin);
-  if (corner & Qt::AlignBottom) line.setTop(line.bottom() - height * static_cast<double>(lines.size()));
+  if (!top) line.setTop(line.bottom() - height * static_cast<double>(shown.size()));
+  if (!shown.isEmpty() && !fitsBesideLetter(painter, view, top ? shown.front() : shown.back()))
+    line.translate(0, top ? height : -height);
+  const double width = line.width();
   line.setHeight(height);
   const int alignment = static_cast<int>((corner & Qt::AlignHorizontal_Mask) | Qt::AlignVCenter);
-  bool first = true;
-  for (const QString& text : lines) {
-    drawText(painter, line, alignment, text, first ? colour : overlayGrey);
+  for (qsizetype i = 0; i < shown.size(); ++i) {
+    drawText(painter, line, alignment, metrics.elidedText(shown[i], Qt::ElideRight, width),
+             i < titleLines ? colour : overlayGrey);
     line.translate(0, height);
-    first = false;
   }
 }
 

@@ -28,7 +28,10 @@ QString planeName(SlicePlane plane);
 QSizeF textSize(const QPainter& painter, const QString& text);
 /// One line of light text with a dark halo, readable on black and on bone.
 void drawText(QPainter& painter, const QRectF& box, int alignment, const QString& text, const QColor& colour);
-/// Lines of text in a corner; the first line in `colour`, the rest in grey.
+/// Whether a text in a corner leaves room for the letter in the middle of the edge.
+bool fitsBesideLetter(const QPainter& painter, const QRectF& view, const QString& text);
+/// Lines of text in a corner; the first line in `colour`, the rest in grey. A line that is wider than half the view
+/// goes on below. Where the line beside the letter would cover it, all stand a line further from the edge.
 void drawCorner(QPainter& painter, const QRectF& view, Qt::Alignment corner, const QStringList& lines,
                 const QColor& colour = Qt::white);
 /// Lines right-aligned in the top right corner, below `above` other lines and no wider than half the view; longer ones

@@ -282,10 +282,15 @@ void SliceView::drawMarks(QPainter& painter, bool interpolated) const {
   QStringList title{planeName(geometry_.plane)};
   if (interpolated) title << tr("Interpolated, not scanned");
   if (options_.text()) {
-    title << tr("%1 / %2").arg(slice_ + 1).arg(geometry_.count);
+    title << tr("%1 / %2").arg(slice_ + 1).arg(geometry_.count).replace(QLatin1Char(' '), QChar(QChar::Nbsp));
     drawCorner(painter, view, Qt::AlignBottom | Qt::AlignLeft, windowText(painter.fontMetrics()), overlayGrey);
-    if (geometry_.plane != SlicePlane::Sagittal)  // where left and right could be mistaken
-      drawCorner(painter, view, Qt::AlignTop | Qt::AlignRight, {tr("Radiological")}, overlayGrey);
+    if (geometry_.plane != SlicePlane::Sagittal) {  // where left and right could be mistaken
+      const QString convention = tr("Radiological");
+      if (fitsBesideLetter(painter, view, convention))
+        drawCorner(painter, view, Qt::AlignTop | Qt::AlignRight, {convention}, overlayGrey);
+      else
+        title << convention;
+    }
   }
   drawCorner(painter, view, Qt::AlignTop | Qt::AlignLeft, title, planeColour(geometry_.plane));
 }

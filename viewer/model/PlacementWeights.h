@@ -1,0 +1,63 @@
+#pragma once
+// The weights that the user may set of what a candidate for a camera is judged by: how they are stored and shown.
+
+#include <array>
+
+#include <QtGlobal>
+
+#include "rendering/scene/PlacementOptions.h"
+
+namespace fenestra::viewer {
+
+struct PlacementWeight {
+  const char* key;             ///< in the file of settings
+  const char *name, *meaning;  ///< label and tool tip of its slider, to be translated for "PlacementForm"
+  double low, high, step;      ///< of the slider; files may hold other values
+  double placement::Weights::*member;
+};
+
+/// The most important ones first.
+inline constexpr std::size_t mainPlacementWeights = 4;
+inline constexpr std::array<PlacementWeight, 8> placementWeights{{
+    {"weightDepth", QT_TRANSLATE_NOOP("PlacementForm", "Depth"),
+     QT_TRANSLATE_NOOP("PlacementForm",
+                       "How deep the focus lies; below 0 prefers views with little in front of it.\n"
+                       "vd1 = mean depth of the focus's pixels / diameter of the model's sphere"),
+     -2.0, 2.0, 0.05, &placement::Weights::visibility},
+    {"weightCoverage", QT_TRANSLATE_NOOP("PlacementForm", "Size"),
+     QT_TRANSLATE_NOOP("PlacementForm",
+                       "How large the focus is in the picture.\nvd2 = pixels of the focus / pixels of the picture"),
+     0.0, 16.0, 0.1, &placement::Weights::coverage},
+    {"weightLocation", QT_TRANSLATE_NOOP("PlacementForm", "Centring"),
+     QT_TRANSLATE_NOOP("PlacementForm",
+                       "How near to the middle of the picture it is.\nvd3 = 1 − distance of its centroid from the "
+                       "middle / distance of a corner"),
+     0.0, 2.0, 0.05, &placement::Weights::location},
+    {"weightEndFace", QT_TRANSLATE_NOOP("PlacementForm", "Cut ends"),
+     QT_TRANSLATE_NOOP("PlacementForm",
+                       "Below 0 avoids looking at the focus through a face where the scan cuts the body off.\n"
+                       "Share of the focus's pixels whose rays enter the volume inside the body"),
+     -2.0, 0.0, 0.05, &placement::Weights::endFace},
+    {"weightEntropy", QT_TRANSLATE_NOOP("PlacementForm", "Evenness"),
+     QT_TRANSLATE_NOOP("PlacementForm",
+                       "How much of its surface is seen.\nViewpoint entropy −Σ p log p of the seen surface points, "
+                       "over its maximum (Bordoloi, Shen 2005)"),
+     0.0, 2.0, 0.05, &placement::Weights::entropy},
+    {"weightTypical", QT_TRANSLATE_NOOP("PlacementForm", "Typical"),
+     QT_TRANSLATE_NOOP("PlacementForm",
+                       "How typical the view is of all views.\n1 − Σ p(o|v) log(p(o|v) / p(o)) over its maximum "
+                       "(Viola et al. 2006)"),
+     0.0, 2.0, 0.05, &placement::Weights::mutualInformation},
+    {"weightStability", QT_TRANSLATE_NOOP("PlacementForm", "Steady"),
+     QT_TRANSLATE_NOOP("PlacementForm",
+                       "How little changes when the camera moves a bit.\n1 − Jensen–Shannon divergence to the eight "
+                       "nearest views"),
+     0.0, 2.0, 0.05, &placement::Weights::stability},
+    {"weightOrientation", QT_TRANSLATE_NOOP("PlacementForm", "Standard view"),
+     QT_TRANSLATE_NOOP("PlacementForm",
+                       "How near the view is to anterior, left, superior …: a little decides between equally good "
+                       "views.\nCosine of the angle to the nearest of the six"),
+     0.0, 2.0, 0.01, &placement::Weights::orientation},
+}};
+
+}  // namespace fenestra::viewer
