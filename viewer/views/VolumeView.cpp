@@ -75,16 +75,21 @@ VolumeView::VolumeView(int index, Document& document, SliceCursor& cursor, ViewL
     if (view == index_) follow();
   });
   const auto repaint = [this] { update(); };
+  connect(shared_.turns.get(), &DrawingTurns::turn, this, [this](int view) {
+    if (view == index_) draw();
+  });
+  connect(shared_.turns.get(), &DrawingTurns::roundEnded, this, [this] {
+    if (isNew_) update();
+  });
   connect(&shared_.preparation->context(), &RenderContext::freed, this, [this] {
     if (due_ != Due::Nothing || !picture_)
-      update();
+      askToDraw();
     else if (!settled_ && !rest_.isActive() && !refining_.isActive())
       settle();
   });
   connect(&cursor, &SliceCursor::moved, this, repaint);
   connect(&options, &ViewOptions::changed, this, repaint);
   connect(this, &QOpenGLWidget::frameSwapped, this, [this] {
-    shared_.pacer->end(now());
     if (picture_ && picture_->isShown()) Q_EMIT drawn();
   });
 }
@@ -100,7 +105,7 @@ bool VolumeView::inContext(const std::function<void(const std::shared_ptr<GpuSce
 
 bool VolumeView::isSettled() const {
   const bool told = index_ != 0 || !startsDue_;  // the slices draw the opening of the first view
-  return (settled_ && told) || !problem_.isEmpty() || !document_.hasVolume();
+  return (settled_ && !isNew_ && told) || !problem_.isEmpty() || !document_.hasVolume();
 }
 
 void VolumeView::disturb(int views) {
@@ -110,8 +115,7 @@ void VolumeView::disturb(int views) {
   due_ = Due::Motion;
   moving_ = views;
   rest_.start(restMilliseconds);
-  // One round of the event loop later: Qt paints all that is dirty at once, and the slices need not wait for this view.
-  QTimer::singleShot(0, this, [this] { update(); });
+  askToDraw();
 }
 
 void VolumeView::prepare() {
@@ -140,7 +144,7 @@ void VolumeView::settle() {
   if (settled_) return;
   if (held_ || !picture_ || !picture_->isShown()) {
     rest_.start(restMilliseconds);
-    if (!held_) update();
+    if (!held_) askToDraw();
     return;
   }
   due_ = Due::Nothing;
@@ -209,7 +213,7 @@ void VolumeView::refresh() {
   rest_.stop();
   due_ = Due::Strokes;
   moving_ = 1;
-  update();
+  askToDraw();
 }
 
 void VolumeView::resizeEvent(QResizeEvent* event) {
@@ -240,7 +244,7 @@ void VolumeView::attemptOnPicture(const std::function<void()>& work) {
 }
 
 void VolumeView::paintGL() {
-  if (problem_.isEmpty() && document_.hasVolume()) attempt([this] { renderScene(); });
+  if (problem_.isEmpty() && document_.hasVolume()) attempt([this] { present(); });
   if (settled_ && problem_.isEmpty()) attempt([this] { reportStarts(); });
   drawOverlay();
   if (isSettled()) Q_EMIT settled();
@@ -277,27 +281,37 @@ View VolumeView::viewFor(Effort effort) const {
   };
 }
 
+void VolumeView::draw() {
+  const bool isDue = due_ != Due::Nothing || !picture_ || !picture_->isShown();
+  if (!isDue || !problem_.isEmpty() || !document_.hasVolume() || !isVisible()) return;
+  attempt([this] {
+    if (!drawDue()) return;
+    const QString notice = QString::fromStdString(shared_.preparation->gpuScene()->reductionNotice());
+    if (notice != std::exchange(reduction_, notice) && !notice.isEmpty()) Q_EMIT reduced(notice);
+  });
+}
+
 bool VolumeView::drawDue() {
   const Scene scene = shownScene();
   FramePacer& pacer = *shared_.pacer;
   const Effort rest = pacer.atRest();
-  const bool onlyStrokes = due_ == Due::Strokes && picture_->showsFull(viewFor(rest));
+  const bool onlyStrokes = due_ == Due::Strokes && picture_ && picture_->showsFull(viewFor(rest));
   const Effort effort = onlyStrokes ? rest : motion();
   const View view = viewFor(effort);
   if (!shared_.preparation->isReady(scene, view)) return false;
   if (due_ == Due::Strokes && !onlyStrokes) rest_.start(restMilliseconds);
-  shared_.preparation->context().run([&] {
+  inContext([&](const std::shared_ptr<GpuScene>& gpuScene) {
+    if (!picture_) picture_.emplace(gpuScene);
     if (onlyStrokes) return picture_->draw(scene, view, true);
     const double start = now();
     pacer.begin(effort, start);
     const std::size_t firstRuns = gl::ShaderProgram::firstRuns();
-    const GpuScene& gpuScene = *shared_.preparation->gpuScene();
-    const GpuScene::Versions before = gpuScene.versions();
+    const GpuScene::Versions before = gpuScene->versions();
     picture_->draw(scene, view, effort == rest);
     gl::finish();
     // The first picture of a kind also compiles programs or uploads voxels. Tables of the transfer function and colours
     // are made anew with each move of a drag: they belong to what its next picture will take.
-    GpuScene::Versions after = gpuScene.versions();
+    GpuScene::Versions after = gpuScene->versions();
     after.transfer = before.transfer;
     after.gaps = before.gaps;
     after.palette = before.palette;
@@ -307,19 +321,19 @@ bool VolumeView::drawDue() {
   });
   due_ = Due::Nothing;
   settled_ = effort == rest;
+  isNew_ = true;
   return true;
 }
 
-void VolumeView::renderScene() {
+void VolumeView::present() {
+  // Such as a view that was hidden.
+  if (due_ != Due::Nothing || !picture_) askToDraw();
+  if (!picture_ || !picture_->isShown()) return;
   const double ratio = devicePixelRatioF();
   const QSize device(static_cast<int>(std::lround(width() * ratio)), static_cast<int>(std::lround(height() * ratio)));
-  if (!picture_) picture_.emplace(shared_.preparation->gpuScene());
-  const bool drew = (due_ != Due::Nothing || !picture_->isShown()) && drawDue();
-  if (!picture_->isShown()) return;
-  if (drew) {
-    const QString notice = QString::fromStdString(shared_.preparation->gpuScene()->reductionNotice());
-    if (notice != std::exchange(reduction_, notice) && !notice.isEmpty()) Q_EMIT reduced(notice);
-  }
+  if (std::exchange(isNew_, false))
+    connect(
+        this, &QOpenGLWidget::frameSwapped, this, [this] { shared_.pacer->end(now()); }, Qt::SingleShotConnection);
   picture_->shown().present(defaultFramebufferObject(), {0, 0, device.width(), device.height()});
 }
 
