@@ -128,8 +128,9 @@ Effort VolumeView::motion() const { return shared_.pacer->moving(moving_, shared
 void VolumeView::follow() {
   const bool both = cameras_.isLinked() || cameras_.isFlying();
   FramePacer& pacer = *shared_.pacer;
-  const bool skips = cameras_.isLinked() && !pacer.leads(index_) && isVisible() &&
-                     pacer.frames() - followed_ < pacer.framesPerFollowing();
+  const int every = pacer.framesPerFollowing();
+  const bool skips =
+      cameras_.isLinked() && !pacer.leads(index_) && isVisible() && every > 1 && pacer.frames() - followed_ < every;
   if (!skips) return disturb(both ? ViewLink::count : 1);
   stopRefining();
   forgetStarts();
@@ -317,7 +318,7 @@ bool VolumeView::drawDue() {
     after.palette = before.palette;
     const bool usual = firstRuns == gl::ShaderProgram::firstRuns() && before == after;
     pacer.drew(effort, now() - start, usual);
-    followed_ = pacer.frames() + 1;
+    followed_ = pacer.frames();
   });
   due_ = Due::Nothing;
   settled_ = effort == rest;
@@ -326,8 +327,8 @@ bool VolumeView::drawDue() {
 }
 
 void VolumeView::present() {
-  // Such as a view that was hidden.
-  if (due_ != Due::Nothing || !picture_) askToDraw();
+  // Such as a view that was hidden; not one that skips a frame while its last picture comes onto the screen.
+  if (!isNew_ && (due_ != Due::Nothing || !picture_)) askToDraw();
   if (!picture_ || !picture_->isShown()) return;
   const double ratio = devicePixelRatioF();
   const QSize device(static_cast<int>(std::lround(width() * ratio)), static_cast<int>(std::lround(height() * ratio)));
