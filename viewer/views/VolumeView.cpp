@@ -412,12 +412,23 @@ BrushTool::Canvas VolumeView::canvas() {
   };
 }
 
-std::optional<glm::dvec3> VolumeView::pick(QPointF position) {
-  std::optional<glm::dvec3> hit;
-  attemptOnPicture([&] { hit = picture_->shown().pick(pixelAt(position)); });
-  if (!hit) return std::nullopt;
-  // The hit lies on the surface between two voxels. Half a voxel further along the ray is the voxel that is seen.
-  return *hit + halfVoxel() * rayThrough(*hit);
+std::optional<VolumeView::Hit> VolumeView::pick(QPointF position) {
+  std::optional<Hit> hit;
+  attemptOnPicture([&] {
+    Renderer& picture = picture_->shown();
+    const std::optional<glm::dvec3> start = picture.pick(pixelAt(position));
+    if (!start) return;
+    const std::optional<BrushPoint> opened = picture.pickBrush(pixelAt(position), BrushMode::Open);
+    hit = Hit{*start, opened ? opened->removed : 0.0};
+  });
+  return hit;
+}
+
+glm::dvec3 VolumeView::surfaceAt(const Hit& hit) const {
+  const glm::dvec3 ray = rayThrough(hit.start);
+  const glm::dvec3 seen = hit.removed > 0.0 ? seenAt(hit) : hit.start;
+  // The start lies on the surface between two voxels. Half a voxel further along the ray is the voxel that is seen.
+  return glm::dot(seen - hit.start, ray) < 0.0 ? seen : hit.start + halfVoxel() * ray;
 }
 
 double VolumeView::halfVoxel() const {

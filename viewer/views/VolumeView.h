@@ -139,15 +139,22 @@ class VolumeView : public QOpenGLWidget {
   void present();
   void drawOverlay();
   void zoom(double factor);
-  /// World position that the picture shows at a place in the widget; empty on the background.
-  std::optional<glm::dvec3> pick(QPointF position);
+  /// Where the ray of a pixel starts to see, world mm, and how many mm of it before that the opening removed.
+  struct Hit {
+    glm::dvec3 start;
+    double removed = 0.0;
+  };
+  /// What the picture shows at a place in the widget; empty on the background.
+  std::optional<Hit> pick(QPointF position);
+  /// The voxel that is seen first there: of what is seen from the start on, or of a protected label before it.
+  glm::dvec3 surfaceAt(const Hit& hit) const;
   /// The ray of the last picture through a world position.
   glm::dvec3 rayThrough(glm::dvec3 world) const;
-  /// The point of the structure that shows most on the ray to a hit.
-  glm::dvec3 seenAt(glm::dvec3 hit) const;
+  /// The point of the structure that shows most on the ray of a hit.
+  glm::dvec3 seenAt(const Hit& hit) const;
   /// Reports what the picture shows under the mouse, once it is at full quality.
   void readUnderMouse();
-  void click(glm::dvec3 hit, Qt::KeyboardModifiers modifiers);
+  void click(const Hit& hit, Qt::KeyboardModifiers modifiers);
   glm::dvec2 pixelAt(QPointF position) const;
   BrushTool::Canvas canvas();
   double mmPerPixel(const Camera& camera) const;
