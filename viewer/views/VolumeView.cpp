@@ -82,8 +82,14 @@ VolumeView::VolumeView(int index, Document& document, SliceCursor& cursor, ViewL
     if (isNew_) update();
   });
   connect(&shared_.preparation->context(), &RenderContext::freed, this, [this] {
+    // What was prepared is drawn before anything changes the scene again, or a slider that is drawn along would keep
+    // the views from drawing; each still in an event of its own.
+    const auto drawPrepared = [this] {
+      draw();
+      if (isNew_) update();
+    };
     if (due_ != Due::Nothing || !picture_)
-      askToDraw();
+      QMetaObject::invokeMethod(this, drawPrepared, Qt::QueuedConnection);
     else if (!settled_ && !rest_.isActive() && !refining_.isActive())
       settle();
   });
