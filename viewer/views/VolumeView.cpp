@@ -61,9 +61,11 @@ VolumeView::VolumeView(int index, Document& document, SliceCursor& cursor, ViewL
     shared_.preparation->forgetFailure();
     reduction_.clear();
   });
-  connect(&document, &Document::sceneChanged, this, [this] {
+  // A scene is prepared and about to be drawn: no other one is prepared before it.
+  const auto isAwaited = std::make_shared<bool>(false);
+  connect(&document, &Document::sceneChanged, this, [this, isAwaited] {
     disturb(ViewLink::count);
-    prepare();
+    if (!*isAwaited) prepare();
   });
   connect(&document, &Document::strokesChanged, this, &VolumeView::refresh);
   connect(&brush, &Brush::changed, this, [this] {
@@ -75,23 +77,32 @@ VolumeView::VolumeView(int index, Document& document, SliceCursor& cursor, ViewL
     if (view == index_) follow();
   });
   const auto repaint = [this] { update(); };
-  connect(shared_.turns.get(), &DrawingTurns::turn, this, [this](int view) {
-    if (view == index_) draw();
+  connect(shared_.turns.get(), &DrawingTurns::turn, this, [this, isAwaited](int view) {
+    if (view == index_ && !*isAwaited) draw(shownScene());
   });
   connect(shared_.turns.get(), &DrawingTurns::roundEnded, this, [this] {
     if (isNew_) update();
   });
-  connect(&shared_.preparation->context(), &RenderContext::freed, this, [this] {
+  connect(&shared_.preparation->context(), &RenderContext::freed, this, [this, isAwaited] {
     // What was prepared is drawn before anything changes the scene again, or a slider that is drawn along would keep
     // the views from drawing; each still in an event of its own.
-    const auto drawPrepared = [this] {
-      draw();
+    const auto drawPrepared = [this, isAwaited] {
+      *isAwaited = false;
+      const Scene scene = shownScene(), held = shared_.preparation->held(scene);
+      draw(held);
       if (isNew_) update();
+      if (held == scene || !isNew_) return;
+      settled_ = false;
+      due_ = Due::Motion;
+      rest_.start(restMilliseconds);
+      askToDraw();
     };
-    if (due_ != Due::Nothing || !picture_)
+    if (due_ != Due::Nothing || !picture_) {
+      *isAwaited = true;
       QMetaObject::invokeMethod(this, drawPrepared, Qt::QueuedConnection);
-    else if (!settled_ && !rest_.isActive() && !refining_.isActive())
+    } else if (!settled_ && !rest_.isActive() && !refining_.isActive()) {
       settle();
+    }
   });
   connect(&cursor, &SliceCursor::moved, this, repaint);
   connect(&options, &ViewOptions::changed, this, repaint);
@@ -288,18 +299,17 @@ View VolumeView::viewFor(Effort effort) const {
   };
 }
 
-void VolumeView::draw() {
+void VolumeView::draw(const Scene& scene) {
   const bool isDue = due_ != Due::Nothing || !picture_ || !picture_->isShown();
   if (!isDue || !problem_.isEmpty() || !document_.hasVolume() || !isVisible()) return;
-  attempt([this] {
-    if (!drawDue()) return;
+  attempt([this, &scene] {
+    if (!drawDue(scene)) return;
     const QString notice = QString::fromStdString(shared_.preparation->gpuScene()->reductionNotice());
     if (notice != std::exchange(reduction_, notice) && !notice.isEmpty()) Q_EMIT reduced(notice);
   });
 }
 
-bool VolumeView::drawDue() {
-  const Scene scene = shownScene();
+bool VolumeView::drawDue(const Scene& scene) {
   FramePacer& pacer = *shared_.pacer;
   const Effort rest = pacer.atRest();
   const bool onlyStrokes = due_ == Due::Strokes && picture_ && picture_->showsFull(viewFor(rest));

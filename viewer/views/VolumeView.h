@@ -131,10 +131,10 @@ class VolumeView : public QOpenGLWidget {
   View viewFor(Effort effort) const;
   /// Asks for a turn to draw what is due.
   void askToDraw() { shared_.turns->ask(index_); }
-  /// Draws what is due, to be shown by the next paint.
-  void draw();
+  /// Draws what is due of the scene, to be shown by the next paint.
+  void draw(const Scene& scene);
   /// False: it is not ready to be drawn, and stays due.
-  bool drawDue();
+  bool drawDue(const Scene& scene);
   /// Puts the picture that there is into the widget.
   void present();
   void drawOverlay();
