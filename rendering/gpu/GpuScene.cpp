@@ -6,6 +6,7 @@
 #include <exception>
 #include <limits>
 
+#include "rendering/gpu/TransferTables.h"
 #include "rendering/scene/Lighting.h"
 #include "rendering/scene/Parallel.h"
 
@@ -14,56 +15,6 @@ namespace {
 
 /// Opacity of 1 mm above which the context counts as there (method: ε).
 constexpr double contextThreshold = 1.0 / 255.0;
-
-/// Emission (colour · extinction) and extinction at each entry, their integrals from the first entry on, and that of
-/// emission times the integral of extinction up to there, with the number of nodes before the entry.
-struct TransferTables {
-  std::vector<glm::vec4> properties, integrals, hidden;
-
-  /// Entries up to and from which nothing shows.
-  glm::vec2 visible() const {
-    const auto shows = [this](std::size_t i) {
-      return properties[i].a > 0.0f || (i + 1 < integrals.size() && integrals[i + 1].a > integrals[i].a);
-    };
-    constexpr float infinity = std::numeric_limits<float>::infinity();
-    std::size_t first = 0, last = properties.size();
-    while (first < last && !shows(first)) ++first;
-    while (last > first && !shows(last - 1)) --last;
-    if (first == last) return {infinity, -infinity};
-    return {first == 0 ? -infinity : static_cast<float>(first) - 1.0f,
-            last == properties.size() ? infinity : static_cast<float>(last)};
-  }
-};
-
-TransferTables makeTransferTables(const TransferFunction& function, ValueRange span, int size) {
-  const auto emission = [](const OpticalProperties& p) { return glm::dvec4(p.colour * p.extinction, p.extinction); };
-  const double perEntry = (span.high - span.low) / (size - 1);
-  const auto at = [&](double value) { return emission(function.evaluate(value)); };
-  TransferTables tables;
-  glm::dvec4 integral(0.0), hidden(0.0);
-  auto node = function.nodes.begin();
-  for (int i = 0; i < size; ++i) {
-    const double here = span.low + perEntry * i, next = span.low + perEntry * (i + 1);
-    tables.properties.emplace_back(at(here));
-    tables.integrals.emplace_back(integral);
-    tables.hidden.emplace_back(glm::dvec3(hidden), static_cast<double>(node - function.nodes.begin()));
-    // Between nodes emission is a quadratic function of the value, so Simpson's rule is exact. Points a hair inside
-    // tell the two sides of a step.
-    double low = here;
-    while (low < next) {
-      while (node != function.nodes.end() && node->value <= low) ++node;
-      const double high = node == function.nodes.end() ? next : std::min(next, node->value);
-      const double hair = 1e-9 * (high - low), entries = (high - low) / perEntry;
-      const glm::dvec4 first = at(low + hair), middle = at(0.5 * (low + high)), last = at(high - hair);
-      hidden += (first * integral.a + 4.0 * middle * (integral.a + 0.25 * entries * (first.a + middle.a)) +
-                 last * (integral.a + 0.5 * entries * (first.a + last.a))) *
-                (entries / 6.0);
-      integral += (first + 4.0 * middle + last) * (entries / 6.0);
-      low = high;
-    }
-  }
-  return tables;
-}
 
 gl::Texture skipTexture(glm::ivec3 bricks, const std::vector<std::uint8_t>& occupied) {
   gl::Texture texture = gl::Texture::make3D(gl::Format::R8UI, bricks);
@@ -382,12 +333,14 @@ void GpuScene::updateTransfer(const Scene& scene) {
                                            : ValueRange{context_.nodes.front().value, context_.nodes.back().value};
   const double margin = span.high > span.low ? (span.high - span.low) / (tableSize - 3) : 0.5;
   span = {span.low - margin, span.high + margin};
-  const TransferTables tables = makeTransferTables(context_, span, tableSize);
-  if (!transferTables_) transferTables_ = gl::Texture::make2D(gl::Format::RGBA32F, {tableSize, 3});
+  const TransferTables tables(context_, span, tableSize);
+  if (!transferTables_) transferTables_ = gl::Texture::make2D(gl::Format::RGBA32F, {tableSize, 2});
   std::vector<glm::vec4> rows;
-  for (const auto* row : {&tables.properties, &tables.integrals, &tables.hidden})
-    rows.insert(rows.end(), row->begin(), row->end());
+  for (const auto* row : {&tables.properties, &tables.integrals}) rows.insert(rows.end(), row->begin(), row->end());
   transferTables_.upload(std::span<const glm::vec4>(rows));
+  const TransferSegments segments(context_, span, tableSize);
+  transferSegments_ = segments.texture(segmentsPerRow);
+  segmentOfEntry_ = gl::Buffer(std::as_bytes(std::span(segments.ofEntry)));
   firstMaterial_ = tables.properties.front();
   lastMaterial_ = tables.properties.back();
   visibleEntries_ = tables.visible();
@@ -415,7 +368,7 @@ std::vector<GpuScene::Resource> GpuScene::resources() const {
   add("volume", of(volumeTexture_.texture));
   add("gradient", of(gradient_.texture));
   add("derivative volume", of(derivative_.texture));
-  add("transfer tables", of(transferTables_));
+  add("transfer tables", of(transferTables_) + of(transferSegments_) + segmentOfEntry_.bytes());
   add("empty-space skipping", of(contextSkip_) + of(occupiedSkip_) + of(focusSkip_));
   add("focus index", of(focus_.bricks()) + focus_.cells().bytes());
   add("focus palette", of(focusPaletteIndex_) + of(focusPalette_));

@@ -86,10 +86,13 @@ class GpuScene {
   const gl::Buffer& gaps() const { return gapBuffer_; }
   int gapCount() const { return static_cast<int>(gaps_.size()); }
   /// Rows of tableSize entries: emission (colour · extinction) and extinction (1/mm); their integrals from the first
-  /// entry on (entries/mm); the integral of emission times that of extinction up to there: what a stretch of values
-  /// hides of itself. Entry = coded value · map.x + map.y.
+  /// entry on (entries/mm). Entry = coded value · map.x + map.y.
   static constexpr int tableSize = 16384;
   const gl::Texture& transferTables() const { return transferTables_; }
+  /// The same function from node to node; see shaders/lib/TransferSegments.glsl.
+  static constexpr int segmentsPerRow = 256;
+  const gl::Texture& transferSegments() const { return transferSegments_; }
+  const gl::Buffer& segmentOfEntry() const { return segmentOfEntry_; }
   glm::vec2 transferMap() const { return transferMap_; }
   glm::vec4 firstMaterial() const { return firstMaterial_; }  ///< the tables' first entry
   glm::vec4 lastMaterial() const { return lastMaterial_; }
@@ -156,7 +159,8 @@ class GpuScene {
 
   std::vector<glm::vec2> gaps_;
   gl::Buffer gapBuffer_;
-  gl::Texture transferTables_;
+  gl::Texture transferTables_, transferSegments_;
+  gl::Buffer segmentOfEntry_;
   glm::vec2 transferMap_{0.0f}, visibleEntries_{0.0f};
   glm::vec4 firstMaterial_{0.0f}, lastMaterial_{0.0f};
   std::vector<std::uint8_t> contextOccupied_;  ///< per brick

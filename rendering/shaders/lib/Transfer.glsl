@@ -2,8 +2,7 @@
 // extinction.
 #include <schedule>
 
-// Rows of TABLE_SIZE entries: emission and extinction; the integral of both from the first entry on (entries/mm); the
-// integral of emission times that of extinction up to there, and the number of nodes before the entry.
+// Rows of TABLE_SIZE entries: emission and extinction; the integral of both from the first entry on (entries/mm).
 TEXELS_2D(rgba32f, transferTables);
 struct TransferSettings {
   vec4 firstMaterial, lastMaterial;  // beyond the tables' ends

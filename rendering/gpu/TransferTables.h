@@ -1,0 +1,36 @@
+#pragma once
+// The transfer function of the context, as both integrals read it.
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "rendering/gl/Texture.h"
+#include "rendering/scene/TransferFunction.h"
+
+namespace fenestra {
+
+/// Rows of `size` entries, evenly spaced over `span` (real values): emission (colour · extinction) and extinction
+/// (1/mm), and their integrals from the first entry on (entries/mm).
+struct TransferTables {
+  std::vector<glm::vec4> properties, integrals;
+
+  TransferTables(const TransferFunction& function, ValueRange span, int size);
+  /// Entries up to and from which nothing shows.
+  glm::vec2 visible() const;
+};
+
+/// The same function from node to node, without the tables' rounding; shaders/lib/TransferSegments.glsl reads it.
+struct TransferSegments {
+  /// In order: the ends and an anchor (entries); colour and extinction (1/mm) at the anchor; their slopes (an entry).
+  std::vector<std::array<glm::vec4, 3>> segments;
+  std::vector<std::uint32_t> ofEntry;  ///< the segment that holds each entry of the tables
+
+  TransferSegments(const TransferFunction& function, ValueRange span, int size);
+  /// Each segment's texels one below the other, `perRow` of them side by side.
+  gl::Texture texture(int perRow) const;
+};
+
+}  // namespace fenestra
