@@ -60,6 +60,18 @@ void filterAgain(const Row* from, Row& to) {
   }
 }
 
+/// (1 8 28 56 70 56 28 8 1), rounded, of the rows at(0) to at(8).
+template <class At>
+void filterAlongZ(At at, std::uint16_t* to) {
+  for (std::size_t x = 0; x < static_cast<std::size_t>(side); ++x) {
+    const auto value = [&](std::size_t tap) -> std::uint32_t { return at(tap)[x]; };
+    // By shifts: 28, 56 and 70 are multiples of 7 · 2.
+    const std::uint32_t inner = 2 * (value(2) + value(6)) + 4 * (value(3) + value(5)) + 5 * value(4);
+    const std::uint32_t sum = value(0) + value(8) + 8 * (value(1) + value(7)) + 16 * inner - 2 * inner;
+    to[x] = static_cast<std::uint16_t>((sum + 128) >> 8);
+  }
+}
+
 }  // namespace
 
 FocusSmooth::FocusSmooth(const FocusIndex& index, glm::ivec3 dims) : index_(index), dims_(dims) {
@@ -167,25 +179,48 @@ void FocusSmooth::make(glm::ivec3 tile, Tile& voxels) const {
     voxels.fill(bits[0] == 0 ? 0 : 65535);
     return;
   }
+  // Most of what a surface passes is all inside or all outside along it: only rows that are neither are filtered.
+  const auto valueOf = [](std::uint32_t any, std::uint32_t all) -> int {
+    return any == 0 ? 0 : all == full ? 65535 : -1;
+  };
   std::array<Row, static_cast<std::size_t>(blockSide)> rows;
   std::array<Row, static_cast<std::size_t>(blockSide - reach)> once;
   std::array<std::array<Row, static_cast<std::size_t>(side)>, static_cast<std::size_t>(blockSide)> planes;
+  std::array<std::array<int, static_cast<std::size_t>(side)>, static_cast<std::size_t>(blockSide)> values;
   for (std::size_t z = 0; z < planes.size(); ++z) {
-    for (std::size_t y = 0; y < rows.size(); ++y) filterAlongX(bits[y + rows.size() * z], rows[y]);
+    const std::uint32_t* plane = bits.data() + rows.size() * z;
+    std::size_t first = planes[z].size(), end = 0;  // rows to be filtered
+    for (std::size_t y = 0; y < planes[z].size(); ++y) {
+      std::uint32_t any = 0, all = full;
+      for (std::size_t tap = 0; tap < static_cast<std::size_t>(taps); ++tap) {
+        any |= plane[y + tap];
+        all &= plane[y + tap];
+      }
+      values[z][y] = valueOf(any, all);
+      if (values[z][y] >= 0) {
+        planes[z][y].fill(static_cast<std::uint16_t>(values[z][y]));
+        continue;
+      }
+      first = std::min(first, y);
+      end = y + 1;
+    }
+    if (first >= end) continue;
+    for (std::size_t y = first; y < end + 2 * reach; ++y) filterAlongX(plane[y], rows[y]);
     // A voxel is at most 256, then 4096, then 65535.
-    for (std::size_t y = 0; y < once.size(); ++y) filterOnce(&rows[y], once[y]);
-    for (std::size_t y = 0; y < planes[z].size(); ++y) filterAgain(&once[y], planes[z][y]);
+    for (std::size_t y = first; y < end + reach; ++y) filterOnce(&rows[y], once[y]);
+    for (std::size_t y = first; y < end; ++y) filterAgain(&once[y], planes[z][y]);
   }
   for (std::size_t z = 0; z < static_cast<std::size_t>(side); ++z)
     for (std::size_t y = 0; y < static_cast<std::size_t>(side); ++y) {
-      const auto at = [&](std::size_t tap, std::size_t x) -> std::uint32_t { return planes[z + tap][y][x]; };
       std::uint16_t* to = voxels.data() + static_cast<std::size_t>(side) * (y + static_cast<std::size_t>(side) * z);
-      for (std::size_t x = 0; x < static_cast<std::size_t>(side); ++x) {
-        // (1 8 28 56 70 56 28 8 1) by shifts: 28, 56 and 70 are multiples of 7 · 2.
-        const std::uint32_t inner = 2 * (at(2, x) + at(6, x)) + 4 * (at(3, x) + at(5, x)) + 5 * at(4, x);
-        const std::uint32_t sum = at(0, x) + at(8, x) + 8 * (at(1, x) + at(7, x)) + 16 * inner - 2 * inner;
-        to[x] = static_cast<std::uint16_t>((sum + 128) >> 8);
+      bool same = values[z][y] >= 0;
+      for (std::size_t tap = 1; tap < static_cast<std::size_t>(taps); ++tap)
+        same = same && values[z + tap][y] == values[z][y];
+      if (same) {
+        std::fill_n(to, side, static_cast<std::uint16_t>(values[z][y]));
+        continue;
       }
+      filterAlongZ([&](std::size_t tap) -> const Row& { return planes[z + tap][y]; }, to);
     }
 }
 

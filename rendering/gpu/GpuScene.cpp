@@ -84,6 +84,7 @@ void GpuScene::release() {
     *texture = {};
   focus_.release();
   protected_ = {};
+  paletteMap_ = {};
 }
 
 void GpuScene::updateAll(const Scene& scene) {
@@ -243,10 +244,11 @@ void GpuScene::updateProtected(const Scene& scene, bool volumeChanged) {
 
 void GpuScene::updateFocusColours(const Scene& scene) {
   ++versions_.palette;
-  focusPaletteIndex_ = {};
   focusPalette_ = {};
   focusMaterial_ = glm::dvec4(scene.look.focusAppearance.colour, 1.0);
   const auto* focus = std::get_if<LabelFocus>(&scene.look.focus);
+  // The voxels' entries depend on the labels and on which of them share a colour, not on the colours.
+  gl::Texture index = std::exchange(focusPaletteIndex_, {});
   if (!focus || !scene.labels) return;
 
   // Palette entry per label value; one colour needs no texture.
@@ -266,9 +268,18 @@ void GpuScene::updateFocusColours(const Scene& scene) {
   palette.insert(palette.begin(), palette.front());
   focusPalette_ = gl::Texture::make2D(gl::Format::RGBA32F, {static_cast<int>(palette.size()), 1});
   focusPalette_.upload(std::span<const glm::vec4>(palette));
+  if (index && scene.labels == paletteMap_ && entryOf == paletteEntries_) {
+    focusPaletteIndex_ = std::move(index);
+    return;
+  }
+  index = {};
+  makePaletteIndex(*scene.labels, entryOf);
+  paletteMap_ = scene.labels;
+  paletteEntries_ = std::move(entryOf);
+}
 
+void GpuScene::makePaletteIndex(const LabelMap& labels, const std::vector<std::uint8_t>& entryOf) {
   // The 0.5 level reaches at most half a voxel past the labelled ones: a margin of one takes its neighbour's entry.
-  const LabelMap& labels = *scene.labels;
   focusOrigin_ = glm::max(focus_.index().box->low - 1, 0);
   const glm::ivec3 size = glm::min(focus_.index().box->high + 1, labels.grid.dims - 1) - focusOrigin_ + 1;
   std::vector<std::uint8_t> entries(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *

@@ -125,6 +125,8 @@ class GpuScene {
   /// Which bricks' occupation has changed.
   GpuFocus::Change updateFocus(const Scene& scene);
   void updateFocusColours(const Scene& scene);
+  /// The texture of palette entries, by label, around the focus.
+  void makePaletteIndex(const LabelMap& labels, const std::vector<std::uint8_t>& entryOf);
   void updateSkips(const GpuFocus::Change& focus, bool contextChanged);
   void updateProtected(const Scene& scene, bool volumeChanged);
   void updateTransfer(const Scene& scene);
@@ -167,6 +169,8 @@ class GpuScene {
   GpuFocus focus_;
   gl::Texture focusSkip_;
   gl::Texture focusPaletteIndex_, focusPalette_;
+  std::vector<std::uint8_t> paletteEntries_;    ///< by label: what focusPaletteIndex_ was made of
+  std::shared_ptr<const LabelMap> paletteMap_;  ///< and the map of those labels
   glm::ivec3 focusOrigin_{0};
   glm::dvec4 focusMaterial_{1.0};
 

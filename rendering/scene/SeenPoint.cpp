@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace fenestra {
@@ -12,14 +14,19 @@ constexpr double leastTransmittance = 1e-3;
 constexpr double valley = 0.5;      // of the peaks on both its sides: noise is no boundary
 constexpr double farthestOn = 1.5;  // voxels from the surface into the structure
 
-/// The scene along a ray.
+/// The scene along a ray; before t = 0, where the ray starts to see, only what the opening leaves.
 class RaySamples {
  public:
+  /// What shows at a point of the ray.
+  enum class Part : std::uint8_t { Nothing, Context, Focus };
+
   RaySamples(const Scene& scene, glm::dvec3 start, glm::dvec3 direction)
       : scene_(scene),
         shown_(shownVolume(scene)),
         voxels_(shown_),
         context_(scene.look.context.shifted()),
+        structures_(structuresOf(scene)),
+        protected_(labelsWith(LabelRole::Protected, scene)),
         start_(start),
         direction_(direction) {
     const Grid& grid = scene.volume->grid;
@@ -36,6 +43,19 @@ class RaySamples {
     return glm::all(glm::greaterThanEqual(index, glm::dvec3(-0.5))) && glm::all(glm::lessThan(index, size - 0.5));
   }
   double valueAt(double t) const { return voxels_.sample(indexAt(t)); }
+  Part partAt(double t) const {
+    if (t < 0.0) return isProtected(t) ? Part::Context : Part::Nothing;
+    return isFocus(t) ? Part::Focus : Part::Context;
+  }
+  double extinctionAt(double t) const {
+    const Part part = partAt(t);
+    if (part == Part::Nothing) return 0.0;
+    if (part == Part::Focus) return focusExtinctionAt(t);
+    const double value = valueAt(t);
+    return std::isfinite(value) ? context_.evaluate(value).extinction : 0.0;
+  }
+
+ private:
   bool isFocus(double t) const {
     if (const auto* values = std::get_if<ValueFocus>(&scene_.look.focus)) {
       const double value = valueAt(t);
@@ -43,22 +63,20 @@ class RaySamples {
     }
     const auto* labels = std::get_if<LabelFocus>(&scene_.look.focus);
     if (!labels || !scene_.labels || !isInside(t)) return false;
-    return std::binary_search(labels->labels.begin(), labels->labels.end(), labelAt(t));
+    return std::binary_search(labels->labels.begin(), labels->labels.end(), labelAt(t, *scene_.labels));
   }
-  double extinctionAt(double t) const {
-    if (isFocus(t)) return focusExtinctionAt(t);
-    const double value = valueAt(t);
-    return std::isfinite(value) ? context_.evaluate(value).extinction : 0.0;
+  bool isProtected(double t) const {
+    return structures_ && !protected_.empty() && isInside(t) &&
+           std::binary_search(protected_.begin(), protected_.end(), labelAt(t, *structures_));
   }
-
- private:
-  std::uint16_t labelAt(double t) const {
-    return scene_.labels->value(
+  std::uint16_t labelAt(double t, const LabelMap& labels) const {
+    return labels.value(
         glm::clamp(glm::ivec3(glm::floor(indexAt(t) + 0.5)), glm::ivec3(0), scene_.volume->grid.dims - 1));
   }
   double focusExtinctionAt(double t) const {
     const bool ofLabels = std::holds_alternative<LabelFocus>(scene_.look.focus);
-    return ofLabels ? focusMaterial(scene_, labelAt(t)).extinction : scene_.look.focusAppearance.extinction;
+    return ofLabels ? focusMaterial(scene_, labelAt(t, *scene_.labels)).extinction
+                    : scene_.look.focusAppearance.extinction;
   }
   glm::dvec3 indexAt(double t) const { return glm::dvec3(indexFromWorld_ * glm::dvec4(worldAt(t), 1.0)); }
 
@@ -66,6 +84,8 @@ class RaySamples {
   ShownVolume shown_;
   ShownVoxels voxels_;  ///< of shown_
   TransferFunction context_;
+  std::shared_ptr<const LabelMap> structures_;  ///< null without labels
+  std::vector<std::uint16_t> protected_;        ///< ascending
   glm::dvec3 start_, direction_;
   glm::dmat4 indexFromWorld_{1.0};
   double voxel_ = 1.0;
@@ -76,15 +96,15 @@ struct Rise {
   double opacity = 0.0, peak = 0.0, peakAt = 0.0;
 };
 
-/// The rise with the largest opacity.
-Rise largestRise(const RaySamples& ray, double length) {
+/// The rise with the largest opacity from `first` on.
+Rise largestRise(const RaySamples& ray, double first, double length) {
   Rise best, now;
   double transmittance = 1.0, lowest = 0.0;
   const auto close = [&] {
     if (now.opacity > best.opacity) best = now;
     now = {};
   };
-  for (double t = 0.5 * ray.step(); t < length && transmittance > leastTransmittance; t += ray.step()) {
+  for (double t = first + 0.5 * ray.step(); t < length && transmittance > leastTransmittance; t += ray.step()) {
     if (!ray.isInside(t)) {
       if (now.opacity > 0.0 || best.opacity > 0.0) break;
       continue;
@@ -106,17 +126,17 @@ Rise largestRise(const RaySamples& ray, double length) {
 
 }  // namespace
 
-std::optional<glm::dvec3> seenPoint(const Scene& scene, glm::dvec3 start, glm::dvec3 direction) {
+std::optional<glm::dvec3> seenPoint(const Scene& scene, glm::dvec3 start, glm::dvec3 direction, double removed) {
   const RaySamples ray(scene, start, direction);
   const Grid& grid = scene.volume->grid;
-  const Rise rise = largestRise(ray, glm::distance(start, grid.centre()) + grid.boundingRadius());
+  const Rise rise = largestRise(ray, -removed, glm::distance(start, grid.centre()) + grid.boundingRadius());
   if (rise.opacity <= 0.0) return std::nullopt;
   // The side that the values change to at the surface, and on to where they no longer do.
   const double half = 0.5 * ray.voxel();
-  const bool focus = ray.isFocus(rise.peakAt);
+  const RaySamples::Part part = ray.partAt(rise.peakAt);
   const double change = ray.valueAt(rise.peakAt + half) - ray.valueAt(rise.peakAt - half);
   double best = rise.peakAt;
-  for (double t = best; t <= rise.peakAt + farthestOn * ray.voxel() && ray.isInside(t) && ray.isFocus(t) == focus;
+  for (double t = best; t <= rise.peakAt + farthestOn * ray.voxel() && ray.isInside(t) && ray.partAt(t) == part;
        t += ray.step())
     if ((ray.valueAt(t) - ray.valueAt(best)) * change > 0.0) best = t;
   return ray.worldAt(best);

@@ -262,6 +262,42 @@ TEST_F(GpuSceneTest, AFocusWhoseLabelsChangeIsToTheBitOneMadeFromScratch) {
   EXPECT_EQ(renderer.readPicture(), pictureOf(scene, {}, view));
 }
 
+TEST_F(GpuSceneTest, ColoursOfALabelFocusChangeAsIfMadeFromScratch) {
+  Scene scene = largeScene();
+  const Grid grid = scene.volume->grid;
+  scene.labels = labelsOf(grid, [](glm::ivec3 v) { return v.x < 20 ? 1 : v.y < 20 ? 2 : v.z < 20 ? 3 : 0; });
+  scene.look.context.function = opaqueFrom(500.0);
+  scene.look.focus = LabelFocus{{1, 2, 3}};
+  const View view{.camera = Camera::standard(StandardView::Left, grid), .size = {90, 70}};
+  const auto gpu = std::make_shared<GpuScene>();
+  Renderer renderer(gpu);
+  std::vector<std::uint8_t> last;
+  const auto expectNew = [&](const char* what) {
+    renderer.render(scene, view);
+    const std::vector<std::uint8_t> picture = renderer.readPicture();
+    EXPECT_EQ(picture, pictureOf(scene, {}, view)) << what;
+    EXPECT_NE(picture, last) << what;
+    last = picture;
+  };
+  const glm::dvec3 red(1.0, 0.0, 0.0), green(0.0, 1.0, 0.0);
+  put(scene.look.labels, {.label = 1, .colour = red});
+  expectNew("a colour");
+  put(scene.look.labels, {.label = 1, .colour = green});
+  expectNew("another one: the voxels' entries stay");
+  for (const std::uint16_t label : {1, 2}) put(scene.look.labels, {.label = label, .colour = red});
+  expectNew("one for two labels");
+  for (const std::uint16_t label : {1, 2, 3}) put(scene.look.labels, {.label = label, .colour = green});
+  expectNew("one for all");
+  put(scene.look.labels, {.label = 3, .colour = red});
+  expectNew("two again");
+  scene.look.focusAppearance.extinction *= 0.1;
+  expectNew("translucent");
+  scene.look.focus = LabelFocus{{1, 3}};
+  expectNew("a label less");
+  scene.labels = labelsOf(grid, [](glm::ivec3 v) { return v.y < 20 ? 1 : v.x < 20 ? 3 : 0; });
+  expectNew("another map");
+}
+
 TEST_F(GpuSceneTest, ProtectedLabelsTakeMemoryOnlyWhileTheyAreUsed) {
   Scene scene = largeScene();
   GpuScene gpu;

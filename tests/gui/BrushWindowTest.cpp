@@ -114,9 +114,10 @@ TEST_F(BrushWindow, PaintingIsDrawnAtFullQualityAtOnce) {
   ASSERT_FALSE(document().strokes().empty());
   EXPECT_FALSE(volume(0)->isSettled());
   QSignalSpy settled(volume(0), &VolumeView::settled);
-  volume(0)->repaint();
-  QApplication::processEvents();
-  EXPECT_TRUE(volume(0)->isSettled()) << "no smaller picture comes first";
+  const long frames = views().pacer().frames();
+  ASSERT_TRUE(settled.wait(patience));
+  EXPECT_TRUE(volume(0)->isSettled());
+  EXPECT_EQ(views().pacer().frames(), frames) << "no smaller picture comes first";
   QTest::mouseRelease(volume(0), Qt::LeftButton, {}, besideMarker(0));
   brush().setActive(false);
   waitUntilDrawn();

@@ -60,7 +60,8 @@ class LongTasks : public Window {
       task();
       const TimedApplication::Blocks blocks = application().takeBlocks();
       least = std::min(least, blocks.longest);
-      if (blocks.longest > allowed) std::cout << blocks.event << ": " << blocks.longest << " ms\n";
+      if (blocks.longest > allowed)
+        std::cout << blocks.event << ": " << blocks.longest << " ms, " << blocks.ownTime << " of them at work\n";
     }
     return least;
   }

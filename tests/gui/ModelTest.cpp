@@ -12,6 +12,7 @@
 
 #include "tests/support/TestData.h"
 #include "viewer/model/Document.h"
+#include "viewer/model/DrawingTurns.h"
 #include "viewer/model/FramePacer.h"
 #include "viewer/model/Preferences.h"
 #include "viewer/model/SliceCursor.h"
@@ -337,6 +338,58 @@ TEST(FramePacer, ViewsRefineInTurnTheLeaderFirst) {
   EXPECT_FALSE(pacer.mayRefine(1));
   pacer.refine(0, std::nullopt);
   EXPECT_TRUE(pacer.mayRefine(1));
+}
+
+/// What DrawingTurns tells, in its order: the number of a view, or -1 for the end of a round.
+class ToldTurns {
+ public:
+  explicit ToldTurns(DrawingTurns& turns) {
+    QObject::connect(&turns, &DrawingTurns::turn, &context_, [this](int view) { told_.push_back(view); });
+    QObject::connect(&turns, &DrawingTurns::roundEnded, &context_, [this] { told_.push_back(-1); });
+  }
+  /// Of one round of the event loop.
+  std::vector<int> next() {
+    told_.clear();
+    QCoreApplication::processEvents();
+    return told_;
+  }
+  QObject& context() { return context_; }
+
+ private:
+  QObject context_;
+  std::vector<int> told_;
+};
+
+TEST(DrawingTurns, EachViewDrawsInAnEventOfItsOwnTheLeaderFirst) {
+  FramePacer pacer;
+  pacer.lead(1);
+  DrawingTurns turns(pacer);
+  ToldTurns told(turns);
+  turns.ask(0);
+  turns.ask(1);
+  turns.ask(1);
+  EXPECT_EQ(told.next(), std::vector<int>{1});
+  EXPECT_EQ(told.next(), (std::vector<int>{0, -1}));
+  EXPECT_TRUE(told.next().empty()) << "nothing is to be drawn";
+  turns.ask(0);
+  EXPECT_EQ(told.next(), (std::vector<int>{0, -1}));
+}
+
+TEST(DrawingTurns, ALeaderThatKeepsAskingDoesNotKeepTheOtherOneWaiting) {
+  FramePacer pacer;
+  DrawingTurns turns(pacer);
+  ToldTurns told(turns);
+  QObject::connect(&turns, &DrawingTurns::turn, &told.context(), [&](int view) {
+    if (view == 0) turns.ask(0);
+  });
+  turns.ask(0);
+  EXPECT_EQ(told.next(), (std::vector<int>{0, -1}));
+  turns.ask(1);
+  for (int round = 0; round < 3; ++round) {
+    EXPECT_EQ(told.next(), std::vector<int>{0}) << round;
+    EXPECT_EQ(told.next(), (std::vector<int>{1, -1})) << round;
+    turns.ask(1);
+  }
 }
 
 /// Preferences are stored in a folder of the test's own.

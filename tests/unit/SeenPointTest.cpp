@@ -62,5 +62,37 @@ TEST(SeenPoint, IsTheFocusWhereTheFocusShows) {
   EXPECT_LT(x, 23.5);
 }
 
+/// A focus from 30 on, and a label from 16 to 19; the opening removes what lies before the focus.
+Scene opened(LabelRole role) {
+  Scene scene = layers(0.5, 3.0);
+  scene.labels = tests::labelsOf(scene.volume->grid, [](glm::ivec3 index) {
+    return index.x >= 30 ? 1 : index.x >= 16 && index.x < 20 ? 2 : 0;
+  });
+  scene.look.context.function.nodes = {{-200.0, {glm::dvec3(1.0), 0.5}}};
+  scene.look.focus = LabelFocus{{1}};
+  scene.look.labels = {{.label = 2, .role = role}};
+  return scene;
+}
+
+TEST(SeenPoint, IsTheProtectedLabelThatTheOpeningLeaves) {
+  constexpr double removed = 30.0;  // mm, from the volume's edge
+  const glm::dvec3 start(29.5, 4.0, 4.0), along(1.0, 0.0, 0.0);
+  const auto seen = seenPoint(opened(LabelRole::Protected), start, along, removed);
+  ASSERT_TRUE(seen);
+  EXPECT_GE(seen->x, 15.5);
+  EXPECT_LT(seen->x, 19.5);
+  const auto cut = seenPoint(opened(LabelRole::Context), start, along, removed);
+  ASSERT_TRUE(cut);
+  EXPECT_GE(cut->x, 29.5) << "what is removed is not seen";
+}
+
+TEST(SeenPoint, ATranslucentProtectedLabelIsNotSeenBeforeTheFocus) {
+  Scene scene = opened(LabelRole::Protected);
+  scene.look.context.function.nodes = {{-200.0, {glm::dvec3(1.0), 0.02}}};  // 8 % of opacity
+  const auto seen = seenPoint(scene, {29.5, 4.0, 4.0}, {1.0, 0.0, 0.0}, 30.0);
+  ASSERT_TRUE(seen);
+  EXPECT_GE(seen->x, 29.5);
+}
+
 }  // namespace
 }  // namespace fenestra

@@ -109,6 +109,15 @@ bool ScenePreparation::isReady(const Scene& scene, const View& view) {
   return false;
 }
 
+Scene ScenePreparation::held(Scene scene) const {
+  if (!prepared_ || scheduledFor_.lock() != scene.volume || context_.isBusy() || gpuScene_->holds(scene)) return scene;
+  Scene earlier = scene;
+  earlier.labels = prepared_->labels;
+  earlier.structures = prepared_->structures;
+  earlier.look.focus = prepared_->look.focus;
+  return gpuScene_->holds(earlier) ? earlier : scene;
+}
+
 void ScenePreparation::prepareAhead(const Scene& scene, const View& view) {
   const Kind kind = kindOf(scene, view);
   if (context_.isBusy()) return;
@@ -177,10 +186,14 @@ void ScenePreparation::start(const Scene& scene, const View& view, const Kind& k
         trial.begin(scene, middleOf(view));
         while (!*isDone && !stop) *isDone = trial.advance(0.0);
       },
-      [this, kind, isDone](std::exception_ptr error) {
+      [this, scene, kind, isDone](std::exception_ptr error) {
         schedule_ = gpuScene_->schedule();
         if (*isDone) known_.push_back(kind);
-        if (!error) return;
+        if (!error) {
+          prepared_ = scene;
+          prepared_->volume = nullptr;  // a closed volume takes no memory
+          return;
+        }
         failure_ = error;
         failed_ = kind.volume;
       });

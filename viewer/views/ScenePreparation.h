@@ -37,6 +37,9 @@ class ScenePreparation {
   void runBehind(RenderContext::Work work, RenderContext::Done done);
   /// Another thread has the context, for something that is waited for.
   bool isBusy() const { return context_.isBusy() && !isAhead_; }
+  /// `scene` as far as the device holds it: with the focus that was prepared last, where that of `scene` is still to be
+  /// prepared.
+  Scene held(Scene scene) const;
   /// Of the last scene that was prepared.
   Schedule schedule() const { return schedule_; }
   /// Another attempt may do better than the one that failed.
@@ -64,6 +67,7 @@ class ScenePreparation {
   std::shared_ptr<GpuScene> gpuScene_ = std::make_shared<GpuScene>();
   std::weak_ptr<const Volume> scheduledFor_;  ///< the volume that a schedule was chosen for
   std::vector<Kind> known_;
+  std::optional<Scene> prepared_;  ///< the last scene that another thread has prepared
   Schedule schedule_ = Schedule::Plain;
   struct Sample {
     Scene scene;

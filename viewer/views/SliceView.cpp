@@ -300,15 +300,22 @@ void SliceView::drawOutlines(QPainter& painter) const {
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setBrush(Qt::NoBrush);
-  QPen dashes(toColour(document_.look().cutaway.borderColour), 1.2);
-  dashes.setDashPattern({5.0, 4.0});
-  const QPainterPath opening = openingEdge();
+  // Line by line, and no wider than a pixel where the line allows: Qt draws those ten times as fast as one path of all
+  // lines, and lines of a focus by values are many.
+  const auto drawLines = [&painter](const QList<QPolygonF>& lines, const QPen& pen) {
+    painter.setPen(pen);
+    for (const QPolygonF& line : lines) painter.drawPolygon(line);
+  };
+  const QList<QPolygonF> opening = openingEdge().toSubpathPolygons();
+  QPen dashes(toColour(document_.look().cutaway.borderColour), 1.0);
+  dashes.setDashPattern({6.0, 5.0});
   // A dark line below, so that the dashes show on bone.
-  painter.strokePath(opening, QPen(QColor(0, 0, 0, 150), 2.4));
-  painter.strokePath(opening, dashes);
-  painter.setPen(QPen(QColor(255, 240, 190), 1.2));
+  drawLines(opening, QPen(QColor(0, 0, 0, 150), 2.4));
+  drawLines(opening, dashes);
   const QTransform transform = widgetFromPixels();
-  for (const QPolygonF& line : outline_) painter.drawPolygon(transform.map(line));
+  QList<QPolygonF> outline;
+  for (const QPolygonF& line : outline_) outline << transform.map(line);
+  drawLines(outline, QPen(QColor(255, 240, 190), 1.0));
   painter.restore();
 }
 

@@ -61,9 +61,11 @@ VolumeView::VolumeView(int index, Document& document, SliceCursor& cursor, ViewL
     shared_.preparation->forgetFailure();
     reduction_.clear();
   });
-  connect(&document, &Document::sceneChanged, this, [this] {
+  // A scene is prepared and about to be drawn: no other one is prepared before it.
+  const auto isAwaited = std::make_shared<bool>(false);
+  connect(&document, &Document::sceneChanged, this, [this, isAwaited] {
     disturb(ViewLink::count);
-    prepare();
+    if (!*isAwaited) prepare();
   });
   connect(&document, &Document::strokesChanged, this, &VolumeView::refresh);
   connect(&brush, &Brush::changed, this, [this] {
@@ -75,16 +77,36 @@ VolumeView::VolumeView(int index, Document& document, SliceCursor& cursor, ViewL
     if (view == index_) follow();
   });
   const auto repaint = [this] { update(); };
-  connect(&shared_.preparation->context(), &RenderContext::freed, this, [this] {
-    if (due_ != Due::Nothing || !picture_)
-      update();
-    else if (!settled_ && !rest_.isActive() && !refining_.isActive())
+  connect(shared_.turns.get(), &DrawingTurns::turn, this, [this, isAwaited](int view) {
+    if (view == index_ && !*isAwaited) draw(shownScene());
+  });
+  connect(shared_.turns.get(), &DrawingTurns::roundEnded, this, [this] {
+    if (isNew_) update();
+  });
+  connect(&shared_.preparation->context(), &RenderContext::freed, this, [this, isAwaited] {
+    // What was prepared is drawn before anything changes the scene again, or a slider that is drawn along would keep
+    // the views from drawing; each still in an event of its own.
+    const auto drawPrepared = [this, isAwaited] {
+      *isAwaited = false;
+      const Scene scene = shownScene(), held = shared_.preparation->held(scene);
+      draw(held);
+      if (isNew_) update();
+      if (held == scene || !isNew_) return;
+      settled_ = false;
+      due_ = Due::Motion;
+      rest_.start(restMilliseconds);
+      askToDraw();
+    };
+    if (due_ != Due::Nothing || !picture_) {
+      *isAwaited = true;
+      QMetaObject::invokeMethod(this, drawPrepared, Qt::QueuedConnection);
+    } else if (!settled_ && !rest_.isActive() && !refining_.isActive()) {
       settle();
+    }
   });
   connect(&cursor, &SliceCursor::moved, this, repaint);
   connect(&options, &ViewOptions::changed, this, repaint);
   connect(this, &QOpenGLWidget::frameSwapped, this, [this] {
-    shared_.pacer->end(now());
     if (picture_ && picture_->isShown()) Q_EMIT drawn();
   });
 }
@@ -100,7 +122,7 @@ bool VolumeView::inContext(const std::function<void(const std::shared_ptr<GpuSce
 
 bool VolumeView::isSettled() const {
   const bool told = index_ != 0 || !startsDue_;  // the slices draw the opening of the first view
-  return (settled_ && told) || !problem_.isEmpty() || !document_.hasVolume();
+  return (settled_ && !isNew_ && told) || !problem_.isEmpty() || !document_.hasVolume();
 }
 
 void VolumeView::disturb(int views) {
@@ -110,8 +132,7 @@ void VolumeView::disturb(int views) {
   due_ = Due::Motion;
   moving_ = views;
   rest_.start(restMilliseconds);
-  // One round of the event loop later: Qt paints all that is dirty at once, and the slices need not wait for this view.
-  QTimer::singleShot(0, this, [this] { update(); });
+  askToDraw();
 }
 
 void VolumeView::prepare() {
@@ -124,8 +145,9 @@ Effort VolumeView::motion() const { return shared_.pacer->moving(moving_, shared
 void VolumeView::follow() {
   const bool both = cameras_.isLinked() || cameras_.isFlying();
   FramePacer& pacer = *shared_.pacer;
-  const bool skips = cameras_.isLinked() && !pacer.leads(index_) && isVisible() &&
-                     pacer.frames() - followed_ < pacer.framesPerFollowing();
+  const int every = pacer.framesPerFollowing();
+  const bool skips =
+      cameras_.isLinked() && !pacer.leads(index_) && isVisible() && every > 1 && pacer.frames() - followed_ < every;
   if (!skips) return disturb(both ? ViewLink::count : 1);
   stopRefining();
   forgetStarts();
@@ -140,7 +162,7 @@ void VolumeView::settle() {
   if (settled_) return;
   if (held_ || !picture_ || !picture_->isShown()) {
     rest_.start(restMilliseconds);
-    if (!held_) update();
+    if (!held_) askToDraw();
     return;
   }
   due_ = Due::Nothing;
@@ -209,7 +231,7 @@ void VolumeView::refresh() {
   rest_.stop();
   due_ = Due::Strokes;
   moving_ = 1;
-  update();
+  askToDraw();
 }
 
 void VolumeView::resizeEvent(QResizeEvent* event) {
@@ -240,7 +262,7 @@ void VolumeView::attemptOnPicture(const std::function<void()>& work) {
 }
 
 void VolumeView::paintGL() {
-  if (problem_.isEmpty() && document_.hasVolume()) attempt([this] { renderScene(); });
+  if (problem_.isEmpty() && document_.hasVolume()) attempt([this] { present(); });
   if (settled_ && problem_.isEmpty()) attempt([this] { reportStarts(); });
   drawOverlay();
   if (isSettled()) Q_EMIT settled();
@@ -277,49 +299,58 @@ View VolumeView::viewFor(Effort effort) const {
   };
 }
 
-bool VolumeView::drawDue() {
-  const Scene scene = shownScene();
+void VolumeView::draw(const Scene& scene) {
+  const bool isDue = due_ != Due::Nothing || !picture_ || !picture_->isShown();
+  if (!isDue || !problem_.isEmpty() || !document_.hasVolume() || !isVisible()) return;
+  attempt([this, &scene] {
+    if (!drawDue(scene)) return;
+    const QString notice = QString::fromStdString(shared_.preparation->gpuScene()->reductionNotice());
+    if (notice != std::exchange(reduction_, notice) && !notice.isEmpty()) Q_EMIT reduced(notice);
+  });
+}
+
+bool VolumeView::drawDue(const Scene& scene) {
   FramePacer& pacer = *shared_.pacer;
   const Effort rest = pacer.atRest();
-  const bool onlyStrokes = due_ == Due::Strokes && picture_->showsFull(viewFor(rest));
+  const bool onlyStrokes = due_ == Due::Strokes && picture_ && picture_->showsFull(viewFor(rest));
   const Effort effort = onlyStrokes ? rest : motion();
   const View view = viewFor(effort);
   if (!shared_.preparation->isReady(scene, view)) return false;
   if (due_ == Due::Strokes && !onlyStrokes) rest_.start(restMilliseconds);
-  shared_.preparation->context().run([&] {
+  inContext([&](const std::shared_ptr<GpuScene>& gpuScene) {
+    if (!picture_) picture_.emplace(gpuScene);
     if (onlyStrokes) return picture_->draw(scene, view, true);
     const double start = now();
     pacer.begin(effort, start);
     const std::size_t firstRuns = gl::ShaderProgram::firstRuns();
-    const GpuScene& gpuScene = *shared_.preparation->gpuScene();
-    const GpuScene::Versions before = gpuScene.versions();
+    const GpuScene::Versions before = gpuScene->versions();
     picture_->draw(scene, view, effort == rest);
     gl::finish();
     // The first picture of a kind also compiles programs or uploads voxels. Tables of the transfer function and colours
     // are made anew with each move of a drag: they belong to what its next picture will take.
-    GpuScene::Versions after = gpuScene.versions();
+    GpuScene::Versions after = gpuScene->versions();
     after.transfer = before.transfer;
     after.gaps = before.gaps;
     after.palette = before.palette;
     const bool usual = firstRuns == gl::ShaderProgram::firstRuns() && before == after;
     pacer.drew(effort, now() - start, usual);
-    followed_ = pacer.frames() + 1;
+    followed_ = pacer.frames();
   });
   due_ = Due::Nothing;
   settled_ = effort == rest;
+  isNew_ = true;
   return true;
 }
 
-void VolumeView::renderScene() {
+void VolumeView::present() {
+  // Such as a view that was hidden; not one that skips a frame while its last picture comes onto the screen.
+  if (!isNew_ && (due_ != Due::Nothing || !picture_)) askToDraw();
+  if (!picture_ || !picture_->isShown()) return;
   const double ratio = devicePixelRatioF();
   const QSize device(static_cast<int>(std::lround(width() * ratio)), static_cast<int>(std::lround(height() * ratio)));
-  if (!picture_) picture_.emplace(shared_.preparation->gpuScene());
-  const bool drew = (due_ != Due::Nothing || !picture_->isShown()) && drawDue();
-  if (!picture_->isShown()) return;
-  if (drew) {
-    const QString notice = QString::fromStdString(shared_.preparation->gpuScene()->reductionNotice());
-    if (notice != std::exchange(reduction_, notice) && !notice.isEmpty()) Q_EMIT reduced(notice);
-  }
+  if (std::exchange(isNew_, false))
+    connect(
+        this, &QOpenGLWidget::frameSwapped, this, [this] { shared_.pacer->end(now()); }, Qt::SingleShotConnection);
   picture_->shown().present(defaultFramebufferObject(), {0, 0, device.width(), device.height()});
 }
 
@@ -397,12 +428,23 @@ BrushTool::Canvas VolumeView::canvas() {
   };
 }
 
-std::optional<glm::dvec3> VolumeView::pick(QPointF position) {
-  std::optional<glm::dvec3> hit;
-  attemptOnPicture([&] { hit = picture_->shown().pick(pixelAt(position)); });
-  if (!hit) return std::nullopt;
-  // The hit lies on the surface between two voxels. Half a voxel further along the ray is the voxel that is seen.
-  return *hit + halfVoxel() * rayThrough(*hit);
+std::optional<VolumeView::Hit> VolumeView::pick(QPointF position) {
+  std::optional<Hit> hit;
+  attemptOnPicture([&] {
+    Renderer& picture = picture_->shown();
+    const std::optional<glm::dvec3> start = picture.pick(pixelAt(position));
+    if (!start) return;
+    const std::optional<BrushPoint> opened = picture.pickBrush(pixelAt(position), BrushMode::Open);
+    hit = Hit{*start, opened ? opened->removed : 0.0};
+  });
+  return hit;
+}
+
+glm::dvec3 VolumeView::surfaceAt(const Hit& hit) const {
+  const glm::dvec3 ray = rayThrough(hit.start);
+  const glm::dvec3 seen = hit.removed > 0.0 ? seenAt(hit) : hit.start;
+  // The start lies on the surface between two voxels. Half a voxel further along the ray is the voxel that is seen.
+  return glm::dot(seen - hit.start, ray) < 0.0 ? seen : hit.start + halfVoxel() * ray;
 }
 
 double VolumeView::halfVoxel() const {

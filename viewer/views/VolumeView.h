@@ -2,12 +2,12 @@
 // One 3-D view: what a camera of the pair sees, drawn by a Renderer into Qt's framebuffer, with crosshair mark,
 // orientation cube and (parallel projection only) scale bar over it.
 //
-// While something changes it draws as the pacer says. After a moment of rest it refines the picture up to full quality,
-// in slices of time between which the window answers; a change ends that. What takes long besides is prepared on
-// another thread; until then the view keeps the picture that it has. A brush stroke changes little of the picture and
-// is drawn at full quality at once. Left drag: rotate, or paint while the brush is up (see BrushTool); left click:
-// crosshair and focus to what is seen, see clickStructure(); middle: pan; right drag or wheel: zoom; Alt+wheel:
-// tolerance of the region in focus; arrows: turn by steps.
+// While something changes it draws as the pacer says, in its turn and not while the window is painted. After a moment
+// of rest it refines the picture up to full quality, in slices of time between which the window answers; a change ends
+// that. What takes long besides is prepared on another thread; until then the view keeps the picture that it has. A
+// brush stroke changes little of the picture and is drawn at full quality at once. Left drag: rotate, or paint while
+// the brush is up (see BrushTool); left click: crosshair and focus to what is seen, see clickStructure(); middle: pan;
+// right drag or wheel: zoom; Alt+wheel: tolerance of the region in focus; arrows: turn by steps.
 
 #include <functional>
 #include <memory>
@@ -18,6 +18,7 @@
 
 #include "rendering/gpu/GpuScene.h"
 #include "rendering/scene/Opening.h"
+#include "viewer/model/DrawingTurns.h"
 #include "viewer/model/FramePacer.h"
 #include "viewer/tools/BrushTool.h"
 #include "viewer/tools/ToleranceWheel.h"
@@ -34,11 +35,12 @@ class ViewOptions;
 class VolumeView : public QOpenGLWidget {
   Q_OBJECT
  public:
-  /// What all 3-D views of a window share: voxels on the GPU with the context that they are drawn in, and the measured
-  /// speed of the machine.
+  /// What all 3-D views of a window share: voxels on the GPU with the context that they are drawn in, the measured
+  /// speed of the machine, and whose turn it is.
   struct Shared {
     std::shared_ptr<ScenePreparation> preparation;
     std::shared_ptr<FramePacer> pacer;
+    std::shared_ptr<DrawingTurns> turns;
   };
 
   /// `index` is the camera's place in `cameras`.
@@ -127,21 +129,32 @@ class VolumeView : public QOpenGLWidget {
   /// thread is preparing one.
   void attemptOnPicture(const std::function<void()>& work);
   View viewFor(Effort effort) const;
-  /// Draws what is due, and shows the picture.
-  void renderScene();
+  /// Asks for a turn to draw what is due.
+  void askToDraw() { shared_.turns->ask(index_); }
+  /// Draws what is due of the scene, to be shown by the next paint.
+  void draw(const Scene& scene);
   /// False: it is not ready to be drawn, and stays due.
-  bool drawDue();
+  bool drawDue(const Scene& scene);
+  /// Puts the picture that there is into the widget.
+  void present();
   void drawOverlay();
   void zoom(double factor);
-  /// World position that the picture shows at a place in the widget; empty on the background.
-  std::optional<glm::dvec3> pick(QPointF position);
+  /// Where the ray of a pixel starts to see, world mm, and how many mm of it before that the opening removed.
+  struct Hit {
+    glm::dvec3 start;
+    double removed = 0.0;
+  };
+  /// What the picture shows at a place in the widget; empty on the background.
+  std::optional<Hit> pick(QPointF position);
+  /// The voxel that is seen first there: of what is seen from the start on, or of a protected label before it.
+  glm::dvec3 surfaceAt(const Hit& hit) const;
   /// The ray of the last picture through a world position.
   glm::dvec3 rayThrough(glm::dvec3 world) const;
-  /// The point of the structure that shows most on the ray to a hit.
-  glm::dvec3 seenAt(glm::dvec3 hit) const;
+  /// The point of the structure that shows most on the ray of a hit.
+  glm::dvec3 seenAt(const Hit& hit) const;
   /// Reports what the picture shows under the mouse, once it is at full quality.
   void readUnderMouse();
-  void click(glm::dvec3 hit, Qt::KeyboardModifiers modifiers);
+  void click(const Hit& hit, Qt::KeyboardModifiers modifiers);
   glm::dvec2 pixelAt(QPointF position) const;
   BrushTool::Canvas canvas();
   double mmPerPixel(const Camera& camera) const;
@@ -161,9 +174,10 @@ class VolumeView : public QOpenGLWidget {
   std::optional<RefinedPicture> picture_;  ///< empty before the first picture, and where there is a problem
   QString problem_;
   QString reduction_;  ///< the last notice of reduced()
-  /// What the next paint draws: nothing but the picture that there is; the scene as something moves in it; changed
-  /// strokes.
+  /// What the view draws in its next turn: nothing, the picture that there is stays; the scene as something moves in
+  /// it; changed strokes.
   enum class Due : std::uint8_t { Nothing, Motion, Strokes } due_ = Due::Motion;
+  bool isNew_ = false;                ///< the picture has not been painted
   int moving_ = 0;                    ///< number of views that the motion moves
   long followed_ = 0;                 ///< the pacer's frame that this view last followed in
   std::optional<Effort> refinement_;  ///< of the picture being refined

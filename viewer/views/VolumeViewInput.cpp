@@ -44,9 +44,10 @@ void VolumeView::mouseMoveEvent(QMouseEvent* event) {
   const Qt::MouseButtons buttons = event->buttons();
   if (buttons == Qt::NoButton) {
     if (event->modifiers() & Qt::ShiftModifier)
-      if (const std::optional<glm::dvec3> hit = pick(position)) {
-        cursor_.moveTo(*hit);
-        Q_EMIT pointed(*hit);
+      if (const std::optional<Hit> hit = pick(position)) {
+        const glm::dvec3 at = surfaceAt(*hit);
+        cursor_.moveTo(at);
+        Q_EMIT pointed(at);
       }
     hover_.start(hoverMilliseconds);
     return;
@@ -68,18 +69,18 @@ void VolumeView::mouseMoveEvent(QMouseEvent* event) {
 
 void VolumeView::mouseReleaseEvent(QMouseEvent* event) {
   if (brushTool_.release(*event) || dragging_ || !document_.hasVolume()) return;
-  const std::optional<glm::dvec3> hit = pick(event->position());
+  const std::optional<Hit> hit = pick(event->position());
   if (!hit) return;
   if (event->button() == Qt::RightButton) {
-    Q_EMIT menuRequested(*hit, event->globalPosition().toPoint());
+    Q_EMIT menuRequested(surfaceAt(*hit), event->globalPosition().toPoint());
   } else if (event->button() == Qt::LeftButton) {
     click(*hit, event->modifiers());
   }
 }
 
-glm::dvec3 VolumeView::seenAt(glm::dvec3 hit) const {
-  const glm::dvec3 ray = rayThrough(hit);
-  return seenPoint(shownScene(), hit - halfVoxel() * ray, ray).value_or(hit);
+glm::dvec3 VolumeView::seenAt(const Hit& hit) const {
+  const glm::dvec3 ray = rayThrough(hit.start);
+  return seenPoint(shownScene(), hit.start, ray, hit.removed).value_or(hit.start + halfVoxel() * ray);
 }
 
 void VolumeView::readUnderMouse() {
@@ -88,13 +89,13 @@ void VolumeView::readUnderMouse() {
     hover_.start(hoverMilliseconds);
     return;
   }
-  if (const std::optional<glm::dvec3> hit = pick(last_))
+  if (const std::optional<Hit> hit = pick(last_))
     Q_EMIT pointed(seenAt(*hit));
   else
     Q_EMIT left();
 }
 
-void VolumeView::click(glm::dvec3 hit, Qt::KeyboardModifiers modifiers) {
+void VolumeView::click(const Hit& hit, Qt::KeyboardModifiers modifiers) {
   beforeClick_ = BeforeClick{document_.focus(), cursor_.position()};
   const glm::dvec3 seen = seenAt(hit);
   cursor_.moveTo(seen);
