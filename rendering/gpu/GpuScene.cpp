@@ -15,61 +15,18 @@ namespace {
 /// Opacity of 1 mm above which the context counts as there (method: ε).
 constexpr double contextThreshold = 1.0 / 255.0;
 
-/// Emission (colour · extinction) and extinction at each entry, their integrals from the first entry on, and that of
-/// emission times the integral of extinction up to there, with the number of nodes before the entry.
-struct TransferTables {
-  std::vector<glm::vec4> properties, integrals, hidden;
-
-  /// Entries up to and from which nothing shows.
-  glm::vec2 visible() const {
-    const auto shows = [this](std::size_t i) {
-      return properties[i].a > 0.0f || (i + 1 < integrals.size() && integrals[i + 1].a > integrals[i].a);
-    };
-    constexpr float infinity = std::numeric_limits<float>::infinity();
-    std::size_t first = 0, last = properties.size();
-    while (first < last && !shows(first)) ++first;
-    while (last > first && !shows(last - 1)) --last;
-    if (first == last) return {infinity, -infinity};
-    return {first == 0 ? -infinity : static_cast<float>(first) - 1.0f,
-            last == properties.size() ? infinity : static_cast<float>(last)};
-  }
-};
-
-TransferTables makeTransferTables(const TransferFunction& function, ValueRange span, int size) {
-  const auto emission = [](const OpticalProperties& p) { return glm::dvec4(p.colour * p.extinction, p.extinction); };
-  const double perEntry = (span.high - span.low) / (size - 1);
-  const auto at = [&](double value) { return emission(function.evaluate(value)); };
-  TransferTables tables;
-  glm::dvec4 integral(0.0), hidden(0.0);
-  auto node = function.nodes.begin();
-  for (int i = 0; i < size; ++i) {
-    const double here = span.low + perEntry * i, next = span.low + perEntry * (i + 1);
-    tables.properties.emplace_back(at(here));
-    tables.integrals.emplace_back(integral);
-    tables.hidden.emplace_back(glm::dvec3(hidden), static_cast<double>(node - function.nodes.begin()));
-    // Between nodes emission is a quadratic function of the value, so Simpson's rule is exact. Points a hair inside
-    // tell the two sides of a step.
-    double low = here;
-    while (low < next) {
-      while (node != function.nodes.end() && node->value <= low) ++node;
-      const double high = node == function.nodes.end() ? next : std::min(next, node->value);
-      const double hair = 1e-9 * (high - low), entries = (high - low) / perEntry;
-      const glm::dvec4 first = at(low + hair), middle = at(0.5 * (low + high)), last = at(high - hair);
-      hidden += (first * integral.a + 4.0 * middle * (integral.a + 0.25 * entries * (first.a + middle.a)) +
-                 last * (integral.a + 0.5 * entries * (first.a + last.a))) *
-                (entries / 6.0);
-      integral += (first + 4.0 * middle + last) * (entries / 6.0);
-      low = high;
-    }
-  }
-  return tables;
-}
-
 gl::Texture skipTexture(glm::ivec3 bricks, const std::vector<std::uint8_t>& occupied) {
   gl::Texture texture = gl::Texture::make3D(gl::Format::R8UI, bricks);
   texture.upload(std::span<const std::uint8_t>(chebyshevDistance(bricks, occupied)));
   return texture;
 }
+
+/// What labels of the focus are shown as.
+struct PaletteEntry {
+  glm::vec4 colour{0.0f};  ///< and share of the extinction
+  glm::vec4 table{0.0f};   ///< see GpuScene::focusTable
+  bool operator==(const PaletteEntry&) const = default;
+};
 
 /// How the labels in focus are shown; those that are shown as they come are left out.
 LabelSettings settingsInFocus(const Scene& scene) {
@@ -149,13 +106,15 @@ void GpuScene::updateAll(const Scene& scene) {
       focusChanged || scene.look.focusAppearance != appearance_ || focusSettings != focusSettings_;
   labels_ = usesLabels ? scene.labels : nullptr;
   const GpuFocus::Change changed = focusChanged ? updateFocus(scene) : GpuFocus::Change{};
+  const std::size_t focusFunctions = focusFunctions_.size();
   if (coloursChanged) updateFocusColours(scene);
   appearance_ = scene.look.focusAppearance;
   focusSettings_ = std::move(focusSettings);
 
   updateProtected(scene, volumeChanged);
 
-  const bool transferChanged = volumeChanged || scene.look.context != contextWanted_;
+  const bool transferChanged =
+      volumeChanged || scene.look.context != contextWanted_ || focusFunctions_.size() != focusFunctions;
   if (transferChanged) updateTransfer(scene);
   updateSkips(changed, transferChanged);
 
@@ -295,29 +254,69 @@ void GpuScene::updateFocusColours(const Scene& scene) {
   focusPaletteIndex_ = {};
   focusPalette_ = {};
   focusMaterial_ = glm::dvec4(scene.look.focusAppearance.colour, 1.0);
-  const auto* focus = std::get_if<LabelFocus>(&scene.look.focus);
-  if (!focus || !scene.labels) return;
+  focusTable_ = glm::vec4(0.0f);
+  std::vector<TransferFunction> functions;
+  const auto tableOf = [&](const TransferFunction& function) {
+    auto at = std::find(functions.begin(), functions.end(), function);
+    if (at == functions.end()) at = functions.insert(at, function);
+    const glm::vec2 map = tableMap(tableSpan(function, shown_.volume->range), volumeTexture_);
+    return glm::vec4(TransferTables::rows * (1 + (at - functions.begin())), map, 0.0f);
+  };
+  if (std::holds_alternative<ValueFocus>(scene.look.focus))
+    if (const auto& function = focusFunction(scene)) focusTable_ = tableOf(*function);
 
-  // Palette entry per label value; one colour needs no texture.
-  std::vector<glm::vec4> palette;
+  // Palette entry per label value; one for all needs no texture.
+  std::vector<PaletteEntry> palette;
   std::vector<std::uint8_t> entryOf(1 << 16, 0);
+  const auto* focus = std::get_if<LabelFocus>(&scene.look.focus);
   const double extinction = scene.look.focusAppearance.extinction;
-  for (const std::uint16_t value : focus->labels) {
-    const OpticalProperties material = fenestra::focusMaterial(scene, value);
-    const glm::vec4 colour(glm::vec3(material.colour), extinction > 0.0 ? material.extinction / extinction : 1.0);
-    auto at = std::find(palette.begin(), palette.end(), colour);
-    // Entry 0 is "no label"; beyond 254 colours the last one serves for the rest.
-    if (at == palette.end() && palette.size() < 254) at = palette.insert(palette.end(), colour);
-    entryOf[value] = static_cast<std::uint8_t>(std::min<std::ptrdiff_t>(at - palette.begin(), 253) + 1);
-  }
-  if (!palette.empty()) focusMaterial_ = glm::dvec4(palette.front());
+  if (focus && scene.labels)
+    for (const std::uint16_t value : focus->labels) {
+      PaletteEntry entry;
+      if (const auto function = focusFunction(scene, value)) {
+        entry.table = tableOf(*function);
+      } else {
+        const OpticalProperties material = fenestra::focusMaterial(scene, value);
+        entry.colour = glm::vec4(glm::vec3(material.colour), extinction > 0.0 ? material.extinction / extinction : 1.0);
+      }
+      auto at = std::find(palette.begin(), palette.end(), entry);
+      // Entry 0 is "no label"; beyond 254 colours the last one serves for the rest.
+      if (at == palette.end() && palette.size() < 254) at = palette.insert(palette.end(), entry);
+      entryOf[value] = static_cast<std::uint8_t>(std::min<std::ptrdiff_t>(at - palette.begin(), 253) + 1);
+    }
+  updateFocusTables(std::move(functions));
+  if (palette.empty()) return;
+  focusMaterial_ = glm::dvec4(palette.front().colour);
+  focusTable_ = palette.front().table;
   if (palette.size() < 2 || !focus_.index().box) return;
   palette.insert(palette.begin(), palette.front());
-  focusPalette_ = gl::Texture::make2D(gl::Format::RGBA32F, {static_cast<int>(palette.size()), 1});
-  focusPalette_.upload(std::span<const glm::vec4>(palette));
+  std::vector<glm::vec4> texels;
+  for (const PaletteEntry& entry : palette) texels.push_back(entry.colour);
+  if (focusByValue())
+    for (const PaletteEntry& entry : palette) texels.push_back(entry.table);
+  focusPalette_ = gl::Texture::make2D(
+      gl::Format::RGBA32F, {static_cast<int>(palette.size()), static_cast<int>(texels.size() / palette.size())});
+  focusPalette_.upload(std::span<const glm::vec4>(texels));
+  makePaletteIndex(*scene.labels, entryOf);
+}
 
+void GpuScene::updateFocusTables(std::vector<TransferFunction> functions) {
+  const std::vector<TransferFunction> before = std::exchange(focusFunctions_, std::move(functions));
+  // A texture of other rows is made with the context's table.
+  if (focusFunctions_.size() != before.size()) return;
+  for (std::size_t i = 0; i < before.size(); ++i)
+    if (focusFunctions_[i] != before[i]) uploadFocusTable(i);
+}
+
+void GpuScene::uploadFocusTable(std::size_t i) {
+  const TransferFunction& function = focusFunctions_[i];
+  const TransferTables tables = makeTransferTables(function, tableSpan(function, shown_.volume->range));
+  transferTables_.upload({0, TransferTables::rows * (1 + static_cast<int>(i)), 0}, {tableSize, TransferTables::rows, 1},
+                         std::as_bytes(std::span(tables.texels)));
+}
+
+void GpuScene::makePaletteIndex(const LabelMap& labels, const std::vector<std::uint8_t>& entryOf) {
   // The 0.5 level reaches at most half a voxel past the labelled ones: a margin of one takes its neighbour's entry.
-  const LabelMap& labels = *scene.labels;
   focusOrigin_ = glm::max(focus_.index().box->low - 1, 0);
   const glm::ivec3 size = glm::min(focus_.index().box->high + 1, labels.grid.dims - 1) - focusOrigin_ + 1;
   std::vector<std::uint8_t> entries(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *
@@ -365,23 +364,17 @@ void GpuScene::updateTransfer(const Scene& scene) {
     ++versions_.gaps;
   }
 
-  // The table spans the nodes and an entry more at either end, which stands for all that lies beyond: there the
-  // transfer function is constant, though it may begin or end with a step.
-  ValueRange span = context_.nodes.empty() ? shown_.volume->range
-                                           : ValueRange{context_.nodes.front().value, context_.nodes.back().value};
-  const double margin = span.high > span.low ? (span.high - span.low) / (tableSize - 3) : 0.5;
-  span = {span.low - margin, span.high + margin};
-  const TransferTables tables = makeTransferTables(context_, span, tableSize);
-  if (!transferTables_) transferTables_ = gl::Texture::make2D(gl::Format::RGBA32F, {tableSize, 3});
-  std::vector<glm::vec4> rows;
-  for (const auto* row : {&tables.properties, &tables.integrals, &tables.hidden})
-    rows.insert(rows.end(), row->begin(), row->end());
-  transferTables_.upload(std::span<const glm::vec4>(rows));
-  firstMaterial_ = tables.properties.front();
-  lastMaterial_ = tables.properties.back();
+  const TransferTables tables = makeTransferTables(context_, tableSpan(context_, shown_.volume->range));
+  const int rows = TransferTables::rows * (1 + static_cast<int>(focusFunctions_.size()));
+  if (!transferTables_ || transferTables_.size().y != rows) {
+    transferTables_ = gl::Texture::make2D(gl::Format::RGBA32F, {tableSize, rows});
+    for (std::size_t i = 0; i < focusFunctions_.size(); ++i) uploadFocusTable(i);
+  }
+  transferTables_.upload(glm::ivec3(0), {tableSize, TransferTables::rows, 1}, std::as_bytes(std::span(tables.texels)));
+  firstMaterial_ = tables.first();
+  lastMaterial_ = tables.last();
   visibleEntries_ = tables.visible();
-  const double perReal = (tableSize - 1) / (span.high - span.low);
-  transferMap_ = glm::vec2(volumeTexture_.slope * perReal, (volumeTexture_.offset - span.low) * perReal);
+  transferMap_ = tableMap(tables.span, volumeTexture_);
 
   // Exactly: a brick whose values reach no further than the node where opacity begins stays empty, although the tables,
   // which are read to the nearest entry, may show a little there.

@@ -16,6 +16,7 @@ void ProtectedLayerPass::run(Steps& steps, const GpuScene& gpu, const Look& look
     gl::ShaderProgram& program = programs_.get({{volumeDefine(gpu),
                                                  tableDefine(),
                                                  {"FOCUS_PALETTE", false},
+                                                 {"FOCUS_FUNCTIONS", false},
                                                  {"FOCUS_SMOOTH", false},
                                                  {"APART", false},
                                                  {"RAYS", 1}},

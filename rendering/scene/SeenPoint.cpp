@@ -58,6 +58,8 @@ class RaySamples {
   }
   double focusExtinctionAt(double t) const {
     const bool ofLabels = std::holds_alternative<LabelFocus>(scene_.look.focus);
+    const auto byValue = ofLabels ? focusFunction(scene_, labelAt(t)) : focusFunction(scene_);
+    if (byValue) return byValue->evaluate(valueAt(t)).extinction;
     return ofLabels ? focusMaterial(scene_, labelAt(t)).extinction : scene_.look.focusAppearance.extinction;
   }
   glm::dvec3 indexAt(double t) const { return glm::dvec3(indexFromWorld_ * glm::dvec4(worldAt(t), 1.0)); }

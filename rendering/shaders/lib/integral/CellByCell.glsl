@@ -27,6 +27,9 @@ struct CellPath {
   float sFrom, sTo;   // mm along the ray
   vec4 entries;       // table entries of the values
   vec4 focusAlong;    // the focus's field, where some of the path may be in the focus
+#if FOCUS_FUNCTIONS
+  vec4 stored;        // values
+#endif
 };
 
 float lowest(vec4 v) { return min(min(v.x, v.y), min(v.z, v.w)); }
@@ -71,6 +74,9 @@ int lookInto(Ray ray, ivec3 cell, float s, float sNext, float f[8], out CellPath
   path.b = clamp(cellPosition(ray, sNext) - vec3(cell), 0.0, 1.0);
   vec4 stored = bernsteinTurned(ray, f, path.a, path.b);
   path.entries = stored * transfer.map.x + transfer.map.y;
+#if FOCUS_FUNCTIONS
+  path.stored = stored;
+#endif
   FocusCell held = focusCellAt(focusSlot(cell), cell);
   path.focusAlong = focusAlong(held, path.a, path.b, stored);
   vec2 range = focusRange();
@@ -108,15 +114,39 @@ float nextChange(vec4 along, float u) {
   return to;
 }
 
-// A part of a path that is all in the focus, of one material, or all in the context.
+// A part of a path that is all in the focus, of one material or function, or all in the context.
 struct Section {
   float uFrom, uTo;  // of the path
   float sFrom, sTo;  // mm along the ray
-  vec4 entries;
+  vec4 entries;      // of the context's table, or that of the focus's function
   bool inFocus;
   vec4 material;     // of the focus
+#if FOCUS_FUNCTIONS
+  bool byValue;      // of the focus: by its function
+  Table table;       // of that
+#endif
   CellNormals normals;
 };
+
+#if FOCUS_FUNCTIONS
+bool isByValue(Section section) { return !section.inFocus || section.byValue; }
+Table tableOf(Section section) { return section.table; }
+
+// Chooses the function of a section of the focus.
+void findFunction(inout Section section, CellPath path, vec3 at) {
+  vec4 function = focusTable(at);
+  section.byValue = section.inFocus && function.x > 0.0;
+  section.table = contextTable();
+  if (section.byValue) {
+    section.table = tableFrom(int(function.x));
+    section.entries = bernsteinBetween(path.stored * function.y + function.z, section.uFrom, section.uTo);
+  }
+}
+#else
+bool isByValue(Section section) { return !section.inFocus; }
+Table tableOf(Section section) { return contextTable(); }
+void findFunction(inout Section section, CellPath path, vec3 at) {}
+#endif
 
 // Over fewer or more entries than these the attenuation inside a piece is lost in rounding (float32).
 const float LEAST_HIDDEN = 256.0, MOST_HIDDEN = 1e6;
@@ -131,12 +161,12 @@ struct End {
   float nodes;
 };
 
-End endAt(float entry) {
+End endAt(Table table, float entry) {
   End end;
-  end.bound = boundAt(entry);
+  end.bound = boundAt(table, entry);
   float inside = clamp(end.bound.entry, 0.0, LAST_ENTRY), beyond = end.bound.entry - inside;
-  vec4 constant = beyond < 0.0 ? transfer.firstMaterial : transfer.lastMaterial;
-  vec4 hidden = texelOf(transferTables, ivec2(int(inside), 2));
+  vec4 constant = beyond < 0.0 ? table.first : table.last;
+  vec4 hidden = texelOf(transferTables, ivec2(int(inside), table.row + 2));
   end.extinction = end.bound.integral.a + beyond * constant.a;
   end.hidden = hidden.rgb + constant.rgb * (beyond * 0.5 * (end.bound.integral.a + end.extinction));
   end.nodes = hidden.a;
@@ -157,9 +187,9 @@ vec3 hiddenBetween(End front, End back, vec4 material) {
 // `doubt`: estimated error of its colour, from the attenuation inside it, which is exact only for small opacities.
 vec4 pieceIn(Section section, Ray ray, Cut cut, End front, End back, float from, float to, out float doubt) {
   float size = (to - from) * (section.sTo - section.sFrom);
-  vec4 material = meanMaterial(front.bound, back.bound);
+  vec4 material = meanMaterial(tableOf(section), front.bound, back.bound);
   vec3 hidden = hiddenBetween(front, back, material);
-  if (section.inFocus) {
+  if (!isByValue(section)) {
     material = section.material;
     hidden = vec3(0.0);
   }
@@ -179,7 +209,8 @@ int piecesFor(float count) { return int(ceil(min(count, float(MOST_PIECES)))); }
 
 // `transmittance`: in front of the section; `share`: its share of the ray's length.
 vec4 integrateSection(Section section, Ray ray, Cut cut, float transmittance, float share) {
-  End first = endAt(section.entries.x), last = endAt(section.entries.w);
+  Table table = tableOf(section);
+  End first = endAt(table, section.entries.x), last = endAt(table, section.entries.w);
   float doubt;
   vec4 coarse = pieceIn(section, ray, cut, first, last, 0.0, 1.0, doubt);
   // A section's allowed error is its share of the bound, by its opacity or by its length: each sums to at most 1 over the
@@ -187,12 +218,12 @@ vec4 integrateSection(Section section, Ray ray, Cut cut, float transmittance, fl
   float shown = transmittance * coarse.a, allowed = integral.maxError * max(shown, share);
   int countBefore = 1, count = FEWEST_PIECES;
   // Where a piece is opaque, the position of the visible surface inside it is uncertain.
-  bool surface = !section.inFocus && coarse.a > 0.99;
+  bool surface = isByValue(section) && coarse.a > 0.99;
   // Where light of several colours is absorbed inside the section, one piece says little about its error, and few may
   // agree with it by chance: there are pieces enough to tell the nodes of the transfer function apart, and the error of
   // one piece is taken to fall no faster than 1/n.
   float nodes = abs(last.nodes - first.nodes);
-  bool mixed = !section.inFocus && nodes >= 3.0 && coarse.a > 0.5;
+  bool mixed = isByValue(section) && nodes >= 3.0 && coarse.a > 0.5;
   if (mixed) count = max(count, piecesFor(nodes - 0.5 * log(max(1.0 - coarse.a, 1e-6))));
   count = max(count, piecesFor(piecesOfLight(section.normals, section.inFocus, ray.world, shown / allowed, surface)));
   // One loop over the pieces of all refinements, so that rays that run in step wait for each other only once.
@@ -202,7 +233,7 @@ vec4 integrateSection(Section section, Ray ray, Cut cut, float transmittance, fl
   int i = 0;
   do {
     float to = float(++i) / float(count);
-    End back = endAt(bernstein(section.entries, to));
+    End back = endAt(table, bernstein(section.entries, to));
     vec4 piece = pieceIn(section, ray, cut, front, back, from, to, doubt);
     doubtful += (1.0 - fine.a) * doubt;
     fine = over(fine, piece);
@@ -238,6 +269,10 @@ Section wholeOf(CellPath path) {
   section.entries = path.entries;
   section.inFocus = false;
   section.material = vec4(0.0);
+#if FOCUS_FUNCTIONS
+  section.byValue = false;
+  section.table = contextTable();
+#endif
   section.normals = normalsAlong(path.cell, path.a, path.b);
   return section;
 }
@@ -260,7 +295,9 @@ vec4 integrateFocusCell(CellPath path, Ray ray, Cut cut, float transmittance, fl
     section.sTo = mix(path.sFrom, path.sTo, section.uTo);
     section.entries = bernsteinBetween(path.entries, section.uFrom, section.uTo);
     float middle = 0.5 * (section.uFrom + section.uTo);
-    section.material = focusMaterial(vec3(path.cell) + mix(path.a, path.b, middle));
+    vec3 at = vec3(path.cell) + mix(path.a, path.b, middle);
+    section.material = focusMaterial(at);
+    findFunction(section, path, at);
     if (held || !ONLY_FOCUS)
       result = over(result, integrateSection(section, ray, cut, transmittance * (1.0 - result.a),
                                              share * (section.uTo - section.uFrom)));
