@@ -340,5 +340,66 @@ TEST_F(EditorWindow, EachLabelInFocusHasALevelAndAColour) {
   EXPECT_EQ(plot().target(), FunctionTarget()) << "its label has left the focus";
 }
 
+TEST_F(EditorWindow, ALabelInFocusIsShownByValueAndByOneMaterialAgain) {
+  document().setFocus(LabelFocus{{body, marker}});
+  waitUntilDrawn();
+  EXPECT_FALSE(editor().byValue()->isVisible()) << "the context has a function anyway";
+  editor().targets()->setCurrentIndex(3);
+  Q_EMIT editor().targets()->activated(3);
+  ASSERT_TRUE(editor().byValue()->isVisible());
+  EXPECT_FALSE(editor().byValue()->isChecked());
+  document().undoStack().clear();
+  const Look before = document().look();
+  const QImage material = picture(volume(0));
+  editor().byValue()->click();
+  expectOneStep(before);
+  EXPECT_TRUE(editor().byValue()->isChecked());
+  EXPECT_EQ(document().labelSetting(body), LabelSetting{.label = body}) << "only the label that was chosen";
+  waitUntilDrawn();
+  // At first the function is constant and the same: pieces of the ray are cut at other places, no more.
+  EXPECT_LE(greatestDifference(picture(volume(0)), material), 2);
+
+  ASSERT_EQ(plot().function().nodes.size(), 2u);
+  const Look flat = document().look();
+  document().undoStack().clear();
+  plot().select(1);
+  plot().setColour({0.0, 1.0, 0.0});
+  plot().select(0);
+  plot().setColour({0.0, 1.0, 0.0});
+  waitUntilDrawn();
+  EXPECT_GT(greatestDifference(picture(volume(0)), material), 20) << "the views follow";
+  plot().addNode(plot().shown().low, 0.25);
+  EXPECT_EQ(plot().function().nodes.size(), 3u);
+  while (document().undoStack().canUndo()) document().undoStack().undo();
+  EXPECT_EQ(document().look(), flat);
+  editor().byValue()->click();
+  EXPECT_EQ(document().look(), before);
+  EXPECT_FALSE(editor().byValue()->isChecked());
+}
+
+TEST_F(EditorWindow, AFocusOnValuesIsShownByValue) {
+  document().setFocus(ValueFocus{{500.0, 800.0}, 0.0});
+  waitUntilDrawn();
+  plot().setTarget({FunctionTarget::Kind::Focus});
+  document().undoStack().clear();
+  const Look before = document().look();
+  editor().byValue()->click();
+  expectOneStep(before);
+  const auto& appearance = document().look().focusAppearance;
+  ASSERT_TRUE(appearance.function);
+  ASSERT_EQ(appearance.function->nodes.size(), 2u);
+  EXPECT_EQ(appearance.function->nodes[0].value, 500.0);
+  EXPECT_EQ(appearance.function->nodes[1].value, 800.0);
+  EXPECT_EQ(appearance.function->nodes[0].properties.colour, appearance.colour);
+  document().undoStack().clear();
+  const Look flat = document().look();
+  const double level = opacityFromExtinction(appearance.extinction);
+  drag(&plot(), at(800.0, level), at(700.0, 0.4));
+  expectOneStep(flat);
+  EXPECT_NEAR(appearance.function->nodes[1].value, 700.0, 2.0 * valuePerPixel);
+  EXPECT_EQ(std::get<ValueFocus>(document().focus()).values, std::get<ValueFocus>(before.focus).values)
+      << "what is focus stays";
+}
+
 }  // namespace
 }  // namespace fenestra::viewer
