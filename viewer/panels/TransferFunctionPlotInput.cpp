@@ -326,6 +326,11 @@ void TransferFunctionPlot::fillMenu(QMenu& menu, QPointF at) {
     if (!isNode) menu.addAction(tr("Add a point"), this, [this, at] { addNode(valueAt(at.x()), opacityAt(at.y())); });
     menu.addAction(tr("Add a trapezoid"), this, [this, at] { addTrapezoid(valueAt(at.x())); });
   }
+  if (canBeByValue(target_, document_)) {
+    QAction* byValue = menu.addAction(tr("By value"), this, &TransferFunctionPlot::setByValue);
+    byValue->setCheckable(true);
+    byValue->setChecked(isByValue(target_, document_));
+  }
   menu.addAction(tr("Show all values"), this, [this] { showValues(axis_); })
       ->setEnabled(shown_.low > axis_.low || shown_.high < axis_.high);
 }
