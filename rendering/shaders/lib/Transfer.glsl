@@ -60,15 +60,20 @@ Bound boundNear(float entry, float phase) {
   return bound;
 }
 
-// Mean material where values run evenly from one bound to the other (pre-integrated classification: Engel, Kraus, Ertl
-// 2001, without attenuation inside).
-vec4 meanMaterial(Table table, Bound a, Bound b) {
+// Mean material where values run evenly from one bound to another, at least LEAST_SPAN away (pre-integrated
+// classification: Engel, Kraus, Ertl 2001, without attenuation inside).
+vec4 meanOverSpan(Table table, Bound a, Bound b) {
   float span = b.entry - a.entry;
-  if (abs(span) < LEAST_SPAN) return materialAt(table, 0.5 * (a.entry + b.entry));
   vec4 sum = b.integral - a.integral;
   float below = min(b.entry, 0.0) - min(a.entry, 0.0);
   float above = max(b.entry, LAST_ENTRY) - max(a.entry, LAST_ENTRY);
   sum += below * table.first;
   sum += above * table.last;
   return max(sum / span, vec4(0.0));
+}
+
+// The same for bounds at any distance.
+vec4 meanMaterial(Table table, Bound a, Bound b) {
+  if (abs(b.entry - a.entry) < LEAST_SPAN) return materialAt(table, 0.5 * (a.entry + b.entry));
+  return meanOverSpan(table, a, b);
 }

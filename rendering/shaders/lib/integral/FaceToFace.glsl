@@ -128,27 +128,32 @@ vec2 focusPart(Walk walk, uint slot, ivec3 cell) {
 }
 
 #if FOCUS_FUNCTIONS
-// Of a function of the focus, from one point to another.
-vec4 pieceByValue(Walk walk, RayPoint front, RayPoint back, vec4 function) {
+// Mean material of the focus from one point to another. `function`: as focusTable() has it; `material`: where there is none.
+// As meanMaterial(), but without its branch, on which lavapipe of Mesa 22.3 crashes here.
+vec4 meanInFocus(RayPoint front, RayPoint back, vec4 function, vec4 material) {
   Table table = tableFrom(int(function.x));
   Bound first = boundAt(table, front.stored * function.y + function.z);
   Bound last = boundAt(table, back.stored * function.y + function.z);
-  return pieceBetween(walk, front, back, meanMaterial(table, first, last), true);
+  vec4 near = materialAt(table, 0.5 * (first.entry + last.entry));
+  vec4 mean = mix(meanOverSpan(table, first, last), near, bvec4(abs(last.entry - first.entry) < LEAST_SPAN));
+  return mix(material, mean, bvec4(function.x > 0.0));
 }
 #endif
 
 // What of a segment is in the focus. By value it is lit in two halves, as the context is.
 vec4 pieceInFocus(Walk walk, RayPoint enters, RayPoint leavesAt) {
   vec3 middle = cellPosition(walk.ray, 0.5 * (enters.s + leavesAt.s));
+  vec4 material = focusMaterial(middle);
 #if FOCUS_FUNCTIONS
   vec4 function = focusTable(middle);
-  if (function.x > 0.0) {
-    if (!LIT) return pieceByValue(walk, enters, leavesAt, function);
+  if (LIT) {
     RayPoint halfWay = between(enters, leavesAt, 0.5);
-    return over(pieceByValue(walk, enters, halfWay, function), pieceByValue(walk, halfWay, leavesAt, function));
+    return over(pieceBetween(walk, enters, halfWay, meanInFocus(enters, halfWay, function, material), true),
+                pieceBetween(walk, halfWay, leavesAt, meanInFocus(halfWay, leavesAt, function, material), true));
   }
+  material = meanInFocus(enters, leavesAt, function, material);
 #endif
-  return pieceBetween(walk, enters, leavesAt, focusMaterial(middle), true);
+  return pieceBetween(walk, enters, leavesAt, material, true);
 }
 
 // A segment that is partly in the focus: what lies before, in and behind it.
