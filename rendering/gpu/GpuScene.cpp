@@ -6,6 +6,7 @@
 #include <exception>
 #include <limits>
 
+#include "rendering/gpu/TransferTables.h"
 #include "rendering/scene/Lighting.h"
 #include "rendering/scene/Parallel.h"
 
@@ -14,6 +15,12 @@ namespace {
 
 /// Opacity of 1 mm above which the context counts as there (method: ε).
 constexpr double contextThreshold = 1.0 / 255.0;
+
+/// Entry = coded value · x + y in tables over `span`.
+glm::vec2 tableMap(ValueRange span, const VolumeTexture& coding) {
+  const double perReal = (GpuScene::tableSize - 1) / (span.high - span.low);
+  return glm::vec2(coding.slope * perReal, (coding.offset - span.low) * perReal);
+}
 
 gl::Texture skipTexture(glm::ivec3 bricks, const std::vector<std::uint8_t>& occupied) {
   gl::Texture texture = gl::Texture::make3D(gl::Format::R8UI, bricks);
@@ -259,8 +266,8 @@ void GpuScene::updateFocusColours(const Scene& scene) {
   const auto tableOf = [&](const TransferFunction& function) {
     auto at = std::find(functions.begin(), functions.end(), function);
     if (at == functions.end()) at = functions.insert(at, function);
-    const glm::vec2 map = tableMap(tableSpan(function, shown_.volume->range), volumeTexture_);
-    return glm::vec4(TransferTables::rows * (1 + (at - functions.begin())), map, 0.0f);
+    const glm::vec2 map = tableMap(tableSpan(function, shown_.volume->range, tableSize), volumeTexture_);
+    return glm::vec4(rowsPerFunction * (1 + (at - functions.begin())), map, 0.0f);
   };
   if (std::holds_alternative<ValueFocus>(scene.look.focus))
     if (const auto& function = focusFunction(scene)) focusTable_ = tableOf(*function);
@@ -303,16 +310,29 @@ void GpuScene::updateFocusColours(const Scene& scene) {
 void GpuScene::updateFocusTables(std::vector<TransferFunction> functions) {
   const std::vector<TransferFunction> before = std::exchange(focusFunctions_, std::move(functions));
   // A texture of other rows is made with the context's table.
-  if (focusFunctions_.size() != before.size()) return;
+  if (focusFunctions_.size() != before.size() || focusFunctions_ == before) return;
   for (std::size_t i = 0; i < before.size(); ++i)
     if (focusFunctions_[i] != before[i]) uploadFocusTable(i);
+  updateSegments();
 }
 
 void GpuScene::uploadFocusTable(std::size_t i) {
   const TransferFunction& function = focusFunctions_[i];
-  const TransferTables tables = makeTransferTables(function, tableSpan(function, shown_.volume->range));
-  transferTables_.upload({0, TransferTables::rows * (1 + static_cast<int>(i)), 0}, {tableSize, TransferTables::rows, 1},
-                         std::as_bytes(std::span(tables.texels)));
+  uploadTables(TransferTables(function, tableSpan(function, shown_.volume->range, tableSize), tableSize),
+               rowsPerFunction * (1 + static_cast<int>(i)));
+}
+
+void GpuScene::uploadTables(const TransferTables& tables, int row) {
+  for (const auto* texels : {&tables.properties, &tables.integrals})
+    transferTables_.upload({0, row++, 0}, {tableSize, 1, 1}, std::as_bytes(std::span(*texels)));
+}
+
+void GpuScene::updateSegments() {
+  TransferSegments all(context_, tableSpan(context_, shown_.volume->range, tableSize), tableSize);
+  for (const TransferFunction& function : focusFunctions_)
+    all.append(TransferSegments(function, tableSpan(function, shown_.volume->range, tableSize), tableSize));
+  transferSegments_ = all.texture(segmentsPerRow);
+  segmentOfEntry_ = gl::Buffer(std::as_bytes(std::span(all.ofEntry)));
 }
 
 void GpuScene::makePaletteIndex(const LabelMap& labels, const std::vector<std::uint8_t>& entryOf) {
@@ -364,17 +384,19 @@ void GpuScene::updateTransfer(const Scene& scene) {
     ++versions_.gaps;
   }
 
-  const TransferTables tables = makeTransferTables(context_, tableSpan(context_, shown_.volume->range));
-  const int rows = TransferTables::rows * (1 + static_cast<int>(focusFunctions_.size()));
+  const ValueRange span = tableSpan(context_, shown_.volume->range, tableSize);
+  const TransferTables tables(context_, span, tableSize);
+  const int rows = rowsPerFunction * (1 + static_cast<int>(focusFunctions_.size()));
   if (!transferTables_ || transferTables_.size().y != rows) {
     transferTables_ = gl::Texture::make2D(gl::Format::RGBA32F, {tableSize, rows});
     for (std::size_t i = 0; i < focusFunctions_.size(); ++i) uploadFocusTable(i);
   }
-  transferTables_.upload(glm::ivec3(0), {tableSize, TransferTables::rows, 1}, std::as_bytes(std::span(tables.texels)));
-  firstMaterial_ = tables.first();
-  lastMaterial_ = tables.last();
+  uploadTables(tables, 0);
+  updateSegments();
+  firstMaterial_ = tables.properties.front();
+  lastMaterial_ = tables.properties.back();
   visibleEntries_ = tables.visible();
-  transferMap_ = tableMap(tables.span, volumeTexture_);
+  transferMap_ = tableMap(span, volumeTexture_);
 
   // Exactly: a brick whose values reach no further than the node where opacity begins stays empty, although the tables,
   // which are read to the nearest entry, may show a little there.
@@ -397,7 +419,7 @@ std::vector<GpuScene::Resource> GpuScene::resources() const {
   add("volume", of(volumeTexture_.texture));
   add("gradient", of(gradient_.texture));
   add("derivative volume", of(derivative_.texture));
-  add("transfer tables", of(transferTables_));
+  add("transfer tables", of(transferTables_) + of(transferSegments_) + segmentOfEntry_.bytes());
   add("empty-space skipping", of(contextSkip_) + of(occupiedSkip_) + of(focusSkip_));
   add("focus index", of(focus_.bricks()) + focus_.cells().bytes());
   add("focus palette", of(focusPaletteIndex_) + of(focusPalette_));

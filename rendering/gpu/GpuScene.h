@@ -86,10 +86,14 @@ class GpuScene {
   /// Transparent gaps of the context in coded values, clipped to float's range: gapCount() vec2.
   const gl::Buffer& gaps() const { return gapBuffer_; }
   int gapCount() const { return static_cast<int>(gaps_.size()); }
-  /// TransferTables of the context, and below them those of the focus's functions. The context's entry = coded value ·
-  /// map.x + map.y.
-  static constexpr int tableSize = TransferTables::size;
+  /// TransferTables of the context, and below them those of the focus's functions, two rows each. The context's entry =
+  /// coded value · map.x + map.y.
+  static constexpr int tableSize = 16384, rowsPerFunction = 2;
   const gl::Texture& transferTables() const { return transferTables_; }
+  /// The same functions from node to node, one behind the other; see shaders/lib/TransferSegments.glsl.
+  static constexpr int segmentsPerRow = 256;
+  const gl::Texture& transferSegments() const { return transferSegments_; }
+  const gl::Buffer& segmentOfEntry() const { return segmentOfEntry_; }
   glm::vec2 transferMap() const { return transferMap_; }
   glm::vec4 firstMaterial() const { return firstMaterial_; }  ///< the tables' first entry
   glm::vec4 lastMaterial() const { return lastMaterial_; }
@@ -129,6 +133,8 @@ class GpuScene {
   void updateFocusColours(const Scene& scene);
   void updateFocusTables(std::vector<TransferFunction> functions);
   void uploadFocusTable(std::size_t i);
+  void uploadTables(const TransferTables& tables, int row);
+  void updateSegments();
   void makePaletteIndex(const LabelMap& labels, const std::vector<std::uint8_t>& entryOf);
   void updateSkips(const GpuFocus::Change& focus, bool contextChanged);
   void updateProtected(const Scene& scene, bool volumeChanged);
@@ -162,7 +168,8 @@ class GpuScene {
 
   std::vector<glm::vec2> gaps_;
   gl::Buffer gapBuffer_;
-  gl::Texture transferTables_;
+  gl::Texture transferTables_, transferSegments_;
+  gl::Buffer segmentOfEntry_;
   glm::vec2 transferMap_{0.0f}, visibleEntries_{0.0f};
   glm::vec4 firstMaterial_{0.0f}, lastMaterial_{0.0f};
   std::vector<std::uint8_t> contextOccupied_;  ///< per brick

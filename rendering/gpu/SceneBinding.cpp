@@ -5,7 +5,7 @@
 namespace fenestra {
 namespace {
 /// Storage blocks, as lib/focus/Index.glsl and lib/FirstHit.glsl number them.
-enum Block : unsigned { focusCellsBlock = 0, gapsBlock = 1 };
+enum Block : unsigned { focusCellsBlock = 0, gapsBlock = 1, segmentOfEntryBlock = 3 };
 }  // namespace
 
 void bindVolume(const GpuScene& scene, gl::ShaderProgram& program) {
@@ -62,7 +62,14 @@ void bindTransfer(const GpuScene& scene, gl::ShaderProgram& program) {
   program.set(TransferBlock{scene.firstMaterial(), scene.lastMaterial(), scene.transferMap(), scene.visibleEntries()});
 }
 
+void bindTransferSegments(const GpuScene& scene, gl::ShaderProgram& program) {
+  bindTransfer(scene, program);
+  program.bind("transferSegments", scene.transferSegments());
+  scene.segmentOfEntry().bind(segmentOfEntryBlock);
+}
+
 gl::Define tableDefine() { return {"TABLE_SIZE", GpuScene::tableSize}; }
+gl::Define segmentsDefine() { return {"SEGMENTS_PER_ROW", GpuScene::segmentsPerRow}; }
 
 gl::Choice lightChoice(bool lit) { return {"light", lit ? "lib/light/Lit.glsl" : "lib/light/Unlit.glsl"}; }
 

@@ -24,7 +24,10 @@ void bindFirstHit(const GpuScene& scene, gl::ShaderProgram& program);
 
 /// lib/Transfer.glsl; `program` was compiled with tableDefine().
 void bindTransfer(const GpuScene& scene, gl::ShaderProgram& program);
+/// The same with lib/TransferSegments.glsl; compiled with segmentsDefine() too.
+void bindTransferSegments(const GpuScene& scene, gl::ShaderProgram& program);
 gl::Define tableDefine();
+gl::Define segmentsDefine();
 
 /// What `#include <light>` stands for.
 gl::Choice lightChoice(bool lit);

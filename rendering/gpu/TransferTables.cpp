@@ -5,39 +5,16 @@
 
 namespace fenestra {
 
-glm::vec2 TransferTables::visible() const {
-  const auto at = [this](int row, int entry) { return texels[static_cast<std::size_t>(row * size + entry)]; };
-  const auto shows = [&](int i) { return at(0, i).a > 0.0f || (i + 1 < size && at(1, i + 1).a > at(1, i).a); };
-  constexpr float infinity = std::numeric_limits<float>::infinity();
-  int first = 0, last = size;
-  while (first < last && !shows(first)) ++first;
-  while (last > first && !shows(last - 1)) --last;
-  if (first == last) return {infinity, -infinity};
-  return {first == 0 ? -infinity : static_cast<float>(first) - 1.0f,
-          last == size ? infinity : static_cast<float>(last)};
-}
-
-ValueRange tableSpan(const TransferFunction& function, ValueRange otherwise) {
-  ValueRange span = otherwise;
-  if (!function.nodes.empty()) span = {function.nodes.front().value, function.nodes.back().value};
-  const double margin = span.high > span.low ? (span.high - span.low) / (TransferTables::size - 3) : 0.5;
-  return {span.low - margin, span.high + margin};
-}
-
-TransferTables makeTransferTables(const TransferFunction& function, ValueRange span) {
-  constexpr int size = TransferTables::size;
+TransferTables::TransferTables(const TransferFunction& function, ValueRange span, int size) {
   const auto emission = [](const OpticalProperties& p) { return glm::dvec4(p.colour * p.extinction, p.extinction); };
   const double perEntry = (span.high - span.low) / (size - 1);
   const auto at = [&](double value) { return emission(function.evaluate(value)); };
-  TransferTables tables{span, std::vector<glm::vec4>(static_cast<std::size_t>(TransferTables::rows * size))};
-  glm::dvec4 integral(0.0), hidden(0.0);
+  glm::dvec4 integral(0.0);
   auto node = function.nodes.begin();
   for (int i = 0; i < size; ++i) {
     const double here = span.low + perEntry * i, next = span.low + perEntry * (i + 1);
-    const auto entry = static_cast<std::size_t>(i);
-    tables.texels[entry] = at(here);
-    tables.texels[entry + size] = integral;
-    tables.texels[entry + 2 * size] = glm::vec4(glm::dvec3(hidden), static_cast<double>(node - function.nodes.begin()));
+    properties.emplace_back(at(here));
+    integrals.emplace_back(integral);
     // Between nodes emission is a quadratic function of the value, so Simpson's rule is exact. Points a hair inside
     // tell the two sides of a step.
     double low = here;
@@ -46,19 +23,76 @@ TransferTables makeTransferTables(const TransferFunction& function, ValueRange s
       const double high = node == function.nodes.end() ? next : std::min(next, node->value);
       const double hair = 1e-9 * (high - low), entries = (high - low) / perEntry;
       const glm::dvec4 first = at(low + hair), middle = at(0.5 * (low + high)), last = at(high - hair);
-      hidden += (first * integral.a + 4.0 * middle * (integral.a + 0.25 * entries * (first.a + middle.a)) +
-                 last * (integral.a + 0.5 * entries * (first.a + last.a))) *
-                (entries / 6.0);
       integral += (first + 4.0 * middle + last) * (entries / 6.0);
       low = high;
     }
   }
-  return tables;
 }
 
-glm::vec2 tableMap(ValueRange span, const VolumeTexture& coding) {
-  const double perReal = (TransferTables::size - 1) / (span.high - span.low);
-  return glm::vec2(coding.slope * perReal, (coding.offset - span.low) * perReal);
+glm::vec2 TransferTables::visible() const {
+  const auto shows = [this](std::size_t i) {
+    return properties[i].a > 0.0f || (i + 1 < integrals.size() && integrals[i + 1].a > integrals[i].a);
+  };
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  std::size_t first = 0, last = properties.size();
+  while (first < last && !shows(first)) ++first;
+  while (last > first && !shows(last - 1)) --last;
+  if (first == last) return {infinity, -infinity};
+  return {first == 0 ? -infinity : static_cast<float>(first) - 1.0f,
+          last == properties.size() ? infinity : static_cast<float>(last)};
+}
+
+TransferSegments::TransferSegments(const TransferFunction& function, ValueRange span, int size) {
+  constexpr float far = 1e30f;
+  const double perReal = (size - 1) / (span.high - span.low);
+  const auto entryOf = [&](const TransferFunction::Node& node) { return (node.value - span.low) * perReal; };
+  const auto material = [](const OpticalProperties& p) { return glm::dvec4(p.colour, p.extinction); };
+  float low = -far;
+  const auto add = [&](float high, double anchor, glm::dvec4 there, glm::dvec4 slope) {
+    if (!(high > low)) return;  // a step
+    segments.push_back({glm::vec4(low, high, anchor, 0.0f), glm::vec4(there), glm::vec4(slope)});
+    low = high;
+  };
+  const std::vector<TransferFunction::Node>& nodes = function.nodes;
+  const auto constant = [&](float high, const OpticalProperties& there) {
+    add(high, 0.0, material(there), glm::dvec4(0.0));
+  };
+  constant(nodes.empty() ? far : static_cast<float>(entryOf(nodes.front())),
+           nodes.empty() ? OpticalProperties() : nodes.front().properties);
+  for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
+    const double from = entryOf(nodes[i]), to = entryOf(nodes[i + 1]);
+    const glm::dvec4 a = material(nodes[i].properties), b = material(nodes[i + 1].properties);
+    add(static_cast<float>(to), from, a, (b - a) / (to - from));
+  }
+  if (!nodes.empty()) constant(far, nodes.back().properties);
+  std::uint32_t segment = 0;
+  for (int entry = 0; entry < size; ++entry) {
+    while (segments[segment][0].y < static_cast<float>(entry)) ++segment;
+    ofEntry.push_back(segment);
+  }
+}
+
+void TransferSegments::append(const TransferSegments& other) {
+  const auto before = static_cast<std::uint32_t>(segments.size());
+  segments.insert(segments.end(), other.segments.begin(), other.segments.end());
+  for (const std::uint32_t segment : other.ofEntry) ofEntry.push_back(before + segment);
+}
+
+gl::Texture TransferSegments::texture(int perRow) const {
+  const auto width = static_cast<std::size_t>(perRow), rows = (segments.size() + width - 1) / width;
+  std::vector<glm::vec4> texels(3 * rows * width);
+  for (std::size_t i = 0; i < segments.size(); ++i)
+    for (std::size_t j = 0; j < 3; ++j) texels[(3 * (i / width) + j) * width + i % width] = segments[i][j];
+  gl::Texture result = gl::Texture::make2D(gl::Format::RGBA32F, {perRow, 3 * static_cast<int>(rows)});
+  result.upload(std::span<const glm::vec4>(texels));
+  return result;
+}
+
+ValueRange tableSpan(const TransferFunction& function, ValueRange otherwise, int size) {
+  ValueRange span = otherwise;
+  if (!function.nodes.empty()) span = {function.nodes.front().value, function.nodes.back().value};
+  const double margin = span.high > span.low ? (span.high - span.low) / (size - 3) : 0.5;
+  return {span.low - margin, span.high + margin};
 }
 
 }  // namespace fenestra

@@ -1,35 +1,41 @@
 #pragma once
-// A transfer function as the tables by which shaders integrate it (shaders/lib/Transfer.glsl).
+// The transfer function of the context, as both integrals read it.
 
+#include <array>
+#include <cstdint>
 #include <vector>
 
 #include <glm/glm.hpp>
 
-#include "rendering/gpu/VolumeTexture.h"
+#include "rendering/gl/Texture.h"
 #include "rendering/scene/TransferFunction.h"
 
 namespace fenestra {
 
-/// Rows of `size` entries, evenly spaced over the real values of `span`: emission (colour · extinction) and extinction
-/// (1/mm); their integrals from the first entry on (entries/mm); the integral of emission times that of extinction up
-/// to there, which is what a stretch of values hides of itself, and the number of nodes before the entry.
+/// Rows of `size` entries, evenly spaced over `span` (real values): emission (colour · extinction) and extinction
+/// (1/mm), and their integrals from the first entry on (entries/mm).
 struct TransferTables {
-  static constexpr int size = 16384, rows = 3;
+  std::vector<glm::vec4> properties, integrals;
 
-  ValueRange span;
-  std::vector<glm::vec4> texels;  ///< row by row
-
-  const glm::vec4& first() const { return texels.front(); }  ///< material at the first entry, and below it
-  const glm::vec4& last() const { return texels[size - 1]; }
+  TransferTables(const TransferFunction& function, ValueRange span, int size);
   /// Entries up to and from which nothing shows.
   glm::vec2 visible() const;
 };
 
+/// The same function from node to node, without the tables' rounding; shaders/lib/TransferSegments.glsl reads it.
+struct TransferSegments {
+  /// In order: the ends and an anchor (entries); colour and extinction (1/mm) at the anchor; their slopes (an entry).
+  std::vector<std::array<glm::vec4, 3>> segments;
+  std::vector<std::uint32_t> ofEntry;  ///< the segment that holds each entry of the tables
+
+  TransferSegments(const TransferFunction& function, ValueRange span, int size);
+  /// Puts those of another function behind them.
+  void append(const TransferSegments& other);
+  /// Each segment's texels one below the other, `perRow` of them side by side.
+  gl::Texture texture(int perRow) const;
+};
+
 /// The values that a function's tables span: its nodes, and an entry more at either end, which stands for all that lies
 /// beyond: there the function is constant, though it may begin or end with a step. Without nodes, `otherwise`.
-ValueRange tableSpan(const TransferFunction& function, ValueRange otherwise);
-TransferTables makeTransferTables(const TransferFunction& function, ValueRange span);
-/// Entry = coded value · x + y in tables over `span`.
-glm::vec2 tableMap(ValueRange span, const VolumeTexture& coding);
-
+ValueRange tableSpan(const TransferFunction& function, ValueRange otherwise, int size);
 }  // namespace fenestra

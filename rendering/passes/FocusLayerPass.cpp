@@ -19,9 +19,9 @@ double leastTransmittance(const FocusLayerPass::Sampling& sampling) {
   return sampling.maxError ? *sampling.maxError / 4.0 : sampling.tolerance;
 }
 
-/// The share of the bound that the estimated errors of a ray's cells may sum to. The rest covers the ray's termination,
-/// and estimates that are too low.
-constexpr double shareOfBound = 0.4;
+/// The share of the bound that the estimated errors of a ray's cells may sum to. The rest covers the ray's termination
+/// (an eighth), rounding, and estimates that are too low.
+constexpr double shareOfBound = 0.7;
 
 /// The estimated error up to which a pixel is interpolated. Lit pictures have a greater error of their own from face to
 /// face, so more is allowed. Over larger squares the estimate is less certain, so less is allowed.
@@ -70,6 +70,7 @@ gl::ShaderProgram& FocusLayerPass::program(bool listed, const Drawn& drawn) {
   const bool lit = look.shading.enabled, bounded = sampling.maxError.has_value();
   return programs_.get({{volumeDefine(gpu),
                          tableDefine(),
+                         segmentsDefine(),
                          {"FOCUS_PALETTE", static_cast<bool>(gpu.focusPaletteIndex())},
                          {"FOCUS_FUNCTIONS", gpu.focusByValue()},
                          {"FOCUS_SMOOTH", lit && gpu.focusSmooth()},
@@ -88,7 +89,7 @@ gl::ShaderProgram& FocusLayerPass::prepared(bool listed, const Drawn& drawn) {
   gl::ShaderProgram& program = this->program(listed, drawn);
   rays.setBlocks(program);
   bindVolume(gpu, program);
-  bindTransfer(gpu, program);
+  bindTransferSegments(gpu, program);
   program.bind("occupiedSkip", gpu.occupiedSkip());
   program.set(integralBlock(sampling));
   if (opening) {

@@ -15,6 +15,7 @@ void ProtectedLayerPass::run(Steps& steps, const GpuScene& gpu, const Look& look
     const bool lit = look.shading.enabled;
     gl::ShaderProgram& program = programs_.get({{volumeDefine(gpu),
                                                  tableDefine(),
+                                                 segmentsDefine(),
                                                  {"FOCUS_PALETTE", false},
                                                  {"FOCUS_FUNCTIONS", false},
                                                  {"FOCUS_SMOOTH", false},
@@ -27,7 +28,7 @@ void ProtectedLayerPass::run(Steps& steps, const GpuScene& gpu, const Look& look
                                                  {"integral", "lib/integral/CellByCell.glsl"}}});
     rays.setBlocks(program);
     bindVolume(gpu, program);
-    bindTransfer(gpu, program);
+    bindTransferSegments(gpu, program);
     bindProtected(gpu, program);
     program.set(FocusLayerPass::integralBlock(bounded));
     program.bind("rayStart", opening.rayStart);

@@ -17,8 +17,7 @@ struct Errors {
   double rms = 0.0, worst = 0.0;
 };
 
-Errors errorsOf(const Scene& scene, const Camera& camera, Quality quality) {
-  const Layers layers = renderOnce(scene, camera, size, quality).layers;
+Errors errorsOf(const Scene& scene, const Camera& camera, const Layers& layers) {
   reference::Stages stages;
   if (hasCutaway(scene)) {
     stages = reference::geometricStages(scene, camera, size);
@@ -40,6 +39,10 @@ Errors errorsOf(const Scene& scene, const Camera& camera, Quality quality) {
   }
   errors.rms = std::sqrt(errors.rms / static_cast<double>(truth.focusLayer.size()));
   return errors;
+}
+
+Errors errorsOf(const Scene& scene, const Camera& camera, Quality quality) {
+  return errorsOf(scene, camera, renderOnce(scene, camera, size, quality).layers);
 }
 
 /// Waves that `across` voxels of 60 mm show, smooth at that scale.
@@ -99,6 +102,29 @@ TEST_F(QualityErrors, AirAroundASurfaceIsLitAsAir) {
   for (const Camera& camera : {aside(scene), Camera::fromAngles(-150, -40, grid, Projection::Perspective)}) {
     EXPECT_LE(errorsOf(scene, camera, Quality::High).worst, highQualityError);
     EXPECT_LE(errorsOf(scene, camera, Quality::Normal).worst, 8.0);  // a step edge between two voxels
+  }
+}
+
+/// Cells that are 10 mm thick, in each of which a ray passes several nodes: ramps, a step, colours that alternate, and
+/// opacities from next to nothing to all.
+TEST_F(QualityErrors, BoundsHoldWhereThickCellsPassManyNodes) {
+  Scene scene = waves(6);
+  scene.look.context.function.nodes.clear();
+  const std::array<double, 8> opacities{0.0, 0.83, 0.01, 0.3, 0.3, 0.0, 0.85, 0.05};
+  for (int i = 0; i < 24; ++i) {
+    const glm::dvec3 colour(i % 2, 0.5 + 0.5 * std::sin(i), i % 3 / 2.0);
+    scene.look.context.function.nodes.push_back(
+        {120.0 + 32.0 * (i - (i % 5 == 4)), {colour, extinctionFromOpacity(opacities[i % opacities.size()])}});
+  }
+  for (const bool lit : {false, true}) {
+    scene.look.shading.enabled = lit;
+    for (const double bound : {4.0, 1.0, 0.25}) {
+      View view{aside(scene), size, 1.0, Quality::High};
+      view.maxError = bound;
+      Renderer renderer(std::make_shared<GpuScene>());
+      renderer.render(scene, view);
+      EXPECT_LE(errorsOf(scene, view.camera, renderer.readLayers()).worst, bound) << (lit ? "lit" : "unlit");
+    }
   }
 }
 

@@ -1,9 +1,8 @@
 // Transfer functions as tables. Emission is colour · extinction (1/mm); a material is emission and extinction.
 #include <schedule>
 
-// Rows of TABLE_SIZE entries, three a function, the context's first: emission and extinction; the integral of both from
-// the first entry on (entries/mm); the integral of emission times that of extinction up to there, and the number of nodes
-// before the entry.
+// Rows of TABLE_SIZE entries, two a function, the context's first: emission and extinction; the integral of both from the
+// first entry on (entries/mm).
 TEXELS_2D(rgba32f, transferTables);
 struct TransferSettings {
   vec4 firstMaterial, lastMaterial;  // beyond the tables' ends

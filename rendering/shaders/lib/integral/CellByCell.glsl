@@ -1,10 +1,10 @@
 // The volume rendering integral cell by cell, within a bound on its error.
 //
 // In a cell the values along a ray are a cubic, known exactly from the eight corners with full float weights. The cubic is
-// cut into as many pieces as the bound asks for, and over a piece the transfer function is integrated, not sampled
-// (lib/integral/Piece.glsl): no spike of opacity and no thin layer is stepped over. The error of n pieces falls as 1/n²,
-// so the difference between two numbers of pieces tells how many are enough (Richardson extrapolation), and extrapolates
-// the result.
+// cut where it meets the nodes of the transfer function. Over a part between two cuts colour and extinction are linear in
+// the value, so the part's optical depth is exact. Left to approximate is the mean of colour and light over the part,
+// weighted by what is seen of it: it is taken to second order in the position, from the weight's mean and variance. Its
+// error is estimated beforehand and falls at least as 1/n² with n pieces; a part is cut into as many as the bound asks for.
 //
 // A walk goes through stages, each more expensive than the one before: leap to a cell that is not empty; look into it;
 // integrate it. Where neighbouring rays run in step, a ray waits until all of them need the next stage.
@@ -13,12 +13,14 @@
 #include <opening>
 #include <schedule>
 #include "lib/Crossing.glsl"
+#include "lib/TransferSegments.glsl"
 #include "lib/Traversal.glsl"
 #include "lib/Volume.glsl"
 #include "lib/integral/Piece.glsl"
 #include "lib/integral/Settings.glsl"
 
-const int MOST_PIECES = 64;
+const int MOST_PIECES = 64;  // of a part
+const int MOST_PARTS = 256;  // of a cell
 
 // What a ray finds between two faces of a cell. Vectors of four are Bernstein coefficients along it.
 struct CellPath {
@@ -73,7 +75,8 @@ int lookInto(Ray ray, ivec3 cell, float s, float sNext, float f[8], out CellPath
   path.a = clamp(cellPosition(ray, s) - vec3(cell), 0.0, 1.0);
   path.b = clamp(cellPosition(ray, sNext) - vec3(cell), 0.0, 1.0);
   vec4 stored = bernsteinTurned(ray, f, path.a, path.b);
-  path.entries = stored * transfer.map.x + transfer.map.y;
+  // Within limits whose squares and differences float32 holds.
+  path.entries = clamp(stored * transfer.map.x + transfer.map.y, vec4(-1e12), vec4(1e12));
 #if FOCUS_FUNCTIONS
   path.stored = stored;
 #endif
@@ -122,145 +125,184 @@ struct Section {
   bool inFocus;
   vec4 material;     // of the focus
 #if FOCUS_FUNCTIONS
-  bool byValue;      // of the focus: by its function
-  Table table;       // of that
+  int function;      // of the focus, from 1 on; 0: one material, or the context
 #endif
   CellNormals normals;
 };
 
 #if FOCUS_FUNCTIONS
-bool isByValue(Section section) { return !section.inFocus || section.byValue; }
-Table tableOf(Section section) { return section.table; }
+bool isByValue(Section section) { return !section.inFocus || section.function > 0; }
+int functionOf(Section section) { return section.function; }
 
 // Chooses the function of a section of the focus.
 void findFunction(inout Section section, CellPath path, vec3 at) {
-  vec4 function = focusTable(at);
-  section.byValue = section.inFocus && function.x > 0.0;
-  section.table = contextTable();
-  if (section.byValue) {
-    section.table = tableFrom(int(function.x));
-    section.entries = bernsteinBetween(path.stored * function.y + function.z, section.uFrom, section.uTo);
-  }
+  vec4 table = focusTable(at);
+  section.function = section.inFocus ? int(table.x) / 2 : 0;
+  vec4 entries = clamp(path.stored * table.y + table.z, vec4(-1e12), vec4(1e12));
+  if (section.function > 0) section.entries = bernsteinBetween(entries, section.uFrom, section.uTo);
 }
 #else
 bool isByValue(Section section) { return !section.inFocus; }
-Table tableOf(Section section) { return contextTable(); }
+int functionOf(Section section) { return 0; }
 void findFunction(inout Section section, CellPath path, vec3 at) {}
 #endif
 
-// Over fewer or more entries than these the attenuation inside a piece is lost in rounding (float32).
-const float LEAST_HIDDEN = 256.0, MOST_HIDDEN = 1e6;
-const int FEWEST_PIECES = 3;
-
-// A bound with both integrals continued beyond the table's ends, and the number of the transfer function's nodes up to
-// it.
-struct End {
-  Bound bound;
-  float extinction;
-  vec3 hidden;
-  float nodes;
+// A part of a section in one segment of a transfer function.
+struct Part {
+  float from, to;  // of the section
+  vec4 entries;
+  Segment segment;
 };
 
-End endAt(Table table, float entry) {
-  End end;
-  end.bound = boundAt(table, entry);
-  float inside = clamp(end.bound.entry, 0.0, LAST_ENTRY), beyond = end.bound.entry - inside;
-  vec4 constant = beyond < 0.0 ? table.first : table.last;
-  vec4 hidden = texelOf(transferTables, ivec2(int(inside), table.row + 2));
-  end.extinction = end.bound.integral.a + beyond * constant.a;
-  end.hidden = hidden.rgb + constant.rgb * (beyond * 0.5 * (end.bound.integral.a + end.extinction));
-  end.nodes = hidden.a;
-  return end;
+Part partBetween(Part part, float u, float v) {
+  return Part(mix(part.from, part.to, u), mix(part.from, part.to, v), bernsteinBetween(part.entries, u, v), part.segment);
 }
 
-// Attenuation inside a piece, to second order, for a length of 1: ∫∫ emission(x) extinction(y) dy dx over y in front of x,
-// less the same for the piece's mean material. Values are taken to change evenly along the piece.
-vec3 hiddenBetween(End front, End back, vec4 material) {
-  float span = back.bound.entry - front.bound.entry;
-  float inside = clamp(back.bound.entry, 0.0, LAST_ENTRY) - clamp(front.bound.entry, 0.0, LAST_ENTRY);
-  if (abs(inside) >= LEAST_HIDDEN && abs(span) <= MOST_HIDDEN)
-    return (back.hidden - front.hidden) / (span * span)
-           - material.rgb * (front.extinction / span + 0.5 * material.a);
-  return vec3(0.0);
+// What a part holds, whatever light falls on it. Positions are 0 to 1 from its front; the weight of a position is the
+// light emitted there that gets out of the part's front.
+struct Medium {
+  float depth;             // optical
+  float growth;            // of the extinction from front to back, over its mean: -2 to 2
+  float steepness;         // greatest change of the extinction over its mean, 4 at most
+  vec2 change;             // of the entries from front to back, and of what bends away from that to the middle, times 4
+  float centre, variance;  // of the positions by their weights
+  vec3 colour;             // of what is seen
+};
+
+Medium mediumOf(Part part, float size) {
+  Segment segment = part.segment;
+  vec4 e = part.entries;
+  float mean = clamp(0.25 * (e.x + e.y + e.z + e.w), segment.low, segment.high);
+  Medium medium;
+  // The best line's slope is 12 times the first moment of the cubic; what is left is nearly q (u² - u + 1/6).
+  medium.change = vec2(0.3 * (3.0 * (e.w - e.x) + e.z - e.y), 1.5 * (e.x - e.y - e.z + e.w));
+  float extinction = max(segment.material.a + segment.slope.a * (mean - segment.anchor), 0.0);
+  medium.depth = extinction * size;
+  float slope = segment.slope.a / max(extinction, 1e-30);
+  medium.growth = clamp(slope * medium.change.x, -2.0, 2.0);
+  medium.steepness = min(abs(slope) * (abs(medium.change.x) + abs(medium.change.y)), 4.0);
+  vec2 moments = momentsOfEmission(medium.depth, medium.growth);
+  medium.centre = moments.x;
+  medium.variance = moments.y;
+  float seen = clamp(mean + medium.change.x * (medium.centre - 0.5), segment.low, segment.high);
+  medium.colour = segment.material.rgb + segment.slope.rgb * (seen - segment.anchor);
+  return medium;
 }
 
-// `doubt`: estimated error of its colour, from the attenuation inside it, which is exact only for small opacities.
-vec4 pieceIn(Section section, Ray ray, Cut cut, End front, End back, float from, float to, out float doubt) {
-  float size = (to - from) * (section.sTo - section.sFrom);
-  vec4 material = meanMaterial(tableOf(section), front.bound, back.bound);
-  vec3 hidden = hiddenBetween(front, back, material);
-  if (!isByValue(section)) {
-    material = section.material;
-    hidden = vec3(0.0);
-  }
-  float x = mix(from, to, centreOfEmission(material.a * size));
+// By how much the centre may be wrong. For small depths the next term of its series; the greatest error for any depth is
+// 0.1, in a deep part whose extinction begins at 0.
+float centreError(Medium medium) {
+  return min(medium.depth * medium.growth * medium.growth * (1.0 / 240.0), 0.1);
+}
+
+// Estimated error of the colour, of the worst channel.
+float colourError(Medium medium, Segment segment) {
+  float slope = highest(vec4(abs(segment.slope.rgb), 0.0)), steep = medium.steepness, depth = medium.depth;
+  float bent = min((depth * depth + 2.0 * depth * steep) * (1.0 / 360.0), 1.0 / 6.0) + steep * (1.0 / 180.0);
+  return slope * (abs(medium.change.x) * centreError(medium) + abs(medium.change.y) * bent);
+}
+
+// The light at the front, in the middle and at the back of a part.
+struct Lights {
+  vec2 front, middle, back;
+};
+
+vec2 lightIn(Section section, Ray ray, Cut cut, float x) {
   vec2 light = lightAlong(section.normals, mix(section.uFrom, section.uTo, x), ray.world, section.inFocus);
-  light = behindCut(light, cut, mix(section.sFrom, section.sTo, x));
-  vec4 piece = pieceOf(material, size, light);
-  float seen = size * relativeOpacity(material.a * size);
-  hidden *= light.x * seen * seen;
-  doubt = piece.a * max(max(abs(hidden.r), abs(hidden.g)), abs(hidden.b));
-  piece.rgb = max(piece.rgb - hidden, vec3(0.0));
-  return piece;
+  return behindCut(light, cut, mix(section.sFrom, section.sTo, x));
 }
 
-// Rounded up, MOST_PIECES at most.
-int piecesFor(float count) { return int(ceil(min(count, float(MOST_PIECES)))); }
+// Estimated error of the light. A parabola through three points is right to 1/30 of its bend where the light's slope has
+// no jump; piecesOfLight() sees to the jumps.
+float lightError(Medium medium, Lights lights) {
+  vec2 turn = abs(lights.back - lights.front), bend = abs(lights.front - 2.0 * lights.middle + lights.back);
+  return (bend.x + bend.y) * (1.0 / 30.0 + medium.steepness * (1.0 / 90.0)) +
+         (turn.x + turn.y + bend.x + bend.y) * centreError(medium);
+}
+
+vec4 pieceOf(Medium medium, Segment segment, Lights lights) {
+  float x = medium.centre, square = medium.variance + x * x;
+  vec2 light = lights.front * (1.0 - 3.0 * x + 2.0 * square) + lights.middle * (4.0 * (x - square)) +
+               lights.back * (2.0 * square - x);
+  vec3 together = segment.slope.rgb * (medium.change.x * (lights.back.x - lights.front.x) * medium.variance);
+  return vec4(max(medium.colour * light.x + together + light.y, 0.0), 1.0)
+         * (medium.depth * relativeOpacity(medium.depth));
+}
+
+// `transmittance`: in front of the part; `share`: its share of the ray's length.
+vec4 integratePart(Section section, Ray ray, Cut cut, Part part, float transmittance, float share) {
+  float size = (part.to - part.from) * (section.sTo - section.sFrom);
+  Medium medium = mediumOf(part, size);
+  Lights lights = Lights(lightIn(section, ray, cut, part.from), lightIn(section, ray, cut, 0.5 * (part.from + part.to)),
+                         lightIn(section, ray, cut, part.to));
+  vec4 result = pieceOf(medium, part.segment, lights);
+  // A part's allowed error is its share of the bound, by its opacity or by its length: each sums to at most 1 over the ray.
+  float shown = transmittance * result.a, weight = shown / (integral.maxError * max(shown, share));
+  vec2 ends = mix(vec2(section.uFrom), vec2(section.uTo), vec2(part.from, part.to));
+  float pieces = max(sqrt(weight * (colourError(medium, part.segment) + lightError(medium, lights))),
+                     piecesOfLight(section.normals, ends.x, ends.y, section.inFocus, ray.world, weight));
+  if (pieces > 1.0) {
+    int count = int(ceil(min(pieces, float(MOST_PIECES)))), i = 0;
+    result = vec4(0.0);
+    lights.back = lights.front;
+    do {
+      vec2 u = vec2(i, i + 1) / float(count);
+      Part piece = partBetween(part, u.x, u.y);
+      lights = Lights(lights.back, lightIn(section, ray, cut, 0.5 * (piece.from + piece.to)),
+                      lightIn(section, ray, cut, piece.to));
+      result = over(result, pieceOf(mediumOf(piece, size / float(count)), part.segment, lights));
+    } while (++i < count);
+  }
+  return result;
+}
+
+bool shows(Part part) { return part.segment.material.a > 0.0 || part.segment.slope.a != 0.0; }
+
+// The part of a section from `from` to the next node, or to the section's end. `index`: its segment; that of the part
+// behind it afterwards.
+Part nextPart(Section section, float from, inout int index) {
+  Part part;
+  part.segment = segmentAt(index);
+  part.from = from;
+  part.to = 1.0;
+  part.entries = bernsteinBetween(section.entries, from, 1.0);
+  float low = part.segment.low, high = part.segment.high;
+  if (leavesHull(part.entries, low, high)) {
+    // The front lies on the node where the part before ended: from there inwards.
+    float hair = min(0.01, 0.25 * (high - low));
+    part.entries.x = clamp(part.entries.x, low + hair, high - hair);
+    float end = firstExit(part.entries, low, high);
+    if (end < 1.0) {
+      index += bernstein(part.entries, end) < 0.5 * low + 0.5 * high ? -1 : 1;
+      part.entries = bernsteinBetween(part.entries, 0.0, end);
+      part.to = mix(from, 1.0, end);
+    }
+  }
+  return part;
+}
 
 // `transmittance`: in front of the section; `share`: its share of the ray's length.
 vec4 integrateSection(Section section, Ray ray, Cut cut, float transmittance, float share) {
-  Table table = tableOf(section);
-  End first = endAt(table, section.entries.x), last = endAt(table, section.entries.w);
-  float doubt;
-  vec4 coarse = pieceIn(section, ray, cut, first, last, 0.0, 1.0, doubt);
-  // A section's allowed error is its share of the bound, by its opacity or by its length: each sums to at most 1 over the
-  // ray.
-  float shown = transmittance * coarse.a, allowed = integral.maxError * max(shown, share);
-  int countBefore = 1, count = FEWEST_PIECES;
-  // Where a piece is opaque, the position of the visible surface inside it is uncertain.
-  bool surface = isByValue(section) && coarse.a > 0.99;
-  // Where light of several colours is absorbed inside the section, one piece says little about its error, and few may
-  // agree with it by chance: there are pieces enough to tell the nodes of the transfer function apart, and the error of
-  // one piece is taken to fall no faster than 1/n.
-  float nodes = abs(last.nodes - first.nodes);
-  bool mixed = isByValue(section) && nodes >= 3.0 && coarse.a > 0.5;
-  if (mixed) count = max(count, piecesFor(nodes - 0.5 * log(max(1.0 - coarse.a, 1e-6))));
-  count = max(count, piecesFor(piecesOfLight(section.normals, section.inFocus, ray.world, shown / allowed, surface)));
-  // One loop over the pieces of all refinements, so that rays that run in step wait for each other only once.
-  vec4 fine = vec4(0.0);
-  End front = first;
-  float from = 0.0, doubtful = 0.0;
-  int i = 0;
+  if (!isByValue(section)) {
+    Segment segment =
+        constantSegment(vec4(section.material.rgb / max(section.material.a, 1e-30), section.material.a));
+    return integratePart(section, ray, cut, Part(0.0, 1.0, vec4(0.0), segment), transmittance, share);
+  }
+  vec4 result = vec4(0.0);
+  int index = segmentNear(functionOf(section), section.entries.x), left = MOST_PARTS;
+  float from = 0.0;
   do {
-    float to = float(++i) / float(count);
-    End back = endAt(table, bernstein(section.entries, to));
-    vec4 piece = pieceIn(section, ray, cut, front, back, from, to, doubt);
-    doubtful += (1.0 - fine.a) * doubt;
-    fine = over(fine, piece);
-    front = back;
-    from = to;
-    if (i == count) {
-      // Richardson extrapolation: the error of n pieces falls as 1/n², at an opaque surface as 1/n.
-      float ratio = float(countBefore) / float(count);
-      if (!surface && !(mixed && countBefore == 1)) ratio *= ratio;
-      vec4 error = (fine - coarse) * (ratio / (1.0 - ratio));
-      float wrong = transmittance * (highest(abs(error)) + doubtful) / allowed;
-      coarse = fine;
-      fine += error;
-      if (wrong > 1.0 && count < MOST_PIECES) {
-        countBefore = count;
-        count = max(piecesFor(float(count) * (surface ? wrong : sqrt(wrong))), min(count + 2, MOST_PIECES));
-        fine = vec4(0.0);
-        front = first;
-        from = doubtful = 0.0;
-        i = 0;
-      }
-    }
-  } while (i < count);
-  return vec4(max(fine.rgb, 0.0), clamp(fine.a, 0.0, 1.0));
+    Part part = nextPart(section, from, index);
+    if (--left == 0) part.to = 1.0;
+    if (shows(part))
+      result = over(result, integratePart(section, ray, cut, part, transmittance * (1.0 - result.a),
+                                          share * (part.to - part.from)));
+    from = part.to;
+  } while (from < 1.0);
+  return result;
 }
 
-Section wholeOf(CellPath path) {
+Section wholeOf(CellPath path, CellNormals normals) {
   Section section;
   section.uFrom = 0.0;
   section.uTo = 1.0;
@@ -270,16 +312,15 @@ Section wholeOf(CellPath path) {
   section.inFocus = false;
   section.material = vec4(0.0);
 #if FOCUS_FUNCTIONS
-  section.byValue = false;
-  section.table = contextTable();
+  section.function = 0;
 #endif
-  section.normals = normalsAlong(path.cell, path.a, path.b);
+  section.normals = normals;
   return section;
 }
 
 // A cell that holds both focus and context, section by section.
 vec4 integrateFocusCell(CellPath path, Ray ray, Cut cut, float transmittance, float share) {
-  Section section = wholeOf(path);
+  Section section = wholeOf(path, normalsAlong(path.cell, path.a, path.b));
   addFocusNormals(section.normals, path.cell, path.a, path.b);
   vec4 result = vec4(0.0);
   // A cubic crosses the two ends of a range at most six times, and colours change at three places.
@@ -316,6 +357,10 @@ struct Walk {
   int entered;       // 1: `corners` holds the voxels of that face
   float corners[8];  // of the cell before, turned
   CellPath path;     // looked into last
+  CellNormals normals;  // along it
+  float integrated;  // of it, 0 to 1
+  int segment;       // that holds what is behind that
+  int parts;         // of the path so far
   int stage;
   int after;         // the stage after an integration: LEAP, or ENDED where the ray leaves the volume
   vec4 result;       // colour and opacity so far, premultiplied
@@ -331,6 +376,8 @@ Walk walkFrom(Ray ray, Cut cut, bool visible) {
   walk.axis = 0;
   walk.entered = 0;
   walk.corners = float[8](0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+  walk.integrated = 0.0;
+  walk.segment = walk.parts = 0;
   walk.stage = visible ? LEAP : ENDED;
   walk.after = ENDED;
   walk.result = vec4(0.0);
@@ -371,22 +418,43 @@ void look(inout Walk walk) {
   }
 }
 
-// Integrates the cell looked into. `ofFocus`: some of it may be in the focus.
-void integrateCell(inout Walk walk, const bool ofFocus) {
-  CellPath path = walk.path;
-  float transmittance = 1.0 - walk.result.a;
-  float share = (path.sTo - path.sFrom) / max(walk.ray.sOut - walk.cut.start, 1e-30);  // of the ray's length
-  vec4 colour;
-  if (ofFocus) {
-    vec2 range = focusRange();
-    if (walk.cut.onFocus != 0u && path.sFrom == walk.cut.start)
-      path.focusAlong.x = clamp(path.focusAlong.x, range.x, range.y);
-    colour = integrateFocusCell(path, walk.ray, walk.cut, transmittance, share);
-  } else {
-    colour = integrateSection(wholeOf(path), walk.ray, walk.cut, transmittance, share);
-  }
+// Adds what the walk has integrated. `whole`: whether that was the rest of the cell.
+void add(inout Walk walk, vec4 colour, bool whole) {
   walk.result = over(walk.result, colour);
-  walk.stage = 1.0 - walk.result.a >= integral.leastTransmittance ? walk.after : ENDED;
+  if (whole) walk.stage = walk.after;
+  if (1.0 - walk.result.a < integral.leastTransmittance) walk.stage = ENDED;
+}
+
+float shareOf(Walk walk) { return (walk.path.sTo - walk.path.sFrom) / max(walk.ray.sOut - walk.cut.start, 1e-30); }
+
+// Integrates the next part of a cell that holds none of the focus. A ray with more parts than its neighbours does not hold
+// them up: it stays in the stage CONTEXT until they are there again.
+void integrateContext(inout Walk walk) {
+  CellPath path = walk.path;
+  if (walk.integrated == 0.0) {
+    walk.normals = normalsAlong(path.cell, path.a, path.b);
+    walk.segment = segmentNear(path.entries.x);
+    walk.parts = 0;
+  }
+  Section section = wholeOf(path, walk.normals);
+  Part part = nextPart(section, walk.integrated, walk.segment);
+  if (!shows(part) && part.to < 1.0) part = nextPart(section, part.to, walk.segment);
+  if (++walk.parts == MOST_PARTS) part.to = 1.0;
+  vec4 colour = vec4(0.0);
+  if (shows(part))
+    colour = integratePart(section, walk.ray, walk.cut, part, 1.0 - walk.result.a, shareOf(walk) * (part.to - part.from));
+  bool whole = part.to == 1.0;
+  walk.integrated = whole ? 0.0 : part.to;
+  add(walk, colour, whole);
+}
+
+// Integrates a cell some of which may be in the focus.
+void integrateFocus(inout Walk walk) {
+  CellPath path = walk.path;
+  vec2 range = focusRange();
+  if (walk.cut.onFocus != 0u && path.sFrom == walk.cut.start)
+    path.focusAlong.x = clamp(path.focusAlong.x, range.x, range.y);
+  add(walk, integrateFocusCell(path, walk.ray, walk.cut, 1.0 - walk.result.a, shareOf(walk)), true);
 }
 
 void follow(inout Walk walk) {
@@ -394,12 +462,14 @@ void follow(inout Walk walk) {
   do {
     do {
       do {
-        do leap(walk); while (IN_STEP && walk.stage == LEAP);
+        do {
+          if (walk.stage == LEAP) leap(walk);
+        } while (IN_STEP && walk.stage == LEAP);
         if (walk.stage == LOOK) look(walk);
       } while (IN_STEP && walk.stage == LEAP);
-      if (walk.stage == CONTEXT) integrateCell(walk, false);
-    } while (IN_STEP && walk.stage == LEAP);
-    if (HAS_FOCUS && walk.stage == FOCUS) integrateCell(walk, true);
+      if (walk.stage == CONTEXT) integrateContext(walk);
+    } while (IN_STEP && (walk.stage == LEAP || walk.stage == CONTEXT));
+    if (HAS_FOCUS && walk.stage == FOCUS) integrateFocus(walk);
   } while (walk.stage != ENDED);
 }
 

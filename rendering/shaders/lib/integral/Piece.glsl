@@ -33,3 +33,21 @@ float centreOfEmission(float depth) {
   float passed = exp(-depth);  // as relativeOpacity() has it: one exponential for both
   return depth < 0.1 ? 0.5 - depth / 12.0 : 1.0 / depth - passed / (1.0 - passed);
 }
+
+// The mean and the variance of those positions where the extinction changes evenly, by `growth` times its mean (-2 to 2)
+// from front to back: exact for small depths and for no growth, the mean to first order in the growth.
+vec2 momentsOfEmission(float depth, float growth) {
+  float passed = exp(-depth), absorbed = 1.0 - passed, mean, variance, shift;
+  if (depth < 0.3) {
+    float square = depth * depth;
+    mean = 0.5 - depth * (1.0 / 12.0 - square * (1.0 / 720.0));
+    variance = 1.0 / 12.0 - square * (1.0 / 240.0);
+    shift = 1.0 / 12.0 - square * (1.0 / 720.0);
+  } else {
+    float inverse = 1.0 / depth, ratio = passed / absorbed;
+    mean = inverse - ratio;
+    variance = inverse * inverse - ratio / absorbed;
+    shift = 0.5 * (depth - 2.0 + (depth + 2.0) * passed) * inverse * inverse / absorbed;
+  }
+  return vec2(clamp(mean + growth * shift, 0.0, 1.0), variance * (1.0 - growth * growth * (1.0 / 12.0)));
+}

@@ -132,42 +132,41 @@ vec2 lightAlong(CellNormals normals, float u, vec3 rayDirection, bool ofFocus) {
   return lightOfGated(bernstein(normals.gated, u), rayDirection);
 }
 
-// Into how many pieces a section has to be cut so that no two of them can agree on its light by chance. `weight`: how
-// many times what is allowed a light of 1 would be. `surface`: where in a piece light comes from is not known.
-float piecesOfLight(vec3 normals[4], float leastLength, vec3 rayDirection, float weight, bool surface) {
-  vec3 middle = bernstein(normals, 0.5);
-  float size = length(middle);
-  vec3 front = normalize(normals[0] + 1e-12), back = normalize(normals[3] + 1e-12), between = normalize(middle + 1e-12);
+// Into how many pieces a part of a path, from u to u', has to be cut for the bends of its light that three points cannot
+// tell. `weight`: how many times what is allowed a light of 1 would be.
+float piecesOfLight(vec3 normals[4], float from, float to, float leastLength, vec3 rayDirection, float weight) {
+  vec3 first = bernstein(normals, from), middle = bernstein(normals, 0.5 * (from + to)), last = bernstein(normals, to);
+  vec3 front = normalize(first + 1e-12), back = normalize(last + 1e-12), between = normalize(middle + 1e-12);
   // Either side of a surface is lit alike.
   vec2 cosines = abs(vec2(dot(front, between), dot(between, back))), chords = sqrt(max(2.0 - 2.0 * cosines, 0.0));
-  float turn = chords.x + chords.y;
-
-  // The midpoint rule in n pieces is wrong by 1/(24 n²) of the change in slope. Diffuse light's slope changes by no
-  // more than the normals turn.
-  float pieces = turn * sqrt(weight * lighting.diffuse / 24.0);
+  float turn = chords.x + chords.y, pieces = 0.5 * turn * sqrt(weight * lighting.diffuse / 24.0);
 
   // cos^shininess is much like a Gaussian of this standard deviation: where a highlight may lie between two points,
-  // they lie closer than that; its slope reaches 0.6 of its height over it.
-  float width = inversesqrt(lighting.shininess), cosine = abs(dot(between, normalize(lighting.direction - rayDirection)));
+  // they lie closer than that.
+  float cosine = abs(dot(between, normalize(lighting.direction - rayDirection)));
   float highlight = weight * lighting.specular * pow(min(cosine + 0.5 * turn, 1.0), lighting.shininess);
-  if (highlight > 1.0) pieces = max(pieces, max(turn / width, sqrt(highlight * turn * (1.2 / 24.0) / width)));
+  if (highlight > 1.0) pieces = max(pieces, 0.5 * turn * sqrt(lighting.shininess));
 
-  // Where normals turn from one side of the light to the other, |n·l| has a kink: |x| from end to end through 0 is in n
-  // pieces wrong by at most 1/(4 n²) of the change.
-  vec4 towards = vec4(dot(normals[0], lighting.direction), dot(normals[1], lighting.direction),
-                      dot(normals[2], lighting.direction), dot(normals[3], lighting.direction));
-  float low = min(min(towards.x, towards.y), min(towards.z, towards.w));
-  float high = max(max(towards.x, towards.y), max(towards.z, towards.w));
-  float kink = low < 0.0 && high > 0.0 ? lighting.diffuse * min((high - low) / max(size, leastLength), 2.0) : 0.0;
-  pieces = max(pieces, 0.5 * sqrt(weight * kink));
-
-  return surface ? max(pieces, weight * turn * (lighting.diffuse + lighting.specular / width)) : pieces;
+  // Where normals turn from one side of the light to the other, |n·l| has a kink: a parabola through three points is in n
+  // pieces wrong by at most 1/(12 n²) of the change from end to end.
+  vec3 towards = vec3(dot(first, lighting.direction), dot(middle, lighting.direction), dot(last, lighting.direction));
+  float low = min(min(towards.x, towards.y), towards.z), high = max(max(towards.x, towards.y), towards.z);
+  float kink = low < 0.0 && high > 0.0 ? lighting.diffuse * min((high - low) / max(length(middle), leastLength), 2.0) : 0.0;
+  return max(pieces, sqrt(weight * kink * (1.0 / 12.0)));
 }
 
-float piecesOfLight(CellNormals normals, bool ofFocus, vec3 rayDirection, float weight, bool surface) {
+float piecesOfLight(CellNormals normals, float from, float to, bool ofFocus, vec3 rayDirection, float weight) {
 #if FOCUS_SMOOTH
-  if (ofFocus) return piecesOfLight(normals.focus, 1e-3, rayDirection, weight, surface);
+  if (ofFocus) {
+    // Light jumps where the focus's own normals end. A parabola beside a jump is wrong by a third of it.
+    vec3 first = bernstein(normals.focus, from), middle = bernstein(normals.focus, 0.5 * (from + to)),
+         last = bernstein(normals.focus, to);
+    vec3 squares = vec3(dot(first, first), dot(middle, middle), dot(last, last));
+    bool jumps = any(greaterThan(squares, vec3(FLAT_FOCUS))) && any(lessThanEqual(squares, vec3(FLAT_FOCUS)));
+    float pieces = jumps ? weight * (lighting.diffuse + lighting.specular) / 3.0 : 0.0;
+    return max(pieces, piecesOfLight(normals.focus, from, to, 1e-3, rayDirection, weight));
+  }
 #endif
   // Shorter ones count for less: certainty over length is at most 9/8 of 1 / certainLength.
-  return piecesOfLight(normals.gated, lighting.certainLength * 8.0 / 9.0, rayDirection, weight, surface);
+  return piecesOfLight(normals.gated, from, to, lighting.certainLength * 8.0 / 9.0, rayDirection, weight);
 }

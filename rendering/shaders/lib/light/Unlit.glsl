@@ -14,4 +14,6 @@ vec2 lightOfFocus(vec3 gated, vec3 position, vec3 rayDirection) { return UNLIT; 
 CellNormals normalsAlong(ivec3 cell, vec3 a, vec3 b) { return CellNormals(0.0); }
 void addFocusNormals(inout CellNormals normals, ivec3 cell, vec3 a, vec3 b) {}
 vec2 lightAlong(CellNormals normals, float u, vec3 rayDirection, bool ofFocus) { return UNLIT; }
-float piecesOfLight(CellNormals normals, bool ofFocus, vec3 rayDirection, float weight, bool surface) { return 0.0; }
+float piecesOfLight(CellNormals normals, float from, float to, bool ofFocus, vec3 rayDirection, float weight) {
+  return 0.0;
+}
