@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/OptionHelpers.h"
+#include "io/TransferFunctionFile.h"
 
 namespace fenestra::app {
 namespace {
@@ -83,7 +84,67 @@ void addLabelList(CLI::App& command, const char* name, const char* description, 
   });
 }
 
+/// [LABEL=]PRESET|FILE.json|none.
+std::optional<LabelChanges::Function> functionIn(const std::string& text) {
+  // A file's own name may hold an equals sign.
+  const std::size_t equals = fs::is_regular_file(text) ? std::string::npos : text.rfind('=');
+  LabelChanges::Function function{{}, text};
+  if (equals != std::string::npos) function = {text.substr(0, equals), text.substr(equals + 1)};
+  if (equals == 0 || function.source.empty()) return std::nullopt;
+  if (function.source == "none") function.source.clear();
+  return function;
+}
+
+fs::path labelFile(const SceneOptions& options) {
+  return options.labels.empty() ? fs::path(options.source()) : options.labels;
+}
+
 }  // namespace
+
+void addFocusTransfer(CLI::App& command, LabelChanges& changes) {
+  const std::string name = "--focus-transfer", form = "[LABEL=]PRESET|FILE.json|none";
+  command
+      .add_option_function<std::vector<std::string>>(
+          name,
+          [=, &changes](const std::vector<std::string>& texts) {
+            changes.functions.clear();
+            for (const std::string& text : texts) {
+              const auto function = functionIn(text);
+              if (!function) throw CLI::ValidationError(name, "\"" + text + "\" is not " + form);
+              changes.functions.push_back(*function);
+            }
+          },
+          "optical properties of the focus by value, as --transfer-function has those of all else: of one label, by "
+          "value "
+          "or name, or of all that is in focus. May be given several times. none: one colour and extinction")
+      ->type_name(form)
+      ->allow_extra_args(false);
+}
+
+void setFocusFunctions(const SceneOptions& options, Scene& scene) {
+  Look& look = scene.look;
+  for (const auto& [label, source] : options.labelChanges.functions) {
+    std::optional<TransferFunction> function;
+    if (!source.empty()) function = io::loadContextFunction(source, *scene.volume).function;
+    std::vector<std::uint16_t> labels;
+    if (!label.empty()) {
+      if (!scene.labels)
+        throw io::Error(labelFile(options), "has no label \"" + label + "\"", "name a label map with --labels");
+      labels = resolveLabels(*scene.labels, {label}, labelFile(options));
+    } else if (const auto* focus = std::get_if<LabelFocus>(&look.focus)) {
+      labels = focus->labels;
+    } else if (std::holds_alternative<std::monostate>(look.focus)) {
+      throw io::Error(options.source(), "has no focus to show by value", "name one, as with --focus-range");
+    } else {
+      look.focusAppearance.function = function;
+    }
+    for (const std::uint16_t each : labels) {
+      LabelSetting setting = settingFor(look.labels, each);
+      setting.function = function;
+      put(look.labels, setting);
+    }
+  }
+}
 
 void addLabelSettings(CLI::App& command, LabelChanges& changes) {
   addLabelList(command, "--hidden", "labels, by value or name, that 3-D pictures leave out", changes.hidden);
@@ -99,7 +160,7 @@ void addLabelSettings(CLI::App& command, LabelChanges& changes) {
 void setLabelSettings(const SceneOptions& options, Scene& scene) {
   const LabelChanges& changes = options.labelChanges;
   if (changes.empty()) return;
-  const fs::path file = options.labels.empty() ? fs::path(options.source()) : options.labels;
+  const fs::path file = labelFile(options);
   if (!scene.labels) throw io::Error(file, "has no labels to show in another way", "name a label map with --labels");
   const auto change = [&](const std::string& wanted, const auto& apply) {
     LabelSetting setting = settingFor(scene.look.labels, resolveLabels(*scene.labels, {wanted}, file).front());

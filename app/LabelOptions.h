@@ -16,6 +16,12 @@ void addLabelSettings(CLI::App& command, LabelChanges& changes);
 /// a role because it is in focus.
 void setLabelSettings(const SceneOptions& options, Scene& scene);
 
+/// Adds --focus-transfer.
+void addFocusTransfer(CLI::App& command, LabelChanges& changes);
+/// Applies it to the scene's look, whose focus is set. Throws io::Error where a label does not exist, there is no
+/// focus, or a file holds no transfer function.
+void setFocusFunctions(const SceneOptions& options, Scene& scene);
+
 /// Label values for `wanted` (values or names, case ignored) out of `labels`; sorted, unique. Throws io::Error with
 /// `file` and the nearest names.
 std::vector<std::uint16_t> resolveLabels(const LabelMap& labels, const std::vector<std::string>& wanted,

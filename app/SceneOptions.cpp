@@ -283,6 +283,7 @@ void addFocus(CLI::App& command, SceneOptions& options) {
   for (const char* other : {"--focus-labels", "--focus-range"}) seed->excludes(command.get_option(other));
   command.option_defaults()->group("Focus");
   addSetting(command, settingOf(&ValueFocus::minimumComponent), options.focusMinimumSize);
+  addFocusTransfer(command, options.labelChanges);
 }
 
 /// Camera, picture size, and which view of a session they come from.
@@ -468,6 +469,7 @@ LoadedScene loadScene(const SceneOptions& options, const io::Progress& progress)
   }
   setFocus(options, loaded);
   setLabelSettings(options, scene);
+  setFocusFunctions(options, scene);
   if (!options.strokes.empty()) scene.look.strokes = io::readStrokes(options.strokes);
   growFocus(options, loaded, progress);
   setView(options, loaded);

@@ -52,9 +52,14 @@ using CameraChoice = std::variant<StandardView, ViewAngles, std::filesystem::pat
 
 /// Changes of how single labels are shown; labels by value or name.
 struct LabelChanges {
+  struct Function {
+    std::string label;   ///< empty: all of the focus
+    std::string source;  ///< preset or file, see io::loadContextFunction; empty: one material
+  };
   std::vector<std::string> hidden, guarded;  ///< guarded: protected
   std::vector<std::pair<std::string, double>> opacities;
   std::vector<std::pair<std::string, glm::dvec3>> colours;
+  std::vector<Function> functions;  ///< of the focus, applied in their order; not counted by empty()
 
   bool empty() const { return hidden.empty() && guarded.empty() && opacities.empty() && colours.empty(); }
 };

@@ -1,7 +1,5 @@
 #include "io/session/LookFile.h"
 
-#include <algorithm>
-
 #include "io/base/AtomicFile.h"
 #include "io/session/SceneJson.h"
 #include "rendering/scene/LookStyle.h"
@@ -20,8 +18,8 @@ void members(auto& io, json::Is<LookPreset> auto& preset) {
   auto& look = preset.look;
   io.required("name", preset.name, {}, {"What lists of presets show"});
   io("unit", preset.unit, {}, {"Of the nodes' values and the shift, as \"HU\"; empty where they have none"});
-  io.required("nodes", look.context.function.nodes, {},
-              {"The transfer function of everything but the focus, before the shift, ascending"});
+  nodesMember(io, look.context.function,
+              "The transfer function of everything but the focus, before the shift, ascending");
   settings(io, look.context);  // shift
   io("focus_appearance", look.focusAppearance);
   partMembers(io, look);
@@ -41,9 +39,6 @@ LookPreset readLook(const std::filesystem::path& file) {
     throw Error(file, "was written by a newer version of Fenestra", "open it with that version");
   LookPreset preset;
   members(reader, preset);
-  const auto& nodes = preset.look.context.function.nodes;
-  if (!std::is_sorted(nodes.begin(), nodes.end(), [](const auto& a, const auto& b) { return a.value < b.value; }))
-    reader.fail("has a transfer function whose nodes are not in order");
   Value rest = json::unknownIn(root, json::write(preset));
   if (rest.is_object()) {
     rest.erase("format");

@@ -2,6 +2,8 @@
 // The members of a look and of its parts in JSON, for sessions and for files of strokes and looks. Settings come from their
 // tables in rendering/scene/Settings.h. Private to io/session.
 
+#include <algorithm>
+
 #include "io/session/JsonSchema.h"
 #include "rendering/scene/Settings.h"
 
@@ -21,8 +23,6 @@ void settings(auto& io, Object& object) {
 void members(auto& io, io::json::Is<Cutaway> auto& cutaway) { settings(io, cutaway); }
 void members(auto& io, io::json::Is<ContextLayer> auto& layer) { settings(io, layer); }
 void members(auto& io, io::json::Is<Shading> auto& shading) { settings(io, shading); }
-void members(auto& io, io::json::Is<FocusAppearance> auto& appearance) { settings(io, appearance); }
-
 void members(auto& io, io::json::Is<BrushStroke> auto& stroke) {
   io("anchors", stroke.anchors, millimetres, {"Points on what was seen, in the patient's mm (LPS); one is a dab"});
   settings(io, stroke);
@@ -61,11 +61,28 @@ void members(auto& io, io::json::Is<TransferFunction::Node> auto& node) {
   io("extinction", node.properties.extinction, io::json::nonNegative, {"", "1/mm"});
 }
 
+/// Nodes in order; a Reader refuses others.
+void nodesMember(auto& io, io::json::Is<TransferFunction> auto& function, const char* description) {
+  io.required("nodes", function.nodes, {}, {description});
+  if constexpr (requires { io.fail(""); })
+    if (!std::is_sorted(function.nodes.begin(), function.nodes.end(),
+                        [](const auto& a, const auto& b) { return a.value < b.value; }))
+      io.fail("has a transfer function whose nodes are not in order");
+}
+
+void members(auto& io, io::json::Is<TransferFunction> auto& function) { nodesMember(io, function, "Ascending"); }
+
+void members(auto& io, io::json::Is<FocusAppearance> auto& appearance) {
+  settings(io, appearance);
+  io.optional("function", appearance.function, appearance.function.has_value(), {},
+              {"Of a focus of values or a grown region: by value, in place of colour and extinction"});
+}
+
 void members(auto& io, io::json::Is<ContextFunction> auto& context) {
   auto& [preset, file, function, shift] = context;
   io.optional("preset", preset, !preset.empty(), {}, {"Id of the built-in preset that the nodes are"});
   io.optional("file", file, !file.empty(), {}, {"File that the nodes were read from"});
-  io.required("nodes", function.nodes, {}, {"Before the shift, ascending"});
+  nodesMember(io, function, "Before the shift, ascending");
   settings(io, context);
 }
 
@@ -101,6 +118,8 @@ void members(auto& io, io::json::Is<LabelSetting> auto& setting) {
      {"Whether slices tint it, and 3-D pictures draw it in focus and keep it from being cut away"});
   io("opacity", setting.opacity, fraction, {"Of 10 mm of it in focus, and of its tint on slices"});
   io.optional("colour", setting.colour, setting.colour.has_value(), fraction, {"In place of the label map's"});
+  io.optional("function", setting.function, setting.function.has_value(), {},
+              {"Of it in focus: by value, in place of one colour and extinction"});
 }
 
 /// What the files of sessions and of presets share.

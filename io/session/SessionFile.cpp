@@ -66,11 +66,6 @@ void refuseUnless(bool right, const json::Reader& top, const char* problem) {
   if (!right) top.fail(problem);
 }
 
-template <class T, class Less>
-bool isOrdered(const std::vector<T>& list, Less less) {
-  return std::is_sorted(list.begin(), list.end(), less);
-}
-
 /// Refuses what spans several members.
 void check(const Session& session, const json::Reader& top) {
   const bool hasVolume = !session.volume.path.empty();
@@ -81,7 +76,7 @@ void check(const Session& session, const json::Reader& top) {
                "has settings of labels that do not ascend");
   if (const auto* labels = std::get_if<LabelFocus>(&session.look.focus)) {
     refuseUnless(!session.labels.path.empty() || session.phantom, top, "has a focus of labels, but no labels");
-    refuseUnless(!labels->labels.empty() && isOrdered(labels->labels, std::less_equal<>()), top,
+    refuseUnless(!labels->labels.empty() && std::is_sorted(labels->labels.begin(), labels->labels.end(), std::less_equal<>()), top,
                  "has labels in the focus that do not ascend");
   }
   if (const auto* values = std::get_if<ValueFocus>(&session.look.focus))
@@ -93,9 +88,6 @@ void check(const Session& session, const json::Reader& top) {
   }
   refuseUnless(std::all_of(session.measures.begin(), session.measures.end(), isWellFormed), top,
                "has a measure without the points or the plane that its kind needs");
-  refuseUnless(
-      isOrdered(session.look.context.function.nodes, [](const auto& a, const auto& b) { return a.value < b.value; }),
-      top, "has a transfer function whose nodes are not in order");
 }
 
 }  // namespace

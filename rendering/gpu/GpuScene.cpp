@@ -16,11 +16,24 @@ namespace {
 /// Opacity of 1 mm above which the context counts as there (method: ε).
 constexpr double contextThreshold = 1.0 / 255.0;
 
+/// Entry = coded value · x + y in tables over `span`.
+glm::vec2 tableMap(ValueRange span, const VolumeTexture& coding) {
+  const double perReal = (GpuScene::tableSize - 1) / (span.high - span.low);
+  return glm::vec2(coding.slope * perReal, (coding.offset - span.low) * perReal);
+}
+
 gl::Texture skipTexture(glm::ivec3 bricks, const std::vector<std::uint8_t>& occupied) {
   gl::Texture texture = gl::Texture::make3D(gl::Format::R8UI, bricks);
   texture.upload(std::span<const std::uint8_t>(chebyshevDistance(bricks, occupied)));
   return texture;
 }
+
+/// What labels of the focus are shown as.
+struct PaletteEntry {
+  glm::vec4 colour{0.0f};  ///< and share of the extinction
+  glm::vec4 table{0.0f};   ///< see GpuScene::focusTable
+  bool operator==(const PaletteEntry&) const = default;
+};
 
 /// How the labels in focus are shown; those that are shown as they come are left out.
 LabelSettings settingsInFocus(const Scene& scene) {
@@ -101,13 +114,15 @@ void GpuScene::updateAll(const Scene& scene) {
       focusChanged || scene.look.focusAppearance != appearance_ || focusSettings != focusSettings_;
   labels_ = usesLabels ? scene.labels : nullptr;
   const GpuFocus::Change changed = focusChanged ? updateFocus(scene) : GpuFocus::Change{};
+  const std::size_t focusFunctions = focusFunctions_.size();
   if (coloursChanged) updateFocusColours(scene);
   appearance_ = scene.look.focusAppearance;
   focusSettings_ = std::move(focusSettings);
 
   updateProtected(scene, volumeChanged);
 
-  const bool transferChanged = volumeChanged || scene.look.context != contextWanted_;
+  const bool transferChanged =
+      volumeChanged || scene.look.context != contextWanted_ || focusFunctions_.size() != focusFunctions;
   if (transferChanged) updateTransfer(scene);
   updateSkips(changed, transferChanged);
 
@@ -246,28 +261,51 @@ void GpuScene::updateFocusColours(const Scene& scene) {
   ++versions_.palette;
   focusPalette_ = {};
   focusMaterial_ = glm::dvec4(scene.look.focusAppearance.colour, 1.0);
-  const auto* focus = std::get_if<LabelFocus>(&scene.look.focus);
-  // The voxels' entries depend on the labels and on which of them share a colour, not on the colours.
+  // The voxels' entries depend on the labels and on which of them share a material, not on the materials.
   gl::Texture index = std::exchange(focusPaletteIndex_, {});
-  if (!focus || !scene.labels) return;
+  focusTable_ = glm::vec4(0.0f);
+  std::vector<TransferFunction> functions;
+  const auto tableOf = [&](const TransferFunction& function) {
+    auto at = std::find(functions.begin(), functions.end(), function);
+    if (at == functions.end()) at = functions.insert(at, function);
+    const glm::vec2 map = tableMap(tableSpan(function, shown_.volume->range, tableSize), volumeTexture_);
+    return glm::vec4(rowsPerFunction * (1 + (at - functions.begin())), map, 0.0f);
+  };
+  if (std::holds_alternative<ValueFocus>(scene.look.focus))
+    if (const auto& function = focusFunction(scene)) focusTable_ = tableOf(*function);
 
-  // Palette entry per label value; one colour needs no texture.
-  std::vector<glm::vec4> palette;
+  // Palette entry per label value; one for all needs no texture.
+  std::vector<PaletteEntry> palette;
   std::vector<std::uint8_t> entryOf(1 << 16, 0);
+  const auto* focus = std::get_if<LabelFocus>(&scene.look.focus);
   const double extinction = scene.look.focusAppearance.extinction;
-  for (const std::uint16_t value : focus->labels) {
-    const OpticalProperties material = fenestra::focusMaterial(scene, value);
-    const glm::vec4 colour(glm::vec3(material.colour), extinction > 0.0 ? material.extinction / extinction : 1.0);
-    auto at = std::find(palette.begin(), palette.end(), colour);
-    // Entry 0 is "no label"; beyond 254 colours the last one serves for the rest.
-    if (at == palette.end() && palette.size() < 254) at = palette.insert(palette.end(), colour);
-    entryOf[value] = static_cast<std::uint8_t>(std::min<std::ptrdiff_t>(at - palette.begin(), 253) + 1);
-  }
-  if (!palette.empty()) focusMaterial_ = glm::dvec4(palette.front());
+  if (focus && scene.labels)
+    for (const std::uint16_t value : focus->labels) {
+      PaletteEntry entry;
+      if (const auto function = focusFunction(scene, value)) {
+        entry.table = tableOf(*function);
+      } else {
+        const OpticalProperties material = fenestra::focusMaterial(scene, value);
+        entry.colour = glm::vec4(glm::vec3(material.colour), extinction > 0.0 ? material.extinction / extinction : 1.0);
+      }
+      auto at = std::find(palette.begin(), palette.end(), entry);
+      // Entry 0 is "no label"; beyond 254 colours the last one serves for the rest.
+      if (at == palette.end() && palette.size() < 254) at = palette.insert(palette.end(), entry);
+      entryOf[value] = static_cast<std::uint8_t>(std::min<std::ptrdiff_t>(at - palette.begin(), 253) + 1);
+    }
+  updateFocusTables(std::move(functions));
+  if (palette.empty()) return;
+  focusMaterial_ = glm::dvec4(palette.front().colour);
+  focusTable_ = palette.front().table;
   if (palette.size() < 2 || !focus_.index().box) return;
   palette.insert(palette.begin(), palette.front());
-  focusPalette_ = gl::Texture::make2D(gl::Format::RGBA32F, {static_cast<int>(palette.size()), 1});
-  focusPalette_.upload(std::span<const glm::vec4>(palette));
+  std::vector<glm::vec4> texels;
+  for (const PaletteEntry& entry : palette) texels.push_back(entry.colour);
+  if (focusByValue())
+    for (const PaletteEntry& entry : palette) texels.push_back(entry.table);
+  focusPalette_ = gl::Texture::make2D(
+      gl::Format::RGBA32F, {static_cast<int>(palette.size()), static_cast<int>(texels.size() / palette.size())});
+  focusPalette_.upload(std::span<const glm::vec4>(texels));
   if (index && scene.labels == paletteMap_ && entryOf == paletteEntries_) {
     focusPaletteIndex_ = std::move(index);
     return;
@@ -276,6 +314,34 @@ void GpuScene::updateFocusColours(const Scene& scene) {
   makePaletteIndex(*scene.labels, entryOf);
   paletteMap_ = scene.labels;
   paletteEntries_ = std::move(entryOf);
+}
+
+void GpuScene::updateFocusTables(std::vector<TransferFunction> functions) {
+  const std::vector<TransferFunction> before = std::exchange(focusFunctions_, std::move(functions));
+  // A texture of other rows is made with the context's table.
+  if (focusFunctions_.size() != before.size() || focusFunctions_ == before) return;
+  for (std::size_t i = 0; i < before.size(); ++i)
+    if (focusFunctions_[i] != before[i]) uploadFocusTable(i);
+  updateSegments();
+}
+
+void GpuScene::uploadFocusTable(std::size_t i) {
+  const TransferFunction& function = focusFunctions_[i];
+  uploadTables(TransferTables(function, tableSpan(function, shown_.volume->range, tableSize), tableSize),
+               rowsPerFunction * (1 + static_cast<int>(i)));
+}
+
+void GpuScene::uploadTables(const TransferTables& tables, int row) {
+  for (const auto* texels : {&tables.properties, &tables.integrals})
+    transferTables_.upload({0, row++, 0}, {tableSize, 1, 1}, std::as_bytes(std::span(*texels)));
+}
+
+void GpuScene::updateSegments() {
+  TransferSegments all(context_, tableSpan(context_, shown_.volume->range, tableSize), tableSize);
+  for (const TransferFunction& function : focusFunctions_)
+    all.append(TransferSegments(function, tableSpan(function, shown_.volume->range, tableSize), tableSize));
+  transferSegments_ = all.texture(segmentsPerRow);
+  segmentOfEntry_ = gl::Buffer(std::as_bytes(std::span(all.ofEntry)));
 }
 
 void GpuScene::makePaletteIndex(const LabelMap& labels, const std::vector<std::uint8_t>& entryOf) {
@@ -327,25 +393,19 @@ void GpuScene::updateTransfer(const Scene& scene) {
     ++versions_.gaps;
   }
 
-  // The table spans the nodes and an entry more at either end, which stands for all that lies beyond: there the
-  // transfer function is constant, though it may begin or end with a step.
-  ValueRange span = context_.nodes.empty() ? shown_.volume->range
-                                           : ValueRange{context_.nodes.front().value, context_.nodes.back().value};
-  const double margin = span.high > span.low ? (span.high - span.low) / (tableSize - 3) : 0.5;
-  span = {span.low - margin, span.high + margin};
+  const ValueRange span = tableSpan(context_, shown_.volume->range, tableSize);
   const TransferTables tables(context_, span, tableSize);
-  if (!transferTables_) transferTables_ = gl::Texture::make2D(gl::Format::RGBA32F, {tableSize, 2});
-  std::vector<glm::vec4> rows;
-  for (const auto* row : {&tables.properties, &tables.integrals}) rows.insert(rows.end(), row->begin(), row->end());
-  transferTables_.upload(std::span<const glm::vec4>(rows));
-  const TransferSegments segments(context_, span, tableSize);
-  transferSegments_ = segments.texture(segmentsPerRow);
-  segmentOfEntry_ = gl::Buffer(std::as_bytes(std::span(segments.ofEntry)));
+  const int rows = rowsPerFunction * (1 + static_cast<int>(focusFunctions_.size()));
+  if (!transferTables_ || transferTables_.size().y != rows) {
+    transferTables_ = gl::Texture::make2D(gl::Format::RGBA32F, {tableSize, rows});
+    for (std::size_t i = 0; i < focusFunctions_.size(); ++i) uploadFocusTable(i);
+  }
+  uploadTables(tables, 0);
+  updateSegments();
   firstMaterial_ = tables.properties.front();
   lastMaterial_ = tables.properties.back();
   visibleEntries_ = tables.visible();
-  const double perReal = (tableSize - 1) / (span.high - span.low);
-  transferMap_ = glm::vec2(volumeTexture_.slope * perReal, (volumeTexture_.offset - span.low) * perReal);
+  transferMap_ = tableMap(span, volumeTexture_);
 
   // Exactly: a brick whose values reach no further than the node where opacity begins stays empty, although the tables,
   // which are read to the nearest entry, may show a little there.

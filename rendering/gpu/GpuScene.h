@@ -16,6 +16,7 @@
 #include "rendering/gpu/FittedScene.h"
 #include "rendering/gpu/GpuFocus.h"
 #include "rendering/gpu/Schedule.h"
+#include "rendering/gpu/TransferTables.h"
 #include "rendering/gpu/VolumeTexture.h"
 #include "rendering/scene/Scene.h"
 
@@ -85,11 +86,11 @@ class GpuScene {
   /// Transparent gaps of the context in coded values, clipped to float's range: gapCount() vec2.
   const gl::Buffer& gaps() const { return gapBuffer_; }
   int gapCount() const { return static_cast<int>(gaps_.size()); }
-  /// Rows of tableSize entries: emission (colour · extinction) and extinction (1/mm); their integrals from the first
-  /// entry on (entries/mm). Entry = coded value · map.x + map.y.
-  static constexpr int tableSize = 16384;
+  /// TransferTables of the context, and below them those of the focus's functions, two rows each. The context's entry =
+  /// coded value · map.x + map.y.
+  static constexpr int tableSize = 16384, rowsPerFunction = 2;
   const gl::Texture& transferTables() const { return transferTables_; }
-  /// The same function from node to node; see shaders/lib/TransferSegments.glsl.
+  /// The same functions from node to node, one behind the other; see shaders/lib/TransferSegments.glsl.
   static constexpr int segmentsPerRow = 256;
   const gl::Texture& transferSegments() const { return transferSegments_; }
   const gl::Buffer& segmentOfEntry() const { return segmentOfEntry_; }
@@ -107,11 +108,16 @@ class GpuScene {
   const gl::Texture& focusBricks() const { return focus_.bricks(); }
   const gl::Texture& focusSkip() const { return focusSkip_; }
   const gl::Buffer& focusCells() const { return focus_.cells(); }
-  /// Per-voxel palette entries around a label focus of several colours or opacities; empty when one does for all.
+  /// Whether some of the focus is shown by value, see focusFunction().
+  bool focusByValue() const { return !focusFunctions_.empty(); }
+  /// Per-voxel palette entries around a label focus of several looks; empty when one does for all. The palette's rows:
+  /// colours and shares of the extinction; with functions, what focusTable() is.
   const gl::Texture& focusPaletteIndex() const { return focusPaletteIndex_; }
   const gl::Texture& focusPalette() const { return focusPalette_; }
   glm::ivec3 focusOrigin() const { return focusOrigin_; }      ///< index of focusPaletteIndex's first texel
   glm::dvec4 focusMaterial() const { return focusMaterial_; }  ///< where one does: colour, share of the extinction
+  /// Where one does: the first row of its function in transferTables() and the map to its entries; 0 for a material.
+  glm::vec4 focusTable() const { return focusTable_; }
   /// Only while there is an opening, and something that is protected from it.
   const ProtectedLabels& protectedLabels() const { return protected_; }
   /// Smoothed indicator around a label focus, for its normals; only while shading is on.
@@ -125,6 +131,10 @@ class GpuScene {
   /// Which bricks' occupation has changed.
   GpuFocus::Change updateFocus(const Scene& scene);
   void updateFocusColours(const Scene& scene);
+  void updateFocusTables(std::vector<TransferFunction> functions);
+  void uploadFocusTable(std::size_t i);
+  void uploadTables(const TransferTables& tables, int row);
+  void updateSegments();
   /// The texture of palette entries, by label, around the focus.
   void makePaletteIndex(const LabelMap& labels, const std::vector<std::uint8_t>& entryOf);
   void updateSkips(const GpuFocus::Change& focus, bool contextChanged);
@@ -173,6 +183,8 @@ class GpuScene {
   std::shared_ptr<const LabelMap> paletteMap_;  ///< and the map of those labels
   glm::ivec3 focusOrigin_{0};
   glm::dvec4 focusMaterial_{1.0};
+  glm::vec4 focusTable_{0.0f};
+  std::vector<TransferFunction> focusFunctions_;  ///< each once, in the order of their tables
 
   ProtectedLabels protected_;
   std::vector<std::uint16_t> protectedWanted_;

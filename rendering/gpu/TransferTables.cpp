@@ -72,6 +72,12 @@ TransferSegments::TransferSegments(const TransferFunction& function, ValueRange 
   }
 }
 
+void TransferSegments::append(const TransferSegments& other) {
+  const auto before = static_cast<std::uint32_t>(segments.size());
+  segments.insert(segments.end(), other.segments.begin(), other.segments.end());
+  for (const std::uint32_t segment : other.ofEntry) ofEntry.push_back(before + segment);
+}
+
 gl::Texture TransferSegments::texture(int perRow) const {
   const auto width = static_cast<std::size_t>(perRow), rows = (segments.size() + width - 1) / width;
   std::vector<glm::vec4> texels(3 * rows * width);
@@ -80,6 +86,13 @@ gl::Texture TransferSegments::texture(int perRow) const {
   gl::Texture result = gl::Texture::make2D(gl::Format::RGBA32F, {perRow, 3 * static_cast<int>(rows)});
   result.upload(std::span<const glm::vec4>(texels));
   return result;
+}
+
+ValueRange tableSpan(const TransferFunction& function, ValueRange otherwise, int size) {
+  ValueRange span = otherwise;
+  if (!function.nodes.empty()) span = {function.nodes.front().value, function.nodes.back().value};
+  const double margin = span.high > span.low ? (span.high - span.low) / (size - 3) : 0.5;
+  return {span.low - margin, span.high + margin};
 }
 
 }  // namespace fenestra

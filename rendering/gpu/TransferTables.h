@@ -29,8 +29,13 @@ struct TransferSegments {
   std::vector<std::uint32_t> ofEntry;  ///< the segment that holds each entry of the tables
 
   TransferSegments(const TransferFunction& function, ValueRange span, int size);
+  /// Puts those of another function behind them.
+  void append(const TransferSegments& other);
   /// Each segment's texels one below the other, `perRow` of them side by side.
   gl::Texture texture(int perRow) const;
 };
 
+/// The values that a function's tables span: its nodes, and an entry more at either end, which stands for all that lies
+/// beyond: there the function is constant, though it may begin or end with a step. Without nodes, `otherwise`.
+ValueRange tableSpan(const TransferFunction& function, ValueRange otherwise, int size);
 }  // namespace fenestra

@@ -40,6 +40,7 @@ struct alignas(16) FocusBlock {
   alignas(16) glm::vec2 range{0.0f};
   alignas(16) glm::ivec3 paletteOrigin{0};
   alignas(16) glm::vec3 smoothOrigin{0.0f};
+  alignas(16) glm::vec4 table{0.0f};
   alignas(16) Std140Mat3 worldFromIndexGradient{1.0f};
 };
 

@@ -72,6 +72,7 @@ gl::ShaderProgram& FocusLayerPass::program(bool listed, const Drawn& drawn) {
                          tableDefine(),
                          segmentsDefine(),
                          {"FOCUS_PALETTE", static_cast<bool>(gpu.focusPaletteIndex())},
+                         {"FOCUS_FUNCTIONS", gpu.focusByValue()},
                          {"FOCUS_SMOOTH", lit && gpu.focusSmooth()},
                          {"LISTED", listed},
                          {"APART", opening && opening->hole},
@@ -102,7 +103,8 @@ gl::ShaderProgram& FocusLayerPass::prepared(bool listed, const Drawn& drawn) {
   }
   FocusBlock focus{
       .material = glm::vec4(glm::vec3(gpu.focusMaterial()), look.focusAppearance.extinction * gpu.focusMaterial().a),
-      .paletteOrigin = gpu.focusOrigin()};
+      .paletteOrigin = gpu.focusOrigin(),
+      .table = gpu.focusTable()};
   if (gpu.focusPaletteIndex()) {
     program.bind("focusPaletteIndex", gpu.focusPaletteIndex());
     program.bind("focusPalette", gpu.focusPalette());

@@ -17,6 +17,7 @@ void ProtectedLayerPass::run(Steps& steps, const GpuScene& gpu, const Look& look
                                                  tableDefine(),
                                                  segmentsDefine(),
                                                  {"FOCUS_PALETTE", false},
+                                                 {"FOCUS_FUNCTIONS", false},
                                                  {"FOCUS_SMOOTH", false},
                                                  {"APART", false},
                                                  {"RAYS", 1}},

@@ -9,45 +9,66 @@
 namespace fenestra::reference {
 namespace {
 
-/// Colours and extinctions of a label focus: those of the nearest voxel, or where that has no label of the focus, of
+/// What a point of the focus shows: one material, or a function of the value there.
+struct FocusShow {
+  OpticalProperties material;
+  std::optional<TransferFunction> function;
+  bool operator==(const FocusShow&) const = default;
+};
+
+/// How a focus is shown. In a label focus that is how the nearest voxel is, or where that has no label of the focus,
 /// the first of its neighbours that has one (x fastest, from the lowest index).
-class FocusColours {
+class FocusShows {
  public:
-  explicit FocusColours(const Scene& scene)
-      : labels_(scene.labels.get()), first_{scene.look.focusAppearance.colour, scene.look.focusAppearance.extinction} {
+  explicit FocusShows(const Scene& scene)
+      : labels_(scene.labels.get()),
+        first_{{scene.look.focusAppearance.colour, scene.look.focusAppearance.extinction}, {}} {
     const auto* focus = std::get_if<LabelFocus>(&scene.look.focus);
-    if (!focus || !labels_ || focus->labels.empty()) return;
+    if (std::holds_alternative<ValueFocus>(scene.look.focus)) first_.function = focusFunction(scene);
+    if (!focus || !labels_ || focus->labels.empty()) {
+      addNodes(first_);
+      return;
+    }
     entryOf_.resize(std::numeric_limits<std::uint16_t>::max() + 1, none);
     for (const std::uint16_t value : focus->labels) {
-      entryOf_[value] = static_cast<int>(colours_.size());
-      colours_.push_back(focusMaterial(scene, value));
+      entryOf_[value] = static_cast<int>(shows_.size());
+      shows_.push_back({focusMaterial(scene, value), focusFunction(scene, value)});
+      addNodes(shows_.back());
     }
-    first_ = colours_.front();
-    differ_ =
-        std::any_of(colours_.begin(), colours_.end(), [&](const OpticalProperties& each) { return !(each == first_); });
+    first_ = shows_.front();
+    differ_ = std::any_of(shows_.begin(), shows_.end(), [&](const FocusShow& each) { return !(each == first_); });
+    std::sort(nodes_.begin(), nodes_.end());
+    nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
   }
 
   /// Whether there is more than one.
   bool differ() const { return differ_; }
+  /// Values of all functions' nodes.
+  const std::vector<double>& nodes() const { return nodes_; }
 
-  OpticalProperties at(glm::dvec3 index) const {
+  const FocusShow& at(glm::dvec3 index) const {
     if (!differ_) return first_;
     const glm::ivec3 nearest(glm::floor(index + 0.5));
     int entry = entryAt(nearest);
     for (int n = 0; entry == none && n < 27; ++n) entry = entryAt(nearest + glm::ivec3(n % 3, n / 3 % 3, n / 9) - 1);
-    return entry == none ? first_ : colours_[static_cast<std::size_t>(entry)];
+    return entry == none ? first_ : shows_[static_cast<std::size_t>(entry)];
   }
 
  private:
   static constexpr int none = -1;
 
   int entryAt(glm::ivec3 voxel) const { return labels_->grid.contains(voxel) ? entryOf_[labels_->value(voxel)] : none; }
+  void addNodes(const FocusShow& show) {
+    if (show.function)
+      for (const TransferFunction::Node& node : show.function->nodes) nodes_.push_back(node.value);
+  }
 
   const LabelMap* labels_;
-  OpticalProperties first_;
+  FocusShow first_;
   bool differ_ = false;
   std::vector<int> entryOf_;  ///< per label value
-  std::vector<OpticalProperties> colours_;
+  std::vector<FocusShow> shows_;
+  std::vector<double> nodes_;
 };
 
 /// What all rays of a picture share.
@@ -55,7 +76,7 @@ struct Medium {
   const Scene& scene;
   FocusField focus;        ///< or the protected labels, of which the context shows
   bool onlyFocus = false;  ///< nothing else shows
-  FocusColours focusColours;
+  FocusShows focusShows;
   Light light;
   VoxelNormals normals;
   std::optional<FocusNormals> focusNormals;
@@ -76,7 +97,7 @@ struct Medium {
   Medium(const Scene& what, const Camera& camera, FocusField field)
       : scene(what),
         focus(std::move(field)),
-        focusColours(what),
+        focusShows(what),
         light(camera, what.look.shading),
         normals(*what.volume),
         context(what.look.context.shifted()),
@@ -91,8 +112,8 @@ struct Medium {
   }
 };
 
-/// Optical properties along a part of a cell in which they follow one line of the transfer function, or are those of
-/// the focus: κ = κ0 + x·dκ and c = c0 + x·dc, x(u) a cubic of u from 0 to 1 over the part.
+/// Optical properties along a part of a cell in which they follow one line of a transfer function, or are one material
+/// of the focus: κ = κ0 + x·dκ and c = c0 + x·dc, x(u) a cubic of u from 0 to 1 over the part.
 struct Part {
   double begin = 0.0, end = 1.0;  ///< of the cell's piece of the ray, 0..1
   double length = 0.0;            ///< mm
@@ -126,8 +147,8 @@ Cubic through(double a, double b, double c, double d) {
           -4.5 * a + 13.5 * b - 13.5 * c + 4.5 * d};
 }
 
-/// The transfer function along part of a cell in which `value` (from 0 to 1 over the part) stays between two nodes.
-Part contextPart(const TransferFunction& transfer, const Cubic& value, double begin, double end) {
+/// A transfer function along part of a cell in which `value` (from 0 to 1 over the part) stays between two nodes.
+Part functionPart(const TransferFunction& transfer, const Cubic& value, double begin, double end) {
   Part part;
   const auto at = [&](double u) { return evaluate(value, begin + (end - begin) * u); };
   const auto after = std::upper_bound(transfer.nodes.begin(), transfer.nodes.end(), at(0.5),
@@ -210,7 +231,9 @@ class Integrator {
       const Stops focusStops = monotoneStops(focusValue);
       for (const double level : {focusRange.low, focusRange.high})
         appendCrossings(focusValue, focusStops, level, places_);
-      if (medium_.focusColours.differ()) appendMiddles(piece);
+      for (const double node : medium_.focusShows.nodes())
+        if (*least <= node && node <= *greatest) appendCrossings(value, stops, node, places_);
+      if (medium_.focusShows.differ()) appendMiddles(piece);
     }
     if (medium_.scene.look.shading.enabled) {
       for (int i = 0; i < 8; ++i) {
@@ -232,9 +255,13 @@ class Integrator {
       Part part;
       if (inFocus_) {
         const glm::dvec3 at = glm::mix(piece.begin, piece.end, middle) + glm::dvec3(piece.cell);
-        part.from = medium_.focusColours.at(at);
+        const FocusShow& show = medium_.focusShows.at(at);
+        if (show.function)
+          part = functionPart(*show.function, value, begin, end);
+        else
+          part.from = show.material;
       } else {
-        part = contextPart(medium_.context, value, begin, end);
+        part = functionPart(medium_.context, value, begin, end);
       }
       part.begin = begin;
       part.end = end;

@@ -7,6 +7,8 @@
 
 #include <glm/glm.hpp>
 
+#include "rendering/scene/TransferFunction.h"
+
 namespace fenestra {
 
 /// What becomes of a label that is not in focus.
@@ -22,6 +24,8 @@ struct LabelSetting {
   bool visible = true;                  ///< off: slices do not tint it, 3-D pictures do not draw it in focus or keep it
   double opacity = 1.0;                 ///< 0..1, of it in focus (see opticalExtinction) and of its tint on slices
   std::optional<glm::dvec3> colour{};   ///< display RGB 0..1, in place of the label map's
+  /// Of it in focus: colour and extinction by value, in place of one material. See focusFunction.
+  std::optional<TransferFunction> function{};
 
   bool operator==(const LabelSetting&) const = default;
 };

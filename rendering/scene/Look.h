@@ -2,6 +2,7 @@
 // How a volume is looked at: everything in a picture but the data and the camera. Plain data.
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include <glm/glm.hpp>
@@ -15,9 +16,12 @@
 namespace fenestra {
 
 /// How the focus looks. A label focus takes its labels' colours; a value focus takes `colour`. `extinction` is in 1/mm.
+/// In place of this one material a value focus and a grown region may have a function of the values, as a label has its
+/// own (see LabelSetting).
 struct FocusAppearance {
   glm::dvec3 colour{0.93, 0.87, 0.75};
   double extinction = 2.0;
+  std::optional<TransferFunction> function{};
   bool operator==(const FocusAppearance&) const = default;
 };
 

@@ -48,6 +48,29 @@ OpticalProperties focusMaterial(const Scene& scene, std::uint16_t label) {
           setting.visible ? opticalExtinction(scene.look.focusAppearance.extinction, setting.opacity) : 0.0};
 }
 
+std::optional<TransferFunction> focusFunction(const Scene& scene, std::uint16_t label) {
+  if (!focusesStructures(scene)) return scene.look.focusAppearance.function;
+  LabelSetting setting = settingFor(scene.look.labels, label);
+  if (setting.function)
+    for (TransferFunction::Node& node : setting.function->nodes) {
+      double& extinction = node.properties.extinction;
+      extinction = setting.visible ? opticalExtinction(extinction, setting.opacity) : 0.0;
+    }
+  return std::move(setting.function);
+}
+
+const std::optional<TransferFunction>& focusFunction(const Scene& scene) { return scene.look.focusAppearance.function; }
+
+bool hasFocusFunction(const Scene& scene) {
+  if (std::holds_alternative<ValueFocus>(scene.look.focus)) return focusFunction(scene).has_value();
+  const auto* focus = std::get_if<LabelFocus>(&scene.look.focus);
+  if (!focus) return false;
+  if (!focusesStructures(scene)) return scene.look.focusAppearance.function.has_value();
+  return std::any_of(scene.look.labels.begin(), scene.look.labels.end(), [&](const LabelSetting& each) {
+    return each.function && std::binary_search(focus->labels.begin(), focus->labels.end(), each.label);
+  });
+}
+
 Grid visibleGrid(const ShownVolume& shown, const TransferFunction& context) {
   constexpr double visibleOpacity = 0.05;  // of 1 mm: the frame leaves haze out
   constexpr double leastShare = 0.01;      // of the fullest slab

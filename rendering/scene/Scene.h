@@ -33,8 +33,17 @@ bool focusesStructures(const Scene& scene);
 /// The labels of that map that have a role and are not in focus, ascending; for Protected, those that are visible.
 std::vector<std::uint16_t> labelsWith(LabelRole role, const Scene& scene);
 
-/// Colour and extinction (1/mm) of a label in focus, as the look has changed them.
+/// Colour and extinction (1/mm) of a label in focus, as the look has changed them; where it has no focusFunction.
 OpticalProperties focusMaterial(const Scene& scene, std::uint16_t label);
+/// Colour and extinction by value of a label in focus; empty where it is of one material. What is focus does not depend
+/// on it: at a point of the focus, the volume's interpolated value there takes the place of the material, and the label
+/// is that of the nearest voxel, as it is for materials. A label's opacity changes the extinction of each node, see
+/// opticalExtinction; its colour is for slices then. The labels of a grown region have the region's function.
+std::optional<TransferFunction> focusFunction(const Scene& scene, std::uint16_t label);
+/// The same of a focus of values.
+const std::optional<TransferFunction>& focusFunction(const Scene& scene);
+/// Whether some of the focus is shown by value.
+bool hasFocusFunction(const Scene& scene);
 
 /// A scene has an opening when it has a focus and its cutaway is on.
 bool hasCutaway(const Scene& scene);

@@ -75,6 +75,8 @@ class RaySamples {
   }
   double focusExtinctionAt(double t) const {
     const bool ofLabels = std::holds_alternative<LabelFocus>(scene_.look.focus);
+    const auto byValue = ofLabels ? focusFunction(scene_, labelAt(t, *scene_.labels)) : focusFunction(scene_);
+    if (byValue) return byValue->evaluate(valueAt(t)).extinction;
     return ofLabels ? focusMaterial(scene_, labelAt(t, *scene_.labels)).extinction
                     : scene_.look.focusAppearance.extinction;
   }

@@ -75,6 +75,83 @@ TEST_F(FocusLayerPassTest, LitPictures) {
     for (const bool open : {false, true}) expectMatch(scene, aside(scene), size, open);
 }
 
+/// Ramps and a step, over values that differ by more than that from voxel to voxel.
+TransferFunction stepped(double density) {
+  return {{{200.0, {{1.0, 0.2, 0.1}, 0.0}},
+           {450.0, {{0.9, 0.8, 0.2}, 0.1 * density}},
+           {450.0, {{0.1, 0.3, 1.0}, density}},
+           {600.0, {{0.2, 1.0, 0.3}, 0.3 * density}},
+           {850.0, {{1.0, 1.0, 0.8}, 0.7 * density}}}};
+}
+
+TransferFunction ramps(double density) {
+  return {{{200.0, {{1.0, 0.2, 0.1}, 0.0}},
+           {450.0, {{0.1, 0.3, 1.0}, density}},
+           {600.0, {{0.2, 1.0, 0.3}, 0.3 * density}},
+           {850.0, {{1.0, 1.0, 0.8}, 0.7 * density}}}};
+}
+
+/// Three kinds of focus by value: one label, two of which one is of a material, and values.
+std::vector<Scene> scenesByValue(bool lit, const TransferFunction& function) {
+  Scene one = waves(lit), two = one, values = one;
+  put(one.look.labels, {.label = 1, .function = function});
+  two.labels = labelsOf(two.volume->grid, [](glm::ivec3 i) {
+    return glm::distance(glm::dvec3(i), glm::dvec3(11.0, 8.0, 9.5)) < 5.0 ? (i.x + i.y < 19 ? 1 : 2) : 0;
+  });
+  two.look.focus = LabelFocus{{1, 2}};
+  put(two.look.labels, {.label = 2, .opacity = 0.7, .function = function});
+  values.look.focus = ValueFocus{{430.0, 700.0}, 0.0};
+  values.labels = nullptr;
+  values.look.focusAppearance.function = function;
+  return {one, two, values};
+}
+
+TEST_F(FocusLayerPassTest, FocusesByValue) {
+  for (const bool lit : {false, true})
+    for (const double density : {0.1, 1.0})
+      for (const Scene& scene : scenesByValue(lit, stepped(density))) {
+        SCOPED_TRACE((lit ? "lit, focus " : "unlit, focus ") + std::to_string(scene.look.focus.index()) + ", density " +
+                     std::to_string(density));
+        for (const bool open : {false, true}) expectMatch(scene, aside(scene), {33, 17}, open);
+      }
+}
+
+TEST_F(FocusLayerPassTest, FocusesByValueKeepEveryBound) {
+  constexpr glm::ivec2 size{61, 47};
+  for (const bool lit : {false, true})
+    for (Scene scene : scenesByValue(lit, ramps(2.0))) {
+      scene.look.cutaway.enabled = false;
+      const Camera camera = aside(scene);
+      const std::vector<glm::dvec4> truth = reference::picture(scene, camera, size, {}, {}).focusLayer;
+      for (const Schedule schedule : schedules) {
+        Drawing drawing(scene, camera, size, schedule);
+        for (const double allowed : {4.0, 1.0, 0.5})
+          EXPECT_LE(errorsOf(drawing.pixels(nullptr, {.maxError = allowed / 255.0}), truth).worst, allowed)
+              << nameOf(schedule) << (lit ? ", lit" : ", unlit") << ", focus " << scene.look.focus.index();
+      }
+    }
+}
+
+TEST_F(FocusLayerPassTest, AFunctionThatIsConstantShowsAMaterial) {
+  constexpr glm::ivec2 size{33, 17};
+  for (const bool lit : {false, true}) {
+    Scene material = waves(lit);
+    material.look.cutaway.enabled = false;
+    const Camera camera = aside(material);
+    Scene constant = material;
+    const OpticalProperties same = focusMaterial(material, 1);
+    put(constant.look.labels, {.label = 1, .function = TransferFunction{{{300.0, same}, {600.0, same}}}});
+    for (const Schedule schedule : schedules) {
+      const std::vector<glm::vec4> here =
+          Drawing(constant, camera, size, schedule).pixels(nullptr, {.maxError = bound});
+      std::vector<glm::dvec4> truth;
+      for (const glm::vec4 pixel : Drawing(material, camera, size, schedule).pixels(nullptr, {.maxError = bound}))
+        truth.emplace_back(pixel);
+      EXPECT_LE(errorsOf(here, truth).worst, 2.0 * 0.5) << "each is within its bound";
+    }
+  }
+}
+
 TEST_F(FocusLayerPassTest, FocusNowhereAndEverywhere) {
   Scene none = waves(false), absent = none, everywhere = none;
   none.look.focus = {};

@@ -298,6 +298,35 @@ TEST_F(GpuSceneTest, ColoursOfALabelFocusChangeAsIfMadeFromScratch) {
   expectNew("another map");
 }
 
+TEST_F(GpuSceneTest, FunctionsOfTheFocusTakeMemoryOnlyWhileTheyAreUsed) {
+  Scene scene = labelScene(gridOf({20, 20, 20}), [](glm::ivec3 i) {
+    return i.x < 8 ? 1 : i.x < 12 ? 2 : i.x < 16 ? 3 : 0;
+  });
+  scene.look.focus = LabelFocus{{1, 2, 3}};
+  GpuScene gpu;
+  const auto bytes = [&] {
+    gpu.update(scene);
+    EXPECT_EQ(gpu.focusByValue(), hasFocusFunction(scene));
+    return gpu.transferTables().bytes();
+  };
+  const std::size_t table = bytes();
+  const TransferFunction one{{{0.0, {glm::dvec3(1.0), 0.1}}}}, other{{{5.0, {glm::dvec3(0.5), 0.2}}}};
+  const GpuScene::Versions before = gpu.versions();
+  put(scene.look.labels, {.label = 1, .function = one});
+  EXPECT_EQ(bytes(), 2 * table);
+  EXPECT_EQ(gpu.versions().focus, before.focus);
+  EXPECT_EQ(gpu.versions().gaps, before.gaps);
+  EXPECT_GT(gpu.versions().palette, before.palette);
+  put(scene.look.labels, {.label = 2, .function = other});
+  EXPECT_EQ(bytes(), 3 * table);
+  put(scene.look.labels, {.label = 3, .function = one});
+  EXPECT_EQ(bytes(), 3 * table) << "labels share what is the same";
+  scene.look.focus = LabelFocus{{2}};
+  EXPECT_EQ(bytes(), 2 * table) << "labels out of focus need none";
+  scene.look.labels.clear();
+  EXPECT_EQ(bytes(), table);
+}
+
 TEST_F(GpuSceneTest, ProtectedLabelsTakeMemoryOnlyWhileTheyAreUsed) {
   Scene scene = largeScene();
   GpuScene gpu;

@@ -169,7 +169,7 @@ TEST_F(ProgramsTest, BlocksHaveTheLayoutOfTheirStructs) {
         OFFSET(TransferBlock, visibleEntries)}},
       {FocusBlock::name,
        {OFFSET(FocusBlock, material), OFFSET(FocusBlock, range), OFFSET(FocusBlock, paletteOrigin),
-        OFFSET(FocusBlock, smoothOrigin), OFFSET(FocusBlock, worldFromIndexGradient)}},
+        OFFSET(FocusBlock, smoothOrigin), OFFSET(FocusBlock, table), OFFSET(FocusBlock, worldFromIndexGradient)}},
       {LightBlock::name,
        {OFFSET(LightBlock, direction), OFFSET(LightBlock, ambient), OFFSET(LightBlock, diffuse),
         OFFSET(LightBlock, specular), OFFSET(LightBlock, shininess), OFFSET(LightBlock, meanIncidence),

@@ -62,6 +62,9 @@ TEST_F(Passes, ReRunOnlyWhatAChangeReaches) {
   EXPECT_EQ(after([](Scene& s) { s.look.contextLayer.colour = glm::dvec3(0.2); }), "composite");
   EXPECT_EQ(after([](Scene& s) { s.look.background = glm::dvec3(0.2); }), "");
   EXPECT_EQ(after([](Scene& s) { s.look.focusAppearance.extinction = 1.0; }), "focus layer, composite");
+  // What the focus shows by value moves none of its surface.
+  const TransferFunction byValue{{{0.0, {glm::dvec3(1.0), 0.0}}, {100.0, {glm::dvec3(1.0), 0.5}}}};
+  EXPECT_EQ(after([&](Scene& s) { put(s.look.labels, {.label = 1, .function = byValue}); }), "focus layer, composite");
   // A colour moves no surface; the value at which the context begins does.
   EXPECT_EQ(after([](Scene& s) { s.look.context.function.nodes[1].properties.colour = glm::dvec3(0.1); }),
             "focus layer, composite");

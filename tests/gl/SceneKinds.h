@@ -36,6 +36,15 @@ Scene bodyWithOrgans(const Grid& grid) {
   return scene;
 }
 
+/// The focus of values, or of two labels the first, by value.
+inline Scene byValue(Scene scene) {
+  const TransferFunction function{
+      {{60.0, {{1.0, 0.2, 0.1}, 0.0}}, {100.0, {{0.9, 0.9, 0.2}, 0.4}}, {100.0, {{0.1, 0.4, 1.0}, 1.5}}}};
+  put(scene.look.labels, {.label = 1, .function = function});
+  scene.look.focusAppearance.function = function;
+  return scene;
+}
+
 /// Every kind of focus, with and without light, opening, edges and strokes, in every sampling.
 template <class T>
 void addSceneKinds(const std::string& type, std::vector<SceneKind>& kinds) {
@@ -126,6 +135,10 @@ inline std::vector<SceneKind> allSceneKinds() {
     bare.scene.look.contextLayer.strength = 0.0;
     kinds.push_back(bare);
   }
+  // Each kind of focus, with light and without, opened and not, as a lattice and within a bound.
+  for (std::size_t i = 0; i < plain; ++i)
+    if (hasFocusFunction(byValue(kinds[i].scene)) && i % 4 % 3 == 0 && kinds[i].name.starts_with("int16"))
+      kinds.push_back({kinds[i].name + ", by value", byValue(kinds[i].scene), kinds[i].view});
   for (std::size_t i = 0; i < plain; i += 5) {
     if (!hasCutaway(kinds[i].scene)) continue;
     SceneKind guarded = kinds[i];

@@ -340,5 +340,79 @@ TEST_F(EditorWindow, EachLabelInFocusHasALevelAndAColour) {
   EXPECT_EQ(plot().target(), FunctionTarget()) << "its label has left the focus";
 }
 
+/// Of any channel, 0 to 255.
+int greatestDifference(const QImage& a, const QImage& b) {
+  if (a.size() != b.size()) return 256;
+  int most = 0;
+  for (int y = 0; y < a.height(); ++y)
+    for (int x = 0; x < a.width(); ++x) {
+      const QRgb p = a.pixel(x, y), q = b.pixel(x, y);
+      most =
+          std::max({most, std::abs(qRed(p) - qRed(q)), std::abs(qGreen(p) - qGreen(q)), std::abs(qBlue(p) - qBlue(q))});
+    }
+  return most;
+}
+
+TEST_F(EditorWindow, ALabelInFocusIsShownByValueAndByOneMaterialAgain) {
+  document().setFocus(LabelFocus{{marker}});
+  waitUntilDrawn();
+  EXPECT_FALSE(editor().byValue()->isVisible()) << "the context has a function anyway";
+  editor().targets()->setCurrentIndex(2);
+  Q_EMIT editor().targets()->activated(2);
+  ASSERT_TRUE(editor().byValue()->isVisible());
+  EXPECT_FALSE(editor().byValue()->isChecked());
+  document().undoStack().clear();
+  const Look before = document().look();
+  const QImage material = picture(volume(0));
+  editor().byValue()->click();
+  expectOneStep(before);
+  EXPECT_TRUE(editor().byValue()->isChecked());
+  EXPECT_EQ(document().labelSetting(body), LabelSetting{.label = body}) << "only the label that was chosen";
+  waitUntilDrawn();
+  // At first the function is constant and the same. By value, normal quality lights a segment in two halves, not in one.
+  EXPECT_LE(greatestDifference(picture(volume(0)), material), 8);
+
+  ASSERT_EQ(plot().function().nodes.size(), 2u);
+  const Look flat = document().look();
+  document().undoStack().clear();
+  plot().select(1);
+  plot().setColour({1.0, 0.0, 0.2});
+  plot().select(0);
+  plot().setColour({1.0, 0.0, 0.2});
+  waitUntilDrawn();
+  EXPECT_GT(greatestDifference(picture(volume(0)), material), 20) << "the views follow";
+  plot().addNode(plot().shown().low, 0.25);
+  EXPECT_EQ(plot().function().nodes.size(), 3u);
+  while (document().undoStack().canUndo()) document().undoStack().undo();
+  EXPECT_EQ(document().look(), flat);
+  editor().byValue()->click();
+  EXPECT_EQ(document().look(), before);
+  EXPECT_FALSE(editor().byValue()->isChecked());
+}
+
+TEST_F(EditorWindow, AFocusOnValuesIsShownByValue) {
+  document().setFocus(ValueFocus{{500.0, 800.0}, 0.0});
+  waitUntilDrawn();
+  plot().setTarget({FunctionTarget::Kind::Focus});
+  document().undoStack().clear();
+  const Look before = document().look();
+  editor().byValue()->click();
+  expectOneStep(before);
+  const auto& appearance = document().look().focusAppearance;
+  ASSERT_TRUE(appearance.function);
+  ASSERT_EQ(appearance.function->nodes.size(), 2u);
+  EXPECT_EQ(appearance.function->nodes[0].value, 500.0);
+  EXPECT_EQ(appearance.function->nodes[1].value, 800.0);
+  EXPECT_EQ(appearance.function->nodes[0].properties.colour, appearance.colour);
+  document().undoStack().clear();
+  const Look flat = document().look();
+  const double level = opacityFromExtinction(appearance.extinction);
+  drag(&plot(), at(800.0, level), at(700.0, 0.4));
+  expectOneStep(flat);
+  EXPECT_NEAR(appearance.function->nodes[1].value, 700.0, 2.0 * valuePerPixel);
+  EXPECT_EQ(std::get<ValueFocus>(document().focus()).values, std::get<ValueFocus>(before.focus).values)
+      << "what is focus stays";
+}
+
 }  // namespace
 }  // namespace fenestra::viewer

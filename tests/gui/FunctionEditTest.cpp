@@ -100,6 +100,36 @@ TEST(ValueHistogramTest, CountsWholeNumbersInTheMiddleOfTheirBins) {
   EXPECT_EQ(histogram.density({2000.0, 3000.0}), 0.0);
 }
 
+TEST(ValueHistogramTest, CountsTheVoxelsOfALabelInTheVolumesBins) {
+  Volume volume;
+  volume.grid.dims = {4, 4, 4};
+  volume.voxels = Voxels(ScalarType::Int16, 64);
+  LabelMap labels;
+  labels.grid = volume.grid;
+  labels.voxels = Voxels(ScalarType::UInt8, 64);
+  const auto voxels = volume.voxels.as<std::int16_t>();
+  const auto marks = labels.voxels.as<std::uint8_t>();
+  for (std::size_t i = 0; i < 64; ++i) {
+    voxels[i] = static_cast<std::int16_t>(i < 16 ? -1000 : i < 48 ? 40 : 1000);
+    marks[i] = i < 8 ? 1 : i < 40 ? 2 : 0;
+  }
+  volume.computeRange();
+  const ValueHistogram all = histogramOf(volume), one = histogramOf(volume, labels, 1),
+                       two = histogramOf(volume, labels, 2), none = histogramOf(volume, labels, 3);
+  EXPECT_EQ(two.values.low, all.values.low);
+  EXPECT_EQ(two.counts.size(), all.counts.size());
+  EXPECT_EQ(one.density({-1000.0, -1000.0}), 8.0);
+  EXPECT_EQ(one.density({40.0, 40.0}), 0.0);
+  EXPECT_EQ(two.density({-1000.0, -1000.0}), 8.0);
+  EXPECT_EQ(two.density({40.0, 40.0}), 24.0);
+  // A quarter of label 2 lies at -1000, the rest at 40, each in the middle of a bin that is one wide.
+  const ValueRange middle = middleOf(two, 0.3);
+  EXPECT_NEAR(middle.low, 40.0, 0.5);
+  EXPECT_NEAR(middle.high, 40.0, 0.5);
+  EXPECT_NEAR(middleOf(two, 0.1).low, -1000.0, 0.5);
+  EXPECT_EQ(middleOf(none, 0.1), all.values);
+}
+
 TEST(ValueHistogramTest, TakesAnyNumbers) {
   constexpr double infinity = std::numeric_limits<double>::infinity(), big = std::numeric_limits<double>::max();
   for (const std::vector<double>& values : std::vector<std::vector<double>>{{5.0, 5.0},

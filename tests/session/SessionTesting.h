@@ -44,9 +44,13 @@ inline io::Session fullSession(const std::filesystem::path& folder) {
   session.labels.path = folder / "labels.nii.gz";
   session.labels.contents = contents;
   session.look.focus = ValueFocus{{-1000.5, 3071.0}, 12.5};
-  session.look.labels = {{2, LabelRole::Hidden, false, 1.0 / 3.0, glm::dvec3(0.1, 0.0, 1.0)},
-                         {65535, LabelRole::Protected, true, 0.0, {}}};
-  session.look.focusAppearance = {{0.1, 0.2, 0.3}, 1.0 / 3.0};
+  session.look.labels = {
+      {2, LabelRole::Hidden, false, 1.0 / 3.0, glm::dvec3(0.1, 0.0, 1.0), {}},
+      {65535, LabelRole::Protected, true, 0.0, {}, TransferFunction{{{42.0, {{0.1, 0.9, 0.0}, 0.7}}}}}};
+  session.look.focusAppearance = {
+      {0.1, 0.2, 0.3},
+      1.0 / 3.0,
+      TransferFunction{{{-7.5, {{0.3, 0.2, 0.1}, 0.0}}, {1.0 / 3.0, {{1.0, 0.0, 1.0}, 2.5}}}}};
   session.look.context.file = folder / "mine.json";
   session.look.context.function.nodes = {{-0.1, {{0.9, 0.8, 0.7}, 0.0}},
                                          {300.0, {{0.0, 1.0, 0.5}, 13.815510557964274}}};

@@ -357,11 +357,65 @@ TEST(ReferenceFocusLayer, valuesShowTheFocusesColourInsideTheirRange) {
   // The value is the index: focus between 4 and 8, context before and after.
   Scene scene = profile(12, [](int x) { return x; }, {{{0.0, {blue, 0.05}}}});
   scene.look.focus = ValueFocus{{4.0, 8.0}, 0.0};
-  scene.look.focusAppearance = {red, 0.2};
+  scene.look.focusAppearance = {red, 0.2, {}};
   scene.look.cutaway.enabled = false;
   const double front = std::exp(-0.05 * 4.5), focus = std::exp(-0.2 * 4.0), back = std::exp(-0.05 * 3.5);
   const glm::dvec3 colour = blue * (1.0 - front) + front * (red * (1.0 - focus) + focus * blue * (1.0 - back));
   expectNear(onePixel(scene, 1e-12), {colour, 1.0 - front * focus * back}, 1e-12);
+}
+
+TEST(ReferenceFocusLayer, labelsShowTheirFunctionsOfTheValue) {
+  // The value is the index. Label 1 from 3.5 to 7.5 by a function that steps at 5, label 2 to the face of one material.
+  const glm::dvec3 green(0.2, 0.9, 0.4);
+  Scene scene = profile(12, [](int x) { return x; }, {{{0.0, {blue, 0.05}}}});
+  auto labels = labelsOf(scene.volume->grid, [](glm::ivec3 i) { return i.x < 4 ? 0 : i.x < 8 ? 1 : 2; });
+  labels->labels = {{1, "one", {1.0, 1.0, 1.0}}, {2, "two", green}};
+  scene.labels = labels;
+  scene.look.focus = LabelFocus{{1, 2}};
+  scene.look.focusAppearance = {{}, 0.3, {}};
+  scene.look.cutaway.enabled = false;
+  const TransferFunction step{{{5.0, {red, 0.1}}, {5.0, {blue, 0.2}}}};
+  put(scene.look.labels, {.label = 1, .function = step});
+  const auto expected = [&](double below, double above) {
+    const double t0 = std::exp(-0.05 * 4.0), t1 = t0 * std::exp(-below * 1.5), t2 = t1 * std::exp(-above * 2.5),
+                 t3 = t2 * std::exp(-0.3 * 4.0);
+    return glm::dvec4(blue * (1.0 - t0) + red * (t0 - t1) + blue * (t1 - t2) + green * (t2 - t3), 1.0 - t3);
+  };
+  expectNear(onePixel(scene, 1e-12), expected(0.1, 0.2), 1e-12);
+  // A label's opacity is that of 10 mm of it, at each node.
+  put(scene.look.labels, {.label = 1, .opacity = 0.5, .function = step});
+  const auto halved = [](double extinction) {
+    return -std::log(1.0 - 0.5 * (1.0 - std::exp(-10.0 * extinction))) / 10.0;
+  };
+  expectNear(onePixel(scene, 1e-12), expected(halved(0.1), halved(0.2)), 1e-12);
+  put(scene.look.labels, {.label = 1, .visible = false, .function = step});
+  expectNear(onePixel(scene, 1e-12), expected(0.0, 0.0), 1e-12);
+  // A label that is not in focus shows as context, whatever its function.
+  put(scene.look.labels, {.label = 1, .function = step});
+  scene.look.focus = LabelFocus{{2}};
+  EXPECT_FALSE(hasFocusFunction(scene));
+  const double front = std::exp(-0.05 * 8.0), back = std::exp(-0.3 * 4.0);
+  expectNear(onePixel(scene, 1e-12), {blue * (1.0 - front) + front * green * (1.0 - back), 1.0 - front * back}, 1e-12);
+}
+
+TEST(ReferenceFocusLayer, valuesShowTheFocusesFunction) {
+  // The value is the index: focus between 4 and 8, whose extinction rises from 0 to 0.4 there; ∫ is 0.8.
+  Scene scene = profile(12, [](int x) { return x; }, {{{0.0, {blue, 0.05}}}});
+  scene.look.focus = ValueFocus{{4.0, 8.0}, 0.0};
+  scene.look.focusAppearance.function = {{{4.0, {red, 0.0}}, {8.0, {red, 0.4}}}};
+  scene.look.cutaway.enabled = false;
+  const double front = std::exp(-0.05 * 4.5), focus = std::exp(-0.8), back = std::exp(-0.05 * 3.5);
+  const glm::dvec3 colour = blue * (1.0 - front) + front * (red * (1.0 - focus) + focus * blue * (1.0 - back));
+  expectNear(onePixel(scene, 1e-12), {colour, 1.0 - front * focus * back}, 1e-10);
+  // What is focus, and so where rays start, is the same where the function shows nothing.
+  scene.look.focusAppearance.function->nodes.front().properties.extinction = 0.4;
+  const auto hits = [&] { return reference::hitPoints(scene, alongX(scene.volume->grid), {1, 1}); };
+  const reference::HitPoints dense = hits();
+  scene.look.focusAppearance.function = TransferFunction{};
+  EXPECT_EQ(hits().tFocus, dense.tFocus);
+  EXPECT_EQ(hits().tContext, dense.tContext);
+  const double clear = std::exp(-0.05 * 8.0);
+  expectNear(onePixel(scene, 1e-12), {blue * (1.0 - clear), 1.0 - clear}, 1e-12);
 }
 
 /// Blinn-Phong with the light from the upper left behind the viewer, written out a second time.

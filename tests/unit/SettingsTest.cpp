@@ -40,7 +40,7 @@ static_assert(memberCount<Three>() == 3);
 static_assert(declared<Cutaway> == memberCount<Cutaway>());
 static_assert(declared<ContextLayer> == memberCount<ContextLayer>());
 static_assert(declared<Shading> == memberCount<Shading>());
-static_assert(declared<FocusAppearance> == memberCount<FocusAppearance>());
+static_assert(declared<FocusAppearance> + 1 == memberCount<FocusAppearance>(), "all but the function");
 static_assert(declared<ValueFocus> + 1 == memberCount<ValueFocus>(), "all but the range");
 static_assert(declared<ContextFunction> + 3 == memberCount<ContextFunction>(), "all but the function and its source");
 static_assert(declared<BrushStroke> + 1 == memberCount<BrushStroke>(), "all but the anchors");

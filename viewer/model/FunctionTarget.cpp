@@ -21,6 +21,24 @@ const ValueFocus* rangeOf(const FunctionTarget& target, const Document& document
   return target.kind == Kind::Focus ? std::get_if<ValueFocus>(&document.focus()) : nullptr;
 }
 
+/// The function of a part of the focus; empty where there is none.
+std::optional<TransferFunction> functionIn(const FunctionTarget& target, const Document& document) {
+  if (target.kind == Kind::Label) return document.labelSetting(target.label).function;
+  return target.kind == Kind::Focus ? document.look().focusAppearance.function : std::nullopt;
+}
+
+void showFunction(const FunctionTarget& target, Document& document, std::optional<TransferFunction> function) {
+  if (target.kind == Kind::Label) {
+    LabelSetting setting = document.labelSetting(target.label);
+    setting.function = std::move(function);
+    if (setting != document.labelSetting(target.label)) document.setLabelSetting(setting, Text::tr("Focus"));
+    return;
+  }
+  Look look = document.look();
+  look.focusAppearance.function = std::move(function);
+  if (look != document.look()) document.edit(Text::tr("Focus"), std::move(look));
+}
+
 OpticalProperties materialOf(const FunctionTarget& target, const Document& document) {
   const Look& look = document.look();
   if (target.kind != Kind::Label) return {look.focusAppearance.colour, look.focusAppearance.extinction};
@@ -63,7 +81,8 @@ void setLabel(Document& document, std::uint16_t label, const OpticalProperties& 
 void setFocus(Document& document, const TransferFunction& function, bool isRange) {
   Look look = document.look();
   const OpticalProperties& material = function.nodes[isRange ? 1 : 0].properties;
-  look.focusAppearance = {material.colour, material.extinction};
+  look.focusAppearance.colour = material.colour;
+  look.focusAppearance.extinction = material.extinction;
   if (isRange) {
     const ValueRange& all = document.scene().volume->range;
     std::get<ValueFocus>(look.focus).values = {std::clamp(function.nodes.front().value, all.low, all.high),
@@ -89,8 +108,26 @@ QString nameOf(const FunctionTarget& target, const Document& document) {
   return Text::tr("Focus: %1").arg(nameOf(label ? *label : Label{target.label, {}, {}}));
 }
 
+bool canBeByValue(const FunctionTarget& target, const Document& document) {
+  return target.kind == Kind::Label ||
+         (target.kind == Kind::Focus && !std::holds_alternative<LabelFocus>(document.focus()));
+}
+
+bool isByValue(const FunctionTarget& target, const Document& document) {
+  return canBeByValue(target, document) && functionIn(target, document);
+}
+
+void setByValue(const FunctionTarget& target, Document& document, bool byValue, ValueRange values) {
+  if (!canBeByValue(target, document) || byValue == isByValue(target, document)) return;
+  if (!byValue) return showFunction(target, document, std::nullopt);
+  // A label's opacity comes on top of the function, as it does of the material.
+  const OpticalProperties material{materialOf(target, document).colour, document.look().focusAppearance.extinction};
+  showFunction(target, document, TransferFunction{{{values.low, material}, {values.high, material}}});
+}
+
 TransferFunction functionOf(const FunctionTarget& target, const Document& document, ValueRange axis) {
   if (target.kind == Kind::Context) return document.look().context.shifted();
+  if (isByValue(target, document)) return *functionIn(target, document);
   const OpticalProperties material = materialOf(target, document);
   const ValueFocus* range = rangeOf(target, document);
   if (!range) return {{{axis.low, material}, {axis.high, material}}};
@@ -101,17 +138,21 @@ TransferFunction functionOf(const FunctionTarget& target, const Document& docume
            {range->values.high, nothing}}};
 }
 
+bool hasNodes(const FunctionTarget& target, const Document& document) {
+  return target.kind == Kind::Context || isByValue(target, document);
+}
+
 bool hasValues(const FunctionTarget& target, const Document& document) {
-  return hasNodes(target) || rangeOf(target, document);
+  return hasNodes(target, document) || rangeOf(target, document);
 }
 
 bool hasColour(const FunctionTarget& target, const Document& document) {
-  return target.kind != Kind::Focus || rangeOf(target, document);
+  return target.kind != Kind::Focus || hasNodes(target, document) || rangeOf(target, document);
 }
 
-TransferFunction movedOf(const FunctionTarget& target, const TransferFunction& function, Grip grip, double valueBy,
-                         double opacityBy) {
-  if (hasNodes(target)) return moved(function, grip, valueBy, opacityBy);
+TransferFunction movedOf(const FunctionTarget& target, const Document& document, const TransferFunction& function,
+                         Grip grip, double valueBy, double opacityBy) {
+  if (hasNodes(target, document)) return moved(function, grip, valueBy, opacityBy);
   TransferFunction result = function;
   const bool isRange = function.nodes.size() == 4;
   if (isRange && valueBy != 0.0 && grip.part != Grip::Part::Plateau) {
@@ -129,6 +170,7 @@ TransferFunction movedOf(const FunctionTarget& target, const TransferFunction& f
 
 void setFunction(const FunctionTarget& target, Document& document, const TransferFunction& function,
                  const Look& start) {
+  if (isByValue(target, document)) return showFunction(target, document, function);
   switch (target.kind) {
     case Kind::Context:
       return setContext(document, function, start.context);

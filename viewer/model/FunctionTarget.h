@@ -1,6 +1,6 @@
 #pragma once
-// What an editor of transfer functions can show and edit: the context's function, and how the focus looks. The focus is
-// of one material, or of one for each label, so that its function is a box over a range of values, or a level.
+// What an editor of transfer functions can show and edit: the context's function, and how the focus looks. The focus or
+// a label in it is of one material, which shows as a box over a range of values or as a level, or it has a function.
 
 #include <compare>
 #include <cstdint>
@@ -26,18 +26,27 @@ struct FunctionTarget {
 std::vector<FunctionTarget> targetsOf(const Document& document);
 QString nameOf(const FunctionTarget& target, const Document& document);
 
-/// The target's function over values of the volume, its shift included. That of a level spans `axis`.
+/// Whether a function can take the place of the material: of a label, a range of values and a grown region. Whether it
+/// does.
+bool canBeByValue(const FunctionTarget& target, const Document& document);
+bool isByValue(const FunctionTarget& target, const Document& document);
+/// Gives the target a function, or its one material again, as one step of the history. The function starts with two
+/// points at the ends of `values`, both of the material, so that the picture stays as it is until one is moved.
+void setByValue(const FunctionTarget& target, Document& document, bool byValue, ValueRange values);
+
+/// The target's function over values of the volume, its shift included and a label's opacity left out. That of a level
+/// spans `axis`.
 TransferFunction functionOf(const FunctionTarget& target, const Document& document, ValueRange axis);
 /// Whether nodes can be added and deleted, and have colours of their own.
-inline bool hasNodes(const FunctionTarget& target) { return target.kind == FunctionTarget::Kind::Context; }
+bool hasNodes(const FunctionTarget& target, const Document& document);
 /// Whether moves along the values have an effect.
 bool hasValues(const FunctionTarget& target, const Document& document);
 /// Whether its colour is set here.
 bool hasColour(const FunctionTarget& target, const Document& document);
-/// What moving a part of the function moves: of a box or level, a corner takes its edge along, and every move of
-/// opacity is that of the whole.
-TransferFunction movedOf(const FunctionTarget& target, const TransferFunction& function, Grip grip, double valueBy,
-                         double opacityBy);
+/// What moving a part of the function moves: of nodes, that part; of a box or level, a corner takes its edge along, and
+/// every move of opacity is that of the whole.
+TransferFunction movedOf(const FunctionTarget& target, const Document& document, const TransferFunction& function,
+                         Grip grip, double valueBy, double opacityBy);
 /// Shows `function`, which was made from functionOf(), as one step of the history; steps of one gesture merge. `start`
 /// is the look when the gesture began: nodes that come back to it are those of its preset again.
 void setFunction(const FunctionTarget& target, Document& document, const TransferFunction& function, const Look& start);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "rendering/scene/LabelMap.h"
 #include "rendering/scene/Volume.h"
 
 namespace fenestra::viewer {
@@ -21,5 +22,10 @@ struct ValueHistogram {
 /// From evenly spaced voxels, a quarter of a million of them: their curve is that of all voxels, and they take a few
 /// milliseconds.
 ValueHistogram histogramOf(const Volume& volume);
+/// Of the voxels of one label, all of them, in the same bins; `labels` is on the volume's grid. Runs on all cores.
+ValueHistogram histogramOf(const Volume& volume, const LabelMap& labels, std::uint16_t label);
+/// Values below which `share` of the counted voxels lie, and above which as many do; the histogram's ends where none
+/// is.
+ValueRange middleOf(const ValueHistogram& histogram, double share);
 
 }  // namespace fenestra::viewer

@@ -21,7 +21,8 @@ TransferFunctionEditor::TransferFunctionEditor(Document& document, QWidget* pare
       plot_(new TransferFunctionPlot(document)),
       value_(new QDoubleSpinBox),
       opacity_(new QDoubleSpinBox),
-      colour_(new ColourButton(tr("Colour of the selected point"))) {
+      colour_(new ColourButton(tr("Colour of the selected point"))),
+      byValue_(new QCheckBox(tr("By value"))) {
   targets_->setToolTip(tr("What the plot shows and edits"));
   targets_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   targets_->setMinimumContentsLength(5);
@@ -41,6 +42,9 @@ TransferFunctionEditor::TransferFunctionEditor(Document& document, QWidget* pare
   }
   for (QWidget* control : std::initializer_list<QWidget*>{targets_, value_, opacity_, colour_})
     control->setAccessibleName(control->toolTip());
+  byValue_->setToolTip(tr(
+      "Shows this part of the focus by a function of the values, as the context is shown, in place of one colour and "
+      "opacity"));
   auto* point = new QHBoxLayout;
   point->addWidget(onlyContext_);
   point->addWidget(targets_, 2);
@@ -51,9 +55,11 @@ TransferFunctionEditor::TransferFunctionEditor(Document& document, QWidget* pare
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(plot_);
   column->addLayout(point);
+  column->addWidget(byValue_);
 
   connect(targets_, &QComboBox::activated, this,
           [this](int row) { plot_->setTarget(listed_.at(static_cast<std::size_t>(row))); });
+  connect(byValue_, &QCheckBox::clicked, plot_, &TransferFunctionPlot::setByValue);
   connect(value_, &QDoubleSpinBox::valueChanged, plot_, &TransferFunctionPlot::setValue);
   connect(opacity_, &QDoubleSpinBox::valueChanged, plot_,
           [this](double percent) { plot_->setOpacity(0.01 * percent); });
@@ -91,6 +97,8 @@ void TransferFunctionEditor::showTargets() {
   }
   targets_->setVisible(listed_.size() > 1);
   onlyContext_->setVisible(listed_.size() == 1);
+  byValue_->setVisible(document_.hasVolume() && canBeByValue(plot_->target(), document_));
+  byValue_->setChecked(isByValue(plot_->target(), document_));
   for (std::size_t row = 0; row < listed_.size(); ++row) {
     targets_->setItemText(static_cast<int>(row), nameOf(listed_[row], document_));
     if (listed_[row] == plot_->target()) targets_->setCurrentIndex(static_cast<int>(row));
@@ -110,7 +118,7 @@ void TransferFunctionEditor::showNode() {
   const TransferFunction::Node& node = nodes[*selected];
   const QSignalBlocker quietValue(value_), quietOpacity(opacity_);
   // As far as the neighbours allow; a box's corner lies on its edge.
-  const bool own = hasNodes(target);
+  const bool own = hasNodes(target, document_);
   const ValueRange all = own ? ValueRange{-1e9, 1e9} : document_.scene().volume->range;
   double low = all.low, high = all.high;
   if (own && *selected > 0) low = nodes[*selected - 1].value;

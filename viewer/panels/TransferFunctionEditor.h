@@ -2,6 +2,7 @@
 // Edits the transfer function of the context, or how the focus or one of its labels looks: the plot, and below it the
 // selected node's exact value, opacity and colour.
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
@@ -22,6 +23,7 @@ class TransferFunctionEditor : public QWidget {
   QDoubleSpinBox* value() const { return value_; }
   QDoubleSpinBox* opacity() const { return opacity_; }
   ColourButton* colour() const { return colour_; }
+  QCheckBox* byValue() const { return byValue_; }
 
  private:
   void fitToVolume();
@@ -34,6 +36,7 @@ class TransferFunctionEditor : public QWidget {
   TransferFunctionPlot* plot_;
   QDoubleSpinBox *value_, *opacity_;
   ColourButton* colour_;
+  QCheckBox* byValue_;                  ///< of a part of the focus
   std::vector<FunctionTarget> listed_;  ///< what `targets_` shows
 };
 

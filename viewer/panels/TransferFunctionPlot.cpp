@@ -45,6 +45,7 @@ TransferFunctionPlot::TransferFunctionPlot(Document& document, QWidget* parent) 
 void TransferFunctionPlot::countValues() {
   drag_.reset();
   histogram_ = histogramOf(*document_.scene().volume);
+  countLabel();
   axis_ = {0.0, 0.0};
   fitAxis();
   shown_ = axis_;
@@ -53,16 +54,43 @@ void TransferFunctionPlot::countValues() {
   update();
 }
 
+/// The voxels of the label that is shown.
+void TransferFunctionPlot::countLabel() {
+  const std::shared_ptr<const LabelMap> labels =
+      target_.kind == FunctionTarget::Kind::Label ? document_.labels() : nullptr;
+  if (!labels) {
+    labelHistogram_.reset();
+    return;
+  }
+  const Counted counted{labels, document_.scene().volume, target_.label};
+  if (labelHistogram_ && counted_ == counted) return;
+  counted_ = counted;
+  labelHistogram_ = histogramOf(*counted.volume, *labels, target_.label);
+}
+
+void TransferFunctionPlot::setByValue(bool byValue) {
+  if (!document_.hasVolume() || drag_) return;
+  constexpr double outliers = 0.02;
+  ValueRange values = document_.scene().volume->range;
+  if (const auto* range = std::get_if<ValueFocus>(&document_.focus())) values = range->values;
+  if (labelHistogram_) values = middleOf(*labelHistogram_, outliers);
+  viewer::setByValue(target_, document_, byValue, values);
+}
+
 /// The volume's values and all nodes, where those do not lie far beyond the values.
 void TransferFunctionPlot::fitAxis() {
   const ValueRange values = document_.scene().volume->range;
   const double span = std::max(values.high - values.low, 1e-12 * std::max(1.0, std::abs(values.high)));
   const ValueRange before = axis_;
   axis_ = {values.low, values.low + span};
-  for (const TransferFunction::Node& node : document_.look().context.shifted().nodes) {
-    axis_.low = std::min(axis_.low, std::max(node.value, values.low - span));
-    axis_.high = std::max(axis_.high, std::min(node.value, values.high + span));
-  }
+  const auto include = [&](const TransferFunction& function) {
+    for (const TransferFunction::Node& node : function.nodes) {
+      axis_.low = std::min(axis_.low, std::max(node.value, values.low - span));
+      axis_.high = std::max(axis_.high, std::min(node.value, values.high + span));
+    }
+  };
+  include(document_.look().context.shifted());
+  if (isByValue(target_, document_)) include(function());
   if (shown_.low == before.low && shown_.high == before.high) shown_ = axis_;
   showValues(shown_);
 }
@@ -71,6 +99,7 @@ void TransferFunctionPlot::follow() {
   if (!document_.hasVolume()) return;
   const std::vector<FunctionTarget> targets = targetsOf(document_);
   if (std::find(targets.begin(), targets.end(), target_) == targets.end()) target_ = {};
+  countLabel();
   if (!drag_) fitAxis();
   Q_EMIT changed();
   update();
@@ -82,8 +111,7 @@ void TransferFunctionPlot::setTarget(const FunctionTarget& target) {
   target_ = target;
   selected_ = 0;
   isTrapezoidSelected_ = false;
-  Q_EMIT changed();
-  update();
+  follow();
 }
 
 TransferFunction TransferFunctionPlot::function() const {
@@ -161,9 +189,10 @@ void TransferFunctionPlot::paintEvent(QPaintEvent*) {
 
 void TransferFunctionPlot::drawHistogram(QPainter& painter) const {
   const QRectF plot = area();
+  const ValueHistogram& histogram = labelHistogram_ ? *labelHistogram_ : histogram_;
   std::vector<double> heights;
   for (double x = plot.left(); x < plot.right(); x += 1.0)
-    heights.push_back(std::log1p(histogram_.density({valueAt(x), valueAt(x + 1.0)})));
+    heights.push_back(std::log1p(histogram.density({valueAt(x), valueAt(x + 1.0)})));
   const double greatest = std::max(1e-9, *std::max_element(heights.begin(), heights.end()));
   QPainterPath counts(plot.bottomLeft());
   double x = plot.left();
@@ -221,7 +250,7 @@ void TransferFunctionPlot::drawFunction(QPainter& painter) const {
     points.push_back(place(value, opacityFromExtinction(properties.extinction)));
     colours.push_back(toColour(properties.colour));
   };
-  const bool isBox = !hasNodes(target_) && hasValues(target_, document_);
+  const bool isBox = !hasNodes(target_, document_) && hasValues(target_, document_);
   auto node = function.nodes.begin();
   for (double x = plot.left(); x <= plot.right(); x += 1.0) {
     const double value = valueAt(x);

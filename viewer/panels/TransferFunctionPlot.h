@@ -1,7 +1,7 @@
 #pragma once
-// A volume's histogram, logarithmic, with a transfer function over it to edit: nodes and trapezoids are dragged with
-// the mouse or moved with the keys. Values run from left to right; height is the opacity of 1 mm. The wheel enlarges
-// the values around the mouse.
+// The histogram of a volume, or of a label's voxels, logarithmic, with a transfer function over it to edit: nodes and
+// trapezoids are dragged with the mouse or moved with the keys. Values run from left to right; height is the opacity of
+// 1 mm. The wheel enlarges the values around the mouse.
 
 #include <optional>
 #include <utility>
@@ -24,6 +24,9 @@ class TransferFunctionPlot : public QWidget {
 
   const FunctionTarget& target() const { return target_; }
   void setTarget(const FunctionTarget& target);
+  /// Gives the target a function in place of its one material, over what most voxels of the label or the range hold, or
+  /// takes it away.
+  void setByValue(bool byValue);
   /// The function that is shown, over values of the volume.
   TransferFunction function() const;
   /// The node that keys, colour and exact numbers are about; empty where there is none.
@@ -82,6 +85,7 @@ class TransferFunctionPlot : public QWidget {
   std::optional<Grip> gripAt(QPointF at) const;
   void selectPart(Grip grip);
   void countValues();
+  void countLabel();
   void fitAxis();
   void follow();
   void showValues(ValueRange values);
@@ -106,6 +110,14 @@ class TransferFunctionPlot : public QWidget {
   Document& document_;
   FunctionTarget target_;
   ValueHistogram histogram_;
+  std::optional<ValueHistogram> labelHistogram_;  ///< in its place, while a label is shown
+  /// What labelHistogram_ was made of.
+  struct Counted {
+    std::shared_ptr<const LabelMap> labels;
+    std::shared_ptr<const Volume> volume;
+    std::uint16_t label = 0;
+    bool operator==(const Counted&) const = default;
+  } counted_;
   ValueRange axis_{0.0, 1.0}, shown_{0.0, 1.0};
   std::size_t selected_ = 0;
   bool isTrapezoidSelected_ = false;  ///< the one that the selected node belongs to

@@ -44,7 +44,7 @@ std::optional<Grip> TransferFunctionPlot::gripAt(QPointF at) const {
     nearest = Grip{Grip::Part::Node, node};
   }
   if (nearest) return nearest;
-  if (nodes.size() == 2 && !hasNodes(target_))
+  if (nodes.size() == 2 && !hasNodes(target_, document_))
     return distanceToSegment(at, places[0], places[1]) <= lineReach ? std::optional(Grip{Grip::Part::Plateau, 0})
                                                                     : std::nullopt;
   for (const std::size_t first : trapezoidsOf(function)) {
@@ -69,7 +69,7 @@ void TransferFunctionPlot::setValue(double value) {
   const auto node = selected();
   if (!node) return;
   const TransferFunction now = function();
-  edit(movedOf(target_, now, {Grip::Part::Node, *node}, value - now.nodes[*node].value, 0.0));
+  edit(movedOf(target_, document_, now, {Grip::Part::Node, *node}, value - now.nodes[*node].value, 0.0));
 }
 
 void TransferFunctionPlot::setOpacity(double opacity) {
@@ -77,26 +77,26 @@ void TransferFunctionPlot::setOpacity(double opacity) {
   if (!node) return;
   const TransferFunction now = function();
   const double before = opacityFromExtinction(now.nodes[*node].properties.extinction);
-  edit(movedOf(target_, now, {Grip::Part::Node, *node}, 0.0, opacity - before));
+  edit(movedOf(target_, document_, now, {Grip::Part::Node, *node}, 0.0, opacity - before));
 }
 
 void TransferFunctionPlot::setColour(glm::dvec3 colour) {
   if (!selected() || !hasColour(target_, document_)) return;
   TransferFunction now = function();
-  const auto [first, last] = hasNodes(target_) ? selection() : std::pair(std::size_t{0}, now.nodes.size());
+  const auto [first, last] = hasNodes(target_, document_) ? selection() : std::pair(std::size_t{0}, now.nodes.size());
   for (std::size_t node = first; node < last; ++node) now.nodes[node].properties.colour = colour;
   edit(now);
 }
 
 void TransferFunctionPlot::addNode(double value, double opacity) {
-  if (!hasNodes(target_) || !document_.hasVolume()) return;
+  if (!hasNodes(target_, document_) || !document_.hasVolume()) return;
   const WithNode with = withNode(function(), value, opacity);
   edit(with.function);
   select(with.node);
 }
 
 void TransferFunctionPlot::addTrapezoid(double value) {
-  if (!hasNodes(target_) || !document_.hasVolume()) return;
+  if (!hasNodes(target_, document_) || !document_.hasVolume()) return;
   const double half = 0.1 * (shown_.high - shown_.low);
   const double middle = std::clamp(value, axis_.low + half, axis_.high - half);
   const WithNode with = withTrapezoid(function(), {middle - half, middle + half}, 0.5);
@@ -105,7 +105,7 @@ void TransferFunctionPlot::addTrapezoid(double value) {
 }
 
 void TransferFunctionPlot::deleteSelected() {
-  if (!selected() || !hasNodes(target_)) return;
+  if (!selected() || !hasNodes(target_, document_)) return;
   TransferFunction now = function();
   const auto [first, last] = selection();
   // Without any node the context would be gone, and so would be what could be dragged to bring it back.
@@ -117,7 +117,7 @@ void TransferFunctionPlot::deleteSelected() {
 
 void TransferFunctionPlot::selectPart(Grip grip) {
   // A level and a box have one material.
-  if (grip.part == Grip::Part::Node || !hasNodes(target_))
+  if (grip.part == Grip::Part::Node || !hasNodes(target_, document_))
     select(grip.node);
   else
     selectTrapezoid(grip.node);
@@ -153,8 +153,8 @@ void TransferFunctionPlot::dragTo(QPointF at, Qt::KeyboardModifiers modifiers) {
   drag_->hasMoved = true;
   if (modifiers & Qt::ShiftModifier) (std::abs(by.x()) > std::abs(by.y()) ? by.ry() : by.rx()) = 0.0;
   const double values = by.x() / plot.width() * (shown_.high - shown_.low);
-  setFunction(target_, document_, movedOf(target_, drag_->function, drag_->grip, values, -by.y() / plot.height()),
-              drag_->look);
+  setFunction(target_, document_,
+              movedOf(target_, document_, drag_->function, drag_->grip, values, -by.y() / plot.height()), drag_->look);
 }
 
 void TransferFunctionPlot::mouseReleaseEvent(QMouseEvent* event) {
@@ -291,7 +291,7 @@ void TransferFunctionPlot::moveByKey(const QKeyEvent& event) {
   const Grip grip = isWhole ? selectedGrip(isAcross ? Grip::Part::Whole : Grip::Part::Plateau)
                             : Grip{Grip::Part::Node, selected().value_or(0)};
   const double sign = event.key() == Qt::Key_Left || event.key() == Qt::Key_Down ? -1.0 : 1.0;
-  edit(movedOf(target_, function(), grip, isAcross ? sign * value : 0.0, isAcross ? 0.0 : sign * opacity));
+  edit(movedOf(target_, document_, function(), grip, isAcross ? sign * value : 0.0, isAcross ? 0.0 : sign * opacity));
 }
 
 void TransferFunctionPlot::keyReleaseEvent(QKeyEvent* event) {
@@ -317,7 +317,7 @@ void TransferFunctionPlot::fillMenu(QMenu& menu, QPointF at) {
   const bool isNode = grip && grip->part == Grip::Part::Node;
   if (grip) selectPart(*grip);
   if (grip && hasColour(target_, document_)) menu.addAction(tr("Colour…"), this, &TransferFunctionPlot::colourWanted);
-  if (hasNodes(target_)) {
+  if (hasNodes(target_, document_)) {
     const auto [first, last] = selection();
     if (grip)
       menu.addAction(isNode ? tr("Delete the point") : tr("Delete the trapezoid"), this,
@@ -325,6 +325,11 @@ void TransferFunctionPlot::fillMenu(QMenu& menu, QPointF at) {
           ->setEnabled(function().nodes.size() > last - first);
     if (!isNode) menu.addAction(tr("Add a point"), this, [this, at] { addNode(valueAt(at.x()), opacityAt(at.y())); });
     menu.addAction(tr("Add a trapezoid"), this, [this, at] { addTrapezoid(valueAt(at.x())); });
+  }
+  if (canBeByValue(target_, document_)) {
+    QAction* byValue = menu.addAction(tr("By value"), this, &TransferFunctionPlot::setByValue);
+    byValue->setCheckable(true);
+    byValue->setChecked(isByValue(target_, document_));
   }
   menu.addAction(tr("Show all values"), this, [this] { showValues(axis_); })
       ->setEnabled(shown_.low > axis_.low || shown_.high < axis_.high);

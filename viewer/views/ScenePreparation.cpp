@@ -82,6 +82,7 @@ ScenePreparation::Kind ScenePreparation::kindOf(const Scene& scene, const View& 
   return {.volume = shownVolume(scene),
           .focus = look.focus.index(),
           .manyLabels = labels && labels->labels.size() > 1,
+          .byValue = hasFocusFunction(scene),
           .protects = hasCutaway(scene) && !labelsWith(LabelRole::Protected, scene).empty(),
           .lit = look.shading.enabled,
           .cutaway = hasCutaway(scene),

@@ -50,7 +50,7 @@ class ScenePreparation {
   struct Kind {
     ShownVolume volume;
     std::size_t focus = 0;
-    bool manyLabels = false, protects = false, lit = false, cutaway = false, contextLayer = false;
+    bool manyLabels = false, byValue = false, protects = false, lit = false, cutaway = false, contextLayer = false;
     bool apart = false;     ///< another camera cuts the opening
     bool enlarged = false;  ///< pixels smaller than voxels: rays between others
     Quality quality{};

@@ -1,4 +1,4 @@
-// The transfer function of the context segment by segment, without the tables' rounding: from one node to the next, colour
+// Transfer functions segment by segment, without the tables' rounding: from one node to the next, colour
 // and extinction change evenly with the value. A step lies between two segments.
 #include <schedule>
 #include "lib/None.glsl"
@@ -26,4 +26,8 @@ Segment segmentAt(int index) {
 Segment constantSegment(vec4 material) { return Segment(-FAR, FAR, 0.0, material, vec4(0.0)); }
 
 // The segment that holds an entry, or one beside it where a node lies within half an entry.
-int segmentNear(float entry) { return int(segmentOfEntry[int(clamp(entry, 0.0, LAST_ENTRY) + 0.5)]); }
+// `function`: 0 the context's, from 1 on those of the focus.
+int segmentNear(int function, float entry) {
+  return int(segmentOfEntry[function * TABLE_SIZE + int(clamp(entry, 0.0, LAST_ENTRY) + 0.5)]);
+}
+int segmentNear(float entry) { return segmentNear(0, entry); }

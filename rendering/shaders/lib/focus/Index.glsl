@@ -11,7 +11,9 @@
 //   focusAt, focusAlong the field at a point, and its Bernstein coefficients along a path, both within the cell
 //   focusRange          the values of that field that are in the focus, closed
 //   focusMaterial       colour · extinction and extinction (1/mm)
-//   nextColour          where after u the material changes along a path
+//   nextColour          where after u the material or function changes along a path
+//   focusTable          with FOCUS_FUNCTIONS, where some of the focus is shown by value: the first row of its function in
+//                       lib/Transfer.glsl's tables, and entry = stored value · y + z there; 0 where it is of one material
 #include <schedule>
 #include "lib/Traversal.glsl"
 
@@ -20,6 +22,7 @@ struct FocusSettings {
   vec2 range;                   // of a value focus, stored values, closed
   ivec3 paletteOrigin;          // index of the palette texture's first voxel
   vec3 smoothOrigin;            // cell frame: outer corner of the smoothed indicator's first texel
+  vec4 table;                   // as focusTable() has it, where all of the focus has one
   mat3 worldFromIndexGradient;  // gradients: world (1/mm) from index
 };
 UNIFORM_BLOCK(FocusBlock, storedFocus, FocusSettings, focus);

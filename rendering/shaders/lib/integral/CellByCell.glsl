@@ -29,6 +29,9 @@ struct CellPath {
   float sFrom, sTo;   // mm along the ray
   vec4 entries;       // table entries of the values
   vec4 focusAlong;    // the focus's field, where some of the path may be in the focus
+#if FOCUS_FUNCTIONS
+  vec4 stored;        // values
+#endif
 };
 
 float lowest(vec4 v) { return min(min(v.x, v.y), min(v.z, v.w)); }
@@ -74,6 +77,9 @@ int lookInto(Ray ray, ivec3 cell, float s, float sNext, float f[8], out CellPath
   vec4 stored = bernsteinTurned(ray, f, path.a, path.b);
   // Within limits whose squares and differences float32 holds.
   path.entries = clamp(stored * transfer.map.x + transfer.map.y, vec4(-1e12), vec4(1e12));
+#if FOCUS_FUNCTIONS
+  path.stored = stored;
+#endif
   FocusCell held = focusCellAt(focusSlot(cell), cell);
   path.focusAlong = focusAlong(held, path.a, path.b, stored);
   vec2 range = focusRange();
@@ -111,17 +117,37 @@ float nextChange(vec4 along, float u) {
   return to;
 }
 
-// A part of a path that is all in the focus, of one material, or all in the context.
+// A part of a path that is all in the focus, of one material or function, or all in the context.
 struct Section {
   float uFrom, uTo;  // of the path
   float sFrom, sTo;  // mm along the ray
-  vec4 entries;
+  vec4 entries;      // of the context's table, or that of the focus's function
   bool inFocus;
   vec4 material;     // of the focus
+#if FOCUS_FUNCTIONS
+  int function;      // of the focus, from 1 on; 0: one material, or the context
+#endif
   CellNormals normals;
 };
 
-// A part of a section in one segment of the transfer function.
+#if FOCUS_FUNCTIONS
+bool isByValue(Section section) { return !section.inFocus || section.function > 0; }
+int functionOf(Section section) { return section.function; }
+
+// Chooses the function of a section of the focus.
+void findFunction(inout Section section, CellPath path, vec3 at) {
+  vec4 table = focusTable(at);
+  section.function = section.inFocus ? int(table.x) / 2 : 0;
+  vec4 entries = clamp(path.stored * table.y + table.z, vec4(-1e12), vec4(1e12));
+  if (section.function > 0) section.entries = bernsteinBetween(entries, section.uFrom, section.uTo);
+}
+#else
+bool isByValue(Section section) { return !section.inFocus; }
+int functionOf(Section section) { return 0; }
+void findFunction(inout Section section, CellPath path, vec3 at) {}
+#endif
+
+// A part of a section in one segment of a transfer function.
 struct Part {
   float from, to;  // of the section
   vec4 entries;
@@ -257,13 +283,13 @@ Part nextPart(Section section, float from, inout int index) {
 
 // `transmittance`: in front of the section; `share`: its share of the ray's length.
 vec4 integrateSection(Section section, Ray ray, Cut cut, float transmittance, float share) {
-  if (section.inFocus) {
+  if (!isByValue(section)) {
     Segment segment =
         constantSegment(vec4(section.material.rgb / max(section.material.a, 1e-30), section.material.a));
     return integratePart(section, ray, cut, Part(0.0, 1.0, vec4(0.0), segment), transmittance, share);
   }
   vec4 result = vec4(0.0);
-  int index = segmentNear(section.entries.x), left = MOST_PARTS;
+  int index = segmentNear(functionOf(section), section.entries.x), left = MOST_PARTS;
   float from = 0.0;
   do {
     Part part = nextPart(section, from, index);
@@ -285,6 +311,9 @@ Section wholeOf(CellPath path, CellNormals normals) {
   section.entries = path.entries;
   section.inFocus = false;
   section.material = vec4(0.0);
+#if FOCUS_FUNCTIONS
+  section.function = 0;
+#endif
   section.normals = normals;
   return section;
 }
@@ -307,7 +336,9 @@ vec4 integrateFocusCell(CellPath path, Ray ray, Cut cut, float transmittance, fl
     section.sTo = mix(path.sFrom, path.sTo, section.uTo);
     section.entries = bernsteinBetween(path.entries, section.uFrom, section.uTo);
     float middle = 0.5 * (section.uFrom + section.uTo);
-    section.material = focusMaterial(vec3(path.cell) + mix(path.a, path.b, middle));
+    vec3 at = vec3(path.cell) + mix(path.a, path.b, middle);
+    section.material = focusMaterial(at);
+    findFunction(section, path, at);
     if (held || !ONLY_FOCUS)
       result = over(result, integrateSection(section, ray, cut, transmittance * (1.0 - result.a),
                                              share * (section.uTo - section.uFrom)));

@@ -87,10 +87,12 @@ RayPoint between(RayPoint front, RayPoint back, float u) {
   RayPoint point;
   point.s = mix(front.s, back.s, u);
   point.stored = mix(front.stored, back.stored, u);
-  point.bound = boundAt(entryOf(point.stored));
+  point.bound = boundAt(contextTable(), entryOf(point.stored));
   point.gated = mix(front.gated, back.gated, u);
   return point;
 }
+
+vec4 meanOfContext(RayPoint front, RayPoint back) { return meanMaterial(contextTable(), front.bound, back.bound); }
 
 // Premultiplied colour and opacity of one material from one point to another, lit as at the centre of its emission.
 vec4 pieceBetween(Walk walk, RayPoint front, RayPoint back, vec4 material, bool ofFocus) {
@@ -107,8 +109,8 @@ vec4 contextPiece(Walk walk) {
   RayPoint front = walk.front, back = walk.back;
   if (!LIT) return pieceOver(front.bound, back.bound, back.s - front.s);
   RayPoint middle = between(front, back, 0.5);
-  return over(pieceBetween(walk, front, middle, meanMaterial(front.bound, middle.bound), false),
-              pieceBetween(walk, middle, back, meanMaterial(middle.bound, back.bound), false));
+  return over(pieceBetween(walk, front, middle, meanOfContext(front, middle), false),
+              pieceBetween(walk, middle, back, meanOfContext(middle, back), false));
 }
 
 // The part of the last segment that is in the focus, from and to 0 … 1; empty where from ≥ to. Between the two faces the
@@ -125,14 +127,42 @@ vec2 focusPart(Walk walk, uint slot, ivec3 cell) {
   return clamp(vec2(min(at.x, at.y), max(at.x, at.y)), 0.0, 1.0);
 }
 
-// A segment that is partly in the focus: what lies before, in and behind it, each as one piece.
+#if FOCUS_FUNCTIONS
+// Mean material of the focus from one point to another. `function`: as focusTable() has it; `material`: where there is none.
+// As meanMaterial(), but without its branch, on which lavapipe of Mesa 22.3 crashes here.
+vec4 meanInFocus(RayPoint front, RayPoint back, vec4 function, vec4 material) {
+  Table table = tableFrom(int(function.x));
+  Bound first = boundAt(table, front.stored * function.y + function.z);
+  Bound last = boundAt(table, back.stored * function.y + function.z);
+  vec4 near = materialAt(table, 0.5 * (first.entry + last.entry));
+  vec4 mean = mix(meanOverSpan(table, first, last), near, bvec4(abs(last.entry - first.entry) < LEAST_SPAN));
+  return mix(material, mean, bvec4(function.x > 0.0));
+}
+#endif
+
+// What of a segment is in the focus. By value it is lit in two halves, as the context is.
+vec4 pieceInFocus(Walk walk, RayPoint enters, RayPoint leavesAt) {
+  vec3 middle = cellPosition(walk.ray, 0.5 * (enters.s + leavesAt.s));
+  vec4 material = focusMaterial(middle);
+#if FOCUS_FUNCTIONS
+  vec4 function = focusTable(middle);
+  if (LIT) {
+    RayPoint halfWay = between(enters, leavesAt, 0.5);
+    return over(pieceBetween(walk, enters, halfWay, meanInFocus(enters, halfWay, function, material), true),
+                pieceBetween(walk, halfWay, leavesAt, meanInFocus(halfWay, leavesAt, function, material), true));
+  }
+  material = meanInFocus(enters, leavesAt, function, material);
+#endif
+  return pieceBetween(walk, enters, leavesAt, material, true);
+}
+
+// A segment that is partly in the focus: what lies before, in and behind it.
 vec4 focusPiece(Walk walk, vec2 part) {
   RayPoint front = walk.front, back = walk.back;
   RayPoint enters = between(front, back, part.x), leavesAt = between(front, back, max(part.x, part.y));
-  vec4 material = focusMaterial(cellPosition(walk.ray, 0.5 * (enters.s + leavesAt.s)));
-  vec4 before = pieceBetween(walk, front, enters, meanMaterial(front.bound, enters.bound), false);
-  vec4 inside = pieceBetween(walk, enters, leavesAt, material, true);
-  vec4 behind = pieceBetween(walk, leavesAt, back, meanMaterial(leavesAt.bound, back.bound), false);
+  vec4 before = pieceBetween(walk, front, enters, meanOfContext(front, enters), false);
+  vec4 inside = pieceInFocus(walk, enters, leavesAt);
+  vec4 behind = pieceBetween(walk, leavesAt, back, meanOfContext(leavesAt, back), false);
   return over(over(before, inside), behind);
 }
 

@@ -8,7 +8,7 @@
 
 vec4 over(vec4 front, vec4 back) { return front + (1.0 - front.a) * back; }
 
-// Premultiplied colour and opacity of a piece of ray over which values run evenly from one bound to another, at least
+// Premultiplied colour and opacity of a piece of ray in the context over which values run evenly from one bound to another, at least
 // LEAST_SPAN away: meanMaterial() and pieceOf() in one.
 vec4 pieceOver(Bound a, Bound b, float lengthOfPiece) {
   vec4 sum = b.integral - a.integral;
