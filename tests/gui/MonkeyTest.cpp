@@ -4,6 +4,7 @@
 // FENESTRA_MONKEY_EVENTS sets the number of events of each seed; some hundred by default.
 
 #include <time.h>
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <iostream>
@@ -38,10 +39,26 @@ struct GlObjects {
   int kept() const { return textures + buffers + framebuffers + queries; }
 };
 
+/// A number above the names of all objects. Names of deleted objects may be given again or not: those above any that
+/// were given so far are not in use.
+GLuint mostNames() {
+  constexpr GLuint atLeast = 20000;
+  std::array<GLuint, 4> next{};
+  glGenTextures(1, &next[0]);
+  glGenBuffers(1, &next[1]);
+  glGenFramebuffers(1, &next[2]);
+  glGenQueries(1, &next[3]);
+  glDeleteTextures(1, &next[0]);
+  glDeleteBuffers(1, &next[1]);
+  glDeleteFramebuffers(1, &next[2]);
+  glDeleteQueries(1, &next[3]);
+  return std::max(atLeast, *std::ranges::max_element(next));
+}
+
 GlObjects glObjects() {
-  constexpr GLuint mostNames = 20000;
+  const GLuint end = mostNames();
   GlObjects count;
-  for (GLuint name = 1; name < mostNames; ++name) {
+  for (GLuint name = 1; name < end; ++name) {
     if (glIsTexture(name)) {
       GLint fixed = GL_FALSE;
       glGetTextureParameteriv(name, GL_TEXTURE_IMMUTABLE_FORMAT, &fixed);
