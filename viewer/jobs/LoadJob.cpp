@@ -5,6 +5,7 @@
 #include <QPromise>
 #include <QtConcurrentRun>
 
+#include "viewer/jobs/BackgroundThreads.h"
 #include "viewer/model/Translation.h"
 
 namespace fenestra::viewer {
@@ -31,7 +32,8 @@ void LoadJob::start(Read read) {
   watcher_.cancel();
   running_ = true;
   Q_EMIT started();
-  watcher_.setFuture(QtConcurrent::run([read = std::move(read)](QPromise<Outcome>& promise) {
+  watcher_.setFuture(QtConcurrent::run(&backgroundThreads(), [read = std::move(read)](QPromise<Outcome>& promise) {
+    giveWayToTheWindow();
     promise.setProgressRange(0, progressSteps);
     const io::Progress progress = [&promise](double fraction, std::string_view doing) {
       promise.setProgressValueAndText(static_cast<int>(fraction * progressSteps), translated(doing));

@@ -6,6 +6,8 @@
 #include <QPromise>
 #include <QtConcurrentRun>
 
+#include "viewer/jobs/BackgroundThreads.h"
+
 #include "io/Thumbnail.h"
 
 namespace fenestra::viewer {
@@ -35,15 +37,17 @@ Thumbnails::Thumbnails(std::vector<io::SeriesInfo> series, int side, QObject* pa
     const Made ready = watcher_.resultAt(result);
     Q_EMIT made(ready.index, ready.picture);
   });
-  watcher_.setFuture(QtConcurrent::run([series = std::move(series), side](QPromise<Made>& promise) {
-    const io::Progress progress = [&promise](double, std::string_view) { return !promise.isCanceled(); };
-    try {
-      for (std::size_t i = 0; i < series.size() && !promise.isCanceled(); ++i)
-        if (QImage picture = pictureOf(series[i], side, progress); !picture.isNull())
-          promise.addResult(Made{static_cast<int>(i), std::move(picture)});
-    } catch (const io::Cancelled&) {
-    }
-  }));
+  watcher_.setFuture(
+      QtConcurrent::run(&backgroundThreads(), [series = std::move(series), side](QPromise<Made>& promise) {
+        giveWayToTheWindow();
+        const io::Progress progress = [&promise](double, std::string_view) { return !promise.isCanceled(); };
+        try {
+          for (std::size_t i = 0; i < series.size() && !promise.isCanceled(); ++i)
+            if (QImage picture = pictureOf(series[i], side, progress); !picture.isNull())
+              promise.addResult(Made{static_cast<int>(i), std::move(picture)});
+        } catch (const io::Cancelled&) {
+        }
+      }));
 }
 
 Thumbnails::~Thumbnails() {
