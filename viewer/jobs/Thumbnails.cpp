@@ -6,9 +6,8 @@
 #include <QPromise>
 #include <QtConcurrentRun>
 
-#include "viewer/jobs/BackgroundThreads.h"
-
 #include "io/Thumbnail.h"
+#include "viewer/jobs/BackgroundThreads.h"
 
 namespace fenestra::viewer {
 namespace {
