@@ -115,8 +115,7 @@ void addFocusTransfer(CLI::App& command, LabelChanges& changes) {
             }
           },
           "optical properties of the focus by value, as --transfer-function has those of all else: of one label, by "
-          "value "
-          "or name, or of all that is in focus. May be given several times. none: one colour and extinction")
+          "value or name, or of all that is in focus. May be given several times. none: one colour and extinction")
       ->type_name(form)
       ->allow_extra_args(false);
 }

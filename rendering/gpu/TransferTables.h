@@ -1,5 +1,5 @@
 #pragma once
-// The transfer function of the context, as both integrals read it.
+// A transfer function of the context or of the focus, as both integrals read it.
 
 #include <array>
 #include <cstdint>
@@ -38,4 +38,5 @@ struct TransferSegments {
 /// The values that a function's tables span: its nodes, and an entry more at either end, which stands for all that lies
 /// beyond: there the function is constant, though it may begin or end with a step. Without nodes, `otherwise`.
 ValueRange tableSpan(const TransferFunction& function, ValueRange otherwise, int size);
+
 }  // namespace fenestra

@@ -51,7 +51,8 @@ Bound boundAt(Table table, float entry) {
 // instead.
 const float LEAST_SPAN = 8.0;
 
-// Of the context: the nearest of the entries phase + 2 n LEAST_SPAN. Bounds of the phases 0 and LEAST_SPAN are LEAST_SPAN apart at least.
+// Of the context: the nearest of the entries phase + 2 n LEAST_SPAN. Bounds of the phases 0 and LEAST_SPAN are LEAST_SPAN
+// apart at least.
 Bound boundNear(float entry, float phase) {
   Bound bound;
   bound.entry = 2.0 * LEAST_SPAN * floor(entry / (2.0 * LEAST_SPAN) + (0.5 - phase / (2.0 * LEAST_SPAN))) + phase;

@@ -1,5 +1,5 @@
-// Transfer functions segment by segment, without the tables' rounding: from one node to the next, colour
-// and extinction change evenly with the value. A step lies between two segments.
+// Transfer functions segment by segment, without the tables' rounding: from one node to the next, colour and extinction
+// change evenly with the value. A step lies between two segments.
 #include <schedule>
 #include "lib/None.glsl"
 #include "lib/Transfer.glsl"

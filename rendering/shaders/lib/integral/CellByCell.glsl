@@ -216,7 +216,8 @@ vec2 lightIn(Section section, Ray ray, Cut cut, float x) {
 // no jump; piecesOfLight() sees to the jumps.
 float lightError(Medium medium, Lights lights) {
   vec2 turn = abs(lights.back - lights.front), bend = abs(lights.front - 2.0 * lights.middle + lights.back);
-  return (bend.x + bend.y) * (1.0 / 30.0 + (medium.steepness + min(medium.depth, 4.0) * abs(medium.growth)) * (1.0 / 90.0)) +
+  float uneven = medium.steepness + min(medium.depth, 4.0) * abs(medium.growth);
+  return (bend.x + bend.y) * (1.0 / 30.0 + uneven * (1.0 / 90.0)) +
          (turn.x + turn.y + bend.x + bend.y) * centreError(medium);
 }
 
