@@ -34,10 +34,11 @@ reference::Certificate certified(const FinishedPicture& picture, const io::Progr
 /// What stands below the statement.
 QString detailsOf(const reference::Certificate& certificate) {
   const QLocale locale;
-  return Verification::tr("%n pixel(s) were computed again in double precision", nullptr, certificate.pixels) +
-         Verification::tr("; the greatest difference is %1/255, and %2 differ by more than that (seed %3).")
-             .arg(locale.toString(certificate.greatest, 'g', 3), locale.toString(certificate.exceeding),
-                  QString::number(certificate.seed));
+  return Verification::tr(
+             "Computed again in double precision: %1 pixels, drawn at random (seed %2). Beyond that: %3. "
+             "Greatest difference: %4/255.")
+      .arg(locale.toString(certificate.pixels), QString::number(certificate.seed),
+           locale.toString(certificate.exceeding), locale.toString(certificate.greatest, 'g', 3));
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ void Actions::makeViewMenu() {
   makeLookFromMenu(*menu);
   makeCameraEntries(*menu);
   menu->addMenu(makeAtRestMenu());
-  QAction* verify = volumeAction(tr("&Verify this picture…"), {}, [this] { targets_.verification.start(); });
+  QAction* verify = volumeAction(tr("V&erify this picture…"), {}, [this] { targets_.verification.start(); });
   verify->setObjectName(QStringLiteral("verify"));
   verify->setToolTip(
       tr("Computes pixels drawn at random again, in double precision, and states how exact the picture is"));
