@@ -99,7 +99,7 @@ std::optional<gl::Region> PassChain::nearFocus(double reach) const {
 void PassChain::begin(const Scene& scene, const View& view) {
   drop();
   gpu->update(scene);
-  rays.emplace(view.camera, view.size, gpu->grid());
+  rays.emplace(view.camera, view.size, gpu->grid(), halfSpaces(scene.look.clipping, gpu->grid()));
   pixelScale = view.pixelScale;
   background = glm::vec3(scene.look.background);
 
@@ -210,7 +210,7 @@ bool PassChain::advance(std::optional<double> milliseconds) try {
 void PassChain::findHitPoints() {
   const GpuScene::Versions& version = gpu->versions();
   const View& view = frame->view;
-  addIfStale(Pass::HitPoints, hits, HitKey{version.volume, version.focus, version.gaps, view.camera, view.size}, {},
+  addIfStale(Pass::HitPoints, hits, HitKey{version.volume, version.focus, version.gaps, view.camera, view.size, rays->clip()}, {},
              [&](Regions) { hitPointPass.run(steps, *gpu, *rays, sized(hitPoints, gl::Format::RG32F, view.size)); });
 }
 
@@ -303,7 +303,8 @@ void PassChain::drawFocusLayer() {
                           look.shading,
                           view.camera,
                           view.size,
-                          frame->sampling};
+                          frame->sampling,
+                          rays->clip()};
   FocusLayerKey keyBefore = key;
   keyBefore.rayStart = frame->startBefore;
   const bool onlyMoved = frame->moved && !focus.isStale(keyBefore), anew = !onlyMoved && focus.isStale(key);

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "rendering/gpu/StrokeLines.h"
 #include "rendering/passes/FocusLayerPass.h"
@@ -30,10 +31,14 @@ class Memo {
   std::uint64_t version_ = 0;
 };
 
+/// What clips the volume.
+using Clip = std::vector<HalfSpace>;
+
 struct HitKey {
   std::uint64_t volume, focus, gaps;
   Camera camera;
   glm::ivec2 size;
+  Clip clip;
   bool operator==(const HitKey&) const = default;
 };
 struct FillKey {
@@ -68,6 +73,7 @@ struct FocusLayerKey {
   Camera camera;
   glm::ivec2 size;
   FocusLayerPass::Sampling sampling;
+  Clip clip;
   bool operator==(const FocusLayerKey&) const = default;
 };
 struct ProtectedLayerKey {

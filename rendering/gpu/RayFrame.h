@@ -1,21 +1,31 @@
 #pragma once
 // The camera as the shaders see it: one ray set-up for every pass (shaders/lib/PixelRay.glsl).
 
+#include <vector>
+
 #include "rendering/gl/ShaderProgram.h"
 #include "rendering/gpu/Bricks.h"
 #include "rendering/gpu/UniformBlocks.h"
 #include "rendering/scene/Camera.h"
+#include "rendering/scene/Clipping.h"
 
 namespace fenestra {
+
+/// For shaders/lib/Clip.glsl.
+ClipBlock clipBlock(const std::vector<HalfSpace>& kept, const Grid& grid);
 
 /// Rays are anchored on a plane near the volume; positions along them are s = t - distance (mm). Computed in double and
 /// handed over relative to the volume, so that neither far cameras nor far origins cost precision.
 class RayFrame {
  public:
-  RayFrame(const Camera& camera, glm::ivec2 size, const Grid& grid);
+  /// `kept`: what clips the volume, see Clipping.h; mostHalfSpaces at most.
+  RayFrame(const Camera& camera, glm::ivec2 size, const Grid& grid, std::vector<HalfSpace> kept = {});
 
-  /// For lib/PixelRay.glsl.
+  /// For lib/PixelRay.glsl; `program` was compiled with clipDefine().
   void setBlocks(gl::ShaderProgram& program) const;
+  gl::Define clipDefine() const { return {"CLIPPED", isClipped()}; }
+  const std::vector<HalfSpace>& clip() const { return kept_; }
+  bool isClipped() const { return !kept_.empty(); }
 
   glm::ivec2 size() const { return size_; }
   const Camera& camera() const { return camera_; }
@@ -40,6 +50,7 @@ class RayFrame {
   glm::ivec2 size_;
   Camera camera_;
   Grid grid_;
+  std::vector<HalfSpace> kept_;
   Camera::Axes axes_;
   double distance_ = 0.0;     // eye to anchor plane
   glm::dvec2 halfSize_{0.0};  // mm at the anchor plane

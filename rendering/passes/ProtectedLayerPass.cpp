@@ -20,6 +20,7 @@ void ProtectedLayerPass::run(Steps& steps, const GpuScene& gpu, const Look& look
                                                  {"FOCUS_FUNCTIONS", false},
                                                  {"FOCUS_SMOOTH", false},
                                                  {"APART", false},
+                                                 rays.clipDefine(),
                                                  {"RAYS", 1}},
                                                 {scheduleChoice(gpu.schedule()),
                                                  {"focus", "lib/focus/Labels.glsl"},

@@ -323,7 +323,7 @@ class Integrator {
     const glm::dvec3 at = glm::mix(piece_->begin, piece_->end, s), world = ray_.ray.direction;
     glm::dvec3 shaded = medium_.light.shade(colour, normalAt(at), world);
     if (ray_.wall != glm::dvec3(0.0) && !isBehindHole_) {
-      const double behind = piece_->tBegin + s * (piece_->tEnd - piece_->tBegin) - ray_.span.tIn;
+      const double behind = piece_->tBegin + s * (piece_->tEnd - piece_->tBegin) - ray_.span.tIn + ray_.beforeWall;
       const double share = lighting::wallShare * std::exp(-behind / medium_.wallDepth);
       shaded = glm::mix(shaded, medium_.light.lit(colour, ray_.wall, world), share);
     }

@@ -13,7 +13,8 @@ struct CutRay {
   Span span;  ///< from the start to where the ray leaves the box; tIn > tOut: nothing is seen
   /// Where it sees nothing again behind the start; see rendering/passes/RemovedPass.h.
   Span hole{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-  glm::dvec3 wall{0.0};  ///< unit normal of the cut face at the start, world; zero where there is none
+  glm::dvec3 wall{0.0};     ///< unit normal of the cut or capped face at the start, world; zero where there is none
+  double beforeWall = 0.0;  ///< mm that the start lies behind that face
 };
 
 struct FocusLayer {

@@ -51,6 +51,7 @@ HitPoints hitPoints(const Scene& scene, const Camera& camera, glm::ivec2 size) {
   const std::size_t count = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
   HitPoints result{Image(count, nothing), Image(count, nothing), Image(count, nothing)};
 
+  const std::vector<HalfSpace> kept = halfSpaces(scene.look.clipping, grid);
   const FocusField focus(scene);
   const Gaps outsideFocus{{-infinity, focus.range().low}, {focus.range().high, infinity}};
 
@@ -72,7 +73,7 @@ HitPoints hitPoints(const Scene& scene, const Camera& camera, glm::ivec2 size) {
         const glm::ivec2 pixel(static_cast<int>(i % static_cast<std::size_t>(size.x)),
                                static_cast<int>(i / static_cast<std::size_t>(size.x)));
         const Ray ray = pixelRay(camera, size, pixel);
-        const std::optional<Span> span = clip(ray, grid);
+        const std::optional<Span> span = clip(ray, grid, kept);
         if (!span) continue;
         const Hit hit = cast(indexRay(ray, grid), *span);
         result.tContext[i] = hit.tContext;

@@ -74,11 +74,13 @@ std::vector<CutRay> cutRays(const Scene& scene, const Camera& camera, glm::ivec2
   constexpr Span missed{1.0, 0.0};
   std::vector<CutRay> rays;
   rays.reserve(pixels.size());
+  const std::vector<HalfSpace> kept = halfSpaces(scene.look.clipping, scene.volume->grid);
   std::optional<Opening> opening;
   if (stages) opening.emplace(scene, camera, size, *stages);
   for (const glm::ivec2 pixel : pixels) {
     CutRay ray{.ray = pixelRay(camera, size, pixel), .span = missed};
-    if (const std::optional<Span> span = clip(ray.ray, scene.volume->grid)) ray.span = *span;
+    const std::optional<Span> span = clip(ray.ray, scene.volume->grid, kept);
+    if (span) ray.span = *span;
     if (opening) {
       const double start = opening->start(pixel);
       if (std::isnan(start)) {
@@ -92,6 +94,11 @@ std::vector<CutRay> cutRays(const Scene& scene, const Camera& camera, glm::ivec2
         }
       }
     }
+    if (span && ray.wall == glm::dvec3(0.0))
+      if (const auto normal = capNormal(ray.ray, scene.volume->grid, kept)) {
+        ray.wall = *normal;
+        ray.beforeWall = ray.span.tIn - span->tIn;
+      }
     rays.push_back(ray);
   }
   return rays;

@@ -2,6 +2,7 @@
 // are s = t - distance: the ray is anchored on a plane near the volume, which keeps float32 exact enough however far
 // away the eye is. See rendering/gpu/RayFrame.h.
 #include <schedule>
+#include "lib/Clip.glsl"
 #include "lib/Grid.glsl"
 #include "lib/Ray.glsl"
 
@@ -40,6 +41,7 @@ Ray pixelRay(ivec2 pixel) {
   ray.base = rays.anchor + rays.cellsFromView * vec3(offset, 0.0) - sAnchor * ray.direction;
   ray.worldBase = rays.worldFromView * vec3(offset, 0.0) - sAnchor * ray.world;
   clipTo(ray, vec3(0.5), vec3(volume.dims) + 0.5, -rays.distance);
+  clipToHalfSpaces(ray);
   return ray;
 }
 
