@@ -92,16 +92,17 @@ void addPlanes(CLI::App& command, Clipping& clipping) {
 }  // namespace
 
 void addClipping(CLI::App& command, ClipChanges& changes, Clipping& clipping) {
-  addParsed(command, "--crop", "L0:L1,P0:P1,S0:S1|none",
-            "show only the inside of a box: mm (LPS) along the volume's own axes nearest to L, P and S; a missing end is "
-            "the volume's. none: not even a session's",
-            [&](const std::string& text) {
-              changes.crop.reset();
-              clipping.cropped = false;
-              if (text == "none") return true;
-              changes.crop = cropIn(text);
-              return changes.crop.has_value();
-            });
+  addParsed(
+      command, "--crop", "L0:L1,P0:P1,S0:S1|none",
+      "show only the inside of a box: mm (LPS) along the volume's own axes nearest to L, P and S; a missing end is "
+      "the volume's. none: not even a session's",
+      [&](const std::string& text) {
+        changes.crop.reset();
+        clipping.cropped = false;
+        if (text == "none") return true;
+        changes.crop = cropIn(text);
+        return changes.crop.has_value();
+      });
   addPlanes(command, clipping);
   addParsed(command, "--clip-exempt", "LABEL,...|none", "labels, by value or name, that are never clipped",
             [&](const std::string& text) {

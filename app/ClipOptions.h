@@ -26,8 +26,8 @@ struct ClipChanges {
 
 /// Adds --crop, --clip-plane, --clip-exempt and --clip-grey. What needs no data goes into `clipping` while parsing.
 void addClipping(CLI::App& command, ClipChanges& changes, Clipping& clipping);
-/// Applies the changes to the scene's look. Throws io::Error where a label does not exist or the box holds nothing of the
-/// volume.
+/// Applies the changes to the scene's look. Throws io::Error where a label does not exist or the box holds nothing of
+/// the volume.
 void setClipping(const SceneOptions& options, Scene& scene);
 
 }  // namespace fenestra::app

@@ -65,6 +65,17 @@ int distanceRange(glm::dvec2 widths, glm::ivec2 size) {
   return range;
 }
 
+Clip clipOf(const Clipping& clipping, const GpuScene& gpu) {
+  Clip clip{halfSpaces(clipping, gpu.grid())};
+  if (!clipping.grey || clip.kept.empty()) return clip;
+  // 0 to 1 over the window of real values, as windowed() has it.
+  const double perReal = 1.0 / clipping.grey->width, low = clipping.grey->level - 0.5 * clipping.grey->width;
+  const VolumeTexture& volume = gpu.volume();
+  const glm::dvec2 grey(volume.slope * perReal, (volume.offset - low) * perReal);
+  clip.grey = gpu.lowIsWhite() ? glm::dvec2(-grey.x, 1.0 - grey.y) : grey;
+  return clip;
+}
+
 }  // namespace
 
 bool PassChain::shows(glm::ivec2 pixel) const {
@@ -99,7 +110,7 @@ std::optional<gl::Region> PassChain::nearFocus(double reach) const {
 void PassChain::begin(const Scene& scene, const View& view) {
   drop();
   gpu->update(scene);
-  rays.emplace(view.camera, view.size, gpu->grid(), halfSpaces(scene.look.clipping, gpu->grid()));
+  rays.emplace(view.camera, view.size, gpu->grid(), clipOf(scene.look.clipping, *gpu));
   pixelScale = view.pixelScale;
   background = glm::vec3(scene.look.background);
 
@@ -210,7 +221,8 @@ bool PassChain::advance(std::optional<double> milliseconds) try {
 void PassChain::findHitPoints() {
   const GpuScene::Versions& version = gpu->versions();
   const View& view = frame->view;
-  addIfStale(Pass::HitPoints, hits, HitKey{version.volume, version.focus, version.gaps, view.camera, view.size, rays->clip()}, {},
+  addIfStale(Pass::HitPoints, hits,
+             HitKey{version.volume, version.focus, version.gaps, view.camera, view.size, rays->clip()}, {},
              [&](Regions) { hitPointPass.run(steps, *gpu, *rays, sized(hitPoints, gl::Format::RG32F, view.size)); });
 }
 

@@ -4,8 +4,8 @@
 
 #include <cstdint>
 #include <optional>
-#include <vector>
 
+#include "rendering/gpu/RayFrame.h"
 #include "rendering/gpu/StrokeLines.h"
 #include "rendering/passes/FocusLayerPass.h"
 #include "rendering/scene/Scene.h"
@@ -30,9 +30,6 @@ class Memo {
   std::optional<Key> key_;
   std::uint64_t version_ = 0;
 };
-
-/// What clips the volume.
-using Clip = std::vector<HalfSpace>;
 
 struct HitKey {
   std::uint64_t volume, focus, gaps;

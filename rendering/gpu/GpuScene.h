@@ -78,6 +78,7 @@ class GpuScene {
   const Versions& versions() const { return versions_; }
 
   const Grid& grid() const { return shown_.volume->grid; }  ///< of the voxels on the device
+  bool lowIsWhite() const { return shown_.volume->lowIsWhite; }
   const VolumeTexture& volume() const { return volumeTexture_; }
   const gl::Texture& gradient() const { return gradient_.texture; }
   glm::ivec3 gradientOrigin() const { return gradient_.origin; }  ///< index of its first texel

@@ -6,7 +6,7 @@
 
 namespace fenestra {
 
-ClipBlock clipBlock(const std::vector<HalfSpace>& kept, const Grid& grid) {
+ClipBlock Clip::block(const Grid& grid) const {
   ClipBlock block;
   block.planes.fill({0.0f, 0.0f, 0.0f, 1.0f});
   block.normals.fill(glm::vec4(0.0f));
@@ -17,11 +17,12 @@ ClipBlock clipBlock(const std::vector<HalfSpace>& kept, const Grid& grid) {
     block.planes[i] = glm::vec4(glm::dvec4(inCells, atOrigin));
     block.normals[i] = glm::vec4(glm::dvec4(kept[i].normal, 0.0));
   }
+  if (grey) block.grey = glm::vec2(*grey);
   return block;
 }
 
-RayFrame::RayFrame(const Camera& camera, glm::ivec2 size, const Grid& grid, std::vector<HalfSpace> kept)
-    : size_(size), camera_(camera), grid_(grid), kept_(std::move(kept)), axes_(camera.axes()) {
+RayFrame::RayFrame(const Camera& camera, glm::ivec2 size, const Grid& grid, Clip clip)
+    : size_(size), camera_(camera), grid_(grid), clip_(std::move(clip)), axes_(camera.axes()) {
   const double depth = depthOf(grid.centre());
   const double aspect = static_cast<double>(size.x) / size.y;
   if (perspective()) {
@@ -44,7 +45,7 @@ void RayFrame::setBlocks(gl::ShaderProgram& program) const {
                        glm::vec2(halfSize_), perspective() ? glm::vec2(halfSize_) : glm::vec2(0.0f),
                        perspective() ? static_cast<float>(distance_) : 1.0f, size_});
   program.set(VolumeBlock{grid_.dims});
-  if (isClipped()) program.set(clipBlock(kept_, grid_));
+  if (isClipped()) program.set(clip_.block(grid_));
 }
 
 OpeningCameraBlock RayFrame::seenFrom(const RayFrame& other) const {

@@ -28,6 +28,7 @@ struct alignas(16) RayBlock {
 struct alignas(16) ClipBlock {
   static constexpr const char* name = "ClipBlock";
   std::array<glm::vec4, mostHalfSpaces> planes, normals;
+  glm::vec2 grey{0.0f};
 };
 
 /// shaders/lib/Grid.glsl.

@@ -190,6 +190,7 @@ class Integrator {
         perMillimetre_(1.0 / std::max(ray.span.tOut - ray.span.tIn, std::numeric_limits<double>::min())) {}
 
   void run() {
+    if (ray_.grey && paintGrey()) return;
     const Span &span = ray_.span, &hole = ray_.hole;
     const double before = std::min(hole.tIn, span.tOut);
     if (span.tIn <= before) walk({span.tIn, before});
@@ -201,6 +202,28 @@ class Integrator {
   double error() const { return error_; }
 
  private:
+  /// False where the ray starts in the focus, which shows as it is.
+  bool paintGrey() {
+    const Ray ray = indexRay(ray_.ray, grid_);
+    bool painted = false;
+    const double tFace = ray_.span.tIn - ray_.beforeWall;
+    walkCells(ray, {tFace, tFace}, grid_.dims, [&](const Piece& piece) {
+      const Corners values = cornersOf(piece.cell, grid_.dims, valueAt_);
+      if (const auto field = medium_.focus.corners(piece.cell, values); field && ray_.grey->showsFocus) {
+        const double inField = interpolate(*field, piece.begin);
+        if (inField >= medium_.focus.range().low && inField <= medium_.focus.range().high) return false;
+      }
+      const WindowLevel window = ray_.grey->window;
+      const double low = window.level - 0.5 * window.width;
+      const double grey = std::clamp((interpolate(values, piece.begin) - low) / window.width, 0.0, 1.0);
+      colour_ = glm::dvec3(medium_.scene.volume->lowIsWhite ? 1.0 - grey : grey);
+      depth_ = std::numeric_limits<double>::infinity();
+      painted = true;
+      return false;
+    });
+    return painted;
+  }
+
   void walk(Span span) {
     walkCells(indexRay(ray_.ray, grid_), span, grid_.dims, [&](const Piece& piece) {
       addCell(piece);
@@ -396,6 +419,7 @@ FocusLayer protectedLayer(const Scene& scene, const Camera& camera, const std::v
   for (std::size_t i = 0; i < removed.size(); ++i) {
     removed[i].span = std::isnan(tContext[i]) ? Span{1.0, 0.0} : Span{tContext[i], removed[i].span.tIn};
     removed[i].wall = glm::dvec3(0.0);
+    removed[i].grey.reset();
   }
   return integrated(Medium::ofProtected(scene, camera), removed, tolerance);
 }

@@ -7,6 +7,12 @@
 
 namespace fenestra::reference {
 
+/// A capped face in grey (Clipping::grey), on which a ray starts.
+struct GreyFace {
+  WindowLevel window;
+  bool showsFocus = false;  ///< not where the ray starts in the focus
+};
+
 /// The visible part of a ray, from where the cutaway lets it start.
 struct CutRay {
   Ray ray;
@@ -15,6 +21,7 @@ struct CutRay {
   Span hole{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   glm::dvec3 wall{0.0};     ///< unit normal of the cut or capped face at the start, world; zero where there is none
   double beforeWall = 0.0;  ///< mm that the start lies behind that face
+  std::optional<GreyFace> grey{};  ///< nothing behind it shows
 };
 
 struct FocusLayer {

@@ -75,6 +75,8 @@ std::vector<CutRay> cutRays(const Scene& scene, const Camera& camera, glm::ivec2
   std::vector<CutRay> rays;
   rays.reserve(pixels.size());
   const std::vector<HalfSpace> kept = halfSpaces(scene.look.clipping, scene.volume->grid);
+  const glm::dvec3 spacing = scene.volume->grid.spacing;
+  const double finest = std::min({spacing.x, spacing.y, spacing.z});
   std::optional<Opening> opening;
   if (stages) opening.emplace(scene, camera, size, *stages);
   for (const glm::ivec2 pixel : pixels) {
@@ -98,6 +100,9 @@ std::vector<CutRay> cutRays(const Scene& scene, const Camera& camera, glm::ivec2
       if (const auto normal = capNormal(ray.ray, scene.volume->grid, kept)) {
         ray.wall = *normal;
         ray.beforeWall = ray.span.tIn - span->tIn;
+        const bool onFace = ray.beforeWall <= 0.5 * lighting::wallDepthVoxels * finest;
+        const bool onFocus = opening && opening->start(pixel) == stages->hits.tFocus[offset(size, pixel)];
+        if (scene.look.clipping.grey && onFace && !onFocus) ray.grey = GreyFace{*scene.look.clipping.grey, !opening};
       }
     rays.push_back(ray);
   }

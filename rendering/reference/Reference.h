@@ -42,8 +42,8 @@ struct HitPoints {
 };
 
 /// Stage 1: along each ray the first point of context or focus, and the first point of the focus; tIn where the ray
-/// already starts in it, or enters through a capped face (Clipping.h). Cell by cell, with no step: inside a cell the trilinear field along the ray is a cubic, whose
-/// first crossing is found between its extrema.
+/// already starts in it, or enters through a capped face (Clipping.h). Cell by cell, with no step: inside a cell the
+/// trilinear field along the ray is a cubic, whose first crossing is found between its extrema.
 ///
 /// Context is every value whose opacity over 1 mm exceeds 1/255. Values that are not numbers count as the volume's
 /// least finite value, infinite ones as its least or greatest, so that neither makes a surface of its own.

@@ -9,7 +9,8 @@ namespace {
 
 /// The index axis for each of L, P and S: of all assignments the one whose directions agree best.
 glm::ivec3 nearestAxes(const glm::dmat3& direction) {
-  constexpr std::array<std::array<int, 3>, 6> orders{{{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
+  constexpr std::array<std::array<int, 3>, 6> orders{
+      {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
   glm::ivec3 best(0, 1, 2);
   double most = -1.0;
   for (const auto& order : orders) {

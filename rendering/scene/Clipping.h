@@ -3,8 +3,8 @@
 //
 // The box and the planes are half-spaces, and what all of them keep is convex: of every ray they leave one stretch. All
 // stages of the method know the volume on that stretch alone. Where a ray enters through a half-space's plane, it meets
-// a capped face, which shows the data that it cuts: what the volume rendering integral sees from there on, lit as a face
-// with the plane's normal as far as the face of an opening is (Lighting.h), or the values in grey.
+// a capped face, which shows the data that it cuts: what the volume rendering integral sees from there on, lit as a
+// face with the plane's normal as far as the face of an opening is (Lighting.h), or the values in grey.
 
 #include <array>
 #include <cstdint>
@@ -26,8 +26,8 @@ struct HalfSpace {
   bool operator==(const HalfSpace&) const = default;
 };
 
-/// The axes of a volume as L, P and S: each is the normal of the volume's faces that is nearest to that direction of the
-/// patient, and points to its side. Coordinates along them are mm from the world's origin: in a volume along the
+/// The axes of a volume as L, P and S: each is the normal of the volume's faces that is nearest to that direction of
+/// the patient, and points to its side. Coordinates along them are mm from the world's origin: in a volume along the
 /// patient's axes they are LPS coordinates; in an oblique one they follow its rows, columns and slices.
 struct CropFrame {
   explicit CropFrame(const Grid& grid);

@@ -1,6 +1,6 @@
 // What clips the volume (rendering/scene/Clipping.h): half-spaces, of which every ray keeps one stretch.
 //
-// CLIPPED is 0 where nothing clips; nothing of this file is compiled then.
+// CLIPPED is 0 where nothing clips: nothing of this file is compiled then. 2: capped faces show values in grey.
 #include <schedule>
 #include "lib/Ray.glsl"
 
@@ -11,6 +11,7 @@ const float ALONG_PLANE = 1e-7;    // cosine below which a ray runs along a plan
 struct ClipSettings {
   vec4 planes[HALF_SPACES];   // cell frame: mm before the plane are xyz·position + w
   vec4 normals[HALF_SPACES];  // unit, world
+  vec2 grey;                  // of a capped face: stored value · x + y
 };
 UNIFORM_BLOCK(ClipBlock, storedClip, ClipSettings, clipping);
 

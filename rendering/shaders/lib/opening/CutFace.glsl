@@ -2,6 +2,7 @@
 #include <light>
 #include <schedule>
 #include "lib/Clip.glsl"
+#include "lib/Volume.glsl"
 
 struct CutFaceSettings {
   float depth;  // mm behind a cut face over which its own light gives way to the volume's
@@ -28,5 +29,17 @@ void lightByCap(inout Cut cut, Ray ray) {
   if (!LIT || cut.share > 0.0 || ray.cap < 0) return;
   cut.share = cutFace.share * exp((ray.sIn - cut.start) / cutFace.depth);
   cut.light = lightOf(capNormal(ray), ray.world);
+}
+#endif
+
+#if CLIPPED == 2
+// Whether a ray starts on a capped face that shows grey; the focus shows as it is.
+bool startsGrey(Cut cut, Ray ray) {
+  return ray.cap >= 0 && cut.onFocus == 0u && cut.start <= ray.sIn + 0.5 * cutFace.depth;
+}
+
+vec4 greyOf(Ray ray) {
+  float value = storedExact(cellPosition(ray, ray.sIn));
+  return vec4(vec3(clamp(value * clipping.grey.x + clipping.grey.y, 0.0, 1.0)), 1.0);
 }
 #endif
