@@ -119,7 +119,7 @@ void PassChain::begin(const Scene& scene, const View& view) {
   if (hasCutaway(scene) && !onlyStarts)
     cutFor = openingOf(view, scene.look.cutaway, gpu->focus().centre(grid).value_or(grid.centre()));
   Frame& made = frame.emplace(Frame{.scene = scene, .view = view, .sampling = samplingOf(view, grid, *rays)});
-  if (cutFor) made.sampling = inParts(made.sampling);
+  if (cutFor || gpu->exemptLabels().any()) made.sampling = inParts(made.sampling);
   made.hasCutaway = hasCutaway(scene);
   made.opening = cutFor;
   made.hasContextLayer = made.hasCutaway && scene.look.contextLayer.strength > 0.0;
@@ -179,7 +179,7 @@ void PassChain::dropOpening() {
 void PassChain::beginStage() {
   constexpr std::array stages{&PassChain::findHitPoints,    &PassChain::fillFocusHits,  &PassChain::mapDistances,
                               &PassChain::startRays,        &PassChain::drawFocusLayer, &PassChain::drawProtectedLayer,
-                              &PassChain::drawContextLayer, &PassChain::compose};
+                              &PassChain::drawContextLayer, &PassChain::compose,        &PassChain::addExempt};
   if (frame->stagesBegun == 0 && !frame->hasCutaway) dropCutaway();
   constexpr std::size_t ofCutaway = 4;  // the first stages, which only a cutaway has
   if (!frame->hasCutaway) frame->stagesBegun = std::max(frame->stagesBegun, ofCutaway);
@@ -416,6 +416,28 @@ void PassChain::compose() {
         compositePass.run(steps, *gpu, inputs, look, regions, picture);
       },
       part);
+}
+
+void PassChain::addExempt() {
+  if (!gpu->exemptLabels().any()) {
+    exempted = {};
+    exempt.forget();
+    return;
+  }
+  const GpuScene::Versions& version = gpu->versions();
+  const Look& look = frame->scene.look;
+  const View& view = frame->view;
+  const gl::Texture& below = composed ? composed : focusLayer;
+  const ExemptKey key{focus.version(),  composed ? std::optional(composite.version()) : std::nullopt,
+                      version.volume,   version.exemptLabels,
+                      version.transfer, version.gradient,
+                      look.shading,     view.camera,
+                      view.size,        frame->sampling,
+                      rays->clip()};
+  addIfStale(Pass::Exempt, exempt, key, frame->changed, [&](Regions regions) {
+    exemptPass.run(steps, *gpu, look, *rays, below, frame->sampling, regions,
+                   sized(exempted, gl::Format::RGBA32F, view.size, presented));
+  });
 }
 
 }  // namespace fenestra

@@ -84,6 +84,17 @@ struct ContextLayerKey {
   Shading shading;
   bool operator==(const ContextLayerKey&) const = default;
 };
+struct ExemptKey {
+  std::uint64_t focusLayer;
+  std::optional<std::uint64_t> composite;
+  std::uint64_t volume, exemptLabels, transfer, gradient;
+  Shading shading;
+  Camera camera;
+  glm::ivec2 size;
+  FocusLayerPass::Sampling sampling;
+  Clip clip;
+  bool operator==(const ExemptKey&) const = default;
+};
 struct CompositeKey {
   std::uint64_t focusLayer;
   std::uint64_t distance;

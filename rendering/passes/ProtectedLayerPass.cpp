@@ -30,7 +30,7 @@ void ProtectedLayerPass::run(Steps& steps, const GpuScene& gpu, const Look& look
     rays.setBlocks(program);
     bindVolume(gpu, program);
     bindTransferSegments(gpu, program);
-    bindProtected(gpu, program);
+    bindLabels(gpu.protectedLabels(), program);
     program.set(FocusLayerPass::integralBlock(bounded));
     program.bind("rayStart", opening.rayStart);
     program.bind("hitPoints", opening.hitPoints);

@@ -87,9 +87,9 @@ struct Medium {
   Medium(const Scene& what, const Camera& camera) : Medium(what, camera, FocusField(what)) {
     if (scene.look.shading.enabled && focus.hasLabels()) focusNormals.emplace(scene.volume->grid, focus);
   }
-  /// Of the protected labels alone.
-  static Medium ofProtected(const Scene& what, const Camera& camera) {
-    Medium medium(what, camera, FocusField(*structuresOf(what), labelsWith(LabelRole::Protected, what)));
+  /// Of labels alone, as part of the context.
+  static Medium ofLabels(const Scene& what, const Camera& camera, const std::vector<std::uint16_t>& labels) {
+    Medium medium(what, camera, FocusField(*structuresOf(what), labels));
     medium.onlyFocus = true;
     return medium;
   }
@@ -421,7 +421,23 @@ FocusLayer protectedLayer(const Scene& scene, const Camera& camera, const std::v
     removed[i].wall = glm::dvec3(0.0);
     removed[i].grey.reset();
   }
-  return integrated(Medium::ofProtected(scene, camera), removed, tolerance);
+  return integrated(Medium::ofLabels(scene, camera, labelsWith(LabelRole::Protected, scene)), removed, tolerance);
+}
+
+ExemptLayers exemptLayers(const Scene& scene, const Camera& camera, const std::vector<CutRay>& rays, double tolerance) {
+  const Grid& grid = scene.volume->grid;
+  const std::vector<HalfSpace> kept = halfSpaces(scene.look.clipping, grid);
+  std::vector<CutRay> before, behind;
+  for (const CutRay& each : rays) {
+    CutRay ray{.ray = each.ray, .span = {1.0, 0.0}};
+    CutRay &first = before.emplace_back(ray), &last = behind.emplace_back(ray);
+    const std::optional<Span> whole = clip(each.ray, grid), inside = clip(each.ray, grid, kept);
+    if (!whole) continue;
+    first.span = {whole->tIn, inside ? inside->tIn : whole->tOut};
+    if (inside) last.span = {inside->tOut, whole->tOut};
+  }
+  const Medium medium = Medium::ofLabels(scene, camera, scene.look.clipping.exempt);
+  return {integrated(medium, before, tolerance), integrated(medium, behind, tolerance)};
 }
 
 }  // namespace fenestra::reference

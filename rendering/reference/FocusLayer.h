@@ -34,6 +34,13 @@ struct FocusLayer {
 FocusLayer protectedLayer(const Scene& scene, const Camera& camera, const std::vector<CutRay>& rays,
                           const Image& tContext, double tolerance);
 
+/// What clipping leaves out of the scene's exempt labels, before and behind what it keeps of each ray; see
+/// rendering/passes/ExemptPass.h.
+struct ExemptLayers {
+  FocusLayer before, behind;
+};
+ExemptLayers exemptLayers(const Scene& scene, const Camera& camera, const std::vector<CutRay>& rays, double tolerance);
+
 /// One element a ray.
 FocusLayer focusLayer(const Scene& scene, const Camera& camera, const std::vector<CutRay>& rays, double tolerance);
 

@@ -151,7 +151,8 @@ Picture picture(const Scene& scene, const Camera& camera, glm::ivec2 size, const
   const std::vector<glm::ivec2> pixels = pixelsOf(size, options);
   const std::vector<CutRay> cut = cutRays(scene, camera, size, cutaway ? &stages : nullptr, pixels);
   const bool guarded = cutaway && !labelsWith(LabelRole::Protected, scene).empty();
-  const double tolerance = guarded ? 0.5 * options.tolerance : options.tolerance;  // of each of two layers
+  // Of each of two layers, and half of what is left beside exempt labels.
+  const double tolerance = options.tolerance * (guarded ? 0.5 : 1.0) * (scene.look.clipping.exempt.empty() ? 1.0 : 0.5);
   FocusLayer layer = focusLayer(scene, camera, cut, tolerance);
 
   const auto factor = [&](glm::ivec2 pixel) {
@@ -204,6 +205,14 @@ Picture picture(const Scene& scene, const Camera& camera, glm::ivec2 size, const
       if (std::isnan(stages.hits.tContext[at])) continue;
       const glm::dvec4 border(scene.look.cutaway.borderColour, 1.0);
       result.final[i] = glm::mix(result.final[i], border, borderCoverage(distance[at], widths) * factor(pixels[i]));
+    }
+  }
+  const Clipping& clipping = scene.look.clipping;
+  if (!clipping.exempt.empty() && structuresOf(scene) && !halfSpaces(clipping, scene.volume->grid).empty()) {
+    const ExemptLayers exempt = exemptLayers(scene, camera, cut, 0.25 * options.tolerance);
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+      result.final[i] = over(over(exempt.before.colour[i], result.final[i]), exempt.behind.colour[i]);
+      layer.error[i] += exempt.before.error[i] + exempt.behind.error[i];
     }
   }
   result.focusLayer = std::move(layer.colour);

@@ -204,6 +204,77 @@ TEST_F(ClippingTest, GreyFacesAreTheReferences) {
       }
 }
 
+TEST_F(ClippingTest, ExemptLabelsStayAsTheReferenceHasThem) {
+  Scene scene = body();
+  const glm::dvec3 middle = (glm::dvec3(scene.volume->grid.dims) - 1.0) * 0.5;
+  // A rod through everything, and the ball in focus.
+  scene.labels = labelsOf(scene.volume->grid, [&](glm::ivec3 i) {
+    const glm::dvec3 p = glm::dvec3(i) - middle;
+    return glm::length(p - glm::dvec3(2, 0, 0)) < 5.0 ? 1 : std::abs(p.x + 3.0) < 3.0 && std::abs(p.z) < 3.0 ? 2 : 0;
+  });
+  int more = 0;
+  for (const Schedule schedule : schedules) {
+    Renderer renderer(gpuWith(schedule));
+    for (const bool lit : {false, true})
+      for (const bool open : {true, false})
+        for (const ClipCase& each : clipCases(scene.volume->grid)) {
+          scene.look.shading.enabled = lit;
+          scene.look.cutaway.enabled = open;
+          scene.look.contextLayer.strength = 0.0;
+          scene.look.cutaway.borderWidth = 0.0;
+          scene.look.clipping = each.clipping;
+          View view{Camera::fromAngles(30.0, 20.0, scene.volume->grid), size, 1.0, Quality::High};
+          view.maxError = 1.0;
+          renderer.render(scene, view);
+          const std::vector<glm::vec4> without = renderer.readLayers().final;
+          scene.look.clipping.exempt = {2};
+          renderer.render(scene, view);
+          const Layers layers = renderer.readLayers();
+          reference::Stages stages;
+          if (open) {
+            stages = reference::geometricStages(scene, view.camera, size);
+            stages.hits.tContext = widened(layers.tContext);
+            stages.hits.tFocus = widened(layers.tFocus);
+            stages.tStart = widened(layers.tStart);
+          }
+          const reference::Picture truth = reference::picture(scene, view.camera, size, stages, {});
+          double worst = 0.0;
+          for (std::size_t i = 0; i < truth.final.size(); ++i)
+            for (int channel = 0; channel < 4; ++channel) {
+              const double error = 255.0 * std::abs(layers.final[i][channel] - truth.final[i][channel]);
+              worst = std::isnan(error) ? infinity : std::max(worst, error);
+            }
+          EXPECT_LE(worst, 1.0) << each.name << (lit ? ", lit" : ", unlit") << (open ? ", open" : ", closed");
+          more += layers.final != without;
+        }
+  }
+  EXPECT_GT(more, 20) << "too little to tell";
+}
+
+/// What all labels together keep is what there was, where labels are everything.
+TEST_F(ClippingTest, WhereEverythingIsExemptNothingIsClipped) {
+  Scene scene = body();
+  scene.look.focus = std::monostate{};
+  scene.labels = labelsOf(scene.volume->grid, [](glm::ivec3) { return 1; });
+  scene.look.shading.enabled = false;
+  View view{Camera::fromAngles(30.0, 20.0, scene.volume->grid), size, 1.0, Quality::High};
+  view.maxError = 0.5;
+  Renderer renderer(std::make_shared<GpuScene>());
+  renderer.render(scene, view);
+  const std::vector<glm::vec4> whole = renderer.readLayers().final;
+  scene.look.clipping.exempt = {1};
+  for (const ClipCase& each : clipCases(scene.volume->grid)) {
+    scene.look.clipping.planes = each.clipping.planes;
+    scene.look.clipping.cropped = each.clipping.cropped;
+    scene.look.clipping.box = each.clipping.box;
+    renderer.render(scene, view);
+    const std::vector<glm::vec4> kept = renderer.readLayers().final;
+    for (std::size_t i = 0; i < whole.size(); ++i)
+      for (int channel = 0; channel < 4; ++channel)
+        ASSERT_NEAR(kept[i][channel], whole[i][channel], 2.0 * 0.5 / 255.0) << each.name;
+  }
+}
+
 TEST_F(ClippingTest, OnlyWhatDependsOnItRunsAgain) {
   Scene scene = body();
   const View view{Camera::fromAngles(30.0, 20.0, scene.volume->grid), size};

@@ -150,8 +150,10 @@ inline std::vector<SceneKind> allSceneKinds() {
     kinds.push_back(bare);
   }
   // Both kinds of capped faces with what else makes a program another one.
-  for (std::size_t i = 0, plainOrNot = kinds.size(); i < plainOrNot; i += 3)
+  for (std::size_t i = 0, plainOrNot = kinds.size(); i < plainOrNot; i += 3) {
     kinds.push_back({kinds[i].name + ", clipped", clipped(kinds[i].scene, i % 2 == 0), kinds[i].view});
+    if (i % 4 == 0) kinds.back().scene.look.clipping.exempt = {2};
+  }
   // Each kind of focus, with light and without, opened and not, as a lattice and within a bound.
   for (std::size_t i = 0; i < plain; ++i)
     if (hasFocusFunction(byValue(kinds[i].scene)) && i % 4 % 3 == 0 && kinds[i].name.starts_with("int16"))
