@@ -10,6 +10,7 @@
 #include "viewer/panels/AppearancePanel.h"
 #include "viewer/panels/BrushPanel.h"
 #include "viewer/panels/CamerasPanel.h"
+#include "viewer/panels/ClippingPanel.h"
 #include "viewer/panels/ContextLayerPanel.h"
 #include "viewer/panels/CutawayPanel.h"
 #include "viewer/panels/FocusPanel.h"
@@ -29,7 +30,8 @@ Panels makePanels(QMainWindow& window, Workspace& workspace) {
                       .cutaway = new CutawayPanel(document),
                       .contextLayer = new ContextLayerPanel(document),
                       .cameras = new CamerasPanel(document, workspace.cameras, workspace.placement),
-                      .brush = new BrushPanel(document, workspace.brush)};
+                      .brush = new BrushPanel(document, workspace.brush),
+                      .clipping = new ClippingPanel(document, workspace.cursor, workspace.cameras, workspace.options)};
   const auto add = [&window](const QString& title, const char* name, QWidget* panel) {
     auto* dock = new QDockWidget(title);
     dock->setObjectName(QLatin1String(name));
@@ -53,6 +55,7 @@ Panels makePanels(QMainWindow& window, Workspace& workspace) {
   });
   QDockWidget* context = add(tr("Context"), "contextDock", panels.appearance);
   window.tabifyDockWidget(context, add(tr("Context edges"), "contextLayerDock", panels.contextLayer));
+  window.tabifyDockWidget(context, add(tr("Clipping"), "clippingDock", panels.clipping));
   context->raise();
   add(tr("Cutaway"), "cutawayDock", panels.cutaway);
   // The list of structures takes the remaining height.
