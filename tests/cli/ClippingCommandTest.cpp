@@ -40,7 +40,7 @@ class ClippingCommand : public ::testing::Test {
     return {std::istreambuf_iterator<char>(file), {}};
   }
   std::vector<float> layer(const std::string& name, const std::string& options) const {
-    EXPECT_EQ(render("--layers '" + at("layers") + "' " + options), 0) << error();
+    EXPECT_EQ(render("-o '" + at("a.png") + "' --layers '" + at("layers") + "' " + options), 0) << error();
     return io::readPicture(folder_ / "layers" / (name + ".mha")).values;
   }
 

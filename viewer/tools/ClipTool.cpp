@@ -23,7 +23,7 @@ constexpr double arrowShare = 0.3;  ///< length of a plane's arrow over the radi
 QString tr(const char* text) { return QCoreApplication::translate("ClipTool", text); }
 
 QColor colourOf(std::size_t plane) {
-  static const std::array<QColor, Clipping::mostPlanes> colours{QColor(120, 220, 140), QColor(110, 190, 255),
+  static const std::array<QColor, Clipping::mostPlanes> colours{QColor(205, 170, 255), QColor(110, 190, 255),
                                                                 QColor(240, 150, 220)};
   return colours[plane % colours.size()];
 }
