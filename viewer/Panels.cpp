@@ -31,7 +31,7 @@ Panels makePanels(QMainWindow& window, Workspace& workspace) {
                       .contextLayer = new ContextLayerPanel(document),
                       .cameras = new CamerasPanel(document, workspace.cameras, workspace.placement),
                       .brush = new BrushPanel(document, workspace.brush),
-                      .clipping = new ClippingPanel(document, workspace.cursor, workspace.cameras, workspace.options)};
+                      .clipping = new ClippingPanel(document, workspace.cursor, workspace.cameras)};
   const auto add = [&window](const QString& title, const char* name, QWidget* panel) {
     auto* dock = new QDockWidget(title);
     dock->setObjectName(QLatin1String(name));
@@ -47,6 +47,9 @@ Panels makePanels(QMainWindow& window, Workspace& workspace) {
   window.tabifyDockWidget(focus, add(tr("Cameras"), "camerasDock", panels.cameras));
   QDockWidget* brush = add(tr("Brush"), "brushDock", panels.brush);
   window.tabifyDockWidget(focus, brush);
+  QDockWidget* clipping = add(tr("Clipping"), "clippingDock", panels.clipping);
+  window.tabifyDockWidget(focus, clipping);
+  QObject::connect(clipping, &QDockWidget::visibilityChanged, &workspace.options, &ViewOptions::setClipHandles);
   focus->raise();
   QObject::connect(&workspace.brush, &Brush::activeChanged, brush, [brush](bool active) {
     if (!active) return;
@@ -55,7 +58,6 @@ Panels makePanels(QMainWindow& window, Workspace& workspace) {
   });
   QDockWidget* context = add(tr("Context"), "contextDock", panels.appearance);
   window.tabifyDockWidget(context, add(tr("Context edges"), "contextLayerDock", panels.contextLayer));
-  window.tabifyDockWidget(context, add(tr("Clipping"), "clippingDock", panels.clipping));
   context->raise();
   add(tr("Cutaway"), "cutawayDock", panels.cutaway);
   // The list of structures takes the remaining height.

@@ -20,7 +20,7 @@ class ClippingWindow : public Window {
     auto* dock = window_->findChild<QDockWidget*>(QStringLiteral("clippingDock"));
     dock->show();
     dock->raise();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return clippingPanel().isVisible(); }, patience));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return options().clipHandles(); }, patience));
   }
   ClippingPanel& clippingPanel() { return panel<ClippingPanel>(); }
   const Clipping& clipping() { return document().clipping(); }
@@ -181,9 +181,10 @@ TEST_F(ClippingWindow, APlaneIsTiltedAtItsArrow) {
 }
 
 TEST_F(ClippingWindow, HandlesShowWhileThePanelIsInSight) {
+  EXPECT_TRUE(options().clipHandles());
   crop({-30, -30, -30}, {30, 30, 30});
   EXPECT_EQ(volume(0)->clipTool().handles().size(), 6u);
-  window_->findChild<QDockWidget*>(QStringLiteral("clippingDock"))->close();
+  window_->findChild<QDockWidget*>(QStringLiteral("focusDock"))->raise();
   EXPECT_TRUE(QTest::qWaitFor([&] { return volume(0)->clipTool().handles().empty(); }, patience));
   EXPECT_TRUE(slice(SlicePlane::Axial)->clipTool().handles().empty());
 }

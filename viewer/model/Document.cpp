@@ -62,10 +62,11 @@ class Document::LookChange : public Change {
 
   static std::size_t heldBy(const Look& look) {
     const ContextFunction& context = look.context;
-    std::size_t bytes = look.labels.capacity() * sizeof(LabelSetting) + context.preset.capacity() +
-                        context.file.native().capacity() +
-                        context.function.nodes.capacity() * sizeof(TransferFunction::Node) +
-                        look.strokes.capacity() * sizeof(BrushStroke);
+    std::size_t bytes =
+        look.labels.capacity() * sizeof(LabelSetting) + context.preset.capacity() + context.file.native().capacity() +
+        context.function.nodes.capacity() * sizeof(TransferFunction::Node) +
+        look.strokes.capacity() * sizeof(BrushStroke) + look.clipping.planes.capacity() * sizeof(HalfSpace) +
+        look.clipping.exempt.capacity() * sizeof(std::uint16_t);
     for (const BrushStroke& stroke : look.strokes) bytes += stroke.anchors.capacity() * sizeof(glm::dvec3);
     if (const auto* focus = std::get_if<LabelFocus>(&look.focus))
       bytes += focus->labels.capacity() * sizeof(focus->labels[0]);

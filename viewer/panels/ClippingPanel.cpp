@@ -13,7 +13,6 @@
 #include "viewer/model/Document.h"
 #include "viewer/model/SliceCursor.h"
 #include "viewer/model/ViewLink.h"
-#include "viewer/model/ViewOptions.h"
 
 namespace fenestra::viewer {
 namespace {
@@ -36,13 +35,11 @@ QToolButton* button(const QString& text, const QString& tip) {
 
 }  // namespace
 
-ClippingPanel::ClippingPanel(Document& document, const SliceCursor& cursor, const ViewLink& cameras,
-                             ViewOptions& options, QWidget* parent)
+ClippingPanel::ClippingPanel(Document& document, const SliceCursor& cursor, const ViewLink& cameras, QWidget* parent)
     : ScrollingPanel(parent),
       document_(document),
       cursor_(cursor),
       cameras_(cameras),
-      options_(options),
       crop_(new QCheckBox(tr("Crop to a box"))),
       planes_(new QListWidget),
       add_(button(tr("Add a plane"), tr("Cut everything off behind a plane; up to three"))),
@@ -163,16 +160,6 @@ void ClippingPanel::connectControls() {
   connect(&document_, &Document::clippingChanged, this, &ClippingPanel::show);
   connect(&document_, &Document::volumeChanged, this, &ClippingPanel::show);
   connect(&document_, &Document::labelsChanged, this, &ClippingPanel::show);
-}
-
-void ClippingPanel::showEvent(QShowEvent* event) {
-  ScrollingPanel::showEvent(event);
-  options_.setClipHandles(true);
-}
-
-void ClippingPanel::hideEvent(QHideEvent* event) {
-  ScrollingPanel::hideEvent(event);
-  options_.setClipHandles(false);
 }
 
 void ClippingPanel::edit(const QString& name, const std::function<void(Clipping&)>& change) {

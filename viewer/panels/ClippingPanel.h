@@ -1,6 +1,6 @@
 #pragma once
 // What 3-D pictures leave out: a crop box with six ends, up to three planes, how capped faces look, and the labels that
-// are never clipped. While the panel is in sight, the views show handles to drag (tools/ClipTool.h).
+// are never clipped. While its dock is in sight, the views show handles to drag (tools/ClipTool.h).
 
 #include <array>
 #include <functional>
@@ -23,13 +23,11 @@ namespace fenestra::viewer {
 class Document;
 class SliceCursor;
 class ViewLink;
-class ViewOptions;
 
 class ClippingPanel : public ScrollingPanel {
   Q_OBJECT
  public:
-  ClippingPanel(Document& document, const SliceCursor& cursor, const ViewLink& cameras, ViewOptions& options,
-                QWidget* parent = nullptr);
+  ClippingPanel(Document& document, const SliceCursor& cursor, const ViewLink& cameras, QWidget* parent = nullptr);
 
   QCheckBox* crop() const { return crop_; }
   /// The low (0) or high (1) end along L, P or S.
@@ -40,10 +38,6 @@ class ClippingPanel : public ScrollingPanel {
   QToolButton* removeButton() const { return remove_; }
   QComboBox* faces() const { return faces_; }
   QToolButton* resetButton() const { return reset_; }
-
- protected:
-  void showEvent(QShowEvent* event) override;
-  void hideEvent(QHideEvent* event) override;
 
  private:
   QWidget* makeBody();
@@ -68,7 +62,6 @@ class ClippingPanel : public ScrollingPanel {
   Document& document_;
   const SliceCursor& cursor_;
   const ViewLink& cameras_;
-  ViewOptions& options_;
   QCheckBox* crop_;
   std::array<QDoubleSpinBox*, 6> ends_{};
   QListWidget* planes_;
