@@ -25,6 +25,7 @@ class PictureExports;
 class FileOpener;
 class RegionGrower;
 class Sessions;
+class Verification;
 class ViewArea;
 struct Workspace;
 
@@ -40,6 +41,7 @@ class Actions : public QObject {
     FileOpener& files;
     Exports& exports;
     PictureExports& pictures;
+    Verification& verification;
     Sessions& sessions;
     ViewArea& views;
     GlSupport gl;

@@ -28,6 +28,7 @@
 #include "viewer/StatusBar.h"
 #include "viewer/StructureMenu.h"
 #include "viewer/UndoKeys.h"
+#include "viewer/Verification.h"
 #include "viewer/WelcomePage.h"
 #include "viewer/model/CamerasChange.h"
 #include "viewer/model/PatientLines.h"
@@ -98,16 +99,21 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
   files_ = new FileOpener(*this, workspace_.document, loader_, *sessions_, *notices_);
   exports_ = new Exports(*this, workspace_.document, workspace_.options, *notices_);
   pictures_ = new PictureExports(*this, workspace_.document, *views_, *notices_);
+  verification_ = new Verification(*this, workspace_.document, *views_, *notices_,
+                                   [this] { return sessions_->controller().session(); });
   setCentralWidget(makeCentre());
   panels_ = makePanels(*this, workspace_);
-  actions_ = new Actions({*this, workspace_, loader_, grower_, *files_, *exports_, *pictures_, *sessions_, *views_, gl_,
-                          [this] { resetLayout(); }, *panels_.cutaway});
+  actions_ = new Actions({*this, workspace_, loader_, grower_, *files_, *exports_, *pictures_, *verification_,
+                          *sessions_, *views_, gl_, [this] { resetLayout(); }, *panels_.cutaway});
   setStatusBar(new StatusBar(workspace_.document, *views_, gl_));
   // Not above the pictures: they would be drawn anew in another size with each click.
   // Also what waits for a job that is stopping.
   statusBar()->addPermanentWidget(
       new LoadingBar(grower_.job(), tr("Growing the region"), [this] { grower_.cancel(); }));
   statusBar()->addPermanentWidget(new LoadingBar(labelEditor_.job(), tr("Editing the label")));
+
+  statusBar()->addPermanentWidget(
+      new LoadingBar(verification_->job(), tr("Verifying the picture"), [this] { verification_->cancel(); }));
 
   connectViews();
   connectPanels();
@@ -329,8 +335,8 @@ void MainWindow::goToFocus() {
 
 bool MainWindow::isIdle() {
   return !loader_.job().isRunning() && !exports_->job().isRunning() && !pictures_->isBusy() &&
-         !focusSearch_.isRunning() && !grower_.isGrowing() && !labelEditor_.job().isRunning() &&
-         !workspace_.placement.isBusy() && !workspace_.cameras.isFlying() &&
+         !verification_->isBusy() && !focusSearch_.isRunning() && !grower_.isGrowing() &&
+         !labelEditor_.job().isRunning() && !workspace_.placement.isBusy() && !workspace_.cameras.isFlying() &&
          !panels_.cameras->bestViews().isDrawing() && views_->isSettled();
 }
 

@@ -26,6 +26,7 @@ class Exports;
 class FileOpener;
 class NoticeBar;
 class PictureExports;
+class Verification;
 class Sessions;
 class ViewArea;
 
@@ -63,6 +64,7 @@ class MainWindow : public QMainWindow {
   Sessions& sessions() { return *sessions_; }
   Exports& exports() { return *exports_; }
   PictureExports& pictures() { return *pictures_; }
+  Verification& verification() { return *verification_; }
   ViewArea& views() { return *views_; }
   NoticeBar& notices() { return *notices_; }
 
@@ -113,6 +115,7 @@ class MainWindow : public QMainWindow {
   FileOpener* files_;
   Exports* exports_;
   PictureExports* pictures_;
+  Verification* verification_;
   QStackedWidget* pages_;
   Panels panels_;
   Actions* actions_;

@@ -11,9 +11,9 @@
 #include <QStandardPaths>
 #include <QStatusBar>
 
-#include "io/ImageWriter.h"
 #include "viewer/NoticeBar.h"
 #include "viewer/PictureDialog.h"
+#include "viewer/PictureFile.h"
 #include "viewer/SaveDialog.h"
 #include "viewer/model/Document.h"
 #include "viewer/model/Paths.h"
@@ -27,15 +27,6 @@ const QString filmEnding = QStringLiteral(".mp4");
 const QString pictureEnding = QStringLiteral(".png");
 
 QString filmProgram() { return QStandardPaths::findExecutable(QStringLiteral("ffmpeg")); }
-
-void writePng(const QImage& picture, const std::filesystem::path& path) {
-  const QImage rgb = picture.convertToFormat(QImage::Format_RGB888);
-  const auto row = static_cast<std::size_t>(rgb.width()) * 3;
-  std::vector<std::uint8_t> pixels;
-  pixels.reserve(row * static_cast<std::size_t>(rgb.height()));
-  for (int y = 0; y < rgb.height(); ++y) pixels.insert(pixels.end(), rgb.constScanLine(y), rgb.constScanLine(y) + row);
-  io::writePng(path, {rgb.width(), rgb.height()}, 3, pixels);
-}
 
 /// NAME-0001.png, from 1.
 std::filesystem::path frameFile(const std::filesystem::path& file, int number) {

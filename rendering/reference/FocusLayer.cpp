@@ -396,6 +396,7 @@ FocusLayer integrated(const Medium& medium, const std::vector<CutRay>& rays, dou
     parallelFor(blocks, 1, [&](std::size_t, std::size_t) {
       for (std::size_t at = next++; at < blocks; at = next++)
         for (std::size_t i = at * block; i < std::min((at + 1) * block, rays.size()); ++i) {
+          interruptionPoint();
           if (!(rays[i].span.tIn <= rays[i].span.tOut)) continue;
           Integrator integrator(medium, valueAt, rays[i], tolerance);
           integrator.run();

@@ -71,6 +71,7 @@ HitPoints hitPoints(const Scene& scene, const Camera& camera, glm::ivec2 size) {
     };
     parallelFor(count, static_cast<std::size_t>(size.x), [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
+        interruptionPoint();
         const glm::ivec2 pixel(static_cast<int>(i % static_cast<std::size_t>(size.x)),
                                static_cast<int>(i / static_cast<std::size_t>(size.x)));
         const Ray ray = pixelRay(camera, size, pixel);

@@ -283,6 +283,22 @@ void VolumeView::reportStarts() {
   Q_EMIT raysStarted(std::move(starts));
 }
 
+std::optional<FinishedPicture> VolumeView::finishedPicture() {
+  if (!settled_ || !problem_.isEmpty() || !document_.hasVolume()) return {};
+  std::optional<FinishedPicture> finished;
+  attemptOnPicture([&] {
+    Renderer& renderer = picture_->shown();
+    const View& view = picture_->shownView();
+    const std::vector<std::uint8_t> rounded = renderer.readPicture();
+    QImage image(view.size.x, view.size.y, QImage::Format_RGB32);
+    image.fill(toColour(document_.look().background));
+    QPainter(&image).drawImage(0, 0,
+                               QImage(rounded.data(), view.size.x, view.size.y, QImage::Format_RGBA8888_Premultiplied));
+    finished = FinishedPicture{shownScene(), view, renderer.readLayers().final, std::move(image)};
+  });
+  return finished;
+}
+
 Scene VolumeView::shownScene() const {
   Scene scene = document_.scene();
   scene.look.strokes = strokesIn(index_, scene.look.strokes);

@@ -33,6 +33,14 @@ class SliceCursor;
 class ViewLink;
 class ViewOptions;
 
+/// A picture at full quality, and what it shows.
+struct FinishedPicture {
+  Scene scene;
+  View view;
+  std::vector<glm::vec4> pixels;  ///< premultiplied RGBA before rounding to 8 bits, row by row from the top
+  QImage image;                   ///< the same over the scene's background
+};
+
 class VolumeView : public QOpenGLWidget {
   Q_OBJECT
  public:
@@ -63,6 +71,8 @@ class VolumeView : public QOpenGLWidget {
   /// The camera of the picture. In a view that is taller than wide its field of view is wider, so that the volume fits.
   Camera shownCamera() const;
   std::optional<QPointF> widgetFromWorld(glm::dvec3 world) const;
+  /// The picture on screen; empty while it is not at full quality.
+  std::optional<FinishedPicture> finishedPicture();
   /// The scene as this view shows it.
   Scene shownScene() const;
   /// Draws what lies over the picture of `camera`: mark of the crosshair, corner text, orientation cube, scale bar.
