@@ -389,6 +389,7 @@ void addSceneOptions(CLI::App& command, SceneOptions& options, std::function<voi
   command.option_defaults()->group("Picture");
   addView(command, options);
   addLook(command, options);
+  addClipping(command, options.clipChanges, options.look.clipping);
   addSampling(command, options);
   command.option_defaults()->group("Options");
 }
@@ -470,6 +471,7 @@ LoadedScene loadScene(const SceneOptions& options, const io::Progress& progress)
   setFocus(options, loaded);
   setLabelSettings(options, scene);
   setFocusFunctions(options, scene);
+  setClipping(options, scene);
   if (!options.strokes.empty()) scene.look.strokes = io::readStrokes(options.strokes);
   growFocus(options, loaded, progress);
   setView(options, loaded);

@@ -10,6 +10,7 @@
 #include "viewer/panels/AppearancePanel.h"
 #include "viewer/panels/BrushPanel.h"
 #include "viewer/panels/CamerasPanel.h"
+#include "viewer/panels/ClippingPanel.h"
 #include "viewer/panels/ContextLayerPanel.h"
 #include "viewer/panels/CutawayPanel.h"
 #include "viewer/panels/FocusPanel.h"
@@ -29,7 +30,8 @@ Panels makePanels(QMainWindow& window, Workspace& workspace) {
                       .cutaway = new CutawayPanel(document),
                       .contextLayer = new ContextLayerPanel(document),
                       .cameras = new CamerasPanel(document, workspace.cameras, workspace.placement),
-                      .brush = new BrushPanel(document, workspace.brush)};
+                      .brush = new BrushPanel(document, workspace.brush),
+                      .clipping = new ClippingPanel(document, workspace.cursor, workspace.cameras)};
   const auto add = [&window](const QString& title, const char* name, QWidget* panel) {
     auto* dock = new QDockWidget(title);
     dock->setObjectName(QLatin1String(name));
@@ -45,6 +47,9 @@ Panels makePanels(QMainWindow& window, Workspace& workspace) {
   window.tabifyDockWidget(focus, add(tr("Cameras"), "camerasDock", panels.cameras));
   QDockWidget* brush = add(tr("Brush"), "brushDock", panels.brush);
   window.tabifyDockWidget(focus, brush);
+  QDockWidget* clipping = add(tr("Clipping"), "clippingDock", panels.clipping);
+  window.tabifyDockWidget(focus, clipping);
+  QObject::connect(clipping, &QDockWidget::visibilityChanged, &workspace.options, &ViewOptions::setClipHandles);
   focus->raise();
   QObject::connect(&workspace.brush, &Brush::activeChanged, brush, [brush](bool active) {
     if (!active) return;

@@ -8,6 +8,7 @@ namespace fenestra::viewer {
 class AppearancePanel;
 class BrushPanel;
 class CamerasPanel;
+class ClippingPanel;
 class ContextLayerPanel;
 class CutawayPanel;
 class FocusPanel;
@@ -21,6 +22,7 @@ struct Panels {
   ContextLayerPanel* contextLayer;
   CamerasPanel* cameras;
   BrushPanel* brush;
+  ClippingPanel* clipping;
 };
 
 /// Makes the panels and docks them in the window.

@@ -22,10 +22,13 @@
 
 namespace fenestra {
 
-/// Where the labels are that the opening never removes.
-struct ProtectedLabels {
+/// Where labels are that pictures keep: those that the opening never removes, or those that are never clipped.
+struct KeptLabels {
   gl::Texture bricks, skip;  ///< as focusBricks() and focusSkip()
   gl::Buffer cells;
+  // What it was made of.
+  std::vector<std::uint16_t> labels;
+  std::shared_ptr<const LabelMap> map;
 
   bool any() const { return static_cast<bool>(bricks); }
 };
@@ -72,12 +75,13 @@ class GpuScene {
   // What the passes bind. A version grows whenever what it names was remade.
   struct Versions {
     std::uint64_t volume = 0, gradient = 0, focus = 0, gaps = 0, transfer = 0, derivative = 0, palette = 0,
-                  protectedLabels = 0;
+                  protectedLabels = 0, exemptLabels = 0;
     bool operator==(const Versions&) const = default;
   };
   const Versions& versions() const { return versions_; }
 
   const Grid& grid() const { return shown_.volume->grid; }  ///< of the voxels on the device
+  bool lowIsWhite() const { return shown_.volume->lowIsWhite; }
   const VolumeTexture& volume() const { return volumeTexture_; }
   const gl::Texture& gradient() const { return gradient_.texture; }
   glm::ivec3 gradientOrigin() const { return gradient_.origin; }  ///< index of its first texel
@@ -119,7 +123,9 @@ class GpuScene {
   /// Where one does: the first row of its function in transferTables() and the map to its entries; 0 for a material.
   glm::vec4 focusTable() const { return focusTable_; }
   /// Only while there is an opening, and something that is protected from it.
-  const ProtectedLabels& protectedLabels() const { return protected_; }
+  const KeptLabels& protectedLabels() const { return protected_; }
+  /// Only while something is clipped, and labels are exempt from it.
+  const KeptLabels& exemptLabels() const { return exempt_; }
   /// Smoothed indicator around a label focus, for its normals; only while shading is on.
   const gl::Texture& focusSmooth() const { return focus_.smooth(); }
   glm::ivec3 focusSmoothOrigin() const { return focus_.smoothOrigin(); }  ///< index of its first texel
@@ -138,7 +144,9 @@ class GpuScene {
   /// The texture of palette entries, by label, around the focus.
   void makePaletteIndex(const LabelMap& labels, const std::vector<std::uint8_t>& entryOf);
   void updateSkips(const GpuFocus::Change& focus, bool occupancyChanged);
-  void updateProtected(const Scene& scene, bool volumeChanged);
+  void updateKeptLabels(const Scene& scene, bool volumeChanged);
+  /// Makes the index of `wanted`, unless it is there.
+  void updateKept(KeptLabels& kept, std::vector<std::uint16_t> wanted, const Scene& scene, std::uint64_t& version);
   /// Returns whether other bricks than before hold something of the context.
   bool updateTransfer(const Scene& scene);
   bool updateOccupancy();
@@ -190,9 +198,7 @@ class GpuScene {
   glm::vec4 focusTable_{0.0f};
   std::vector<TransferFunction> focusFunctions_;  ///< each once, in the order of their tables
 
-  ProtectedLabels protected_;
-  std::vector<std::uint16_t> protectedWanted_;
-  std::shared_ptr<const LabelMap> protectedMap_;
+  KeptLabels protected_, exempt_;
 };
 
 }  // namespace fenestra

@@ -8,7 +8,7 @@ namespace fenestra {
 
 gl::ShaderProgram& ContextLayerPass::prepared(const GpuScene& gpu, const Shading& shading, const RayFrame& rays) {
   gl::ShaderProgram& program =
-      programs_.get({{volumeDefine(gpu),
+      programs_.get({{volumeDefine(gpu), rays.clipDefine(),
                       {"DERIVATIVE_BYTES", static_cast<int>(gl::bytesPerTexel(gpu.derivative().texture.format()))}},
                      {scheduleChoice(gpu.schedule())}});
   rays.setBlocks(program);

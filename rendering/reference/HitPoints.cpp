@@ -51,12 +51,14 @@ HitPoints hitPoints(const Scene& scene, const Camera& camera, glm::ivec2 size) {
   const std::size_t count = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
   HitPoints result{Image(count, nothing), Image(count, nothing), Image(count, nothing)};
 
+  const std::vector<HalfSpace> kept = halfSpaces(scene.look.clipping, grid);
   const FocusField focus(scene);
   const Gaps outsideFocus{{-infinity, focus.range().low}, {focus.range().high, infinity}};
 
   withValues(shownVolume(scene), [&](auto valueAt) {
-    const auto cast = [&](const Ray& ray, Span span) {
+    const auto cast = [&](const Ray& ray, Span span, bool onFace) {
       Hit hit;
+      if (onFace) hit.tContext = span.tIn;
       walkCells(ray, span, grid.dims, [&](const Piece& piece) {
         const Corners corners = cornersOf(piece.cell, grid.dims, valueAt);
         if (const std::optional<Corners> field = focus.corners(piece.cell, corners))
@@ -73,9 +75,10 @@ HitPoints hitPoints(const Scene& scene, const Camera& camera, glm::ivec2 size) {
         const glm::ivec2 pixel(static_cast<int>(i % static_cast<std::size_t>(size.x)),
                                static_cast<int>(i / static_cast<std::size_t>(size.x)));
         const Ray ray = pixelRay(camera, size, pixel);
-        const std::optional<Span> span = clip(ray, grid);
+        const std::optional<Span> span = clip(ray, grid, kept);
         if (!span) continue;
-        const Hit hit = cast(indexRay(ray, grid), *span);
+        const bool onFace = scene.look.clipping.grey && capNormal(ray, grid, kept);
+        const Hit hit = cast(indexRay(ray, grid), *span, onFace);
         result.tContext[i] = hit.tContext;
         result.tFocus[i] = hit.tFocus;
         result.tOut[i] = span->tOut;

@@ -45,6 +45,7 @@ VolumeView::VolumeView(int index, Document& document, SliceCursor& cursor, ViewL
       options_(options),
       brush_(brush),
       brushTool_(brush, document, canvas()),
+      clipTool_(document, clipCanvas()),
       toleranceWheel_(document),
       shared_(std::move(shared)) {
   setMouseTracking(true);
@@ -388,6 +389,7 @@ void VolumeView::drawOverlay() {
   // Here and not among the marks: saved pictures name nobody.
   if (options_.text() && !options_.hidesPatient())
     drawStudyText(painter, view, patientLines(document_.study().patient, document_.study().series), 0);
+  clipTool_.draw(painter);
   brushTool_.draw(painter, view);
   if (hasFocus()) {
     painter.setPen(QColor(86, 140, 190));
@@ -445,6 +447,17 @@ BrushTool::Canvas VolumeView::canvas() {
       },
       .redraw = [this] { update(); },
   };
+}
+
+ClipTool::Canvas VolumeView::clipCanvas() {
+  return {.widgetFromWorld = [this](glm::dvec3 world) { return widgetFromWorld(world); },
+          .axes =
+              [this] {
+                const Camera::Axes axes = shownCamera().axes();
+                return std::array{axes.right, axes.up};
+              },
+          .section = []() -> std::optional<ClipTool::Canvas::Section> { return std::nullopt; },
+          .shows = [this] { return options_.clipHandles() && !brush_.isActive(); }};
 }
 
 std::optional<VolumeView::Hit> VolumeView::pick(QPointF position) {

@@ -21,6 +21,7 @@
 #include "viewer/model/DrawingTurns.h"
 #include "viewer/model/FramePacer.h"
 #include "viewer/tools/BrushTool.h"
+#include "viewer/tools/ClipTool.h"
 #include "viewer/tools/ToleranceWheel.h"
 #include "viewer/views/RefinedPicture.h"
 #include "viewer/views/ScenePreparation.h"
@@ -77,6 +78,7 @@ class VolumeView : public QOpenGLWidget {
   /// Draws what lies over the picture of `camera`: mark of the crosshair, corner text, orientation cube, scale bar.
   void drawMarks(QPainter& painter, const Camera& camera) const;
   const BrushTool& brushTool() const { return brushTool_; }
+  const ClipTool& clipTool() const { return clipTool_; }
   /// What draws the scene's pictures, for others that need its context.
   ScenePreparation& preparation() { return *shared_.preparation; }
   /// Runs `work` with the pictures' OpenGL context current. Returns false without running it where the driver has lost
@@ -167,6 +169,7 @@ class VolumeView : public QOpenGLWidget {
   void click(const Hit& hit, Qt::KeyboardModifiers modifiers);
   glm::dvec2 pixelAt(QPointF position) const;
   BrushTool::Canvas canvas();
+  ClipTool::Canvas clipCanvas();
   double mmPerPixel(const Camera& camera) const;
   std::optional<QPointF> widgetFromWorld(glm::dvec3 world, const Camera& camera) const;
   double halfVoxel() const;  ///< mm, of the shortest side
@@ -178,6 +181,7 @@ class VolumeView : public QOpenGLWidget {
   ViewOptions& options_;
   Brush& brush_;
   BrushTool brushTool_;
+  ClipTool clipTool_;
   ToleranceWheel toleranceWheel_;
   Shared shared_;
 

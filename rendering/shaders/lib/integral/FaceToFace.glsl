@@ -214,6 +214,9 @@ void composite(inout Walk walk, Block crossed, vec4 piece) {
   float transmittance = 1.0 - walk.result.a;
   if (goesOn(walk) && crossed.empty == 0) walk.result += transmittance * piece;
   bool more = goesOn(walk) && isInVolume(walk.block.cell) && transmittance >= integral.leastTransmittance;
+#if CLIPPED
+  more = more && walk.back.s < walk.ray.sOut;
+#endif
   walk.left = more ? 1 : 0;
 }
 
@@ -232,6 +235,11 @@ void takeStep(inout Walk walks[RAYS], const bool mayMeetFocus) {
   }
   for (int i = 0; i < RAYS; ++i) walks[i].front = walks[i].back;
   for (int i = 0; i < RAYS; ++i) walks[i].back = pointOnFace(walks[i], faces[i]);
+#if CLIPPED
+  // A ray may end inside a cell.
+  for (int i = 0; i < RAYS; ++i)
+    if (faces[i].s > walks[i].ray.sOut) walks[i].back = pointInside(walks[i].ray, walks[i].block.cell, walks[i].ray.sOut);
+#endif
   for (int i = 0; i < RAYS; ++i) classify(walks[i].back, behind[i].cell);
   for (int i = 0; i < RAYS; ++i) {
     crossed[i] = walks[i].block;
