@@ -10,6 +10,7 @@ class BrushPanel;
 class CamerasPanel;
 class ContextLayerPanel;
 class CutawayPanel;
+class DockHeights;
 class FocusPanel;
 struct Workspace;
 
@@ -21,6 +22,7 @@ struct Panels {
   ContextLayerPanel* contextLayer;
   CamerasPanel* cameras;
   BrushPanel* brush;
+  DockHeights* heights;
 };
 
 /// Makes the panels and docks them in the window.
