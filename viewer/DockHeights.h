@@ -1,6 +1,7 @@
 #pragma once
 // Shares the height of the docks' column. From the lowest group of docks to the second, each gets the height that its
-// contents want, but at most an even share of what is left; the first one gets the remainder. Once the user has moved a border between docks, heights are the user's.
+// contents want, but at most an even share of what is left; the first one gets the remainder. Once the user has moved a
+// border between docks, heights are the user's.
 
 #include <vector>
 

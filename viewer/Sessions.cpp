@@ -76,17 +76,16 @@ SessionQuestions::Answer askToRestore(QWidget* parent, const QDateTime& saved) {
 SessionQuestions sessionDialogs(QWidget* parent) {
   return {
       .saveChanges = [parent] { return askToSave(parent); },
-      .saveWhere =
-          [parent](const fs::path& suggested) -> std::optional<fs::path> {
-            const auto file =
-                askForNewFile(parent, Sessions::tr("Save the session"), {sessionKind()}, toQString(suggested));
-            return file ? std::optional(file->path) : std::nullopt;
-          },
+      .saveWhere = [parent](const fs::path& suggested) -> std::optional<fs::path> {
+        const auto file =
+            askForNewFile(parent, Sessions::tr("Save the session"), {sessionKind()}, toQString(suggested));
+        return file ? std::optional(file->path) : std::nullopt;
+      },
       .openWhich =
           [parent] {
             const FileKind kind = sessionKind();
-            return askForFile(parent, {Sessions::tr("Open a session"),
-                                       QStringLiteral("%1 (*%2)").arg(kind.name, kind.ending)});
+            return askForFile(parent,
+                              {Sessions::tr("Open a session"), QStringLiteral("%1 (*%2)").arg(kind.name, kind.ending)});
           },
       .dataWhere = [parent](const io::DataMissing& missing) { return askForData(parent, missing); },
       .restoreWork = [parent](const QDateTime& saved) { return askToRestore(parent, saved); },

@@ -18,8 +18,8 @@ namespace fenestra::io {
 
 inline constexpr int lookVersion = 1;
 
-/// The function of a label in focus, by the label's name, or by its value in digits where it has no name: other data may
-/// have other values for the same structures.
+/// The function of a label in focus, by the label's name, or by its value in digits where it has no name: other data
+/// may have other values for the same structures.
 struct LabelFunction {
   std::string label;
   TransferFunction function;

@@ -373,7 +373,8 @@ TEST_F(EditorWindow, ALabelInFocusIsShownByValueAndByOneMaterialAgain) {
   EXPECT_TRUE(editor().byValue()->isChecked());
   EXPECT_EQ(document().labelSetting(body), LabelSetting{.label = body}) << "only the label that was chosen";
   waitUntilDrawn();
-  // At first the function is constant and the same. By value, normal quality lights a segment in two halves, not in one.
+  // At first the function is constant and the same. By value, normal quality lights a segment in two halves, not in
+  // one.
   EXPECT_LE(greatestDifference(picture(volume(0)), material), 8);
 
   ASSERT_EQ(plot().function().nodes.size(), 2u);
@@ -420,7 +421,8 @@ TEST_F(EditorWindow, AFunctionIsTakenFromAPresetOrAFile) {
   EXPECT_GT(greatestDifference(picture(volume(0)), material), 20);
 
   const std::filesystem::path file = tests::scratchFolder() / "own.json";
-  std::ofstream(file) << R"({"name": "own", "domain": "value", "nodes": [{"value": 5, "colour": [1, 0, 0], "opacity": 0.5}]})";
+  std::ofstream(file)
+      << R"({"name": "own", "domain": "value", "nodes": [{"value": 5, "colour": [1, 0, 0], "opacity": 0.5}]})";
   editor().functionWhich() = [&] { return std::optional(file); };
   choose(QStringLiteral("From a file…"));
   ASSERT_TRUE(document().labelSetting(marker).function);

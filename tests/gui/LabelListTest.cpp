@@ -80,8 +80,8 @@ TEST_F(LabelListWindow, AClickIn3DMeetsAProtectedStructureInTheOpening) {
   const auto labels = std::const_pointer_cast<LabelMap>(study.scene.labels);
   const Grid& grid = volume->grid;
   for (int i = 0; i < 6 * 6 * 6; ++i) {
-    const glm::ivec3 index = glm::ivec3(glm::round((before - grid.origin) / grid.spacing)) - 3 +
-                             glm::ivec3(i % 6, i / 6 % 6, i / 36);
+    const glm::ivec3 index =
+        glm::ivec3(glm::round((before - grid.origin) / grid.spacing)) - 3 + glm::ivec3(i % 6, i / 6 % 6, i / 36);
     labels->voxels.as<std::uint8_t>()[grid.offset(index)] = shield;
     volume->voxels.as<std::int16_t>()[grid.offset(index)] = 500;
   }

@@ -127,9 +127,10 @@ TEST_F(PresetWindow, ALabelsOwnFunctionGoesWithTheLook) {
 
   // Other data with other values for the same names.
   Study another = markedBall();
-  auto labels = std::make_shared<LabelMap>(LabelMap{.grid = another.scene.labels->grid,
-                                                    .voxels = Voxels(ScalarType::UInt8, another.scene.labels->voxels.count()),
-                                                    .labels = {{1, "marker"}, {2, "body"}}});
+  auto labels =
+      std::make_shared<LabelMap>(LabelMap{.grid = another.scene.labels->grid,
+                                          .voxels = Voxels(ScalarType::UInt8, another.scene.labels->voxels.count()),
+                                          .labels = {{1, "marker"}, {2, "body"}}});
   const auto from = another.scene.labels->voxels.as<std::uint8_t>();
   const auto to = labels->voxels.as<std::uint8_t>();
   std::transform(from.begin(), from.end(), to.begin(), [](std::uint8_t value) { return value == 0 ? 0 : 3 - value; });

@@ -58,7 +58,8 @@ void writeStudy(const fs::path& folder) {
     slice.patientName = "Vermeer^Johanna";
     slice.patientId = "QX-4711";
     slice.birthDate = "19500102";
-    slice.sex = std::string("F");  // GCC 12 warns wrongly of overlap where a text of one letter is assigned (GCC bug 105651)
+    slice.sex =
+        std::string("F");  // GCC 12 warns wrongly of overlap where a text of one letter is assigned (GCC bug 105651)
     slice.accessionNumber = "ACC9931";
     slice.study = "Restaging";
     slice.date = "20200304";

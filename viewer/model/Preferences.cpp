@@ -55,8 +55,8 @@ constexpr std::array table{
                     0, 0xffffff},
     PreferenceEntry{
         Preference::WidthUnit, Kind::Choice, "picture/widthUnit", QT_TRANSLATE_NOOP("Settings", "Unit of new openings"),
-        QT_TRANSLATE_NOOP("Settings", "What the widths of the opening are in when data are opened without a session"), 0,
-        0, static_cast<int>(wordsOf(WidthUnit{}).size()) - 1, "", widthUnits},
+        QT_TRANSLATE_NOOP("Settings", "What the widths of the opening are in when data are opened without a session"),
+        0, 0, static_cast<int>(wordsOf(WidthUnit{}).size()) - 1, "", widthUnits},
     PreferenceEntry{Preference::HidesPatient, Kind::Switch, "picture/hidesPatient",
                     QT_TRANSLATE_NOOP("Settings", "Hide the patient"),
                     QT_TRANSLATE_NOOP("Settings",

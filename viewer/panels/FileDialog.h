@@ -1,8 +1,8 @@
 #pragma once
 // Asks for files and folders; all file dialogs are made here. They begin in the folder that was chosen last.
 //
-// Qt and the desktop keep the folders of such dialogs in files of their own, and a folder is often named after its patient.
-// While the dialogs are private, they are Qt's own and leave nothing behind.
+// Qt and the desktop keep the folders of such dialogs in files of their own, and a folder is often named after its
+// patient. While the dialogs are private, they are Qt's own and leave nothing behind.
 
 #include <filesystem>
 #include <optional>
@@ -32,8 +32,8 @@ struct NewFile {
   std::filesystem::path path;  ///< with the ending of its kind, unless the user gave another
   qsizetype kind = 0;          ///< index into the kinds that were offered
 };
-/// A file to write, which the user allowed to be replaced where it exists; empty when cancelled. `suggested` is a name or
-/// a path.
+/// A file to write, which the user allowed to be replaced where it exists; empty when cancelled. `suggested` is a name
+/// or a path.
 std::optional<NewFile> askForNewFile(QWidget* parent, const QString& title, const QList<FileKind>& kinds,
                                      const QString& suggested = {});
 

@@ -67,13 +67,11 @@ PresetQuestions presetDialogs(QWidget* parent) {
           [=] {
             return askForFile(parent, {PresetPicker::tr("Import a preset"), PresetPicker::tr("Presets (*.json)")});
           },
-      .exportWhere =
-          [=](const QString& suggested) -> std::optional<std::filesystem::path> {
-            const FileKind kind{PresetPicker::tr("Presets"), QStringLiteral(".json")};
-            const auto file =
-                askForNewFile(parent, PresetPicker::tr("Export the preset"), {kind}, suggested + kind.ending);
-            return file ? std::optional(file->path) : std::nullopt;
-          },
+      .exportWhere = [=](const QString& suggested) -> std::optional<std::filesystem::path> {
+        const FileKind kind{PresetPicker::tr("Presets"), QStringLiteral(".json")};
+        const auto file = askForNewFile(parent, PresetPicker::tr("Export the preset"), {kind}, suggested + kind.ending);
+        return file ? std::optional(file->path) : std::nullopt;
+      },
       .mayReplace =
           [=](const QString& name) { return ask(PresetPicker::tr("There is a preset \"%1\". Replace it?").arg(name)); },
       .mayDelete = [=](const QString& name) { return ask(PresetPicker::tr("Delete the preset \"%1\"?").arg(name)); },
@@ -226,9 +224,7 @@ void PresetPicker::exportPreset() {
     const auto file = questions_.exportWhere(preset.isEmpty() ? tr("Look") : preset);
     if (!file) return;
     const LookLibrary::Entry* entry = library_.find(preset);
-    io::writeLook(
-        *file,
-        entry ? entry->preset : io::presetOf(file->stem().string(), document_.study().scene));
+    io::writeLook(*file, entry ? entry->preset : io::presetOf(file->stem().string(), document_.study().scene));
   });
 }
 

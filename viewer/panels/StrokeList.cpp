@@ -49,7 +49,8 @@ void StrokeList::connectButtons() {
           &StrokeList::deleteSelected);
   connect(clear_, &QPushButton::clicked, this, [this] { document_.setStrokes({}, tr("Clear strokes")); });
   connect(load_, &QPushButton::clicked, this, [this] {
-    if (const auto file = askForFile(this, {tr("Load brush strokes"), tr("Brush strokes (*.json)")})) load(toQString(*file));
+    if (const auto file = askForFile(this, {tr("Load brush strokes"), tr("Brush strokes (*.json)")}))
+      load(toQString(*file));
   });
   connect(save_, &QPushButton::clicked, this, [this] {
     const FileKind kind{tr("Brush strokes"), QStringLiteral(".json")};

@@ -54,8 +54,8 @@ class TransferFunctionEditor : public QWidget {
   TransferFunctionPlot* plot_;
   QDoubleSpinBox *value_, *opacity_;
   ColourButton* colour_;
-  QCheckBox* byValue_;     ///< of a part of the focus
-  QToolButton* presets_;   ///< likewise
+  QCheckBox* byValue_;    ///< of a part of the focus
+  QToolButton* presets_;  ///< likewise
   std::function<std::optional<std::filesystem::path>()> functionWhich_;
   std::vector<FunctionTarget> listed_;  ///< what `targets_` shows
 };
