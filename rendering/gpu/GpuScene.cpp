@@ -123,12 +123,12 @@ void GpuScene::updateAll(const Scene& scene) {
 
   const bool transferChanged =
       volumeChanged || scene.look.context != contextWanted_ || focusFunctions_.size() != focusFunctions;
-  if (transferChanged) updateTransfer(scene);
-  updateSkips(changed, transferChanged);
+  const bool occupancyChanged = transferChanged && updateTransfer(scene);
+  updateSkips(changed, occupancyChanged);
 
   const bool wantsGradient = scene.look.shading.enabled;
   if (!wantsGradient) gradient_ = {};
-  if (wantsGradient) updateGradient(changed, transferChanged);
+  if (wantsGradient) updateGradient(changed, occupancyChanged);
   focus_.updateSmooth(wantsGradient);
 
   const bool wantsDerivative = hasCutaway(scene) && scene.look.contextLayer.strength > 0.0;
@@ -147,7 +147,7 @@ void GpuScene::updateVolume(ShownVolume shown) {
   ++versions_.volume;
 }
 
-void GpuScene::updateSkips(const GpuFocus::Change& focus, bool contextChanged) {
+void GpuScene::updateSkips(const GpuFocus::Change& focus, bool occupancyChanged) {
   if (focus_.index().kind == FocusIndex::Kind::None) return;
   struct Skip {
     gl::Texture& texture;
@@ -156,7 +156,7 @@ void GpuScene::updateSkips(const GpuFocus::Change& focus, bool contextChanged) {
   std::vector<Skip> skips;
   const bool focusFlipped = focus.isNew || !focus.flipped.empty();
   if (focusFlipped) skips.push_back({focusSkip_, focus_.index().occupied()});
-  const bool anyFlipped = focus.isNew || contextChanged ||
+  const bool anyFlipped = focus.isNew || occupancyChanged ||
                           std::any_of(focus.flipped.begin(), focus.flipped.end(),
                                       [&](std::size_t brick) { return !contextOccupied_[brick]; });
   if (anyFlipped) {
@@ -191,36 +191,50 @@ bool GpuScene::isLitFor(const std::vector<std::size_t>& bricks) const {
   });
 }
 
-void GpuScene::updateGradient(const GpuFocus::Change& focus, bool contextChanged) {
-  if (gradient_.texture && gradientIsWhole_) return;
-  if (gradient_.texture && !contextChanged && !focus.isNew && isLitFor(focus.flipped)) return;
-  // Lighting asks for gradients where something shows and values vary by more than noise.
-  const double leastChange = this->leastChange();
+std::optional<IndexBox> GpuScene::variedBox(bool shown) const {
+  const double least = leastChange();
   const std::vector<std::uint32_t>& slots = focus_.index().slots;
-  std::optional<IndexBox> varied, shown;
-  for (int z = 0; z < bricks_.dims.z; ++z)
-    for (int y = 0; y < bricks_.dims.y; ++y)
-      for (int x = 0; x < bricks_.dims.x; ++x) {
-        const std::size_t brick = brickOffset(bricks_.dims, {x, y, z});
-        const ValueRange& range = bricks_.ranges[brick];
-        if (!(range.high - range.low >= leastChange)) continue;
-        const glm::ivec3 low = glm::ivec3(x, y, z) * brickSide - 1, high = low + brickSide;
-        grow(varied, low, high);
-        if (contextOccupied_[brick] || (!slots.empty() && slots[brick] != 0)) grow(shown, low, high);
+  std::vector<std::optional<IndexBox>> layers(static_cast<std::size_t>(bricks_.dims.z));
+  parallelFor(layers.size(), 8, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t z = begin; z < end; ++z)
+      for (int y = 0; y < bricks_.dims.y; ++y) {
+        const std::size_t row = brickOffset(bricks_.dims, {0, y, static_cast<int>(z)});
+        const auto isIn = [&](int x) {
+          const std::size_t brick = row + static_cast<std::size_t>(x);
+          const ValueRange& range = bricks_.ranges[brick];
+          return range.high - range.low >= least &&
+                 (!shown || contextOccupied_[brick] || (!slots.empty() && slots[brick] != 0));
+        };
+        int first = 0, last = bricks_.dims.x - 1;
+        while (first <= last && !isIn(first)) ++first;
+        if (first > last) continue;
+        while (!isIn(last)) --last;
+        for (const int x : {first, last}) {
+          const glm::ivec3 low = glm::ivec3(x, y, static_cast<int>(z)) * brickSide - 1;
+          grow(layers[z], low, low + brickSide);
+        }
       }
-  const glm::ivec3 last = shown_.volume->grid.dims - 1;
-  for (std::optional<IndexBox>* box : {&varied, &shown})
-    if (*box) *box = IndexBox{glm::max((*box)->low, glm::ivec3(0)), glm::min((*box)->high, last)};
+  });
+  std::optional<IndexBox> box;
+  for (const std::optional<IndexBox>& layer : layers)
+    if (layer) grow(box, layer->low, layer->high);
+  if (box) box = IndexBox{glm::max(box->low, glm::ivec3(0)), glm::min(box->high, shown_.volume->grid.dims - 1)};
+  return box;
+}
+
+void GpuScene::updateGradient(const GpuFocus::Change& focus, bool occupancyChanged) {
+  if (gradient_.texture && gradientIsWhole_) return;
+  if (gradient_.texture && !occupancyChanged && !focus.isNew && isLitFor(focus.flipped)) return;
   const auto contains = [](const std::optional<IndexBox>& outer, const std::optional<IndexBox>& inner) {
     return !inner || (outer && glm::all(glm::lessThanEqual(outer->low, inner->low)) &&
                       glm::all(glm::greaterThanEqual(outer->high, inner->high)));
   };
-  std::optional<IndexBox> wanted = shown;
-  if (gradient_.texture) {
-    if (contains(gradientBox_, wanted)) return;
-    // More shows than at first: all that can ever be asked for, so that dragging a transfer function rebuilds but once.
-    wanted = varied;
-  }
+  // Lighting asks for gradients where something shows and values vary by more than noise.
+  std::optional<IndexBox> wanted = variedBox(true);
+  if (gradient_.texture && contains(gradientBox_, wanted)) return;
+  const std::optional<IndexBox> varied = variedBox(false);
+  // More shows than at first: all that can ever be asked for, so that dragging a transfer function rebuilds but once.
+  if (gradient_.texture) wanted = varied;
   gradientIsWhole_ = contains(wanted, varied);
   gradient_ = {};
   gradientBox_ = wanted;
@@ -375,7 +389,7 @@ void GpuScene::makePaletteIndex(const LabelMap& labels, const std::vector<std::u
   focusPaletteIndex_.upload(std::span<const std::uint8_t>(entries));
 }
 
-void GpuScene::updateTransfer(const Scene& scene) {
+bool GpuScene::updateTransfer(const Scene& scene) {
   contextWanted_ = scene.look.context;
   context_ = contextWanted_.shifted();
   ++versions_.transfer;
@@ -407,16 +421,27 @@ void GpuScene::updateTransfer(const Scene& scene) {
   visibleEntries_ = tables.visible();
   transferMap_ = tableMap(span, volumeTexture_);
 
+  return updateOccupancy();
+}
+
+bool GpuScene::updateOccupancy() {
   // Exactly: a brick whose values reach no further than the node where opacity begins stays empty, although the tables,
   // which are read to the nearest entry, may show a little there.
+  const std::vector<ValueRange> empty = context_.emptyRanges();
   std::vector<std::uint8_t> occupied(bricks_.ranges.size());
-  std::transform(bricks_.ranges.begin(), bricks_.ranges.end(), occupied.begin(), [this](const ValueRange& range) {
-    return static_cast<std::uint8_t>(context_.maxExtinction(range) > 0.0);
+  constexpr std::size_t worthAThread = 1 << 16;
+  parallelFor(occupied.size(), worthAThread, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const ValueRange& brick = bricks_.ranges[i];
+      occupied[i] = std::none_of(empty.begin(), empty.end(), [&](const ValueRange& range) {
+        return brick.low >= range.low && brick.high <= range.high;
+      });
+    }
   });
-  if (occupied != contextOccupied_ || !contextSkip_ || contextSkip_.size() != bricks_.dims) {
-    contextOccupied_ = std::move(occupied);
-    contextSkip_ = skipTexture(bricks_.dims, contextOccupied_);
-  }
+  if (occupied == contextOccupied_ && contextSkip_ && contextSkip_.size() == bricks_.dims) return false;
+  contextOccupied_ = std::move(occupied);
+  contextSkip_ = skipTexture(bricks_.dims, contextOccupied_);
+  return true;
 }
 
 std::vector<GpuScene::Resource> GpuScene::resources() const {
