@@ -16,6 +16,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QDialog>
+#include <QDrag>
 #include <QElapsedTimer>
 #include <QMenu>
 #include <QTest>
@@ -104,6 +105,7 @@ class Monkey : public Window, public testing::WithParamInterface<unsigned> {
     Window::SetUp();
     // Dialogs and menus wait for an answer: the monkey waits a moment and leaves them.
     QObject::connect(&closer_, &QTimer::timeout, [this] {
+      QDrag::cancel();  // of selected text: Qt waits until the display's own mouse is released
       if (QWidget* popup = QApplication::activePopupWidget()) {
         event_ += "; closed " + nameOf(*popup);
         popup->close();
