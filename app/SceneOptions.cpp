@@ -470,6 +470,7 @@ LoadedScene loadScene(const SceneOptions& options, const io::Progress& progress)
   }
   setFocus(options, loaded);
   setLabelSettings(options, scene);
+  if (options.preset) io::setLabelFunctions(scene, *options.preset);
   setFocusFunctions(options, scene);
   setClipping(options, scene);
   if (!options.strokes.empty()) scene.look.strokes = io::readStrokes(options.strokes);

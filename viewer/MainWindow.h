@@ -50,7 +50,7 @@ class MainWindow : public QMainWindow {
   void open(const std::vector<std::filesystem::path>& paths);
   void openLabels(const std::filesystem::path& path);
   /// An entry in the File menu for data that comes with the program.
-  void addSample(const QString& name, StudyLoader::Reader read);
+  void addSample(const QString& name, StudyLoader::SampleReader read);
 
   /// Calls `done` once, when nothing is being read and all views show the scene at full quality.
   void whenDrawn(std::function<void()> done);

@@ -11,6 +11,7 @@ class CamerasPanel;
 class ClippingPanel;
 class ContextLayerPanel;
 class CutawayPanel;
+class DockHeights;
 class FocusPanel;
 struct Workspace;
 
@@ -23,6 +24,7 @@ struct Panels {
   CamerasPanel* cameras;
   BrushPanel* brush;
   ClippingPanel* clipping;
+  DockHeights* heights;
 };
 
 /// Makes the panels and docks them in the window.

@@ -14,9 +14,9 @@
 #include "viewer/NoticeBar.h"
 #include "viewer/PictureDialog.h"
 #include "viewer/PictureFile.h"
-#include "viewer/SaveDialog.h"
 #include "viewer/model/Document.h"
 #include "viewer/model/Paths.h"
+#include "viewer/panels/FileDialog.h"
 #include "viewer/views/SliceView.h"
 #include "viewer/views/ViewArea.h"
 
@@ -75,10 +75,8 @@ bool PictureExports::canWriteFilms() { return !filmProgram().isEmpty(); }
 void PictureExports::choosePicture() {
   PictureDialog dialog(PictureDialog::What::Picture, views_, maker_, &window_);
   if (dialog.exec() != QDialog::Accepted) return;
-  qsizetype chosen = 0;
-  const std::filesystem::path path =
-      askForSaveFile(window_, tr("Save a picture"), {{tr("PNG"), pictureEnding}}, chosen);
-  if (!path.empty()) writePicture(path, dialog.request());
+  if (const auto file = askForNewFile(&window_, tr("Save a picture"), {{tr("PNG"), pictureEnding}}))
+    writePicture(file->path, dialog.request());
 }
 
 void PictureExports::chooseTurntable() {
@@ -91,9 +89,8 @@ void PictureExports::chooseTurntable() {
   if (dialog.exec() != QDialog::Accepted) return;
   QList<FileKind> kinds{{tr("PNG, one for each picture"), pictureEnding}};
   if (canWriteFilms()) kinds.prepend({tr("MP4 film"), filmEnding});
-  qsizetype chosen = 0;
-  const std::filesystem::path path = askForSaveFile(window_, tr("Save a turntable"), kinds, chosen);
-  if (!path.empty()) writeTurntable(path, dialog.request(), dialog.frames(), dialog.framesPerSecond());
+  if (const auto file = askForNewFile(&window_, tr("Save a turntable"), kinds))
+    writeTurntable(file->path, dialog.request(), dialog.frames(), dialog.framesPerSecond());
 }
 
 void PictureExports::copyPicture() {

@@ -15,9 +15,9 @@
 #include "rendering/scene/Parallel.h"
 #include "viewer/NoticeBar.h"
 #include "viewer/PictureFile.h"
-#include "viewer/SaveDialog.h"
 #include "viewer/model/Document.h"
 #include "viewer/model/Paths.h"
+#include "viewer/panels/FileDialog.h"
 #include "viewer/views/ViewArea.h"
 #include "viewer/views/VolumeView.h"
 
@@ -114,10 +114,9 @@ void Verification::show(const Result& result) {
   box->setTextInteractionFlags(Qt::TextSelectableByMouse);
   const QPushButton* save = box->addButton(tr("&Save the picture…"), QMessageBox::AcceptRole);
   connect(save, &QPushButton::clicked, this, [this, result] {
-    qsizetype chosen = 0;
-    const std::filesystem::path path = askForSaveFile(window_, tr("Save the picture with its certificate"),
-                                                      {{tr("PNG"), QStringLiteral(".png")}}, chosen);
-    if (!path.empty()) write(path, result);
+    const std::optional<NewFile> file =
+        askForNewFile(&window_, tr("Save the picture with its certificate"), {{tr("PNG"), QStringLiteral(".png")}});
+    if (file) write(file->path, result);
   });
   const QPushButton* copy = box->addButton(tr("&Copy"), QMessageBox::AcceptRole);
   connect(copy, &QPushButton::clicked, this, [result] {

@@ -179,8 +179,7 @@ void render(const RenderOptions& options) {
   io::Session session;
   if (!options.session.empty() || options.certify) session = sessionToSave(options.scene, loaded);
   if (!options.session.empty()) io::writeSession(options.session, session);
-  if (!options.look.empty())
-    io::writeLook(options.look, {options.look.stem().string(), scene.volume->unit, loaded.asSet.look, {}});
+  if (!options.look.empty()) io::writeLook(options.look, io::presetOf(options.look.stem().string(), loaded.asSet));
   const bool second = loaded.placed == app::PlacedView::Dual;
   loaded.scene.look.strokes = strokesIn(second ? 1 : options.scene.viewOfSession, loaded.scene.look.strokes);
   if (options.reference) {

@@ -35,7 +35,9 @@ class Document::LookChange : public Change {
   bool absorb(const Change& next) override {
     const auto& later = static_cast<const LookChange&>(next);
     const Look& now = document_.look();
-    *this = LookChange(document_, replaced(replaced(now, later.after_, later.before_), after_, before_), now);
+    // Each finds its strokes at its own place.
+    const Look between = later.replaced(now, later.after_, later.before_);
+    *this = LookChange(document_, replaced(between, after_, before_), now);
     return true;
   }
   bool isNothing() const override { return before_ == after_; }
