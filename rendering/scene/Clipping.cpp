@@ -5,30 +5,9 @@
 #include <limits>
 
 namespace fenestra {
-namespace {
-
-/// The index axis for each of L, P and S: of all assignments the one whose directions agree best.
-glm::ivec3 nearestAxes(const glm::dmat3& direction) {
-  constexpr std::array<std::array<int, 3>, 6> orders{
-      {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
-  glm::ivec3 best(0, 1, 2);
-  double most = -1.0;
-  for (const auto& order : orders) {
-    double agreement = 0.0;
-    for (int patient = 0; patient < 3; ++patient)
-      agreement += std::abs(direction[order[static_cast<std::size_t>(patient)]][patient]);
-    if (agreement > most + 1e-9) {
-      most = agreement;
-      best = {order[0], order[1], order[2]};
-    }
-  }
-  return best;
-}
-
-}  // namespace
 
 CropFrame::CropFrame(const Grid& grid)
-    : axis(nearestAxes(grid.direction)),
+    : axis(grid.patientAxes()),
       normal{},
       low(std::numeric_limits<double>::infinity()),
       high(-std::numeric_limits<double>::infinity()) {
