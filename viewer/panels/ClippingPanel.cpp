@@ -11,8 +11,8 @@
 #include <QVBoxLayout>
 
 #include "viewer/model/Document.h"
-#include "viewer/model/Translation.h"
 #include "viewer/model/SliceCursor.h"
+#include "viewer/model/Translation.h"
 #include "viewer/model/ViewLink.h"
 
 namespace fenestra::viewer {
