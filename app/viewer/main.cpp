@@ -161,7 +161,7 @@ void setUp(QApplication& application) {
   application.setApplicationName(QStringLiteral("Fenestra"));
   application.setOrganizationName(QStringLiteral("Fenestra"));
   application.setApplicationVersion(QStringLiteral(FENESTRA_VERSION));
-  application.setDesktopFileName(QStringLiteral("fenestra"));
+  application.setDesktopFileName(QStringLiteral(FENESTRA_APP_ID));
   applyStyle(application);
 }
 
