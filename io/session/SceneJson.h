@@ -1,6 +1,6 @@
 #pragma once
-// The members of a look and of its parts in JSON, for sessions and for files of strokes and looks. Settings come from their
-// tables in rendering/scene/Settings.h. Private to io/session.
+// The members of a look and of its parts in JSON, for sessions and for files of strokes and looks. Settings come from
+// their tables in rendering/scene/Settings.h. Private to io/session.
 
 #include <algorithm>
 
@@ -127,12 +127,12 @@ void partMembers(auto& io, io::json::Is<Look> auto& look) {
   io("cutaway", look.cutaway);
   io("context_layer", look.contextLayer);
   io("shading", look.shading);
-  settings(io, look);  // background, table
+  settings(io, look);  // background, table, reconstruction
 }
 
 void members(auto& io, io::json::Is<Look> auto& look) {
-  auto& [focus, labels, focusAppearance, context, cutaway, contextLayer, shading, background, hideTable, strokes] =
-      look;
+  auto& [focus, labels, focusAppearance, context, cutaway, contextLayer, shading, background, hideTable, reconstruction,
+         strokes] = look;
   focusMember(io, focus);
   io.optional("label_settings", labels, !labels.empty(), {},
               {"How labels of the label map are shown, ascending by label; those that are shown as they come are left "

@@ -1,0 +1,15 @@
+#pragma once
+// How 3-D pictures reconstruct the values between the voxels.
+
+#include <cstdint>
+
+namespace fenestra {
+
+enum class Reconstruction : std::uint8_t {
+  Linear,  ///< trilinear
+  Cubic,   ///< the tricubic spline through the voxels' values, see SplineVolume
+  Smooth,  ///< the tricubic B-spline over the values, which smooths them
+  Auto     ///< Cubic where a volume is coarse and small enough, see reconstructionOf(); else Linear
+};
+
+}  // namespace fenestra
