@@ -99,7 +99,7 @@ std::optional<gl::Region> PassChain::nearFocus(double reach) const {
 void PassChain::begin(const Scene& scene, const View& view) {
   drop();
   gpu->update(scene);
-  rays.emplace(view.camera, view.size, gpu->grid());
+  rays.emplace(view.camera, view.size, gpu->grid(), gpu->refinement());
   pixelScale = view.pixelScale;
   background = glm::vec3(scene.look.background);
 

@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <exception>
+#include <iomanip>
 #include <limits>
+#include <sstream>
 
 #include "rendering/gpu/TransferTables.h"
 #include "rendering/scene/Lighting.h"
@@ -51,7 +53,9 @@ void GpuScene::update(const Scene& scene) {
   if (!schedule_) schedule_ = usualSchedule();
   if (fitted_.isOfOther(scene)) {
     release();  // first: two volumes may not fit, and the driver is asked how much is free
-    fitted_.take(scene, limits_ ? *limits_ : deviceLimits());
+    const DeviceLimits limits = limits_ ? *limits_ : deviceLimits();
+    fitted_.take(scene, limits);
+    chooseRefinement(scene, limits);
   }
   std::exception_ptr first;
   for (;;) try {
@@ -62,8 +66,28 @@ void GpuScene::update(const Scene& scene) {
       // The first error names the size that the user can do something about.
       if (!first) first = std::current_exception();
       release();
+      if (refinement_ > 1) {
+        refinement_ = 1;
+        continue;
+      }
       if (!fitted_.coarsen()) std::rethrow_exception(first);
     }
+}
+
+void GpuScene::chooseRefinement(const Scene& scene, const DeviceLimits& limits) {
+  refinement_ = 1;
+  refusedBytes_ = 0;
+  if (reconstructionOf(scene) == Reconstruction::Linear) return;
+  const glm::ivec3 dims = scene.volume->grid.dims;
+  const std::size_t bytes = refinedBytes(*scene.volume, splineRefinement, scene.look.shading.enabled);
+  const bool fits = fitted_.factor() == glm::ivec3(1) && (!limits.bytes || bytes <= *limits.bytes) &&
+                    std::max({dims.x, dims.y, dims.z}) * splineRefinement <= limits.side;
+  refinement_ = fits ? splineRefinement : 1;
+  if (!fits) refusedBytes_ = bytes;
+}
+
+std::vector<std::uint8_t> GpuScene::drawnOccupied(const FocusIndex& focus) const {
+  return refinement_ > 1 ? refinedOccupied(focus, grid().dims, refinement_) : focus.occupied();
 }
 
 bool GpuScene::holds(const Scene& scene) const {
@@ -82,6 +106,12 @@ gl::ShaderProgram& GpuScene::presentation(bool enlarged) {
 
 std::string GpuScene::reductionNotice() const {
   const glm::ivec3 factor = fitted_.factor();
+  if (factor == glm::ivec3(1) && refusedBytes_ > 0) {
+    std::ostringstream gigabytes;
+    gigabytes << std::fixed << std::setprecision(1) << static_cast<double>(refusedBytes_) / 1e9;
+    return "3-D pictures are made with straight lines between the voxels, because smooth curves would take " +
+           gigabytes.str() + " GB of memory for so many voxels; cut the volume down or resample it for those";
+  }
   if (factor == glm::ivec3(1)) return {};
   return "3-D pictures show " + std::to_string(factor.x) + "×" + std::to_string(factor.y) + "×" +
          std::to_string(factor.z) + " voxels as one, because the whole volume does not fit into this machine's " +
@@ -90,6 +120,7 @@ std::string GpuScene::reductionNotice() const {
 
 void GpuScene::release() {
   shown_ = {};
+  spline_ = {};
   volumeTexture_ = {};
   gradient_ = {};
   derivative_ = {};
@@ -134,15 +165,24 @@ void GpuScene::updateAll(const Scene& scene) {
   const bool wantsDerivative = hasCutaway(scene) && scene.look.contextLayer.strength > 0.0;
   if (!wantsDerivative) derivative_ = {};
   if (wantsDerivative && !derivative_.texture) {
-    derivative_ = makeDerivativeVolume(shown_, volumeTexture_);
+    derivative_ = makeDerivativeVolume(shown_);
     ++versions_.derivative;
   }
 }
 
 void GpuScene::updateVolume(ShownVolume shown) {
   release();
-  volumeTexture_ = makeVolumeTexture(shown);
-  bricks_ = brickRanges(shown);
+  if (refinement_ > 1) {
+    spline_.emplace(shown);
+    const ShownVolume samples{refinedVolume(*shown.volume, *spline_, refinement_)};
+    volumeTexture_ = makeVolumeTexture(samples);
+    bricks_ = brickRanges(samples);
+    voxelBricks_ = brickRanges(shown);
+  } else {
+    volumeTexture_ = makeVolumeTexture(shown);
+    bricks_ = brickRanges(shown);
+    voxelBricks_ = {};
+  }
   shown_ = std::move(shown);
   ++versions_.volume;
 }
@@ -155,12 +195,12 @@ void GpuScene::updateSkips(const GpuFocus::Change& focus, bool contextChanged) {
   };
   std::vector<Skip> skips;
   const bool focusFlipped = focus.isNew || !focus.flipped.empty();
-  if (focusFlipped) skips.push_back({focusSkip_, focus_.index().occupied()});
-  const bool anyFlipped = focus.isNew || contextChanged ||
+  if (focusFlipped) skips.push_back({focusSkip_, drawnOccupied(focus_.index())});
+  const bool anyFlipped = focus.isNew || contextChanged || (focusFlipped && refinement_ > 1) ||
                           std::any_of(focus.flipped.begin(), focus.flipped.end(),
                                       [&](std::size_t brick) { return !contextOccupied_[brick]; });
   if (anyFlipped) {
-    std::vector<std::uint8_t> occupied = focus_.index().occupied();
+    std::vector<std::uint8_t> occupied = drawnOccupied(focus_.index());
     for (std::size_t i = 0; i < occupied.size(); ++i) occupied[i] |= contextOccupied_[i];
     skips.push_back({occupiedSkip_, std::move(occupied)});
   }
@@ -175,10 +215,12 @@ void GpuScene::updateSkips(const GpuFocus::Change& focus, bool contextChanged) {
 
 double GpuScene::leastChange() const {
   // It may span two bricks, and has three components.
-  return lighting::gradientGateLow * (shown_.volume->range.high - shown_.volume->range.low) / (2.0 * std::sqrt(3.0));
+  return lighting::gradientGateLow * (shown_.volume->range.high - shown_.volume->range.low) /
+         (2.0 * std::sqrt(3.0) * refinement_);
 }
 
 bool GpuScene::isLitFor(const std::vector<std::size_t>& bricks) const {
+  if (refinement_ > 1) return bricks.empty();
   const double least = leastChange();
   const glm::ivec3 dims = bricks_.dims, last = shown_.volume->grid.dims - 1;
   return std::all_of(bricks.begin(), bricks.end(), [&](std::size_t offset) {
@@ -196,7 +238,8 @@ void GpuScene::updateGradient(const GpuFocus::Change& focus, bool contextChanged
   if (gradient_.texture && !contextChanged && !focus.isNew && isLitFor(focus.flipped)) return;
   // Lighting asks for gradients where something shows and values vary by more than noise.
   const double leastChange = this->leastChange();
-  const std::vector<std::uint32_t>& slots = focus_.index().slots;
+  const bool hasFocus = focus_.index().kind != FocusIndex::Kind::None;
+  const std::vector<std::uint8_t> inFocus = hasFocus ? drawnOccupied(focus_.index()) : std::vector<std::uint8_t>();
   std::optional<IndexBox> varied, shown;
   for (int z = 0; z < bricks_.dims.z; ++z)
     for (int y = 0; y < bricks_.dims.y; ++y)
@@ -206,9 +249,9 @@ void GpuScene::updateGradient(const GpuFocus::Change& focus, bool contextChanged
         if (!(range.high - range.low >= leastChange)) continue;
         const glm::ivec3 low = glm::ivec3(x, y, z) * brickSide - 1, high = low + brickSide;
         grow(varied, low, high);
-        if (contextOccupied_[brick] || (!slots.empty() && slots[brick] != 0)) grow(shown, low, high);
+        if (contextOccupied_[brick] || (hasFocus && inFocus[brick])) grow(shown, low, high);
       }
-  const glm::ivec3 last = shown_.volume->grid.dims - 1;
+  const glm::ivec3 last = drawnGrid().dims - 1;
   for (std::optional<IndexBox>* box : {&varied, &shown})
     if (*box) *box = IndexBox{glm::max((*box)->low, glm::ivec3(0)), glm::min((*box)->high, last)};
   const auto contains = [](const std::optional<IndexBox>& outer, const std::optional<IndexBox>& inner) {
@@ -224,12 +267,13 @@ void GpuScene::updateGradient(const GpuFocus::Change& focus, bool contextChanged
   gradientIsWhole_ = contains(wanted, varied);
   gradient_ = {};
   gradientBox_ = wanted;
-  gradient_ = makeGradientTexture(shown_, wanted);
+  gradient_ = spline_ ? makeRefinedGradient(*shown_.volume, *spline_, refinement_, wanted)
+                      : makeGradientTexture(shown_, wanted);
   ++versions_.gradient;
 }
 
 GpuFocus::Change GpuScene::updateFocus(const Scene& scene) {
-  GpuFocus::Change change = focus_.update(scene, bricks_);
+  GpuFocus::Change change = focus_.update(scene, refinement_ > 1 ? voxelBricks_ : bricks_);
   focusWanted_ = scene.look.focus;
   if (change.isNew)
     for (gl::Texture* texture : {&focusSkip_, &occupiedSkip_}) *texture = {};
@@ -249,11 +293,11 @@ void GpuScene::updateProtected(const Scene& scene, bool volumeChanged) {
   if (!map) return;
   Scene held{scene.volume, map, {}};
   held.look.focus = LabelFocus{protectedWanted_};
-  const FocusIndex index = buildFocusIndex(held, bricks_);
+  const FocusIndex index = buildFocusIndex(held, refinement_ > 1 ? voxelBricks_ : bricks_);
   if (!index.box) return;
-  protected_.bricks = gl::Texture::make3D(gl::Format::R32UI, bricks_.dims);
+  protected_.bricks = gl::Texture::make3D(gl::Format::R32UI, index.bricks);
   protected_.bricks.upload(std::span<const std::uint32_t>(index.slots));
-  protected_.skip = skipTexture(bricks_.dims, index.occupied());
+  protected_.skip = skipTexture(bricks_.dims, drawnOccupied(index));
   protected_.cells = gl::Buffer(std::as_bytes(std::span(index.cells)));
 }
 

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rendering/gpu/RefinedVolume.h"
+
 namespace fenestra {
 
-RayFrame::RayFrame(const Camera& camera, glm::ivec2 size, const Grid& grid)
-    : size_(size), camera_(camera), grid_(grid), axes_(camera.axes()) {
+RayFrame::RayFrame(const Camera& camera, glm::ivec2 size, const Grid& grid, int refinement)
+    : size_(size), camera_(camera), grid_(grid), refinement_(refinement), axes_(camera.axes()) {
   const double depth = depthOf(grid.centre());
   const double aspect = static_cast<double>(size.x) / size.y;
   if (perspective()) {
@@ -21,14 +23,15 @@ RayFrame::RayFrame(const Camera& camera, glm::ivec2 size, const Grid& grid)
 }
 
 void RayFrame::setBlocks(gl::ShaderProgram& program) const {
-  const glm::dmat4 indexFromWorld = grid_.indexFromWorld();
+  const Grid grid = refinement_ > 1 ? refined(grid_, refinement_) : grid_;
+  const glm::dmat4 indexFromWorld = grid.indexFromWorld();
   const glm::dmat3 worldFromView(axes_.right, axes_.up, axes_.forward);
   const glm::dvec3 anchor = glm::dvec3(indexFromWorld * glm::dvec4(camera_.eye + axes_.forward * distance_, 1.0)) + 1.0;
   program.set(RayBlock{Std140Mat3(glm::mat3(glm::dmat3(indexFromWorld) * worldFromView)),
                        Std140Mat3(glm::mat3(worldFromView)), glm::vec3(anchor), static_cast<float>(distance_),
                        glm::vec2(halfSize_), perspective() ? glm::vec2(halfSize_) : glm::vec2(0.0f),
                        perspective() ? static_cast<float>(distance_) : 1.0f, size_});
-  program.set(VolumeBlock{grid_.dims});
+  program.set(VolumeBlock{grid.dims});
 }
 
 OpeningCameraBlock RayFrame::seenFrom(const RayFrame& other) const {

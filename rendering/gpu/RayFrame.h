@@ -12,7 +12,8 @@ namespace fenestra {
 /// handed over relative to the volume, so that neither far cameras nor far origins cost precision.
 class RayFrame {
  public:
-  RayFrame(const Camera& camera, glm::ivec2 size, const Grid& grid);
+  /// `grid` is the volume's, of which shaders walk a finer one (see RefinedVolume.h).
+  RayFrame(const Camera& camera, glm::ivec2 size, const Grid& grid, int refinement = 1);
 
   /// For lib/PixelRay.glsl.
   void setBlocks(gl::ShaderProgram& program) const;
@@ -40,6 +41,7 @@ class RayFrame {
   glm::ivec2 size_;
   Camera camera_;
   Grid grid_;
+  int refinement_;
   Camera::Axes axes_;
   double distance_ = 0.0;     // eye to anchor plane
   glm::dvec2 halfSize_{0.0};  // mm at the anchor plane

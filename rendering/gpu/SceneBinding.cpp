@@ -10,12 +10,14 @@ enum Block : unsigned { focusCellsBlock = 0, gapsBlock = 1, segmentOfEntryBlock 
 
 void bindVolume(const GpuScene& scene, gl::ShaderProgram& program) {
   program.bind("volumeTexels", scene.volume().texture);
-  program.set(VolumeBlock{scene.grid().dims});
+  program.set(VolumeBlock{scene.drawnGrid().dims});
 }
 
 gl::Define volumeDefine(const GpuScene& scene) {
   return {"VOLUME_BYTES", static_cast<int>(gl::bytesPerTexel(scene.volume().texture.format()))};
 }
+
+gl::Define refinementDefine(const GpuScene& scene) { return {"REFINEMENT", scene.refinement()}; }
 
 gl::Choice focusChoice(const GpuScene& scene) {
   switch (scene.focusKind()) {

@@ -14,6 +14,7 @@ void ProtectedLayerPass::run(Steps& steps, const GpuScene& gpu, const Look& look
   steps.add(regions, [this, &gpu, &look, &rays, opening, bounded, &protectedLayer](Regions tile) {
     const bool lit = look.shading.enabled;
     gl::ShaderProgram& program = programs_.get({{volumeDefine(gpu),
+                                                 refinementDefine(gpu),
                                                  tableDefine(),
                                                  segmentsDefine(),
                                                  {"FOCUS_PALETTE", false},

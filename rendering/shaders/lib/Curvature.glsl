@@ -1,6 +1,7 @@
 // Principal curvatures of the level set through a point, from first and second derivatives of a C² reconstruction: the
 // cubic B-spline over the derivative volume (Kindlmann, Whitaker, Tasdizen, Möller, Vis 2003, section 3).
 #include <schedule>
+#include "lib/Grid.glsl"
 
 // Smoothed field, coarser where the scan is fine.
 #if DERIVATIVE_BYTES == 2
@@ -30,7 +31,7 @@ struct LevelSet {
 };
 
 LevelSet levelSetAt(vec3 position) {
-  vec3 index = (position - 0.5) / derivative.factor - 0.5;
+  vec3 index = (voxelPosition(position) - 0.5) / derivative.factor - 0.5;
   vec3 base = floor(index);
   vec4 wx, dx, ddx, wy, dy, ddy, wz, dz, ddz;
   splineWeights(index.x - base.x, wx, dx, ddx);

@@ -1,7 +1,27 @@
 // The volume's grid. Cell c of the cell frame (see lib/Ray.glsl) exists for 0 ≤ c ≤ dims.
+//
+// Of a spline it is finer than the voxels' own, by REFINEMENT cells along the side of a voxel, an odd number (see
+// rendering/gpu/RefinedVolume.h). What belongs to the voxels, such as the focus, lies in cells of their own grid.
 #include <schedule>
 
 struct VolumeSettings {
   ivec3 dims;  // voxels
 };
 UNIFORM_BLOCK(VolumeBlock, storedVolume, VolumeSettings, volume);
+
+#ifndef REFINEMENT
+#define REFINEMENT 1
+#endif
+
+#if REFINEMENT == 1
+ivec3 voxelCell(ivec3 cell) { return cell; }
+vec3 voxelPosition(vec3 position) { return position; }
+vec3 withinVoxelCell(ivec3 cell, vec3 within) { return within; }
+#else
+// The cell of the voxels' grid that a cell lies in; a position in the cell frame of that grid; and one within that cell.
+ivec3 voxelCell(ivec3 cell) { return (cell + REFINEMENT / 2) / REFINEMENT; }
+vec3 voxelPosition(vec3 position) { return (position + float(REFINEMENT / 2)) * (1.0 / float(REFINEMENT)); }
+vec3 withinVoxelCell(ivec3 cell, vec3 within) {
+  return (vec3(cell + REFINEMENT / 2 - REFINEMENT * voxelCell(cell)) + within) * (1.0 / float(REFINEMENT));
+}
+#endif

@@ -48,7 +48,7 @@ const float FLAT_FOCUS = 1e-6;
 // Gradient of the smoothed indicator (1/mm).
 vec3 focusNormal(vec3 position) {
   vec3 size = vec3(textureSize(focusSmooth, 0));
-  vec3 at = (position - focus.smoothOrigin) / size, e = 1.0 / size;
+  vec3 at = (voxelPosition(position) - focus.smoothOrigin) / size, e = 1.0 / size;
   vec3 g = vec3(textureLod(focusSmooth, at + vec3(e.x, 0, 0), 0.0).r - textureLod(focusSmooth, at - vec3(e.x, 0, 0), 0.0).r,
                 textureLod(focusSmooth, at + vec3(0, e.y, 0), 0.0).r - textureLod(focusSmooth, at - vec3(0, e.y, 0), 0.0).r,
                 textureLod(focusSmooth, at + vec3(0, 0, e.z), 0.0).r - textureLod(focusSmooth, at - vec3(0, 0, e.z), 0.0).r);
@@ -110,14 +110,14 @@ float smoothedDifference(float inner[8], ivec3 first, int i, int axis) {
 
 // What focusNormal() is between the cell's corners.
 void addFocusNormals(inout CellNormals normals, ivec3 cell, vec3 a, vec3 b) {
-  ivec3 first = cell - 1 - ivec3(floor(focus.smoothOrigin));
+  ivec3 first = voxelCell(cell) - 1 - ivec3(floor(focus.smoothOrigin));
   float inner[8];
   for (int i = 0; i < 8; ++i) inner[i] = texelOf(focusSmoothTexels, first + cornerOf(i)).r;
   vec3 f[8];
   for (int i = 0; i < 8; ++i)
     f[i] = vec3(smoothedDifference(inner, first, i, 0), smoothedDifference(inner, first, i, 1),
                 smoothedDifference(inner, first, i, 2));
-  bernsteinAlong(f, a, b, normals.focus);
+  bernsteinAlong(f, withinVoxelCell(cell, a), withinVoxelCell(cell, b), normals.focus);
   for (int k = 0; k < 4; ++k) normals.focus[k] = focus.worldFromIndexGradient * normals.focus[k];
 }
 #else
