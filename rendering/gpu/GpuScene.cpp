@@ -121,6 +121,7 @@ std::string GpuScene::reductionNotice() const {
 void GpuScene::release() {
   shown_ = {};
   spline_ = {};
+  coefficients_ = {};
   volumeTexture_ = {};
   gradient_ = {};
   derivative_ = {};
@@ -176,7 +177,9 @@ void GpuScene::updateVolume(ShownVolume shown) {
     spline_.emplace(shown);
     const ShownVolume samples{refinedVolume(*shown.volume, *spline_, refinement_)};
     volumeTexture_ = makeVolumeTexture(samples);
+    coefficients_ = makeCoefficients(*spline_, volumeTexture_);
     bricks_ = brickRanges(samples);
+    widen(bricks_, *samples.volume);
     voxelBricks_ = brickRanges(shown);
   } else {
     volumeTexture_ = makeVolumeTexture(shown);
@@ -470,6 +473,7 @@ std::vector<GpuScene::Resource> GpuScene::resources() const {
   };
   const auto of = [](const gl::Texture& texture) { return texture ? texture.bytes() : 0; };
   add("volume", of(volumeTexture_.texture));
+  add("spline", of(coefficients_));
   add("gradient", of(gradient_.texture));
   add("derivative volume", of(derivative_.texture));
   add("transfer tables", of(transferTables_) + of(transferSegments_) + segmentOfEntry_.bytes());

@@ -12,7 +12,7 @@ namespace {
 /// A refined voxel's weights of the four coefficients around it along an axis.
 struct Tap {
   int voxel = 0;  ///< the second of the four
-  glm::dvec4 value, slope;
+  glm::dvec4 weights;
 };
 
 /// Those of all refined voxels along an axis of `count` voxels.
@@ -25,7 +25,7 @@ std::vector<Tap> tapsAlong(int count, int factor) {
     const SplineWeights weights(place.t);
     // Beyond the outermost voxels f does not bend.
     const bool bends = index > 0.0 && index < count - 1;
-    taps.push_back({place.voxel, bends ? weights.value - share * weights.bend : weights.value, weights.slope});
+    taps.push_back({place.voxel, bends ? weights.value - share * weights.bend : weights.value});
   }
   return taps;
 }
@@ -39,43 +39,39 @@ class Sampler {
         y_(tapsAlong(spline.dims().y, factor)),
         z_(tapsAlong(spline.dims().z, factor)) {}
 
-  /// Coefficients of x and y in the plane of a refined z: of f, or of its slope along z.
-  std::vector<double> plane(int z, bool slope) const {
+  /// Coefficients of x and y in the plane of a refined z.
+  std::vector<double> plane(int z) const {
     const Tap& tap = z_[static_cast<std::size_t>(z)];
-    const glm::dvec4 weights = slope ? tap.slope : tap.value;
-    const auto width = static_cast<std::size_t>(spline_.rowSize());
-    std::vector<double> result(width * rows());
-    for (std::size_t j = 0; j < rows(); ++j) {
+    const auto width = static_cast<std::size_t>(spline_.size().x), rows = static_cast<std::size_t>(spline_.size().y);
+    std::vector<double> result(width * rows);
+    for (std::size_t j = 0; j < rows; ++j) {
       double* to = result.data() + j * width;
       for (int k = 0; k < 4; ++k) {
         const double* from = spline_.row(static_cast<int>(j) - 1, tap.voxel + k - 1);
-        for (std::size_t i = 0; i < width; ++i) to[i] += weights[k] * from[i];
+        for (std::size_t i = 0; i < width; ++i) to[i] += tap.weights[k] * from[i];
       }
     }
     return result;
   }
 
   /// Coefficients of x in the row of a refined y of such a plane.
-  void row(const std::vector<double>& plane, int y, bool slope, std::vector<double>& result) const {
+  void row(const std::vector<double>& plane, int y, std::vector<double>& result) const {
     const Tap& tap = y_[static_cast<std::size_t>(y)];
-    const glm::dvec4 weights = slope ? tap.slope : tap.value;
-    const auto width = static_cast<std::size_t>(spline_.rowSize());
+    const auto width = static_cast<std::size_t>(spline_.size().x);
     result.assign(width, 0.0);
     for (int j = 0; j < 4; ++j) {
       const double* from = plane.data() + static_cast<std::size_t>(tap.voxel + j) * width;
-      for (std::size_t i = 0; i < width; ++i) result[i] += weights[j] * from[i];
+      for (std::size_t i = 0; i < width; ++i) result[i] += tap.weights[j] * from[i];
     }
   }
 
-  double at(const std::vector<double>& row, int x, bool slope) const {
+  double at(const std::vector<double>& row, int x) const {
     const Tap& tap = x_[static_cast<std::size_t>(x)];
     const double* c = row.data() + tap.voxel;
-    return glm::dot(glm::dvec4(c[0], c[1], c[2], c[3]), slope ? tap.slope : tap.value);
+    return glm::dot(glm::dvec4(c[0], c[1], c[2], c[3]), tap.weights);
   }
 
  private:
-  std::size_t rows() const { return static_cast<std::size_t>(std::max(spline_.dims().y + 2, 4)); }
-
   const SplineVolume& spline_;
   std::vector<Tap> x_, y_, z_;
 };
@@ -92,11 +88,11 @@ void sample(Volume& volume, const Sampler& sampler, const Coded& coded) {
   parallelFor(static_cast<std::size_t>(dims.z), 1, [&](std::size_t begin, std::size_t end) {
     std::vector<double> row;
     for (int z = static_cast<int>(begin); z < static_cast<int>(end); ++z) {
-      const std::vector<double> plane = sampler.plane(z, false);
+      const std::vector<double> plane = sampler.plane(z);
       T* out = volume.voxels.as<T>().data() + volume.grid.offset({0, 0, z});
       for (int y = 0; y < dims.y; ++y) {
-        sampler.row(plane, y, false, row);
-        for (int x = 0; x < dims.x; ++x) *out++ = coded(sampler.at(row, x, false));
+        sampler.row(plane, y, row);
+        for (int x = 0; x < dims.x; ++x) *out++ = coded(sampler.at(row, x));
       }
     }
   });
@@ -138,7 +134,8 @@ std::shared_ptr<const Volume> refinedVolume(const Volume& volume, const SplineVo
 }
 
 std::size_t refinedBytes(const Volume& volume, int factor, bool lit) {
-  const double texel = fitsSixteenBits(volume) ? 2.0 : 4.0, gradient = lit ? 4.0 : 0.0, coefficient = sizeof(double);
+  const double texel = fitsSixteenBits(volume) ? 2.0 : 4.0, gradient = lit ? 4.0 : 0.0;
+  const double coefficient = sizeof(double) + sizeof(float) + (lit ? 3.0 * sizeof(double) : 0.0);
   constexpr double brick = (sizeof(ValueRange) + 4.0) / static_cast<double>(cellsPerBrick);
   const double perVoxel = std::pow(factor, 3.0) * (2.0 * texel + gradient + brick) + coefficient;
   return static_cast<std::size_t>(perVoxel * static_cast<double>(volume.grid.voxelCount()));
@@ -156,33 +153,75 @@ GradientTexture makeRefinedGradient(const Volume& volume, const SplineVolume& sp
   const double unit =
       std::max(volume.range.high - volume.range.low, 1e-30) / std::min({spacing.x, spacing.y, spacing.z});
   const glm::dmat3 worldFromIndexGradient = glm::transpose(glm::dmat3(volume.grid.indexFromWorld())) / unit;
-  const Sampler sampler(spline, factor);
+  const SplineVectors normals(volume.grid.dims, [&](glm::ivec3 voxel) {
+    const glm::dvec3 g = worldFromIndexGradient * spline.gradient(glm::dvec3(voxel));
+    const double length = glm::length(g);
+    if (!(length > lighting::gradientGateLow)) return glm::dvec3(0.0);
+    return g * (glm::smoothstep(lighting::gradientGateLow, lighting::gradientGateHigh, length) / length);
+  });
+  const std::array<Sampler, 3> samplers{Sampler(normals.part(0), factor), Sampler(normals.part(1), factor),
+                                        Sampler(normals.part(2), factor)};
   constexpr std::uint32_t flat = 511u | 511u << 10 | 511u << 20;
   uploadBySlabs<std::uint32_t>(result.texture, planeSize(size), [&](int depth, std::uint32_t* texels) {
     std::fill_n(texels, planeSize(size), flat);
     const int z = result.origin.z + depth;
     if (z < low.z || z > high.z) return;
-    const std::vector<double> plane = sampler.plane(z, false), slopes = sampler.plane(z, true);
-    std::vector<double> values, alongY, alongZ;
-    for (int y = low.y; y <= high.y; ++y) {
-      sampler.row(plane, y, false, values);
-      sampler.row(plane, y, true, alongY);
-      sampler.row(slopes, y, false, alongZ);
-      std::uint32_t* out =
-          texels + static_cast<std::size_t>(y - result.origin.y) * static_cast<std::size_t>(size.x) - result.origin.x;
-      for (int x = low.x; x <= high.x; ++x) {
-        const glm::dvec3 index(sampler.at(values, x, true), sampler.at(alongY, x, false), sampler.at(alongZ, x, false));
-        const glm::dvec3 g = worldFromIndexGradient * index;
-        const double length = glm::length(g);
-        if (!(length > lighting::gradientGateLow)) continue;
-        const double gate = glm::smoothstep(lighting::gradientGateLow, lighting::gradientGateHigh, length);
-        const glm::dvec3 n = g * (gate / length * 511.0) + 511.5;  // truncated
-        out[x] = static_cast<std::uint32_t>(n.x) | static_cast<std::uint32_t>(n.y) << 10 |
-                 static_cast<std::uint32_t>(n.z) << 20;
+    std::vector<double> row;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::vector<double> plane = samplers[axis].plane(z);
+      for (int y = low.y; y <= high.y; ++y) {
+        samplers[axis].row(plane, y, row);
+        std::uint32_t* out =
+            texels + static_cast<std::size_t>(y - result.origin.y) * static_cast<std::size_t>(size.x) - result.origin.x;
+        for (int x = low.x; x <= high.x; ++x) {
+          const auto digit =
+              static_cast<std::uint32_t>(std::clamp(samplers[axis].at(row, x), -1.0, 1.0) * 511.0 + 511.5);
+          out[x] = (out[x] & ~(1023u << 10 * axis)) | digit << 10 * axis;
+        }
       }
     }
   });
   return result;
+}
+
+gl::Texture makeCoefficients(const SplineVolume& spline, const VolumeCoding& coding) {
+  gl::Texture texture = gl::Texture::make3D(gl::Format::R32F, spline.size());
+  const glm::ivec3 size = spline.size();
+  uploadBySlabs<float>(texture, planeSize(size), [&](int z, float* plane) {
+    for (int y = 0; y < size.y; ++y) {
+      const double* row = spline.row(y - 1, z - 1);
+      for (int x = 0; x < size.x; ++x) *plane++ = static_cast<float>(coding.codedFromReal(row[x]));
+    }
+  });
+  return texture;
+}
+
+void widen(BrickRanges& bricks, const Volume& samples) {
+  const Grid& grid = samples.grid;
+  samples.voxels.visit([&](auto scalars) {
+    const auto at = [&](glm::ivec3 index) { return static_cast<double>(scalars[grid.offset(index)]); };
+    parallelFor(static_cast<std::size_t>(bricks.dims.z), 1, [&](std::size_t begin, std::size_t end) {
+      glm::ivec3 brick, index;
+      for (brick.z = static_cast<int>(begin); brick.z < static_cast<int>(end); ++brick.z)
+        for (brick.y = 0; brick.y < bricks.dims.y; ++brick.y)
+          for (brick.x = 0; brick.x < bricks.dims.x; ++brick.x) {
+            const glm::ivec3 low = glm::clamp(brick * brickSide - 1, glm::ivec3(0), grid.dims - 1);
+            const glm::ivec3 high = glm::min(brick * brickSide + brickSide - 1, grid.dims - 1);
+            glm::dvec3 bend(0.0);
+            for (index.z = low.z; index.z <= high.z; ++index.z)
+              for (index.y = low.y; index.y <= high.y; ++index.y)
+                for (index.x = low.x; index.x <= high.x; ++index.x)
+                  for (int axis = 0; axis < 3; ++axis) {
+                    glm::ivec3 before = index, after = index;
+                    if (--before[axis] < 0 || ++after[axis] >= grid.dims[axis]) continue;
+                    bend[axis] = std::max(bend[axis], std::abs(at(before) - 2.0 * at(index) + at(after)));
+                  }
+            ValueRange& range = bricks.ranges[brickOffset(bricks.dims, brick)];
+            const double margin = 2.0 * (1.0 / 8.0 + 1.0 / 12.0) * (bend.x + bend.y + bend.z) * std::abs(samples.slope);
+            range = {range.low - margin, range.high + margin};
+          }
+    });
+  });
 }
 
 std::vector<std::uint8_t> refinedOccupied(const FocusIndex& focus, glm::ivec3 dims, int factor) {

@@ -34,7 +34,15 @@ std::shared_ptr<const Volume> refinedVolume(const Volume& volume, const SplineVo
 /// and the samples on their way to the texture.
 std::size_t refinedBytes(const Volume& volume, int factor, bool lit);
 
-/// As makeGradientTexture(), of the spline's own gradient at the refined voxels in a box of those.
+/// The spline's coefficients in the coded values of `coding`, R32F, from index -1 on along each axis.
+gl::Texture makeCoefficients(const SplineVolume& spline, const VolumeCoding& coding);
+
+/// Widens the ranges of a refined volume's samples by brick, so that the spline itself lies between them: between
+/// samples it differs from its trilinear interpolant by an eighth of the second differences along each axis, and the
+/// samples from it by a twelfth. Taken twice, because the differences change from sample to sample.
+void widen(BrickRanges& bricks, const Volume& samples);
+
+/// As makeGradientTexture(), of the light's normals of a spline at the refined voxels in a box of those.
 GradientTexture makeRefinedGradient(const Volume& volume, const SplineVolume& spline, int factor,
                                     const std::optional<IndexBox>& box);
 

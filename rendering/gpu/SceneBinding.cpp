@@ -10,6 +10,7 @@ enum Block : unsigned { focusCellsBlock = 0, gapsBlock = 1, segmentOfEntryBlock 
 
 void bindVolume(const GpuScene& scene, gl::ShaderProgram& program) {
   program.bind("volumeTexels", scene.volume().texture);
+  if (scene.refinement() > 1) program.bind("splineTexels", scene.splineCoefficients());
   program.set(VolumeBlock{scene.drawnGrid().dims});
 }
 

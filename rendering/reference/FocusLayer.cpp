@@ -81,6 +81,7 @@ struct Medium {
   FocusShows focusShows;
   Light light;
   VoxelNormals normals;
+  std::optional<SplineVectors> splineNormals;  ///< of a lit spline
   std::optional<FocusNormals> focusNormals;
   TransferFunction context;
   std::vector<ValueGap> clear;  ///< values without any extinction
@@ -107,6 +108,9 @@ struct Medium {
         clear(context.transparentGaps(0.0)) {
     const Grid& grid = scene.volume->grid;
     wallDepth = lighting::wallDepthVoxels * std::min({grid.spacing.x, grid.spacing.y, grid.spacing.z});
+    if (scene.look.shading.enabled && field.spline())
+      splineNormals.emplace(
+          grid.dims, [&](glm::ivec3 voxel) { return normals.gated(field.spline()->gradient(glm::dvec3(voxel))); });
   }
 
   bool isClear(ValueRange range) const {
@@ -356,10 +360,9 @@ class Integrator {
     return gatedAt(at);
   }
 
-  /// The context's gated normal at a place in the cell: of a spline, from its own gradient there.
+  /// The context's gated normal at a place in the cell.
   glm::dvec3 gatedAt(glm::dvec3 at) const {
-    const SplineVolume* spline = medium_.field.spline();
-    return spline ? medium_.normals.gated(spline->gradient(at + glm::dvec3(piece_->cell))) : interpolate(normals_, at);
+    return medium_.splineNormals ? medium_.splineNormals->at(at + glm::dvec3(piece_->cell)) : interpolate(normals_, at);
   }
 
   /// 2^-52 of a part is below the resolution of its ends. An error below one rounding of 1 cannot be reached.

@@ -12,8 +12,11 @@
 // Of hidden voxels the coefficients become air, after the filter: near them f is then a mean of air and what is shown,
 // with non-negative weights. Filtered after the voxels were hidden, f would overshoot beside that step.
 
+#include <array>
+#include <utility>
 #include <vector>
 
+#include "rendering/scene/Parallel.h"
 #include "rendering/scene/ShownVolume.h"
 
 namespace fenestra {
@@ -50,7 +53,7 @@ class SplineVolume {
 
   /// Coefficients along x from index -1 on, for voxels y and z, -1 … dims.
   const double* row(int y, int z) const;
-  int rowSize() const { return size_.x; }
+  glm::ivec3 size() const { return size_; }  ///< coefficients along each axis
 
  private:
   void filter(Reconstruction kind);
@@ -61,6 +64,48 @@ class SplineVolume {
   glm::ivec3 dims_, size_;
   std::vector<double> coefficients_;  ///< x fastest, from index -1
   ValueRange range_;
+};
+
+/// Vectors at the voxels, and their B-spline (Reconstruction::Smooth) between them: no longer than the longest of them
+/// away from the border. Kept in single precision.
+class SplineVectors {
+ public:
+  /// at(index) is the vector of a voxel; called from all cores.
+  template <class At>
+  SplineVectors(glm::ivec3 dims, const At& at) {
+    std::array<std::shared_ptr<Volume>, 3> parts;
+    for (std::shared_ptr<Volume>& part : parts) {
+      part = std::make_shared<Volume>();
+      part->grid.dims = dims;
+      part->voxels = Voxels(ScalarType::Float32, part->grid.voxelCount());
+      part->range = {-1e30, 1e30};  // of finite vectors
+    }
+    parallelFor(static_cast<std::size_t>(dims.z), 1, [&](std::size_t begin, std::size_t end) {
+      glm::ivec3 index;
+      for (index.z = static_cast<int>(begin); index.z < static_cast<int>(end); ++index.z)
+        for (index.y = 0; index.y < dims.y; ++index.y)
+          for (index.x = 0; index.x < dims.x; ++index.x) {
+            const glm::dvec3 vector = at(index);
+            for (int axis = 0; axis < 3; ++axis) {
+              Volume& part = *parts[static_cast<std::size_t>(axis)];
+              part.voxels.as<float>()[part.grid.offset(index)] = static_cast<float>(vector[axis]);
+            }
+          }
+    });
+    for (std::shared_ptr<Volume>& part : parts) {
+      ShownVolume shown{std::exchange(part, nullptr)};
+      shown.reconstruction = Reconstruction::Smooth;
+      parts_.emplace_back(shown);
+    }
+  }
+
+  glm::dvec3 at(glm::dvec3 index) const {
+    return {parts_[0].value(index), parts_[1].value(index), parts_[2].value(index)};
+  }
+  const SplineVolume& part(int axis) const { return parts_[static_cast<std::size_t>(axis)]; }
+
+ private:
+  std::vector<SplineVolume> parts_;  ///< by axis
 };
 
 }  // namespace fenestra

@@ -37,6 +37,17 @@ void moveOn(inout Search search, Ray ray, float sEnd, Block block) {
   search.stage = face.s < sEnd && isInVolume(search.cell) ? LEAP : ENDED;
 }
 
+// Values along a path through a cell, Bernstein coefficients.
+vec4 valuesAlong(ivec3 cell, vec3 a, vec3 b) {
+#if REFINEMENT > 1
+  return splineAlong(cell, a, b);
+#else
+  float f[8];
+  cellCorners(cell, f);
+  return bernsteinAlong(f, a, b);
+#endif
+}
+
 // `ofFocus` chooses the field.
 void leap(inout Search search, const bool ofFocus, Ray ray, float sEnd) {
   ivec3 brick = search.cell >> BRICK_SHIFT;
@@ -55,9 +66,7 @@ void look(inout Search search, const bool ofFocus, Ray ray, float sEnd) {
   moveOn(search, ray, sEnd, blockAt(cell, search.upwards, 0));
   vec3 a = clamp(cellPosition(ray, search.sFrom) - vec3(cell), 0.0, 1.0);
   vec3 b = clamp(cellPosition(ray, min(search.s, sEnd)) - vec3(cell), 0.0, 1.0);
-  float f[8];
-  cellCorners(cell, f);
-  search.along = bernsteinAlong(f, a, b);
+  search.along = valuesAlong(cell, a, b);
   if (ofFocus) {
     search.along = focusAlong(focusCellAt(focusSlot(cell), cell), a, b, search.along);
     // A ray that comes into the cell inside the focus has met it there: no value lies in the empty gap.

@@ -31,6 +31,15 @@ void cellCorners(ivec3 cell, out float f[8]) {
   for (int i = 0; i < 8; ++i) f[i] = storedAt(cell - 1 + cornerOf(i));
 }
 
+#if REFINEMENT > 1
+#include "lib/Spline.glsl"
+
+float storedExact(vec3 position) {
+  ivec3 cell = ivec3(floor(position));
+  vec3 within = position - vec3(cell);
+  return splineAlong(cell, within, within).x;
+}
+#else
 // Trilinear, with full float weights: hardware filters have 8-bit ones.
 float storedExact(vec3 position) {
   ivec3 cell = ivec3(floor(position));
@@ -41,3 +50,4 @@ float storedExact(vec3 position) {
   vec2 y = mix(x.xz, x.yw, w.y);
   return mix(y.x, y.y, w.z);
 }
+#endif

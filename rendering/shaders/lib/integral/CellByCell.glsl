@@ -1,7 +1,7 @@
 // The volume rendering integral cell by cell, within a bound on its error.
 //
-// In a cell the values along a ray are a cubic, known exactly from the eight corners with full float weights. The cubic is
-// cut where it meets the nodes of the transfer function. Over a part between two cuts colour and extinction are linear in
+// In a cell the values along a ray are a cubic, known exactly from the eight corners with full float weights; those of a
+// spline are one all but exactly (lib/Spline.glsl). The cubic is cut where it meets the nodes of the transfer function. Over a part between two cuts colour and extinction are linear in
 // the value, so the part's optical depth is exact. Left to approximate is the mean of colour and light over the part,
 // weighted by what is seen of it: it is taken to second order in the position, from the weight's mean and variance. Its
 // error is estimated beforehand and falls at least as 1/n² with n pieces; a part is cut into as many as the bound asks for.
@@ -74,7 +74,11 @@ int lookInto(Ray ray, ivec3 cell, float s, float sNext, float f[8], out CellPath
   path.sTo = sNext;
   path.a = clamp(cellPosition(ray, s) - vec3(cell), 0.0, 1.0);
   path.b = clamp(cellPosition(ray, sNext) - vec3(cell), 0.0, 1.0);
+#if REFINEMENT > 1
+  vec4 stored = splineAlong(cell, path.a, path.b);
+#else
   vec4 stored = bernsteinTurned(ray, f, path.a, path.b);
+#endif
   // Within limits whose squares and differences float32 holds.
   path.entries = clamp(stored * transfer.map.x + transfer.map.y, vec4(-1e12), vec4(1e12));
 #if FOCUS_FUNCTIONS
@@ -405,9 +409,13 @@ void leap(inout Walk walk) {
 
 // After a leap the walk takes the voxels of the face by which it left the empty block first, then the cell behind it.
 void look(inout Walk walk) {
+#if REFINEMENT > 1
+  bool entered = true;
+#else
   bool entered = walk.entered != 0;
   stepInto(walk.ray, entered ? walk.cell : cellBefore(walk.ray, walk.cell, walk.axis), walk.axis, walk.corners);
   walk.entered = 1;
+#endif
   walk.stage = LEAP;
   if (entered) {
     ivec3 cell = walk.cell;
