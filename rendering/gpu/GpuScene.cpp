@@ -122,6 +122,7 @@ void GpuScene::release() {
   shown_ = {};
   spline_ = {};
   coefficients_ = {};
+  normalCoefficients_ = {};
   volumeTexture_ = {};
   gradient_ = {};
   derivative_ = {};
@@ -160,6 +161,7 @@ void GpuScene::updateAll(const Scene& scene) {
 
   const bool wantsGradient = scene.look.shading.enabled;
   if (!wantsGradient) gradient_ = {};
+  if (!wantsGradient) normalCoefficients_ = {};
   if (wantsGradient) updateGradient(changed, transferChanged);
   focus_.updateSmooth(wantsGradient);
 
@@ -270,8 +272,13 @@ void GpuScene::updateGradient(const GpuFocus::Change& focus, bool contextChanged
   gradientIsWhole_ = contains(wanted, varied);
   gradient_ = {};
   gradientBox_ = wanted;
-  gradient_ = spline_ ? makeRefinedGradient(*shown_.volume, *spline_, refinement_, wanted)
-                      : makeGradientTexture(shown_, wanted);
+  if (spline_) {
+    const SplineVectors normals = gatedNormals(*shown_.volume, *spline_);
+    gradient_ = makeRefinedGradient(normals, refinement_, wanted);
+    if (!normalCoefficients_) normalCoefficients_ = makeCoefficients(normals);
+  } else {
+    gradient_ = makeGradientTexture(shown_, wanted);
+  }
   ++versions_.gradient;
 }
 
@@ -473,7 +480,7 @@ std::vector<GpuScene::Resource> GpuScene::resources() const {
   };
   const auto of = [](const gl::Texture& texture) { return texture ? texture.bytes() : 0; };
   add("volume", of(volumeTexture_.texture));
-  add("spline", of(coefficients_));
+  add("spline", of(coefficients_) + of(normalCoefficients_));
   add("gradient", of(gradient_.texture));
   add("derivative volume", of(derivative_.texture));
   add("transfer tables", of(transferTables_) + of(transferSegments_) + segmentOfEntry_.bytes());

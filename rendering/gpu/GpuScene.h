@@ -91,6 +91,8 @@ class GpuScene {
   /// Of a spline, in coded values, R32F; the first texel along each axis is that of index -1.
   const gl::Texture& splineCoefficients() const { return coefficients_; }
   const gl::Texture& gradient() const { return gradient_.texture; }
+  /// Of a spline, the coefficients of the gated normals, RGBA32F; texels as of splineCoefficients().
+  const gl::Texture& normalCoefficients() const { return normalCoefficients_; }
   glm::ivec3 gradientOrigin() const { return gradient_.origin; }  ///< index of its first texel
   const DerivativeVolume& derivative() const { return derivative_; }
 
@@ -178,7 +180,7 @@ class GpuScene {
   std::size_t refusedBytes_ = 0;        ///< what a spline would have taken; 0: none was refused
   std::optional<SplineVolume> spline_;  ///< where it is drawn
   VolumeTexture volumeTexture_;
-  gl::Texture coefficients_;
+  gl::Texture coefficients_, normalCoefficients_;
   BrickRanges bricks_;       ///< of the drawn grid
   BrickRanges voxelBricks_;  ///< of the volume's own, where that is another
   GradientTexture gradient_;

@@ -135,30 +135,45 @@ std::shared_ptr<const Volume> refinedVolume(const Volume& volume, const SplineVo
 
 std::size_t refinedBytes(const Volume& volume, int factor, bool lit) {
   const double texel = fitsSixteenBits(volume) ? 2.0 : 4.0, gradient = lit ? 4.0 : 0.0;
-  const double coefficient = sizeof(double) + sizeof(float) + (lit ? 3.0 * sizeof(double) : 0.0);
+  const double coefficient = sizeof(double) + sizeof(float) + (lit ? 3.0 * sizeof(double) + sizeof(glm::vec4) : 0.0);
   constexpr double brick = (sizeof(ValueRange) + 4.0) / static_cast<double>(cellsPerBrick);
   const double perVoxel = std::pow(factor, 3.0) * (2.0 * texel + gradient + brick) + coefficient;
   return static_cast<std::size_t>(perVoxel * static_cast<double>(volume.grid.voxelCount()));
 }
 
-GradientTexture makeRefinedGradient(const Volume& volume, const SplineVolume& spline, int factor,
-                                    const std::optional<IndexBox>& box) {
-  const glm::ivec3 dims = volume.grid.dims * factor;
-  const glm::ivec3 low = box ? box->low : glm::ivec3(0), high = box ? box->high : glm::ivec3(-1);
-  GradientTexture result;
-  result.origin = glm::max(low - 1, glm::ivec3(0));
-  const glm::ivec3 size = glm::min(high + 1, dims - 1) - result.origin + 1;
-  result.texture = gl::Texture::make3D(gl::Format::RGB10A2, size);
+SplineVectors gatedNormals(const Volume& volume, const SplineVolume& spline) {
   const glm::dvec3 spacing = volume.grid.spacing;
   const double unit =
       std::max(volume.range.high - volume.range.low, 1e-30) / std::min({spacing.x, spacing.y, spacing.z});
   const glm::dmat3 worldFromIndexGradient = glm::transpose(glm::dmat3(volume.grid.indexFromWorld())) / unit;
-  const SplineVectors normals(volume.grid.dims, [&](glm::ivec3 voxel) {
+  return SplineVectors(volume.grid.dims, [&](glm::ivec3 voxel) {
     const glm::dvec3 g = worldFromIndexGradient * spline.gradient(glm::dvec3(voxel));
     const double length = glm::length(g);
     if (!(length > lighting::gradientGateLow)) return glm::dvec3(0.0);
     return g * (glm::smoothstep(lighting::gradientGateLow, lighting::gradientGateHigh, length) / length);
   });
+}
+
+gl::Texture makeCoefficients(const SplineVectors& normals) {
+  const glm::ivec3 size = normals.part(0).size();
+  gl::Texture texture = gl::Texture::make3D(gl::Format::RGBA32F, size);
+  uploadBySlabs<glm::vec4>(texture, planeSize(size), [&](int z, glm::vec4* plane) {
+    for (int y = 0; y < size.y; ++y)
+      for (int x = 0; x < size.x; ++x) {
+        const auto at = [&](int axis) { return normals.part(axis).row(y - 1, z - 1)[x]; };
+        *plane++ = glm::vec4(at(0), at(1), at(2), 0.0);
+      }
+  });
+  return texture;
+}
+
+GradientTexture makeRefinedGradient(const SplineVectors& normals, int factor, const std::optional<IndexBox>& box) {
+  const glm::ivec3 dims = normals.part(0).dims() * factor;
+  const glm::ivec3 low = box ? box->low : glm::ivec3(0), high = box ? box->high : glm::ivec3(-1);
+  GradientTexture result;
+  result.origin = glm::max(low - 1, glm::ivec3(0));
+  const glm::ivec3 size = glm::min(high + 1, dims - 1) - result.origin + 1;
+  result.texture = gl::Texture::make3D(gl::Format::RGB10A2, size);
   const std::array<Sampler, 3> samplers{Sampler(normals.part(0), factor), Sampler(normals.part(1), factor),
                                         Sampler(normals.part(2), factor)};
   constexpr std::uint32_t flat = 511u | 511u << 10 | 511u << 20;

@@ -42,9 +42,12 @@ gl::Texture makeCoefficients(const SplineVolume& spline, const VolumeCoding& cod
 /// samples from it by a twelfth. Taken twice, because the differences change from sample to sample.
 void widen(BrickRanges& bricks, const Volume& samples);
 
-/// As makeGradientTexture(), of the light's normals of a spline at the refined voxels in a box of those.
-GradientTexture makeRefinedGradient(const Volume& volume, const SplineVolume& spline, int factor,
-                                    const std::optional<IndexBox>& box);
+/// The light's normals of a spline of `volume` at its voxels (rendering/scene/Lighting.h).
+SplineVectors gatedNormals(const Volume& volume, const SplineVolume& spline);
+/// Their coefficients, RGBA32F, from index -1 on along each axis.
+gl::Texture makeCoefficients(const SplineVectors& normals);
+/// As makeGradientTexture(), of those normals at the refined voxels in a box of those.
+GradientTexture makeRefinedGradient(const SplineVectors& normals, int factor, const std::optional<IndexBox>& box);
 
 /// By brick of the refined grid: 1 where some of the focus lies in it, else 0. `dims`: of the volume.
 std::vector<std::uint8_t> refinedOccupied(const FocusIndex& focus, glm::ivec3 dims, int factor);

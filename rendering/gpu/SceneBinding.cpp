@@ -81,6 +81,7 @@ void bindLight(const GpuScene& scene, gl::ShaderProgram& program, const Camera::
   light.gradientOrigin = scene.gradientOrigin();
   program.set(light);
   program.bind("gradientTexels", scene.gradient());
+  if (scene.refinement() > 1) program.bind("normalTexels", scene.normalCoefficients());
 }
 
 LightBlock lightBlock(const Camera::Axes& axes, const Shading& shading) {

@@ -88,6 +88,30 @@ void bernsteinAlong(vec3 f[8], vec3 a, vec3 b, out vec3 along[4]) {
   along[3] = bilinear(xb[0], xb[1], xb[2], xb[3], b.yz);
 }
 
+#if REFINEMENT > 1
+TEXELS_3D(rgba32f, normalTexels);  // coefficients of the gated normals, as those of the spline
+
+// `a` and `b`: the path's ends within the cell.
+CellNormals normalsAlong(ivec3 cell, vec3 a, vec3 b) {
+  SplinePath path = splinePath(cell, a, b);
+  vec3 v[4] = vec3[4](vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
+  for (int k = 0; k < 4; ++k)
+    for (int j = 0; j < 4; ++j) {
+      ivec3 first = path.base + ivec3(0, j, k);
+      vec3 c0 = texelOf(normalTexels, first).xyz, c1 = texelOf(normalTexels, first + ivec3(1, 0, 0)).xyz,
+           c2 = texelOf(normalTexels, first + ivec3(2, 0, 0)).xyz, c3 = texelOf(normalTexels, first + ivec3(3, 0, 0)).xyz;
+      vec4 weights = rowWeights(path, j, k);
+      for (int i = 0; i < 4; ++i)
+        v[i] += weights[i] * (c0 * path.x[i].x + c1 * path.x[i].y + c2 * path.x[i].z + c3 * path.x[i].w);
+    }
+  CellNormals normals;
+  normals.gated[0] = v[0];
+  normals.gated[1] = (-5.0 * v[0] + 18.0 * v[1] - 9.0 * v[2] + 2.0 * v[3]) * (1.0 / 6.0);
+  normals.gated[2] = (2.0 * v[0] - 9.0 * v[1] + 18.0 * v[2] - 5.0 * v[3]) * (1.0 / 6.0);
+  normals.gated[3] = v[3];
+  return normals;
+}
+#else
 // `a` and `b`: the path's ends within the cell.
 CellNormals normalsAlong(ivec3 cell, vec3 a, vec3 b) {
   vec3 f[8];
@@ -96,6 +120,7 @@ CellNormals normalsAlong(ivec3 cell, vec3 a, vec3 b) {
   bernsteinAlong(f, a, b, normals.gated);
   return normals;
 }
+#endif
 
 #if FOCUS_SMOOTH
 // Central difference of the smoothed indicator along an axis at corner i of a cell, from the cell's corners and the voxel
