@@ -9,7 +9,9 @@ enum class Reconstruction : std::uint8_t {
   Linear,  ///< trilinear
   Cubic,   ///< the tricubic spline through the voxels' values, see SplineVolume
   Smooth,  ///< the tricubic B-spline over the values, which smooths them
-  Auto     ///< Cubic where a volume is coarse and small enough, see reconstructionOf(); else Linear
+  /// Smooth where a volume is coarse and small enough, see reconstructionOf(); else Linear. Not Cubic: it keeps the noise
+  /// of a scan, and rings at edges that are sharper than the voxels, as the skin is in coarse CT.
+  Auto
 };
 
 }  // namespace fenestra

@@ -27,7 +27,7 @@ Reconstruction reconstructionOf(const Scene& scene) {
   const Grid& grid = scene.volume->grid;
   const double pixel = 2.0 * grid.boundingRadius() / pixelsAcrossVolume;
   const bool coarse = std::max({grid.spacing.x, grid.spacing.y, grid.spacing.z}) > pixel;
-  return coarse && grid.voxelCount() <= mostCubicVoxels ? Reconstruction::Cubic : Reconstruction::Linear;
+  return coarse && grid.voxelCount() <= mostSplineVoxels ? Reconstruction::Smooth : Reconstruction::Linear;
 }
 
 const std::shared_ptr<const LabelMap>& structuresOf(const Scene& scene) {

@@ -75,9 +75,12 @@ constexpr auto wordsOf(LabelRole) {
 constexpr auto wordsOf(Reconstruction) {
   return std::to_array<Word<Reconstruction>>(
       {{Reconstruction::Linear, "linear", "Straight", "Straight lines between voxels: coarse scans show terraces"},
-       {Reconstruction::Cubic, "cubic", "Curved", "Smooth curves through every voxel: needs more memory and time"},
-       {Reconstruction::Smooth, "smooth", "Smoothed", "Smooth curves near the voxels: softens noise and fine detail"},
-       {Reconstruction::Auto, "auto", "Automatic", "Curved where voxels are coarse and the volume is small enough"}});
+       {Reconstruction::Cubic, "cubic", "Curved",
+        "Smooth curves through every voxel, its noise as well: takes more memory and time"},
+       {Reconstruction::Smooth, "smooth", "Smoothed",
+        "Smooth curves near the voxels: fewer terraces and less noise, but softer detail"},
+       {Reconstruction::Auto, "auto", "Automatic",
+        "Smoothed where voxels are coarse and not too many, else straight"}});
 }
 constexpr auto wordsOf(Projection) {
   return std::to_array<Word<Projection>>(

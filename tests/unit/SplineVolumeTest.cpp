@@ -170,7 +170,7 @@ TEST(SplineVolume, CubicIsNearerToAZonePlateThanLinearAndThatThanSmooth) {
               }));
 }
 
-TEST(Reconstruction, AutoIsCubicForCoarseAndSmallVolumesOnly) {
+TEST(Reconstruction, AutoIsSmoothForCoarseAndSmallVolumesOnly) {
   Scene scene;
   scene.look.reconstruction = Reconstruction::Auto;
   const auto kindOf = [&](glm::ivec3 dims, ScalarType type) {
@@ -180,11 +180,11 @@ TEST(Reconstruction, AutoIsCubicForCoarseAndSmallVolumesOnly) {
     scene.volume = volume;
     return reconstructionOf(scene);
   };
-  EXPECT_EQ(kindOf({122, 101, 112}, ScalarType::Int16), Reconstruction::Cubic);
+  EXPECT_EQ(kindOf({122, 101, 112}, ScalarType::Int16), Reconstruction::Smooth);
   EXPECT_EQ(kindOf({512, 512, 245}, ScalarType::Int16), Reconstruction::Linear);  // too many
   EXPECT_EQ(kindOf({2000, 50, 1}, ScalarType::Int16), Reconstruction::Linear);    // finer than pixels
-  scene.look.reconstruction = Reconstruction::Smooth;
-  EXPECT_EQ(kindOf({2000, 50, 1}, ScalarType::Int16), Reconstruction::Smooth);
+  scene.look.reconstruction = Reconstruction::Cubic;
+  EXPECT_EQ(kindOf({2000, 50, 1}, ScalarType::Int16), Reconstruction::Cubic);
 }
 
 }  // namespace
