@@ -9,7 +9,6 @@
 #include <sstream>
 
 #include "rendering/gpu/TransferTables.h"
-#include "rendering/scene/Lighting.h"
 #include "rendering/scene/Parallel.h"
 
 namespace fenestra {
@@ -156,13 +155,13 @@ void GpuScene::updateAll(const Scene& scene) {
 
   const bool transferChanged =
       volumeChanged || scene.look.context != contextWanted_ || focusFunctions_.size() != focusFunctions;
-  if (transferChanged) updateTransfer(scene);
-  updateSkips(changed, transferChanged);
+  const bool occupancyChanged = transferChanged && updateTransfer(scene);
+  updateSkips(changed, occupancyChanged);
 
   const bool wantsGradient = scene.look.shading.enabled;
   if (!wantsGradient) gradient_ = {};
   if (!wantsGradient) normalCoefficients_ = {};
-  if (wantsGradient) updateGradient(changed, transferChanged);
+  if (wantsGradient) updateGradient(changed, occupancyChanged);
   focus_.updateSmooth(wantsGradient);
 
   const bool wantsDerivative = hasCutaway(scene) && scene.look.contextLayer.strength > 0.0;
@@ -192,7 +191,7 @@ void GpuScene::updateVolume(ShownVolume shown) {
   ++versions_.volume;
 }
 
-void GpuScene::updateSkips(const GpuFocus::Change& focus, bool contextChanged) {
+void GpuScene::updateSkips(const GpuFocus::Change& focus, bool occupancyChanged) {
   if (focus_.index().kind == FocusIndex::Kind::None) return;
   struct Skip {
     gl::Texture& texture;
@@ -201,7 +200,7 @@ void GpuScene::updateSkips(const GpuFocus::Change& focus, bool contextChanged) {
   std::vector<Skip> skips;
   const bool focusFlipped = focus.isNew || !focus.flipped.empty();
   if (focusFlipped) skips.push_back({focusSkip_, drawnOccupied(focus_.index())});
-  const bool anyFlipped = focus.isNew || contextChanged || (focusFlipped && refinement_ > 1) ||
+  const bool anyFlipped = focus.isNew || occupancyChanged || (focusFlipped && refinement_ > 1) ||
                           std::any_of(focus.flipped.begin(), focus.flipped.end(),
                                       [&](std::size_t brick) { return !contextOccupied_[brick]; });
   if (anyFlipped) {
@@ -216,70 +215,6 @@ void GpuScene::updateSkips(const GpuFocus::Change& focus, bool contextChanged) {
     if (!skip.texture) skip.texture = gl::Texture::make3D(gl::Format::R8UI, bricks_.dims);
     skip.texture.upload(std::span<const std::uint8_t>(skip.occupied));
   }
-}
-
-double GpuScene::leastChange() const {
-  // It may span two bricks, and has three components.
-  return lighting::gradientGateLow * (shown_.volume->range.high - shown_.volume->range.low) /
-         (2.0 * std::sqrt(3.0) * refinement_);
-}
-
-bool GpuScene::isLitFor(const std::vector<std::size_t>& bricks) const {
-  if (refinement_ > 1) return bricks.empty();
-  const double least = leastChange();
-  const glm::ivec3 dims = bricks_.dims, last = shown_.volume->grid.dims - 1;
-  return std::all_of(bricks.begin(), bricks.end(), [&](std::size_t offset) {
-    const ValueRange& range = bricks_.ranges[offset];
-    if (!(range.high - range.low >= least)) return true;
-    const auto x = static_cast<std::size_t>(dims.x), y = static_cast<std::size_t>(dims.y);
-    const glm::ivec3 low = glm::ivec3(offset % x, offset / x % y, offset / (x * y)) * brickSide - 1;
-    return gradientBox_ && glm::all(glm::lessThanEqual(gradientBox_->low, glm::max(low, 0))) &&
-           glm::all(glm::greaterThanEqual(gradientBox_->high, glm::min(low + brickSide, last)));
-  });
-}
-
-void GpuScene::updateGradient(const GpuFocus::Change& focus, bool contextChanged) {
-  if (gradient_.texture && gradientIsWhole_) return;
-  if (gradient_.texture && !contextChanged && !focus.isNew && isLitFor(focus.flipped)) return;
-  // Lighting asks for gradients where something shows and values vary by more than noise.
-  const double leastChange = this->leastChange();
-  const bool hasFocus = focus_.index().kind != FocusIndex::Kind::None;
-  const std::vector<std::uint8_t> inFocus = hasFocus ? drawnOccupied(focus_.index()) : std::vector<std::uint8_t>();
-  std::optional<IndexBox> varied, shown;
-  for (int z = 0; z < bricks_.dims.z; ++z)
-    for (int y = 0; y < bricks_.dims.y; ++y)
-      for (int x = 0; x < bricks_.dims.x; ++x) {
-        const std::size_t brick = brickOffset(bricks_.dims, {x, y, z});
-        const ValueRange& range = bricks_.ranges[brick];
-        if (!(range.high - range.low >= leastChange)) continue;
-        const glm::ivec3 low = glm::ivec3(x, y, z) * brickSide - 1, high = low + brickSide;
-        grow(varied, low, high);
-        if (contextOccupied_[brick] || (hasFocus && inFocus[brick])) grow(shown, low, high);
-      }
-  const glm::ivec3 last = drawnGrid().dims - 1;
-  for (std::optional<IndexBox>* box : {&varied, &shown})
-    if (*box) *box = IndexBox{glm::max((*box)->low, glm::ivec3(0)), glm::min((*box)->high, last)};
-  const auto contains = [](const std::optional<IndexBox>& outer, const std::optional<IndexBox>& inner) {
-    return !inner || (outer && glm::all(glm::lessThanEqual(outer->low, inner->low)) &&
-                      glm::all(glm::greaterThanEqual(outer->high, inner->high)));
-  };
-  std::optional<IndexBox> wanted = shown;
-  if (gradient_.texture) {
-    if (contains(gradientBox_, wanted)) return;
-    // More shows than at first: all that can ever be asked for, so that dragging a transfer function rebuilds but once.
-    wanted = varied;
-  }
-  gradientIsWhole_ = contains(wanted, varied);
-  gradient_ = {};
-  gradientBox_ = wanted;
-  if (spline_) {
-    const SplineVectors normals = gatedNormals(*shown_.volume, *spline_);
-    gradient_ = makeRefinedGradient(normals, refinement_, wanted);
-    if (!normalCoefficients_) normalCoefficients_ = makeCoefficients(normals);
-  } else {
-    gradient_ = makeGradientTexture(shown_, wanted);
-  }
-  ++versions_.gradient;
 }
 
 GpuFocus::Change GpuScene::updateFocus(const Scene& scene) {
@@ -429,7 +364,7 @@ void GpuScene::makePaletteIndex(const LabelMap& labels, const std::vector<std::u
   focusPaletteIndex_.upload(std::span<const std::uint8_t>(entries));
 }
 
-void GpuScene::updateTransfer(const Scene& scene) {
+bool GpuScene::updateTransfer(const Scene& scene) {
   contextWanted_ = scene.look.context;
   context_ = contextWanted_.shifted();
   ++versions_.transfer;
@@ -461,16 +396,27 @@ void GpuScene::updateTransfer(const Scene& scene) {
   visibleEntries_ = tables.visible();
   transferMap_ = tableMap(span, volumeTexture_);
 
+  return updateOccupancy();
+}
+
+bool GpuScene::updateOccupancy() {
   // Exactly: a brick whose values reach no further than the node where opacity begins stays empty, although the tables,
   // which are read to the nearest entry, may show a little there.
+  const std::vector<ValueRange> empty = context_.emptyRanges();
   std::vector<std::uint8_t> occupied(bricks_.ranges.size());
-  std::transform(bricks_.ranges.begin(), bricks_.ranges.end(), occupied.begin(), [this](const ValueRange& range) {
-    return static_cast<std::uint8_t>(context_.maxExtinction(range) > 0.0);
+  constexpr std::size_t worthAThread = 1 << 16;
+  parallelFor(occupied.size(), worthAThread, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const ValueRange& brick = bricks_.ranges[i];
+      occupied[i] = std::none_of(empty.begin(), empty.end(), [&](const ValueRange& range) {
+        return brick.low >= range.low && brick.high <= range.high;
+      });
+    }
   });
-  if (occupied != contextOccupied_ || !contextSkip_ || contextSkip_.size() != bricks_.dims) {
-    contextOccupied_ = std::move(occupied);
-    contextSkip_ = skipTexture(bricks_.dims, contextOccupied_);
-  }
+  if (occupied == contextOccupied_ && contextSkip_ && contextSkip_.size() == bricks_.dims) return false;
+  contextOccupied_ = std::move(occupied);
+  contextSkip_ = skipTexture(bricks_.dims, contextOccupied_);
+  return true;
 }
 
 std::vector<GpuScene::Resource> GpuScene::resources() const {

@@ -153,10 +153,14 @@ class GpuScene {
   void updateSegments();
   /// The texture of palette entries, by label, around the focus.
   void makePaletteIndex(const LabelMap& labels, const std::vector<std::uint8_t>& entryOf);
-  void updateSkips(const GpuFocus::Change& focus, bool contextChanged);
+  void updateSkips(const GpuFocus::Change& focus, bool occupancyChanged);
   void updateProtected(const Scene& scene, bool volumeChanged);
-  void updateTransfer(const Scene& scene);
-  void updateGradient(const GpuFocus::Change& focus, bool contextChanged);
+  /// Returns whether other bricks than before hold something of the context.
+  bool updateTransfer(const Scene& scene);
+  bool updateOccupancy();
+  void updateGradient(const GpuFocus::Change& focus, bool occupancyChanged);
+  /// The voxels of the bricks whose values vary by more than noise; `shown`: of those in which something shows.
+  std::optional<IndexBox> variedBox(bool shown) const;
   /// Whether the gradients cover those bricks where lighting asks for any.
   bool isLitFor(const std::vector<std::size_t>& bricks) const;
   /// The least change of value in a brick that can lift a central difference over lighting's gate.

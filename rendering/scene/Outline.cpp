@@ -1,7 +1,9 @@
 #include "rendering/scene/Outline.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
 namespace fenestra {
 namespace {
@@ -40,14 +42,22 @@ constexpr std::array<std::array<Segment, 2>, 16> segments{{
 class Crossings {
  public:
   Crossings(const std::vector<char>& inside, int width, int height)
-      : inside_(inside), width_(width), height_(height), next_(std::size_t{2} * columns() * rows(), -1) {
-    for (int y = -1; y < height; ++y)
-      for (int x = -1; x < width; ++x) {
-        const int corners = at(x, y) | at(x + 1, y) << 1 | at(x + 1, y + 1) << 2 | at(x, y + 1) << 3;
+      : width_(width), height_(height), next_(std::size_t{2} * columns() * rows(), -1) {
+    std::vector<char> above(columns(), 0), below(columns(), 0);  // rows of pixels with one outside at either end
+    for (int y = -1; y < height; ++y) {
+      std::swap(above, below);
+      if (y + 1 < height)
+        std::copy_n(inside.begin() + static_cast<std::ptrdiff_t>(y + 1) * width, width, below.begin() + 1);
+      else
+        std::fill(below.begin(), below.end(), char{0});
+      for (std::size_t column = 0; column <= static_cast<std::size_t>(width); ++column) {
+        const int corners = above[column] | above[column + 1] << 1 | below[column + 1] << 2 | below[column] << 3;
+        if (corners == 0 || corners == 15) continue;
+        const int x = static_cast<int>(column) - 1;
         for (const Segment& segment : segments[static_cast<std::size_t>(corners)])
-          if (segment.from >= 0)
-            next_[index(x, y, segment.from)] = static_cast<std::ptrdiff_t>(index(x, y, segment.to));
+          if (segment.from >= 0) next_[index(x, y, segment.from)] = static_cast<std::int32_t>(index(x, y, segment.to));
       }
+    }
   }
 
   std::vector<std::vector<glm::dvec2>> takeLoops() {
@@ -57,7 +67,7 @@ class Crossings {
       std::vector<glm::dvec2>& loop = loops.emplace_back();
       for (std::size_t now = start; next_[now] >= 0;) {
         loop.push_back(place(now));
-        const std::ptrdiff_t next = next_[now];
+        const std::int32_t next = next_[now];
         next_[now] = -1;
         now = static_cast<std::size_t>(next);
       }
@@ -68,10 +78,6 @@ class Crossings {
  private:
   std::size_t columns() const { return static_cast<std::size_t>(width_) + 2; }
   std::size_t rows() const { return static_cast<std::size_t>(height_) + 2; }
-  int at(int x, int y) const {
-    return x >= 0 && y >= 0 && x < width_ && y < height_ &&
-           inside_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)];
-  }
   /// Of a side of the cell whose top left corner is pixel (x, y): twice the number of the pixel that the side starts
   /// at, and one more where it runs down.
   std::size_t index(int x, int y, int side) const {
@@ -85,18 +91,19 @@ class Crossings {
     return start + (index % 2 ? glm::dvec2(0.0, 0.5) : glm::dvec2(0.5, 0.0));
   }
 
-  const std::vector<char>& inside_;
   int width_, height_;
-  std::vector<std::ptrdiff_t> next_;  ///< the crossing after each; -1: none
+  std::vector<std::int32_t> next_;  ///< the crossing after each; -1: none
 };
 
 /// Moves every point towards the middle of its neighbours by a share; a negative share moves it away.
 void relax(std::vector<glm::dvec2>& loop, double share, std::vector<glm::dvec2>& scratch) {
   const std::size_t count = loop.size();
   scratch.resize(count);
+  glm::dvec2 before = loop.back();
   for (std::size_t i = 0; i < count; ++i) {
-    const glm::dvec2 middle = 0.5 * (loop[(i + count - 1) % count] + loop[(i + 1) % count]);
+    const glm::dvec2 middle = 0.5 * (before + loop[i + 1 < count ? i + 1 : 0]);
     scratch[i] = loop[i] + share * (middle - loop[i]);
+    before = loop[i];
   }
   loop.swap(scratch);
 }

@@ -221,7 +221,7 @@ std::vector<std::uint8_t> windowed(const std::vector<float>& values, WindowLevel
   std::transform(values.begin(), values.end(), grey.begin(), [&](float value) -> std::uint8_t {
     if (std::isnan(value)) return 0;
     const double level = std::clamp((static_cast<double>(value) - low) * scale, 0.0, 255.0);
-    return static_cast<std::uint8_t>(std::lround(lowIsWhite ? 255.0 - level : level));
+    return static_cast<std::uint8_t>((lowIsWhite ? 255.0 - level : level) + 0.5);
   });
   return grey;
 }

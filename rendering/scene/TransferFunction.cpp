@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace fenestra {
 
@@ -25,12 +26,26 @@ OpticalProperties TransferFunction::evaluate(double value) const {
           a.properties.extinction + s * (b.properties.extinction - a.properties.extinction)};
 }
 
-double TransferFunction::maxExtinction(ValueRange values) const {
-  double greatest = std::max(evaluate(values.low).extinction, evaluate(values.high).extinction);
-  for (const Node& node : nodes)
-    if (node.value >= values.low && node.value <= values.high)
-      greatest = std::max(greatest, node.properties.extinction);
-  return greatest;
+std::vector<ValueRange> TransferFunction::emptyRanges() const {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (nodes.empty()) return {{-infinity, infinity}};
+  const auto shows = [](const Node& node) { return node.properties.extinction > 0.0; };
+  std::vector<ValueRange> ranges;
+  for (auto first = std::find_if_not(nodes.begin(), nodes.end(), shows); first != nodes.end();) {
+    const auto end = std::find_if(first, nodes.end(), shows);
+    ValueRange range{-infinity, infinity};
+    if (first != nodes.begin()) {
+      const bool isStep = std::prev(first)->value == first->value;
+      range.low = isStep ? std::nextafter(first->value, infinity) : first->value;
+    }
+    if (end != nodes.end()) {
+      const double last = std::prev(end)->value;
+      range.high = end->value == last ? std::nextafter(last, -infinity) : last;
+    }
+    if (range.low <= range.high) ranges.push_back(range);
+    first = std::find_if_not(end, nodes.end(), shows);
+  }
+  return ranges;
 }
 
 std::vector<ValueGap> TransferFunction::transparentGaps(double opacity) const {

@@ -41,8 +41,9 @@ struct TransferFunction {
   std::vector<Node> nodes;
 
   OpticalProperties evaluate(double value) const;
-  /// Greatest extinction over a closed interval of values.
-  double maxExtinction(ValueRange values) const;
+  /// The maximal closed intervals of values in which the extinction is exactly zero; sorted, disjoint. A step shows at
+  /// its own value.
+  std::vector<ValueRange> emptyRanges() const;
   /// The maximal open intervals in which the opacity of 1 mm does not exceed `opacity` (method: "context is everything
   /// whose opacity exceeds ε"); sorted, disjoint.
   std::vector<ValueGap> transparentGaps(double opacity) const;

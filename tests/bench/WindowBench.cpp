@@ -1,11 +1,9 @@
 // window-bench: how the window answers. Opens a scene as `fenestra` does, drags a view in circles with a synthetic
 // mouse at 60 events a second, lets go, drags the transfer function, opens the list of presets, and places the cameras.
-// Writes one JSON object: pictures a second of each view, longest gap between two pictures, times until the pictures at
-// rest, and the longest time that one event kept the window's thread busy, with what of it the thread itself worked:
-// the rest it waited, for another program on a busy machine. With --grow L,P,S it clicks there, and moves
-// the tolerance of the region that grows. Needs a display with OpenGL. Takes the options of a scene, --window
-// WIDTHxHEIGHT and
-// --seconds.
+// Writes one JSON object: new pictures a second of each view, longest gap between two, times until the pictures at rest,
+// and the longest time that one event kept the window's thread busy, with what of it the thread itself worked: the rest
+// it waited, for another program on a busy machine. With --grow L,P,S it clicks there, and moves the tolerance of the
+// region that grows. Needs a display with OpenGL. Takes the options of a scene, --window WIDTHxHEIGHT and --seconds.
 
 #include <algorithm>
 #include <array>
@@ -47,19 +45,14 @@ double millisecondsSince(Clock::time_point start) {
 const Clock::time_point programStart = Clock::now();
 double now() { return millisecondsSince(programStart); }
 
-/// When each 3-D view has painted, and that has come onto the screen.
-class PictureTimes : public QObject {
+/// When each new picture of each 3-D view came onto the screen.
+class PictureTimes {
  public:
-  explicit PictureTimes(const std::vector<VolumeView*>& views) : views_(views), times_(views.size()) {
-    painted_.resize(views.size());
-    for (VolumeView* view : views) {
-      view->installEventFilter(this);
-      connect(view, &VolumeView::drawn, this, [this, view] {
-        const auto at = static_cast<std::size_t>(view->index());
-        if (painted_[at]) times_[at].push_back(now());
-        painted_[at] = false;
+  explicit PictureTimes(const std::vector<VolumeView*>& views) : times_(views.size()) {
+    for (VolumeView* view : views)
+      QObject::connect(view, &VolumeView::drawn, &context_, [this, view](bool isNew) {
+        if (isNew) times_[static_cast<std::size_t>(view->index())].push_back(now());
       });
-    }
   }
   void clear() {
     for (auto& times : times_) times.clear();
@@ -67,16 +60,8 @@ class PictureTimes : public QObject {
   const std::vector<double>& of(std::size_t view) const { return times_[view]; }
 
  private:
-  bool eventFilter(QObject* watched, QEvent* event) override {
-    if (event->type() == QEvent::Paint)
-      for (std::size_t i = 0; i < views_.size(); ++i)
-        if (watched == views_[i]) painted_[i] = true;
-    return false;
-  }
-
-  std::vector<VolumeView*> views_;
+  QObject context_;
   std::vector<std::vector<double>> times_;
-  std::vector<bool> painted_;
 };
 
 Study readStudy(const app::SceneOptions& options, const io::Progress& progress) {

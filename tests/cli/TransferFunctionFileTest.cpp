@@ -55,7 +55,9 @@ TEST(TransferFunctionFile, EveryPresetLoads) {
     const TransferFunction function = loadContextFunction(preset.id, ct()).function;
     EXPECT_GE(function.nodes.size(), 2u) << preset.id;
     EXPECT_EQ(function.nodes.front().properties.extinction, 0.0) << preset.id << " makes air opaque";
-    EXPECT_GT(function.maxExtinction({-1e9, 1e9}), 0.0) << preset.id;
+    EXPECT_TRUE(std::any_of(function.nodes.begin(), function.nodes.end(), [](const auto& node) {
+      return node.properties.extinction > 0.0;
+    })) << preset.id;
   }
 }
 

@@ -1,5 +1,6 @@
 #include "rendering/scene/TransferFunction.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -53,25 +54,41 @@ TEST(TransferFunction, twoNodesOfOneValueMakeAStep) {
   EXPECT_EQ(f.evaluate(100.0).extinction, 5.0);
 }
 
-TEST(TransferFunction, greatestExtinctionFindsASpikeInsideTheRange) {
-  const TransferFunction f = functionOf({{0, 0}, {49.9, 0}, {50, 7}, {50.1, 0}, {100, 2}});
-  EXPECT_DOUBLE_EQ(f.maxExtinction({0, 100}), 7.0);
-  EXPECT_DOUBLE_EQ(f.maxExtinction({0, 40}), 0.0);
-  EXPECT_DOUBLE_EQ(f.maxExtinction({60, 1000}), 2.0);
-  EXPECT_DOUBLE_EQ(f.maxExtinction({50, 50}), 7.0);
+TEST(TransferFunction, emptyRangesEndWhereARampBeginsAndBeforeAStep) {
+  using Ranges = std::vector<ValueRange>;
+  EXPECT_EQ(TransferFunction{}.emptyRanges(), (Ranges{{-infinity, infinity}}));
+  EXPECT_EQ(functionOf({{0, 0}}).emptyRanges(), (Ranges{{-infinity, infinity}}));
+  EXPECT_EQ(functionOf({{0, 1}}).emptyRanges(), Ranges{});
+  EXPECT_EQ(functionOf({{0, 0}, {10, 0}, {20, 1}, {30, 0}, {40, 0}, {50, 2}}).emptyRanges(),
+            (Ranges{{-infinity, 10}, {30, 40}}));
+  // One value alone between two ramps, and a spike that shows at one value alone.
+  EXPECT_EQ(functionOf({{0, 1}, {10, 0}, {20, 1}}).emptyRanges(), (Ranges{{10, 10}}));
+  EXPECT_EQ(functionOf({{10, 0}, {10, 7}, {10, 0}}).emptyRanges(),
+            (Ranges{{-infinity, std::nextafter(10.0, 0.0)}, {std::nextafter(10.0, 20.0), infinity}}));
+  EXPECT_EQ(functionOf({{0, 2}, {10, 2}, {10, 0}, {20, 0}, {20, 2}}).emptyRanges(),
+            (Ranges{{std::nextafter(10.0, 20.0), std::nextafter(20.0, 0.0)}}));
 }
 
-TEST(TransferFunction, greatestExtinctionBoundsEverySample) {
+TEST(TransferFunction, emptyRangesAreExactlyTheValuesWithoutExtinction) {
   std::mt19937 random(3);
+  std::bernoulli_distribution isEmpty(0.5);
   for (int trial = 0; trial < 50; ++trial) {
-    const TransferFunction f = randomFunction(random);
-    std::uniform_real_distribution<double> value(-60.0, 200.0);
-    double a = value(random), b = value(random);
-    if (a > b) std::swap(a, b);
-    double sampled = 0.0;
-    for (int i = 0; i <= 1000; ++i) sampled = std::max(sampled, f.evaluate(a + (b - a) * i / 1000.0).extinction);
-    EXPECT_GE(f.maxExtinction({a, b}), sampled);
-    EXPECT_LE(f.maxExtinction({a, b}), f.maxExtinction({-infinity, infinity}));
+    TransferFunction f = randomFunction(random);
+    for (TransferFunction::Node& node : f.nodes)
+      if (isEmpty(random)) node.properties.extinction = 0.0;
+    const std::vector<ValueRange> ranges = f.emptyRanges();
+    std::vector<double> values{-infinity, infinity};
+    for (int i = 0; i <= 1000; ++i) values.push_back(-60.0 + 0.26 * i);
+    for (const TransferFunction::Node& node : f.nodes) values.push_back(node.value);
+    for (const double value : values) {
+      const bool isWithin = std::any_of(ranges.begin(), ranges.end(), [&](const ValueRange& range) {
+        return value >= range.low && value <= range.high;
+      });
+      const bool hasStep = std::any_of(f.nodes.begin(), f.nodes.end(), [&](const TransferFunction::Node& node) {
+        return node.value == value && node.properties.extinction > 0.0;
+      });
+      EXPECT_EQ(isWithin, !hasStep && f.evaluate(value).extinction == 0.0) << value;
+    }
   }
 }
 

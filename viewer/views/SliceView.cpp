@@ -92,22 +92,24 @@ void SliceView::readGeometry() {
   centre_ = {0.5 * geometry_.width * glm::length(geometry_.right),
              0.5 * geometry_.height * glm::length(geometry_.down)};
   slice_ = cursor_.slice(geometry_);
+  forgetSlice();
+  invalidate();
+}
+
+void SliceView::forgetSlice() {
   openingOutline_.reset();
   values_.clear();
+  grey_.clear();
   labels_.clear();
   steps_.clear();
-  invalidate();
+  image_ = {};
 }
 
 void SliceView::followCursor() {
   const int slice = cursor_.slice(geometry_);
   if (slice != slice_) {
     slice_ = slice;
-    openingOutline_.reset();
-    values_.clear();
-    labels_.clear();
-    steps_.clear();
-    image_ = {};
+    forgetSlice();
   }
   update();
 }
@@ -173,8 +175,10 @@ void SliceView::makeImage() {
   const std::shared_ptr<const LabelMap> steps = document_.growth() ? document_.growth()->steps : nullptr;
   if (std::exchange(stepsOf_, steps) != steps) steps_.clear();
   if (steps && steps_.empty()) steps_ = sliceLabels(*steps, geometry_, slice_);
-  const std::vector<std::uint8_t> grey =
-      windowed(values_, document_.window(), volume.lowIsWhite != document_.isInverted());
+  // What is in focus changes far more often than the window does: with every step of a region's tolerance.
+  const GreyLevels levels{document_.window(), volume.lowIsWhite != document_.isInverted()};
+  if (grey_.empty() || levels != greyLevels_) grey_ = windowed(values_, levels.window, levels.lowIsWhite);
+  greyLevels_ = levels;
 
   const Tints tints(document_, *this);
   std::vector<char> focused(values_.size(), 0);
@@ -186,8 +190,8 @@ void SliceView::makeImage() {
           static_cast<std::size_t>(row) * static_cast<std::size_t>(geometry_.width) + static_cast<std::size_t>(column);
       const Tints::Tint& tint = tints.at(at);
       focused[at] = tint.focused;
-      line[column] = options_.labels() && tint.percent ? blend(grey[at], tint.colour, tint.percent)
-                                                       : qRgb(grey[at], grey[at], grey[at]);
+      line[column] = options_.labels() && tint.percent ? blend(grey_[at], tint.colour, tint.percent)
+                                                       : qRgb(grey_[at], grey_[at], grey_[at]);
     }
   }
   collectOutline(focused);

@@ -76,6 +76,8 @@ class SliceView : public QWidget {
 
  private:
   void readGeometry();
+  /// Forgets what was read and made of the slice shown.
+  void forgetSlice();
   void followCursor();
   void invalidate();
   void makeImage();
@@ -105,7 +107,13 @@ class SliceView : public QWidget {
 
   SliceGeometry geometry_;
   int slice_ = 0;
-  std::vector<float> values_;                ///< real values of the slice
+  std::vector<float> values_;  ///< real values of the slice
+  struct GreyLevels {
+    WindowLevel window;
+    bool lowIsWhite = false;
+    bool operator==(const GreyLevels&) const = default;
+  } greyLevels_;                             ///< that grey_ was made with
+  std::vector<std::uint8_t> grey_;           ///< the values through the window; empty until it is made
   std::vector<std::uint16_t> labels_;        ///< of the slice; empty without labels
   std::vector<std::uint16_t> steps_;         ///< of the region in the focus; empty without one
   std::shared_ptr<const LabelMap> stepsOf_;  ///< that steps_ are of

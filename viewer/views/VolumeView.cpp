@@ -107,7 +107,7 @@ VolumeView::VolumeView(int index, Document& document, SliceCursor& cursor, ViewL
   connect(&cursor, &SliceCursor::moved, this, repaint);
   connect(&options, &ViewOptions::changed, this, repaint);
   connect(this, &QOpenGLWidget::frameSwapped, this, [this] {
-    if (picture_ && picture_->isShown()) Q_EMIT drawn();
+    if (picture_ && picture_->isShown()) Q_EMIT drawn(std::exchange(isUnseen_, false));
   });
 }
 
@@ -209,6 +209,7 @@ void VolumeView::refine() {
 }
 
 void VolumeView::refined(Effort effort) {
+  isUnpainted_ = true;
   FramePacer& pacer = *shared_.pacer;
   pacer.refined(effort, refinedFor_, !compiled_);
   if (effort != pacer.atRest()) {
@@ -339,6 +340,7 @@ bool VolumeView::drawDue(const Scene& scene) {
   due_ = Due::Nothing;
   settled_ = effort == rest;
   isNew_ = true;
+  isUnpainted_ = true;
   return true;
 }
 
@@ -351,6 +353,7 @@ void VolumeView::present() {
   if (std::exchange(isNew_, false))
     connect(
         this, &QOpenGLWidget::frameSwapped, this, [this] { shared_.pacer->end(now()); }, Qt::SingleShotConnection);
+  isUnseen_ |= std::exchange(isUnpainted_, false);
   picture_->shown().present(defaultFramebufferObject(), {0, 0, device.width(), device.height()});
 }
 

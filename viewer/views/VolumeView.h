@@ -78,8 +78,8 @@ class VolumeView : public QOpenGLWidget {
 
  Q_SIGNALS:
   void settled();
-  /// A picture is on screen.
-  void drawn();
+  /// A picture is on screen; `isNew`: for the first time.
+  void drawn(bool isNew);
   /// Of C1: where its rays start, once it shows the scene at full quality; null when that changes.
   void raysStarted(std::shared_ptr<const RayStarts> starts);
   void failed(const QString& problem);
@@ -178,6 +178,8 @@ class VolumeView : public QOpenGLWidget {
   /// it; changed strokes.
   enum class Due : std::uint8_t { Nothing, Motion, Strokes } due_ = Due::Motion;
   bool isNew_ = false;                ///< the picture has not been painted
+  bool isUnpainted_ = false;          ///< as isNew_, also of a refined picture
+  bool isUnseen_ = false;             ///< it is painted and has not come onto the screen
   int moving_ = 0;                    ///< number of views that the motion moves
   long followed_ = 0;                 ///< the pacer's frame that this view last followed in
   std::optional<Effort> refinement_;  ///< of the picture being refined
