@@ -389,6 +389,7 @@ void addSceneOptions(CLI::App& command, SceneOptions& options, std::function<voi
   command.option_defaults()->group("Picture");
   addView(command, options);
   addLook(command, options);
+  addClipping(command, options.clipChanges, options.look.clipping);
   addSampling(command, options);
   command.option_defaults()->group("Options");
 }
@@ -469,7 +470,9 @@ LoadedScene loadScene(const SceneOptions& options, const io::Progress& progress)
   }
   setFocus(options, loaded);
   setLabelSettings(options, scene);
+  if (options.preset) io::setLabelFunctions(scene, *options.preset);
   setFocusFunctions(options, scene);
+  setClipping(options, scene);
   if (!options.strokes.empty()) scene.look.strokes = io::readStrokes(options.strokes);
   growFocus(options, loaded, progress);
   setView(options, loaded);

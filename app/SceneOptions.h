@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "app/ClipOptions.h"
 #include "io/VolumeReader.h"
 #include "io/session/LookFile.h"
 #include "io/session/Session.h"
@@ -69,6 +70,7 @@ struct SceneOptions : VolumeOptions {
   std::filesystem::path labels;
   std::vector<std::string> focusLabels;  ///< values or names
   LabelChanges labelChanges;
+  ClipChanges clipChanges;
   std::optional<ValueRange> focusRange;
   double focusMinimumSize = ValueFocus{}.minimumComponent;  ///< mm³
   std::string transferFunction;                             ///< preset or file; empty: io::defaultPreset
@@ -79,7 +81,7 @@ struct SceneOptions : VolumeOptions {
   std::filesystem::path strokes;         ///< file of brush strokes; empty: those of the look
   RegionFocus region;                    ///< without an inside seed: none
   std::optional<io::LookPreset> preset;  ///< `look` is in its style, and its transfer function stays
-  Look look;  ///< starts as the session's; the members above override its focus, context and strokes
+  Look look;  ///< starts as the session's; the members above override its focus, context, clipping and strokes
   Quality quality = Quality::Normal;
   std::optional<double> maxError;  ///< in 1/255; see View
   int viewOfSession = 0;           ///< whose camera and picture size are taken from a session: 0 is C1, 1 is C2

@@ -65,6 +65,17 @@ int distanceRange(glm::dvec2 widths, glm::ivec2 size) {
   return range;
 }
 
+Clip clipOf(const Clipping& clipping, const GpuScene& gpu) {
+  Clip clip{halfSpaces(clipping, gpu.grid())};
+  if (!clipping.grey || clip.kept.empty()) return clip;
+  // 0 to 1 over the window of real values, as windowed() has it.
+  const double perReal = 1.0 / clipping.grey->width, low = clipping.grey->level - 0.5 * clipping.grey->width;
+  const VolumeTexture& volume = gpu.volume();
+  const glm::dvec2 grey(volume.slope * perReal, (volume.offset - low) * perReal);
+  clip.grey = gpu.lowIsWhite() ? glm::dvec2(-grey.x, 1.0 - grey.y) : grey;
+  return clip;
+}
+
 }  // namespace
 
 bool PassChain::shows(glm::ivec2 pixel) const {
@@ -99,7 +110,7 @@ std::optional<gl::Region> PassChain::nearFocus(double reach) const {
 void PassChain::begin(const Scene& scene, const View& view) {
   drop();
   gpu->update(scene);
-  rays.emplace(view.camera, view.size, gpu->grid(), gpu->refinement());
+  rays.emplace(view.camera, view.size, gpu->grid(), clipOf(scene.look.clipping, *gpu), gpu->refinement());
   pixelScale = view.pixelScale;
   background = glm::vec3(scene.look.background);
 
@@ -108,7 +119,7 @@ void PassChain::begin(const Scene& scene, const View& view) {
   if (hasCutaway(scene) && !onlyStarts)
     cutFor = openingOf(view, scene.look.cutaway, gpu->focus().centre(grid).value_or(grid.centre()));
   Frame& made = frame.emplace(Frame{.scene = scene, .view = view, .sampling = samplingOf(view, grid, *rays)});
-  if (cutFor) made.sampling = inParts(made.sampling);
+  if (cutFor || gpu->exemptLabels().any()) made.sampling = inParts(made.sampling);
   made.hasCutaway = hasCutaway(scene);
   made.opening = cutFor;
   made.hasContextLayer = made.hasCutaway && scene.look.contextLayer.strength > 0.0;
@@ -168,7 +179,7 @@ void PassChain::dropOpening() {
 void PassChain::beginStage() {
   constexpr std::array stages{&PassChain::findHitPoints,    &PassChain::fillFocusHits,  &PassChain::mapDistances,
                               &PassChain::startRays,        &PassChain::drawFocusLayer, &PassChain::drawProtectedLayer,
-                              &PassChain::drawContextLayer, &PassChain::compose};
+                              &PassChain::drawContextLayer, &PassChain::compose,        &PassChain::addExempt};
   if (frame->stagesBegun == 0 && !frame->hasCutaway) dropCutaway();
   constexpr std::size_t ofCutaway = 4;  // the first stages, which only a cutaway has
   if (!frame->hasCutaway) frame->stagesBegun = std::max(frame->stagesBegun, ofCutaway);
@@ -210,7 +221,8 @@ bool PassChain::advance(std::optional<double> milliseconds) try {
 void PassChain::findHitPoints() {
   const GpuScene::Versions& version = gpu->versions();
   const View& view = frame->view;
-  addIfStale(Pass::HitPoints, hits, HitKey{version.volume, version.focus, version.gaps, view.camera, view.size}, {},
+  addIfStale(Pass::HitPoints, hits,
+             HitKey{version.volume, version.focus, version.gaps, view.camera, view.size, rays->clip()}, {},
              [&](Regions) { hitPointPass.run(steps, *gpu, *rays, sized(hitPoints, gl::Format::RG32F, view.size)); });
 }
 
@@ -303,7 +315,8 @@ void PassChain::drawFocusLayer() {
                           look.shading,
                           view.camera,
                           view.size,
-                          frame->sampling};
+                          frame->sampling,
+                          rays->clip()};
   FocusLayerKey keyBefore = key;
   keyBefore.rayStart = frame->startBefore;
   const bool onlyMoved = frame->moved && !focus.isStale(keyBefore), anew = !onlyMoved && focus.isStale(key);
@@ -403,6 +416,28 @@ void PassChain::compose() {
         compositePass.run(steps, *gpu, inputs, look, regions, picture);
       },
       part);
+}
+
+void PassChain::addExempt() {
+  if (!gpu->exemptLabels().any()) {
+    exempted = {};
+    exempt.forget();
+    return;
+  }
+  const GpuScene::Versions& version = gpu->versions();
+  const Look& look = frame->scene.look;
+  const View& view = frame->view;
+  const gl::Texture& below = composed ? composed : focusLayer;
+  const ExemptKey key{focus.version(),  composed ? std::optional(composite.version()) : std::nullopt,
+                      version.volume,   version.exemptLabels,
+                      version.transfer, version.gradient,
+                      look.shading,     view.camera,
+                      view.size,        frame->sampling,
+                      rays->clip()};
+  addIfStale(Pass::Exempt, exempt, key, frame->changed, [&](Regions regions) {
+    exemptPass.run(steps, *gpu, look, *rays, below, frame->sampling, regions,
+                   sized(exempted, gl::Format::RGBA32F, view.size, presented));
+  });
 }
 
 }  // namespace fenestra

@@ -15,6 +15,7 @@
 #include "rendering/passes/ContextLayerPass.h"
 #include "rendering/passes/DistanceMapPass.h"
 #include "rendering/passes/EditMapPass.h"
+#include "rendering/passes/ExemptPass.h"
 #include "rendering/passes/FocusLayerPass.h"
 #include "rendering/passes/HitPointPass.h"
 #include "rendering/passes/ProtectedLayerPass.h"
@@ -41,9 +42,10 @@ struct PassChain {
   ProtectedLayerPass protectedLayerPass{gpu->programs()};
   ContextLayerPass contextLayerPass{gpu->programs()};
   CompositePass compositePass{gpu->programs()};
+  ExemptPass exemptPass{gpu->programs()};
 
   gl::Texture hitPoints, focusFilled, distances, editMap, rayStart, focusLayer, protectedLayer, contextLayer,
-      silhouette, composed;
+      silhouette, composed, exempted;
   gl::Texture pickedHit;
   gl::Texture faces, hole;  ///< of RemovedPass
 
@@ -60,6 +62,7 @@ struct PassChain {
   Memo<ProtectedLayerKey> guard;
   Memo<ContextLayerKey> context;
   Memo<CompositeKey> composite;
+  Memo<ExemptKey> exempt;
 
   /// What the images were last edited by, in the last picture's view; unknown after an error stopped a picture.
   std::optional<ProjectedStrokes> strokes{std::in_place};
@@ -106,6 +109,7 @@ struct PassChain {
   void drawProtectedLayer();
   void drawContextLayer();
   void compose();
+  void addExempt();
   void beginStage();
   void dropCutaway();
   void dropOpening();
@@ -153,11 +157,12 @@ struct PassChain {
     focus.forget();
     guard.forget();
     composite.forget();
+    exempt.forget();
   }
 
   glm::dvec2 widthsInPixels(const Scene& scene) const;
   /// What is seen, without the background; a plain volume rendering has nothing laid over it.
-  const gl::Texture& picture() const { return composed ? composed : focusLayer; }
+  const gl::Texture& picture() const { return exempted ? exempted : composed ? composed : focusLayer; }
   bool shows(glm::ivec2 pixel) const;
   /// First hits (context or focus, focus) on the ray of a pixel of the picture.
   glm::vec2 hitAt(glm::ivec2 pixel);

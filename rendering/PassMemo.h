@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "rendering/gpu/RayFrame.h"
 #include "rendering/gpu/StrokeLines.h"
 #include "rendering/passes/FocusLayerPass.h"
 #include "rendering/scene/Scene.h"
@@ -34,6 +35,7 @@ struct HitKey {
   std::uint64_t volume, focus, gaps;
   Camera camera;
   glm::ivec2 size;
+  Clip clip;
   bool operator==(const HitKey&) const = default;
 };
 struct FillKey {
@@ -68,6 +70,7 @@ struct FocusLayerKey {
   Camera camera;
   glm::ivec2 size;
   FocusLayerPass::Sampling sampling;
+  Clip clip;
   bool operator==(const FocusLayerKey&) const = default;
 };
 struct ProtectedLayerKey {
@@ -80,6 +83,17 @@ struct ContextLayerKey {
   std::uint64_t hits, derivative;
   Shading shading;
   bool operator==(const ContextLayerKey&) const = default;
+};
+struct ExemptKey {
+  std::uint64_t focusLayer;
+  std::optional<std::uint64_t> composite;
+  std::uint64_t volume, exemptLabels, transfer, gradient;
+  Shading shading;
+  Camera camera;
+  glm::ivec2 size;
+  FocusLayerPass::Sampling sampling;
+  Clip clip;
+  bool operator==(const ExemptKey&) const = default;
 };
 struct CompositeKey {
   std::uint64_t focusLayer;

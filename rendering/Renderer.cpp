@@ -9,9 +9,9 @@
 namespace fenestra {
 
 std::string_view nameOf(Pass pass) {
-  constexpr std::array<std::string_view, passCount> names{"hit points",      "pull-push",     "distance map",
-                                                          "edit map",        "ray start",     "focus layer",
-                                                          "protected layer", "context layer", "composite"};
+  constexpr std::array<std::string_view, passCount> names{
+      "hit points",  "pull-push",       "distance map",  "edit map",  "ray start",
+      "focus layer", "protected layer", "context layer", "composite", "exempt labels"};
   return names[static_cast<std::size_t>(pass)];
 }
 
@@ -141,7 +141,7 @@ Layers Renderer::readLayers() {
     s.protectedLayer.readInto(std::span(layers.protectedLayer));
   }
   layers.final = layers.focusLayer;
-  if (s.composed) s.composed.readInto(std::span(layers.final));
+  if (&s.picture() != &s.focusLayer) s.picture().readInto(std::span(layers.final));
   return layers;
 }
 
@@ -196,7 +196,7 @@ std::size_t imageBytesOf(const PassChain& s) {
       s.pullPushPass.bytes() + s.distanceMapPass.bytes() + s.editMapPass.bytes() + s.focusLayerPass.bytes();
   for (const gl::Texture* texture :
        {&s.hitPoints, &s.focusFilled, &s.distances, &s.editMap, &s.rayStart, &s.focusLayer, &s.protectedLayer,
-        &s.contextLayer, &s.silhouette, &s.composed, &s.pickedHit, &s.faces, &s.hole})
+        &s.contextLayer, &s.silhouette, &s.composed, &s.exempted, &s.pickedHit, &s.faces, &s.hole})
     if (*texture) sum += texture->bytes();
   return s.opening ? sum + imageBytesOf(*s.opening) : sum;
 }

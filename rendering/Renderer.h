@@ -26,9 +26,10 @@ enum class Pass : std::uint8_t {
   FocusLayer,
   ProtectedLayer,
   ContextLayer,
-  Composite
+  Composite,
+  Exempt
 };
-inline constexpr std::size_t passCount = 9;
+inline constexpr std::size_t passCount = 10;
 std::string_view nameOf(Pass pass);
 
 /// Row-major from the top of the picture; t in mm along the pixel's ray (see Camera), NaN where there is nothing.

@@ -8,6 +8,7 @@
 
 #include "viewer/Dialogs.h"
 #include "viewer/PictureExports.h"
+#include "viewer/Verification.h"
 #include "viewer/jobs/RegionGrower.h"
 #include "viewer/model/Workspace.h"
 #include "viewer/views/ViewArea.h"
@@ -90,6 +91,8 @@ void Actions::stop() {
     targets_.loader.job().cancel();
   else if (targets_.pictures.isBusy())
     targets_.pictures.cancel();
+  else if (targets_.verification.isBusy())
+    targets_.verification.cancel();
   else if (targets_.grower.isGrowing())
     targets_.grower.cancel();
   else if (targets_.workspace.placement.isBusy())

@@ -25,6 +25,7 @@ class PictureExports;
 class FileOpener;
 class RegionGrower;
 class Sessions;
+class Verification;
 class ViewArea;
 struct Workspace;
 
@@ -40,6 +41,7 @@ class Actions : public QObject {
     FileOpener& files;
     Exports& exports;
     PictureExports& pictures;
+    Verification& verification;
     Sessions& sessions;
     ViewArea& views;
     GlSupport gl;
@@ -51,7 +53,7 @@ class Actions : public QObject {
   explicit Actions(const Targets& targets);
 
   /// An entry in the File menu for data that comes with the program.
-  void addSample(const QString& name, StudyLoader::Reader read);
+  void addSample(const QString& name, StudyLoader::SampleReader read);
 
  private:
   QAction* action(const QString& text, const QKeySequence& keys, std::function<void()> does);

@@ -7,11 +7,11 @@
 #include "io/base/AtomicFile.h"
 #include "rendering/segmentation/Mask.h"
 #include "viewer/NoticeBar.h"
-#include "viewer/SaveDialog.h"
 #include "viewer/model/Document.h"
 #include "viewer/model/MeasureText.h"
 #include "viewer/model/Paths.h"
 #include "viewer/model/ViewOptions.h"
+#include "viewer/panels/FileDialog.h"
 
 namespace fenestra::viewer {
 
@@ -39,10 +39,8 @@ void Exports::chooseLabelFile(Labels which) {
                               {tr("DICOM segmentation, with names and colours"), QStringLiteral(".dcm")},
                               {tr("NIfTI"), QStringLiteral(".nii.gz")},
                               {tr("MetaImage"), QStringLiteral(".mha")}};
-  qsizetype chosen = 0;
   const QString title = which == Labels::All ? tr("Export all labels") : tr("Export the focus as labels");
-  const std::filesystem::path path = askForSaveFile(window_, title, kinds, chosen);
-  if (!path.empty()) writeLabels(path, which);
+  if (const auto file = askForNewFile(&window_, title, kinds)) writeLabels(file->path, which);
 }
 
 void Exports::chooseSurfaceFile() {
@@ -50,16 +48,13 @@ void Exports::chooseSurfaceFile() {
   for (const QString& axes : {QStringLiteral("LPS"), QStringLiteral("RAS")})
     for (const QString& format : {QStringLiteral("STL"), QStringLiteral("PLY"), QStringLiteral("OBJ")})
       kinds << FileKind{tr("%1 in mm, %2 axes").arg(format, axes), QStringLiteral(".") + format.toLower()};
-  qsizetype chosen = 0;
-  const std::filesystem::path path = askForSaveFile(window_, tr("Export the focus as a surface"), kinds, chosen);
-  if (!path.empty()) writeSurface(path, chosen < kinds.size() / 2 ? io::SurfaceFrame::Lps : io::SurfaceFrame::Ras);
+  if (const auto file = askForNewFile(&window_, tr("Export the focus as a surface"), kinds))
+    writeSurface(file->path, file->kind < kinds.size() / 2 ? io::SurfaceFrame::Lps : io::SurfaceFrame::Ras);
 }
 
 void Exports::chooseMeasureFile() {
-  qsizetype chosen = 0;
-  const std::filesystem::path path =
-      askForSaveFile(window_, tr("Export the measures"), {{tr("Table (CSV)"), QStringLiteral(".csv")}}, chosen);
-  if (!path.empty()) writeMeasures(path);
+  const QList<FileKind> kinds{{tr("Table (CSV)"), QStringLiteral(".csv")}};
+  if (const auto file = askForNewFile(&window_, tr("Export the measures"), kinds)) writeMeasures(file->path);
 }
 
 void Exports::writeMeasures(const std::filesystem::path& path) {

@@ -100,10 +100,12 @@ void Actions::addExports(QMenu& menu) {
   enable();
 }
 
-void Actions::addSample(const QString& name, StudyLoader::Reader read) {
+void Actions::addSample(const QString& name, StudyLoader::SampleReader read) {
   samples_->menuAction()->setVisible(true);
   connect(samples_->addAction(name), &QAction::triggered, this, [this, read = std::move(read)] {
-    if (targets_.sessions.mayGo()) targets_.loader.open(read);
+    if (!targets_.sessions.mayGo()) return;
+    const Look look = targets_.workspace.preferences.startingLook({});
+    targets_.loader.open([read, look](const io::Progress& progress) { return read(look, progress); });
   });
 }
 

@@ -2,7 +2,6 @@
 
 #include <optional>
 
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
 #include <QMimeData>
@@ -14,17 +13,12 @@
 #include "viewer/SeriesChooser.h"
 #include "viewer/Sessions.h"
 #include "viewer/jobs/ReadStudy.h"
-#include "viewer/jobs/StudyLoader.h"
-#include "viewer/model/Document.h"
 #include "viewer/model/Paths.h"
+#include "viewer/model/Workspace.h"
+#include "viewer/panels/FileDialog.h"
 
 namespace fenestra::viewer {
 namespace {
-
-/// Reads what `paths` names, to be shown with `look`.
-StudyLoader::Reader readerOf(const PathsToOpen& paths, const Look& look) {
-  return [paths, look](const io::Progress& progress) { return readStudy(paths, look, progress); };
-}
 
 /// The single-file formats in a file dialog's filter.
 QString volumePatterns() {
@@ -36,8 +30,20 @@ QString volumePatterns() {
 
 }  // namespace
 
-FileOpener::FileOpener(QWidget& window, Document& document, StudyLoader& loader, Sessions& sessions, NoticeBar& notices)
-    : QObject(&window), window_(window), document_(document), loader_(loader), sessions_(sessions), notices_(notices) {}
+FileOpener::FileOpener(QWidget& window, Workspace& workspace, StudyLoader& loader, Sessions& sessions,
+                       NoticeBar& notices)
+    : QObject(&window),
+      window_(window),
+      document_(workspace.document),
+      preferences_(workspace.preferences),
+      loader_(loader),
+      sessions_(sessions),
+      notices_(notices) {}
+
+StudyLoader::Reader FileOpener::readerOf(const PathsToOpen& paths) const {
+  const Look look = preferences_.startingLook(document_.scene().look);
+  return [paths, look](const io::Progress& progress) { return readStudy(paths, look, progress); };
+}
 
 void FileOpener::open(const std::vector<std::filesystem::path>& paths) {
   if (!sessions_.mayGo()) return;
@@ -46,7 +52,7 @@ void FileOpener::open(const std::vector<std::filesystem::path>& paths) {
     return;
   }
   try {
-    loader_.open(readerOf(interpret(paths), document_.scene().look));
+    loader_.open(readerOf(interpret(paths)));
   } catch (const io::Error& error) {
     notices_.add(NoticeBar::Kind::Error, QString::fromUtf8(error.what()));
   }
@@ -57,7 +63,7 @@ void FileOpener::openSeries(const std::string& series) {
   PathsToOpen chosen;
   chosen.volume = document_.study().path;
   chosen.series = series;
-  loader_.open(readerOf(chosen, document_.scene().look));
+  loader_.open(readerOf(chosen));
 }
 
 void FileOpener::drop(const std::vector<std::filesystem::path>& paths, QPoint at) {
@@ -77,20 +83,17 @@ void FileOpener::drop(const std::vector<std::filesystem::path>& paths, QPoint at
 }
 
 void FileOpener::chooseFile() {
-  const QString file = QFileDialog::getOpenFileName(&window_, tr("Open a volume"), {},
-                                                    tr("Volumes (*.dcm %1);;All files (*)").arg(volumePatterns()));
-  if (!file.isEmpty()) open({toPath(file)});
+  const QString kinds = tr("Volumes (*.dcm %1);;All files (*)").arg(volumePatterns());
+  if (const auto file = askForFile(&window_, {tr("Open a volume"), kinds})) open({*file});
 }
 
 void FileOpener::chooseFolder() {
-  const QString folder = QFileDialog::getExistingDirectory(&window_, tr("Open a DICOM folder"));
-  if (!folder.isEmpty()) open({toPath(folder)});
+  if (const auto folder = askForFolder(&window_, {tr("Open a DICOM folder")})) open({*folder});
 }
 
 void FileOpener::chooseLabels() {
-  const QString file = QFileDialog::getOpenFileName(&window_, tr("Open a label map"), {},
-                                                    tr("Label maps (*.dcm %1);;All files (*)").arg(volumePatterns()));
-  if (!file.isEmpty()) loader_.openLabels(toPath(file));
+  const QString kinds = tr("Label maps (*.dcm %1);;All files (*)").arg(volumePatterns());
+  if (const auto file = askForFile(&window_, {tr("Open a label map"), kinds})) loader_.openLabels(*file);
 }
 
 void FileOpener::chooseSeries() {

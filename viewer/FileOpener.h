@@ -8,6 +8,8 @@
 #include <QObject>
 #include <QPoint>
 
+#include "viewer/jobs/StudyLoader.h"
+
 class QMimeData;
 class QWidget;
 
@@ -15,14 +17,16 @@ namespace fenestra::viewer {
 
 class Document;
 class NoticeBar;
+class Preferences;
 class Sessions;
-class StudyLoader;
+struct PathsToOpen;
+struct Workspace;
 
 class FileOpener : public QObject {
   Q_OBJECT
  public:
   /// `window` is the dialogs' parent and owns this; all others outlive it.
-  FileOpener(QWidget& window, Document& document, StudyLoader& loader, Sessions& sessions, NoticeBar& notices);
+  FileOpener(QWidget& window, Workspace& workspace, StudyLoader& loader, Sessions& sessions, NoticeBar& notices);
 
   /// A session, a volume, a volume and its label map, or slices of one folder. Asks before unsaved work is dropped.
   void open(const std::vector<std::filesystem::path>& paths);
@@ -37,9 +41,12 @@ class FileOpener : public QObject {
 
  private:
   void openSeries(const std::string& series);
+  /// Reads what `paths` names, to be shown as the study before it, with the user's own defaults.
+  StudyLoader::Reader readerOf(const PathsToOpen& paths) const;
 
   QWidget& window_;
   Document& document_;
+  const Preferences& preferences_;
   StudyLoader& loader_;
   Sessions& sessions_;
   NoticeBar& notices_;

@@ -17,6 +17,7 @@
 #include "rendering/gpu/FocusIndex.h"
 #include "rendering/segmentation/Table.h"
 #include "viewer/Actions.h"
+#include "viewer/DockHeights.h"
 #include "viewer/Exports.h"
 #include "viewer/FileOpener.h"
 #include "viewer/LoadingBar.h"
@@ -28,12 +29,14 @@
 #include "viewer/StatusBar.h"
 #include "viewer/StructureMenu.h"
 #include "viewer/UndoKeys.h"
+#include "viewer/Verification.h"
 #include "viewer/WelcomePage.h"
 #include "viewer/model/CamerasChange.h"
 #include "viewer/model/PatientLines.h"
 #include "viewer/panels/AppearancePanel.h"
 #include "viewer/panels/BrushPanel.h"
 #include "viewer/panels/CamerasPanel.h"
+#include "viewer/panels/FileDialog.h"
 #include "viewer/panels/FocusPanel.h"
 #include "viewer/panels/LabelEditPanel.h"
 #include "viewer/panels/RegionPanel.h"
@@ -95,19 +98,24 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
   sessions_ = new Sessions(*this, workspace_, loader_, *notices_,
                            {.describe = [this](io::Session& session) { views_->describe(session); },
                             .restore = [this](const io::Session& session) { views_->restore(session); }});
-  files_ = new FileOpener(*this, workspace_.document, loader_, *sessions_, *notices_);
+  files_ = new FileOpener(*this, workspace_, loader_, *sessions_, *notices_);
   exports_ = new Exports(*this, workspace_.document, workspace_.options, *notices_);
   pictures_ = new PictureExports(*this, workspace_.document, *views_, *notices_);
+  verification_ = new Verification(*this, workspace_.document, *views_, *notices_,
+                                   [this] { return sessions_->controller().session(); });
   setCentralWidget(makeCentre());
   panels_ = makePanels(*this, workspace_);
-  actions_ = new Actions({*this, workspace_, loader_, grower_, *files_, *exports_, *pictures_, *sessions_, *views_, gl_,
-                          [this] { resetLayout(); }, *panels_.cutaway});
+  actions_ = new Actions({*this, workspace_, loader_, grower_, *files_, *exports_, *pictures_, *verification_,
+                          *sessions_, *views_, gl_, [this] { resetLayout(); }, *panels_.cutaway});
   setStatusBar(new StatusBar(workspace_.document, *views_, gl_));
   // Not above the pictures: they would be drawn anew in another size with each click.
   // Also what waits for a job that is stopping.
   statusBar()->addPermanentWidget(
       new LoadingBar(grower_.job(), tr("Growing the region"), [this] { grower_.cancel(); }));
   statusBar()->addPermanentWidget(new LoadingBar(labelEditor_.job(), tr("Editing the label")));
+
+  statusBar()->addPermanentWidget(
+      new LoadingBar(verification_->job(), tr("Verifying the picture"), [this] { verification_->cancel(); }));
 
   connectViews();
   connectPanels();
@@ -178,6 +186,7 @@ void MainWindow::connectPanels() {
   });
   panels_.appearance->presets().setBackend(previews_.get());
   connect(&panels_.appearance->presets(), &PresetPicker::failed, this, &MainWindow::showError);
+  connect(&panels_.appearance->editor(), &TransferFunctionEditor::failed, this, &MainWindow::showError);
   connect(&panels_.appearance->presets(), &PresetPicker::warned, this,
           [this](const QString& message) { notices_->add(NoticeBar::Kind::Warning, message + QLatin1Char('.')); });
   for (const std::string& problem : workspace_.looks.problems()) showError(QString::fromStdString(problem));
@@ -196,7 +205,7 @@ void MainWindow::connectLoader() {
 void MainWindow::restoreLayout() {
   Preferences& preferences = workspace_.preferences;
   restoreGeometry(preferences.windowGeometry());
-  restoreState(preferences.windowState(), layoutVersion);
+  if (restoreState(preferences.windowState(), layoutVersion)) panels_.heights->keepWhatTheUserChose();
   views_->restoreLayout(preferences.viewLayout());
   workspace_.placement.setSettings(preferences.placement());
   for (const Preference which :
@@ -221,9 +230,12 @@ void MainWindow::applyPreference(Preference which) {
     case Preference::PicturesPerSecond:
       return views_->setPicturesPerSecond(value);
     case Preference::HidesPatient:
+      setFileDialogsPrivate(value != 0);
       return workspace_.options.setHidesPatient(value != 0);
     case Preference::KeepsCopies:
       return sessions_->setKeepsCopies(value != 0);
+    case Preference::Background:
+    case Preference::WidthUnit:
     case Preference::KeepsRecent:
       return;  // takes effect when something is opened
   }
@@ -231,6 +243,7 @@ void MainWindow::applyPreference(Preference which) {
 
 void MainWindow::resetLayout() {
   restoreState(firstState_, layoutVersion);
+  panels_.heights->reset();
   views_->showAll();
   views_->restoreLayout(firstViews_);
 }
@@ -252,7 +265,7 @@ void MainWindow::open(const std::vector<std::filesystem::path>& paths) { files_-
 
 void MainWindow::openLabels(const std::filesystem::path& path) { loader_.openLabels(path); }
 
-void MainWindow::addSample(const QString& name, StudyLoader::Reader read) {
+void MainWindow::addSample(const QString& name, StudyLoader::SampleReader read) {
   actions_->addSample(name, std::move(read));
 }
 
@@ -329,8 +342,8 @@ void MainWindow::goToFocus() {
 
 bool MainWindow::isIdle() {
   return !loader_.job().isRunning() && !exports_->job().isRunning() && !pictures_->isBusy() &&
-         !focusSearch_.isRunning() && !grower_.isGrowing() && !labelEditor_.job().isRunning() &&
-         !workspace_.placement.isBusy() && !workspace_.cameras.isFlying() &&
+         !verification_->isBusy() && !focusSearch_.isRunning() && !grower_.isGrowing() &&
+         !labelEditor_.job().isRunning() && !workspace_.placement.isBusy() && !workspace_.cameras.isFlying() &&
          !panels_.cameras->bestViews().isDrawing() && views_->isSettled();
 }
 

@@ -26,6 +26,7 @@ class Exports;
 class FileOpener;
 class NoticeBar;
 class PictureExports;
+class Verification;
 class Sessions;
 class ViewArea;
 
@@ -49,7 +50,7 @@ class MainWindow : public QMainWindow {
   void open(const std::vector<std::filesystem::path>& paths);
   void openLabels(const std::filesystem::path& path);
   /// An entry in the File menu for data that comes with the program.
-  void addSample(const QString& name, StudyLoader::Reader read);
+  void addSample(const QString& name, StudyLoader::SampleReader read);
 
   /// Calls `done` once, when nothing is being read and all views show the scene at full quality.
   void whenDrawn(std::function<void()> done);
@@ -63,6 +64,7 @@ class MainWindow : public QMainWindow {
   Sessions& sessions() { return *sessions_; }
   Exports& exports() { return *exports_; }
   PictureExports& pictures() { return *pictures_; }
+  Verification& verification() { return *verification_; }
   ViewArea& views() { return *views_; }
   NoticeBar& notices() { return *notices_; }
 
@@ -113,6 +115,7 @@ class MainWindow : public QMainWindow {
   FileOpener* files_;
   Exports* exports_;
   PictureExports* pictures_;
+  Verification* verification_;
   QStackedWidget* pages_;
   Panels panels_;
   Actions* actions_;

@@ -1,15 +1,15 @@
 #include "viewer/Panels.h"
 
-#include <initializer_list>
-
 #include <QCoreApplication>
 #include <QDockWidget>
 #include <QMainWindow>
 
+#include "viewer/DockHeights.h"
 #include "viewer/model/Workspace.h"
 #include "viewer/panels/AppearancePanel.h"
 #include "viewer/panels/BrushPanel.h"
 #include "viewer/panels/CamerasPanel.h"
+#include "viewer/panels/ClippingPanel.h"
 #include "viewer/panels/ContextLayerPanel.h"
 #include "viewer/panels/CutawayPanel.h"
 #include "viewer/panels/FocusPanel.h"
@@ -24,12 +24,14 @@ QString tr(const char* text) { return QCoreApplication::translate("Panels", text
 
 Panels makePanels(QMainWindow& window, Workspace& workspace) {
   Document& document = workspace.document;
-  const Panels panels{.focus = new FocusPanel(document, workspace.placement, workspace.cameras),
-                      .appearance = new AppearancePanel(document, workspace.looks),
-                      .cutaway = new CutawayPanel(document),
-                      .contextLayer = new ContextLayerPanel(document),
-                      .cameras = new CamerasPanel(document, workspace.cameras, workspace.placement),
-                      .brush = new BrushPanel(document, workspace.brush)};
+  Panels panels{.focus = new FocusPanel(document, workspace.placement, workspace.cameras),
+                .appearance = new AppearancePanel(document, workspace.looks),
+                .cutaway = new CutawayPanel(document),
+                .contextLayer = new ContextLayerPanel(document),
+                .cameras = new CamerasPanel(document, workspace.cameras, workspace.placement),
+                .brush = new BrushPanel(document, workspace.brush),
+                .clipping = new ClippingPanel(document, workspace.cursor, workspace.cameras),
+                .heights = nullptr};
   const auto add = [&window](const QString& title, const char* name, QWidget* panel) {
     auto* dock = new QDockWidget(title);
     dock->setObjectName(QLatin1String(name));
@@ -45,6 +47,9 @@ Panels makePanels(QMainWindow& window, Workspace& workspace) {
   window.tabifyDockWidget(focus, add(tr("Cameras"), "camerasDock", panels.cameras));
   QDockWidget* brush = add(tr("Brush"), "brushDock", panels.brush);
   window.tabifyDockWidget(focus, brush);
+  QDockWidget* clipping = add(tr("Clipping"), "clippingDock", panels.clipping);
+  window.tabifyDockWidget(focus, clipping);
+  QObject::connect(clipping, &QDockWidget::visibilityChanged, &workspace.options, &ViewOptions::setClipHandles);
   focus->raise();
   QObject::connect(&workspace.brush, &Brush::activeChanged, brush, [brush](bool active) {
     if (!active) return;
@@ -54,13 +59,11 @@ Panels makePanels(QMainWindow& window, Workspace& workspace) {
   QDockWidget* context = add(tr("Context"), "contextDock", panels.appearance);
   window.tabifyDockWidget(context, add(tr("Context edges"), "contextLayerDock", panels.contextLayer));
   context->raise();
-  add(tr("Cutaway"), "cutawayDock", panels.cutaway);
-  // The list of structures takes the remaining height.
-  for (QWidget* panel : std::initializer_list<QWidget*>{panels.appearance, panels.cutaway, panels.contextLayer})
-    panel->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+  QDockWidget* cutaway = add(tr("Cutaway"), "cutawayDock", panels.cutaway);
+  panels.cutaway->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
   window.resizeDocks({focus}, {310}, Qt::Horizontal);
-  window.resizeDocks({focus, context}, {panels.appearance->sizeHint().height(), panels.appearance->sizeHint().height()},
-                     Qt::Vertical);
+  // The list of structures takes the remaining height.
+  panels.heights = new DockHeights(window, {focus, context, cutaway});
   return panels;
 }
 

@@ -8,8 +8,10 @@ namespace fenestra::viewer {
 class AppearancePanel;
 class BrushPanel;
 class CamerasPanel;
+class ClippingPanel;
 class ContextLayerPanel;
 class CutawayPanel;
+class DockHeights;
 class FocusPanel;
 struct Workspace;
 
@@ -21,6 +23,8 @@ struct Panels {
   ContextLayerPanel* contextLayer;
   CamerasPanel* cameras;
   BrushPanel* brush;
+  ClippingPanel* clipping;
+  DockHeights* heights;
 };
 
 /// Makes the panels and docks them in the window.

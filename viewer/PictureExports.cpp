@@ -11,12 +11,12 @@
 #include <QStandardPaths>
 #include <QStatusBar>
 
-#include "io/ImageWriter.h"
 #include "viewer/NoticeBar.h"
 #include "viewer/PictureDialog.h"
-#include "viewer/SaveDialog.h"
+#include "viewer/PictureFile.h"
 #include "viewer/model/Document.h"
 #include "viewer/model/Paths.h"
+#include "viewer/panels/FileDialog.h"
 #include "viewer/views/SliceView.h"
 #include "viewer/views/ViewArea.h"
 
@@ -27,15 +27,6 @@ const QString filmEnding = QStringLiteral(".mp4");
 const QString pictureEnding = QStringLiteral(".png");
 
 QString filmProgram() { return QStandardPaths::findExecutable(QStringLiteral("ffmpeg")); }
-
-void writePng(const QImage& picture, const std::filesystem::path& path) {
-  const QImage rgb = picture.convertToFormat(QImage::Format_RGB888);
-  const auto row = static_cast<std::size_t>(rgb.width()) * 3;
-  std::vector<std::uint8_t> pixels;
-  pixels.reserve(row * static_cast<std::size_t>(rgb.height()));
-  for (int y = 0; y < rgb.height(); ++y) pixels.insert(pixels.end(), rgb.constScanLine(y), rgb.constScanLine(y) + row);
-  io::writePng(path, {rgb.width(), rgb.height()}, 3, pixels);
-}
 
 /// NAME-0001.png, from 1.
 std::filesystem::path frameFile(const std::filesystem::path& file, int number) {
@@ -84,10 +75,8 @@ bool PictureExports::canWriteFilms() { return !filmProgram().isEmpty(); }
 void PictureExports::choosePicture() {
   PictureDialog dialog(PictureDialog::What::Picture, views_, maker_, &window_);
   if (dialog.exec() != QDialog::Accepted) return;
-  qsizetype chosen = 0;
-  const std::filesystem::path path =
-      askForSaveFile(window_, tr("Save a picture"), {{tr("PNG"), pictureEnding}}, chosen);
-  if (!path.empty()) writePicture(path, dialog.request());
+  if (const auto file = askForNewFile(&window_, tr("Save a picture"), {{tr("PNG"), pictureEnding}}))
+    writePicture(file->path, dialog.request());
 }
 
 void PictureExports::chooseTurntable() {
@@ -100,9 +89,8 @@ void PictureExports::chooseTurntable() {
   if (dialog.exec() != QDialog::Accepted) return;
   QList<FileKind> kinds{{tr("PNG, one for each picture"), pictureEnding}};
   if (canWriteFilms()) kinds.prepend({tr("MP4 film"), filmEnding});
-  qsizetype chosen = 0;
-  const std::filesystem::path path = askForSaveFile(window_, tr("Save a turntable"), kinds, chosen);
-  if (!path.empty()) writeTurntable(path, dialog.request(), dialog.frames(), dialog.framesPerSecond());
+  if (const auto file = askForNewFile(&window_, tr("Save a turntable"), kinds))
+    writeTurntable(file->path, dialog.request(), dialog.frames(), dialog.framesPerSecond());
 }
 
 void PictureExports::copyPicture() {

@@ -2,7 +2,6 @@
 
 #include <QCoreApplication>
 #include <QDir>
-#include <QFileDialog>
 #include <QLocale>
 #include <QMessageBox>
 #include <QPushButton>
@@ -13,6 +12,7 @@
 #include "viewer/jobs/StudyLoader.h"
 #include "viewer/model/Paths.h"
 #include "viewer/model/Workspace.h"
+#include "viewer/panels/FileDialog.h"
 
 namespace fenestra::viewer {
 namespace {
@@ -22,11 +22,7 @@ namespace fs = std::filesystem;
 /// Between two copies: a crash loses a minute of work at most.
 constexpr int autosaveMilliseconds = 60000;
 
-QString sessionFilter() { return Sessions::tr("Sessions (*%1)").arg(QLatin1String(io::sessionEnding)); }
-
-std::optional<fs::path> chosen(const QString& name) {
-  return name.isEmpty() ? std::nullopt : std::optional(toPath(name));
-}
+FileKind sessionKind() { return {Sessions::tr("Sessions"), QLatin1String(io::sessionEnding)}; }
 
 SessionQuestions::Answer askToSave(QWidget* parent) {
   switch (QMessageBox::question(parent, Sessions::tr("Unsaved work"),
@@ -55,9 +51,9 @@ std::optional<fs::path> askForData(QWidget* parent, const io::DataMissing& missi
       labels ? nullptr : box.addButton(Sessions::tr("Choose a folder…"), QMessageBox::AcceptRole);
   box.exec();
   const QString from = toQString(missing.file().parent_path());
-  if (box.clickedButton() == file) return chosen(QFileDialog::getOpenFileName(parent, Sessions::tr("The data"), from));
+  if (box.clickedButton() == file) return askForFile(parent, {Sessions::tr("The data"), {}, from});
   if (folder && box.clickedButton() == folder)
-    return chosen(QFileDialog::getExistingDirectory(parent, Sessions::tr("The data's folder"), from));
+    return askForFolder(parent, {Sessions::tr("The data's folder"), {}, from});
   return std::nullopt;
 }
 
@@ -80,18 +76,16 @@ SessionQuestions::Answer askToRestore(QWidget* parent, const QDateTime& saved) {
 SessionQuestions sessionDialogs(QWidget* parent) {
   return {
       .saveChanges = [parent] { return askToSave(parent); },
-      .saveWhere =
-          [parent](const fs::path& suggested) {
-            QFileDialog dialog(parent, Sessions::tr("Save the session"), toQString(suggested.parent_path()),
-                               sessionFilter());
-            dialog.setAcceptMode(QFileDialog::AcceptSave);
-            dialog.setDefaultSuffix(QString::fromLatin1(io::sessionEnding).mid(1));
-            dialog.selectFile(toQString(suggested.filename()));
-            return dialog.exec() == QDialog::Accepted ? chosen(dialog.selectedFiles().value(0)) : std::nullopt;
-          },
+      .saveWhere = [parent](const fs::path& suggested) -> std::optional<fs::path> {
+        const auto file =
+            askForNewFile(parent, Sessions::tr("Save the session"), {sessionKind()}, toQString(suggested));
+        return file ? std::optional(file->path) : std::nullopt;
+      },
       .openWhich =
           [parent] {
-            return chosen(QFileDialog::getOpenFileName(parent, Sessions::tr("Open a session"), {}, sessionFilter()));
+            const FileKind kind = sessionKind();
+            return askForFile(parent,
+                              {Sessions::tr("Open a session"), QStringLiteral("%1 (*%2)").arg(kind.name, kind.ending)});
           },
       .dataWhere = [parent](const io::DataMissing& missing) { return askForData(parent, missing); },
       .restoreWork = [parent](const QDateTime& saved) { return askToRestore(parent, saved); },

@@ -1,6 +1,7 @@
 #include "viewer/SettingsDialog.h"
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QPushButton>
@@ -8,6 +9,8 @@
 
 #include "viewer/model/Preferences.h"
 #include "viewer/model/Translation.h"
+#include "viewer/panels/ColourButton.h"
+#include "viewer/style/Overlay.h"
 
 namespace fenestra::viewer {
 
@@ -18,7 +21,7 @@ SettingsDialog::SettingsDialog(Preferences& preferences, QWidget* parent) : QDia
     QWidget* control = controlFor(entry);
     control->setObjectName(QLatin1String(entry.key));
     control->setToolTip(translated(entry.description));
-    if (entry.isSwitch())
+    if (entry.kind == PreferenceEntry::Kind::Switch)
       form->addRow(control);
     else
       form->addRow(translated(entry.name), control);
@@ -35,20 +38,45 @@ SettingsDialog::SettingsDialog(Preferences& preferences, QWidget* parent) : QDia
 
 QWidget* SettingsDialog::controlFor(const PreferenceEntry& entry) {
   const Preference which = entry.which;
-  if (entry.isSwitch()) {
-    auto* box = new QCheckBox(translated(entry.name));
-    shows_.push_back([this, box, which] { box->setChecked(preferences_.isOn(which)); });
+  // Shows the value now and after each change.
+  const auto keepShown = [this, which](auto show) {
+    shows_.push_back([this, which, show] { show(preferences_.value(which)); });
     shows_.back()();
-    connect(box, &QCheckBox::toggled, &preferences_, [this, which](bool on) { preferences_.set(which, on); });
-    return box;
+  };
+  const auto store = [this, which](int value) { preferences_.set(which, value); };
+  switch (entry.kind) {
+    case PreferenceEntry::Kind::Switch: {
+      auto* box = new QCheckBox(translated(entry.name));
+      keepShown([box](int value) { box->setChecked(value != 0); });
+      connect(box, &QCheckBox::toggled, &preferences_, store);
+      return box;
+    }
+    case PreferenceEntry::Kind::Number: {
+      auto* box = new QSpinBox;
+      box->setRange(entry.low, entry.high);
+      box->setSuffix(unitSuffix(entry.unit));
+      keepShown([box](int value) { box->setValue(value); });
+      connect(box, &QSpinBox::valueChanged, &preferences_, store);
+      return box;
+    }
+    case PreferenceEntry::Kind::Colour: {
+      auto* button = new ColourButton(translated(entry.name));
+      keepShown([button](int rgb) { button->setColour(fromColour(QColor::fromRgb(static_cast<QRgb>(rgb)))); });
+      connect(button, &ColourButton::edited, &preferences_, [store](glm::dvec3 colour) {
+        constexpr QRgb withoutAlpha = 0xffffff;
+        store(static_cast<int>(toColour(colour).rgb() & withoutAlpha));
+      });
+      return button;
+    }
+    case PreferenceEntry::Kind::Choice: {
+      auto* box = new QComboBox;
+      for (const char* word : entry.words()) box->addItem(translated(word));
+      keepShown([box](int index) { box->setCurrentIndex(index); });
+      connect(box, &QComboBox::currentIndexChanged, &preferences_, store);
+      return box;
+    }
   }
-  auto* box = new QSpinBox;
-  box->setRange(entry.low, entry.high);
-  box->setSuffix(unitSuffix(entry.unit));
-  shows_.push_back([this, box, which] { box->setValue(preferences_.value(which)); });
-  shows_.back()();
-  connect(box, &QSpinBox::valueChanged, &preferences_, [this, which](int value) { preferences_.set(which, value); });
-  return box;
+  return nullptr;
 }
 
 }  // namespace fenestra::viewer

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <QLabel>
+#include <QLayout>
 
 #include "viewer/model/Document.h"
 #include "viewer/model/LabelName.h"
@@ -72,6 +73,7 @@ void StatusBar::showFrame() {
   else
     text += QStringLiteral(", ") + nameOf(effort);
   frame_->setText(text);
+  layout()->activate();  // a picture of the window may be taken before the next event
 }
 
 }  // namespace fenestra::viewer

@@ -7,6 +7,7 @@
 #include <QMenuBar>
 
 #include "viewer/Actions.h"
+#include "viewer/Verification.h"
 #include "viewer/model/Workspace.h"
 #include "viewer/panels/CutawayPanel.h"
 #include "viewer/style/Style.h"
@@ -19,6 +20,11 @@ void Actions::makeViewMenu() {
   makeLookFromMenu(*menu);
   makeCameraEntries(*menu);
   menu->addMenu(makeAtRestMenu());
+  QAction* verify = volumeAction(tr("V&erify this picture…"), {}, [this] { targets_.verification.start(); });
+  verify->setObjectName(QStringLiteral("verify"));
+  verify->setToolTip(
+      tr("Computes pixels drawn at random again, in double precision, and states how exact the picture is"));
+  menu->addAction(verify);
   menu->addSeparator();
   makeOverlayEntries(*menu);
   menu->addSeparator();

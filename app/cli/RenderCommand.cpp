@@ -10,12 +10,12 @@
 #include <nlohmann/json.hpp>
 
 #include "app/CameraFile.h"
-#include "app/PictureProof.h"
 #include "app/SceneSession.h"
 #include "app/ScheduleChoice.h"
 #include "app/cli/Report.h"
 #include "io/ImageWriter.h"
 #include "io/base/AtomicFile.h"
+#include "io/proof/PictureProof.h"
 #include "io/session/LookFile.h"
 #include "io/session/OpenSession.h"
 #include "io/session/SessionFile.h"
@@ -156,18 +156,12 @@ io::Session sessionToSave(const app::SceneOptions& options, const app::LoadedSce
   return session;
 }
 
-/// The greatest error, in 1/255, that the picture was asked to have.
-std::optional<double> errorBound(const View& view) {
-  if (view.maxError) return view.maxError;
-  return view.quality == Quality::High ? std::optional(highQualityError) : std::nullopt;
-}
-
-Json prove(const RenderOptions& options, const app::LoadedScene& loaded, const io::Session& session,
-           const std::vector<glm::vec4>& picture) {
+io::PngText prove(const RenderOptions& options, const app::LoadedScene& loaded, const io::Session& session,
+                  const std::vector<glm::vec4>& picture) {
   const View& view = loaded.view;
   const reference::CertificateOptions sample{
       .pixels = *options.certify, .seed = options.certifySeed, .within = errorBound(view)};
-  return app::proofJson(reference::certify(picture, loaded.scene, view, sample), session);
+  return io::proofOf(reference::certify(picture, loaded.scene, view, sample), session);
 }
 
 }  // namespace
@@ -185,8 +179,7 @@ void render(const RenderOptions& options) {
   io::Session session;
   if (!options.session.empty() || options.certify) session = sessionToSave(options.scene, loaded);
   if (!options.session.empty()) io::writeSession(options.session, session);
-  if (!options.look.empty())
-    io::writeLook(options.look, {options.look.stem().string(), scene.volume->unit, loaded.asSet.look, {}});
+  if (!options.look.empty()) io::writeLook(options.look, io::presetOf(options.look.stem().string(), loaded.asSet));
   const bool second = loaded.placed == app::PlacedView::Dual;
   loaded.scene.look.strokes = strokesIn(second ? 1 : options.scene.viewOfSession, loaded.scene.look.strokes);
   if (options.reference) {
@@ -212,9 +205,8 @@ void render(const RenderOptions& options) {
   printReduction(*gpuScene);
   std::optional<io::PngText> proof;
   if (options.certify) {
-    const Json json = prove(options, loaded, session, renderer.readLayers().final);
-    proof = io::PngText{app::proofKeyword, json.dump(-1, ' ', true)};
-    printJson(json);
+    proof = prove(options, loaded, session, renderer.readLayers().final);
+    printJson(Json::parse(proof->text));
   }
   io::writePng(options.output, view.size, 3, overBackground(picture, scene.look.background), proof);
   if (!options.layers.empty()) writeLayers(options.layers, renderer.readLayers(), view, scene.volume->grid);

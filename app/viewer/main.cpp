@@ -70,10 +70,14 @@ Study readScene(const app::SceneOptions& options, const io::Progress& progress) 
   return study;
 }
 
-StudyLoader::Reader phantomReader(const std::string& name) {
+StudyLoader::SampleReader phantomReader(const std::string& name) {
   app::SceneOptions options;
   options.phantom = name;
-  return [options](const io::Progress& progress) { return readScene(options, progress); };
+  return [options](const Look& look, const io::Progress& progress) {
+    app::SceneOptions looked = options;
+    looked.look = look;
+    return readScene(looked, progress);
+  };
 }
 
 /// The whole window as a PNG, in device pixels.
@@ -95,6 +99,16 @@ struct Request {
   MainWindow::Patient patient = MainWindow::Patient::Hidden;  ///< in the screenshot
   std::optional<Effort> atRest;                               ///< unset: as remembered
   std::optional<Schedule> schedule;                           ///< unset: the faster one
+  bool setsBackground = false, setsUnit = false;              ///< a session or a preset does, too
+
+  /// The scene as asked for, where nothing was said with the user's own defaults.
+  app::SceneOptions sceneWith(const Preferences& preferences) const {
+    app::SceneOptions options = scene;
+    const Look own = preferences.startingLook(scene.look);
+    if (!setsBackground) options.look.background = own.background;
+    if (!setsUnit) options.look.cutaway.unit = own.cutaway.unit;
+    return options;
+  }
 };
 
 /// Reads the command line into `request`. Returns an exit code when the program should end at once.
@@ -133,6 +147,9 @@ std::optional<int> parse(int argc, char** argv, Request& request) {
     tell(error.what());
     return io::isSession(options.path) ? failed : misused;
   }
+  const bool hasLook = io::isSession(options.path) || options.preset;
+  request.setsBackground = hasLook || program.count("--background") > 0;
+  request.setsUnit = hasLook || program.count("--width-unit") > 0;
   if (options.empty()) options.phantom = "torso";
   if (program.count("--quality") + program.count("--max-error") > 0)
     request.atRest = Effort{.quality = options.quality, .maxError = options.maxError};
@@ -200,7 +217,7 @@ int main(int argc, char** argv) {
   if (request.scene.size) window.resize(request.scene.size->x, request.scene.size->y);
   window.show();
   if (stays)
-    openInWindow(window, request.scene);
+    openInWindow(window, request.sceneWith(window.workspace().preferences));
   else
     openForScreenshot(window, request);
   return QApplication::exec();

@@ -1,5 +1,7 @@
 #include "io/session/LookFile.h"
 
+#include <algorithm>
+
 #include "io/base/AtomicFile.h"
 #include "io/session/SceneJson.h"
 #include "rendering/scene/LookStyle.h"
@@ -10,9 +12,16 @@ namespace {
 using json::Value;
 
 constexpr const char* formatName = "fenestra-look";
+std::string keyOf(const Label& label) { return label.name.empty() ? std::to_string(label.value) : label.name; }
+
 constexpr std::uintmax_t largest = std::uintmax_t{1} << 20;  ///< ten thousand nodes
 
 }  // namespace
+
+void members(auto& io, json::Is<LabelFunction> auto& label) {
+  io.required("label", label.label, {}, {"Its name, or its value in digits where it has none"});
+  nodesMember(io, label.function, "Ascending");
+}
 
 void members(auto& io, json::Is<LookPreset> auto& preset) {
   auto& look = preset.look;
@@ -23,6 +32,36 @@ void members(auto& io, json::Is<LookPreset> auto& preset) {
   settings(io, look.context);  // shift
   io("focus_appearance", look.focusAppearance);
   partMembers(io, look);
+  io.optional("labels", preset.labels, !preset.labels.empty(), {},
+              {"Labels that are shown by value while they are in focus; others have one colour and extinction"});
+}
+
+LookPreset presetOf(const std::string& name, const Scene& scene) {
+  LookPreset preset{name, scene.volume->unit, styleOf(scene.look), {}, {}};
+  if (const auto& labels = structuresOf(scene))
+    for (const Label& label : labels->labels)
+      if (const auto function = settingFor(scene.look.labels, label.value).function)
+        preset.labels.push_back({keyOf(label), *function});
+  return preset;
+}
+
+Look restyled(const Scene& scene, const LookPreset& preset) {
+  Scene result = scene;
+  result.look = fenestra::restyled(scene.look, preset.look);
+  setLabelFunctions(result, preset);
+  return result.look;
+}
+
+void setLabelFunctions(Scene& scene, const LookPreset& preset) {
+  const auto& labels = structuresOf(scene);
+  if (!labels) return;
+  for (const Label& label : labels->labels) {
+    LabelSetting setting = settingFor(scene.look.labels, label.value);
+    const auto named = std::find_if(preset.labels.begin(), preset.labels.end(),
+                                    [&](const LabelFunction& each) { return each.label == keyOf(label); });
+    setting.function = named == preset.labels.end() ? std::nullopt : std::optional(named->function);
+    put(scene.look.labels, setting);
+  }
 }
 
 LookPreset readLook(const std::filesystem::path& file) {
@@ -73,7 +112,7 @@ std::string lookSchema() {
       {"$schema", "https://json-schema.org/draft/2020-12/schema"},
       {"title", "Fenestra preset of a look"},
       {"description",
-       "How volumes are looked at, without a focus, labels, strokes or a camera. Members that a version does not know "
+       "How volumes are looked at, without a focus, strokes or a camera. Members that a version does not know "
        "are kept and written back. Lengths are mm; colours are display RGB, 0..1."},
   };
   Value members = json::schemaOf(LookPreset());

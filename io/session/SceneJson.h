@@ -3,6 +3,8 @@
 // their tables in rendering/scene/Settings.h. Private to io/session.
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 
 #include "io/session/JsonSchema.h"
 #include "rendering/scene/Settings.h"
@@ -122,6 +124,34 @@ void members(auto& io, io::json::Is<LabelSetting> auto& setting) {
               {"Of it in focus: by value, in place of one colour and extinction"});
 }
 
+void members(auto& io, io::json::Is<CropBox> auto& box) {
+  io.required("low", box.low, millimetres,
+              {"Along the volume's axes nearest to L, P and S, from the world's origin", "mm"});
+  io.required("high", box.high, millimetres, {"The same of the other ends", "mm"});
+}
+
+void members(auto& io, io::json::Is<HalfSpace> auto& plane) {
+  io.required("normal", plane.normal, {-1.0, 1.0}, {"Unit vector (LPS) towards what is kept"});
+  io.required("offset", plane.offset, millimetres, {"Of the plane from the world's origin along it", "mm"});
+  if constexpr (requires { io.fail(""); })
+    if (!(std::abs(glm::length(plane.normal) - 1.0) < 1e-6)) io.fail("has a normal whose length is not 1");
+}
+
+void members(auto& io, io::json::Is<Clipping> auto& clipping) {
+  io("cropped", clipping.cropped, {}, {"Whether the box is in use"});
+  io("box", clipping.box, {}, {"What lies outside is left out"});
+  io("planes", clipping.planes, {}, {"What lies behind any of them is left out; three at most"});
+  io("exempt", clipping.exempt, {1.0, 65535.0}, {"Labels that are never clipped, ascending, each once"});
+  io.optional("grey", clipping.grey, clipping.grey.has_value(), {},
+              {"Capped faces show values in grey with this window; without it, what the transfer function shows"});
+  if constexpr (requires { io.fail(""); }) {
+    if (clipping.planes.size() > Clipping::mostPlanes) io.fail("has more than three planes");
+    if (std::adjacent_find(clipping.exempt.begin(), clipping.exempt.end(), std::greater_equal<>()) !=
+        clipping.exempt.end())
+      io.fail("has exempt labels that are not in order");
+  }
+}
+
 /// What the files of sessions and of presets share.
 void partMembers(auto& io, io::json::Is<Look> auto& look) {
   io("cutaway", look.cutaway);
@@ -132,7 +162,7 @@ void partMembers(auto& io, io::json::Is<Look> auto& look) {
 
 void members(auto& io, io::json::Is<Look> auto& look) {
   auto& [focus, labels, focusAppearance, context, cutaway, contextLayer, shading, background, hideTable, reconstruction,
-         strokes] = look;
+         clipping, strokes] = look;
   focusMember(io, focus);
   io.optional("label_settings", labels, !labels.empty(), {},
               {"How labels of the label map are shown, ascending by label; those that are shown as they come are left "
@@ -140,6 +170,7 @@ void members(auto& io, io::json::Is<Look> auto& look) {
   io("focus_appearance", focusAppearance);
   io.required("context", context, {}, {"The transfer function of everything but the focus"});
   partMembers(io, look);
+  io.optional("clipping", clipping, !(clipping == Clipping()), {}, {"What 3-D pictures leave out of the volume"});
   io("strokes", strokes, {}, {"Brush strokes, in the order they were painted"});
 }
 

@@ -342,7 +342,8 @@ std::vector<std::pair<std::string, int>> ShaderProgram::blockLayout(std::string_
     const auto [index, offset] = resourceValues<2>(name_, GL_UNIFORM, i, {GL_BLOCK_INDEX, GL_OFFSET});
     if (index != at->second.binding) continue;
     const std::string name = resourceName(name_, GL_UNIFORM, static_cast<GLuint>(i));
-    members.emplace_back(name.substr(name.rfind('.') + 1), offset);
+    const std::string member = name.substr(name.rfind('.') + 1);
+    members.emplace_back(member.substr(0, member.find('[')), offset);
   }
   return members;
 }

@@ -129,6 +129,7 @@ void GpuScene::release() {
     *texture = {};
   focus_.release();
   protected_ = {};
+  exempt_ = {};
   paletteMap_ = {};
 }
 
@@ -151,7 +152,7 @@ void GpuScene::updateAll(const Scene& scene) {
   appearance_ = scene.look.focusAppearance;
   focusSettings_ = std::move(focusSettings);
 
-  updateProtected(scene, volumeChanged);
+  updateKeptLabels(scene, volumeChanged);
 
   const bool transferChanged =
       volumeChanged || scene.look.context != contextWanted_ || focusFunctions_.size() != focusFunctions;
@@ -226,24 +227,33 @@ GpuFocus::Change GpuScene::updateFocus(const Scene& scene) {
   return change;
 }
 
-void GpuScene::updateProtected(const Scene& scene, bool volumeChanged) {
-  std::vector<std::uint16_t> wanted;
-  if (hasCutaway(scene)) wanted = labelsWith(LabelRole::Protected, scene);
+void GpuScene::updateKeptLabels(const Scene& scene, bool volumeChanged) {
+  if (volumeChanged) protected_.map = exempt_.map = nullptr;
+  std::vector<std::uint16_t> guarded, exempt;
+  if (hasCutaway(scene)) guarded = labelsWith(LabelRole::Protected, scene);
+  const Clipping& clipping = scene.look.clipping;
+  if (!clipping.exempt.empty() && !halfSpaces(clipping, grid()).empty()) exempt = clipping.exempt;
+  updateKept(protected_, std::move(guarded), scene, versions_.protectedLabels);
+  updateKept(exempt_, std::move(exempt), scene, versions_.exemptLabels);
+}
+
+void GpuScene::updateKept(KeptLabels& kept, std::vector<std::uint16_t> wanted, const Scene& scene,
+                          std::uint64_t& version) {
   const std::shared_ptr<const LabelMap> map = wanted.empty() ? nullptr : structuresOf(scene);
-  if (!volumeChanged && wanted == protectedWanted_ && map == protectedMap_) return;
-  protectedWanted_ = std::move(wanted);
-  protectedMap_ = map;
-  protected_ = {};
-  ++versions_.protectedLabels;
+  if (wanted == kept.labels && map == kept.map) return;
+  kept = {};
+  kept.labels = std::move(wanted);
+  kept.map = map;
+  ++version;
   if (!map) return;
   Scene held{scene.volume, map, {}};
-  held.look.focus = LabelFocus{protectedWanted_};
+  held.look.focus = LabelFocus{kept.labels};
   const FocusIndex index = buildFocusIndex(held, refinement_ > 1 ? voxelBricks_ : bricks_);
   if (!index.box) return;
-  protected_.bricks = gl::Texture::make3D(gl::Format::R32UI, index.bricks);
-  protected_.bricks.upload(std::span<const std::uint32_t>(index.slots));
-  protected_.skip = skipTexture(bricks_.dims, drawnOccupied(index));
-  protected_.cells = gl::Buffer(std::as_bytes(std::span(index.cells)));
+  kept.bricks = gl::Texture::make3D(gl::Format::R32UI, index.bricks);
+  kept.bricks.upload(std::span<const std::uint32_t>(index.slots));
+  kept.skip = skipTexture(bricks_.dims, drawnOccupied(index));
+  kept.cells = gl::Buffer(std::as_bytes(std::span(index.cells)));
 }
 
 void GpuScene::updateFocusColours(const Scene& scene) {
@@ -435,6 +445,7 @@ std::vector<GpuScene::Resource> GpuScene::resources() const {
   add("focus palette", of(focusPaletteIndex_) + of(focusPalette_));
   add("focus normals", of(focus_.smooth()));
   add("protected labels", of(protected_.bricks) + of(protected_.skip) + protected_.cells.bytes());
+  add("exempt labels", of(exempt_.bricks) + of(exempt_.skip) + exempt_.cells.bytes());
   return all;
 }
 

@@ -23,10 +23,13 @@
 
 namespace fenestra {
 
-/// Where the labels are that the opening never removes.
-struct ProtectedLabels {
+/// Where labels are that pictures keep: those that the opening never removes, or those that are never clipped.
+struct KeptLabels {
   gl::Texture bricks, skip;  ///< as focusBricks() and focusSkip()
   gl::Buffer cells;
+  // What it was made of.
+  std::vector<std::uint16_t> labels;
+  std::shared_ptr<const LabelMap> map;
 
   bool any() const { return static_cast<bool>(bricks); }
 };
@@ -73,7 +76,7 @@ class GpuScene {
   // What the passes bind. A version grows whenever what it names was remade.
   struct Versions {
     std::uint64_t volume = 0, gradient = 0, focus = 0, gaps = 0, transfer = 0, derivative = 0, palette = 0,
-                  protectedLabels = 0;
+                  protectedLabels = 0, exemptLabels = 0;
     bool operator==(const Versions&) const = default;
   };
   const Versions& versions() const { return versions_; }
@@ -87,6 +90,7 @@ class GpuScene {
   glm::dvec3 drawnCells(glm::dvec3 position) const {
     return static_cast<double>(refinement_) * position - 0.5 * (refinement_ - 1);
   }
+  bool lowIsWhite() const { return shown_.volume->lowIsWhite; }
   const VolumeTexture& volume() const { return volumeTexture_; }
   /// Of a spline, in coded values, R32F; the first texel along each axis is that of index -1.
   const gl::Texture& splineCoefficients() const { return coefficients_; }
@@ -132,7 +136,9 @@ class GpuScene {
   /// Where one does: the first row of its function in transferTables() and the map to its entries; 0 for a material.
   glm::vec4 focusTable() const { return focusTable_; }
   /// Only while there is an opening, and something that is protected from it.
-  const ProtectedLabels& protectedLabels() const { return protected_; }
+  const KeptLabels& protectedLabels() const { return protected_; }
+  /// Only while something is clipped, and labels are exempt from it.
+  const KeptLabels& exemptLabels() const { return exempt_; }
   /// Smoothed indicator around a label focus, for its normals; only while shading is on.
   const gl::Texture& focusSmooth() const { return focus_.smooth(); }
   glm::ivec3 focusSmoothOrigin() const { return focus_.smoothOrigin(); }  ///< index of its first texel
@@ -154,7 +160,9 @@ class GpuScene {
   /// The texture of palette entries, by label, around the focus.
   void makePaletteIndex(const LabelMap& labels, const std::vector<std::uint8_t>& entryOf);
   void updateSkips(const GpuFocus::Change& focus, bool occupancyChanged);
-  void updateProtected(const Scene& scene, bool volumeChanged);
+  void updateKeptLabels(const Scene& scene, bool volumeChanged);
+  /// Makes the index of `wanted`, unless it is there.
+  void updateKept(KeptLabels& kept, std::vector<std::uint16_t> wanted, const Scene& scene, std::uint64_t& version);
   /// Returns whether other bricks than before hold something of the context.
   bool updateTransfer(const Scene& scene);
   bool updateOccupancy();
@@ -211,9 +219,7 @@ class GpuScene {
   glm::vec4 focusTable_{0.0f};
   std::vector<TransferFunction> focusFunctions_;  ///< each once, in the order of their tables
 
-  ProtectedLabels protected_;
-  std::vector<std::uint16_t> protectedWanted_;
-  std::shared_ptr<const LabelMap> protectedMap_;
+  KeptLabels protected_, exempt_;
 };
 
 }  // namespace fenestra

@@ -2,13 +2,29 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "rendering/gpu/RefinedVolume.h"
 
 namespace fenestra {
 
-RayFrame::RayFrame(const Camera& camera, glm::ivec2 size, const Grid& grid, int refinement)
-    : size_(size), camera_(camera), grid_(grid), refinement_(refinement), axes_(camera.axes()) {
+ClipBlock Clip::block(const Grid& grid) const {
+  ClipBlock block;
+  block.planes.fill({0.0f, 0.0f, 0.0f, 1.0f});
+  block.normals.fill(glm::vec4(0.0f));
+  const glm::dmat3 worldFromIndex(grid.worldFromIndex());
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    const glm::dvec3 inCells = glm::transpose(worldFromIndex) * kept[i].normal;
+    const double atOrigin = kept[i].distance(grid.origin) - glm::dot(inCells, glm::dvec3(1.0));
+    block.planes[i] = glm::vec4(glm::dvec4(inCells, atOrigin));
+    block.normals[i] = glm::vec4(glm::dvec4(kept[i].normal, 0.0));
+  }
+  if (grey) block.grey = glm::vec2(*grey);
+  return block;
+}
+
+RayFrame::RayFrame(const Camera& camera, glm::ivec2 size, const Grid& grid, Clip clip, int refinement)
+    : size_(size), camera_(camera), grid_(grid), clip_(std::move(clip)), refinement_(refinement), axes_(camera.axes()) {
   const double depth = depthOf(grid.centre());
   const double aspect = static_cast<double>(size.x) / size.y;
   if (perspective()) {
@@ -32,6 +48,7 @@ void RayFrame::setBlocks(gl::ShaderProgram& program) const {
                        glm::vec2(halfSize_), perspective() ? glm::vec2(halfSize_) : glm::vec2(0.0f),
                        perspective() ? static_cast<float>(distance_) : 1.0f, size_});
   program.set(VolumeBlock{grid.dims});
+  if (isClipped()) program.set(clip_.block(grid));
 }
 
 OpeningCameraBlock RayFrame::seenFrom(const RayFrame& other) const {

@@ -1,22 +1,40 @@
 #pragma once
 // The camera as the shaders see it: one ray set-up for every pass (shaders/lib/PixelRay.glsl).
 
+#include <optional>
+#include <vector>
+
 #include "rendering/gl/ShaderProgram.h"
 #include "rendering/gpu/Bricks.h"
 #include "rendering/gpu/UniformBlocks.h"
 #include "rendering/scene/Camera.h"
+#include "rendering/scene/Clipping.h"
 
 namespace fenestra {
+
+/// What clips a picture.
+struct Clip {
+  std::vector<HalfSpace> kept;          ///< mostHalfSpaces at most; empty: nothing
+  std::optional<glm::dvec2> grey = {};  ///< of capped faces: coded value · x + y, 0..1; see Clipping::grey
+  bool operator==(const Clip&) const = default;
+
+  /// For shaders/lib/Clip.glsl: the define and, unless nothing clips, the block.
+  gl::Define define() const { return {"CLIPPED", kept.empty() ? 0 : grey ? 2 : 1}; }
+  ClipBlock block(const Grid& grid) const;
+};
 
 /// Rays are anchored on a plane near the volume; positions along them are s = t - distance (mm). Computed in double and
 /// handed over relative to the volume, so that neither far cameras nor far origins cost precision.
 class RayFrame {
  public:
   /// `grid` is the volume's, of which shaders walk a finer one (see RefinedVolume.h).
-  RayFrame(const Camera& camera, glm::ivec2 size, const Grid& grid, int refinement = 1);
+  RayFrame(const Camera& camera, glm::ivec2 size, const Grid& grid, Clip clip = {}, int refinement = 1);
 
-  /// For lib/PixelRay.glsl.
+  /// For lib/PixelRay.glsl; `program` was compiled with clipDefine().
   void setBlocks(gl::ShaderProgram& program) const;
+  gl::Define clipDefine() const { return clip_.define(); }
+  const Clip& clip() const { return clip_; }
+  bool isClipped() const { return !clip_.kept.empty(); }
 
   glm::ivec2 size() const { return size_; }
   const Camera& camera() const { return camera_; }
@@ -41,6 +59,7 @@ class RayFrame {
   glm::ivec2 size_;
   Camera camera_;
   Grid grid_;
+  Clip clip_;
   int refinement_;
   Camera::Axes axes_;
   double distance_ = 0.0;     // eye to anchor plane

@@ -43,8 +43,7 @@ void bindFocus(const GpuScene& scene, gl::ShaderProgram& program, FocusBlock blo
   program.set(block);
 }
 
-void bindProtected(const GpuScene& scene, gl::ShaderProgram& program) {
-  const ProtectedLabels& labels = scene.protectedLabels();
+void bindLabels(const KeptLabels& labels, gl::ShaderProgram& program) {
   program.bind("focusBricks", labels.bricks);
   program.bind("occupiedSkip", labels.skip);
   labels.cells.bind(focusCellsBlock);

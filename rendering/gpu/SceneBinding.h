@@ -18,8 +18,8 @@ gl::Choice focusChoice(const GpuScene& scene);
 /// The focus's index; nothing without a focus. The block's other members are for passes that show the focus.
 void bindFocus(const GpuScene& scene, gl::ShaderProgram& program, FocusBlock block = {});
 
-/// The index of the protected labels, in place of a focus.
-void bindProtected(const GpuScene& scene, gl::ShaderProgram& program);
+/// The index of labels that pictures keep, in place of a focus.
+void bindLabels(const KeptLabels& labels, gl::ShaderProgram& program);
 
 /// What rays that look for first hits skip and leave (lib/FirstHit.glsl), with volume and focus.
 void bindFirstHit(const GpuScene& scene, gl::ShaderProgram& program);

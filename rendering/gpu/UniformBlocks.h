@@ -2,7 +2,11 @@
 // The uniform blocks of the shaders, in std140 layout: a member here is the one of the same name and place in the GLSL
 // struct that the block holds. tests/gl/ShaderProgramTest compares the offsets.
 
+#include <array>
+
 #include <glm/glm.hpp>
+
+#include "rendering/scene/Clipping.h"
 
 namespace fenestra {
 
@@ -18,6 +22,13 @@ struct alignas(16) RayBlock {
   glm::vec2 halfSize, spread;
   float depth;
   alignas(8) glm::ivec2 pictureSize;
+};
+
+/// shaders/lib/Clip.glsl.
+struct alignas(16) ClipBlock {
+  static constexpr const char* name = "ClipBlock";
+  std::array<glm::vec4, mostHalfSpaces> planes, normals;
+  glm::vec2 grey{0.0f};
 };
 
 /// shaders/lib/Grid.glsl.

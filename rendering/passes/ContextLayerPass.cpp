@@ -10,6 +10,7 @@ gl::ShaderProgram& ContextLayerPass::prepared(const GpuScene& gpu, const Shading
   gl::ShaderProgram& program =
       programs_.get({{volumeDefine(gpu),
                       refinementDefine(gpu),
+                      rays.clipDefine(),
                       {"DERIVATIVE_BYTES", static_cast<int>(gl::bytesPerTexel(gpu.derivative().texture.format()))}},
                      {scheduleChoice(gpu.schedule())}});
   rays.setBlocks(program);

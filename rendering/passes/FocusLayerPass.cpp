@@ -77,11 +77,14 @@ gl::ShaderProgram& FocusLayerPass::program(bool listed, const Drawn& drawn) {
                          {"FOCUS_SMOOTH", lit && gpu.focusSmooth()},
                          {"LISTED", listed},
                          {"APART", opening && opening->hole},
+                         rays.clipDefine(),
                          {"RAYS", raysTogether(gpu.schedule(), sampling, lit)}},
                         {scheduleChoice(gpu.schedule()),
                          focusChoice(gpu),
                          lightChoice(lit),
-                         {"opening", opening ? "lib/opening/Open.glsl" : "lib/opening/Closed.glsl"},
+                         {"opening", opening            ? "lib/opening/Open.glsl"
+                                     : rays.isClipped() ? "lib/opening/Capped.glsl"
+                                                        : "lib/opening/Closed.glsl"},
                          {"integral", bounded ? "lib/integral/CellByCell.glsl" : "lib/integral/FaceToFace.glsl"}}});
 }
 
@@ -97,6 +100,8 @@ gl::ShaderProgram& FocusLayerPass::prepared(bool listed, const Drawn& drawn) {
     if (opening->hole) program.bind("hole", *opening->hole);
     program.bind("rayStart", opening->rayStart);
     program.bind("hitPoints", opening->hitPoints);
+  }
+  if (opening || rays.isClipped()) {
     const glm::dvec3 spacing = gpu.grid().spacing;
     program.set(
         CutFaceBlock{static_cast<float>(lighting::wallDepthVoxels * std::min({spacing.x, spacing.y, spacing.z})),

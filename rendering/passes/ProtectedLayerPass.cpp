@@ -21,6 +21,7 @@ void ProtectedLayerPass::run(Steps& steps, const GpuScene& gpu, const Look& look
                                                  {"FOCUS_FUNCTIONS", false},
                                                  {"FOCUS_SMOOTH", false},
                                                  {"APART", false},
+                                                 rays.clipDefine(),
                                                  {"RAYS", 1}},
                                                 {scheduleChoice(gpu.schedule()),
                                                  {"focus", "lib/focus/Labels.glsl"},
@@ -30,7 +31,7 @@ void ProtectedLayerPass::run(Steps& steps, const GpuScene& gpu, const Look& look
     rays.setBlocks(program);
     bindVolume(gpu, program);
     bindTransferSegments(gpu, program);
-    bindProtected(gpu, program);
+    bindLabels(gpu.protectedLabels(), program);
     program.set(FocusLayerPass::integralBlock(bounded));
     program.bind("rayStart", opening.rayStart);
     program.bind("hitPoints", opening.hitPoints);

@@ -12,7 +12,7 @@ void RayStartPass::Inputs::bind(gl::ShaderProgram& program) const {
 void RayStartPass::run(Steps& steps, Schedule schedule, const RayFrame& rays, const Inputs& inputs,
                        const gl::Texture* editMap, Regions regions, gl::Texture& rayStart) {
   steps.add(regions, [this, schedule, &rays, inputs, editMap, &rayStart](Regions tile) {
-    gl::ShaderProgram& program = programs_.get({{{"EDITED", editMap != nullptr}}, {scheduleChoice(schedule)}});
+    gl::ShaderProgram& program = programs_.get({{{"EDITED", editMap != nullptr}, rays.clipDefine()}, {scheduleChoice(schedule)}});
     rays.setBlocks(program);
     inputs.bind(program);
     if (editMap) program.bind("editMap", *editMap);

@@ -5,7 +5,7 @@ namespace fenestra {
 void RemovedPass::run(Steps& steps, Schedule schedule, const RayFrame& rays, const gl::Texture& hitPoints,
                       const Opening& opening, bool holes, double voxel, gl::Texture& faces, const Outputs& outputs) {
   steps.add(opening.rays.size(), [this, schedule, opening, &faces](Regions tile) {
-    gl::ShaderProgram& program = faces_.get({{}, {scheduleChoice(schedule)}});
+    gl::ShaderProgram& program = faces_.get({{opening.rays.clipDefine()}, {scheduleChoice(schedule)}});
     opening.rays.setBlocks(program);
     program.bind("hitPoints", opening.hitPoints);
     program.bind("rayStart", opening.rayStart);
@@ -16,7 +16,7 @@ void RemovedPass::run(Steps& steps, Schedule schedule, const RayFrame& rays, con
     program.dispatch(tile);
   });
   steps.add(rays.size(), [this, schedule, &rays, &hitPoints, opening, holes, voxel, &faces, outputs](Regions tile) {
-    gl::ShaderProgram& program = parts_.get({{{"EDITED", opening.editMap != nullptr}}, {scheduleChoice(schedule)}});
+    gl::ShaderProgram& program = parts_.get({{{"EDITED", opening.editMap != nullptr}, rays.clipDefine()}, {scheduleChoice(schedule)}});
     rays.setBlocks(program);
     program.set(opening.rays.seenFrom(rays));
     program.set("firstHole", holes ? -1e30f : 1e30f);

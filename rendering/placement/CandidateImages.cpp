@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "rendering/gpu/RayFrame.h"
 #include "rendering/gpu/SceneBinding.h"
 #include "rendering/viewpoints/Sphere.h"
 
@@ -139,7 +140,9 @@ int CandidateImages::sideFor(const GpuScene& gpu, int least) {
 }
 
 std::vector<Candidate> CandidateImages::measure(const GpuScene& gpu, const std::vector<glm::dvec3>& directions,
-                                                const FocusSurface& surface, int side, bool endFaces) {
+                                                const FocusSurface& surface, int side, bool endFaces,
+                                                const std::vector<HalfSpace>& kept) {
+  clip_ = {kept};
   std::vector<Candidate> candidates(directions.size());
   for (std::size_t i = 0; i < directions.size(); ++i) candidates[i].direction = directions[i];
   if (gpu.focus().box && !directions.empty()) {
@@ -151,10 +154,11 @@ std::vector<Candidate> CandidateImages::measure(const GpuScene& gpu, const std::
 }
 
 gl::ShaderProgram& CandidateImages::prepared(gl::ShaderVariants& programs, const GpuScene& gpu) {
-  gl::ShaderProgram& program =
-      programs.get({{volumeDefine(gpu), refinementDefine(gpu)}, {scheduleChoice(gpu.schedule()), focusChoice(gpu)}});
+  gl::ShaderProgram& program = programs.get(
+      {{volumeDefine(gpu), refinementDefine(gpu), clip_.define()}, {scheduleChoice(gpu.schedule()), focusChoice(gpu)}});
   bindFirstHit(gpu, program);
   const Grid grid = gpu.drawnGrid();
+  if (!clip_.kept.empty()) program.set(clip_.block(grid));
   // The box widened by a voxel and clipped to the volume: the 0.5 level lies at most half a voxel outside the box.
   const glm::vec3 low(gpu.drawnCells(glm::dvec3(gpu.focus().box->low))),
       high(gpu.drawnCells(glm::dvec3(gpu.focus().box->high + 2)));

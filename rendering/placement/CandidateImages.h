@@ -5,6 +5,7 @@
 
 #include "rendering/gl/ShaderProgram.h"
 #include "rendering/gpu/GpuScene.h"
+#include "rendering/gpu/RayFrame.h"
 #include "rendering/placement/FocusSurface.h"
 #include "rendering/viewpoints/Choice.h"
 
@@ -24,9 +25,11 @@ class CandidateImages {
 
   /// One candidate for each direction, with all descriptors but those of describeTogether(). The points that it sees
   /// are found unless `surface` is empty; end faces are measured with `endFaces`, at the resolution of the pixels.
-  /// `gpu` must be up to date. Equal calls give bit-identical results.
+  /// Of what is clipped nothing counts: `kept` are the scene's halfSpaces(). A capped face is no end face. `gpu` must
+  /// be up to date. Equal calls give bit-identical results.
   std::vector<Candidate> measure(const GpuScene& gpu, const std::vector<glm::dvec3>& directions,
-                                 const FocusSurface& surface, int side, bool endFaces = false);
+                                 const FocusSurface& surface, int side, bool endFaces = false,
+                                 const std::vector<HalfSpace>& kept = {});
 
  private:
   /// The scene's variant of a program that looks for first hits, with all that it reads of the scene.
@@ -34,6 +37,7 @@ class CandidateImages {
   void measureImages(const GpuScene& gpu, std::vector<Candidate>& candidates, int side, bool endFaces);
   void measureVisibility(const GpuScene& gpu, const FocusSurface& surface, std::vector<Candidate>& candidates);
 
+  Clip clip_;  ///< of the measurement under way
   gl::ShaderVariants hits_{"CandidateHits.comp"}, edges_{"CandidateEdges.comp"}, outlines_{"CandidateOutlines.comp"},
       ends_{"CandidateEnds.comp"}, areas_{"CandidateAreas.comp"}, sums_{"CandidateSums.comp"},
       visibility_{"CandidateVisibility.comp"};

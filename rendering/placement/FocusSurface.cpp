@@ -80,8 +80,10 @@ std::uint64_t mortonCode(glm::ivec3 position) {
   return code;
 }
 
-/// All cells that the surface passes through, brick by brick in Morton order.
-std::vector<Element> elementsOf(const Grid& grid, const FocusIndex& index, const Corners& cornersOf) {
+/// All cells that the surface passes through, where `kept` keeps their middles, brick by brick in Morton order.
+std::vector<Element> elementsOf(const Grid& grid, const FocusIndex& index, const Corners& cornersOf,
+                                const std::vector<HalfSpace>& kept) {
+  const glm::dmat4 worldFromIndex = grid.worldFromIndex();
   const glm::dmat3 worldFromIndexGradient = glm::transpose(glm::dmat3(grid.indexFromWorld()));
   const glm::ivec3 low = glm::max(index.box->low - 1, 0), high = glm::min(index.box->high, grid.dims - 2);
   const glm::ivec3 firstBrick = (low + 1) / brickSide, lastBrick = (high + 1) / brickSide;
@@ -102,6 +104,8 @@ std::vector<Element> elementsOf(const Grid& grid, const FocusIndex& index, const
           for (int x = first.x; x <= last.x; ++x) {
             const unsigned corners = cornersOf({x, y, z});
             if (corners == 0 || corners == 255) continue;
+            const glm::dvec4 middle(glm::dvec3(x, y, z) + 0.5, 1.0);
+            if (!keeps(kept, glm::dvec3(worldFromIndex * middle))) continue;
             const double steepness = glm::length(worldFromIndexGradient * gradientOf(corners));
             if (steepness > 0.0) perBrick[b].push_back({{x, y, z}, corners, steepness * grid.voxelVolume()});
           }
@@ -168,7 +172,7 @@ FocusSurface sampleSurface(const Scene& scene, const FocusIndex& index, int coun
   if (!index.box || count <= 0) return surface;
   const Grid& grid = scene.volume->grid;
   const Corners cornersOf(scene, index);
-  const std::vector<Element> elements = elementsOf(grid, index, cornersOf);
+  const std::vector<Element> elements = elementsOf(grid, index, cornersOf, halfSpaces(scene.look.clipping, grid));
   double greatest = 0.0;
   for (const Element& element : elements) greatest += element.greatestArea;
 

@@ -14,7 +14,7 @@ namespace fenestra::placement {
 /// The area in a cell is n·∫∇I dV. The integral of the indicator's gradient is the vector area of the stepped surface
 /// between the voxels; its component along the normal n of the smooth surface that the steps approximate is that
 /// surface's area. This holds for any lattice, and an error of n enters in second order only. The volume's border is no
-/// surface where it cuts the focus.
+/// surface where it cuts the focus, nor is a capped face; what is clipped has no points, by the middles of the cells.
 struct FocusSurface {
   struct Point {
     glm::dvec3 index{0.0};   ///< continuous index position

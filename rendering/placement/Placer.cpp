@@ -59,7 +59,8 @@ void Placer::begin(GpuScene& gpu, const Scene& scene, const Sampling& sampling, 
   task_.reset();
   gpu.update(scene);
   Key key{gpu.versions().volume, gpu.versions().focus, sampling,
-          sampling.refined ? std::optional(options) : std::nullopt, std::nullopt};
+          sampling.refined ? std::optional(options) : std::nullopt, std::nullopt,
+          halfSpaces(scene.look.clipping, gpu.grid())};
   if (options.weights.endFace != 0.0)
     key.gaps = gpu.versions().gaps;
   else if (key_)
@@ -102,7 +103,7 @@ bool Placer::advance(const GpuScene& gpu, std::size_t count) {
   }
   const bool coarse = task_->refinement && task_->refinement->isLeading();
   const int side = CandidateImages::sideFor(gpu, task_->key.sampling.side) / (coarse ? 2 : 1);
-  std::vector<Candidate> measured = images_.measure(gpu, directions, task_->surface, side, task_->key.gaps.has_value());
+  std::vector<Candidate> measured = images_.measure(gpu, directions, task_->surface, side, task_->key.gaps.has_value(), task_->key.kept);
   for (std::size_t i = 0; i < measured.size(); ++i) batch.measured[batch.order[first + i]] = std::move(measured[i]);
   if (!batch.isDone()) return false;
 

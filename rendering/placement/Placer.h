@@ -14,7 +14,7 @@ namespace fenestra::placement {
 class Placer {
  public:
   /// Measures the candidates of the scene's focus, or returns what it measured before: again only when the volume, the
-  /// focus, the sampling, (refined) the options, or (where end faces have a weight) the context's visible values
+  /// focus, what clips it, the sampling, (refined) the options, or (where end faces have a weight) the context's visible values
   /// changed. `gpu` is brought up to date. Needs a current context.
   const Measured& measure(GpuScene& gpu, const Scene& scene, const Sampling& sampling, const Options& options);
   /// The next measure() measures anew.
@@ -36,6 +36,7 @@ class Placer {
     Sampling sampling;
     std::optional<Options> options;     ///< a refinement follows them
     std::optional<std::uint64_t> gaps;  ///< of the context, where end faces were measured
+    std::vector<HalfSpace> kept;        ///< what clips the scene
     bool operator==(const Key&) const = default;
   };
   /// Directions to measure; `order` puts opposite ones next to each other.

@@ -236,6 +236,7 @@ Stages geometricStages(const Scene& scene, const View& view) {
   if (opening.hasEdits()) stages.editFactor.assign(count, 1.0);
   parallelFor(count, 64, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
+      interruptionPoint();
       const double tContext = stages.hits.tContext[i];
       if (std::isnan(tContext)) continue;
       const glm::ivec2 pixel(static_cast<int>(i) % view.size.x, static_cast<int>(i) / view.size.x);

@@ -102,6 +102,7 @@ std::vector<std::optional<ContextPoint>> contextLayer(const Scene& scene, const 
   const Grid& grid = scene.volume->grid;
   const glm::ivec3 factor = thinning(grid);
   const double margin = 0.5 * finestSpacing(grid);
+  const std::vector<HalfSpace> kept = halfSpaces(scene.look.clipping, grid);
   const Light light(camera, scene.look.shading);
   const Field field(scene);
   const glm::dmat3 indexFromWorld(grid.indexFromWorld()), worldFromGradient = glm::transpose(indexFromWorld);
@@ -110,7 +111,7 @@ std::vector<std::optional<ContextPoint>> contextLayer(const Scene& scene, const 
   withValues(shownVolume(scene), [&](auto valueAt) {
     parallelFor(rays.size(), 16, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
-        const std::optional<Span> span = clip(rays[i], grid);
+        const std::optional<Span> span = clip(rays[i], grid, kept);
         if (!span || !(tContext[i] > span->tIn + margin) || !(tContext[i] < tFocus[i] - margin)) continue;
         const Ray local = indexRay(rays[i], grid);
         const glm::dvec3 index = local.origin + tContext[i] * local.direction;

@@ -90,9 +90,9 @@ struct Medium {
   Medium(const Scene& what, const Camera& camera) : Medium(what, camera, FocusField(what)) {
     if (scene.look.shading.enabled && focus.hasLabels()) focusNormals.emplace(scene.volume->grid, focus);
   }
-  /// Of the protected labels alone.
-  static Medium ofProtected(const Scene& what, const Camera& camera) {
-    Medium medium(what, camera, FocusField(*structuresOf(what), labelsWith(LabelRole::Protected, what)));
+  /// Of labels alone, as part of the context.
+  static Medium ofLabels(const Scene& what, const Camera& camera, const std::vector<std::uint16_t>& labels) {
+    Medium medium(what, camera, FocusField(*structuresOf(what), labels));
     medium.onlyFocus = true;
     return medium;
   }
@@ -191,6 +191,7 @@ class Integrator {
         perMillimetre_(1.0 / std::max(ray.span.tOut - ray.span.tIn, std::numeric_limits<double>::min())) {}
 
   void run() {
+    if (ray_.grey && paintGrey()) return;
     const Span &span = ray_.span, &hole = ray_.hole;
     const double before = std::min(hole.tIn, span.tOut);
     if (span.tIn <= before) walk({span.tIn, before});
@@ -202,6 +203,28 @@ class Integrator {
   double error() const { return error_; }
 
  private:
+  /// False where the ray starts in the focus, which shows as it is.
+  bool paintGrey() {
+    const Ray ray = indexRay(ray_.ray, grid_);
+    bool painted = false;
+    const double tFace = ray_.span.tIn - ray_.beforeWall;
+    walkCells(ray, {tFace, tFace}, grid_.dims, [&](const Piece& piece) {
+      const double value = medium_.field.value(glm::dvec3(piece.cell) + piece.begin, valueAt_);
+      if (const auto field = medium_.focus.along(piece, Cubic{value, 0.0, 0.0, 0.0}); field && ray_.grey->showsFocus) {
+        const double inField = evaluate(*field, 0.0);
+        if (inField >= medium_.focus.range().low && inField <= medium_.focus.range().high) return false;
+      }
+      const WindowLevel window = ray_.grey->window;
+      const double low = window.level - 0.5 * window.width;
+      const double grey = std::clamp((value - low) / window.width, 0.0, 1.0);
+      colour_ = glm::dvec3(medium_.scene.volume->lowIsWhite ? 1.0 - grey : grey);
+      depth_ = std::numeric_limits<double>::infinity();
+      painted = true;
+      return false;
+    });
+    return painted;
+  }
+
   void walk(Span span) {
     walkCells(indexRay(ray_.ray, grid_), span, grid_.dims, [&](const Piece& piece) {
       addCell(piece);
@@ -344,7 +367,7 @@ class Integrator {
     const glm::dvec3 at = glm::mix(piece_->begin, piece_->end, s), world = ray_.ray.direction;
     glm::dvec3 shaded = medium_.light.shade(colour, normalAt(at), world);
     if (ray_.wall != glm::dvec3(0.0) && !isBehindHole_) {
-      const double behind = piece_->tBegin + s * (piece_->tEnd - piece_->tBegin) - ray_.span.tIn;
+      const double behind = piece_->tBegin + s * (piece_->tEnd - piece_->tBegin) - ray_.span.tIn + ray_.beforeWall;
       const double share = lighting::wallShare * std::exp(-behind / medium_.wallDepth);
       shaded = glm::mix(shaded, medium_.light.lit(colour, ray_.wall, world), share);
     }
@@ -399,6 +422,7 @@ FocusLayer integrated(const Medium& medium, const std::vector<CutRay>& rays, dou
     parallelFor(blocks, 1, [&](std::size_t, std::size_t) {
       for (std::size_t at = next++; at < blocks; at = next++)
         for (std::size_t i = at * block; i < std::min((at + 1) * block, rays.size()); ++i) {
+          interruptionPoint();
           if (!(rays[i].span.tIn <= rays[i].span.tOut)) continue;
           Integrator integrator(medium, valueAt, rays[i], tolerance);
           integrator.run();
@@ -422,8 +446,25 @@ FocusLayer protectedLayer(const Scene& scene, const Camera& camera, const std::v
   for (std::size_t i = 0; i < removed.size(); ++i) {
     removed[i].span = std::isnan(tContext[i]) ? Span{1.0, 0.0} : Span{tContext[i], removed[i].span.tIn};
     removed[i].wall = glm::dvec3(0.0);
+    removed[i].grey.reset();
   }
-  return integrated(Medium::ofProtected(scene, camera), removed, tolerance);
+  return integrated(Medium::ofLabels(scene, camera, labelsWith(LabelRole::Protected, scene)), removed, tolerance);
+}
+
+ExemptLayers exemptLayers(const Scene& scene, const Camera& camera, const std::vector<CutRay>& rays, double tolerance) {
+  const Grid& grid = scene.volume->grid;
+  const std::vector<HalfSpace> kept = halfSpaces(scene.look.clipping, grid);
+  std::vector<CutRay> before, behind;
+  for (const CutRay& each : rays) {
+    CutRay ray{.ray = each.ray, .span = {1.0, 0.0}};
+    CutRay &first = before.emplace_back(ray), &last = behind.emplace_back(ray);
+    const std::optional<Span> whole = clip(each.ray, grid), inside = clip(each.ray, grid, kept);
+    if (!whole) continue;
+    first.span = {whole->tIn, inside ? inside->tIn : whole->tOut};
+    if (inside) last.span = {inside->tOut, whole->tOut};
+  }
+  const Medium medium = Medium::ofLabels(scene, camera, scene.look.clipping.exempt);
+  return {integrated(medium, before, tolerance), integrated(medium, behind, tolerance)};
 }
 
 }  // namespace fenestra::reference

@@ -7,13 +7,21 @@
 
 namespace fenestra::reference {
 
+/// A capped face in grey (Clipping::grey), on which a ray starts.
+struct GreyFace {
+  WindowLevel window;
+  bool showsFocus = false;  ///< not where the ray starts in the focus
+};
+
 /// The visible part of a ray, from where the cutaway lets it start.
 struct CutRay {
   Ray ray;
   Span span;  ///< from the start to where the ray leaves the box; tIn > tOut: nothing is seen
   /// Where it sees nothing again behind the start; see rendering/passes/RemovedPass.h.
   Span hole{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-  glm::dvec3 wall{0.0};  ///< unit normal of the cut face at the start, world; zero where there is none
+  glm::dvec3 wall{0.0};     ///< unit normal of the cut or capped face at the start, world; zero where there is none
+  double beforeWall = 0.0;  ///< mm that the start lies behind that face
+  std::optional<GreyFace> grey{};  ///< nothing behind it shows
 };
 
 struct FocusLayer {
@@ -25,6 +33,13 @@ struct FocusLayer {
 /// the context alone and where the labels' interpolated 0/1 indicator is ½ or more. One element a ray.
 FocusLayer protectedLayer(const Scene& scene, const Camera& camera, const std::vector<CutRay>& rays,
                           const Image& tContext, double tolerance);
+
+/// What clipping leaves out of the scene's exempt labels, before and behind what it keeps of each ray; see
+/// rendering/passes/ExemptPass.h.
+struct ExemptLayers {
+  FocusLayer before, behind;
+};
+ExemptLayers exemptLayers(const Scene& scene, const Camera& camera, const std::vector<CutRay>& rays, double tolerance);
 
 /// One element a ray.
 FocusLayer focusLayer(const Scene& scene, const Camera& camera, const std::vector<CutRay>& rays, double tolerance);

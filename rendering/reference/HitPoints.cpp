@@ -53,12 +53,14 @@ HitPoints hitPoints(const Scene& scene, const Camera& camera, glm::ivec2 size) {
   HitPoints result{Image(count, nothing), Image(count, nothing), Image(count, nothing)};
 
   const Field field(scene);
+  const std::vector<HalfSpace> kept = halfSpaces(scene.look.clipping, grid);
   const FocusField focus(scene);
   const Gaps outsideFocus{{-infinity, focus.range().low}, {focus.range().high, infinity}};
 
   withValues(shownVolume(scene), [&](auto valueAt) {
-    const auto cast = [&](const Ray& ray, Span span) {
+    const auto cast = [&](const Ray& ray, Span span, bool onFace) {
       Hit hit;
+      if (onFace) hit.tContext = span.tIn;
       walkCells(ray, span, grid.dims, [&](const Piece& cell) {
         const bool mayHoldFocus = focus.mayHold(cell.cell);
         const auto wants = [&](ValueRange range) {
@@ -79,12 +81,14 @@ HitPoints hitPoints(const Scene& scene, const Camera& camera, glm::ivec2 size) {
     };
     parallelFor(count, static_cast<std::size_t>(size.x), [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
+        interruptionPoint();
         const glm::ivec2 pixel(static_cast<int>(i % static_cast<std::size_t>(size.x)),
                                static_cast<int>(i / static_cast<std::size_t>(size.x)));
         const Ray ray = pixelRay(camera, size, pixel);
-        const std::optional<Span> span = clip(ray, grid);
+        const std::optional<Span> span = clip(ray, grid, kept);
         if (!span) continue;
-        const Hit hit = cast(indexRay(ray, grid), *span);
+        const bool onFace = scene.look.clipping.grey && capNormal(ray, grid, kept);
+        const Hit hit = cast(indexRay(ray, grid), *span, onFace);
         result.tContext[i] = hit.tContext;
         result.tFocus[i] = hit.tFocus;
         result.tOut[i] = span->tOut;

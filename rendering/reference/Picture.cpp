@@ -74,11 +74,15 @@ std::vector<CutRay> cutRays(const Scene& scene, const Camera& camera, glm::ivec2
   constexpr Span missed{1.0, 0.0};
   std::vector<CutRay> rays;
   rays.reserve(pixels.size());
+  const std::vector<HalfSpace> kept = halfSpaces(scene.look.clipping, scene.volume->grid);
+  const glm::dvec3 spacing = scene.volume->grid.spacing;
+  const double finest = std::min({spacing.x, spacing.y, spacing.z});
   std::optional<Opening> opening;
   if (stages) opening.emplace(scene, camera, size, *stages);
   for (const glm::ivec2 pixel : pixels) {
     CutRay ray{.ray = pixelRay(camera, size, pixel), .span = missed};
-    if (const std::optional<Span> span = clip(ray.ray, scene.volume->grid)) ray.span = *span;
+    const std::optional<Span> span = clip(ray.ray, scene.volume->grid, kept);
+    if (span) ray.span = *span;
     if (opening) {
       const double start = opening->start(pixel);
       if (std::isnan(start)) {
@@ -92,6 +96,14 @@ std::vector<CutRay> cutRays(const Scene& scene, const Camera& camera, glm::ivec2
         }
       }
     }
+    if (span && ray.wall == glm::dvec3(0.0))
+      if (const auto normal = capNormal(ray.ray, scene.volume->grid, kept)) {
+        ray.wall = *normal;
+        ray.beforeWall = ray.span.tIn - span->tIn;
+        const bool onFace = ray.beforeWall <= 0.5 * lighting::wallDepthVoxels * finest;
+        const bool onFocus = opening && opening->start(pixel) == stages->hits.tFocus[offset(size, pixel)];
+        if (scene.look.clipping.grey && onFace && !onFocus) ray.grey = GreyFace{*scene.look.clipping.grey, !opening};
+      }
     rays.push_back(ray);
   }
   return rays;
@@ -139,7 +151,8 @@ Picture picture(const Scene& scene, const Camera& camera, glm::ivec2 size, const
   const std::vector<glm::ivec2> pixels = pixelsOf(size, options);
   const std::vector<CutRay> cut = cutRays(scene, camera, size, cutaway ? &stages : nullptr, pixels);
   const bool guarded = cutaway && !labelsWith(LabelRole::Protected, scene).empty();
-  const double tolerance = guarded ? 0.5 * options.tolerance : options.tolerance;  // of each of two layers
+  // Of each of two layers, and half of what is left beside exempt labels.
+  const double tolerance = options.tolerance * (guarded ? 0.5 : 1.0) * (scene.look.clipping.exempt.empty() ? 1.0 : 0.5);
   FocusLayer layer = focusLayer(scene, camera, cut, tolerance);
 
   const auto factor = [&](glm::ivec2 pixel) {
@@ -192,6 +205,14 @@ Picture picture(const Scene& scene, const Camera& camera, glm::ivec2 size, const
       if (std::isnan(stages.hits.tContext[at])) continue;
       const glm::dvec4 border(scene.look.cutaway.borderColour, 1.0);
       result.final[i] = glm::mix(result.final[i], border, borderCoverage(distance[at], widths) * factor(pixels[i]));
+    }
+  }
+  const Clipping& clipping = scene.look.clipping;
+  if (!clipping.exempt.empty() && structuresOf(scene) && !halfSpaces(clipping, scene.volume->grid).empty()) {
+    const ExemptLayers exempt = exemptLayers(scene, camera, cut, 0.25 * options.tolerance);
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+      result.final[i] = over(over(exempt.before.colour[i], result.final[i]), exempt.behind.colour[i]);
+      layer.error[i] += exempt.before.error[i] + exempt.behind.error[i];
     }
   }
   result.focusLayer = std::move(layer.colour);

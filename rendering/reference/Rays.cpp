@@ -5,6 +5,12 @@
 #include "rendering/reference/Reference.h"
 
 namespace fenestra::reference {
+namespace {
+
+/// Cosine below which a ray runs along a plane: rounding decides where they meet.
+constexpr double parallel = 1e-7;
+
+}  // namespace
 
 Ray pixelRay(const Camera& camera, glm::ivec2 size, glm::ivec2 pixel) {
   const Camera::Axes axes = camera.axes();
@@ -34,6 +40,52 @@ std::optional<Span> clip(const Ray& ray, const Grid& grid) {
   }
   if (!(span.tIn <= span.tOut)) return {};
   return span;
+}
+
+namespace {
+
+/// A half-space's part of a ray, on which it lets the ray enter or leave.
+struct Crossing {
+  double t = 0.0;
+  bool enters = false;
+};
+/// Empty where the ray is parallel to the plane.
+std::optional<Crossing> crossing(const Ray& ray, const HalfSpace& half) {
+  const double slope = glm::dot(ray.direction, half.normal);
+  if (std::abs(slope) < parallel) return {};
+  return Crossing{-half.distance(ray.origin) / slope, slope > 0.0};
+}
+
+}  // namespace
+
+std::optional<Span> clip(const Ray& ray, const Grid& grid, const std::vector<HalfSpace>& kept) {
+  std::optional<Span> span = clip(ray, grid);
+  if (!span) return {};
+  for (const HalfSpace& half : kept) {
+    if (const auto cross = crossing(ray, half)) {
+      if (cross->enters)
+        span->tIn = std::max(span->tIn, cross->t);
+      else
+        span->tOut = std::min(span->tOut, cross->t);
+    } else if (half.distance(ray.origin) < 0.0) {
+      return {};
+    }
+  }
+  if (!(span->tIn <= span->tOut)) return {};
+  return span;
+}
+
+std::optional<glm::dvec3> capNormal(const Ray& ray, const Grid& grid, const std::vector<HalfSpace>& kept) {
+  const std::optional<Span> box = clip(ray, grid);
+  if (!box || !clip(ray, grid, kept)) return {};
+  double last = box->tIn;
+  std::optional<glm::dvec3> normal;
+  for (const HalfSpace& half : kept)
+    if (const auto cross = crossing(ray, half); cross && cross->enters && cross->t > last) {
+      last = cross->t;
+      normal = half.normal;
+    }
+  return normal;
 }
 
 Ray indexRay(const Ray& ray, const Grid& grid) {

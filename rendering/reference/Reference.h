@@ -27,18 +27,23 @@ struct Span {
   double tIn = 0.0, tOut = 0.0;
 };
 std::optional<Span> clip(const Ray& ray, const Grid& grid);
+/// The same of what half-spaces keep of the box; empty where that is nothing.
+std::optional<Span> clip(const Ray& ray, const Grid& grid, const std::vector<HalfSpace>& kept);
+/// The normal of the half-space by whose plane the ray enters that span; empty where it enters by the box, or starts
+/// inside.
+std::optional<glm::dvec3> capNormal(const Ray& ray, const Grid& grid, const std::vector<HalfSpace>& kept);
 
 /// One value per pixel, row by row from the top; NaN where there is nothing.
 using Image = std::vector<double>;
 
 struct HitPoints {
   Image tContext, tFocus;
-  Image tOut;  ///< where the ray leaves the grid's box
+  Image tOut;  ///< where the ray leaves the grid's box, or what clips it
 };
 
 /// Stage 1: along each ray the first point of context or focus, and the first point of the focus; tIn where the ray
-/// already starts in it. Cell by cell, with no step: inside a cell the trilinear field along the ray is a cubic, whose
-/// first crossing is found between its extrema.
+/// already starts in it, or enters through a capped face (Clipping.h). Cell by cell, with no step: inside a cell the
+/// trilinear field along the ray is a cubic, whose first crossing is found between its extrema.
 ///
 /// Context is every value whose opacity over 1 mm exceeds 1/255. Values that are not numbers count as the volume's
 /// least finite value, infinite ones as its least or greatest, so that neither makes a surface of its own.

@@ -1,6 +1,7 @@
 #include "rendering/scene/Grid.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace fenestra {
@@ -48,6 +49,19 @@ double Grid::boundingRadius() const {
 
 bool Grid::contains(glm::ivec3 index) const {
   return glm::all(glm::greaterThanEqual(index, glm::ivec3(0))) && glm::all(glm::lessThan(index, dims));
+}
+
+glm::ivec3 Grid::patientAxes() const {
+  std::array<int, 3> order{0, 1, 2}, best = order;
+  double greatest = -1.0;
+  do {
+    const double product = std::abs(direction[order[0]].x * direction[order[1]].y * direction[order[2]].z);
+    if (product > greatest) {
+      greatest = product;
+      best = order;
+    }
+  } while (std::next_permutation(order.begin(), order.end()));
+  return {best[0], best[1], best[2]};
 }
 
 std::size_t Grid::offset(glm::ivec3 index) const {

@@ -35,6 +35,10 @@ struct Grid {
   /// Radius in mm of the sphere around centre() through the box's farthest corner.
   double boundingRadius() const;
   bool contains(glm::ivec3 index) const;
+  /// The index axis that runs along each of the patient's axes L, P and S: of the six assignments the one with the
+  /// largest product of cosines, which is never zero for a lattice of full rank, so that each gets an axis that moves
+  /// along it.
+  glm::ivec3 patientAxes() const;
   /// Position of voxel `index` in a linear array, x fastest.
   std::size_t offset(glm::ivec3 index) const;
 

@@ -5,6 +5,7 @@ namespace fenestra {
 Look styleOf(Look look) {
   look.focus = {};
   look.labels = {};
+  look.clipping = {};
   look.strokes = {};
   look.context.preset.clear();
   look.context.file.clear();
@@ -15,6 +16,7 @@ Look restyled(const Look& look, const Look& style) {
   Look result = styleOf(style);
   result.focus = look.focus;
   result.labels = look.labels;
+  result.clipping = look.clipping;
   result.strokes = look.strokes;
   return result;
 }

@@ -3,10 +3,15 @@
 #include <algorithm>
 #include <exception>
 #include <mutex>
-#include <thread>
+#include <utility>
 #include <vector>
 
 namespace fenestra {
+namespace {
+
+thread_local Interruptible* current = nullptr;
+
+}  // namespace
 
 void parallelFor(std::size_t count, std::size_t grain, const std::function<void(std::size_t, std::size_t)>& body) {
   if (count == 0) return;
@@ -28,10 +33,26 @@ void parallelFor(std::size_t count, std::size_t grain, const std::function<void(
   };
   {
     std::vector<std::jthread> threads;
-    for (std::size_t index = 1; index < pieces; ++index) threads.emplace_back(piece, index);
+    for (std::size_t index = 1; index < pieces; ++index)
+      threads.emplace_back([&piece, index, outer = current] {
+        current = outer;
+        piece(index);
+      });
     piece(0);
   }
   if (failure) std::rethrow_exception(failure);
+}
+
+Interruptible::Interruptible(std::function<bool()> goOn)
+    : goOn_(std::move(goOn)), thread_(std::this_thread::get_id()), outer_(std::exchange(current, this)) {}
+
+Interruptible::~Interruptible() { current = outer_; }
+
+void interruptionPoint() {
+  Interruptible* const work = current;
+  if (!work) return;
+  if (work->thread_ == std::this_thread::get_id() && work->goOn_ && !work->goOn_()) work->stopped_ = true;
+  if (work->stopped_) throw Interrupted();
 }
 
 }  // namespace fenestra

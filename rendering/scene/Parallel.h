@@ -1,13 +1,44 @@
 #pragma once
-// Splits an index range over all cores.
+// Splits an index range over all cores, and lets long work on them be stopped.
 
+#include <atomic>
 #include <cstddef>
+#include <exception>
 #include <functional>
+#include <thread>
 
 namespace fenestra {
 
 /// Calls body(begin, end) on disjoint pieces that cover [0, count), on as many threads as there are cores, and waits.
 /// The first exception thrown by a piece is rethrown. `grain` is the least number of items worth a thread.
 void parallelFor(std::size_t count, std::size_t grain, const std::function<void(std::size_t, std::size_t)>& body);
+
+/// What interruptionPoint() throws.
+class Interrupted : public std::exception {
+ public:
+  const char* what() const noexcept override { return "interrupted"; }
+};
+
+/// While it lives, interruptionPoint() on its thread, and in the pieces of parallelFor() begun there, asks `goOn`
+/// whether to go on. `goOn` is called on its own thread alone.
+class Interruptible {
+ public:
+  explicit Interruptible(std::function<bool()> goOn);
+  ~Interruptible();
+  Interruptible(const Interruptible&) = delete;
+  Interruptible& operator=(const Interruptible&) = delete;
+
+ private:
+  friend void interruptionPoint();
+
+  const std::function<bool()> goOn_;
+  const std::thread::id thread_;
+  Interruptible* const outer_;
+  std::atomic<bool> stopped_ = false;
+};
+
+/// To be called in the loops of long work: throws Interrupted where that is no longer wanted. Costs next to nothing
+/// outside an Interruptible.
+void interruptionPoint();
 
 }  // namespace fenestra

@@ -27,6 +27,7 @@ class RaySamples {
         context_(scene.look.context.shifted()),
         structures_(structuresOf(scene)),
         protected_(labelsWith(LabelRole::Protected, scene)),
+        kept_(halfSpaces(scene.look.clipping, scene.volume->grid)),
         start_(start),
         direction_(direction) {
     const Grid& grid = scene.volume->grid;
@@ -40,7 +41,8 @@ class RaySamples {
   glm::dvec3 worldAt(double t) const { return start_ + t * direction_; }
   bool isInside(double t) const {
     const glm::dvec3 index = indexAt(t), size(scene_.volume->grid.dims);
-    return glm::all(glm::greaterThanEqual(index, glm::dvec3(-0.5))) && glm::all(glm::lessThan(index, size - 0.5));
+    return glm::all(glm::greaterThanEqual(index, glm::dvec3(-0.5))) && glm::all(glm::lessThan(index, size - 0.5)) &&
+           keeps(kept_, worldAt(t));
   }
   double valueAt(double t) const { return voxels_.sample(indexAt(t)); }
   Part partAt(double t) const {
@@ -88,6 +90,7 @@ class RaySamples {
   TransferFunction context_;
   std::shared_ptr<const LabelMap> structures_;  ///< null without labels
   std::vector<std::uint16_t> protected_;        ///< ascending
+  std::vector<HalfSpace> kept_;                 ///< what clips the scene
   glm::dvec3 start_, direction_;
   glm::dmat4 indexFromWorld_{1.0};
   double voxel_ = 1.0;

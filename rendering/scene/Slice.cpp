@@ -10,22 +10,6 @@
 namespace fenestra {
 namespace {
 
-/// The index axis that runs along each patient axis (x: L, y: P, z: S). Of the six assignments the one with the largest
-/// product of cosines: it is never zero for a lattice of full rank, so that every patient axis gets an axis that moves
-/// along it.
-std::array<int, 3> indexAxes(const glm::dmat3& direction) {
-  std::array<int, 3> order{0, 1, 2}, best = order;
-  double greatest = -1.0;
-  do {
-    const double product = std::abs(direction[order[0]].x * direction[order[1]].y * direction[order[2]].z);
-    if (product > greatest) {
-      greatest = product;
-      best = order;
-    }
-  } while (std::next_permutation(order.begin(), order.end()));
-  return best;
-}
-
 /// A direction across a picture: its index axis, and whether it runs backwards.
 struct Side {
   int axis = 0;
@@ -106,25 +90,25 @@ int SliceGeometry::sliceAt(double mm) const {
 }
 
 SliceGeometry sliceGeometry(const Grid& grid, SlicePlane plane) {
-  const auto [toLeft, toPosterior, toSuperior] = indexAxes(grid.direction);
+  const glm::ivec3 axes = grid.patientAxes();
   const glm::dvec3 left(1.0, 0.0, 0.0), posterior(0.0, 1.0, 0.0), superior(0.0, 0.0, 1.0);
 
   Side right, down, normal;
   switch (plane) {
     case SlicePlane::Axial:
-      right = side(grid, toLeft, left);
-      down = side(grid, toPosterior, posterior);
-      normal = side(grid, toSuperior, superior);
+      right = side(grid, axes.x, left);
+      down = side(grid, axes.y, posterior);
+      normal = side(grid, axes.z, superior);
       break;
     case SlicePlane::Sagittal:
-      right = side(grid, toPosterior, posterior);
-      down = side(grid, toSuperior, -superior);
-      normal = side(grid, toLeft, left);
+      right = side(grid, axes.y, posterior);
+      down = side(grid, axes.z, -superior);
+      normal = side(grid, axes.x, left);
       break;
     case SlicePlane::Coronal:
-      right = side(grid, toLeft, left);
-      down = side(grid, toSuperior, -superior);
-      normal = side(grid, toPosterior, posterior);
+      right = side(grid, axes.x, left);
+      down = side(grid, axes.z, -superior);
+      normal = side(grid, axes.y, posterior);
       break;
   }
 

@@ -122,6 +122,7 @@ void SplineVolume::filter(Reconstruction kind) {
   const auto width = static_cast<std::size_t>(size_.x), plane = width * static_cast<std::size_t>(size_.y);
   parallelFor(static_cast<std::size_t>(dims_.z), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t z = begin + 1; z <= end; ++z) {
+      interruptionPoint();
       double* first = coefficients_.data() + z * plane;
       for (std::size_t y = 1; y <= static_cast<std::size_t>(dims_.y); ++y) each({first + y * width, 1, dims_.x, 1});
       each({first, width, dims_.y, width});
@@ -130,8 +131,10 @@ void SplineVolume::filter(Reconstruction kind) {
   // A few lines at a time: their planes' rows stay in the cache.
   constexpr std::size_t together = 64;
   parallelFor((plane + together - 1) / together, 8, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
+    for (std::size_t i = begin; i < end; ++i) {
+      interruptionPoint();
       each({coefficients_.data() + i * together, plane, dims_.z, std::min(together, plane - i * together)});
+    }
   });
 }
 

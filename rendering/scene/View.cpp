@@ -22,6 +22,11 @@ Camera turned(Camera camera, glm::dvec3 about, double offset, double direction) 
 
 }  // namespace
 
+std::optional<double> errorBound(const View& view) {
+  if (view.maxError) return view.maxError;
+  return view.quality == Quality::High ? std::optional(highQualityError) : std::nullopt;
+}
+
 std::optional<OpeningView> openingOf(const View& view, const Cutaway& cutaway, glm::dvec3 focusCentre) {
   if (!view.frozen && cutaway.axisOffset == 0.0) return {};
   OpeningView opening = view.frozen.value_or(OpeningView{view.camera, view.size, view.pixelScale});

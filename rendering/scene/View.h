@@ -33,6 +33,9 @@ struct View {
   bool operator==(const View&) const = default;
 };
 
+/// The greatest error of a pixel's colour, in 1/255, that the view asks for; empty where it asks for none.
+std::optional<double> errorBound(const View& view);
+
 /// The picture that a view's opening is cut for, where that is not the view's own: the frozen one or else the view's,
 /// turned about the focus's centre (world, mm) by the cutaway's axis offset. Empty: the view's own.
 std::optional<OpeningView> openingOf(const View& view, const Cutaway& cutaway, glm::dvec3 focusCentre);

@@ -32,6 +32,7 @@ void main() {
     ray.base = points[at.x].position.xyz + clearance * towards;
     ray.world = ray.worldBase = vec3(0.0);
     clipTo(ray, candidates.focusLower, candidates.focusUpper, 0.0);
+    clipToHalfSpaces(ray);
     visible = meetsFocus(ray) ? 0u : 1u;
   }
   imageStore(seen, at, uvec4(visible));

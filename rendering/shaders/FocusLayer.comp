@@ -21,6 +21,17 @@ uniform int pitch;  // pixels from one ray to the next
 ivec2 pixelOf(int i) { return pitch * (regionPixel() * ivec2(1, RAYS) + ivec2(0, i)); }
 #endif
 
+#if CLIPPED == 2
+bool showsVolume(Cut cut, Ray ray) { return startsHere(cut, ray) && !startsGrey(cut, ray); }
+vec4 seenOn(Walk walk) {
+  bool grey = startsHere(walk.cut, walk.ray) && startsGrey(walk.cut, walk.ray);
+  return grey ? greyOf(walk.ray) : colourOf(walk);
+}
+#else
+bool showsVolume(Cut cut, Ray ray) { return startsHere(cut, ray); }
+vec4 seenOn(Walk walk) { return colourOf(walk); }
+#endif
+
 #if APART
 // A ray may see nothing on a part of its way; RAYS is 1.
 void main() {
@@ -28,7 +39,7 @@ void main() {
   Ray ray = pixelRay(pixel);
   Cut cut = cutAt(pixel, ray);
   vec2 removed = holeAt(pixel);
-  bool visible = startsHere(cut, ray) && all(lessThan(pixel, rays.pictureSize));
+  bool visible = showsVolume(cut, ray) && all(lessThan(pixel, rays.pictureSize));
   float sOut = ray.sOut;
   vec4 colour = vec4(0.0);
   for (int part = 0; part < 2; ++part) {
@@ -37,7 +48,7 @@ void main() {
     Walk walks[RAYS];
     walks[0] = walkFrom(ray, cut, visible && cut.start <= ray.sOut);
     integrate(walks);
-    colour = over(colour, colourOf(walks[0]));
+    colour = over(colour, part == 0 ? seenOn(walks[0]) : colourOf(walks[0]));
   }
   imageStore(focusLayer, pixel, colour);
 }
@@ -48,9 +59,9 @@ void main() {
     ivec2 pixel = pixelOf(i);
     Ray ray = pixelRay(pixel);
     Cut cut = cutAt(pixel, ray);
-    walks[i] = walkFrom(ray, cut, startsHere(cut, ray) && all(lessThan(pixel, rays.pictureSize)));
+    walks[i] = walkFrom(ray, cut, showsVolume(cut, ray) && all(lessThan(pixel, rays.pictureSize)));
   }
   integrate(walks);
-  for (int i = 0; i < RAYS; ++i) imageStore(focusLayer, pixelOf(i), colourOf(walks[i]));
+  for (int i = 0; i < RAYS; ++i) imageStore(focusLayer, pixelOf(i), seenOn(walks[i]));
 }
 #endif

@@ -73,6 +73,23 @@ TEST_F(FocusTransfer, PresetsOfALookCarryTheFunctionOfARange) {
   EXPECT_EQ(contents(at("read.png")), contents(at("saved.png")));
 }
 
+TEST_F(FocusTransfer, PresetsOfALookCarryTheFunctionsOfLabels) {
+  const std::vector<std::string> focus{"--focus-labels", "left kidney,right kidney"};
+  std::vector<std::string> saved = focus, read = focus, overridden = focus;
+  saved.insert(saved.end(), {"--focus-transfer", "left kidney=" + at("f.json"), "--save-look", at("l.json")});
+  read.insert(read.end(), {"--look", at("l.json")});
+  overridden.insert(overridden.end(), {"--look", at("l.json"), "--focus-transfer", "left kidney=none"});
+  ASSERT_EQ(draw("material.png", focus).exitCode, 0);
+  ASSERT_EQ(draw("saved.png", saved).exitCode, 0);
+  const io::LookPreset preset = io::readLook(at("l.json"));
+  ASSERT_EQ(preset.labels.size(), 1u);
+  EXPECT_EQ(preset.labels[0].label, "left kidney");
+  ASSERT_EQ(draw("read.png", read).exitCode, 0);
+  EXPECT_EQ(contents(at("read.png")), contents(at("saved.png")));
+  ASSERT_EQ(draw("overridden.png", overridden).exitCode, 0);
+  EXPECT_EQ(contents(at("overridden.png")), contents(at("material.png"))) << "the option counts more";
+}
+
 TEST_F(FocusTransfer, MistakesAreNamed) {
   expectFailure(draw("x.png", {"--focus-transfer", at("absent.json")}), at("absent.json"));
   expectFailure(draw("x.png", {"--focus-transfer", "kidnee=ct-bone"}), "phantom torso");

@@ -129,7 +129,11 @@ std::vector<std::string> seedsOf(const Target& target) {
   if (target.name == "labels") return labelSeeds(folder);
   if (target.name == "session") return {io::textOf(tests::fullSession(folder), folder / "a.fenestra")};
   if (target.name == "look") {
-    io::writeLook(folder / "a.json", {"x", "HU", tests::fullSession(folder).look, R"({"a": [1]})"});
+    io::writeLook(folder / "a.json", {"x",
+                                      "HU",
+                                      tests::fullSession(folder).look,
+                                      R"({"a": [1]})",
+                                      {{"liver", {{{-20.0, {}}, {150.0, {{0.9, 0.3, 0.2}, 0.75}}}}}, {"7", {}}}});
     return {readFile(folder / "a.json")};
   }
   if (target.name == "strokes") {

@@ -29,10 +29,10 @@ struct Linked {
 /// By source, so that each counts once.
 using Programs = std::map<std::string, Linked>;
 
-const std::vector<std::string> blockNames{RayBlock::name,     VolumeBlock::name,        TransferBlock::name,
-                                          FocusBlock::name,   LightBlock::name,         IntegralBlock::name,
-                                          CutFaceBlock::name, OpeningCameraBlock::name, DerivativeBlock::name,
-                                          CutawayBlock::name, ContextLayerBlock::name,  CandidateBlock::name};
+const std::vector<std::string> blockNames{
+    RayBlock::name,          VolumeBlock::name,    TransferBlock::name,      FocusBlock::name,      LightBlock::name,
+    IntegralBlock::name,     CutFaceBlock::name,   OpeningCameraBlock::name, DerivativeBlock::name, CutawayBlock::name,
+    ContextLayerBlock::name, CandidateBlock::name, ClipBlock::name};
 
 constexpr std::array schedules{Schedule::Plain, Schedule::Llvmpipe};
 
@@ -163,6 +163,7 @@ TEST_F(ProgramsTest, BlocksHaveTheLayoutOfTheirStructs) {
        {OFFSET(RayBlock, cellsFromView), OFFSET(RayBlock, worldFromView), OFFSET(RayBlock, anchor),
         OFFSET(RayBlock, distance), OFFSET(RayBlock, halfSize), OFFSET(RayBlock, spread), OFFSET(RayBlock, depth),
         OFFSET(RayBlock, pictureSize)}},
+      {ClipBlock::name, {OFFSET(ClipBlock, planes), OFFSET(ClipBlock, normals), OFFSET(ClipBlock, grey)}},
       {VolumeBlock::name, {OFFSET(VolumeBlock, dims)}},
       {TransferBlock::name,
        {OFFSET(TransferBlock, firstMaterial), OFFSET(TransferBlock, lastMaterial), OFFSET(TransferBlock, map),

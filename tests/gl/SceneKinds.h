@@ -93,6 +93,20 @@ inline Scene withProtected(Scene scene) {
   return scene;
 }
 
+/// A body cut by a box and two planes, with faces in grey or as the transfer function shows them.
+inline Scene clipped(Scene scene, bool grey) {
+  const Grid& grid = scene.volume->grid;
+  const CropFrame frame(grid);
+  Clipping& clipping = scene.look.clipping;
+  clipping.cropped = true;
+  clipping.box = {frame.low + glm::dvec3(3.0, 2.0, 4.5), frame.high - glm::dvec3(4.0, 1.5, 3.0)};
+  for (const glm::dvec3 normal : {glm::dvec3(0.3, 1.0, 0.2), glm::dvec3(-1.0, 0.2, 0.6)})
+    clipping.planes.push_back(
+        {glm::normalize(normal), glm::dot(glm::normalize(normal), grid.centre() - glm::dvec3(0.0, 3.0, 0.0))});
+  if (grey) clipping.grey = WindowLevel{160.0, 80.0};
+  return scene;
+}
+
 /// All of them for one voxel type; of the others, whose shaders differ in how they read a voxel alone, every seventh.
 inline std::vector<SceneKind> allSceneKinds() {
   std::vector<SceneKind> kinds, others;
@@ -140,6 +154,11 @@ inline std::vector<SceneKind> allSceneKinds() {
     bare.name += ", no edges";
     bare.scene.look.contextLayer.strength = 0.0;
     kinds.push_back(bare);
+  }
+  // Both kinds of capped faces with what else makes a program another one.
+  for (std::size_t i = 0, plainOrNot = kinds.size(); i < plainOrNot; i += 3) {
+    kinds.push_back({kinds[i].name + ", clipped", clipped(kinds[i].scene, i % 2 == 0), kinds[i].view});
+    if (i % 4 == 0) kinds.back().scene.look.clipping.exempt = {2};
   }
   // Each kind of focus, with light and without, opened and not, as a lattice and within a bound.
   for (std::size_t i = 0; i < plain; ++i)

@@ -302,6 +302,23 @@ Conventions::Cases Conventions::sliceGestures() {
         EXPECT_EQ(axial()->measureTool().measureAt(from), 0u) << "which a right click asks for";
         document().setMeasures({}, {});
       };
+  cases["Clipping, while its tab is in sight: Drag a square"] =
+      cases["Clipping, while its tab is in sight: Drag the ball at an arrow"] = [this] {
+        options().setClipHandles(true);
+        Clipping clipping;
+        clipping.planes = {{{0.0, 1.0, 0.0}, 0.0}};
+        document().setClipping(clipping, {});
+        // The square of the only plane, and then the ball at its arrow.
+        for (const std::size_t handle : {0u, 1u}) {
+          const HalfSpace before = document().clipping().planes[0];
+          const QPoint from = at(axial()->clipTool().handles().at(handle).at);
+          drag(axial(), from, from + QPoint(25, 10));
+          EXPECT_EQ(document().clipping().planes[0].normal == before.normal, handle == 0);
+          EXPECT_NE(document().clipping().planes[0], before);
+        }
+        document().setClipping({}, {});
+        options().setClipHandles(false);
+      };
   return cases;
 }
 

@@ -1,6 +1,7 @@
 // The editor of transfer functions in the window, with real events of mouse and keys.
 
 #include <cmath>
+#include <fstream>
 
 #include <QApplication>
 #include <QColorDialog>
@@ -11,7 +12,10 @@
 #include <QTimer>
 #include <QWheelEvent>
 
+#include "io/TransferFunctionFile.h"
 #include "tests/gui/WindowFixture.h"
+#include "tests/support/TestData.h"
+#include "viewer/NoticeBar.h"
 #include "viewer/panels/AppearancePanel.h"
 
 namespace fenestra::viewer {
@@ -369,7 +373,8 @@ TEST_F(EditorWindow, ALabelInFocusIsShownByValueAndByOneMaterialAgain) {
   EXPECT_TRUE(editor().byValue()->isChecked());
   EXPECT_EQ(document().labelSetting(body), LabelSetting{.label = body}) << "only the label that was chosen";
   waitUntilDrawn();
-  // At first the function is constant and the same. By value, normal quality lights a segment in two halves, not in one.
+  // At first the function is constant and the same. By value, normal quality lights a segment in two halves, not in
+  // one.
   EXPECT_LE(greatestDifference(picture(volume(0)), material), 8);
 
   ASSERT_EQ(plot().function().nodes.size(), 2u);
@@ -388,6 +393,45 @@ TEST_F(EditorWindow, ALabelInFocusIsShownByValueAndByOneMaterialAgain) {
   editor().byValue()->click();
   EXPECT_EQ(document().look(), before);
   EXPECT_FALSE(editor().byValue()->isChecked());
+}
+
+TEST_F(EditorWindow, AFunctionIsTakenFromAPresetOrAFile) {
+  document().setFocus(LabelFocus{{marker}});
+  waitUntilDrawn();
+  EXPECT_FALSE(editor().presets()->isVisible()) << "the context has a list of its own";
+  editor().targets()->setCurrentIndex(2);
+  Q_EMIT editor().targets()->activated(2);
+  ASSERT_TRUE(editor().presets()->isVisible());
+  document().undoStack().clear();
+  const Look before = document().look();
+  const QImage material = picture(volume(0));
+  const auto choose = [&](const QString& name) {
+    Q_EMIT editor().presets()->menu()->aboutToShow();
+    for (QAction* action : editor().presets()->menu()->actions())
+      if (action->text() == name) return action->trigger();
+    ADD_FAILURE() << "no entry " << name.toStdString();
+  };
+  choose(QStringLiteral("CT bone"));
+  expectOneStep(before);
+  EXPECT_EQ(document().labelSetting(marker).function,
+            io::loadContextFunction("ct-bone", *document().scene().volume).function);
+  EXPECT_EQ(document().look().context, before.context);
+  EXPECT_TRUE(editor().byValue()->isChecked());
+  waitUntilDrawn();
+  EXPECT_GT(greatestDifference(picture(volume(0)), material), 20);
+
+  const std::filesystem::path file = tests::scratchFolder() / "own.json";
+  std::ofstream(file)
+      << R"({"name": "own", "domain": "value", "nodes": [{"value": 5, "colour": [1, 0, 0], "opacity": 0.5}]})";
+  editor().functionWhich() = [&] { return std::optional(file); };
+  choose(QStringLiteral("From a file…"));
+  ASSERT_TRUE(document().labelSetting(marker).function);
+  EXPECT_EQ(document().labelSetting(marker).function->nodes.size(), 1u);
+  const Look own = document().look();
+  std::ofstream(file) << "torn";
+  choose(QStringLiteral("From a file…"));
+  EXPECT_EQ(document().look(), own);
+  EXPECT_TRUE(window_->notices().texts().join(QLatin1Char(' ')).contains(QStringLiteral("own.json")));
 }
 
 TEST_F(EditorWindow, AFocusOnValuesIsShownByValue) {

@@ -170,6 +170,31 @@ TEST(History, StrokesThatGrowWithinAGestureComeBackWhole) {
   EXPECT_EQ(document.look(), after);
 }
 
+TEST(History, StrokesDeletedAnywhereWithinAGestureComeBackInTheirOrder) {
+  const BrushStrokes all{dab(1.0), dab(2.0), dab(3.0), dab(4.0)};
+  for (std::size_t first = 0; first < all.size(); ++first)
+    for (std::size_t second = 0; second + 1 < all.size(); ++second) {
+      SCOPED_TRACE(std::to_string(first) + " then " + std::to_string(second));
+      Document document;
+      document.open(study());
+      document.setStrokes(all, QStringLiteral("Load"));
+      const Look before = document.look();
+      document.history().beginGesture();
+      for (const std::size_t place : {first, second}) {
+        BrushStrokes strokes = document.strokes();
+        strokes.erase(strokes.begin() + static_cast<std::ptrdiff_t>(place));
+        document.setStrokes(std::move(strokes), QStringLiteral("Delete stroke"));
+      }
+      document.history().endGesture();
+      const Look after = document.look();
+      ASSERT_EQ(document.undoStack().count(), 2);
+      document.undoStack().undo();
+      EXPECT_EQ(document.look(), before);
+      document.undoStack().redo();
+      EXPECT_EQ(document.look(), after);
+    }
+}
+
 TEST(History, AGestureThatEndsWhereItBeganIsNoStep) {
   Document document;
   document.open(study());

@@ -72,6 +72,41 @@ TEST_F(LabelListWindow, RolesAreChosenInTheirColumn) {
   EXPECT_EQ(picture(volume(0)), before) << "as at first";
 }
 
+TEST_F(LabelListWindow, AClickIn3DMeetsAProtectedStructureInTheOpening) {
+  constexpr std::uint16_t shield = 3;
+  const glm::dvec3 before(17.0, -32.0, 17.0);  // in front of the marker, as the camera looks from anterior
+  Study study = markedBall();
+  const auto volume = std::const_pointer_cast<Volume>(study.scene.volume);  // nobody else has them yet
+  const auto labels = std::const_pointer_cast<LabelMap>(study.scene.labels);
+  const Grid& grid = volume->grid;
+  for (int i = 0; i < 6 * 6 * 6; ++i) {
+    const glm::ivec3 index =
+        glm::ivec3(glm::round((before - grid.origin) / grid.spacing)) - 3 + glm::ivec3(i % 6, i / 6 % 6, i / 36);
+    labels->voxels.as<std::uint8_t>()[grid.offset(index)] = shield;
+    volume->voxels.as<std::int16_t>()[grid.offset(index)] = 500;
+  }
+  labels->labels.push_back({shield, "shield"});
+  open(study);
+  options().setGrows(false);
+  document().focusOn(marker);
+  const auto met = [&] {
+    waitUntilDrawn();
+    QTest::mouseClick(this->volume(0), Qt::LeftButton, {}, this->volume(0)->widgetFromWorld(before)->toPoint());
+    const Label* label = document().labelAt(cursor().position());
+    return label ? label->value : 0;
+  };
+  EXPECT_EQ(met(), marker) << "the shield is cut away";
+  choose(cell(rowOf(shield), LabelModel::Role), QStringLiteral("Protected"));
+  EXPECT_EQ(met(), shield);
+  EXPECT_LT(cursor().position().y, before.y) << "on its surface, not in it";
+  click(cell(rowOf(shield), LabelModel::Visible));
+  EXPECT_EQ(met(), marker) << "what is invisible is not kept";
+  click(cell(rowOf(shield), LabelModel::Visible));
+  options().setGrows(true);
+  EXPECT_EQ(met(), shield);
+  EXPECT_TRUE(document().isFocused(shield)) << "a click makes it the focus";
+}
+
 TEST_F(LabelListWindow, AnInvisibleLabelIsNotTintedOnSlices) {
   QTest::keyClick(window_.get(), Qt::Key_C);  // the crosshair is green, too
   cursor().moveTo(markerCentre);

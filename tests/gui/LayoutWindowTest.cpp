@@ -8,7 +8,10 @@
 #include <QTest>
 
 #include "tests/gui/WindowFixture.h"
+#include "viewer/panels/AppearancePanel.h"
 #include "viewer/panels/CutawayPanel.h"
+#include "viewer/panels/FocusPanel.h"
+#include "viewer/panels/LabelList.h"
 #include "viewer/style/Style.h"
 
 namespace fenestra::viewer {
@@ -54,6 +57,76 @@ TEST_F(Window, BothWidthsStayInSightOnSmallScreens) {
     for (const VolumeView* view : views().volumeViews()) EXPECT_TRUE(isInSight(*view));
     for (const SliceView* view : views().sliceViews()) EXPECT_TRUE(isInSight(*view));
   }
+}
+
+namespace {
+
+/// The heights of the docks in the column, from top to bottom.
+std::vector<int> dockHeights(const QMainWindow& window) {
+  std::vector<int> heights;
+  for (const char* name : {"focusDock", "contextDock", "cutawayDock"})
+    heights.push_back(window.findChild<QDockWidget*>(QLatin1String(name))->height());
+  return heights;
+}
+
+}  // namespace
+
+TEST_F(Window, EachPanelOfTheColumnHasAUsefulHeight) {
+  const auto& appearance = panel<AppearancePanel>();
+  const auto& structures = *panel<FocusPanel>().list();
+  for (const QSize& size : {QSize(1024, 700), QSize(1600, 1000), QSize(1920, 1200), QSize(1024, 700)}) {
+    SCOPED_TRACE(std::to_string(size.width()) + "x" + std::to_string(size.height()));
+    window_->resize(size);
+    waitUntilDrawn();
+    ASSERT_EQ(window_->size(), size);
+    EXPECT_TRUE(isInSight(panel<CutawayPanel>()));
+    EXPECT_TRUE(isInSight(*appearance.presets().box()));
+    EXPECT_TRUE(isInSight(*appearance.shift()));
+    const int row = structures.visualRect(structures.model()->index(0, 0)).height();
+    EXPECT_GE(structures.viewport()->visibleRegion().boundingRect().height(), 2 * row);
+    EXPECT_GE(appearance.editor().plot().visibleRegion().boundingRect().height(), 40);
+    if (size.height() < 1000) continue;
+    EXPECT_TRUE(isInSight(appearance.editor().plot()));
+    EXPECT_TRUE(isInSight(*appearance.editor().value()));
+    EXPECT_GE(structures.viewport()->height(), 5 * row);
+    if (size.height() < 1200) continue;
+    EXPECT_TRUE(isInSight(*appearance.findChild<QWidget*>(QStringLiteral("background")))) << "its last row";
+  }
+}
+
+TEST_F(Window, HeightsOfPanelsAreTheUsersOnceABorderWasDragged) {
+  useScratchSettings();
+  MainWindow::Setup setup{.gl = {.problem = QStringLiteral("slices are enough here")}};
+  std::vector<int> chosen;
+  {
+    MainWindow window(setup);
+    window.resize(1600, 1000);
+    window.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+    const std::vector<int> first = dockHeights(window);
+    auto* context = window.findChild<QDockWidget*>(QStringLiteral("contextDock"));
+    window.resizeDocks({context}, {first[1] - 60}, Qt::Vertical);  // as dragging its border does
+    QCoreApplication::processEvents();
+    chosen = dockHeights(window);
+    ASSERT_LT(chosen[1], first[1] - 30);
+    window.resize(1600, 1010);
+    QCoreApplication::processEvents();
+    EXPECT_LT(dockHeights(window)[1], first[1] - 30) << "a larger window keeps what was chosen";
+    window.resize(1600, 1000);
+    QCoreApplication::processEvents();
+    window.close();
+  }
+  MainWindow again(setup);
+  again.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&again));
+  QCoreApplication::processEvents();
+  for (std::size_t i = 0; i < chosen.size(); ++i)
+    EXPECT_NEAR(dockHeights(again)[i], chosen[i], 12) << "and so does the next start";
+  for (QAction* action : again.findChildren<QAction*>())
+    if (action->text().remove(QLatin1Char('&')) == QStringLiteral("Reset layout")) action->trigger();
+  QCoreApplication::processEvents();
+  EXPECT_TRUE(isInSight(again.findChild<AppearancePanel*>()->editor().plot())) << "shared anew";
+  EXPECT_GT(dockHeights(again)[1], chosen[1] + 30);
 }
 
 TEST_F(Window, LightThemeIsRememberedAndLeavesPicturesAlone) {

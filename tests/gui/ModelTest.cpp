@@ -436,7 +436,7 @@ TEST(Preferences, AreStoredAndNonsenseCountsAsTheDefault) {
     EXPECT_EQ(Preferences().value(entry.which), other) << entry.key;
     preferences.set(entry.which, entry.high + 1000);
     EXPECT_EQ(preferences.value(entry.which), entry.high);
-    if (entry.isSwitch()) continue;
+    if (entry.kind == PreferenceEntry::Kind::Switch) continue;
     QSettings().setValue(QLatin1String(entry.key), QStringLiteral("many"));
     EXPECT_EQ(preferences.value(entry.which), entry.otherwise);
     QSettings().setValue(QLatin1String(entry.key), entry.high + 1);
@@ -456,6 +456,36 @@ TEST(Preferences, RecentDataAreForgottenWhereTheyAreNotKept) {
   preferences.addRecent("/data/two");
   EXPECT_TRUE(Preferences().recent().empty());
   preferences.restoreDefaults();
+}
+
+TEST(Preferences, APathOpenedWhileThePatientIsHiddenIsNotStored) {
+  useScratchSettings();
+  Preferences preferences;
+  preferences.addRecent("/data/phantom");
+  preferences.set(Preference::HidesPatient, 1);
+  preferences.addRecent("/data/Vermeer Johanna");
+  preferences.addRecent("/data/phantom");
+  const std::vector<std::filesystem::path> both{"/data/phantom", "/data/Vermeer Johanna"}, shown{"/data/phantom"};
+  EXPECT_EQ(preferences.recent(), both) << "this run knows it";
+  EXPECT_EQ(Preferences().recent(), shown);
+  preferences.set(Preference::HidesPatient, 0);
+  EXPECT_EQ(Preferences().recent(), shown);
+  preferences.addRecent("/data/Vermeer Johanna");
+  EXPECT_EQ(Preferences().recent().size(), 2u) << "opened again, not hidden";
+  preferences.clearRecent();
+  EXPECT_TRUE(preferences.recent().empty());
+}
+
+TEST(Preferences, DefaultsOfTheLookAreTheUsers) {
+  Preferences preferences(Preferences::Mode::Transient);
+  Look look;
+  look.cutaway.openWidth = 17.0;
+  EXPECT_EQ(preferences.startingLook(look), look) << "without a choice, those of a scene";
+  preferences.set(Preference::Background, 0xff8000);
+  preferences.set(Preference::WidthUnit, 1);
+  look.background = glm::dvec3(1.0, 128.0 / 255.0, 0.0);
+  look.cutaway.unit = WidthUnit::Millimetre;
+  EXPECT_EQ(preferences.startingLook(look), look);
 }
 
 TEST(Preferences, QualityAtRestIsRememberedAndNonsenseIsNot) {

@@ -6,8 +6,12 @@
 #include <gtest/gtest.h>
 
 #include <QImage>
+#include <QLabel>
 #include <QPainter>
+#include <QStatusBar>
+#include <QTest>
 
+#include "tests/gui/WindowFixture.h"
 #include "viewer/style/Overlay.h"
 
 namespace fenestra::viewer {
@@ -104,6 +108,129 @@ TEST(Overlay, LongCornerTextsAreWholeAndLeaveTheLettersAlone) {
   EXPECT_GT(lit(wide), 0);
   EXPECT_EQ(lit(wide.copy(width / 2 - letter, 0, 2 * letter, letterRow)), 0);
   EXPECT_EQ(lit(wide.copy(width - 5, 0, 5, height)), 0);
+}
+
+/// Pixels of the longest horizontal line in the colour of a scale bar; 0 where none is longer than a letter's.
+int barLength(const QImage& image) {
+  constexpr int letter = 12;
+  int longest = 0;
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0, run = 0; x < image.width(); ++x) {
+      run = image.pixel(x, y) == overlayGrey.rgb() ? run + 1 : 0;
+      longest = std::max(longest, run);
+    }
+  return longest > letter ? longest : 0;
+}
+
+/// The distance of a length in mm to the nearest 1, 2 or 5 times a power of ten, as a share of it.
+double roundness(double mm) {
+  const double power = std::pow(10.0, std::floor(std::log10(mm)));
+  double nearest = 1.0;
+  for (const double each : {1.0, 2.0, 5.0, 10.0}) nearest = std::min(nearest, std::abs(each * power - mm) / mm);
+  return nearest;
+}
+
+TEST(Overlay, AScaleBarIsARoundNumberOfMillimetresLong) {
+  for (const double mmPerPixel : {0.03, 0.11, 0.5, 0.83, 2.7}) {
+    SCOPED_TRACE(mmPerPixel);
+    QImage image(600, 80, QImage::Format_RGB32);
+    image.fill(Qt::black);
+    QPainter painter(&image);
+    drawScaleBar(painter, image.rect(), mmPerPixel);
+    painter.end();
+    const int pixels = barLength(image);
+    EXPECT_LE(pixels, 151) << "a quarter of the view, and its last pixel";
+    EXPECT_GE(pixels, 600 / 4 / 2.5) << "the next longer one would not fit";
+    EXPECT_LT(roundness((pixels - 1) * mmPerPixel), 1.0 / (pixels - 1)) << "to a pixel";
+  }
+}
+
+TEST(Overlay, EachEdgeHasTheLetterOfItsSide) {
+  const auto draw = [](glm::dvec3 right, glm::dvec3 down) {
+    QImage image(200, 100, QImage::Format_RGB32);
+    image.fill(Qt::black);
+    QPainter painter(&image);
+    drawEdgeLetters(painter, image.rect(), right, down);
+    return image;
+  };
+  const QRect left(0, 30, 60, 40), right(140, 30, 60, 40), top(70, 0, 60, 30), bottom(70, 70, 60, 30);
+  const glm::dvec3 toLeft(1, 0, 0), toPosterior(0, 1, 0), toInferior(0, 0, -1), oblique(0.6, 0.8, 0.0);
+  const QImage axial = draw(toLeft, toPosterior), mirrored = draw(-toLeft, toPosterior);
+  EXPECT_EQ(axial.copy(top), mirrored.copy(top));
+  EXPECT_EQ(axial.copy(bottom), mirrored.copy(bottom));
+  EXPECT_NE(axial.copy(left), mirrored.copy(left));
+  EXPECT_NE(axial.copy(right), mirrored.copy(right));
+  const QImage coronal = draw(toLeft, toInferior);
+  EXPECT_EQ(axial.copy(left), coronal.copy(left));
+  EXPECT_NE(axial.copy(bottom), coronal.copy(bottom));
+  EXPECT_NE(draw(oblique, toInferior).copy(right), coronal.copy(right)) << "two letters";
+}
+
+TEST_F(Window, AScaleBarStandsInParallelViewsAlone) {
+  options().setCrosshair(false);
+  waitUntilDrawn();
+  const auto expectBar = [&](QWidget* view, double pixelsPerMm) {
+    SCOPED_TRACE(view->objectName().toStdString());
+    const int pixels = barLength(picture(view));
+    ASSERT_GT(pixels, 0);
+    // Device pixels, of which either end may be off by one.
+    const double mm = (pixels - 1) / (pixelsPerMm * window_->devicePixelRatioF());
+    EXPECT_LT(roundness(mm), 2.0 / (pixels - 1)) << mm << " mm";
+  };
+  constexpr double tenMm = 10.0;
+  for (SliceView* view : views().sliceViews()) {
+    const glm::dvec3 superior(0.0, 0.0, tenMm), left(tenMm, 0.0, 0.0);
+    const glm::dvec3 step = view == slice(SlicePlane::Axial) ? left : superior;
+    const QPointF by = view->widgetFromWorld(step) - view->widgetFromWorld(glm::dvec3(0.0));
+    expectBar(view, std::hypot(by.x(), by.y()) / tenMm);
+  }
+  for (VolumeView* view : views().volumeViews()) EXPECT_EQ(barLength(picture(view)), 0) << "in perspective";
+  QTest::keyClick(window_.get(), Qt::Key_P, Qt::ControlModifier);
+  waitUntilDrawn();
+  for (VolumeView* view : views().volumeViews()) {
+    const QPointF by = *view->widgetFromWorld({0.0, 0.0, tenMm}) - *view->widgetFromWorld(glm::dvec3(0.0));
+    expectBar(view, std::hypot(by.x(), by.y()) / tenMm);
+  }
+}
+
+TEST_F(Window, ACubeShowsHowThePatientLiesIn3D) {
+  const auto cube = [&](int view) {
+    waitUntilDrawn();
+    const QImage whole = picture(volume(static_cast<std::size_t>(view)));
+    const int side = static_cast<int>(60 * window_->devicePixelRatioF());
+    return whole.copy(0, whole.height() - side, side, side);
+  };
+  cameras().face(0, StandardView::Anterior);
+  const QImage anterior = cube(0);
+  EXPECT_NE(anterior.pixel(anterior.rect().center()), qRgb(0, 0, 0));
+  cameras().face(0, StandardView::Left);
+  const QImage left = cube(0);
+  EXPECT_NE(left, anterior);
+  cameras().face(0, StandardView::Superior);
+  EXPECT_NE(cube(0), anterior);
+  EXPECT_NE(cube(0), left);
+  cameras().setLinked(false);
+  cameras().face(1, StandardView::Left);
+  EXPECT_EQ(cube(1), left) << "the same in both views";
+}
+
+TEST_F(Window, TheRadiologicalConventionIsNamedOnScreen) {
+  bool named = false;
+  for (const QLabel* label : window_->statusBar()->findChildren<QLabel*>())
+    named |= label->isVisible() && label->text() == QStringLiteral("Radiological convention");
+  EXPECT_TRUE(named);
+  // On the slices where left and right could be mistaken: their top right corner.
+  const auto corner = [&](SlicePlane plane) {
+    const QImage whole = picture(slice(plane));
+    const int width = whole.width() / 3, height = static_cast<int>(24 * window_->devicePixelRatioF());
+    return whole.copy(whole.width() - width, 0, width, height);
+  };
+  for (const SlicePlane plane : {SlicePlane::Axial, SlicePlane::Coronal}) {
+    const QImage with = corner(plane);
+    options().setText(false);
+    EXPECT_NE(corner(plane), with);
+    options().setText(true);
+  }
 }
 
 }  // namespace

@@ -106,6 +106,42 @@ TEST_F(PresetWindow, AKeptLookComesBackWholeAsOneStep) {
   EXPECT_EQ(picker().box()->currentIndex(), -1) << "edited";
 }
 
+TEST_F(PresetWindow, ALabelsOwnFunctionGoesWithTheLook) {
+  const auto functionOf = [&](std::uint16_t label) { return document().labelSetting(label).function; };
+  document().focusOn(marker);
+  const TransferFunction own{{{0.0, {{1.0, 0.0, 0.0}, 0.25}}, {900.0, {{0.0, 0.0, 1.0}, 2.0}}}};
+  document().setLabelSetting({.label = marker, .opacity = 0.5, .function = own}, QStringLiteral("Test"));
+  edit();
+  waitUntilDrawn();
+  const Look kept = document().look();
+  const QImage seen = picture(volume(0));
+  keepAs(QStringLiteral("Mine"));
+  file_ = folder_ / "mine.json";
+  picker().exportPreset();
+  document().setLabelSetting({.label = marker, .opacity = 0.5}, QStringLiteral("Test"));
+  EXPECT_EQ(picker().box()->currentIndex(), -1) << "edited";
+  choose(QStringLiteral("Mine"));
+  EXPECT_EQ(document().look(), kept);
+  waitUntilDrawn();
+  EXPECT_EQ(picture(volume(0)), seen) << "to the bit";
+
+  // Other data with other values for the same names.
+  Study another = markedBall();
+  auto labels =
+      std::make_shared<LabelMap>(LabelMap{.grid = another.scene.labels->grid,
+                                          .voxels = Voxels(ScalarType::UInt8, another.scene.labels->voxels.count()),
+                                          .labels = {{1, "marker"}, {2, "body"}}});
+  const auto from = another.scene.labels->voxels.as<std::uint8_t>();
+  const auto to = labels->voxels.as<std::uint8_t>();
+  std::transform(from.begin(), from.end(), to.begin(), [](std::uint8_t value) { return value == 0 ? 0 : 3 - value; });
+  another.scene.labels = labels;
+  open(another);
+  picker().importPreset();
+  EXPECT_EQ(functionOf(1), own);
+  EXPECT_FALSE(functionOf(2));
+  EXPECT_EQ(document().labelSetting(1).opacity, 1.0) << "opacity belongs to the data";
+}
+
 TEST_F(PresetWindow, ExportedAndImportedOnAnotherVolumeItIsTheSameLook) {
   edit();
   const Look first = document().look();

@@ -9,6 +9,7 @@
 #include <QImage>
 #include <QProcess>
 
+#include "tests/gui/WindowFixture.h"
 #include "tests/io/DicomWriter.h"
 #include "tests/support/LargeVolume.h"
 #include "tests/support/TestData.h"
@@ -26,7 +27,6 @@ Ended run(const QStringList& arguments,
   QProcess program;
   program.setProcessEnvironment(environment);
   program.start(QStringLiteral(FENESTRA_PROGRAM), arguments);
-  constexpr int patience = 60000;  // ms; reached only when something hangs
   if (!program.waitForFinished(patience) || program.exitStatus() != QProcess::NormalExit) return {};
   return {program.exitCode(), QString::fromUtf8(program.readAllStandardError()).trimmed()};
 }

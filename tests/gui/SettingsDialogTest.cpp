@@ -3,13 +3,19 @@
 #include <QAction>
 #include <QApplication>
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDialogButtonBox>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QSpinBox>
 #include <QTest>
 
+#include "io/VolumeWriter.h"
 #include "tests/gui/WindowFixture.h"
+#include "tests/support/TestData.h"
+#include "viewer/Sessions.h"
 #include "viewer/SettingsDialog.h"
+#include "viewer/panels/ColourButton.h"
 
 namespace fenestra::viewer {
 namespace {
@@ -31,6 +37,14 @@ TEST_F(Settings, ARowForEachPreferenceShowsAndChangesIt) {
       EXPECT_EQ(box->isChecked(), entry.otherwise != 0);
       QTest::keyClick(box, Qt::Key_Space);
       EXPECT_EQ(preferences().isOn(entry.which), entry.otherwise == 0);
+    } else if (auto* colour = qobject_cast<ColourButton*>(control)) {
+      Q_EMIT colour->edited({1.0, 0.5, 0.0});
+      EXPECT_EQ(preferences().value(entry.which), 0xff8000);
+    } else if (auto* choice = qobject_cast<QComboBox*>(control)) {
+      EXPECT_EQ(choice->count(), entry.high + 1);
+      EXPECT_EQ(choice->currentIndex(), entry.otherwise);
+      QTest::keyClick(choice, Qt::Key_Down);
+      EXPECT_EQ(preferences().value(entry.which), entry.otherwise + 1);
     } else {
       auto* number = qobject_cast<QSpinBox*>(control);
       ASSERT_TRUE(number);
@@ -47,6 +61,36 @@ TEST_F(Settings, ARowForEachPreferenceShowsAndChangesIt) {
       EXPECT_EQ(box->isChecked(), entry.otherwise != 0);
     }
   }
+}
+
+TEST_F(Settings, BackgroundAndUnitAreThoseOfDataOpenedNext) {
+  const std::filesystem::path file = tests::scratchFolder() / "ball.nii.gz";
+  io::writeVolume(*markedBall().scene.volume, file);
+  const Look before = document().look();
+  preferences().set(Preference::Background, 0x204060);
+  preferences().set(Preference::WidthUnit, static_cast<int>(WidthUnit::Millimetre));
+  EXPECT_EQ(document().look(), before) << "what is open stays as it is";
+  const auto openFile = [&](const std::filesystem::path& path) {
+    QSignalSpy opened(window_.get(), &MainWindow::opened);
+    window_->open({path});
+    ASSERT_TRUE(opened.count() > 0 || opened.wait(patience));
+    waitUntilDrawn();
+  };
+  openFile(file);
+  EXPECT_LT(glm::distance(document().look().background, glm::dvec3(0x20, 0x40, 0x60) / 255.0), 1e-12);
+  EXPECT_EQ(document().look().cutaway.unit, WidthUnit::Millimetre);
+  const QColor corner = picture(volume(0)).pixelColor(4, picture(volume(0)).height() / 2);
+  EXPECT_EQ(corner.rgb() & 0xffffffu, 0x204060u);
+  EXPECT_FALSE(document().undoStack().canUndo());
+  // A session has its own.
+  const std::filesystem::path session = file.parent_path() / "a.fenestra";
+  window_->sessions().controller().save(session);
+  ASSERT_TRUE(window_->sessions().controller().waitUntilSaved());
+  const Look saved = document().look();
+  preferences().restoreDefaults();
+  openFile(session);
+  EXPECT_EQ(document().look().background, saved.background);
+  EXPECT_EQ(document().look().cutaway.unit, saved.cutaway.unit);
 }
 
 TEST_F(Settings, TakeEffectAtOnce) {

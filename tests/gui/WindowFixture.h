@@ -16,7 +16,8 @@
 
 namespace fenestra::viewer {
 
-constexpr int patience = 30000;  ///< ms; reached only when something hangs
+/// ms; reached only when something hangs. Sanitizers on a busy machine are a hundred times slower than a release build.
+constexpr int patience = 600000;
 constexpr std::uint16_t body = 1, marker = 2;
 
 /// Where the marker is: to the patient's left, anterior and superior of the middle.

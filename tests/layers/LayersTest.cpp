@@ -57,6 +57,14 @@ TEST(Architecture, WhatIsIncludedIsLinked) {
   EXPECT_TRUE(found.empty()) << joined(found);
 }
 
+/// Qt's file dialogs store the folders that they show, which may be named after a patient; see the file that may.
+TEST(Architecture, FileDialogsAreMadeInOneFile) {
+  std::vector<std::string> users;
+  for (const SourceFile& source : productSources(codeEndings))
+    if (source.text.find("QFileDialog") != std::string::npos) users.push_back(source.path);
+  EXPECT_EQ(users, std::vector<std::string>{"viewer/panels/FileDialog.cpp"});
+}
+
 TEST(Architecture, TheRuleHasNoCycleAndNoUnusedArrow) {
   const LayerRule rule = layerRule(readSource("CONTRIBUTING.md"));
   EXPECT_EQ(joined(cycleIn(edgesOf(rule)), " → "), "");

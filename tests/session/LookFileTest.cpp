@@ -20,7 +20,22 @@ using Json = nlohmann::ordered_json;
 
 const fs::path published = FENESTRA_LOOK_SCHEMA;
 
-io::LookPreset somePreset(const fs::path& folder) { return {"Gefäße", "HU", styleOf(fullSession(folder).look), {}}; }
+io::LookPreset somePreset(const fs::path& folder) {
+  const TransferFunction function{{{-20.0, {{0.2, 0.4, 1.0}, 0.0}}, {150.0, {{0.9, 0.3, 0.2}, 0.75}}}};
+  return {"Gefäße", "HU", styleOf(fullSession(folder).look), {}, {{"Leber", function}, {"7", {}}}};
+}
+
+/// A volume with labels of those names, and unnamed ones.
+Scene sceneWith(const std::vector<Label>& labels) {
+  auto volume = std::make_shared<Volume>();
+  volume->unit = "HU";
+  auto map = std::make_shared<LabelMap>();
+  map->labels = labels;
+  Scene scene;
+  scene.volume = volume;
+  scene.labels = map;
+  return scene;
+}
 
 TEST(LookFile, BringsEverythingBackToTheBit) {
   const fs::path folder = scratchFolder();
@@ -41,6 +56,28 @@ TEST(LookFile, HoldsNothingOfTheData) {
   EXPECT_EQ(read.look.focus, Focus());
   EXPECT_TRUE(read.look.strokes.empty() && read.look.labels.empty() && read.look.context.file.empty());
   EXPECT_EQ(readFile(folder / "a.json").find(folder.string()), std::string::npos) << "no path of the user's";
+}
+
+TEST(LookFile, LabelsAreFoundAgainByNameOrByTheValueOfUnnamedOnes) {
+  const fs::path file = scratchFolder() / "a.json";
+  const TransferFunction liver{{{0.0, {{1.0, 0.0, 0.0}, 0.5}}}}, unnamed{{{10.0, {{0.0, 1.0, 0.0}, 0.25}}}};
+  Scene first = sceneWith({{1, "liver"}, {2, ""}, {3, "spleen"}});
+  first.look.labels = {{.label = 1, .opacity = 0.5, .function = liver}, {.label = 2, .function = unnamed}};
+  io::writeLook(file, io::presetOf("x", first));
+  const io::LookPreset preset = io::readLook(file);
+  ASSERT_EQ(preset.labels, (std::vector<io::LabelFunction>{{"liver", liver}, {"2", unnamed}}));
+  EXPECT_EQ(io::restyled(first, preset), first.look);
+
+  Scene second = sceneWith({{1, "spleen"}, {2, ""}, {9, "liver"}});
+  second.look.labels = {{.label = 1, .role = LabelRole::Hidden, .function = liver}};
+  const Look result = io::restyled(second, preset);
+  EXPECT_EQ(settingFor(result.labels, 9).function, liver) << "by name, whatever its value";
+  EXPECT_EQ(settingFor(result.labels, 9).opacity, 1.0) << "opacity and role belong to the data";
+  EXPECT_EQ(settingFor(result.labels, 2).function, unnamed);
+  EXPECT_EQ(settingFor(result.labels, 1), (LabelSetting{.label = 1, .role = LabelRole::Hidden}))
+      << "of one material, as in the preset";
+  second.labels = nullptr;
+  EXPECT_EQ(io::restyled(second, preset).labels, second.look.labels) << "settings of labels that are not there stay";
 }
 
 TEST(LookFile, OnAnotherVolumeTheLookIsTheSame) {

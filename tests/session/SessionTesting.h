@@ -68,6 +68,11 @@ inline io::Session fullSession(const std::filesystem::path& folder) {
   session.look.reconstruction = Reconstruction::Smooth;
   session.look.strokes = {someStroke(BrushMode::Open), someStroke(BrushMode::Fade, 1),
                           someStroke(BrushMode::Strengthen)};
+  session.look.clipping = {true,
+                           {{-31.5, 1.0 / 3.0, -1e3}, {77.0, 0.5, 12.25}},
+                           {{{0.6, 0.0, -0.8}, -17.0}, {{0.0, 1.0, 0.0}, 0.1}},
+                           {3, 65535},
+                           WindowLevel{400.0, 40.5}};
   session.quality = Quality::High;
   session.maxError = 1.5;
   session.views = {

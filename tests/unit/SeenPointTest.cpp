@@ -62,6 +62,14 @@ TEST(SeenPoint, IsTheFocusWhereTheFocusShows) {
   EXPECT_LT(x, 23.5);
 }
 
+TEST(SeenPoint, IsNothingThatIsClipped) {
+  Scene scene = layers(0.02, 3.0);
+  scene.look.clipping.planes = {{{-1.0, 0.0, 0.0}, -25.0}};  // keeps what lies before the bone
+  const double x = seenAt(scene);
+  EXPECT_GE(x, 10.0);
+  EXPECT_LT(x, 16.0);
+}
+
 /// A focus from 30 on, and a label from 16 to 19; the opening removes what lies before the focus.
 Scene opened(LabelRole role) {
   Scene scene = layers(0.5, 3.0);

@@ -14,6 +14,7 @@ Study readStudy(const PathsToOpen& paths, const Look& look, const io::Progress& 
   study.scene.volume = opened.volume;
   study.scene.look = look;
   study.scene.look.focus = std::monostate{};
+  study.scene.look.clipping = {};
   study.scene.look.strokes.clear();
   study.scene.look.context = io::loadContextFunction(io::defaultPreset(*opened.volume), *opened.volume);
   study.path = paths.volume;

@@ -18,6 +18,8 @@ class StudyLoader : public QObject {
  public:
   /// Reads a study on another thread.
   using Reader = std::function<Study(const io::Progress&)>;
+  /// The same of data that come with the program, to be looked at in that way.
+  using SampleReader = std::function<Study(const Look&, const io::Progress&)>;
   /// Called on the GUI thread when the reader does not find a session's data.
   using Missing = std::function<void(const io::DataMissing&)>;
 

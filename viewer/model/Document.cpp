@@ -35,7 +35,9 @@ class Document::LookChange : public Change {
   bool absorb(const Change& next) override {
     const auto& later = static_cast<const LookChange&>(next);
     const Look& now = document_.look();
-    *this = LookChange(document_, replaced(replaced(now, later.after_, later.before_), after_, before_), now);
+    // Each finds its strokes at its own place.
+    const Look between = later.replaced(now, later.after_, later.before_);
+    *this = LookChange(document_, replaced(between, after_, before_), now);
     return true;
   }
   bool isNothing() const override { return before_ == after_; }
@@ -62,10 +64,11 @@ class Document::LookChange : public Change {
 
   static std::size_t heldBy(const Look& look) {
     const ContextFunction& context = look.context;
-    std::size_t bytes = look.labels.capacity() * sizeof(LabelSetting) + context.preset.capacity() +
-                        context.file.native().capacity() +
-                        context.function.nodes.capacity() * sizeof(TransferFunction::Node) +
-                        look.strokes.capacity() * sizeof(BrushStroke);
+    std::size_t bytes =
+        look.labels.capacity() * sizeof(LabelSetting) + context.preset.capacity() + context.file.native().capacity() +
+        context.function.nodes.capacity() * sizeof(TransferFunction::Node) +
+        look.strokes.capacity() * sizeof(BrushStroke) + look.clipping.planes.capacity() * sizeof(HalfSpace) +
+        look.clipping.exempt.capacity() * sizeof(std::uint16_t);
     for (const BrushStroke& stroke : look.strokes) bytes += stroke.anchors.capacity() * sizeof(glm::dvec3);
     if (const auto* focus = std::get_if<LabelFocus>(&look.focus))
       bytes += focus->labels.capacity() * sizeof(focus->labels[0]);
@@ -147,6 +150,7 @@ void Document::open(Study study) {
   Q_EMIT transferFunctionChanged();
   Q_EMIT cutawayChanged();
   Q_EMIT shadingChanged();
+  Q_EMIT clippingChanged();
   Q_EMIT strokesChanged();
   Q_EMIT windowChanged();
   Q_EMIT sceneChanged();
@@ -172,14 +176,16 @@ void Document::show(Look look) {
   const bool context = now.context != before.context;
   const bool cutaway = now.cutaway != before.cutaway || now.contextLayer != before.contextLayer;
   const bool shading = now.shading != before.shading, strokes = now.strokes != before.strokes;
-  const bool labels = now.labels != before.labels;
-  const bool scene = focus || labels || context || cutaway || shading || now.background != before.background ||
-                     now.hideTable != before.hideTable || now.reconstruction != before.reconstruction;
+  const bool labels = now.labels != before.labels, clipping = now.clipping != before.clipping;
+  const bool scene = focus || labels || context || cutaway || shading || clipping ||
+                     now.background != before.background || now.hideTable != before.hideTable ||
+                     now.reconstruction != before.reconstruction;
   if (focus) Q_EMIT focusChanged();
   if (labels) Q_EMIT labelSettingsChanged();
   if (context) Q_EMIT transferFunctionChanged();
   if (cutaway) Q_EMIT cutawayChanged();
   if (shading) Q_EMIT shadingChanged();
+  if (clipping) Q_EMIT clippingChanged();
   if (strokes) Q_EMIT strokesChanged();
   if (scene) Q_EMIT sceneChanged();
 }
@@ -201,10 +207,11 @@ void Document::setLabels(std::shared_ptr<const LabelMap> labels, io::SessionData
   labelsRevision_ = filedRevision_ = ++lastRevision_;
   updateShown();
   Q_EMIT labelsChanged();
-  if (std::holds_alternative<LabelFocus>(focus()) || !look().labels.empty()) {
+  if (std::holds_alternative<LabelFocus>(focus()) || !look().labels.empty() || !clipping().exempt.empty()) {
     Look without = look();
     if (std::holds_alternative<LabelFocus>(focus())) without.focus = std::monostate{};
     without.labels.clear();
+    without.clipping.exempt.clear();
     show(std::move(without));
   } else {
     Q_EMIT sceneChanged();
@@ -401,6 +408,20 @@ void Document::setShift(double shift) {
   Look changed = look();
   changed.context.shift = shift;
   edit(tr("Shift"), std::move(changed));
+}
+
+void Document::setClipping(Clipping clipping, const QString& name) {
+  if (clipping == this->clipping()) return;
+  Look changed = look();
+  changed.clipping = std::move(clipping);
+  edit(name, std::move(changed));
+}
+
+void Document::setExempt(std::uint16_t label, bool exempt) {
+  Clipping changed = clipping();
+  std::erase(changed.exempt, label);
+  if (exempt) changed.exempt.insert(std::lower_bound(changed.exempt.begin(), changed.exempt.end(), label), label);
+  setClipping(std::move(changed), tr("Never clipped"));
 }
 
 void Document::setStrokes(BrushStrokes strokes, const QString& name) {

@@ -135,6 +135,11 @@ class Document : public QObject {
   void setShift(double shift);
   double shift() const { return look().context.shift; }
 
+  const Clipping& clipping() const { return look().clipping; }
+  void setClipping(Clipping clipping, const QString& name);
+  /// Whether clipping leaves a label whole.
+  void setExempt(std::uint16_t label, bool exempt);
+
   const BrushStrokes& strokes() const { return look().strokes; }
   void setStrokes(BrushStrokes strokes, const QString& name);
 
@@ -162,6 +167,7 @@ class Document : public QObject {
   /// The cutaway or the context layer.
   void cutawayChanged();
   void shadingChanged();
+  void clippingChanged();
   /// Brush strokes: a small part of a 3-D picture.
   void strokesChanged();
   void measuresChanged();

@@ -125,6 +125,10 @@ void setByValue(const FunctionTarget& target, Document& document, bool byValue, 
   showFunction(target, document, TransferFunction{{{values.low, material}, {values.high, material}}});
 }
 
+void showByValue(const FunctionTarget& target, Document& document, const TransferFunction& function) {
+  if (canBeByValue(target, document)) showFunction(target, document, function);
+}
+
 TransferFunction functionOf(const FunctionTarget& target, const Document& document, ValueRange axis) {
   if (target.kind == Kind::Context) return document.look().context.shifted();
   if (isByValue(target, document)) return *functionIn(target, document);

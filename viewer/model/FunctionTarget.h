@@ -34,6 +34,9 @@ bool isByValue(const FunctionTarget& target, const Document& document);
 /// points at the ends of `values`, both of the material, so that the picture stays as it is until one is moved.
 void setByValue(const FunctionTarget& target, Document& document, bool byValue, ValueRange values);
 
+/// Shows the target by `function`, as one step of the history; canBeByValue() is true of it.
+void showByValue(const FunctionTarget& target, Document& document, const TransferFunction& function);
+
 /// The target's function over values of the volume, its shift included and a label's opacity left out. That of a level
 /// spans `axis`.
 TransferFunction functionOf(const FunctionTarget& target, const Document& document, ValueRange axis);

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include <QStringList>
-
+#include "rendering/scene/Settings.h"
 #include "rendering/viewpoints/Sphere.h"
 #include "viewer/model/Paths.h"
 #include "viewer/model/PlacementWeights.h"
@@ -28,23 +27,45 @@ const std::array<NamedSwitch, 3> namedSwitches{{{"joint", &PlacementSettings::jo
                                                 {"follow", &PlacementSettings::follow},
                                                 {"automatic", &PlacementSettings::automatic}}};
 
+std::vector<const char*> widthUnits() {
+  std::vector<const char*> names;
+  for (const auto& word : wordsOf(WidthUnit{})) names.push_back(word.name);
+  return names;
+}
+
+using Kind = PreferenceEntry::Kind;
+
 constexpr std::array table{
-    PreferenceEntry{Preference::LightTheme, "window/lightTheme", QT_TRANSLATE_NOOP("Settings", "Light theme"),
+    PreferenceEntry{Preference::LightTheme, Kind::Switch, "window/lightTheme",
+                    QT_TRANSLATE_NOOP("Settings", "Light theme"),
                     QT_TRANSLATE_NOOP("Settings", "Light colours around the pictures, for bright rooms")},
-    PreferenceEntry{Preference::AnimatedCameras, "picture/animatedCameras",
+    PreferenceEntry{Preference::AnimatedCameras, Kind::Switch, "picture/animatedCameras",
                     QT_TRANSLATE_NOOP("Settings", "Animate the cameras"),
                     QT_TRANSLATE_NOOP("Settings", "Cameras fly to where they are placed instead of jumping there"), 1},
     PreferenceEntry{
-        Preference::PicturesPerSecond, "picture/perSecond", QT_TRANSLATE_NOOP("Settings", "While something moves"),
+        Preference::PicturesPerSecond, Kind::Number, "picture/perSecond",
+        QT_TRANSLATE_NOOP("Settings", "While something moves"),
         QT_TRANSLATE_NOOP("Settings",
                           "Pictures a second to aim at: more of them are smaller on a slow machine. At rest "
                           "they always have full quality"),
         12, 4, 30, QT_TRANSLATE_NOOP("Settings", "pictures/s")},
-    PreferenceEntry{Preference::HidesPatient, "picture/hidesPatient", QT_TRANSLATE_NOOP("Settings", "Hide the patient"),
-                    QT_TRANSLATE_NOOP("Settings", "No patient and no study in corner texts and in the recent list")},
-    PreferenceEntry{Preference::KeepsRecent, "list/keepsRecent", QT_TRANSLATE_NOOP("Settings", "Remember recent data"),
+    PreferenceEntry{Preference::Background, Kind::Colour, "picture/background",
+                    QT_TRANSLATE_NOOP("Settings", "Background of new data"),
+                    QT_TRANSLATE_NOOP("Settings", "Colour behind the volume when data are opened without a session"), 0,
+                    0, 0xffffff},
+    PreferenceEntry{
+        Preference::WidthUnit, Kind::Choice, "picture/widthUnit", QT_TRANSLATE_NOOP("Settings", "Unit of new openings"),
+        QT_TRANSLATE_NOOP("Settings", "What the widths of the opening are in when data are opened without a session"),
+        0, 0, static_cast<int>(wordsOf(WidthUnit{}).size()) - 1, "", widthUnits},
+    PreferenceEntry{Preference::HidesPatient, Kind::Switch, "picture/hidesPatient",
+                    QT_TRANSLATE_NOOP("Settings", "Hide the patient"),
+                    QT_TRANSLATE_NOOP("Settings",
+                                      "No patient and no study in corner texts, and no folder that may be named after "
+                                      "them in the recent list and in what file dialogs remember")},
+    PreferenceEntry{Preference::KeepsRecent, Kind::Switch, "list/keepsRecent",
+                    QT_TRANSLATE_NOOP("Settings", "Remember recent data"),
                     QT_TRANSLATE_NOOP("Settings", "List the folders and files opened last in the File menu"), 1},
-    PreferenceEntry{Preference::KeepsCopies, "session/copies",
+    PreferenceEntry{Preference::KeepsCopies, Kind::Switch, "session/copies",
                     QT_TRANSLATE_NOOP("Settings", "Keep a copy of unsaved work"),
                     QT_TRANSLATE_NOOP("Settings", "Every minute, to be offered after a crash"), 1}};
 
@@ -62,21 +83,29 @@ int Preferences::value(Preference which) const {
   if (!stored.isValid()) return entry.otherwise;
   bool isNumber = false;
   // Switches are stored as such.
-  const int number = entry.isSwitch() ? stored.toBool() : stored.toInt(&isNumber);
-  return entry.isSwitch() || (isNumber && number >= entry.low && number <= entry.high) ? number : entry.otherwise;
+  if (entry.kind == Kind::Switch) return stored.toBool();
+  const int number = stored.toInt(&isNumber);
+  return isNumber && number >= entry.low && number <= entry.high ? number : entry.otherwise;
 }
 
 void Preferences::set(Preference which, int wanted) {
   const PreferenceEntry& entry = table[static_cast<std::size_t>(which)];
   const int number = std::clamp(wanted, entry.low, entry.high);
   if (number == value(which)) return;
-  store(QLatin1String(entry.key), entry.isSwitch() ? QVariant(number != 0) : QVariant(number));
+  store(QLatin1String(entry.key), entry.kind == Kind::Switch ? QVariant(number != 0) : QVariant(number));
   if (which == Preference::KeepsRecent && number == 0) clearRecent();
   Q_EMIT changed(which);
 }
 
 void Preferences::restoreDefaults() {
   for (const PreferenceEntry& entry : table) set(entry.which, entry.otherwise);
+}
+
+Look Preferences::startingLook(Look look) const {
+  const int rgb = value(Preference::Background);
+  look.background = glm::dvec3((rgb >> 16) & 255, (rgb >> 8) & 255, rgb & 255) / 255.0;
+  look.cutaway.unit = wordsOf(WidthUnit{})[static_cast<std::size_t>(value(Preference::WidthUnit))].value;
+  return look;
 }
 
 QVariant Preferences::value(const QString& key, const QVariant& otherwise) const {
@@ -103,7 +132,9 @@ std::filesystem::path Preferences::looksFolder() const {
 
 std::vector<std::filesystem::path> Preferences::recent() const {
   std::vector<std::filesystem::path> paths;
-  for (const QString& path : value(recentKey).toStringList()) paths.push_back(toPath(path));
+  QStringList all = hiddenRecent_ + value(recentKey).toStringList();
+  all.removeDuplicates();
+  for (const QString& path : all.mid(0, recentCount)) paths.push_back(toPath(path));
   return paths;
 }
 
@@ -111,15 +142,23 @@ void Preferences::addRecent(const std::filesystem::path& path) {
   if (!isOn(Preference::KeepsRecent)) return;
   std::error_code ignored;
   const std::filesystem::path absolute = std::filesystem::absolute(path, ignored);
-  QStringList paths = value(recentKey).toStringList();
+  const bool isHidden = isOn(Preference::HidesPatient);
+  QStringList paths = isHidden ? hiddenRecent_ : value(recentKey).toStringList();
   const QString text = toQString(ignored ? path : absolute);
+  hiddenRecent_.removeAll(text);
   paths.removeAll(text);
   paths.prepend(text);
   while (paths.size() > recentCount) paths.removeLast();
-  store(recentKey, paths);
+  if (isHidden)
+    hiddenRecent_ = paths;
+  else
+    store(recentKey, paths);
 }
 
-void Preferences::clearRecent() { remove(recentKey); }
+void Preferences::clearRecent() {
+  hiddenRecent_.clear();
+  remove(recentKey);
+}
 
 Effort Preferences::atRest() const {
   Effort effort;

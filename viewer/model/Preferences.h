@@ -12,8 +12,10 @@
 #include <QHash>
 #include <QObject>
 #include <QSettings>
+#include <QStringList>
 #include <QVariant>
 
+#include "rendering/scene/Look.h"
 #include "viewer/model/FramePacer.h"
 #include "viewer/model/PlacementController.h"
 
@@ -24,6 +26,8 @@ enum class Preference : std::uint8_t {
   LightTheme,
   AnimatedCameras,
   PicturesPerSecond,
+  Background,
+  WidthUnit,
   HidesPatient,
   KeepsRecent,
   KeepsCopies
@@ -31,15 +35,17 @@ enum class Preference : std::uint8_t {
 
 /// A preference's declaration: storage, the dialog and the defaults are made from preferenceTable().
 struct PreferenceEntry {
+  /// Colour: 0xRRGGBB. Choice: of the entries of `words`.
+  enum class Kind : std::uint8_t { Switch, Number, Colour, Choice };
   Preference which;
+  Kind kind = Kind::Switch;
   const char* key;          ///< in the file of settings
   const char* name;         ///< label in the dialog
   const char* description;  ///< tool tip
   int otherwise = 0;        ///< default; of a switch, 0 or 1
-  int low = 0, high = 1;    ///< a number's range; 0 and 1: a switch
+  int low = 0, high = 1;
   const char* unit = "";
-
-  bool isSwitch() const { return low == 0 && high == 1; }
+  std::vector<const char*> (*words)() = nullptr;  ///< as the dialog shows a choice
 };
 std::span<const PreferenceEntry> preferenceTable();
 
@@ -58,9 +64,12 @@ class Preferences : public QObject {
   void set(Preference which, int value);
   /// Of all in the table.
   void restoreDefaults();
+  /// How data without a session begin to be looked at: `look`, with the user's own defaults in it.
+  Look startingLook(Look look) const;
 
   /// Latest first. Paths that no longer exist stay listed: they may lie on a disk that is not connected.
   std::vector<std::filesystem::path> recent() const;
+  /// A path that is added while the patient is hidden is known to this run alone: it may name the patient.
   void addRecent(const std::filesystem::path& path);
   void clearRecent();
 
@@ -90,6 +99,7 @@ class Preferences : public QObject {
 
   std::optional<QSettings> settings_;  ///< empty when transient
   QHash<QString, QVariant> unstored_;  ///< when transient
+  QStringList hiddenRecent_;           ///< added while the patient is hidden, latest first
 };
 
 }  // namespace fenestra::viewer

@@ -16,12 +16,14 @@ class ViewOptions : public QObject {
   bool measures() const { return measures_; }          ///< drawn on the slices
   bool grows() const { return grows_; }                ///< a click grows a region where there is no label
   bool hidesPatient() const { return hidesPatient_; }  ///< no patient or study anywhere in the window
+  bool clipHandles() const { return clipHandles_; }    ///< of the crop box and clip planes, to be dragged
   void setCrosshair(bool on) { set(crosshair_, on); }
   void setText(bool on) { set(text_, on); }
   void setLabels(bool on) { set(labels_, on); }
   void setMeasures(bool on) { set(measures_, on); }
   void setGrows(bool on) { set(grows_, on); }
   void setHidesPatient(bool on) { set(hidesPatient_, on); }
+  void setClipHandles(bool on) { set(clipHandles_, on); }
 
  Q_SIGNALS:
   void changed();
@@ -33,7 +35,8 @@ class ViewOptions : public QObject {
     Q_EMIT changed();
   }
 
-  bool crosshair_ = true, text_ = true, labels_ = true, measures_ = true, grows_ = true, hidesPatient_ = false;
+  bool crosshair_ = true, text_ = true, labels_ = true, measures_ = true, grows_ = true, hidesPatient_ = false,
+       clipHandles_ = false;
 };
 
 }  // namespace fenestra::viewer

@@ -15,7 +15,7 @@ AppearancePanel::AppearancePanel(Document& document, LookLibrary& library, QWidg
       document_(document),
       light_(document, &Look::shading),
       presets_(new PresetPicker(document, library)),
-      editor_(new TransferFunctionEditor(document)),
+      editor_(new TransferFunctionEditor(document, library)),
       shift_(new SliderSpin(-500.0, 500.0, 1.0)),
       background_(new ColourButton(translated(settingOf(&Look::background).description))),
       table_(new QCheckBox(translated(settingOf(&Look::hideTable).name))),

@@ -1,5 +1,7 @@
 #include "viewer/panels/LabelList.h"
 
+#include <algorithm>
+
 #include <optional>
 
 #include <QActionGroup>
@@ -142,6 +144,13 @@ void LabelList::addRoles(QMenu& menu, std::uint16_t label) {
   for (const Word<LabelRole>& each : wordsOf(LabelRole{}))
     add(each.value, (std::string("role-") + each.word).c_str(), QLatin1String(each.name),
         QLatin1String(each.description));
+  menu.addSeparator();
+  QAction* exempt =
+      menu.addAction(tr("Never clipped"), this, [this, label](bool on) { document_.setExempt(label, on); });
+  exempt->setToolTip(tr("Stays outside the crop box and behind clip planes, as part of the context"));
+  exempt->setCheckable(true);
+  const std::vector<std::uint16_t>& labels = document_.clipping().exempt;
+  exempt->setChecked(std::binary_search(labels.begin(), labels.end(), label));
 }
 
 void LabelList::chooseRole(std::uint16_t label, QPoint at) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include <QAbstractItemView>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QInputDialog>
@@ -19,6 +18,7 @@
 #include "viewer/model/Paths.h"
 #include "viewer/model/PreviewBackend.h"
 #include "viewer/model/Translation.h"
+#include "viewer/panels/FileDialog.h"
 
 namespace fenestra::viewer {
 namespace {
@@ -28,10 +28,6 @@ constexpr QSize pictureSize(64, 56), smallSize(22, 19);
 
 /// What a row stands for: the id or path that Document::setPreset takes, or the name of a user's preset.
 enum Role : int { Function = Qt::UserRole, Preset, HasPicture };
-
-std::optional<std::filesystem::path> chosenFile(const QString& name) {
-  return name.isEmpty() ? std::nullopt : std::optional(toPath(name));
-}
 
 }  // namespace
 
@@ -69,22 +65,20 @@ PresetQuestions presetDialogs(QWidget* parent) {
           },
       .importWhich =
           [=] {
-            return chosenFile(QFileDialog::getOpenFileName(parent, PresetPicker::tr("Import a preset"), {},
-                                                           PresetPicker::tr("Presets (*.json)")));
+            return askForFile(parent, {PresetPicker::tr("Import a preset"), PresetPicker::tr("Presets (*.json)")});
           },
-      .exportWhere =
-          [=](const QString& suggested) {
-            return chosenFile(QFileDialog::getSaveFileName(parent, PresetPicker::tr("Export the preset"),
-                                                           suggested + QStringLiteral(".json"),
-                                                           PresetPicker::tr("Presets (*.json)")));
-          },
+      .exportWhere = [=](const QString& suggested) -> std::optional<std::filesystem::path> {
+        const FileKind kind{PresetPicker::tr("Presets"), QStringLiteral(".json")};
+        const auto file = askForNewFile(parent, PresetPicker::tr("Export the preset"), {kind}, suggested + kind.ending);
+        return file ? std::optional(file->path) : std::nullopt;
+      },
       .mayReplace =
           [=](const QString& name) { return ask(PresetPicker::tr("There is a preset \"%1\". Replace it?").arg(name)); },
       .mayDelete = [=](const QString& name) { return ask(PresetPicker::tr("Delete the preset \"%1\"?").arg(name)); },
       .functionWhich =
           [=] {
-            return chosenFile(QFileDialog::getOpenFileName(parent, PresetPicker::tr("Open a transfer function"), {},
-                                                           PresetPicker::tr("Transfer functions (*.json)")));
+            return askForFile(parent, {PresetPicker::tr("Open a transfer function"),
+                                       PresetPicker::tr("Transfer functions (*.json)")});
           }};
 }
 
@@ -151,9 +145,12 @@ void PresetPicker::show() {
     // What is a preset's function goes by that; otherwise by the preset of the whole look that it is.
     if (!function.isEmpty()) row = box_->findData(function, Function);
     if (const auto& entries = library_.entries(); row < 0 && !entries.empty()) {
-      const auto same =
-          std::find_if(entries.begin(), entries.end(),
-                       [style = styleOf(document_.look())](const auto& each) { return each.preset.look == style; });
+      // What was made from a built-in function or file shows as that.
+      Scene nameless = document_.study().scene;
+      nameless.look.context = styleOf(nameless.look).context;
+      const auto same = std::find_if(entries.begin(), entries.end(), [&](const auto& each) {
+        return io::restyled(nameless, each.preset) == nameless.look;
+      });
       if (same != entries.end()) row = box_->findData(QString::fromStdString(same->preset.name), Preset);
     }
     if (row < 0 && !function.isEmpty()) {  // a file, which gets an entry with its name
@@ -182,7 +179,7 @@ void PresetPicker::choose(int row) {
 }
 
 void PresetPicker::apply(const LookLibrary::Entry& entry) {
-  document_.edit(tr("Preset"), restyled(document_.look(), entry.preset.look));
+  document_.edit(tr("Preset"), io::restyled(document_.study().scene, entry.preset));
   const std::string odd = io::mismatchOf(entry.preset, document_.scene().volume->unit);
   if (!odd.empty()) Q_EMIT warned(QString::fromStdString(odd));
 }
@@ -207,7 +204,7 @@ void PresetPicker::keepLook() {
   attempt([this] {
     const QString name = questions_.name(shownPreset());
     if (name.isEmpty() || (library_.find(name) && !questions_.mayReplace(name))) return;
-    library_.keep({name.toStdString(), document_.scene().volume->unit, styleOf(document_.look()), {}});
+    library_.keep(io::presetOf(name.toStdString(), document_.study().scene));
   });
 }
 
@@ -227,10 +224,7 @@ void PresetPicker::exportPreset() {
     const auto file = questions_.exportWhere(preset.isEmpty() ? tr("Look") : preset);
     if (!file) return;
     const LookLibrary::Entry* entry = library_.find(preset);
-    io::writeLook(
-        *file,
-        entry ? entry->preset
-              : io::LookPreset{file->stem().string(), document_.scene().volume->unit, styleOf(document_.look()), {}});
+    io::writeLook(*file, entry ? entry->preset : io::presetOf(file->stem().string(), document_.study().scene));
   });
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <iterator>
 
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QItemSelectionModel>
 #include <QShortcut>
@@ -12,6 +11,7 @@
 #include "io/session/StrokeFile.h"
 #include "viewer/model/Document.h"
 #include "viewer/model/Paths.h"
+#include "viewer/panels/FileDialog.h"
 #include "viewer/panels/StrokeModel.h"
 
 namespace fenestra::viewer {
@@ -48,16 +48,13 @@ void StrokeList::connectButtons() {
   connect(new QShortcut(QKeySequence::Delete, list_, nullptr, nullptr, Qt::WidgetShortcut), &QShortcut::activated, this,
           &StrokeList::deleteSelected);
   connect(clear_, &QPushButton::clicked, this, [this] { document_.setStrokes({}, tr("Clear strokes")); });
-  const QString files = tr("Brush strokes (*.json)");
-  connect(load_, &QPushButton::clicked, this, [this, files] {
-    const QString file = QFileDialog::getOpenFileName(this, tr("Load brush strokes"), {}, files);
-    if (!file.isEmpty()) load(file);
+  connect(load_, &QPushButton::clicked, this, [this] {
+    if (const auto file = askForFile(this, {tr("Load brush strokes"), tr("Brush strokes (*.json)")}))
+      load(toQString(*file));
   });
-  connect(save_, &QPushButton::clicked, this, [this, files] {
-    QFileDialog dialog(this, tr("Save brush strokes"), {}, files);
-    dialog.setAcceptMode(QFileDialog::AcceptSave);
-    dialog.setDefaultSuffix(QStringLiteral("json"));
-    if (dialog.exec() == QDialog::Accepted) save(dialog.selectedFiles().front());
+  connect(save_, &QPushButton::clicked, this, [this] {
+    const FileKind kind{tr("Brush strokes"), QStringLiteral(".json")};
+    if (const auto file = askForNewFile(this, tr("Save brush strokes"), {kind})) save(toQString(file->path));
   });
 }
 

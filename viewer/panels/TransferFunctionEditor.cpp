@@ -6,23 +6,32 @@
 
 #include <QAbstractItemView>
 #include <QHBoxLayout>
+#include <QMenu>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include "io/TransferFunctionFile.h"
 #include "viewer/model/Document.h"
+#include "viewer/model/Translation.h"
+#include "viewer/panels/FileDialog.h"
 
 namespace fenestra::viewer {
 
-TransferFunctionEditor::TransferFunctionEditor(Document& document, QWidget* parent)
+TransferFunctionEditor::TransferFunctionEditor(Document& document, const LookLibrary& library, QWidget* parent)
     : QWidget(parent),
       document_(document),
+      library_(library),
       onlyContext_(new QLabel(tr("Point"))),
       targets_(new QComboBox),
       plot_(new TransferFunctionPlot(document)),
       value_(new QDoubleSpinBox),
       opacity_(new QDoubleSpinBox),
       colour_(new ColourButton(tr("Colour of the selected point"))),
-      byValue_(new QCheckBox(tr("By value"))) {
+      byValue_(new QCheckBox(tr("By value"))),
+      presets_(new QToolButton),
+      functionWhich_([this] {
+        return askForFile(this, {tr("Open a transfer function"), tr("Transfer functions (*.json)")});
+      }) {
   targets_->setToolTip(tr("What the plot shows and edits"));
   targets_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   targets_->setMinimumContentsLength(5);
@@ -45,6 +54,11 @@ TransferFunctionEditor::TransferFunctionEditor(Document& document, QWidget* pare
   byValue_->setToolTip(tr(
       "Shows this part of the focus by a function of the values, as the context is shown, in place of one colour and "
       "opacity"));
+  presets_->setText(tr("From a preset"));
+  presets_->setToolTip(tr("Takes the function of a preset for this part of the focus"));
+  presets_->setPopupMode(QToolButton::InstantPopup);
+  presets_->setFocusPolicy(Qt::StrongFocus);
+  presets_->setMenu(new QMenu(this));
   auto* point = new QHBoxLayout;
   point->addWidget(onlyContext_);
   point->addWidget(targets_, 2);
@@ -55,8 +69,12 @@ TransferFunctionEditor::TransferFunctionEditor(Document& document, QWidget* pare
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(plot_);
   column->addLayout(point);
-  column->addWidget(byValue_);
+  auto* values = new QHBoxLayout;
+  values->addWidget(byValue_, 1);
+  values->addWidget(presets_);
+  column->addLayout(values);
 
+  connect(presets_->menu(), &QMenu::aboutToShow, this, &TransferFunctionEditor::fillPresets);
   connect(targets_, &QComboBox::activated, this,
           [this](int row) { plot_->setTarget(listed_.at(static_cast<std::size_t>(row))); });
   connect(byValue_, &QCheckBox::clicked, plot_, &TransferFunctionPlot::setByValue);
@@ -74,6 +92,31 @@ TransferFunctionEditor::TransferFunctionEditor(Document& document, QWidget* pare
   });
   showTargets();
   showNode();
+}
+
+void TransferFunctionEditor::fillPresets() {
+  QMenu* menu = presets_->menu();
+  menu->clear();
+  for (const io::TransferFunctionPreset& preset : io::transferFunctionPresets())
+    menu->addAction(translated(preset.name), this, [this, id = preset.id] { takeFunction(id); });
+  const auto& own = library_.entries();
+  if (!own.empty()) menu->addSeparator();
+  for (const LookLibrary::Entry& entry : own)
+    menu->addAction(
+        QString::fromStdString(entry.preset.name).replace(QLatin1Char('&'), QStringLiteral("&&")), this,
+        [this, context = entry.preset.look.context] { showByValue(plot_->target(), document_, context.shifted()); });
+  menu->addSeparator();
+  menu->addAction(tr("From a file…"), this, [this] {
+    if (const auto file = functionWhich_()) takeFunction(file->string());
+  });
+}
+
+void TransferFunctionEditor::takeFunction(const std::string& presetOrPath) {
+  try {
+    showByValue(plot_->target(), document_, io::loadContextFunction(presetOrPath, *document_.scene().volume).function);
+  } catch (const io::Error& error) {
+    Q_EMIT failed(QString::fromUtf8(error.what()));
+  }
 }
 
 void TransferFunctionEditor::fitToVolume() {
@@ -97,7 +140,9 @@ void TransferFunctionEditor::showTargets() {
   }
   targets_->setVisible(listed_.size() > 1);
   onlyContext_->setVisible(listed_.size() == 1);
-  byValue_->setVisible(document_.hasVolume() && canBeByValue(plot_->target(), document_));
+  const bool canBe = document_.hasVolume() && canBeByValue(plot_->target(), document_);
+  byValue_->setVisible(canBe);
+  presets_->setVisible(canBe);
   byValue_->setChecked(isByValue(plot_->target(), document_));
   for (std::size_t row = 0; row < listed_.size(); ++row) {
     targets_->setItemText(static_cast<int>(row), nameOf(listed_[row], document_));

@@ -2,12 +2,19 @@
 // Edits the transfer function of the context, or how the focus or one of its labels looks: the plot, and below it the
 // selected node's exact value, opacity and colour.
 
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
+#include <QToolButton>
 #include <QWidget>
 
+#include "viewer/model/LookLibrary.h"
 #include "viewer/panels/ColourButton.h"
 #include "viewer/panels/TransferFunctionPlot.h"
 
@@ -16,7 +23,7 @@ namespace fenestra::viewer {
 class TransferFunctionEditor : public QWidget {
   Q_OBJECT
  public:
-  explicit TransferFunctionEditor(Document& document, QWidget* parent = nullptr);
+  TransferFunctionEditor(Document& document, const LookLibrary& library, QWidget* parent = nullptr);
 
   TransferFunctionPlot& plot() const { return *plot_; }
   QComboBox* targets() const { return targets_; }
@@ -24,19 +31,32 @@ class TransferFunctionEditor : public QWidget {
   QDoubleSpinBox* opacity() const { return opacity_; }
   ColourButton* colour() const { return colour_; }
   QCheckBox* byValue() const { return byValue_; }
+  /// Functions to take for a part of the focus: those of the built-in and of the user's presets, and files.
+  QToolButton* presets() const { return presets_; }
+  /// Asks for a transfer function's file; a dialog, unless a test replaces it.
+  std::function<std::optional<std::filesystem::path>()>& functionWhich() { return functionWhich_; }
+
+ Q_SIGNALS:
+  void failed(const QString& message);
 
  private:
+  void fillPresets();
+  /// A built-in preset's id or a file.
+  void takeFunction(const std::string& presetOrPath);
   void fitToVolume();
   void showTargets();
   void showNode();
 
   Document& document_;
+  const LookLibrary& library_;
   QLabel* onlyContext_;  ///< in place of `targets_` where there is one
   QComboBox* targets_;
   TransferFunctionPlot* plot_;
   QDoubleSpinBox *value_, *opacity_;
   ColourButton* colour_;
-  QCheckBox* byValue_;                  ///< of a part of the focus
+  QCheckBox* byValue_;    ///< of a part of the focus
+  QToolButton* presets_;  ///< likewise
+  std::function<std::optional<std::filesystem::path>()> functionWhich_;
   std::vector<FunctionTarget> listed_;  ///< what `targets_` shows
 };
 

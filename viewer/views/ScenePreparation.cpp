@@ -87,6 +87,10 @@ ScenePreparation::Kind ScenePreparation::kindOf(const Scene& scene, const View& 
           .lit = look.shading.enabled,
           .cutaway = hasCutaway(scene),
           .contextLayer = look.contextLayer.strength > 0.0,
+          .clipped = halfSpaces(look.clipping, scene.volume->grid).empty() ? 0
+                     : look.clipping.grey                                  ? 2
+                                                                           : 1,
+          .exempts = !look.clipping.exempt.empty(),
           .apart = hasCutaway(scene) && (view.frozen || look.cutaway.axisOffset != 0.0),
           .enlarged = view.quality == Quality::Draft || std::min({spacing.x, spacing.y, spacing.z}) > pixel,
           .quality = view.quality,

@@ -51,6 +51,8 @@ class ScenePreparation {
     ShownVolume volume;
     std::size_t focus = 0;
     bool manyLabels = false, byValue = false, protects = false, lit = false, cutaway = false, contextLayer = false;
+    int clipped = 0;        ///< 2: with grey faces
+    bool exempts = false;   ///< labels from that
     bool apart = false;     ///< another camera cuts the opening
     bool enlarged = false;  ///< pixels smaller than voxels: rays between others
     Quality quality{};

@@ -49,6 +49,17 @@ SliceView::SliceView(SlicePlane plane, Document& document, SliceCursor& cursor, 
       cursor_(cursor),
       options_(options),
       opening_(opening),
+      clipTool_(document,
+                {.widgetFromWorld = [this](glm::dvec3 world) { return std::optional(widgetFromWorld(world)); },
+                 .axes =
+                     [this] {
+                       return std::array{glm::normalize(geometry_.right), -glm::normalize(geometry_.down)};
+                     },
+                 .section = [this]() -> std::optional<ClipTool::Canvas::Section> {
+                   return ClipTool::Canvas::Section{geometry_.worldFromPixel(0.0, 0.0, slice_),
+                                                    glm::normalize(glm::cross(geometry_.right, geometry_.down))};
+                 },
+                 .shows = [this] { return options_.clipHandles(); }}),
       measureTool_(measuring, document,
                    {.widgetFromWorld = [this](glm::dvec3 world) { return widgetFromWorld(world); },
                     .worldFromWidget = [this](QPointF position) { return worldFromWidget(position); },
@@ -74,6 +85,7 @@ SliceView::SliceView(SlicePlane plane, Document& document, SliceCursor& cursor, 
   connect(&options, &ViewOptions::changed, this, &SliceView::invalidate);
   connect(&cursor, &SliceCursor::moved, this, &SliceView::followCursor);
   connect(&document, &Document::measuresChanged, this, [this] { update(); });
+  connect(&document, &Document::clippingChanged, this, [this] { update(); });
   connect(&opening, &OpeningEdge::changed, this, [this] {
     openingOutline_.reset();
     update();
@@ -279,6 +291,7 @@ void SliceView::drawMarks(QPainter& painter, bool interpolated) const {
   if (options_.labels()) drawSeeds(painter);
   if (options_.crosshair()) drawCrosshair(painter);
   measureTool_.draw(painter, rect());
+  clipTool_.draw(painter);
 
   const QRectF view = rect();
   drawEdgeLetters(painter, view, geometry_.right, geometry_.down);

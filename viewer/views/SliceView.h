@@ -2,7 +2,8 @@
 // One anatomical plane through the volume: grey values under the window, label colours, focus outline, crosshair.
 // Plain QWidget and QImage, so it works where 3-D cannot start.
 //
-// Left click: crosshair and focus, see clickStructure(); left drag: window/level, or a measure, see MeasureTool;
+// Left click: crosshair and focus, see clickStructure(); left drag: window/level, or a measure, see MeasureTool, or the
+// crop box and clip planes, see ClipTool;
 // middle: pan; right drag or Ctrl+wheel: zoom; wheel and arrows: slices; Alt+wheel: tolerance of the region in focus;
 // Shift+move: crosshair.
 
@@ -18,6 +19,7 @@
 #include "rendering/scene/Focus.h"
 #include "rendering/scene/LabelMap.h"
 #include "rendering/scene/Slice.h"
+#include "viewer/tools/ClipTool.h"
 #include "viewer/tools/MeasureTool.h"
 #include "viewer/tools/ToleranceWheel.h"
 
@@ -39,6 +41,7 @@ class SliceView : public QWidget {
   const SliceGeometry& sliceGeometry() const { return geometry_; }
   int slice() const { return slice_; }
   const MeasureTool& measureTool() const { return measureTool_; }
+  const ClipTool& clipTool() const { return clipTool_; }
   /// Fits the whole slice into the view and sets the data's own window and level.
   void resetView();
 
@@ -135,6 +138,7 @@ class SliceView : public QWidget {
     glm::dvec3 cursor;
   };
   std::optional<BeforeClick> beforeClick_;
+  ClipTool clipTool_;
   MeasureTool measureTool_;
   bool measured_ = false;  ///< the tool took the last press
   ToleranceWheel toleranceWheel_;

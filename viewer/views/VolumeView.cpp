@@ -45,6 +45,7 @@ VolumeView::VolumeView(int index, Document& document, SliceCursor& cursor, ViewL
       options_(options),
       brush_(brush),
       brushTool_(brush, document, canvas()),
+      clipTool_(document, clipCanvas()),
       toleranceWheel_(document),
       shared_(std::move(shared)) {
   setMouseTracking(true);
@@ -282,6 +283,22 @@ void VolumeView::reportStarts() {
   Q_EMIT raysStarted(std::move(starts));
 }
 
+std::optional<FinishedPicture> VolumeView::finishedPicture() {
+  if (!settled_ || !problem_.isEmpty() || !document_.hasVolume()) return {};
+  std::optional<FinishedPicture> finished;
+  attemptOnPicture([&] {
+    Renderer& renderer = picture_->shown();
+    const View& view = picture_->shownView();
+    const std::vector<std::uint8_t> rounded = renderer.readPicture();
+    QImage image(view.size.x, view.size.y, QImage::Format_RGB32);
+    image.fill(toColour(document_.look().background));
+    QPainter(&image).drawImage(0, 0,
+                               QImage(rounded.data(), view.size.x, view.size.y, QImage::Format_RGBA8888_Premultiplied));
+    finished = FinishedPicture{shownScene(), view, renderer.readLayers().final, std::move(image)};
+  });
+  return finished;
+}
+
 Scene VolumeView::shownScene() const {
   Scene scene = document_.scene();
   scene.look.strokes = strokesIn(index_, scene.look.strokes);
@@ -372,6 +389,7 @@ void VolumeView::drawOverlay() {
   // Here and not among the marks: saved pictures name nobody.
   if (options_.text() && !options_.hidesPatient())
     drawStudyText(painter, view, patientLines(document_.study().patient, document_.study().series), 0);
+  clipTool_.draw(painter);
   brushTool_.draw(painter, view);
   if (hasFocus()) {
     painter.setPen(QColor(86, 140, 190));
@@ -429,6 +447,17 @@ BrushTool::Canvas VolumeView::canvas() {
       },
       .redraw = [this] { update(); },
   };
+}
+
+ClipTool::Canvas VolumeView::clipCanvas() {
+  return {.widgetFromWorld = [this](glm::dvec3 world) { return widgetFromWorld(world); },
+          .axes =
+              [this] {
+                const Camera::Axes axes = shownCamera().axes();
+                return std::array{axes.right, axes.up};
+              },
+          .section = []() -> std::optional<ClipTool::Canvas::Section> { return std::nullopt; },
+          .shows = [this] { return options_.clipHandles() && !brush_.isActive(); }};
 }
 
 std::optional<VolumeView::Hit> VolumeView::pick(QPointF position) {

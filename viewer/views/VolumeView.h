@@ -21,6 +21,7 @@
 #include "viewer/model/DrawingTurns.h"
 #include "viewer/model/FramePacer.h"
 #include "viewer/tools/BrushTool.h"
+#include "viewer/tools/ClipTool.h"
 #include "viewer/tools/ToleranceWheel.h"
 #include "viewer/views/RefinedPicture.h"
 #include "viewer/views/ScenePreparation.h"
@@ -31,6 +32,14 @@ class Document;
 class SliceCursor;
 class ViewLink;
 class ViewOptions;
+
+/// A picture at full quality, and what it shows.
+struct FinishedPicture {
+  Scene scene;
+  View view;
+  std::vector<glm::vec4> pixels;  ///< premultiplied RGBA before rounding to 8 bits, row by row from the top
+  QImage image;                   ///< the same over the scene's background
+};
 
 class VolumeView : public QOpenGLWidget {
   Q_OBJECT
@@ -62,11 +71,14 @@ class VolumeView : public QOpenGLWidget {
   /// The camera of the picture. In a view that is taller than wide its field of view is wider, so that the volume fits.
   Camera shownCamera() const;
   std::optional<QPointF> widgetFromWorld(glm::dvec3 world) const;
+  /// The picture on screen; empty while it is not at full quality.
+  std::optional<FinishedPicture> finishedPicture();
   /// The scene as this view shows it.
   Scene shownScene() const;
   /// Draws what lies over the picture of `camera`: mark of the crosshair, corner text, orientation cube, scale bar.
   void drawMarks(QPainter& painter, const Camera& camera) const;
   const BrushTool& brushTool() const { return brushTool_; }
+  const ClipTool& clipTool() const { return clipTool_; }
   /// What draws the scene's pictures, for others that need its context.
   ScenePreparation& preparation() { return *shared_.preparation; }
   /// Runs `work` with the pictures' OpenGL context current. Returns false without running it where the driver has lost
@@ -157,6 +169,7 @@ class VolumeView : public QOpenGLWidget {
   void click(const Hit& hit, Qt::KeyboardModifiers modifiers);
   glm::dvec2 pixelAt(QPointF position) const;
   BrushTool::Canvas canvas();
+  ClipTool::Canvas clipCanvas();
   double mmPerPixel(const Camera& camera) const;
   std::optional<QPointF> widgetFromWorld(glm::dvec3 world, const Camera& camera) const;
   double halfVoxel() const;  ///< mm, of the shortest side
@@ -168,6 +181,7 @@ class VolumeView : public QOpenGLWidget {
   ViewOptions& options_;
   Brush& brush_;
   BrushTool brushTool_;
+  ClipTool clipTool_;
   ToleranceWheel toleranceWheel_;
   Shared shared_;
 

@@ -1,5 +1,6 @@
 // Rays of candidate cameras: parallel projection over the model's bounding sphere, one set of axes a view.
 #include <schedule>
+#include "lib/Clip.glsl"
 #include "lib/Ray.glsl"
 
 struct CandidateView {  // right, up and forward in cells per mm
@@ -25,11 +26,13 @@ Ray candidateRay(uint view, vec2 position) {
   ray.base = candidates.sphereCentre + candidates.sphereRadius * offset;
   ray.world = ray.worldBase = vec3(0.0);
   clipTo(ray, candidates.focusLower, candidates.focusUpper, -candidates.sphereRadius);
+  clipToHalfSpaces(ray);
   return ray;
 }
 
 Ray reversed(Ray ray) {
   ray.direction = -ray.direction;
   clipTo(ray, candidates.focusLower, candidates.focusUpper, -candidates.sphereRadius);
+  clipToHalfSpaces(ray);
   return ray;
 }

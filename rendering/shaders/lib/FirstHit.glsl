@@ -116,6 +116,9 @@ bool meetsFocus(Ray ray) { return HAS_FOCUS && !isNone(firstHit(true, false, ray
 // can leave that gap only through its ends.
 float firstContextHit(Ray ray, float sEnd) {
   if (ray.sIn > sEnd) return NONE;
+#if CLIPPED == 2
+  if (ray.cap >= 0) return ray.sIn;  // an opaque face
+#endif
   float value = storedExact(cellPosition(ray, ray.sIn));
   for (int i = 0; i < gapCount; ++i)
     if (value > gaps[i].x && value < gaps[i].y) return firstHit(false, true, ray, ray.sIn, sEnd, gaps[i]);

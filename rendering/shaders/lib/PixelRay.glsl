@@ -2,6 +2,7 @@
 // are s = t - distance: the ray is anchored on a plane near the volume, which keeps float32 exact enough however far
 // away the eye is. See rendering/gpu/RayFrame.h.
 #include <schedule>
+#include "lib/Clip.glsl"
 #include "lib/Grid.glsl"
 #include "lib/Ray.glsl"
 
@@ -29,7 +30,8 @@ vec3 towardsAnchor(ivec2 pixel) { return vec3(deviceCoordinates(pixel) * rays.sp
 // Length of that vector less its depth, without cancellation.
 float beyondPlane(vec3 towards, float along) { return dot(towards.xy, towards.xy) / (along + towards.z); }
 
-Ray pixelRay(ivec2 pixel) {
+// Inside the volume's box, whatever clips it.
+Ray wholePixelRay(ivec2 pixel) {
   vec2 offset = deviceCoordinates(pixel) * rays.halfSize;
   vec3 towards = towardsAnchor(pixel);
   float along = length(towards), sAnchor = beyondPlane(towards, along);
@@ -40,6 +42,12 @@ Ray pixelRay(ivec2 pixel) {
   ray.base = rays.anchor + rays.cellsFromView * vec3(offset, 0.0) - sAnchor * ray.direction;
   ray.worldBase = rays.worldFromView * vec3(offset, 0.0) - sAnchor * ray.world;
   clipTo(ray, vec3(0.5), vec3(volume.dims) + 0.5, -rays.distance);
+  return ray;
+}
+
+Ray pixelRay(ivec2 pixel) {
+  Ray ray = wholePixelRay(pixel);
+  clipToHalfSpaces(ray);
   return ray;
 }
 

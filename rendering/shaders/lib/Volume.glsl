@@ -31,6 +31,18 @@ void cellCorners(ivec3 cell, out float f[8]) {
   for (int i = 0; i < 8; ++i) f[i] = storedAt(cell - 1 + cornerOf(i));
 }
 
+// Trilinear between texels, with full float weights: hardware filters have 8-bit ones.
+float storedBetween(vec3 position) {
+  ivec3 cell = ivec3(floor(position));
+  vec3 w = position - vec3(cell);
+  float f[8];
+  cellCorners(cell, f);
+  vec4 x = mix(vec4(f[0], f[2], f[4], f[6]), vec4(f[1], f[3], f[5], f[7]), w.x);
+  vec2 y = mix(x.xz, x.yw, w.y);
+  return mix(y.x, y.y, w.z);
+}
+
+// As the volume is defined: of a spline the spline itself, of which texels are samples.
 #if REFINEMENT > 1
 #include "lib/Spline.glsl"
 
@@ -40,14 +52,5 @@ float storedExact(vec3 position) {
   return splineAlong(cell, within, within).x;
 }
 #else
-// Trilinear, with full float weights: hardware filters have 8-bit ones.
-float storedExact(vec3 position) {
-  ivec3 cell = ivec3(floor(position));
-  vec3 w = position - vec3(cell);
-  float f[8];
-  cellCorners(cell, f);
-  vec4 x = mix(vec4(f[0], f[2], f[4], f[6]), vec4(f[1], f[3], f[5], f[7]), w.x);
-  vec2 y = mix(x.xz, x.yw, w.y);
-  return mix(y.x, y.y, w.z);
-}
+float storedExact(vec3 position) { return storedBetween(position); }
 #endif

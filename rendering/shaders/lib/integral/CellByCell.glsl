@@ -1,10 +1,11 @@
 // The volume rendering integral cell by cell, within a bound on its error.
 //
 // In a cell the values along a ray are a cubic, known exactly from the eight corners with full float weights; those of a
-// spline are one all but exactly (lib/Spline.glsl). The cubic is cut where it meets the nodes of the transfer function. Over a part between two cuts colour and extinction are linear in
-// the value, so the part's optical depth is exact. Left to approximate is the mean of colour and light over the part,
-// weighted by what is seen of it: it is taken to second order in the position, from the weight's mean and variance. Its
-// error is estimated beforehand and falls at least as 1/n² with n pieces; a part is cut into as many as the bound asks for.
+// spline are one all but exactly (lib/Spline.glsl). The cubic is cut where it meets the nodes of the transfer function.
+// Over a part between two cuts colour and extinction are linear in the value, so the part's optical depth is exact. Left to
+// approximate is the mean of colour and light over the part, weighted by what is seen of it: it is taken to second order in
+// the position, from the weight's mean and variance. Its error is estimated beforehand and falls at least as 1/n² with n
+// pieces; a part is cut into as many as the bound asks for.
 //
 // A walk goes through stages, each more expensive than the one before: leap to a cell that is not empty; look into it;
 // integrate it. Where neighbouring rays run in step, a ray waits until all of them need the next stage.

@@ -68,11 +68,11 @@ RayPoint pointOnFace(Walk walk, Face face) {
   return point;
 }
 
-// Trilinear between the cell's eight voxels.
+// Trilinear between the cell's eight texels, also of a spline, as points on faces are bilinear between four.
 RayPoint pointInside(Ray ray, ivec3 cell, float s) {
   RayPoint point;
   point.s = s;
-  point.stored = storedExact(cellPosition(ray, s));
+  point.stored = storedBetween(cellPosition(ray, s));
   vec3 w = clamp(cellPosition(ray, s) - vec3(cell), 0.0, 1.0);
   point.gated = vec3(0.0);
   for (int i = 0; i < 8; ++i) {
@@ -214,6 +214,9 @@ void composite(inout Walk walk, Block crossed, vec4 piece) {
   float transmittance = 1.0 - walk.result.a;
   if (goesOn(walk) && crossed.empty == 0) walk.result += transmittance * piece;
   bool more = goesOn(walk) && isInVolume(walk.block.cell) && transmittance >= integral.leastTransmittance;
+#if CLIPPED
+  more = more && walk.back.s < walk.ray.sOut;
+#endif
   walk.left = more ? 1 : 0;
 }
 
@@ -232,6 +235,11 @@ void takeStep(inout Walk walks[RAYS], const bool mayMeetFocus) {
   }
   for (int i = 0; i < RAYS; ++i) walks[i].front = walks[i].back;
   for (int i = 0; i < RAYS; ++i) walks[i].back = pointOnFace(walks[i], faces[i]);
+#if CLIPPED
+  // A ray may end inside a cell.
+  for (int i = 0; i < RAYS; ++i)
+    if (faces[i].s > walks[i].ray.sOut) walks[i].back = pointInside(walks[i].ray, walks[i].block.cell, walks[i].ray.sOut);
+#endif
   for (int i = 0; i < RAYS; ++i) classify(walks[i].back, behind[i].cell);
   for (int i = 0; i < RAYS; ++i) {
     crossed[i] = walks[i].block;

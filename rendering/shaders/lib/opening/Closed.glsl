@@ -1,6 +1,6 @@
 // No opening: rays start where they enter the volume.
 //
-// Open.glsl and Removed.glsl have the same interface; `#include <opening>` names the one that the scene needs:
+// Capped.glsl, Open.glsl and Removed.glsl have the same interface; `#include <opening>` names the one that the scene needs:
 //   Cut         where and how a ray starts
 //   cutAt       the cut of a pixel's ray
 //   startsHere  whether the ray has anything to see

@@ -3,24 +3,12 @@
 #include <light>
 #include <schedule>
 #include "lib/PixelRay.glsl"
+#include "lib/opening/CutFace.glsl"
 
 TEXELS_2D(r32f, rayStart);
 uniform sampler2D hitPoints;
 
-struct CutFaceSettings {
-  float depth;  // mm behind a cut face over which its own light gives way to the volume's
-  float share;  // of a cut face's light that is the face's own at its surface
-};
-UNIFORM_BLOCK(CutFaceBlock, storedCutFace, CutFaceSettings, cutFace);
-
 const bool ONLY_FOCUS = false;
-
-struct Cut {
-  float start;    // mm along the ray
-  uint onFocus;   // 1: the ray starts on the focus's surface, on whichever side rounding has put it
-  float share;    // of the light just behind the cut that is the cut face's own; 0: there is no cut face
-  vec2 light;     // of the cut face
-};
 
 // Normal of the cut face at a pixel, from its neighbours' ray starts; zero where the ray does not start on a cut face.
 vec3 wallNormal(ivec2 pixel, float start, vec2 hit) {
@@ -54,16 +42,13 @@ Cut cutAt(ivec2 pixel, Ray ray) {
     if (dot(wall, wall) > 0.0) cut.share = cutFace.share;
     cut.light = lightOf(wall, ray.world);
   }
+#if CLIPPED
+  lightByCap(cut, ray);
+#endif
   return cut;
 }
 
 bool startsHere(Cut cut, Ray ray) { return !isNone(cut.start); }
-
-// A cut face is lit as the face it is; the volume under it, by its own gradient.
-vec2 behindCut(vec2 volumeLight, Cut cut, float s) {
-  if (!LIT || cut.share == 0.0) return volumeLight;
-  return mix(volumeLight, cut.light, cut.share * exp((cut.start - s) / cutFace.depth));
-}
 
 #if APART
 // Of an opening that another camera cuts: from where to where a ray sees nothing again (RemovedParts.comp).

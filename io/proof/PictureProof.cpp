@@ -1,4 +1,4 @@
-#include "app/PictureProof.h"
+#include "io/proof/PictureProof.h"
 
 #include <cmath>
 
@@ -7,9 +7,9 @@
 #include "io/base/Contents.h"
 #include "io/session/SessionFile.h"
 
-namespace fenestra::app {
+namespace fenestra::io {
 
-nlohmann::ordered_json proofJson(const reference::Certificate& certificate, io::Session session) {
+PngText proofOf(const reference::Certificate& certificate, Session session) {
   nlohmann::ordered_json json{{"statement", reference::statementOf(certificate)},
                               {"within", certificate.within},
                               {"share", certificate.share},
@@ -20,15 +20,15 @@ nlohmann::ordered_json proofJson(const reference::Certificate& certificate, io::
                               {"greatest", nullptr},
                               {"version", FENESTRA_VERSION}};
   if (std::isfinite(certificate.greatest)) json["greatest"] = certificate.greatest;
-  const auto hashes = [&](const char* name, const io::SessionData& data) {
+  const auto hashes = [&](const char* name, const SessionData& data) {
     if (!data.contents.hash.empty()) json[name] = data.contents.hash;
   };
   hashes("data", session.volume);
   hashes("labels", session.labels);
   session.volume.path.clear();
   session.labels.path.clear();
-  json["scene"] = io::hashOf(io::textOf(session, "/scene.fenestra"));
-  return json;
+  json["scene"] = hashOf(textOf(session, "/scene.fenestra"));
+  return {"Fenestra certificate", json.dump(-1, ' ', true)};
 }
 
-}  // namespace fenestra::app
+}  // namespace fenestra::io

@@ -1,0 +1,41 @@
+#include "rendering/passes/ExemptPass.h"
+
+#include "rendering/gpu/SceneBinding.h"
+
+namespace fenestra {
+
+void ExemptPass::run(Steps& steps, const GpuScene& gpu, const Look& look, const RayFrame& rays,
+                     const gl::Texture& picture, const FocusLayerPass::Sampling& sampling, Regions regions,
+                     gl::Texture& exempted) {
+  FocusLayerPass::Sampling bounded = sampling;
+  bounded.maxError = 0.25 * sampling.maxError.value_or(FocusLayerPass::usualBound);
+  steps.add(regions, [this, &gpu, &look, &rays, &picture, bounded, &exempted](Regions tile) {
+    const bool lit = look.shading.enabled;
+    gl::ShaderProgram& program = programs_.get({{volumeDefine(gpu),
+                                                 refinementDefine(gpu),
+                                                 tableDefine(),
+                                                 segmentsDefine(),
+                                                 {"FOCUS_PALETTE", false},
+                                                 {"FOCUS_FUNCTIONS", false},
+                                                 {"FOCUS_SMOOTH", false},
+                                                 {"APART", false},
+                                                 {"CLIPPED", 1},
+                                                 {"RAYS", 1}},
+                                                {scheduleChoice(gpu.schedule()),
+                                                 {"focus", "lib/focus/Labels.glsl"},
+                                                 lightChoice(lit),
+                                                 {"opening", "lib/opening/Exempt.glsl"},
+                                                 {"integral", "lib/integral/CellByCell.glsl"}}});
+    rays.setBlocks(program);
+    bindVolume(gpu, program);
+    bindTransferSegments(gpu, program);
+    bindLabels(gpu.exemptLabels(), program);
+    program.set(FocusLayerPass::integralBlock(bounded));
+    program.bind("picture", picture);
+    if (lit) bindLight(gpu, program, rays.axes(), look.shading);
+    program.bind("exempted", exempted, gl::Access::Write);
+    program.dispatch(tile);
+  });
+}
+
+}  // namespace fenestra

@@ -1,0 +1,45 @@
+// How a face that an opening or a clip plane cuts into the volume is lit (rendering/scene/Lighting.h).
+#include <light>
+#include <schedule>
+#include "lib/Clip.glsl"
+#include "lib/Volume.glsl"
+
+struct CutFaceSettings {
+  float depth;  // mm behind a cut face over which its own light gives way to the volume's
+  float share;  // of a cut face's light that is the face's own at its surface
+};
+UNIFORM_BLOCK(CutFaceBlock, storedCutFace, CutFaceSettings, cutFace);
+
+struct Cut {
+  float start;    // mm along the ray
+  uint onFocus;   // 1: the ray starts on the focus's surface, on whichever side rounding has put it
+  float share;    // of the light just behind the cut that is the cut face's own; 0: there is no cut face
+  vec2 light;     // of the cut face
+};
+
+// A cut face is lit as the face it is; the volume under it, by its own gradient.
+vec2 behindCut(vec2 volumeLight, Cut cut, float s) {
+  if (!LIT || cut.share == 0.0) return volumeLight;
+  return mix(volumeLight, cut.light, cut.share * exp((cut.start - s) / cutFace.depth));
+}
+
+#if CLIPPED
+// A ray that enters by a capped face has its light, as far as it reaches behind the face.
+void lightByCap(inout Cut cut, Ray ray) {
+  if (!LIT || cut.share > 0.0 || ray.cap < 0) return;
+  cut.share = cutFace.share * exp((ray.sIn - cut.start) / cutFace.depth);
+  cut.light = lightOf(capNormal(ray), ray.world);
+}
+#endif
+
+#if CLIPPED == 2
+// Whether a ray starts on a capped face that shows grey; the focus shows as it is.
+bool startsGrey(Cut cut, Ray ray) {
+  return ray.cap >= 0 && cut.onFocus == 0u && cut.start <= ray.sIn + 0.5 * cutFace.depth;
+}
+
+vec4 greyOf(Ray ray) {
+  float value = storedExact(cellPosition(ray, ray.sIn));
+  return vec4(vec3(clamp(value * clipping.grey.x + clipping.grey.y, 0.0, 1.0)), 1.0);
+}
+#endif
