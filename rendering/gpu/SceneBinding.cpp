@@ -20,6 +20,11 @@ gl::Define volumeDefine(const GpuScene& scene) {
 
 gl::Define refinementDefine(const GpuScene& scene) { return {"REFINEMENT", scene.refinement()}; }
 
+gl::Choice integralChoice(const GpuScene& scene, bool bounded) {
+  if (!bounded) return {"integral", "lib/integral/FaceToFace.glsl"};
+  return {"integral", scene.refinement() > 1 ? "lib/integral/SplineByCell.glsl" : "lib/integral/CellByCell.glsl"};
+}
+
 gl::Choice focusChoice(const GpuScene& scene) {
   switch (scene.focusKind()) {
     case FocusIndex::Kind::Labels:

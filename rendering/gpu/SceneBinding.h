@@ -13,6 +13,9 @@ gl::Define volumeDefine(const GpuScene& scene);
 /// Cells of the drawn grid along the side of a voxel, for lib/Grid.glsl.
 gl::Define refinementDefine(const GpuScene& scene);
 
+/// What `#include <integral>` stands for. `bounded`: a picture within a bound on its error.
+gl::Choice integralChoice(const GpuScene& scene, bool bounded);
+
 /// What `#include <focus>` stands for.
 gl::Choice focusChoice(const GpuScene& scene);
 /// The focus's index; nothing without a focus. The block's other members are for passes that show the focus.

@@ -25,7 +25,7 @@ void ExemptPass::run(Steps& steps, const GpuScene& gpu, const Look& look, const 
                                                  {"focus", "lib/focus/Labels.glsl"},
                                                  lightChoice(lit),
                                                  {"opening", "lib/opening/Exempt.glsl"},
-                                                 {"integral", "lib/integral/CellByCell.glsl"}}});
+                                                 integralChoice(gpu, true)}});
     rays.setBlocks(program);
     bindVolume(gpu, program);
     bindTransferSegments(gpu, program);

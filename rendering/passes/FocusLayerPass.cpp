@@ -85,7 +85,7 @@ gl::ShaderProgram& FocusLayerPass::program(bool listed, const Drawn& drawn) {
                          {"opening", opening            ? "lib/opening/Open.glsl"
                                      : rays.isClipped() ? "lib/opening/Capped.glsl"
                                                         : "lib/opening/Closed.glsl"},
-                         {"integral", bounded ? "lib/integral/CellByCell.glsl" : "lib/integral/FaceToFace.glsl"}}});
+                         integralChoice(gpu, bounded)}});
 }
 
 gl::ShaderProgram& FocusLayerPass::prepared(bool listed, const Drawn& drawn) {

@@ -27,7 +27,7 @@ void ProtectedLayerPass::run(Steps& steps, const GpuScene& gpu, const Look& look
                                                  {"focus", "lib/focus/Labels.glsl"},
                                                  lightChoice(lit),
                                                  {"opening", "lib/opening/Removed.glsl"},
-                                                 {"integral", "lib/integral/CellByCell.glsl"}}});
+                                                 integralChoice(gpu, true)}});
     rays.setBlocks(program);
     bindVolume(gpu, program);
     bindTransferSegments(gpu, program);

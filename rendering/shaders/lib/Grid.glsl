@@ -24,4 +24,7 @@ vec3 voxelPosition(vec3 position) { return (position + float(REFINEMENT / 2)) * 
 vec3 withinVoxelCell(ivec3 cell, vec3 within) {
   return (vec3(cell + REFINEMENT / 2 - REFINEMENT * voxelCell(cell)) + within) * (1.0 / float(REFINEMENT));
 }
+// The cell in the middle of the voxel cell that a cell lies in, and a place in that voxel cell, from the middle one on.
+ivec3 middleOf(ivec3 cell) { return REFINEMENT * voxelCell(cell); }
+vec3 withinMiddle(vec3 place) { return clamp(place, -float(REFINEMENT / 2), float(REFINEMENT / 2 + 1)); }
 #endif

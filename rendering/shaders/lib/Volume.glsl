@@ -49,7 +49,7 @@ float storedBetween(vec3 position) {
 float storedExact(vec3 position) {
   ivec3 cell = ivec3(floor(position));
   vec3 within = position - vec3(cell);
-  return splineAlong(cell, within, within).x;
+  return splineAt(cell, within);
 }
 #else
 float storedExact(vec3 position) { return storedBetween(position); }

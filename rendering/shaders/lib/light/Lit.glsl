@@ -7,6 +7,7 @@
 //   lightOfGated      the light at a point of the context, from the gated normal interpolated there
 //   lightOfFocus      the light at a point of the focus
 //   CellNormals, normalsAlong, addFocusNormals, lightAlong   the same along a path through a cell
+//   NormalsAlong, normalsAlongSpline, thirdOf   the same along a path through a spline
 //   piecesOfLight     into how many pieces the light along such a path has to be cut
 #include <focus>
 #include <schedule>
@@ -88,30 +89,6 @@ void bernsteinAlong(vec3 f[8], vec3 a, vec3 b, out vec3 along[4]) {
   along[3] = bilinear(xb[0], xb[1], xb[2], xb[3], b.yz);
 }
 
-#if REFINEMENT > 1
-TEXELS_3D(rgba32f, normalTexels);  // coefficients of the gated normals, as those of the spline
-
-// `a` and `b`: the path's ends within the cell.
-CellNormals normalsAlong(ivec3 cell, vec3 a, vec3 b) {
-  SplinePath path = splinePath(cell, a, b);
-  vec3 v[4] = vec3[4](vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
-  for (int k = 0; k < 4; ++k)
-    for (int j = 0; j < 4; ++j) {
-      ivec3 first = path.base + ivec3(0, j, k);
-      vec3 c0 = texelOf(normalTexels, first).xyz, c1 = texelOf(normalTexels, first + ivec3(1, 0, 0)).xyz,
-           c2 = texelOf(normalTexels, first + ivec3(2, 0, 0)).xyz, c3 = texelOf(normalTexels, first + ivec3(3, 0, 0)).xyz;
-      vec4 weights = rowWeights(path, j, k);
-      for (int i = 0; i < 4; ++i)
-        v[i] += weights[i] * (c0 * path.x[i].x + c1 * path.x[i].y + c2 * path.x[i].z + c3 * path.x[i].w);
-    }
-  CellNormals normals;
-  normals.gated[0] = v[0];
-  normals.gated[1] = (-5.0 * v[0] + 18.0 * v[1] - 9.0 * v[2] + 2.0 * v[3]) * (1.0 / 6.0);
-  normals.gated[2] = (2.0 * v[0] - 9.0 * v[1] + 18.0 * v[2] - 5.0 * v[3]) * (1.0 / 6.0);
-  normals.gated[3] = v[3];
-  return normals;
-}
-#else
 // `a` and `b`: the path's ends within the cell.
 CellNormals normalsAlong(ivec3 cell, vec3 a, vec3 b) {
   vec3 f[8];
@@ -119,6 +96,51 @@ CellNormals normalsAlong(ivec3 cell, vec3 a, vec3 b) {
   CellNormals normals;
   bernsteinAlong(f, a, b, normals.gated);
   return normals;
+}
+
+#if REFINEMENT > 1
+TEXELS_3D(rgba32f, normalTexels);  // coefficients of the gated normals, as those of the spline
+
+// Gated normals at the points of a path through a spline (lib/Spline.glsl).
+struct NormalsAlong {
+  vec3 at[POINTS];
+};
+
+NormalsAlong normalsAlongSpline(ivec3 cell, vec3 a, vec3 b) {
+  SplinePath path = splinePath(cell, a, b);
+  vec4 x[POINTS], y[POINTS], z[POINTS];
+  NormalsAlong normals;
+  for (int i = 0; i < POINTS; ++i) {
+    vec3 t = mix(path.from, path.to, float(i) / float(POINTS - 1));
+    x[i] = splineWeights(t.x);
+    y[i] = splineWeights(t.y);
+    z[i] = splineWeights(t.z);
+    normals.at[i] = vec3(0.0);
+  }
+  for (int k = 0; k < 4; ++k)
+    for (int j = 0; j < 4; ++j) {
+      ivec3 first = path.base + ivec3(0, j, k);
+      vec3 c0 = texelOf(normalTexels, first).xyz, c1 = texelOf(normalTexels, first + ivec3(1, 0, 0)).xyz,
+           c2 = texelOf(normalTexels, first + ivec3(2, 0, 0)).xyz, c3 = texelOf(normalTexels, first + ivec3(3, 0, 0)).xyz;
+      for (int i = 0; i < POINTS; ++i)
+        normals.at[i] += (y[i][j] * z[i][k]) * (c0 * x[i].x + c1 * x[i].y + c2 * x[i].z + c3 * x[i].w);
+    }
+  return normals;
+}
+
+vec3 pointOf(NormalsAlong normals, int third, int i) {
+  return third == 0 ? normals.at[i] : third == 1 ? normals.at[i + 3] : normals.at[i + 6];
+}
+
+CellNormals thirdOf(NormalsAlong normals, int third) {
+  vec3 v0 = pointOf(normals, third, 0), v1 = pointOf(normals, third, 1), v2 = pointOf(normals, third, 2),
+       v3 = pointOf(normals, third, 3);
+  CellNormals result;
+  result.gated[0] = v0;
+  result.gated[1] = (-5.0 * v0 + 18.0 * v1 - 9.0 * v2 + 2.0 * v3) * (1.0 / 6.0);
+  result.gated[2] = (2.0 * v0 - 9.0 * v1 + 18.0 * v2 - 5.0 * v3) * (1.0 / 6.0);
+  result.gated[3] = v3;
+  return result;
 }
 #endif
 
