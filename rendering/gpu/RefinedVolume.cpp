@@ -82,6 +82,11 @@ bool fitsSixteenBits(const Volume& volume) {
          (volume.range.high - volume.range.low) / std::abs(volume.slope) <= 65535.0;
 }
 
+/// A component of a normal in RGB10A2, zero at 511/1023.
+std::uint32_t tenBits(double component) {
+  return static_cast<std::uint32_t>(std::clamp(component, -1.0, 1.0) * 511.0 + 511.5);
+}
+
 template <class T, class Coded>
 void sample(Volume& volume, const Sampler& sampler, const Coded& coded) {
   const glm::ivec3 dims = volume.grid.dims;
@@ -135,7 +140,7 @@ std::shared_ptr<const Volume> refinedVolume(const Volume& volume, const SplineVo
 
 std::size_t refinedBytes(const Volume& volume, int factor, bool lit) {
   const double texel = fitsSixteenBits(volume) ? 2.0 : 4.0, gradient = lit ? 4.0 : 0.0;
-  const double coefficient = sizeof(double) + sizeof(float) + (lit ? 3.0 * sizeof(double) + sizeof(glm::vec4) : 0.0);
+  const double coefficient = sizeof(double) + sizeof(float) + (lit ? 3.0 * sizeof(double) + 4.0 : 0.0);
   constexpr double brick = (sizeof(ValueRange) + 4.0) / static_cast<double>(cellsPerBrick);
   const double perVoxel = std::pow(factor, 3.0) * (2.0 * texel + gradient + brick) + coefficient;
   return static_cast<std::size_t>(perVoxel * static_cast<double>(volume.grid.voxelCount()));
@@ -156,12 +161,12 @@ SplineVectors gatedNormals(const Volume& volume, const SplineVolume& spline) {
 
 gl::Texture makeCoefficients(const SplineVectors& normals) {
   const glm::ivec3 size = normals.part(0).size();
-  gl::Texture texture = gl::Texture::make3D(gl::Format::RGBA32F, size);
-  uploadBySlabs<glm::vec4>(texture, planeSize(size), [&](int z, glm::vec4* plane) {
+  gl::Texture texture = gl::Texture::make3D(gl::Format::RGB10A2, size);
+  uploadBySlabs<std::uint32_t>(texture, planeSize(size), [&](int z, std::uint32_t* plane) {
     for (int y = 0; y < size.y; ++y)
       for (int x = 0; x < size.x; ++x) {
-        const auto at = [&](int axis) { return normals.part(axis).row(y - 1, z - 1)[x]; };
-        *plane++ = glm::vec4(at(0), at(1), at(2), 0.0);
+        const auto at = [&](int axis) { return tenBits(normals.part(axis).row(y - 1, z - 1)[x]); };
+        *plane++ = at(0) | at(1) << 10 | at(2) << 20;
       }
   });
   return texture;
@@ -189,9 +194,8 @@ GradientTexture makeRefinedGradient(const SplineVectors& normals, int factor, co
         std::uint32_t* out =
             texels + static_cast<std::size_t>(y - result.origin.y) * static_cast<std::size_t>(size.x) - result.origin.x;
         for (int x = low.x; x <= high.x; ++x) {
-          const auto digit =
-              static_cast<std::uint32_t>(std::clamp(samplers[axis].at(row, x), -1.0, 1.0) * 511.0 + 511.5);
-          out[x] = (out[x] & ~(1023u << 10 * axis)) | digit << 10 * axis;
+          const std::uint32_t component = tenBits(samplers[axis].at(row, x));
+          out[x] = (out[x] & ~(1023u << 10 * axis)) | component << 10 * axis;
         }
       }
     }

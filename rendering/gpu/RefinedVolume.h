@@ -44,7 +44,7 @@ void widen(BrickRanges& bricks, const Volume& samples);
 
 /// The light's normals of a spline of `volume` at its voxels (rendering/scene/Lighting.h).
 SplineVectors gatedNormals(const Volume& volume, const SplineVolume& spline);
-/// Their coefficients, RGBA32F, from index -1 on along each axis.
+/// Their coefficients, RGB10A2, zero at 511/1023, from index -1 on along each axis.
 gl::Texture makeCoefficients(const SplineVectors& normals);
 /// As makeGradientTexture(), of those normals at the refined voxels in a box of those.
 GradientTexture makeRefinedGradient(const SplineVectors& normals, int factor, const std::optional<IndexBox>& box);

@@ -62,12 +62,13 @@ void interpolate(const Lines& lines) {
   }
 }
 
-void extend(const Lines& lines) {
+void extend(const Lines& lines, SplineVolume::Ends ends) {
   const int n = lines.count;
+  const bool even = ends == SplineVolume::Ends::Even && n > 1;
   for (std::size_t k = 0; k < lines.width; ++k) {
     const auto c = [&](int i) -> double& { return lines.at(i, k); };
-    c(0) = n > 1 ? 2.0 * c(1) - c(2) : c(1);
-    c(n + 1) = n > 1 ? 2.0 * c(n) - c(n - 1) : c(1);
+    c(0) = even ? 2.0 * c(1) - c(2) : c(1);
+    c(n + 1) = even ? 2.0 * c(n) - c(n - 1) : c(n);
     if (n == 1) c(3) = c(1);
   }
 }
@@ -90,7 +91,7 @@ SplinePlace::SplinePlace(double index, int count) {
   t = inside - voxel;
 }
 
-SplineVolume::SplineVolume(const ShownVolume& shown)
+SplineVolume::SplineVolume(const ShownVolume& shown, Ends ends)
     : dims_(shown.volume->grid.dims),
       size_(coefficientCount(dims_)),
       coefficients_(static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y) *
@@ -103,7 +104,7 @@ SplineVolume::SplineVolume(const ShownVolume& shown)
           for (int x = 0; x < dims_.x; ++x) rowAt(y, z)[x + 1] = valueAt({x, y, z});
     });
   });
-  filter(shown.reconstruction);
+  filter(shown.reconstruction, ends);
   hide(shown);
   double low = std::numeric_limits<double>::infinity(), high = -low;
   std::mutex mutex;
@@ -117,8 +118,10 @@ SplineVolume::SplineVolume(const ShownVolume& shown)
   range_ = {low, high};
 }
 
-void SplineVolume::filter(Reconstruction kind) {
-  const auto each = [&](const Lines& lines) { kind == Reconstruction::Cubic ? interpolate(lines) : extend(lines); };
+void SplineVolume::filter(Reconstruction kind, Ends ends) {
+  const auto each = [&](const Lines& lines) {
+    kind == Reconstruction::Cubic ? interpolate(lines) : extend(lines, ends);
+  };
   const auto width = static_cast<std::size_t>(size_.x), plane = width * static_cast<std::size_t>(size_.y);
   parallelFor(static_cast<std::size_t>(dims_.z), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t z = begin + 1; z <= end; ++z) {

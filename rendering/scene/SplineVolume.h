@@ -38,9 +38,12 @@ struct SplinePlace {
 
 class SplineVolume {
  public:
+  /// Coefficients beyond the ends of an axis go on evenly, or are those at the ends.
+  enum class Ends { Even, Held };
+
   /// `shown` is Cubic or Smooth. NaN counts as the volume's least value, ±Inf as the ends of its range. Runs on all
-  /// cores, and takes 8 bytes a voxel.
-  explicit SplineVolume(const ShownVolume& shown);
+  /// cores, and takes 8 bytes a voxel. `ends`: of Smooth.
+  explicit SplineVolume(const ShownVolume& shown, Ends ends = Ends::Even);
 
   glm::ivec3 dims() const { return dims_; }  ///< voxels
   /// f (real value) and its gradient by the index, at a continuous index position.
@@ -56,7 +59,7 @@ class SplineVolume {
   glm::ivec3 size() const { return size_; }  ///< coefficients along each axis
 
  private:
-  void filter(Reconstruction kind);
+  void filter(Reconstruction kind, Ends ends);
   void hide(const ShownVolume& shown);
   template <class Use>
   void around(glm::dvec3 index, Use&& use) const;
@@ -66,8 +69,8 @@ class SplineVolume {
   ValueRange range_;
 };
 
-/// Vectors at the voxels, and their B-spline (Reconstruction::Smooth) between them: no longer than the longest of them
-/// away from the border. Kept in single precision.
+/// Vectors at the voxels, and their B-spline (Reconstruction::Smooth, with Ends::Held) between them: no longer than the
+/// longest of them.
 class SplineVectors {
  public:
   /// at(index) is the vector of a voxel; called from all cores.
@@ -95,7 +98,7 @@ class SplineVectors {
     for (std::shared_ptr<Volume>& part : parts) {
       ShownVolume shown{std::exchange(part, nullptr)};
       shown.reconstruction = Reconstruction::Smooth;
-      parts_.emplace_back(shown);
+      parts_.emplace_back(shown, SplineVolume::Ends::Held);
     }
   }
 

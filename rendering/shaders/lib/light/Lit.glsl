@@ -99,7 +99,7 @@ CellNormals normalsAlong(ivec3 cell, vec3 a, vec3 b) {
 }
 
 #if REFINEMENT > 1
-TEXELS_3D(rgba32f, normalTexels);  // coefficients of the gated normals, as those of the spline
+TEXELS_3D(rgb10_a2, normalTexels);  // coefficients of the gated normals, as those of the spline
 
 // Gated normals at the points of a path through a spline (lib/Spline.glsl).
 struct NormalsAlong {
@@ -125,6 +125,7 @@ NormalsAlong normalsAlongSpline(ivec3 cell, vec3 a, vec3 b) {
       for (int i = 0; i < POINTS; ++i)
         normals.at[i] += (y[i][j] * z[i][k]) * (c0 * x[i].x + c1 * x[i].y + c2 * x[i].z + c3 * x[i].w);
     }
+  for (int i = 0; i < POINTS; ++i) normals.at[i] = gatedNormal(normals.at[i]);
   return normals;
 }
 
