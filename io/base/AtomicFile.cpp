@@ -41,6 +41,9 @@ void writeAtomically(const fs::path& path, const std::function<void(const fs::pa
   std::error_code failure;
   // A link stays a link: what it points at is replaced.
   const fs::path target = fs::is_symlink(path, failure) ? fs::weakly_canonical(path, failure) : path;
+  // A device or a pipe, such as /dev/null, would be gone after a rename.
+  const fs::file_status status = fs::status(target, failure);
+  if (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status)) return write(target);
   fs::path temporary = target;
   std::ostringstream name;
   name << '.' << target.filename().string() << '.' << ::getpid() << '-' << counter++ << ".part";

@@ -10,7 +10,8 @@
 
 namespace fenestra::io {
 
-/// Runs `write(temporary path)` and renames the result to `path`; removes the temporary when it throws. Throws Error.
+/// Runs `write(temporary path)` and renames the result to `path`; removes the temporary when it throws. A device
+/// or a pipe is written to as it is. Throws Error.
 void writeAtomically(const std::filesystem::path& path, const std::function<void(const std::filesystem::path&)>& write);
 /// `text` as the whole of a file.
 void writeText(const std::filesystem::path& path, const std::string& text);

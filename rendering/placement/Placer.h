@@ -14,8 +14,8 @@ namespace fenestra::placement {
 class Placer {
  public:
   /// Measures the candidates of the scene's focus, or returns what it measured before: again only when the volume, the
-  /// focus, what clips it, the sampling, (refined) the options, or (where end faces have a weight) the context's visible values
-  /// changed. `gpu` is brought up to date. Needs a current context.
+  /// focus, what clips it, the sampling, (refined) the options, or (where end faces have a weight) the context's
+  /// visible values changed. `gpu` is brought up to date. Needs a current context.
   const Measured& measure(GpuScene& gpu, const Scene& scene, const Sampling& sampling, const Options& options);
   /// The next measure() measures anew.
   void forget() { key_.reset(); }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "rendering/Renderer.h"
+#include "rendering/gl/Context.h"
 #include "tests/support/Scenes.h"
 
 namespace fenestra::tests {
@@ -107,6 +108,13 @@ inline Scene clipped(Scene scene, bool grey) {
   return scene;
 }
 
+/// lavapipe of Mesa 22.3 crashes while it prepares most programs of clipped pictures that have no bound on their error:
+/// its search for uniforms to inline reads a buffer that is not there. llvmpipe draws them all.
+inline bool crashesTheDriver(const SceneKind& kind) {
+  const Clipping& clipping = kind.scene.look.clipping;
+  return gl::description().starts_with("zink") && !kind.view.maxError && (clipping.cropped || !clipping.planes.empty());
+}
+
 /// All of them for one voxel type; of the others, whose shaders differ in how they read a voxel alone, every seventh.
 inline std::vector<SceneKind> allSceneKinds() {
   std::vector<SceneKind> kinds, others;
@@ -171,6 +179,7 @@ inline std::vector<SceneKind> allSceneKinds() {
     guarded.scene = withProtected(guarded.scene);
     kinds.push_back(guarded);
   }
+  std::erase_if(kinds, crashesTheDriver);
   return kinds;
 }
 

@@ -1,3 +1,7 @@
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -27,6 +31,19 @@ TEST(ImageWriter, ReplacesAWholeFileOrNothing) {
   EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 1);
   EXPECT_NE(errorOf([&] { io::writeText(folder / "none" / "a.txt", ""); }).find("none/a.txt: cannot be written"),
             std::string::npos);
+}
+
+TEST(ImageWriter, WritesIntoAPipeAndLeavesItThere) {
+  const std::filesystem::path pipe = tests::scratchFolder() / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  const int reader = ::open(pipe.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  ASSERT_GE(reader, 0);
+  io::writeText(pipe, "through");
+  std::array<char, 16> read{};
+  EXPECT_EQ(::read(reader, read.data(), read.size()), 7);
+  EXPECT_STREQ(read.data(), "through");
+  ::close(reader);
+  EXPECT_TRUE(std::filesystem::is_fifo(pipe));
 }
 
 TEST(ImageWriter, PngsComeBackByteForByte) {

@@ -12,6 +12,7 @@
 
 #include "viewer/model/Document.h"
 #include "viewer/model/SliceCursor.h"
+#include "viewer/model/Translation.h"
 #include "viewer/model/ViewLink.h"
 
 namespace fenestra::viewer {
@@ -21,7 +22,7 @@ QDoubleSpinBox* millimetres() {
   auto* spin = new QDoubleSpinBox;
   spin->setDecimals(1);
   spin->setKeyboardTracking(false);
-  spin->setSuffix(QStringLiteral(" mm"));
+  spin->setSuffix(unitSuffix("mm"));
   return spin;
 }
 

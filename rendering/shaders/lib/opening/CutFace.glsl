@@ -26,9 +26,11 @@ vec2 behindCut(vec2 volumeLight, Cut cut, float s) {
 #if CLIPPED
 // A ray that enters by a capped face has its light, as far as it reaches behind the face.
 void lightByCap(inout Cut cut, Ray ray) {
-  if (!LIT || cut.share > 0.0 || ray.cap < 0) return;
-  cut.share = cutFace.share * exp((ray.sIn - cut.start) / cutFace.depth);
-  cut.light = lightOf(capNormal(ray), ray.world);
+  if (!LIT) return;
+  bool byCap = cut.share == 0.0 && ray.cap >= 0;
+  vec2 light = lightOf(capNormal(ray), ray.world);
+  cut.light = byCap ? light : cut.light;
+  cut.share = byCap ? cutFace.share * exp((ray.sIn - cut.start) / cutFace.depth) : cut.share;
 }
 #endif
 
