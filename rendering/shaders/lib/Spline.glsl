@@ -5,21 +5,24 @@
 
 TEXELS_3D(r32f, splineTexels);  // coefficients as stored values; the first of each axis belongs to index -1
 
-// A field is a polynomial of degree 9 along the path. Its thirds are cubics through four values each, right to (1/9)^4/24
-// of the fourth derivative, lengths in voxels.
-const int THIRDS = 3, POINTS = 3 * THIRDS + 1;
+// A field is a polynomial of degree 9 along the path. It is known from seven values at equal distances: through them goes a
+// polynomial of degree 6, and through four of them a cubic, which is right to (1/6)^4/24 of the fourth derivative over a
+// half of the path, lengths in voxels.
+const int POINTS = 7, HALVES = 2;
 
-// Bernstein coefficients of the thirds.
 struct SplineAlong {
-  vec4 first, second, last;
+  float at[POINTS];
 };
-
-vec4 thirdOf(SplineAlong along, int third) { return third == 0 ? along.first : third == 1 ? along.second : along.last; }
 
 // Bernstein coefficients of the cubic through four values at equal distances.
 vec4 bernsteinThrough(float v0, float v1, float v2, float v3) {
   return vec4(v0, (-5.0 * v0 + 18.0 * v1 - 9.0 * v2 + 2.0 * v3) * (1.0 / 6.0),
               (2.0 * v0 - 9.0 * v1 + 18.0 * v2 - 5.0 * v3) * (1.0 / 6.0), v3);
+}
+
+vec4 halfOf(SplineAlong along, int each) {
+  return each == 0 ? bernsteinThrough(along.at[0], along.at[1], along.at[2], along.at[3])
+                   : bernsteinThrough(along.at[3], along.at[4], along.at[5], along.at[6]);
 }
 
 // Cubic B-spline weights of the coefficients around a position, t from the second on.
@@ -66,8 +69,7 @@ SplineAlong splineAlong(ivec3 cell, vec3 a, vec3 b) {
       vec4 row = splineRow(path.base + ivec3(0, j, k));
       for (int i = 0; i < POINTS; ++i) v[i] += dot(row, x[i]) * (y[i][j] * z[i][k]);
     }
-  return SplineAlong(bernsteinThrough(v[0], v[1], v[2], v[3]), bernsteinThrough(v[3], v[4], v[5], v[6]),
-                     bernsteinThrough(v[6], v[7], v[8], v[9]));
+  return SplineAlong(v);
 }
 
 float splineAt(ivec3 cell, vec3 within) {

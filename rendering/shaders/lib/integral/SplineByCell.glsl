@@ -2,7 +2,7 @@
 // (lib/integral/CellPath.glsl).
 //
 // The coefficients around a cell of the voxels' grid are read once for all of the ray's path through it. The values along
-// the path are three cubics (lib/Spline.glsl), and each third of it is integrated as a path through a cell of trilinear
+// the path are two cubics (lib/Spline.glsl), and each half of it is integrated as a path through a cell of trilinear
 // values is. Normals are read only where something shows.
 //
 // The walk's stages are those of lib/integral/CellByCell.glsl. Looking into a cell costs as much as integrating it: rays
@@ -16,13 +16,13 @@ struct Walk {
   ivec3 upwards;
   ivec3 cell;        // that the ray is in from s on, of the finer grid
   float s;
-  CellPath path;     // through the voxels' cell looked into last, but for its values; frame: SplinePath's
+  CellPath path;     // through the voxel cell looked into last, but for its values; `cell` is the middle one in it
   SplineAlong values;  // along it
   NormalsAlong normals;
-  int third;         // of the path, that is integrated next
+  int next;          // half of the path that is integrated next
   float integrated;  // of it, 0 to 1
   int segment;       // that holds what is behind that
-  int parts;         // of the third so far
+  int parts;         // of the half so far
   int stage;
   int after;         // the stage after an integration: LEAP, or ENDED where the ray leaves the volume
   vec4 result;       // colour and opacity so far, premultiplied
@@ -35,7 +35,7 @@ Walk walkFrom(Ray ray, Cut cut, bool visible) {
   walk.upwards = upwardsOf(ray);
   walk.cell = cellAt(ray, cut.start);
   walk.s = cut.start;
-  walk.third = THIRDS;
+  walk.next = HALVES;
   walk.integrated = 0.0;
   walk.segment = walk.parts = 0;
   walk.stage = visible ? LEAP : ENDED;
@@ -58,23 +58,23 @@ void leap(inout Walk walk) {
   if (empty > 0) moveOn(walk, blockAt(walk.cell, walk.upwards, empty));
 }
 
-// A third of the path looked into last.
-CellPath thirdOf(Walk walk, int third) {
+// A half of the path looked into last.
+CellPath halfOf(Walk walk, int each) {
   CellPath path = walk.path;
-  float from = float(third) / float(THIRDS), to = float(third + 1) / float(THIRDS);
+  float from = float(each) / float(HALVES), to = float(each + 1) / float(HALVES);
   path.sFrom = mix(walk.path.sFrom, walk.path.sTo, from);
   path.sTo = mix(walk.path.sFrom, walk.path.sTo, to);
   path.a = mix(walk.path.a, walk.path.b, from);
   path.b = mix(walk.path.a, walk.path.b, to);
-  setValues(path, thirdOf(walk.values, third));
+  setValues(path, halfOf(walk.values, each));
   return path;
 }
 
-// The first third from one on in which the context may show; THIRDS where it does in none.
-int nextShown(Walk walk, int third) {
-  int found = THIRDS;
-  for (int i = THIRDS - 1; i >= 0; --i)
-    if (i >= third && mayShow(thirdOf(walk, i))) found = i;
+// The first half from one on in which the context may show; HALVES where it does in none.
+int nextShown(Walk walk, int each) {
+  int found = HALVES;
+  for (int i = HALVES - 1; i >= 0; --i)
+    if (i >= each && mayShow(halfOf(walk, i))) found = i;
   return found;
 }
 
@@ -88,16 +88,16 @@ void look(inout Walk walk) {
   walk.path.b = withinMiddle(cellPosition(walk.ray, walk.path.sTo) - vec3(cell));
   walk.after = walk.stage;
   walk.values = splineAlong(cell, walk.path.a, walk.path.b);
-  walk.third = nextShown(walk, 0);
+  walk.next = nextShown(walk, 0);
   walk.integrated = 0.0;
   FocusCell held = focusCellAt(focusSlot(cell), cell);
   bool meets = false;
-  for (int i = 0; i < THIRDS; ++i) {
-    CellPath path = thirdOf(walk, i);
-    path.focusAlong = focusAlong(held, path.a, path.b, thirdOf(walk.values, i));
+  for (int i = 0; i < HALVES; ++i) {
+    CellPath path = halfOf(walk, i);
+    path.focusAlong = focusAlong(held, path.a, path.b, halfOf(walk.values, i));
     meets = meets || mayMeetFocus(path);
   }
-  int needed = ONLY_FOCUS || walk.third == THIRDS ? walk.after : CONTEXT;
+  int needed = ONLY_FOCUS || walk.next == HALVES ? walk.after : CONTEXT;
   walk.stage = mayHoldFocus(held) && meets ? FOCUS : needed;
 }
 
@@ -110,14 +110,14 @@ void add(inout Walk walk, vec4 colour, bool whole) {
 
 float shareOf(Walk walk, CellPath path) { return (path.sTo - path.sFrom) / max(walk.ray.sOut - walk.cut.start, 1e-30); }
 
-// Integrates the next part of a third that holds none of the focus.
+// Integrates the next part of a half that holds none of the focus.
 void integrateContext(inout Walk walk) {
-  CellPath path = thirdOf(walk, walk.third);
+  CellPath path = halfOf(walk, walk.next);
   if (walk.integrated == 0.0) {
     walk.segment = segmentNear(path.entries.x);
     walk.parts = 0;
   }
-  Section section = wholeOf(path, thirdOf(walk.normals, walk.third));
+  Section section = wholeOf(path, halfOf(walk.normals, walk.next));
   Part part = nextPart(section, walk.integrated, walk.segment);
   if (!shows(part) && part.to < 1.0) part = nextPart(section, part.to, walk.segment);
   if (++walk.parts == MOST_PARTS) part.to = 1.0;
@@ -127,24 +127,24 @@ void integrateContext(inout Walk walk) {
                            shareOf(walk, path) * (part.to - part.from));
   bool whole = part.to == 1.0;
   walk.integrated = whole ? 0.0 : part.to;
-  if (whole) walk.third = nextShown(walk, walk.third + 1);
-  add(walk, colour, whole && walk.third == THIRDS);
+  if (whole) walk.next = nextShown(walk, walk.next + 1);
+  add(walk, colour, whole && walk.next == HALVES);
 }
 
 // Integrates a cell some of which may be in the focus.
 void integrateFocus(inout Walk walk) {
   vec2 range = focusRange();
   FocusCell held = focusCellAt(focusSlot(walk.path.cell), walk.path.cell);
-  int third = 0;
+  int each = 0;
   do {
-    CellPath path = thirdOf(walk, third);
-    path.focusAlong = focusAlong(held, path.a, path.b, thirdOf(walk.values, third));
+    CellPath path = halfOf(walk, each);
+    path.focusAlong = focusAlong(held, path.a, path.b, halfOf(walk.values, each));
     if (walk.cut.onFocus != 0u && path.sFrom == walk.cut.start)
       path.focusAlong.x = clamp(path.focusAlong.x, range.x, range.y);
-    vec4 colour = integrateFocusCell(path, thirdOf(walk.normals, third), walk.ray, walk.cut, 1.0 - walk.result.a,
+    vec4 colour = integrateFocusCell(path, halfOf(walk.normals, each), walk.ray, walk.cut, 1.0 - walk.result.a,
                                      shareOf(walk, path));
-    add(walk, colour, third == THIRDS - 1);
-  } while (++third < THIRDS);
+    add(walk, colour, each == HALVES - 1);
+  } while (++each < HALVES);
 }
 
 void follow(inout Walk walk) {

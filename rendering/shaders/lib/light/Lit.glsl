@@ -7,7 +7,7 @@
 //   lightOfGated      the light at a point of the context, from the gated normal interpolated there
 //   lightOfFocus      the light at a point of the focus
 //   CellNormals, normalsAlong, addFocusNormals, lightAlong   the same along a path through a cell
-//   NormalsAlong, normalsAlongSpline, thirdOf   the same along a path through a spline
+//   NormalsAlong, normalsAlongSpline, halfOf   the same along a path through a spline
 //   piecesOfLight     into how many pieces the light along such a path has to be cut
 #include <focus>
 #include <schedule>
@@ -129,13 +129,9 @@ NormalsAlong normalsAlongSpline(ivec3 cell, vec3 a, vec3 b) {
   return normals;
 }
 
-vec3 pointOf(NormalsAlong normals, int third, int i) {
-  return third == 0 ? normals.at[i] : third == 1 ? normals.at[i + 3] : normals.at[i + 6];
-}
-
-CellNormals thirdOf(NormalsAlong normals, int third) {
-  vec3 v0 = pointOf(normals, third, 0), v1 = pointOf(normals, third, 1), v2 = pointOf(normals, third, 2),
-       v3 = pointOf(normals, third, 3);
+CellNormals halfOf(NormalsAlong normals, int each) {
+  vec3 v0 = each == 0 ? normals.at[0] : normals.at[3], v1 = each == 0 ? normals.at[1] : normals.at[4],
+       v2 = each == 0 ? normals.at[2] : normals.at[5], v3 = each == 0 ? normals.at[3] : normals.at[6];
   CellNormals result;
   result.gated[0] = v0;
   result.gated[1] = (-5.0 * v0 + 18.0 * v1 - 9.0 * v2 + 2.0 * v3) * (1.0 / 6.0);

@@ -16,7 +16,7 @@ struct NormalsAlong {
   float none;
 };
 NormalsAlong normalsAlongSpline(ivec3 cell, vec3 a, vec3 b) { return NormalsAlong(0.0); }
-CellNormals thirdOf(NormalsAlong normals, int third) { return CellNormals(0.0); }
+CellNormals halfOf(NormalsAlong normals, int each) { return CellNormals(0.0); }
 void addFocusNormals(inout CellNormals normals, ivec3 cell, vec3 a, vec3 b) {}
 vec2 lightAlong(CellNormals normals, float u, vec3 rayDirection, bool ofFocus) { return UNLIT; }
 float piecesOfLight(CellNormals normals, float from, float to, bool ofFocus, vec3 rayDirection, float weight) {
