@@ -140,7 +140,7 @@ std::shared_ptr<const Volume> refinedVolume(const Volume& volume, const SplineVo
 
 std::size_t refinedBytes(const Volume& volume, int factor, bool lit) {
   const double texel = fitsSixteenBits(volume) ? 2.0 : 4.0, gradient = lit ? 4.0 : 0.0;
-  const double coefficient = sizeof(double) + sizeof(float) + (lit ? 3.0 * sizeof(double) + 4.0 : 0.0);
+  const double coefficient = sizeof(double) + sizeof(glm::vec4) + (lit ? 3.0 * sizeof(double) + 4.0 : 0.0);
   constexpr double brick = (sizeof(ValueRange) + 4.0) / static_cast<double>(cellsPerBrick);
   const double perVoxel = std::pow(factor, 3.0) * (2.0 * texel + gradient + brick) + coefficient;
   return static_cast<std::size_t>(perVoxel * static_cast<double>(volume.grid.voxelCount()));
@@ -204,12 +204,13 @@ GradientTexture makeRefinedGradient(const SplineVectors& normals, int factor, co
 }
 
 gl::Texture makeCoefficients(const SplineVolume& spline, const VolumeCoding& coding) {
-  gl::Texture texture = gl::Texture::make3D(gl::Format::R32F, spline.size());
-  const glm::ivec3 size = spline.size();
-  uploadBySlabs<float>(texture, planeSize(size), [&](int z, float* plane) {
+  const glm::ivec3 size = spline.size() - glm::ivec3(3, 0, 0);
+  gl::Texture texture = gl::Texture::make3D(gl::Format::RGBA32F, size);
+  uploadBySlabs<glm::vec4>(texture, planeSize(size), [&](int z, glm::vec4* plane) {
     for (int y = 0; y < size.y; ++y) {
       const double* row = spline.row(y - 1, z - 1);
-      for (int x = 0; x < size.x; ++x) *plane++ = static_cast<float>(coding.codedFromReal(row[x]));
+      const auto at = [&](int x) { return coding.codedFromReal(row[x]); };
+      for (int x = 0; x < size.x; ++x) *plane++ = glm::vec4(at(x), at(x + 1), at(x + 2), at(x + 3));
     }
   });
   return texture;

@@ -34,7 +34,8 @@ std::shared_ptr<const Volume> refinedVolume(const Volume& volume, const SplineVo
 /// and the samples on their way to the texture.
 std::size_t refinedBytes(const Volume& volume, int factor, bool lit);
 
-/// The spline's coefficients in the coded values of `coding`, R32F, from index -1 on along each axis.
+/// The spline's coefficients in the coded values of `coding`, RGBA32F, from index -1 on along each axis. A texel holds
+/// four along x, its own first: a cell's 64 are 16 texels.
 gl::Texture makeCoefficients(const SplineVolume& spline, const VolumeCoding& coding);
 
 /// Widens the ranges of a refined volume's samples by brick, so that the spline itself lies between them: between

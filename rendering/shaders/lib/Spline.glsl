@@ -3,7 +3,8 @@
 #include <schedule>
 #include "lib/Grid.glsl"
 
-TEXELS_3D(r32f, splineTexels);  // coefficients as stored values; the first of each axis belongs to index -1
+// Coefficients as stored values, four along x from a texel's on; the first of each axis belongs to index -1.
+TEXELS_3D(rgba32f, splineTexels);
 
 // A field is a polynomial of degree 9 along the path. It is known from seven values at equal distances: through them goes a
 // polynomial of degree 6, and through four of them a cubic, which is right to (1/6)^4/24 of the fourth derivative over a
@@ -32,7 +33,7 @@ vec4 splineWeights(float t) {
 }
 
 struct SplinePath {
-  ivec3 base;     // texel of the first coefficient of all points
+  ivec3 base;     // of the first coefficient of all points
   vec3 from, to;  // ends between the second and the third coefficient, 0 to 1
 };
 
@@ -48,11 +49,6 @@ SplinePath splinePath(ivec3 cell, vec3 a, vec3 b) {
   return path;
 }
 
-vec4 splineRow(ivec3 first) {
-  return vec4(texelOf(splineTexels, first).r, texelOf(splineTexels, first + ivec3(1, 0, 0)).r,
-              texelOf(splineTexels, first + ivec3(2, 0, 0)).r, texelOf(splineTexels, first + ivec3(3, 0, 0)).r);
-}
-
 SplineAlong splineAlong(ivec3 cell, vec3 a, vec3 b) {
   SplinePath path = splinePath(cell, a, b);
   vec4 x[POINTS], y[POINTS], z[POINTS];
@@ -66,7 +62,7 @@ SplineAlong splineAlong(ivec3 cell, vec3 a, vec3 b) {
   }
   for (int k = 0; k < 4; ++k)
     for (int j = 0; j < 4; ++j) {
-      vec4 row = splineRow(path.base + ivec3(0, j, k));
+      vec4 row = texelOf(splineTexels, path.base + ivec3(0, j, k));
       for (int i = 0; i < POINTS; ++i) v[i] += dot(row, x[i]) * (y[i][j] * z[i][k]);
     }
   return SplineAlong(v);
@@ -77,6 +73,6 @@ float splineAt(ivec3 cell, vec3 within) {
   vec4 x = splineWeights(path.from.x), y = splineWeights(path.from.y), z = splineWeights(path.from.z);
   float v = 0.0;
   for (int k = 0; k < 4; ++k)
-    for (int j = 0; j < 4; ++j) v += dot(splineRow(path.base + ivec3(0, j, k)), x) * (y[j] * z[k]);
+    for (int j = 0; j < 4; ++j) v += dot(texelOf(splineTexels, path.base + ivec3(0, j, k)), x) * (y[j] * z[k]);
   return v;
 }
