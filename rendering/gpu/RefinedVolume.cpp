@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <type_traits>
 
 #include "rendering/gpu/Slabs.h"
 #include "rendering/scene/Lighting.h"
@@ -85,6 +89,30 @@ bool fitsSixteenBits(const Volume& volume) {
 /// A component of a normal in RGB10A2, zero at 511/1023.
 std::uint32_t tenBits(double component) {
   return static_cast<std::uint32_t>(std::clamp(component, -1.0, 1.0) * 511.0 + 511.5);
+}
+
+/// Greatest second difference along an axis at the samples in a box, as stored.
+template <class T>
+double greatestBend(std::span<T> scalars, const Grid& grid, IndexBox box, int axis) {
+  using Stored = std::remove_const_t<T>;
+  using Wide = std::conditional_t<std::is_integral_v<Stored> && sizeof(Stored) <= 2, std::int32_t, double>;
+  box.low[axis] = std::max(box.low[axis], 1);
+  box.high[axis] = std::min(box.high[axis], grid.dims[axis] - 2);
+  glm::ivec3 next(0);
+  next[axis] = 1;
+  const std::size_t stride = grid.offset(next),
+                    width = static_cast<std::size_t>(std::max(box.high.x - box.low.x + 1, 0));
+  Wide greatest = 0;
+  for (int z = box.low.z; z <= box.high.z; ++z)
+    for (int y = box.low.y; y <= box.high.y; ++y) {
+      const T* row = scalars.data() + grid.offset({box.low.x, y, z});
+      for (const T* at = row; at != row + width; ++at) {
+        const Wide bend = static_cast<Wide>(at[-static_cast<std::ptrdiff_t>(stride)]) - 2 * static_cast<Wide>(*at) +
+                          static_cast<Wide>(at[stride]);
+        greatest = std::max(greatest, bend < 0 ? -bend : bend);
+      }
+    }
+  return static_cast<double>(greatest);
 }
 
 template <class T, class Coded>
@@ -219,25 +247,17 @@ gl::Texture makeCoefficients(const SplineVolume& spline, const VolumeCoding& cod
 void widen(BrickRanges& bricks, const Volume& samples) {
   const Grid& grid = samples.grid;
   samples.voxels.visit([&](auto scalars) {
-    const auto at = [&](glm::ivec3 index) { return static_cast<double>(scalars[grid.offset(index)]); };
     parallelFor(static_cast<std::size_t>(bricks.dims.z), 1, [&](std::size_t begin, std::size_t end) {
-      glm::ivec3 brick, index;
+      glm::ivec3 brick;
       for (brick.z = static_cast<int>(begin); brick.z < static_cast<int>(end); ++brick.z)
         for (brick.y = 0; brick.y < bricks.dims.y; ++brick.y)
           for (brick.x = 0; brick.x < bricks.dims.x; ++brick.x) {
             const glm::ivec3 low = glm::clamp(brick * brickSide - 1, glm::ivec3(0), grid.dims - 1);
             const glm::ivec3 high = glm::min(brick * brickSide + brickSide - 1, grid.dims - 1);
-            glm::dvec3 bend(0.0);
-            for (index.z = low.z; index.z <= high.z; ++index.z)
-              for (index.y = low.y; index.y <= high.y; ++index.y)
-                for (index.x = low.x; index.x <= high.x; ++index.x)
-                  for (int axis = 0; axis < 3; ++axis) {
-                    glm::ivec3 before = index, after = index;
-                    if (--before[axis] < 0 || ++after[axis] >= grid.dims[axis]) continue;
-                    bend[axis] = std::max(bend[axis], std::abs(at(before) - 2.0 * at(index) + at(after)));
-                  }
+            double bends = 0.0;
+            for (int axis = 0; axis < 3; ++axis) bends += greatestBend(scalars, grid, {low, high}, axis);
             ValueRange& range = bricks.ranges[brickOffset(bricks.dims, brick)];
-            const double margin = 2.0 * (1.0 / 8.0 + 1.0 / 12.0) * (bend.x + bend.y + bend.z) * std::abs(samples.slope);
+            const double margin = 2.0 * (1.0 / 8.0 + 1.0 / 12.0) * bends * std::abs(samples.slope);
             range = {range.low - margin, range.high + margin};
           }
     });
