@@ -4,6 +4,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <exception>
 #include <limits>
 
 #include "rendering/gl/Context.h"
@@ -41,18 +42,26 @@ ScheduleTimes tryBothSchedules(const std::shared_ptr<GpuScene>& gpuScene, const 
   constexpr std::array schedules{Schedule::Plain, Schedule::Llvmpipe};
   std::array<Renderer, 2> renderers{Renderer(gpuScene), Renderer(gpuScene)};
   std::array<double, 2> least{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  std::array<std::exception_ptr, 2> refused;  // by the driver, at the first frame
   View small = madeSmall(view);
   // In turns, so that a machine whose speed changes treats both alike. The first frame compiles the programs.
   for (int frame = 0; frame <= frames; ++frame) {
     for (std::size_t i = 0; i < schedules.size(); ++i) {
+      if (refused[i]) continue;
       gpuScene->setSchedule(schedules[i]);
       renderers[i].setTiming(!gl::isSoftwareRasteriser());
-      const double time = timeFrame(renderers[i], scene, small);
-      if (frame > 0) least[i] = std::min(least[i], time);
+      try {
+        const double time = timeFrame(renderers[i], scene, small);
+        if (frame > 0) least[i] = std::min(least[i], time);
+      } catch (const gl::ShaderError&) {
+        refused[i] = std::current_exception();
+        least[i] = std::numeric_limits<double>::infinity();
+      }
     }
     // An unchanged view would run no pass: the eye moves by the least that a double can hold.
     small.camera.eye.x = std::nextafter(small.camera.eye.x, std::numeric_limits<double>::infinity());
   }
+  if (refused[0] && refused[1]) std::rethrow_exception(refused[0]);
   const ScheduleTimes times{least[0], least[1]};
   gpuScene->setSchedule(times.faster());
   return times;

@@ -3,7 +3,7 @@
 #include "lib/None.glsl"
 #include "lib/Region.glsl"
 #if CONTEXT_LAYER
-#include "lib/Transfer.glsl"
+#include "lib/TransferTables.glsl"
 #endif
 
 layout(local_size_x = 8, local_size_y = 8) in;

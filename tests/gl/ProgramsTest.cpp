@@ -130,26 +130,73 @@ TEST_F(ProgramsTest, EachStaysWithinWhatOpenGlGuarantees) {
   }
 }
 
-TEST_F(ProgramsTest, EachPassesTheReferenceCompiler) {
-  ASSERT_EQ(std::system("glslangValidator --version > /dev/null"), 0) << "install glslang-tools";
-  const fs::path folder = fs::path(::testing::TempDir()) / ("fenestra-programs-" + std::to_string(::getpid()));
-  fs::create_directories(folder);
-  int number = 0;
-  std::string files;
-  for (const auto& [source, linked] : programs()) {
-    const fs::path file = folder / (std::to_string(number++) + (linked.path == "Present.frag" ? ".frag" : ".comp"));
-    // Line directives with file numbers are translated by our own errors; the validator shows its own lines.
-    std::ofstream(file) << source;
-    files += ' ' + file.string();
+/// Files of a program's sources in a folder of their own, which ends with this.
+class SourceFiles {
+ public:
+  explicit SourceFiles(const Programs& programs)
+      : folder_(fs::path(::testing::TempDir()) / ("fenestra-programs-" + std::to_string(::getpid()))) {
+    fs::create_directories(folder_);
+    for (const auto& [source, linked] : programs) {
+      const bool drawn = linked.path == "Present.frag";
+      files_.push_back({folder_ / (std::to_string(files_.size()) + (drawn ? ".frag" : ".comp")), linked.path});
+      // Line directives with file numbers are translated by our own errors; the validator shows its own lines.
+      std::ofstream(files_.back().first) << source;
+    }
   }
-  const std::string log = (folder / "log").string();
+  ~SourceFiles() { fs::remove_all(folder_); }
+  SourceFiles(const SourceFiles&) = delete;
+  SourceFiles& operator=(const SourceFiles&) = delete;
+
+  const fs::path& folder() const { return folder_; }
+  /// The file of a program, and the shader that it comes from.
+  const std::vector<std::pair<fs::path, std::string>>& files() const { return files_; }
+
+ private:
+  fs::path folder_;
+  std::vector<std::pair<fs::path, std::string>> files_;
+};
+
+bool hasReferenceCompiler() { return std::system("glslangValidator --version > /dev/null") == 0; }
+
+TEST_F(ProgramsTest, EachPassesTheReferenceCompiler) {
+  ASSERT_TRUE(hasReferenceCompiler()) << "install glslang-tools";
+  const SourceFiles sources(programs());
+  std::string files;
+  for (const auto& [file, path] : sources.files()) files += ' ' + file.string();
+  const std::string log = (sources.folder() / "log").string();
   const int status = std::system(("glslangValidator" + files + " > " + log + " 2>&1").c_str());
   std::ifstream stream(log);
   std::string line, errors;
   while (std::getline(stream, line))
     if (line.find("ERROR") != std::string::npos) errors += line + '\n';
   EXPECT_EQ(status, 0) << errors;
-  fs::remove_all(folder);
+}
+
+// NVIDIA's driver counts images that a program declares, also those that it does not use.
+TEST_F(ProgramsTest, EachDeclaresNoMoreImagesThanOpenGlGuarantees) {
+  ASSERT_TRUE(hasReferenceCompiler()) << "install glslang-tools";
+  const SourceFiles sources(programs());
+  std::string files;
+  for (const auto& [file, path] : sources.files()) files += ' ' + file.string();
+  const std::string expanded = (sources.folder() / "expanded").string();
+  ASSERT_EQ(std::system(("glslangValidator -E" + files + " > " + expanded).c_str()), 0);
+  std::ifstream stream(expanded);
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  // The preprocessor writes one source after the other; each starts with its version.
+  const std::regex declaration(R"((#version)|uniform\s+(readonly |writeonly )?\s*[iu]?image[23]D\s+(\w+))");
+  std::vector<std::vector<std::string>> images;
+  for (std::sregex_iterator at(text.begin(), text.end(), declaration), end; at != end; ++at)
+    if ((*at)[1].matched)
+      images.emplace_back();
+    else
+      images.back().push_back((*at)[3]);
+  ASSERT_EQ(images.size(), sources.files().size());
+  std::size_t most = 0;
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    EXPECT_LE(images[i].size(), 8) << sources.files()[i].second << ": " << ::testing::PrintToString(images[i]);
+    most = std::max(most, images[i].size());
+  }
+  EXPECT_GE(most, 7) << "the declarations are no longer found";
 }
 
 /// Offsets by name of a block's members on this side.

@@ -9,6 +9,7 @@
 #include <light>
 #include <opening>
 #include <schedule>
+#include "lib/TransferTables.glsl"
 #include "lib/Traversal.glsl"
 #include "lib/Volume.glsl"
 #include "lib/integral/Piece.glsl"

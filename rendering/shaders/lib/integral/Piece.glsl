@@ -4,19 +4,8 @@
 // one material that is e/k · (1 - exp(-k·l)), and the opacity 1 - exp(-k·l). Where values change evenly along the piece,
 // its mean material stands for all of it (pre-integrated classification without attenuation inside the piece: Engel,
 // Kraus, Ertl 2001).
-#include "lib/Transfer.glsl"
 
 vec4 over(vec4 front, vec4 back) { return front + (1.0 - front.a) * back; }
-
-// Premultiplied colour and opacity of a piece of ray in the context over which values run evenly from one bound to another, at least
-// LEAST_SPAN away: meanMaterial() and pieceOf() in one.
-vec4 pieceOver(Bound a, Bound b, float lengthOfPiece) {
-  vec4 sum = b.integral - a.integral;
-  sum += (min(b.entry, 0.0) - min(a.entry, 0.0)) * transfer.firstMaterial;
-  sum += (max(b.entry, LAST_ENTRY) - max(a.entry, LAST_ENTRY)) * transfer.lastMaterial;
-  float perEntry = lengthOfPiece / (b.entry - a.entry), depth = sum.a * perEntry;
-  return sum * (depth < 1e-2 ? perEntry * (1.0 - depth * (0.5 - depth * (1.0 / 6.0))) : (1.0 - exp(-depth)) / sum.a);
-}
 
 // (1 - exp(-x)) / x, by its series where the difference would cancel.
 float relativeOpacity(float x) { return x < 1e-2 ? 1.0 - x * (0.5 - x * (1.0 / 6.0)) : (1.0 - exp(-x)) / x; }

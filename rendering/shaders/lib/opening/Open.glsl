@@ -5,8 +5,8 @@
 #include "lib/PixelRay.glsl"
 #include "lib/opening/CutFace.glsl"
 
-TEXELS_2D(r32f, rayStart);
-uniform sampler2D hitPoints;
+// Not as images, of which a shader may have eight: they are read once a ray.
+uniform sampler2D rayStart, hitPoints;
 
 const bool ONLY_FOCUS = false;
 
@@ -23,7 +23,7 @@ vec3 wallNormal(ivec2 pixel, float start, vec2 hit) {
   for (int axis = 0; axis < 2; ++axis) {
     ivec2 step = ivec2(1 - axis, axis);
     ivec2 a = max(pixel - step, ivec2(0)), b = min(pixel + step, rays.pictureSize - 1);
-    float sa = texelOf(rayStart, a).r, sb = texelOf(rayStart, b).r;
+    float sa = texelFetch(rayStart, a, 0).r, sb = texelFetch(rayStart, b, 0).r;
     if (isNone(sa) || isNone(sb)) return vec3(0.0);
     tangent[axis] = worldPosition(pixelRay(b), sb) - worldPosition(pixelRay(a), sa);
   }
@@ -33,7 +33,7 @@ vec3 wallNormal(ivec2 pixel, float start, vec2 hit) {
 }
 
 Cut cutAt(ivec2 pixel, Ray ray) {
-  Cut cut = Cut(texelOf(rayStart, pixel).r, 0u, 0.0, vec2(0.0));
+  Cut cut = Cut(texelFetch(rayStart, pixel, 0).r, 0u, 0.0, vec2(0.0));
   if (isNone(cut.start)) return cut;
   vec2 hit = texelFetch(hitPoints, pixel, 0).xy;
   cut.onFocus = cut.start == hit.y ? 1u : 0u;

@@ -3,8 +3,8 @@
 #include <schedule>
 #include "lib/PixelRay.glsl"
 
-TEXELS_2D(r32f, rayStart);
-uniform sampler2D hitPoints;
+// Not as images, of which a shader may have eight: they are read once a ray.
+uniform sampler2D rayStart, hitPoints;
 
 const bool ONLY_FOCUS = true;
 
@@ -15,6 +15,6 @@ struct Cut {
 
 Cut cutAt(ivec2 pixel, Ray ray) { return Cut(texelFetch(hitPoints, pixel, 0).x, 0u); }
 // Where the ray starts to see the rest; not beyond cut.start where nothing is removed.
-float endAt(ivec2 pixel, Ray ray) { return min(texelOf(rayStart, pixel).r, ray.sOut); }
+float endAt(ivec2 pixel, Ray ray) { return min(texelFetch(rayStart, pixel, 0).r, ray.sOut); }
 bool startsHere(Cut cut, Ray ray) { return !isNone(cut.start) && cut.start < ray.sOut; }
 vec2 behindCut(vec2 unchanged, Cut cut, float s) { return unchanged; }
