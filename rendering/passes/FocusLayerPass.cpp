@@ -70,6 +70,7 @@ gl::ShaderProgram& FocusLayerPass::program(bool listed, const Drawn& drawn) {
   const bool lit = look.shading.enabled, bounded = sampling.maxError.has_value();
   return programs_.get({{volumeDefine(gpu),
                          refinementDefine(gpu),
+                         {"SAMPLED", !bounded},
                          tableDefine(),
                          segmentsDefine(),
                          {"FOCUS_PALETTE", static_cast<bool>(gpu.focusPaletteIndex())},

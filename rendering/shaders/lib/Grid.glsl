@@ -12,6 +12,11 @@ UNIFORM_BLOCK(VolumeBlock, storedVolume, VolumeSettings, volume);
 #ifndef REFINEMENT
 #define REFINEMENT 1
 #endif
+#ifndef SAMPLED
+#define SAMPLED 0
+#endif
+// Of a spline, a shader reads its samples (SAMPLED) or the spline itself.
+#define SPLINE (REFINEMENT > 1 && !SAMPLED)
 
 #if REFINEMENT == 1
 ivec3 voxelCell(ivec3 cell) { return cell; }

@@ -3,6 +3,19 @@
 #include <schedule>
 #include "lib/Grid.glsl"
 
+// Corners of a cell (cell frame) are counted x fastest.
+ivec3 cornerOf(int i) { return ivec3(i & 1, (i >> 1) & 1, i >> 2); }
+
+// SPLINE: the volume is the spline itself, of which texels are samples on a finer grid; else it is what lies between texels.
+// A shader declares the textures of the one or the other, for it may declare eight images.
+#if SPLINE
+#include "lib/Spline.glsl"
+
+float storedExact(vec3 position) {
+  ivec3 cell = ivec3(floor(position));
+  return splineAt(cell, position - vec3(cell));
+}
+#else
 // Texels, and stored values per texel unit.
 #if VOLUME_BYTES == 1
 TEXELS_3D(r8, volumeTexels);
@@ -24,9 +37,6 @@ float storedAt(ivec3 index) {
 #endif
 }
 
-// Corners of a cell (cell frame) are counted x fastest.
-ivec3 cornerOf(int i) { return ivec3(i & 1, (i >> 1) & 1, i >> 2); }
-
 void cellCorners(ivec3 cell, out float f[8]) {
   for (int i = 0; i < 8; ++i) f[i] = storedAt(cell - 1 + cornerOf(i));
 }
@@ -42,15 +52,5 @@ float storedBetween(vec3 position) {
   return mix(y.x, y.y, w.z);
 }
 
-// As the volume is defined: of a spline the spline itself, of which texels are samples.
-#if REFINEMENT > 1
-#include "lib/Spline.glsl"
-
-float storedExact(vec3 position) {
-  ivec3 cell = ivec3(floor(position));
-  vec3 within = position - vec3(cell);
-  return splineAt(cell, within);
-}
-#else
 float storedExact(vec3 position) { return storedBetween(position); }
 #endif

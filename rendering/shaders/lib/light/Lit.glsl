@@ -17,9 +17,6 @@
 
 const bool LIT = true;
 
-// Gated normals, zero at 511/1023.
-TEXELS_3D(rgb10_a2, gradientTexels);
-
 // A gated normal's light, which fades in with its length.
 vec2 lightOfGated(vec3 normal, vec3 rayDirection) {
   vec2 flatLight = vec2(lighting.ambient + lighting.meanIncidence * lighting.diffuse, 0.0);
@@ -32,11 +29,16 @@ vec2 lightOfGated(vec3 normal, vec3 rayDirection) {
 
 vec3 gatedNormal(vec3 texel) { return texel * (1023.0 / 511.0) - 1.0; }
 
+#if !SPLINE
+// Gated normals, zero at 511/1023.
+TEXELS_3D(rgb10_a2, gradientTexels);
+
 // At a voxel's centre.
 vec3 gatedAt(ivec3 voxel) {
   ivec3 last = sizeOf(gradientTexels) - 1;
   return gatedNormal(texelOf(gradientTexels, clamp(voxel - lighting.gradientOrigin, ivec3(0), last)).xyz);
 }
+#endif
 
 #if FOCUS_SMOOTH
 // Smoothed indicator around a label focus: filtered, and texel by texel.
@@ -89,16 +91,7 @@ void bernsteinAlong(vec3 f[8], vec3 a, vec3 b, out vec3 along[4]) {
   along[3] = bilinear(xb[0], xb[1], xb[2], xb[3], b.yz);
 }
 
-// `a` and `b`: the path's ends within the cell.
-CellNormals normalsAlong(ivec3 cell, vec3 a, vec3 b) {
-  vec3 f[8];
-  for (int i = 0; i < 8; ++i) f[i] = gatedAt(cell - 1 + cornerOf(i));
-  CellNormals normals;
-  bernsteinAlong(f, a, b, normals.gated);
-  return normals;
-}
-
-#if REFINEMENT > 1
+#if SPLINE
 TEXELS_3D(rgb10_a2, normalTexels);  // coefficients of the gated normals, as those of the spline
 
 // Gated normals at the points of a path through a spline (lib/Spline.glsl).
@@ -138,6 +131,15 @@ CellNormals halfOf(NormalsAlong normals, int each) {
   result.gated[2] = (2.0 * v0 - 9.0 * v1 + 18.0 * v2 - 5.0 * v3) * (1.0 / 6.0);
   result.gated[3] = v3;
   return result;
+}
+#else
+// `a` and `b`: the path's ends within the cell.
+CellNormals normalsAlong(ivec3 cell, vec3 a, vec3 b) {
+  vec3 f[8];
+  for (int i = 0; i < 8; ++i) f[i] = gatedAt(cell - 1 + cornerOf(i));
+  CellNormals normals;
+  bernsteinAlong(f, a, b, normals.gated);
+  return normals;
 }
 #endif
 
