@@ -7,8 +7,8 @@ namespace fenestra {
 void HitPointPass::run(Steps& steps, const GpuScene& scene, const RayFrame& rays, gl::Texture& hitPoints,
                        glm::ivec2 offset) {
   steps.add(glm::ivec2(hitPoints.size()), [this, &scene, &rays, &hitPoints, offset](Regions tile) {
-    gl::ShaderProgram& program =
-        programs_.get({{volumeDefine(scene), rays.clipDefine()}, {scheduleChoice(scene.schedule()), focusChoice(scene)}});
+    gl::ShaderProgram& program = programs_.get({{volumeDefine(scene), refinementDefine(scene), rays.clipDefine()},
+                                                {scheduleChoice(scene.schedule()), focusChoice(scene)}});
     rays.setBlocks(program);
     bindFirstHit(scene, program);
     program.set("pixelOffset", offset);

@@ -1,3 +1,4 @@
+#include "rendering/reference/Field.h"
 #include "rendering/reference/FocusField.h"
 #include "rendering/scene/Parallel.h"
 
@@ -17,13 +18,13 @@ const ValueGap* gapAround(const Gaps& gaps, double value) {
   return nullptr;
 }
 
-/// First t of the piece whose value lies in none of the gaps.
-std::optional<double> firstOutside(const Gaps& gaps, const Corners& corners, const Piece& piece) {
-  const auto [least, greatest] = std::minmax_element(corners.begin(), corners.end());
-  for (const ValueGap& gap : gaps)
-    if (gap.low < *least && *greatest < gap.high) return {};
+bool isInGap(const Gaps& gaps, ValueRange range) {
+  return std::any_of(gaps.begin(), gaps.end(),
+                     [&](const ValueGap& gap) { return gap.low < range.low && range.high < gap.high; });
+}
 
-  const Cubic cubic = alongPiece(corners, piece);
+/// First t of the piece whose value lies in none of the gaps.
+std::optional<double> firstOutside(const Gaps& gaps, const Cubic& cubic, const Piece& piece) {
   const ValueGap* gap = gapAround(gaps, cubic[0]);
   if (!gap) return piece.tBegin;
   const auto left = [&](double s) {
@@ -51,6 +52,7 @@ HitPoints hitPoints(const Scene& scene, const Camera& camera, glm::ivec2 size) {
   const std::size_t count = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
   HitPoints result{Image(count, nothing), Image(count, nothing), Image(count, nothing)};
 
+  const Field field(scene);
   const std::vector<HalfSpace> kept = halfSpaces(scene.look.clipping, grid);
   const FocusField focus(scene);
   const Gaps outsideFocus{{-infinity, focus.range().low}, {focus.range().high, infinity}};
@@ -59,13 +61,21 @@ HitPoints hitPoints(const Scene& scene, const Camera& camera, glm::ivec2 size) {
     const auto cast = [&](const Ray& ray, Span span, bool onFace) {
       Hit hit;
       if (onFace) hit.tContext = span.tIn;
-      walkCells(ray, span, grid.dims, [&](const Piece& piece) {
-        const Corners corners = cornersOf(piece.cell, grid.dims, valueAt);
-        if (const std::optional<Corners> field = focus.corners(piece.cell, corners))
-          hit.tFocus = firstOutside(outsideFocus, *field, piece).value_or(nothing);
-        if (std::isnan(hit.tContext))
-          hit.tContext = std::fmin(firstOutside(transparent, corners, piece).value_or(nothing), hit.tFocus);
-        return std::isnan(hit.tFocus);
+      walkCells(ray, span, grid.dims, [&](const Piece& cell) {
+        const bool mayHoldFocus = focus.mayHold(cell.cell);
+        const auto wants = [&](ValueRange range) {
+          return mayHoldFocus || (std::isnan(hit.tContext) && !isInGap(transparent, range));
+        };
+        return field.along(cell, valueAt, wants, [&](const FieldPiece& part) {
+          if (mayHoldFocus)
+            hit.tFocus = firstOutside(outsideFocus, *focus.along(part.piece, part.value), part.piece).value_or(nothing);
+          if (std::isnan(hit.tContext)) {
+            const bool isClear = isInGap(transparent, part.range);
+            const auto found = isClear ? std::nullopt : firstOutside(transparent, part.value, part.piece);
+            hit.tContext = std::fmin(found.value_or(nothing), hit.tFocus);
+          }
+          return std::isnan(hit.tFocus);
+        });
       });
       return hit;
     };
