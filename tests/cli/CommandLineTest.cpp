@@ -96,7 +96,7 @@ TEST_F(CommandLine, OptionsOfSettingsAreAsDeclared) {
   check(Shading{});
   check(ValueFocus{});
   check(Look{});
-  EXPECT_EQ(options, 17);
+  EXPECT_EQ(options, 18);
   EXPECT_TRUE(nothingLeftBehind());
 }
 
