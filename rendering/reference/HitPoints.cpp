@@ -1,3 +1,4 @@
+#include "rendering/reference/ContextFunctions.h"
 #include "rendering/reference/FocusField.h"
 #include "rendering/scene/Parallel.h"
 
@@ -38,6 +39,32 @@ std::optional<double> firstOutside(const Gaps& gaps, const Corners& corners, con
   return {};
 }
 
+/// The context's functions, and where each of them is transparent.
+class ContextGaps {
+ public:
+  explicit ContextGaps(const Scene& scene) : functions_(scene) {
+    for (const TransferFunction& function : functions_.all()) gaps_.push_back(function.transparentGaps(1.0 / 255.0));
+  }
+  /// First t of the piece in the context.
+  std::optional<double> firstHit(const Corners& corners, const Piece& piece) const {
+    std::vector<double> ends{0.0, 1.0};
+    if (functions_.differ()) appendMiddles(piece, ends);
+    std::sort(ends.begin(), ends.end());
+    for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
+      const auto at = [&](double s) { return glm::mix(piece.begin, piece.end, s); };
+      const auto t = [&](double s) { return std::lerp(piece.tBegin, piece.tEnd, s); };
+      const glm::dvec3 middle = glm::dvec3(piece.cell) + at(0.5 * (ends[k] + ends[k + 1]));
+      const Piece part{piece.cell, t(ends[k]), t(ends[k + 1]), at(ends[k]), at(ends[k + 1])};
+      if (const auto found = firstOutside(gaps_[functions_.numberAt(middle)], corners, part)) return found;
+    }
+    return {};
+  }
+
+ private:
+  ContextFunctions functions_;
+  std::vector<Gaps> gaps_;
+};
+
 /// First t of a ray in the context or the focus, and in the focus.
 struct Hit {
   double tContext = nothing, tFocus = nothing;
@@ -47,7 +74,7 @@ struct Hit {
 
 HitPoints hitPoints(const Scene& scene, const Camera& camera, glm::ivec2 size) {
   const Grid& grid = scene.volume->grid;
-  const Gaps transparent = scene.look.context.shifted().transparentGaps(1.0 / 255.0);
+  const ContextGaps context(scene);
   const std::size_t count = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
   HitPoints result{Image(count, nothing), Image(count, nothing), Image(count, nothing)};
 
@@ -64,7 +91,7 @@ HitPoints hitPoints(const Scene& scene, const Camera& camera, glm::ivec2 size) {
         if (const std::optional<Corners> field = focus.corners(piece.cell, corners))
           hit.tFocus = firstOutside(outsideFocus, *field, piece).value_or(nothing);
         if (std::isnan(hit.tContext))
-          hit.tContext = std::fmin(firstOutside(transparent, corners, piece).value_or(nothing), hit.tFocus);
+          hit.tContext = std::fmin(context.firstHit(corners, piece).value_or(nothing), hit.tFocus);
         return std::isnan(hit.tFocus);
       });
       return hit;
