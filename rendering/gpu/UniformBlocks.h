@@ -44,6 +44,13 @@ struct alignas(16) TransferBlock {
   glm::vec2 map, visibleEntries;
 };
 
+/// shaders/lib/FaintLabels.glsl.
+struct alignas(16) FaintBlock {
+  static constexpr const char* name = "FaintBlock";
+  glm::ivec3 origin;
+  alignas(16) glm::ivec3 size;
+};
+
 /// shaders/lib/focus/Index.glsl.
 struct alignas(16) FocusBlock {
   static constexpr const char* name = "FocusBlock";

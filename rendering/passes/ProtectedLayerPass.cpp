@@ -16,6 +16,7 @@ void ProtectedLayerPass::run(Steps& steps, const GpuScene& gpu, const Look& look
     gl::ShaderProgram& program = programs_.get({{volumeDefine(gpu),
                                                  tableDefine(),
                                                  segmentsDefine(),
+                                                 faintDefine(gpu),
                                                  {"FOCUS_PALETTE", false},
                                                  {"FOCUS_FUNCTIONS", false},
                                                  {"FOCUS_SMOOTH", false},
@@ -30,6 +31,7 @@ void ProtectedLayerPass::run(Steps& steps, const GpuScene& gpu, const Look& look
     rays.setBlocks(program);
     bindVolume(gpu, program);
     bindTransferSegments(gpu, program);
+    bindFaint(gpu, program);
     bindLabels(gpu.protectedLabels(), program);
     program.set(FocusLayerPass::integralBlock(bounded));
     program.bind("rayStart", opening.rayStart);

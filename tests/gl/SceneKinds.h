@@ -6,6 +6,7 @@
 
 #include "rendering/Renderer.h"
 #include "rendering/gl/Context.h"
+#include "rendering/scene/FaintLabels.h"
 #include "tests/support/Scenes.h"
 
 namespace fenestra::tests {
@@ -94,6 +95,15 @@ inline Scene withProtected(Scene scene) {
   return scene;
 }
 
+/// A body whose first organ is faint in the context, unless it is in focus; where it is, the second one is.
+inline Scene withFaint(Scene scene) {
+  put(scene.look.labels, {.label = 1, .opacity = 0.3});
+  LabelSetting second = settingFor(scene.look.labels, 2);
+  second.opacity = 0.6;
+  put(scene.look.labels, second);
+  return scene;
+}
+
 /// A body cut by a box and two planes, with faces in grey or as the transfer function shows them.
 inline Scene clipped(Scene scene, bool grey) {
   const Grid& grid = scene.volume->grid;
@@ -173,6 +183,11 @@ inline std::vector<SceneKind> allSceneKinds() {
     guarded.scene = withProtected(guarded.scene);
     kinds.push_back(guarded);
   }
+  // Faint labels in the context with whatever else makes a program another one.
+  for (std::size_t i = 0, all = kinds.size(); i < all; ++i)
+    if (i % 9 == 0 && kinds[i].name.starts_with("int16") && !faintLabels(kinds[i].scene).any())
+      if (Scene faint = withFaint(kinds[i].scene); faintLabels(faint).any())
+        kinds.push_back({kinds[i].name + ", faint labels", std::move(faint), kinds[i].view});
   std::erase_if(kinds, crashesTheDriver);
   return kinds;
 }

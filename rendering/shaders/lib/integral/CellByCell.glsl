@@ -13,6 +13,7 @@
 #include <opening>
 #include <schedule>
 #include "lib/Crossing.glsl"
+#include "lib/FaintLabels.glsl"
 #include "lib/TransferSegments.glsl"
 #include "lib/Traversal.glsl"
 #include "lib/Volume.glsl"
@@ -32,7 +33,26 @@ struct CellPath {
 #if FOCUS_FUNCTIONS
   vec4 stored;        // values
 #endif
+#if FAINT_LABELS
+  uint functions;     // of the context, as functionsIn() has them
+#endif
 };
+
+#if FAINT_LABELS
+bool functionsDiffer(CellPath path) { return path.functions >= FUNCTIONS_DIFFER; }
+// Of the context, where they do not differ.
+int functionOf(CellPath path) { return int(path.functions); }
+void findFunctions(inout CellPath path, FocusCell held) {
+  path.functions = functionsIn(path.cell);
+  // Where none of the cell is in the focus, the field lies outside the focus's range.
+  vec4 outside = vec4(focusRange().x > -3e38 ? -3e38 : 3e38);
+  path.focusAlong = mix(outside, path.focusAlong, bvec4(mayHoldFocus(held)));
+}
+#else
+bool functionsDiffer(CellPath path) { return false; }
+int functionOf(CellPath path) { return 0; }
+void findFunctions(inout CellPath path, FocusCell held) {}
+#endif
 
 float lowest(vec4 v) { return min(min(v.x, v.y), min(v.z, v.w)); }
 float highest(vec4 v) { return max(max(v.x, v.y), max(v.z, v.w)); }
@@ -64,9 +84,10 @@ vec4 bernsteinTurned(Ray ray, float f[8], vec3 a, vec3 b) {
   return bernsteinAlong(f, mix(a, 1.0 - a, downwards), mix(b, 1.0 - b, downwards));
 }
 
-const int LEAP = 0, LOOK = 1, CONTEXT = 2, FOCUS = 3, ENDED = 4;  // stages
+const int LEAP = 0, LOOK = 1, CONTEXT = 2, SECTIONS = 3, ENDED = 4;  // stages
 
-// Fills in what lies between s and sNext, and tells the stage that it needs: CONTEXT, FOCUS, or LEAP where nothing shows.
+// Fills in what lies between s and sNext, and tells the stage that it needs: SECTIONS where some may be in the focus or
+// functions differ, CONTEXT, or LEAP where nothing shows.
 // `f`: the cell's corners, turned.
 int lookInto(Ray ray, ivec3 cell, float s, float sNext, float f[8], out CellPath path) {
   path.cell = cell;
@@ -82,11 +103,13 @@ int lookInto(Ray ray, ivec3 cell, float s, float sNext, float f[8], out CellPath
 #endif
   FocusCell held = focusCellAt(focusSlot(cell), cell);
   path.focusAlong = focusAlong(held, path.a, path.b, stored);
+  findFunctions(path, held);
   vec2 range = focusRange();
-  if (mayHoldFocus(held) && lowest(path.focusAlong) <= range.y && highest(path.focusAlong) >= range.x) return FOCUS;
+  if (mayHoldFocus(held) && lowest(path.focusAlong) <= range.y && highest(path.focusAlong) >= range.x) return SECTIONS;
   if (ONLY_FOCUS) return LEAP;
   vec2 visible = transfer.visibleEntries;
-  return highest(path.entries) > visible.x && lowest(path.entries) < visible.y ? CONTEXT : LEAP;
+  int shown = functionsDiffer(path) ? SECTIONS : CONTEXT;
+  return highest(path.entries) > visible.x && lowest(path.entries) < visible.y ? shown : LEAP;
 }
 
 // Below, in or above the focus's range: -1, 0, 1.
@@ -117,29 +140,36 @@ float nextChange(vec4 along, float u) {
   return to;
 }
 
-// A part of a path that is all in the focus, of one material or function, or all in the context.
+// A part of a path that is all in the focus, of one material or function, or all in the context, of one function.
 struct Section {
   float uFrom, uTo;  // of the path
   float sFrom, sTo;  // mm along the ray
-  vec4 entries;      // of the context's table, or that of the focus's function
+  vec4 entries;      // of the context's tables, or that of the focus's function
   bool inFocus;
   vec4 material;     // of the focus
-#if FOCUS_FUNCTIONS
-  int function;      // of the focus, from 1 on; 0: one material, or the context
+#if FOCUS_FUNCTIONS || FAINT_LABELS
+  int function;      // of the context, or of the focus; 0 there: one material
 #endif
   CellNormals normals;
 };
 
-#if FOCUS_FUNCTIONS
+#if FOCUS_FUNCTIONS || FAINT_LABELS
 bool isByValue(Section section) { return !section.inFocus || section.function > 0; }
 int functionOf(Section section) { return section.function; }
 
-// Chooses the function of a section of the focus.
+// Chooses the function of a section.
 void findFunction(inout Section section, CellPath path, vec3 at) {
+  section.function = 0;
+#if FOCUS_FUNCTIONS
   vec4 table = focusTable(at);
   section.function = section.inFocus ? int(table.x) / 2 : 0;
   vec4 entries = clamp(path.stored * table.y + table.z, vec4(-1e12), vec4(1e12));
   if (section.function > 0) section.entries = bernsteinBetween(entries, section.uFrom, section.uTo);
+#endif
+#if FAINT_LABELS
+  int ofContext = functionAt(at);
+  section.function = section.inFocus ? section.function : ofContext;
+#endif
 }
 #else
 bool isByValue(Section section) { return !section.inFocus; }
@@ -312,19 +342,19 @@ Section wholeOf(CellPath path, CellNormals normals) {
   section.entries = path.entries;
   section.inFocus = false;
   section.material = vec4(0.0);
-#if FOCUS_FUNCTIONS
-  section.function = 0;
+#if FOCUS_FUNCTIONS || FAINT_LABELS
+  section.function = functionOf(path);
 #endif
   section.normals = normals;
   return section;
 }
 
-// A cell that holds both focus and context, section by section.
-vec4 integrateFocusCell(CellPath path, Ray ray, Cut cut, float transmittance, float share) {
+// A cell that holds both focus and context, or context of several functions, section by section.
+vec4 integrateSections(CellPath path, Ray ray, Cut cut, float transmittance, float share) {
   Section section = wholeOf(path, normalsAlong(path.cell, path.a, path.b));
   addFocusNormals(section.normals, path.cell, path.a, path.b);
   vec4 result = vec4(0.0);
-  // A cubic crosses the two ends of a range at most six times, and colours change at three places.
+  // A cubic crosses the two ends of a range at most six times; colours and functions change at three places.
   int left = 10;
   section.uTo = 0.0;
   do {
@@ -333,6 +363,7 @@ vec4 integrateFocusCell(CellPath path, Ray ray, Cut cut, float transmittance, fl
     section.inFocus = held && !ONLY_FOCUS;
     section.uTo = nextChange(path.focusAlong, section.uFrom);
     if (section.inFocus) section.uTo = min(section.uTo, nextColour(path.a, path.b, section.uFrom));
+    else section.uTo = min(section.uTo, nextFunction(path.a, path.b, section.uFrom));
     section.sFrom = mix(path.sFrom, path.sTo, section.uFrom);
     section.sTo = mix(path.sFrom, path.sTo, section.uTo);
     section.entries = bernsteinBetween(path.entries, section.uFrom, section.uTo);
@@ -428,13 +459,13 @@ void add(inout Walk walk, vec4 colour, bool whole) {
 
 float shareOf(Walk walk) { return (walk.path.sTo - walk.path.sFrom) / max(walk.ray.sOut - walk.cut.start, 1e-30); }
 
-// Integrates the next part of a cell that holds none of the focus. A ray with more parts than its neighbours does not hold
+// Integrates the next part of a cell that holds none of the focus and one function of the context. A ray with more parts than its neighbours does not hold
 // them up: it stays in the stage CONTEXT until they are there again.
 void integrateContext(inout Walk walk) {
   CellPath path = walk.path;
   if (walk.integrated == 0.0) {
     walk.normals = normalsAlong(path.cell, path.a, path.b);
-    walk.segment = segmentNear(path.entries.x);
+    walk.segment = segmentNear(functionOf(path), path.entries.x);
     walk.parts = 0;
   }
   Section section = wholeOf(path, walk.normals);
@@ -449,13 +480,13 @@ void integrateContext(inout Walk walk) {
   add(walk, colour, whole);
 }
 
-// Integrates a cell some of which may be in the focus.
-void integrateFocus(inout Walk walk) {
+// Integrates a cell some of which may be in the focus, or that has several functions.
+void integrateSections(inout Walk walk) {
   CellPath path = walk.path;
   vec2 range = focusRange();
   if (walk.cut.onFocus != 0u && path.sFrom == walk.cut.start)
     path.focusAlong.x = clamp(path.focusAlong.x, range.x, range.y);
-  add(walk, integrateFocusCell(path, walk.ray, walk.cut, 1.0 - walk.result.a, shareOf(walk)), true);
+  add(walk, integrateSections(path, walk.ray, walk.cut, 1.0 - walk.result.a, shareOf(walk)), true);
 }
 
 void follow(inout Walk walk) {
@@ -470,7 +501,7 @@ void follow(inout Walk walk) {
       } while (IN_STEP && walk.stage == LEAP);
       if (walk.stage == CONTEXT) integrateContext(walk);
     } while (IN_STEP && (walk.stage == LEAP || walk.stage == CONTEXT));
-    if (HAS_FOCUS && walk.stage == FOCUS) integrateFocus(walk);
+    if ((HAS_FOCUS || HAS_FAINT) && walk.stage == SECTIONS) integrateSections(walk);
   } while (walk.stage != ENDED);
 }
 

@@ -1,0 +1,38 @@
+// The context's transfer function at a point: that of the nearest voxel's label, see rendering/scene/FaintLabels.h.
+// Functions are numbered from 0, the volume's; without the define FAINT_LABELS there is no other one.
+#include <schedule>
+#include "lib/Grid.glsl"
+
+#if FAINT_LABELS
+struct FaintSettings {
+  ivec3 origin, size;  // voxels that faintIndex holds: the first, and how many
+};
+UNIFORM_BLOCK(FaintBlock, storedFaint, FaintSettings, faint);
+
+// See rendering/gpu/FaintIndex.h. Not an image, of which a shader may have eight.
+uniform usampler3D faintIndex;
+
+const bool HAS_FAINT = true;
+
+uint faintTexel(ivec3 voxel) {
+  ivec3 at = voxel - faint.origin;
+  uint texel = texelFetch(faintIndex, clamp(at, ivec3(0), faint.size - 1), 0).r;
+  return at == clamp(at, ivec3(0), faint.size - 1) ? texel : 0u;
+}
+
+// The functions in a cell: the number of the one there; FUNCTIONS_DIFFER and more where there are several.
+const uint FUNCTIONS_DIFFER = 128u;
+uint functionsIn(ivec3 cell) { return faintTexel(cell - 1); }
+
+// At a position (cell frame).
+int functionAt(vec3 at) {
+  ivec3 voxel = ivec3(floor(at - 0.5));
+  return int(faintTexel(clamp(voxel, ivec3(0), volume.dims - 1)) & (FUNCTIONS_DIFFER - 1u));
+}
+
+// The first u' > u, at most 1, where from a to b, both within a cell, the function may change.
+float nextFunction(vec3 a, vec3 b, float u) { return nextNearest(a, b, u); }
+#else
+const bool HAS_FAINT = false;
+float nextFunction(vec3 a, vec3 b, float u) { return 1.0; }
+#endif
