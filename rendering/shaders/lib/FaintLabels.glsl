@@ -20,19 +20,22 @@ uint faintTexel(ivec3 voxel) {
   return at == clamp(at, ivec3(0), faint.size - 1) ? texel : 0u;
 }
 
-// The functions in a cell: the number of the one there; FUNCTIONS_DIFFER and more where there are several.
-const uint FUNCTIONS_DIFFER = 128u;
+// The functions in a cell: the number of the one there, and more where there are several.
 uint functionsIn(ivec3 cell) { return faintTexel(cell - 1); }
+bool functionsDiffer(uint functions) { return functions >= 128u; }
 
 // At a position (cell frame).
 int functionAt(vec3 at) {
   ivec3 voxel = ivec3(floor(at - 0.5));
-  return int(faintTexel(clamp(voxel, ivec3(0), volume.dims - 1)) & (FUNCTIONS_DIFFER - 1u));
+  return int(faintTexel(clamp(voxel, ivec3(0), volume.dims - 1)) & 127u);
 }
 
 // The first u' > u, at most 1, where from a to b, both within a cell, the function may change.
 float nextFunction(vec3 a, vec3 b, float u) { return nextNearest(a, b, u); }
 #else
 const bool HAS_FAINT = false;
+uint functionsIn(ivec3 cell) { return 0u; }
+bool functionsDiffer(uint functions) { return false; }
+int functionAt(vec3 at) { return 0; }
 float nextFunction(vec3 a, vec3 b, float u) { return 1.0; }
 #endif

@@ -90,7 +90,7 @@ void look(inout Search search, const bool ofFocus, Ray ray, float sEnd) {
     search.b = b;
     search.functions = functionsIn(cell);
     // Where they differ: as if the field left every gap.
-    bool differ = search.functions >= FUNCTIONS_DIFFER;
+    bool differ = functionsDiffer(search.functions);
     search.gap = gapAround(differ ? 0 : int(search.functions), search.along.x);
     search.gap = mix(search.gap, vec2(FAR, -FAR), bvec2(differ));
   }
@@ -119,7 +119,7 @@ void solve(inout Search search, const bool ofFocus, const bool exact, float sEnd
   vec2 gap = search.gap, piece;
   float u = exact ? firstExit(search.along, gap.x, gap.y) : leaves(search.along, gap.x, gap.y, piece) ? 0.0 : 2.0;
 #if FAINT_LABELS
-  if (!ofFocus && search.functions >= FUNCTIONS_DIFFER) u = firstFaintExit(search);
+  if (!ofFocus && functionsDiffer(search.functions)) u = firstFaintExit(search);
 #endif
   search.stage = u <= 1.0 ? ENDED : search.after;
   if (u <= 1.0) search.hit = mix(search.sFrom, min(search.s, sEnd), u);

@@ -33,26 +33,8 @@ struct CellPath {
 #if FOCUS_FUNCTIONS
   vec4 stored;        // values
 #endif
-#if FAINT_LABELS
   uint functions;     // of the context, as functionsIn() has them
-#endif
 };
-
-#if FAINT_LABELS
-bool functionsDiffer(CellPath path) { return path.functions >= FUNCTIONS_DIFFER; }
-// Of the context, where they do not differ.
-int functionOf(CellPath path) { return int(path.functions); }
-void findFunctions(inout CellPath path, FocusCell held) {
-  path.functions = functionsIn(path.cell);
-  // Where none of the cell is in the focus, the field lies outside the focus's range.
-  vec4 outside = vec4(focusRange().x > -3e38 ? -3e38 : 3e38);
-  path.focusAlong = mix(outside, path.focusAlong, bvec4(mayHoldFocus(held)));
-}
-#else
-bool functionsDiffer(CellPath path) { return false; }
-int functionOf(CellPath path) { return 0; }
-void findFunctions(inout CellPath path, FocusCell held) {}
-#endif
 
 float lowest(vec4 v) { return min(min(v.x, v.y), min(v.z, v.w)); }
 float highest(vec4 v) { return max(max(v.x, v.y), max(v.z, v.w)); }
@@ -86,11 +68,15 @@ vec4 bernsteinTurned(Ray ray, float f[8], vec3 a, vec3 b) {
 
 const int LEAP = 0, LOOK = 1, CONTEXT = 2, SECTIONS = 3, ENDED = 4;  // stages
 
+// Values of the field that are in no focus.
+vec4 outsideFocus() { return vec4(focusRange().x > -3e38 ? -3.4e38 : 3.4e38); }
+
 // Fills in what lies between s and sNext, and tells the stage that it needs: SECTIONS where some may be in the focus or
 // functions differ, CONTEXT, or LEAP where nothing shows.
 // `f`: the cell's corners, turned.
 int lookInto(Ray ray, ivec3 cell, float s, float sNext, float f[8], out CellPath path) {
   path.cell = cell;
+  path.functions = functionsIn(cell);
   path.sFrom = s;
   path.sTo = sNext;
   path.a = clamp(cellPosition(ray, s) - vec3(cell), 0.0, 1.0);
@@ -103,12 +89,13 @@ int lookInto(Ray ray, ivec3 cell, float s, float sNext, float f[8], out CellPath
 #endif
   FocusCell held = focusCellAt(focusSlot(cell), cell);
   path.focusAlong = focusAlong(held, path.a, path.b, stored);
-  findFunctions(path, held);
+  // integrateSections() asks the field also where none of the cell is in the focus.
+  if (HAS_FAINT) path.focusAlong = mix(outsideFocus(), path.focusAlong, bvec4(mayHoldFocus(held)));
   vec2 range = focusRange();
   if (mayHoldFocus(held) && lowest(path.focusAlong) <= range.y && highest(path.focusAlong) >= range.x) return SECTIONS;
   if (ONLY_FOCUS) return LEAP;
   vec2 visible = transfer.visibleEntries;
-  int shown = functionsDiffer(path) ? SECTIONS : CONTEXT;
+  int shown = functionsDiffer(path.functions) ? SECTIONS : CONTEXT;
   return highest(path.entries) > visible.x && lowest(path.entries) < visible.y ? shown : LEAP;
 }
 
@@ -159,16 +146,12 @@ int functionOf(Section section) { return section.function; }
 
 // Chooses the function of a section.
 void findFunction(inout Section section, CellPath path, vec3 at) {
-  section.function = 0;
+  section.function = section.inFocus ? 0 : functionAt(at);
 #if FOCUS_FUNCTIONS
   vec4 table = focusTable(at);
-  section.function = section.inFocus ? int(table.x) / 2 : 0;
+  section.function = section.inFocus ? int(table.x) / 2 : section.function;
   vec4 entries = clamp(path.stored * table.y + table.z, vec4(-1e12), vec4(1e12));
-  if (section.function > 0) section.entries = bernsteinBetween(entries, section.uFrom, section.uTo);
-#endif
-#if FAINT_LABELS
-  int ofContext = functionAt(at);
-  section.function = section.inFocus ? section.function : ofContext;
+  if (section.inFocus && section.function > 0) section.entries = bernsteinBetween(entries, section.uFrom, section.uTo);
 #endif
 }
 #else
@@ -343,7 +326,7 @@ Section wholeOf(CellPath path, CellNormals normals) {
   section.inFocus = false;
   section.material = vec4(0.0);
 #if FOCUS_FUNCTIONS || FAINT_LABELS
-  section.function = functionOf(path);
+  section.function = int(path.functions);
 #endif
   section.normals = normals;
   return section;
@@ -465,7 +448,7 @@ void integrateContext(inout Walk walk) {
   CellPath path = walk.path;
   if (walk.integrated == 0.0) {
     walk.normals = normalsAlong(path.cell, path.a, path.b);
-    walk.segment = segmentNear(functionOf(path), path.entries.x);
+    walk.segment = segmentNear(int(path.functions), path.entries.x);
     walk.parts = 0;
   }
   Section section = wholeOf(path, walk.normals);

@@ -31,9 +31,7 @@ struct Walk {
   ivec3 upwards;
   Block block;            // ahead of the ray
   uint slot;              // of the focus, in that block
-#if FAINT_LABELS
   uint functions;         // of the context, in that block's first cell
-#endif
   RayPoint front, back;   // of the segment crossed last
   vec4 result;            // colour and opacity so far, premultiplied
   int left;               // 1: the ray goes on
@@ -41,11 +39,7 @@ struct Walk {
 
 // Early ray termination: what lies behind the last segment can no longer be seen.
 bool goesOn(Walk walk) { return walk.left != 0; }
-#if FAINT_LABELS
 bool isWhole(Walk walk) { return walk.slot == 0u && walk.functions == 0u; }
-#else
-bool isWhole(Walk walk) { return walk.slot == 0u; }
-#endif
 // Whether the segment ahead may have parts: in the focus, or of other functions than the volume's.
 bool mayHaveParts(Walk walk) { return goesOn(walk) && !isWhole(walk); }
 
@@ -220,9 +214,7 @@ Walk walkFrom(Ray ray, Cut cut, bool visible) {
   ivec3 cell = cellAt(ray, cut.start);
   walk.block = blockAt(cell, walk.upwards, distanceToVisible(cell));
   walk.slot = focusSlot(cell);
-#if FAINT_LABELS
   walk.functions = functionsIn(cell);
-#endif
   walk.back = pointInside(ray, cell, cut.start);
   classify(walk.back, cell);
   walk.front = walk.back;
@@ -296,9 +288,7 @@ void takeStep(inout Walk walks[RAYS], const bool parts) {
     isOne[i] = isWhole(walks[i]) ? 1u : 0u;
     walks[i].block = behind[i];
     walks[i].slot = focusSlot(behind[i].cell);
-#if FAINT_LABELS
     walks[i].functions = functionsIn(behind[i].cell);
-#endif
   }
   for (int i = 0; i < RAYS; ++i) {
     vec4 piece;
