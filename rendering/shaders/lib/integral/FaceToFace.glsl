@@ -175,8 +175,7 @@ vec4 contextBetween(Walk walk, ivec3 cell, RayPoint front, RayPoint back) {
   vec4 result = vec4(0.0);
   do {
     to = nextFunction(a, b, from);
-    end = back;
-    if (to < 1.0) end = between(front, back, to);
+    end = between(front, back, to);
     int function = functionAt(vec3(cell) + mix(a, b, 0.5 * (from + to)));
     RayPoint middle = between(begin, end, 0.5);
     if (LIT)
