@@ -80,6 +80,9 @@ std::vector<glm::vec4> faceToFace(const Scene& scene, const Camera& camera, Sche
   return texelsOf<glm::vec4>(image);
 }
 
+/// Lit, the driver crashes on it; see crashesTheDriver() in tests/gl/SceneKinds.h.
+bool isDrawnFaceToFace(bool lit) { return !lit || !gl::description().starts_with("zink"); }
+
 double rmsOf(const Scene& scene, const Camera& camera, Schedule schedule) {
   return errorsOf(faceToFace(scene, camera, schedule), reference::picture(scene, camera, size, {}, {}).focusLayer).rms;
 }
@@ -122,6 +125,23 @@ TEST_F(FaintLabelsTest, BoundsHold) {
                 << name << (lit ? ", lit" : ", unlit") << (open ? ", open, " : ", closed, ") << nameOf(schedule);
           }
       }
+}
+
+TEST_F(FaintLabelsTest, HoldInSplines) {
+  for (const auto& [name, focus] : focuses())
+    for (const bool lit : {false, true}) {
+      SCOPED_TRACE(std::string(name) + (lit ? ", lit" : ", unlit"));
+      Scene scene = body(lit);
+      scene.look.reconstruction = Reconstruction::Cubic;
+      scene.look.focus = focus;
+      if (hasCutaway(scene) && !lit) expectStagesMatch(scene, aside(scene), size);
+      for (const Schedule schedule : schedules)
+        for (const double bound : {4.0, 0.5}) {
+          View view{aside(scene), size, 1.0, Quality::High};
+          view.maxError = bound;
+          EXPECT_LE(pictureErrors(scene, view, drawn(scene, view, schedule)).worst, bound) << nameOf(schedule);
+        }
+    }
 }
 
 TEST_F(FaintLabelsTest, BoundsHoldBesideFunctionsOfTheFocusAndClipping) {
@@ -171,6 +191,7 @@ Scene refined(int n, bool lit) {
 TEST_F(FaintLabelsTest, PicturesWithoutABoundAreOfSecondOrder) {
   for (const bool lit : {false, true})
     for (const Schedule schedule : schedules) {
+      if (!isDrawnFaceToFace(lit)) continue;
       const Camera camera = Camera::fromAngles(30.0, 20.0, refined(16, lit).volume->grid);
       std::vector<double> errors;
       for (const int n : {16, 32, 64}) errors.push_back(rmsOf(refined(n, lit), camera, schedule));
@@ -185,6 +206,7 @@ TEST_F(FaintLabelsTest, PicturesWithoutABoundAreOfSecondOrder) {
 TEST_F(FaintLabelsTest, PicturesWithoutABoundAreNearTheReference) {
   for (const auto& [name, focus] : focuses())
     for (const bool lit : {false, true}) {
+      if (!isDrawnFaceToFace(lit)) continue;
       Scene scene = body(lit);
       scene.look.focus = focus;
       scene.look.cutaway.enabled = false;
