@@ -12,6 +12,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/Completion.h"
 #include "app/Growing.h"
 #include "app/OptionHelpers.h"
 #include "app/SceneOptions.h"
@@ -296,6 +297,7 @@ int main(int argc, char** argv) {
       "fenestra-cli"};
   program.require_subcommand(1);
   program.set_version_flag("--version", FENESTRA_VERSION);
+  app::addCompletionOption(program);
   program.get_formatter()->column_width(40);
   InfoOptions infoOptions;
   ConvertOptions convertOptions;
@@ -315,7 +317,7 @@ int main(int argc, char** argv) {
   } catch (const CLI::Success& success) {
     return program.exit(success);
   } catch (const CLI::ParseError& error) {
-    const bool named = !program.get_subcommands().empty();
+    const bool named = !program.get_subcommands().empty() || error.get_name() == "ValidationError";
     const std::string what =
         named ? error.what() : "expected info, convert, slice, render, place, grow, surface or compare";
     std::cerr << oneLine("fenestra-cli: " + what + "; see --help") << '\n';

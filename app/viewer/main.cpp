@@ -13,6 +13,7 @@
 #include <QIcon>
 #include <QLocale>
 
+#include "app/Completion.h"
 #include "app/SceneOptions.h"
 #include "app/SceneSession.h"
 #include "app/ScheduleChoice.h"
@@ -116,6 +117,7 @@ std::optional<int> parse(int argc, char** argv, Request& request) {
   CLI::App program{"Fenestra: looks into medical volumes with an adaptive cutaway.\nNot for diagnostic use.",
                    "fenestra"};
   program.set_version_flag("--version", FENESTRA_VERSION);
+  app::addCompletionOption(program);
   app::SceneOptions& options = request.scene;
   app::addSceneOptions(program, options);
   app::addScheduleOption(program, request.schedule);
@@ -161,7 +163,7 @@ void setUp(QApplication& application) {
   application.setApplicationName(QStringLiteral("Fenestra"));
   application.setOrganizationName(QStringLiteral("Fenestra"));
   application.setApplicationVersion(QStringLiteral(FENESTRA_VERSION));
-  application.setDesktopFileName(QStringLiteral("fenestra"));
+  application.setDesktopFileName(QStringLiteral(FENESTRA_APP_ID));
   applyStyle(application);
 }
 

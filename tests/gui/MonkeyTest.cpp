@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdlib>
 #include <iostream>
+#include <map>
 #include <random>
 #include <sstream>
 
@@ -238,6 +239,14 @@ class Monkey : public Window, public testing::WithParamInterface<unsigned> {
     return objects;
   }
 
+  /// All widgets but tool tips, which come and go.
+  static std::map<std::string, int> widgetsByClass() {
+    std::map<std::string, int> kinds;
+    for (const QWidget* each : QApplication::allWidgets())
+      if (each->windowType() != Qt::ToolTip) ++kinds[each->metaObject()->className()];
+    return kinds;
+  }
+
   std::mt19937 random_{GetParam()};
   std::string event_;  ///< the one that is being done, and the dialogs that it opened
   QTimer closer_;
@@ -249,7 +258,8 @@ TEST_P(Monkey, TheWindowSurvivesAndAnswers) {
   qint64 longest = 0;
   std::string longestEvent;
   GlObjects before;
-  qsizetype widgetsBefore = 0;
+  int widgetsBefore = 0;
+  std::map<std::string, int> kindsBefore;
   for (int half = 0; half < 2; ++half) {
     for (int i = 0; i < events / 2; ++i) {
       clock.start();
@@ -271,22 +281,26 @@ TEST_P(Monkey, TheWindowSurvivesAndAnswers) {
       ASSERT_TRUE(window_->isVisible()) << "closed by event " << i;
     }
     const GlObjects objects = objectsAtRest();
-    const QWidgetList all = QApplication::allWidgets();
-    const qsizetype widgets =  // tool tips come and go
-        std::ranges::count_if(all, [](const QWidget* each) { return each->windowType() != Qt::ToolTip; });
+    const std::map<std::string, int> kinds = widgetsByClass();
+    int widgets = 0;
+    for (const auto& [kind, count] : kinds) widgets += count;
     std::cerr << "at rest: " << objects << "; " << widgets << " widgets\n";
     ASSERT_GT(objects.textures, 0);
     // Each of four renderers (two views, each with a picture shown and one refined) keeps the images of passes that it
     // has run once: of a picked pixel, strokes, what an opening camera removes (two), protected structures and context
     // edges; and their buffers: three of strokes, and one of rays between those of the lattice. The window may hold one
-    // dialog that leaves it usable, of ten widgets. What grew with each event would be far more.
-    constexpr int renderers = 4, imagesOfPasses = 6, buffersOfPasses = 4, widgetsOfDialog = 10;
+    // dialog that leaves it usable; that of the window has eleven widgets. What grew with each event would be far more.
+    constexpr int renderers = 4, imagesOfPasses = 6, buffersOfPasses = 4, widgetsOfDialog = 11;
     if (half == 1) {
       EXPECT_LE(objects.kept(), before.kept() + renderers * (imagesOfPasses + buffersOfPasses));
-      EXPECT_LE(widgets, widgetsBefore + widgetsOfDialog);
+      std::ostringstream more;
+      for (const auto& [kind, count] : kinds)
+        if (count != kindsBefore[kind]) more << ' ' << kind << ' ' << kindsBefore[kind] << " to " << count;
+      EXPECT_LE(widgets, widgetsBefore + widgetsOfDialog) << more.str();
     }
     before = objects;
     widgetsBefore = widgets;
+    kindsBefore = kinds;
   }
   std::cerr << "longest event: " << longestEvent << '\n';
   // A click after it all: the cross-hair follows.

@@ -233,5 +233,53 @@ TEST_F(Window, TheRadiologicalConventionIsNamedOnScreen) {
   }
 }
 
+/// Where the lines of a slice's crosshair cross, or the middle of a 3-D view's mark, from -1 (left, top) to 1: what
+/// differs between two pictures of a view. A column or row that differs over more than half of its length is a line.
+std::optional<QPointF> crosshairIn(const QImage& with, const QImage& without, bool lines) {
+  std::vector<int> columns(static_cast<std::size_t>(with.width())), rows(static_cast<std::size_t>(with.height()));
+  for (int y = 0; y < with.height(); ++y)
+    for (int x = 0; x < with.width(); ++x)
+      if (with.pixel(x, y) != without.pixel(x, y)) {
+        ++columns[static_cast<std::size_t>(x)];
+        ++rows[static_cast<std::size_t>(y)];
+      }
+  const auto middle = [&](const std::vector<int>& counts, int length) -> std::optional<double> {
+    double sum = 0.0, weight = 0.0;
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+      if (lines && counts[i] < length / 2) continue;
+      sum += counts[i] * static_cast<double>(i);
+      weight += counts[i];
+    }
+    if (weight == 0.0) return std::nullopt;
+    return 2.0 * (sum / weight - 0.5 * (static_cast<double>(counts.size()) - 1.0)) / static_cast<double>(counts.size());
+  };
+  const auto x = middle(columns, with.height()), y = middle(rows, with.width());
+  if (!x || !y) return std::nullopt;
+  return QPointF(*x, *y);
+}
+
+TEST_F(Window, TheCrosshairIsOverTheSamePointInAllFiveViews) {
+  document().focusOn(marker);
+  cursor().moveTo(markerCentre);
+  options().setText(false);
+  waitUntilDrawn();
+  const auto expectOverMarker = [&](QWidget* view, bool lines, double tolerance) {
+    SCOPED_TRACE(view->objectName().toStdString());
+    const QImage with = picture(view);
+    options().setCrosshair(false);
+    const std::optional<QPointF> seen = green(view), at = crosshairIn(with, picture(view), lines);
+    options().setCrosshair(true);
+    ASSERT_TRUE(seen) << "the marker is not seen";
+    ASSERT_TRUE(at) << "there is no crosshair";
+    EXPECT_NEAR(at->x(), seen->x(), tolerance);
+    EXPECT_NEAR(at->y(), seen->y(), tolerance);
+  };
+  // A slice cuts the cube through its centre: half a voxel, of which a view shows some 50, for voxels cut in two.
+  for (SliceView* view : views().sliceViews()) expectOverMarker(view, true, 0.02);
+  // In 3-D the cube is seen from outside: its near face is 9 mm closer to the eye, and off the view's middle by a
+  // third.
+  for (int index : {0, 1}) expectOverMarker(volume(index), false, 0.06);
+}
+
 }  // namespace
 }  // namespace fenestra::viewer

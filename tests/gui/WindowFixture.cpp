@@ -141,8 +141,10 @@ std::optional<QPointF> Window::green(QWidget* view) {
   const QImage seen = picture(view);
   QPointF sum;
   int count = 0;
+  const QRect name(QPoint(0, 0), QSize(120, 24) * view->devicePixelRatioF());  // the coronal plane's is green, too
   for (int y = 0; y < seen.height(); ++y)
     for (int x = 0; x < seen.width(); ++x) {
+      if (name.contains(x, y)) continue;
       const QColor colour = seen.pixelColor(x, y);
       if (colour.green() < colour.red() + 60 || colour.green() < colour.blue() + 60) continue;
       sum += QPointF(x, y);

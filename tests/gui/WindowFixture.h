@@ -66,6 +66,7 @@ class Window : public testing::Test {
   /// the view that has the focus.
   QImage picture(QWidget* view);
   /// Centre of the green pixels that a view shows, from -1 (left, top) to 1 (right, bottom); empty when there are few.
+  /// The corner that names a slice's plane is left out.
   std::optional<QPointF> green(QWidget* view);
 
   const GlSupport gl_ = probeOpenGl();
