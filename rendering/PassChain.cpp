@@ -110,7 +110,7 @@ std::optional<gl::Region> PassChain::nearFocus(double reach) const {
 void PassChain::begin(const Scene& scene, const View& view) {
   drop();
   gpu->update(scene);
-  rays.emplace(view.camera, view.size, gpu->grid(), clipOf(scene.look.clipping, *gpu));
+  rays.emplace(view.camera, view.size, gpu->grid(), clipOf(scene.look.clipping, *gpu), gpu->refinement());
   pixelScale = view.pixelScale;
   background = glm::vec3(scene.look.background);
 

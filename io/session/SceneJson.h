@@ -1,6 +1,6 @@
 #pragma once
-// The members of a look and of its parts in JSON, for sessions and for files of strokes and looks. Settings come from their
-// tables in rendering/scene/Settings.h. Private to io/session.
+// The members of a look and of its parts in JSON, for sessions and for files of strokes and looks. Settings come from
+// their tables in rendering/scene/Settings.h. Private to io/session.
 
 #include <algorithm>
 #include <cmath>
@@ -125,7 +125,8 @@ void members(auto& io, io::json::Is<LabelSetting> auto& setting) {
 }
 
 void members(auto& io, io::json::Is<CropBox> auto& box) {
-  io.required("low", box.low, millimetres, {"Along the volume's axes nearest to L, P and S, from the world's origin", "mm"});
+  io.required("low", box.low, millimetres,
+              {"Along the volume's axes nearest to L, P and S, from the world's origin", "mm"});
   io.required("high", box.high, millimetres, {"The same of the other ends", "mm"});
 }
 
@@ -156,11 +157,11 @@ void partMembers(auto& io, io::json::Is<Look> auto& look) {
   io("cutaway", look.cutaway);
   io("context_layer", look.contextLayer);
   io("shading", look.shading);
-  settings(io, look);  // background, table
+  settings(io, look);  // background, table, reconstruction
 }
 
 void members(auto& io, io::json::Is<Look> auto& look) {
-  auto& [focus, labels, focusAppearance, context, cutaway, contextLayer, shading, background, hideTable,
+  auto& [focus, labels, focusAppearance, context, cutaway, contextLayer, shading, background, hideTable, reconstruction,
          clipping, strokes] = look;
   focusMember(io, focus);
   io.optional("label_settings", labels, !labels.empty(), {},

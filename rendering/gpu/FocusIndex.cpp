@@ -147,6 +147,34 @@ void dropSmallComponents(CellRuns& runs, double cellVolume, double leastVolume) 
   }
 }
 
+/// Adds the neighbours of kept cells that are not `active` themselves, as FocusCells do for a spline.
+void widen(CellRuns& kept, const CellRuns& active) {
+  const CellRuns before = kept;
+  std::vector<std::uint8_t> row(static_cast<std::size_t>(kept.cells.x));
+  const auto mark = [&](const Run& run, int margin, std::uint8_t with) {
+    std::fill(row.begin() + std::max(run.begin - margin, 0), row.begin() + std::min(run.end + margin, kept.cells.x),
+              with);
+  };
+  for (int z = 0; z < kept.cells.z; ++z)
+    for (int y = 0; y < kept.cells.y; ++y) {
+      std::fill(row.begin(), row.end(), std::uint8_t{0});
+      for (int nz = std::max(z - 1, 0); nz <= std::min(z + 1, kept.cells.z - 1); ++nz)
+        for (int ny = std::max(y - 1, 0); ny <= std::min(y + 1, kept.cells.y - 1); ++ny)
+          for (const Run& run : before.rows[before.row(ny, nz)]) mark(run, 1, 1);
+      for (const Run& run : active.rows[active.row(y, z)]) mark(run, 0, 0);
+      for (const Run& run : before.rows[before.row(y, z)]) mark(run, 0, 1);
+      std::vector<Run>& runs = kept.rows[kept.row(y, z)];
+      runs.clear();
+      for (int x = 0; x < kept.cells.x; ++x) {
+        if (!row[static_cast<std::size_t>(x)]) continue;
+        if (!runs.empty() && runs.back().end == x)
+          ++runs.back().end;
+        else
+          runs.push_back({x, x + 1});
+      }
+    }
+}
+
 /// Calls visit(begin, end, y, z) for the runs in the cell frame, [begin, end), with the half cells at the border.
 template <class F>
 void forEachRun(const CellRuns& runs, glm::ivec3 dims, F&& visit) {
@@ -204,7 +232,9 @@ void indexValues(FocusIndex& index, const ShownVolume& shown, const ValueFocus& 
   const ShownVoxels voxels(shown);
   volume.voxels.visit([&](auto scalars) {
     CellRuns runs = activeCells<typename decltype(scalars)::value_type>(voxels, focus.values, bricks);
+    const CellRuns active = shown.reconstruction == Reconstruction::Linear ? CellRuns(glm::ivec3(0)) : runs;
     dropSmallComponents(runs, volume.grid.voxelVolume(), focus.minimumComponent);
+    if (shown.reconstruction != Reconstruction::Linear) widen(runs, active);
     indexCells(index, runs, volume.grid.dims);
   });
 }
@@ -222,6 +252,14 @@ FocusIndex buildFocusIndex(const Scene& scene, const BrickRanges& bricks) {
     indexValues(index, shownVolume(scene), *values, bricks);
   }
   return index;
+}
+
+bool FocusIndex::holds(glm::ivec3 cell) const {
+  const std::uint32_t slot = slots[brickOffset(bricks, cell / brickSide)];
+  if (slot < 2) return slot != 0;
+  const std::size_t place = (slot - 2) * cellsPerBrick + cellInBrick(cell);
+  return kind == Kind::Labels ? (cells[place / 4] >> (8 * (place % 4)) & 255u) != 0
+                              : (cells[place / 32] >> place % 32 & 1u) != 0;
 }
 
 std::vector<std::uint8_t> FocusIndex::occupied() const {

@@ -19,13 +19,14 @@ struct FocusIndex {
   /// Per brick: 0 no cell is in the focus, 1 all are, n ≥ 2 slot n - 2 of `cells` tells which.
   std::vector<std::uint32_t> slots;
   /// Labels: cellsPerBrick bytes a slot, one a cell, bit i set when corner i (x fastest) has a label of the focus.
-  /// Values: cellsPerBrick bits a slot, one a cell, set when the cell's corner values overlap the range and its
-  /// component is kept.
+  /// Values: cellsPerBrick bits a slot, one a cell, set when FocusCells (rendering/scene) keep the cell.
   std::vector<std::uint32_t> cells;
   /// Box of the focus in index coordinates: labelled voxels, or the corners of kept cells. Empty when nothing is in
   /// focus.
   std::optional<IndexBox> box;
 
+  /// Whether a cell (cell frame) may hold some of the focus.
+  bool holds(glm::ivec3 cell) const;
   /// By brick: 1 where some of the focus lies in it, else 0.
   std::vector<std::uint8_t> occupied() const;
   /// World position of the box's centre; empty when nothing is in focus. `grid` is the volume's.

@@ -4,10 +4,11 @@
 #include <array>
 #include <cmath>
 #include <exception>
+#include <iomanip>
 #include <limits>
+#include <sstream>
 
 #include "rendering/gpu/TransferTables.h"
-#include "rendering/scene/Lighting.h"
 #include "rendering/scene/Parallel.h"
 
 namespace fenestra {
@@ -51,7 +52,9 @@ void GpuScene::update(const Scene& scene) {
   if (!schedule_) schedule_ = usualSchedule();
   if (fitted_.isOfOther(scene)) {
     release();  // first: two volumes may not fit, and the driver is asked how much is free
-    fitted_.take(scene, limits_ ? *limits_ : deviceLimits());
+    const DeviceLimits limits = limits_ ? *limits_ : deviceLimits();
+    fitted_.take(scene, limits);
+    chooseRefinement(scene, limits);
   }
   std::exception_ptr first;
   for (;;) try {
@@ -62,8 +65,28 @@ void GpuScene::update(const Scene& scene) {
       // The first error names the size that the user can do something about.
       if (!first) first = std::current_exception();
       release();
+      if (refinement_ > 1) {
+        refinement_ = 1;
+        continue;
+      }
       if (!fitted_.coarsen()) std::rethrow_exception(first);
     }
+}
+
+void GpuScene::chooseRefinement(const Scene& scene, const DeviceLimits& limits) {
+  refinement_ = 1;
+  refusedBytes_ = 0;
+  if (reconstructionOf(scene) == Reconstruction::Linear) return;
+  const glm::ivec3 dims = scene.volume->grid.dims;
+  const std::size_t bytes = refinedBytes(*scene.volume, splineRefinement, scene.look.shading.enabled);
+  const bool fits = fitted_.factor() == glm::ivec3(1) && (!limits.bytes || bytes <= *limits.bytes) &&
+                    std::max({dims.x, dims.y, dims.z}) * splineRefinement <= limits.side;
+  refinement_ = fits ? splineRefinement : 1;
+  if (!fits) refusedBytes_ = bytes;
+}
+
+std::vector<std::uint8_t> GpuScene::drawnOccupied(const FocusIndex& focus) const {
+  return refinement_ > 1 ? refinedOccupied(focus, grid().dims, refinement_) : focus.occupied();
 }
 
 bool GpuScene::holds(const Scene& scene) const {
@@ -82,6 +105,12 @@ gl::ShaderProgram& GpuScene::presentation(bool enlarged) {
 
 std::string GpuScene::reductionNotice() const {
   const glm::ivec3 factor = fitted_.factor();
+  if (factor == glm::ivec3(1) && refusedBytes_ > 0) {
+    std::ostringstream gigabytes;
+    gigabytes << std::fixed << std::setprecision(1) << static_cast<double>(refusedBytes_) / 1e9;
+    return "3-D pictures are made with straight lines between the voxels, because smooth curves would take " +
+           gigabytes.str() + " GB of memory for so many voxels; cut the volume down or resample it for those";
+  }
   if (factor == glm::ivec3(1)) return {};
   return "3-D pictures show " + std::to_string(factor.x) + "×" + std::to_string(factor.y) + "×" +
          std::to_string(factor.z) + " voxels as one, because the whole volume does not fit into this machine's " +
@@ -90,6 +119,9 @@ std::string GpuScene::reductionNotice() const {
 
 void GpuScene::release() {
   shown_ = {};
+  spline_ = {};
+  coefficients_ = {};
+  normalCoefficients_ = {};
   volumeTexture_ = {};
   gradient_ = {};
   derivative_ = {};
@@ -131,21 +163,33 @@ void GpuScene::updateAll(const Scene& scene) {
 
   const bool wantsGradient = scene.look.shading.enabled;
   if (!wantsGradient) gradient_ = {};
+  if (!wantsGradient) normalCoefficients_ = {};
   if (wantsGradient) updateGradient(changed, occupancyChanged);
   focus_.updateSmooth(wantsGradient);
 
   const bool wantsDerivative = hasCutaway(scene) && scene.look.contextLayer.strength > 0.0;
   if (!wantsDerivative) derivative_ = {};
   if (wantsDerivative && !derivative_.texture) {
-    derivative_ = makeDerivativeVolume(shown_, volumeTexture_);
+    derivative_ = makeDerivativeVolume(shown_);
     ++versions_.derivative;
   }
 }
 
 void GpuScene::updateVolume(ShownVolume shown) {
   release();
-  volumeTexture_ = makeVolumeTexture(shown);
-  bricks_ = brickRanges(shown);
+  if (refinement_ > 1) {
+    spline_.emplace(shown);
+    const ShownVolume samples{refinedVolume(*shown.volume, *spline_, refinement_)};
+    volumeTexture_ = makeVolumeTexture(samples);
+    coefficients_ = makeCoefficients(*spline_, volumeTexture_);
+    bricks_ = brickRanges(samples);
+    widen(bricks_, *samples.volume);
+    voxelBricks_ = brickRanges(shown);
+  } else {
+    volumeTexture_ = makeVolumeTexture(shown);
+    bricks_ = brickRanges(shown);
+    voxelBricks_ = {};
+  }
   shown_ = std::move(shown);
   ++versions_.volume;
 }
@@ -158,12 +202,12 @@ void GpuScene::updateSkips(const GpuFocus::Change& focus, bool occupancyChanged)
   };
   std::vector<Skip> skips;
   const bool focusFlipped = focus.isNew || !focus.flipped.empty();
-  if (focusFlipped) skips.push_back({focusSkip_, focus_.index().occupied()});
-  const bool anyFlipped = focus.isNew || occupancyChanged ||
+  if (focusFlipped) skips.push_back({focusSkip_, drawnOccupied(focus_.index())});
+  const bool anyFlipped = focus.isNew || occupancyChanged || (focusFlipped && refinement_ > 1) ||
                           std::any_of(focus.flipped.begin(), focus.flipped.end(),
                                       [&](std::size_t brick) { return !contextOccupied_[brick]; });
   if (anyFlipped) {
-    std::vector<std::uint8_t> occupied = focus_.index().occupied();
+    std::vector<std::uint8_t> occupied = drawnOccupied(focus_.index());
     for (std::size_t i = 0; i < occupied.size(); ++i) occupied[i] |= contextOccupied_[i];
     skips.push_back({occupiedSkip_, std::move(occupied)});
   }
@@ -176,77 +220,8 @@ void GpuScene::updateSkips(const GpuFocus::Change& focus, bool occupancyChanged)
   }
 }
 
-double GpuScene::leastChange() const {
-  // It may span two bricks, and has three components.
-  return lighting::gradientGateLow * (shown_.volume->range.high - shown_.volume->range.low) / (2.0 * std::sqrt(3.0));
-}
-
-bool GpuScene::isLitFor(const std::vector<std::size_t>& bricks) const {
-  const double least = leastChange();
-  const glm::ivec3 dims = bricks_.dims, last = shown_.volume->grid.dims - 1;
-  return std::all_of(bricks.begin(), bricks.end(), [&](std::size_t offset) {
-    const ValueRange& range = bricks_.ranges[offset];
-    if (!(range.high - range.low >= least)) return true;
-    const auto x = static_cast<std::size_t>(dims.x), y = static_cast<std::size_t>(dims.y);
-    const glm::ivec3 low = glm::ivec3(offset % x, offset / x % y, offset / (x * y)) * brickSide - 1;
-    return gradientBox_ && glm::all(glm::lessThanEqual(gradientBox_->low, glm::max(low, 0))) &&
-           glm::all(glm::greaterThanEqual(gradientBox_->high, glm::min(low + brickSide, last)));
-  });
-}
-
-std::optional<IndexBox> GpuScene::variedBox(bool shown) const {
-  const double least = leastChange();
-  const std::vector<std::uint32_t>& slots = focus_.index().slots;
-  std::vector<std::optional<IndexBox>> layers(static_cast<std::size_t>(bricks_.dims.z));
-  parallelFor(layers.size(), 8, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t z = begin; z < end; ++z)
-      for (int y = 0; y < bricks_.dims.y; ++y) {
-        const std::size_t row = brickOffset(bricks_.dims, {0, y, static_cast<int>(z)});
-        const auto isIn = [&](int x) {
-          const std::size_t brick = row + static_cast<std::size_t>(x);
-          const ValueRange& range = bricks_.ranges[brick];
-          return range.high - range.low >= least &&
-                 (!shown || contextOccupied_[brick] || (!slots.empty() && slots[brick] != 0));
-        };
-        int first = 0, last = bricks_.dims.x - 1;
-        while (first <= last && !isIn(first)) ++first;
-        if (first > last) continue;
-        while (!isIn(last)) --last;
-        for (const int x : {first, last}) {
-          const glm::ivec3 low = glm::ivec3(x, y, static_cast<int>(z)) * brickSide - 1;
-          grow(layers[z], low, low + brickSide);
-        }
-      }
-  });
-  std::optional<IndexBox> box;
-  for (const std::optional<IndexBox>& layer : layers)
-    if (layer) grow(box, layer->low, layer->high);
-  if (box) box = IndexBox{glm::max(box->low, glm::ivec3(0)), glm::min(box->high, shown_.volume->grid.dims - 1)};
-  return box;
-}
-
-void GpuScene::updateGradient(const GpuFocus::Change& focus, bool occupancyChanged) {
-  if (gradient_.texture && gradientIsWhole_) return;
-  if (gradient_.texture && !occupancyChanged && !focus.isNew && isLitFor(focus.flipped)) return;
-  const auto contains = [](const std::optional<IndexBox>& outer, const std::optional<IndexBox>& inner) {
-    return !inner || (outer && glm::all(glm::lessThanEqual(outer->low, inner->low)) &&
-                      glm::all(glm::greaterThanEqual(outer->high, inner->high)));
-  };
-  // Lighting asks for gradients where something shows and values vary by more than noise.
-  std::optional<IndexBox> wanted = variedBox(true);
-  if (gradient_.texture && contains(gradientBox_, wanted)) return;
-  const std::optional<IndexBox> varied = variedBox(false);
-  // More shows than at first: all that can ever be asked for, so that dragging a transfer function rebuilds but once.
-  if (gradient_.texture) wanted = varied;
-  gradientIsWhole_ = contains(wanted, varied);
-  gradient_ = {};
-  gradientBox_ = wanted;
-  gradient_ = makeGradientTexture(shown_, wanted);
-  ++versions_.gradient;
-}
-
 GpuFocus::Change GpuScene::updateFocus(const Scene& scene) {
-  GpuFocus::Change change = focus_.update(scene, bricks_);
+  GpuFocus::Change change = focus_.update(scene, refinement_ > 1 ? voxelBricks_ : bricks_);
   focusWanted_ = scene.look.focus;
   if (change.isNew)
     for (gl::Texture* texture : {&focusSkip_, &occupiedSkip_}) *texture = {};
@@ -275,11 +250,11 @@ void GpuScene::updateKept(KeptLabels& kept, std::vector<std::uint16_t> wanted, c
   if (!map) return;
   Scene held{scene.volume, map, {}};
   held.look.focus = LabelFocus{kept.labels};
-  const FocusIndex index = buildFocusIndex(held, bricks_);
+  const FocusIndex index = buildFocusIndex(held, refinement_ > 1 ? voxelBricks_ : bricks_);
   if (!index.box) return;
-  kept.bricks = gl::Texture::make3D(gl::Format::R32UI, bricks_.dims);
+  kept.bricks = gl::Texture::make3D(gl::Format::R32UI, index.bricks);
   kept.bricks.upload(std::span<const std::uint32_t>(index.slots));
-  kept.skip = skipTexture(bricks_.dims, index.occupied());
+  kept.skip = skipTexture(bricks_.dims, drawnOccupied(index));
   kept.cells = gl::Buffer(std::as_bytes(std::span(index.cells)));
 }
 
@@ -473,6 +448,7 @@ std::vector<GpuScene::Resource> GpuScene::resources() const {
   };
   const auto of = [](const gl::Texture& texture) { return texture ? texture.bytes() : 0; };
   add("volume", of(volumeTexture_.texture));
+  add("spline", of(coefficients_) + of(normalCoefficients_));
   add("gradient", of(gradient_.texture));
   add("derivative volume", of(derivative_.texture));
   add("transfer tables", of(transferTables_) + of(transferSegments_) + segmentOfEntry_.bytes());

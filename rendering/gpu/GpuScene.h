@@ -16,6 +16,7 @@
 #include "rendering/gpu/FaintIndex.h"
 #include "rendering/gpu/FittedScene.h"
 #include "rendering/gpu/GpuFocus.h"
+#include "rendering/gpu/RefinedVolume.h"
 #include "rendering/gpu/Schedule.h"
 #include "rendering/gpu/TransferTables.h"
 #include "rendering/gpu/VolumeTexture.h"
@@ -51,7 +52,7 @@ class GpuScene {
   Scene drawn(const Scene& scene) { return fitted_.of(scene); }
   /// Voxels along each axis that one voxel on the device stands for.
   glm::ivec3 reduction() const { return fitted_.factor(); }
-  /// A sentence for the user about the reduction; empty where there is none.
+  /// A sentence for the user about the reduction, or about a spline that has no room; empty where there is neither.
   std::string reductionNotice() const;
   /// Replaces the device's own limits, for the next volume on.
   void setLimits(const DeviceLimits& limits) { limits_ = limits; }
@@ -81,10 +82,22 @@ class GpuScene {
   };
   const Versions& versions() const { return versions_; }
 
-  const Grid& grid() const { return shown_.volume->grid; }  ///< of the voxels on the device
+  const Grid& grid() const { return shown_.volume->grid; }  ///< of the voxels that are drawn
+  /// Of a spline the device holds samples on a finer grid (see RefinedVolume.h), and so do bricks, skips and gradients:
+  /// so many along the side of a voxel. 1: the voxels themselves. The focus lies in cells of grid() either way.
+  int refinement() const { return refinement_; }
+  Grid drawnGrid() const { return refinement_ > 1 ? refined(grid(), refinement_) : grid(); }
+  /// A position in the cell frame of drawnGrid(), from that of grid().
+  glm::dvec3 drawnCells(glm::dvec3 position) const {
+    return static_cast<double>(refinement_) * position - 0.5 * (refinement_ - 1);
+  }
   bool lowIsWhite() const { return shown_.volume->lowIsWhite; }
   const VolumeTexture& volume() const { return volumeTexture_; }
+  /// Of a spline, in coded values, R32F; the first texel along each axis is that of index -1.
+  const gl::Texture& splineCoefficients() const { return coefficients_; }
   const gl::Texture& gradient() const { return gradient_.texture; }
+  /// Of a spline, the coefficients of the gated normals, RGBA32F; texels as of splineCoefficients().
+  const gl::Texture& normalCoefficients() const { return normalCoefficients_; }
   glm::ivec3 gradientOrigin() const { return gradient_.origin; }  ///< index of its first texel
   const DerivativeVolume& derivative() const { return derivative_; }
 
@@ -137,6 +150,9 @@ class GpuScene {
 
  private:
   void release();
+  void chooseRefinement(const Scene& scene, const DeviceLimits& limits);
+  /// By brick of the drawn grid: 1 where some of the focus lies in it, else 0.
+  std::vector<std::uint8_t> drawnOccupied(const FocusIndex& focus) const;
   void updateAll(const Scene& scene);
   void updateVolume(ShownVolume shown);
   /// Which bricks' occupation has changed.
@@ -179,8 +195,13 @@ class GpuScene {
   LabelSettings focusSettings_;  ///< of the labels in focus
   Versions versions_;
 
+  int refinement_ = 1;
+  std::size_t refusedBytes_ = 0;        ///< what a spline would have taken; 0: none was refused
+  std::optional<SplineVolume> spline_;  ///< where it is drawn
   VolumeTexture volumeTexture_;
-  BrickRanges bricks_;
+  gl::Texture coefficients_, normalCoefficients_;
+  BrickRanges bricks_;       ///< of the drawn grid
+  BrickRanges voxelBricks_;  ///< of the volume's own, where that is another
   GradientTexture gradient_;
   std::optional<IndexBox> gradientBox_;  ///< voxels that it holds the normals of
   bool gradientIsWhole_ = false;         ///< it has all that any transfer function or focus can ask for

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "rendering/gpu/RefinedVolume.h"
+
 namespace fenestra {
 
 ClipBlock Clip::block(const Grid& grid) const {
@@ -21,8 +23,8 @@ ClipBlock Clip::block(const Grid& grid) const {
   return block;
 }
 
-RayFrame::RayFrame(const Camera& camera, glm::ivec2 size, const Grid& grid, Clip clip)
-    : size_(size), camera_(camera), grid_(grid), clip_(std::move(clip)), axes_(camera.axes()) {
+RayFrame::RayFrame(const Camera& camera, glm::ivec2 size, const Grid& grid, Clip clip, int refinement)
+    : size_(size), camera_(camera), grid_(grid), clip_(std::move(clip)), refinement_(refinement), axes_(camera.axes()) {
   const double depth = depthOf(grid.centre());
   const double aspect = static_cast<double>(size.x) / size.y;
   if (perspective()) {
@@ -37,15 +39,16 @@ RayFrame::RayFrame(const Camera& camera, glm::ivec2 size, const Grid& grid, Clip
 }
 
 void RayFrame::setBlocks(gl::ShaderProgram& program) const {
-  const glm::dmat4 indexFromWorld = grid_.indexFromWorld();
+  const Grid grid = refinement_ > 1 ? refined(grid_, refinement_) : grid_;
+  const glm::dmat4 indexFromWorld = grid.indexFromWorld();
   const glm::dmat3 worldFromView(axes_.right, axes_.up, axes_.forward);
   const glm::dvec3 anchor = glm::dvec3(indexFromWorld * glm::dvec4(camera_.eye + axes_.forward * distance_, 1.0)) + 1.0;
   program.set(RayBlock{Std140Mat3(glm::mat3(glm::dmat3(indexFromWorld) * worldFromView)),
                        Std140Mat3(glm::mat3(worldFromView)), glm::vec3(anchor), static_cast<float>(distance_),
                        glm::vec2(halfSize_), perspective() ? glm::vec2(halfSize_) : glm::vec2(0.0f),
                        perspective() ? static_cast<float>(distance_) : 1.0f, size_});
-  program.set(VolumeBlock{grid_.dims});
-  if (isClipped()) program.set(clip_.block(grid_));
+  program.set(VolumeBlock{grid.dims});
+  if (isClipped()) program.set(clip_.block(grid));
 }
 
 OpeningCameraBlock RayFrame::seenFrom(const RayFrame& other) const {

@@ -27,7 +27,8 @@ struct Clip {
 /// handed over relative to the volume, so that neither far cameras nor far origins cost precision.
 class RayFrame {
  public:
-  RayFrame(const Camera& camera, glm::ivec2 size, const Grid& grid, Clip clip = {});
+  /// `grid` is the volume's, of which shaders walk a finer one (see RefinedVolume.h).
+  RayFrame(const Camera& camera, glm::ivec2 size, const Grid& grid, Clip clip = {}, int refinement = 1);
 
   /// For lib/PixelRay.glsl; `program` was compiled with clipDefine().
   void setBlocks(gl::ShaderProgram& program) const;
@@ -59,6 +60,7 @@ class RayFrame {
   Camera camera_;
   Grid grid_;
   Clip clip_;
+  int refinement_;
   Camera::Axes axes_;
   double distance_ = 0.0;     // eye to anchor plane
   glm::dvec2 halfSize_{0.0};  // mm at the anchor plane

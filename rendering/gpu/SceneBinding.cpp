@@ -10,11 +10,19 @@ enum Block : unsigned { focusCellsBlock = 0, gapsBlock = 1, segmentOfEntryBlock 
 
 void bindVolume(const GpuScene& scene, gl::ShaderProgram& program) {
   program.bind("volumeTexels", scene.volume().texture);
-  program.set(VolumeBlock{scene.grid().dims});
+  if (scene.refinement() > 1) program.bind("splineTexels", scene.splineCoefficients());
+  program.set(VolumeBlock{scene.drawnGrid().dims});
 }
 
 gl::Define volumeDefine(const GpuScene& scene) {
   return {"VOLUME_BYTES", static_cast<int>(gl::bytesPerTexel(scene.volume().texture.format()))};
+}
+
+gl::Define refinementDefine(const GpuScene& scene) { return {"REFINEMENT", scene.refinement()}; }
+
+gl::Choice integralChoice(const GpuScene& scene, bool bounded) {
+  if (!bounded) return {"integral", "lib/integral/FaceToFace.glsl"};
+  return {"integral", scene.refinement() > 1 ? "lib/integral/SplineByCell.glsl" : "lib/integral/CellByCell.glsl"};
 }
 
 gl::Choice focusChoice(const GpuScene& scene) {
@@ -60,7 +68,7 @@ void bindFaint(const GpuScene& scene, gl::ShaderProgram& program) {
   const FaintIndex& faint = scene.faint();
   if (!faint.any()) return;
   program.bind("faintIndex", faint.texture());
-  program.set(FaintBlock{faint.origin(), faint.texture().size()});
+  program.set(FaintBlock{faint.origin(), faint.texture().size(), scene.grid().dims - 1});
 }
 
 gl::Define faintDefine(const GpuScene& scene) { return {"FAINT_LABELS", scene.faint().any()}; }
@@ -86,6 +94,7 @@ void bindLight(const GpuScene& scene, gl::ShaderProgram& program, const Camera::
   light.gradientOrigin = scene.gradientOrigin();
   program.set(light);
   program.bind("gradientTexels", scene.gradient());
+  if (scene.refinement() > 1) program.bind("normalTexels", scene.normalCoefficients());
 }
 
 LightBlock lightBlock(const Camera::Axes& axes, const Shading& shading) {

@@ -10,6 +10,11 @@ namespace fenestra {
 /// lib/Volume.glsl; `program` was compiled with volumeDefine(scene).
 void bindVolume(const GpuScene& scene, gl::ShaderProgram& program);
 gl::Define volumeDefine(const GpuScene& scene);
+/// Cells of the drawn grid along the side of a voxel, for lib/Grid.glsl.
+gl::Define refinementDefine(const GpuScene& scene);
+
+/// What `#include <integral>` stands for. `bounded`: a picture within a bound on its error.
+gl::Choice integralChoice(const GpuScene& scene, bool bounded);
 
 /// What `#include <focus>` stands for.
 gl::Choice focusChoice(const GpuScene& scene);

@@ -49,6 +49,7 @@ struct alignas(16) FaintBlock {
   static constexpr const char* name = "FaintBlock";
   glm::ivec3 origin;
   alignas(16) glm::ivec3 size;
+  alignas(16) glm::ivec3 last;
 };
 
 /// shaders/lib/focus/Index.glsl.

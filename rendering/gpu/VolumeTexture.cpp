@@ -7,31 +7,12 @@
 
 #include "rendering/gl/Context.h"
 #include "rendering/gpu/RenderError.h"
+#include "rendering/gpu/Slabs.h"
 #include "rendering/scene/Lighting.h"
 #include "rendering/scene/Parallel.h"
 
 namespace fenestra {
 namespace {
-
-/// Texels converted and uploaded in pieces of this size, so that no second copy of the volume is made.
-constexpr std::size_t slabBytes = std::size_t{16} << 20;
-
-/// Fills the texture slab by slab: fill(z, plane) writes one plane of texels.
-template <class Texel, class Fill>
-void uploadBySlabs(gl::Texture& texture, std::size_t texelsPerPlane, const Fill& fill) {
-  const int depth = texture.size().z;
-  const int slab = static_cast<int>(
-      std::clamp<std::size_t>(slabBytes / std::max<std::size_t>(texelsPerPlane * sizeof(Texel), 1), 1, 256));
-  std::vector<Texel> texels;
-  for (int z = 0; z < depth; z += slab) {
-    const int count = std::min(slab, depth - z);
-    texels.resize(texelsPerPlane * static_cast<std::size_t>(count));
-    parallelFor(static_cast<std::size_t>(count), 1, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) fill(z + static_cast<int>(i), texels.data() + i * texelsPerPlane);
-    });
-    texture.upload({0, 0, z}, {texture.size().x, texture.size().y, count}, std::as_bytes(std::span(texels)));
-  }
-}
 
 /// A stored scalar with NaN and Inf replaced, so that filtering never meets them.
 template <class T>
@@ -57,13 +38,35 @@ void forEachRow(const ShownVoxels& voxels, int z, const Use& use) {
   for (int y = 0; y < voxels.volume().grid.dims.y; ++y) use(voxels.row(y, z, buffer));
 }
 
-std::size_t planeSize(glm::ivec3 dims) { return static_cast<std::size_t>(dims.x) * static_cast<std::size_t>(dims.y); }
-
 }  // namespace
 
-ValueRange VolumeTexture::codedFromReal(ValueRange real) const {
+ValueRange VolumeCoding::codedFromReal(ValueRange real) const {
   const double a = codedFromReal(real.low), b = codedFromReal(real.high);
   return {std::min(a, b), std::max(a, b)};
+}
+
+VolumeCoding codingOf(const Volume& volume) {
+  VolumeCoding coding;
+  coding.slope = volume.slope;
+  volume.voxels.visit([&](auto scalars) {
+    using T = typename decltype(scalars)::value_type;
+    double base = 0.0;
+    if constexpr (std::is_integral_v<T>) {
+      const double a = (volume.range.low - volume.intercept) / volume.slope;
+      const double b = (volume.range.high - volume.intercept) / volume.slope;
+      const double low = std::round(std::min(a, b)), span = std::round(std::max(a, b)) - low;
+      // Unsigned data that fit as they are need no conversion.
+      coding.asStored = std::is_unsigned_v<T> && (sizeof(T) == 1 || (sizeof(T) == 2 && span > 255.0));
+      base = coding.asStored ? 0.0 : low;
+      coding.integers = span <= 65535.0;
+      const bool oneByte = coding.asStored ? sizeof(T) == 1 : span <= 255.0;
+      coding.format = oneByte ? gl::Format::R8 : coding.integers ? gl::Format::R16 : gl::Format::R32F;
+    }
+    coding.base = base;
+    coding.offset = volume.slope * base + volume.intercept;
+  });
+  coding.texelScale = coding.format == gl::Format::R8 ? 255.0f : coding.format == gl::Format::R16 ? 65535.0f : 1.0f;
+  return coding;
 }
 
 VolumeTexture makeVolumeTexture(const ShownVolume& shown) {
@@ -75,57 +78,33 @@ VolumeTexture makeVolumeTexture(const ShownVolume& shown) {
     throw RenderError("the volume has " + std::to_string(dims.x) + "×" + std::to_string(dims.y) + "×" +
                       std::to_string(dims.z) + " voxels, 3-D textures here end at " + std::to_string(limit) +
                       " a side; resample it");
-  VolumeTexture result;
-  result.slope = volume.slope;
+  VolumeTexture result{codingOf(volume), {}};
+  result.texture = gl::Texture::make3D(result.format, dims);
   volume.voxels.visit([&](auto scalars) {
     using T = typename decltype(scalars)::value_type;
-    double base = 0.0;
-    if constexpr (std::is_integral_v<T>) {
-      const double a = (volume.range.low - volume.intercept) / volume.slope;
-      const double b = (volume.range.high - volume.intercept) / volume.slope;
-      const double low = std::round(std::min(a, b)), span = std::round(std::max(a, b)) - low;
-      // Unsigned data that fit as they are need no conversion.
-      const bool asIs = std::is_unsigned_v<T> && (sizeof(T) == 1 || (sizeof(T) == 2 && span > 255.0));
-      base = asIs ? 0.0 : low;
-      const auto fill = [&]<class Texel>(Texel) {
-        uploadBySlabs<Texel>(result.texture, planeSize(dims), [&](int z, Texel* plane) {
-          const auto shift = static_cast<std::int64_t>(base);
-          forEachRow<T>(voxels, z, [&](const T* from) {
-            for (int x = 0; x < dims.x; ++x) *plane++ = static_cast<Texel>(static_cast<std::int64_t>(from[x]) - shift);
-          });
-        });
-      };
-      result.integers = span <= 65535.0;
-      if (asIs && voxels.hidesNothing()) {
-        result.texture = gl::Texture::make3D(sizeof(T) == 1 ? gl::Format::R8 : gl::Format::R16, dims);
-        result.texture.upload(scalars);
-      } else if (asIs) {
-        result.texture = gl::Texture::make3D(sizeof(T) == 1 ? gl::Format::R8 : gl::Format::R16, dims);
-        fill(T{});
-      } else if (span <= 255.0) {
-        result.texture = gl::Texture::make3D(gl::Format::R8, dims);
-        fill(std::uint8_t{});
-      } else if (span <= 65535.0) {
-        result.texture = gl::Texture::make3D(gl::Format::R16, dims);
-        fill(std::uint16_t{});
-      } else {
-        result.texture = gl::Texture::make3D(gl::Format::R32F, dims);
-        fill(float{});
-      }
-    } else {
-      result.texture = gl::Texture::make3D(gl::Format::R32F, dims);
-      const Sanitizer<T> sanitize(volume);
-      uploadBySlabs<float>(result.texture, planeSize(dims), [&](int z, float* plane) {
+    const auto fill = [&]<class Texel>(Texel, const auto& coded) {
+      uploadBySlabs<Texel>(result.texture, planeSize(dims), [&](int z, Texel* plane) {
         forEachRow<T>(voxels, z, [&](const T* from) {
-          for (int x = 0; x < dims.x; ++x) *plane++ = static_cast<float>(sanitize(from[x]));
+          for (int x = 0; x < dims.x; ++x) *plane++ = static_cast<Texel>(coded(from[x]));
         });
       });
+    };
+    if constexpr (std::is_integral_v<T>) {
+      const auto coded = [shift = static_cast<std::int64_t>(result.base)](T scalar) {
+        return static_cast<std::int64_t>(scalar) - shift;
+      };
+      if (result.asStored && voxels.hidesNothing())
+        result.texture.upload(scalars);
+      else if (result.format == gl::Format::R8)
+        fill(std::uint8_t{}, coded);
+      else if (result.format == gl::Format::R16)
+        fill(std::uint16_t{}, coded);
+      else
+        fill(float{}, coded);
+    } else {
+      fill(float{}, Sanitizer<T>(volume));
     }
-    result.offset = volume.slope * base + volume.intercept;
   });
-  result.texelScale = result.texture.format() == gl::Format::R8    ? 255.0f
-                      : result.texture.format() == gl::Format::R16 ? 65535.0f
-                                                                   : 1.0f;
   return result;
 }
 
@@ -189,8 +168,9 @@ GradientTexture makeGradientTexture(const ShownVolume& shown, const std::optiona
   return result;
 }
 
-DerivativeVolume makeDerivativeVolume(const ShownVolume& shown, const VolumeTexture& coding) {
+DerivativeVolume makeDerivativeVolume(const ShownVolume& shown) {
   const Volume& volume = *shown.volume;
+  const VolumeCoding coding = codingOf(volume);
   const ShownVoxels voxels(shown);
   const Grid& grid = volume.grid;
   DerivativeVolume result;
@@ -208,7 +188,7 @@ DerivativeVolume makeDerivativeVolume(const ShownVolume& shown, const VolumeText
   // Stretched over all 16 bits, so that smoothing keeps what lies between the data's own steps.
   const ValueRange coded = coding.codedFromReal(volume.range);
   const float stretch = static_cast<float>(65535.0 / std::max(coded.high, 1.0));
-  result.texelScale = wide ? 1.0f : 65535.0f / stretch;
+  result.texelScale = (wide ? 1.0f : 65535.0f / stretch) * coding.slope;
   const double base = (coding.offset - volume.intercept) / volume.slope;
   // Taps of the texel's filter along an axis: offsets from factor·i.
   struct Tap {

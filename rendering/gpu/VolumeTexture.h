@@ -11,15 +11,22 @@ namespace fenestra {
 
 /// The shaders compute in coded values: coded = (real - intercept) / slope - base, which are small non-negative
 /// integers wherever the data are integers, and so exact in float32.
-struct VolumeTexture {
-  gl::Texture texture;               ///< R8, R16 or R32F
-  float texelScale = 1.0f;           ///< coded value per texel unit: 255, 65535 or 1
-  bool integers = false;             ///< coded values are integers
+struct VolumeCoding {
+  gl::Format format = gl::Format::R32F;  ///< or R8, or R16
+  float texelScale = 1.0f;               ///< coded value per texel unit: 255, 65535 or 1
+  bool integers = false;                 ///< coded values are integers
+  bool asStored = false;                 ///< and the stored ones themselves
+  double base = 0.0;
   double slope = 1.0, offset = 0.0;  ///< real = slope · coded + offset
 
   double codedFromReal(double real) const { return (real - offset) / slope; }
   /// An interval of real values in coded ones; a negative slope swaps the ends.
   ValueRange codedFromReal(ValueRange real) const;
+};
+VolumeCoding codingOf(const Volume& volume);
+
+struct VolumeTexture : VolumeCoding {
+  gl::Texture texture;
 };
 
 /// NaN becomes the volume's least value, ±Inf the ends of its range. Throws RenderError when the volume is larger than
@@ -40,10 +47,10 @@ GradientTexture makeGradientTexture(const ShownVolume& shown, const std::optiona
 /// on noisy scans curvature needs a scale of more than a voxel. Binomial filter (1 3 3 1)/8 on thinned axes.
 struct DerivativeVolume {
   gl::Texture texture;      ///< R16 or R32F
-  float texelScale = 1.0f;  ///< coded value per texel unit
+  double texelScale = 1.0;  ///< real value per texel unit
   glm::ivec3 factor{1};     ///< voxels per texel along each axis
   double spacing = 1.0;     ///< mm, the finest texel spacing: the scale of the derivatives
 };
-DerivativeVolume makeDerivativeVolume(const ShownVolume& shown, const VolumeTexture& coding);
+DerivativeVolume makeDerivativeVolume(const ShownVolume& shown);
 
 }  // namespace fenestra

@@ -8,7 +8,9 @@ namespace fenestra {
 
 gl::ShaderProgram& ContextLayerPass::prepared(const GpuScene& gpu, const Shading& shading, const RayFrame& rays) {
   gl::ShaderProgram& program =
-      programs_.get({{volumeDefine(gpu), rays.clipDefine(),
+      programs_.get({{volumeDefine(gpu),
+                      refinementDefine(gpu),
+                      rays.clipDefine(),
                       {"DERIVATIVE_BYTES", static_cast<int>(gl::bytesPerTexel(gpu.derivative().texture.format()))}},
                      {scheduleChoice(gpu.schedule())}});
   rays.setBlocks(program);
@@ -21,7 +23,7 @@ gl::ShaderProgram& ContextLayerPass::prepared(const GpuScene& gpu, const Shading
                  glm::dvec3(0.0, 0.0, 1.0 / factor.z)) *
       glm::dmat3(gpu.grid().indexFromWorld());
   program.set(DerivativeBlock{Std140Mat3(glm::mat3(glm::transpose(derivativeFromWorld))), glm::vec3(factor),
-                              static_cast<float>(derivative.texelScale * gpu.volume().slope)});
+                              static_cast<float>(derivative.texelScale)});
   // A surface this near to the box's entry is where the scan ends; this near to the focus it is the focus's own.
   const glm::dvec3 spacing = gpu.grid().spacing;
   program.set("contextMargin", static_cast<float>(0.5 * std::min({spacing.x, spacing.y, spacing.z})));

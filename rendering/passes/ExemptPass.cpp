@@ -12,6 +12,7 @@ void ExemptPass::run(Steps& steps, const GpuScene& gpu, const Look& look, const 
   steps.add(regions, [this, &gpu, &look, &rays, &picture, bounded, &exempted](Regions tile) {
     const bool lit = look.shading.enabled;
     gl::ShaderProgram& program = programs_.get({{volumeDefine(gpu),
+                                                 refinementDefine(gpu),
                                                  tableDefine(),
                                                  segmentsDefine(),
                                                  faintDefine(gpu),
@@ -25,7 +26,7 @@ void ExemptPass::run(Steps& steps, const GpuScene& gpu, const Look& look, const 
                                                  {"focus", "lib/focus/Labels.glsl"},
                                                  lightChoice(lit),
                                                  {"opening", "lib/opening/Exempt.glsl"},
-                                                 {"integral", "lib/integral/CellByCell.glsl"}}});
+                                                 integralChoice(gpu, true)}});
     rays.setBlocks(program);
     bindVolume(gpu, program);
     bindTransferSegments(gpu, program);

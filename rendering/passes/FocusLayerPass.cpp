@@ -69,6 +69,8 @@ gl::ShaderProgram& FocusLayerPass::program(bool listed, const Drawn& drawn) {
   const auto& [gpu, look, rays, opening, sampling] = drawn;
   const bool lit = look.shading.enabled, bounded = sampling.maxError.has_value();
   return programs_.get({{volumeDefine(gpu),
+                         refinementDefine(gpu),
+                         {"SAMPLED", !bounded},
                          tableDefine(),
                          segmentsDefine(),
                          faintDefine(gpu),
@@ -85,7 +87,7 @@ gl::ShaderProgram& FocusLayerPass::program(bool listed, const Drawn& drawn) {
                          {"opening", opening            ? "lib/opening/Open.glsl"
                                      : rays.isClipped() ? "lib/opening/Capped.glsl"
                                                         : "lib/opening/Closed.glsl"},
-                         {"integral", bounded ? "lib/integral/CellByCell.glsl" : "lib/integral/FaceToFace.glsl"}}});
+                         integralChoice(gpu, bounded)}});
 }
 
 gl::ShaderProgram& FocusLayerPass::prepared(bool listed, const Drawn& drawn) {

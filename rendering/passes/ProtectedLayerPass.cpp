@@ -14,6 +14,7 @@ void ProtectedLayerPass::run(Steps& steps, const GpuScene& gpu, const Look& look
   steps.add(regions, [this, &gpu, &look, &rays, opening, bounded, &protectedLayer](Regions tile) {
     const bool lit = look.shading.enabled;
     gl::ShaderProgram& program = programs_.get({{volumeDefine(gpu),
+                                                 refinementDefine(gpu),
                                                  tableDefine(),
                                                  segmentsDefine(),
                                                  faintDefine(gpu),
@@ -27,7 +28,7 @@ void ProtectedLayerPass::run(Steps& steps, const GpuScene& gpu, const Look& look
                                                  {"focus", "lib/focus/Labels.glsl"},
                                                  lightChoice(lit),
                                                  {"opening", "lib/opening/Removed.glsl"},
-                                                 {"integral", "lib/integral/CellByCell.glsl"}}});
+                                                 integralChoice(gpu, true)}});
     rays.setBlocks(program);
     bindVolume(gpu, program);
     bindTransferSegments(gpu, program);

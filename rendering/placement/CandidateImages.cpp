@@ -154,16 +154,17 @@ std::vector<Candidate> CandidateImages::measure(const GpuScene& gpu, const std::
 }
 
 gl::ShaderProgram& CandidateImages::prepared(gl::ShaderVariants& programs, const GpuScene& gpu) {
-  gl::ShaderProgram& program =
-      programs.get({{volumeDefine(gpu), clip_.define()}, {scheduleChoice(gpu.schedule()), focusChoice(gpu)}});
+  gl::ShaderProgram& program = programs.get(
+      {{volumeDefine(gpu), refinementDefine(gpu), clip_.define()}, {scheduleChoice(gpu.schedule()), focusChoice(gpu)}});
   bindFirstHit(gpu, program);
-  if (!clip_.kept.empty()) program.set(clip_.block(gpu.grid()));
-  const Grid& grid = gpu.grid();
+  const Grid grid = gpu.drawnGrid();
+  if (!clip_.kept.empty()) program.set(clip_.block(grid));
   // The box widened by a voxel and clipped to the volume: the 0.5 level lies at most half a voxel outside the box.
-  const glm::vec3 low(gpu.focus().box->low), high(gpu.focus().box->high);
+  const glm::vec3 low(gpu.drawnCells(glm::dvec3(gpu.focus().box->low))),
+      high(gpu.drawnCells(glm::dvec3(gpu.focus().box->high + 2)));
   program.set(CandidateBlock{(glm::vec3(grid.dims) + 1.0f) * 0.5f,  // index (dims-1)/2 in the cell frame
                              static_cast<float>(grid.boundingRadius()), glm::max(low, 0.5f),
-                             glm::min(high + 2.0f, glm::vec3(grid.dims) + 0.5f)});
+                             glm::min(high, glm::vec3(grid.dims) + 0.5f)});
   return program;
 }
 
@@ -190,7 +191,7 @@ void CandidateImages::measureImages(const GpuScene& gpu, std::vector<Candidate>&
       addTiles(tiles, static_cast<unsigned>(views.size()),
                pixelsOf(gpu.grid(), *gpu.focus().box, axesAt(direction), side));
       ranges.emplace_back(static_cast<unsigned>(first), static_cast<unsigned>(tiles.size() - first));
-      views.push_back(viewOf(gpu.grid(), direction, opposites[traced[i]].has_value()));
+      views.push_back(viewOf(gpu.drawnGrid(), direction, opposites[traced[i]].has_value()));
     }
     const gl::Buffer viewList = bufferOf(views), tileList = bufferOf(tiles);
     const gl::Buffer hits = gl::Buffer::zeroed(tiles.size() * pixelsPerTile * sizeof(glm::vec2));
@@ -248,9 +249,9 @@ void CandidateImages::measureImages(const GpuScene& gpu, std::vector<Candidate>&
 
 void CandidateImages::measureVisibility(const GpuScene& gpu, const FocusSurface& surface,
                                         std::vector<Candidate>& candidates) {
-  const Grid& grid = gpu.grid();
+  const Grid grid = gpu.drawnGrid();
   const glm::dmat3 cellsFromWorld(grid.indexFromWorld());
-  const glm::dmat3 steps(grid.worldFromIndex());
+  const glm::dmat3 steps(gpu.grid().worldFromIndex());
   std::vector<SurfacePoint> points;
   for (const FocusSurface::Point& point : surface.points) {
     // The point's place along its normal is known to half a voxel, as the surface's is.
@@ -258,8 +259,8 @@ void CandidateImages::measureVisibility(const GpuScene& gpu, const FocusSurface&
     for (int axis = 0; axis < 3; ++axis) extent += std::abs(glm::dot(steps[axis], point.normal));
     // facing · (cells per mm along d) = normal · d: normals transform by the inverse transpose.
     const glm::dvec3 facing = glm::transpose(glm::inverse(cellsFromWorld)) * point.normal;
-    points.push_back(
-        {glm::vec4(glm::vec3(point.index + 1.0), static_cast<float>(extent)), glm::vec4(glm::vec3(facing), 0.0f)});
+    points.push_back({glm::vec4(glm::vec3(gpu.drawnCells(point.index + 1.0)), static_cast<float>(extent)),
+                      glm::vec4(glm::vec3(facing), 0.0f)});
   }
   std::vector<View> views;
   for (const Candidate& candidate : candidates) views.push_back(viewOf(grid, candidate.direction, false));

@@ -22,6 +22,11 @@ Cubic alongPiece(const Corners& corners, const Piece& piece) {
   return mix(front, back, w.z, dw.z);
 }
 
+Cubic through(double a, double b, double c, double d) {
+  return {a, -5.5 * a + 9.0 * b - 4.5 * c + d, 9.0 * a - 22.5 * b + 18.0 * c - 4.5 * d,
+          -4.5 * a + 13.5 * b - 13.5 * c + 4.5 * d};
+}
+
 Stops monotoneStops(const Cubic& cubic) {
   Stops stops;
   stops.s[stops.count++] = 0.0;

@@ -1,5 +1,6 @@
 #include "rendering/reference/ContextLayer.h"
 
+#include "rendering/reference/Field.h"
 #include "rendering/reference/Light.h"
 #include "rendering/scene/Parallel.h"
 
@@ -103,6 +104,7 @@ std::vector<std::optional<ContextPoint>> contextLayer(const Scene& scene, const 
   const double margin = 0.5 * finestSpacing(grid);
   const std::vector<HalfSpace> kept = halfSpaces(scene.look.clipping, grid);
   const Light light(camera, scene.look.shading);
+  const Field field(scene);
   const glm::dmat3 indexFromWorld(grid.indexFromWorld()), worldFromGradient = glm::transpose(indexFromWorld);
   std::vector<std::optional<ContextPoint>> layer(rays.size());
 
@@ -118,10 +120,8 @@ std::vector<std::optional<ContextPoint>> contextLayer(const Scene& scene, const 
         if (!(glm::length(gradient) > leastGradient)) continue;
         const glm::dvec2 k = principalCurvatures(gradient, worldFromGradient * derivatives.hessian * indexFromWorld);
         const glm::dvec3 normal = glm::normalize(gradient);
-        const glm::ivec3 cell(glm::floor(index));
         layer[i] = ContextPoint{k.x, k.y, light.incident(std::abs(glm::dot(normal, light.direction))),
-                                interpolate(cornersOf(cell, grid.dims, valueAt), index - glm::dvec3(cell)),
-                                1.0 - std::abs(glm::dot(normal, rays[i].direction))};
+                                field.value(index, valueAt), 1.0 - std::abs(glm::dot(normal, rays[i].direction))};
       }
     });
   });

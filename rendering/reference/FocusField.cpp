@@ -25,12 +25,20 @@ FocusField::FocusField(const LabelMap& map, const std::vector<std::uint16_t>& la
   });
 }
 
-std::optional<Corners> FocusField::corners(glm::ivec3 cell, const Corners& values) const {
-  if (cells_) return cells_->contains(cell) ? std::optional(values) : std::nullopt;
-  if (!hasLabels()) return {};
-  const Corners corners = cornersOf(cell, grid_.dims, [&](glm::ivec3 index) { return isLabelled(index) ? 1.0 : 0.0; });
-  const bool none = std::all_of(corners.begin(), corners.end(), [](double corner) { return corner == 0.0; });
-  return none ? std::nullopt : std::optional(corners);
+Corners FocusField::indicatorAt(glm::ivec3 cell) const {
+  return cornersOf(cell, grid_.dims, [&](glm::ivec3 index) { return isLabelled(index) ? 1.0 : 0.0; });
+}
+
+bool FocusField::mayHold(glm::ivec3 cell) const {
+  if (cells_) return cells_->contains(cell);
+  if (!hasLabels()) return false;
+  const Corners corners = indicatorAt(cell);
+  return std::any_of(corners.begin(), corners.end(), [](double corner) { return corner != 0.0; });
+}
+
+std::optional<Cubic> FocusField::along(const Piece& piece, const Cubic& value) const {
+  if (!mayHold(piece.cell)) return {};
+  return cells_ ? value : alongPiece(indicatorAt(piece.cell), piece);
 }
 
 bool FocusField::isLabelled(glm::ivec3 index) const {

@@ -1,5 +1,5 @@
 #pragma once
-// Where the focus is: a trilinear field, and the closed interval of its values that is focus.
+// Where the focus is: a field, and the closed interval of its values that is focus.
 
 #include <optional>
 
@@ -8,8 +8,8 @@
 
 namespace fenestra::reference {
 
-/// For labels the 0/1 indicator, in focus from 0.5 on; for values the volume itself, in the cells that are kept. Empty
-/// when the scene has neither.
+/// For labels the trilinear 0/1 indicator, in focus from 0.5 on; for values the volume itself, in the cells that are
+/// kept. Empty when the scene has neither.
 class FocusField {
  public:
   explicit FocusField(const Scene& scene);
@@ -17,15 +17,18 @@ class FocusField {
   FocusField(const LabelMap& map, const std::vector<std::uint16_t>& labels);
 
   const ValueRange& range() const { return range_; }
-  /// The field's values at the corners of `cell`, of which `values` are the volume's; empty where the cell holds no
-  /// focus.
-  std::optional<Corners> corners(glm::ivec3 cell, const Corners& values) const;
+  /// Whether `cell` may hold some of the focus.
+  bool mayHold(glm::ivec3 cell) const;
+  /// The field along a piece of a ray, of which `value` is the volume; empty where the cell holds no focus.
+  std::optional<Cubic> along(const Piece& piece, const Cubic& value) const;
 
   /// For labels: whether a voxel (clamped to the grid) has a label of the focus.
   bool isLabelled(glm::ivec3 index) const;
   bool hasLabels() const { return !indicator_.empty(); }
 
  private:
+  Corners indicatorAt(glm::ivec3 cell) const;
+
   Grid grid_;
   ValueRange range_;
   std::vector<std::uint8_t> indicator_;  ///< per voxel; for labels only

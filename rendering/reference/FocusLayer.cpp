@@ -3,6 +3,7 @@
 #include <atomic>
 
 #include "rendering/reference/ContextFunctions.h"
+#include "rendering/reference/Field.h"
 #include "rendering/reference/Light.h"
 #include "rendering/scene/Lighting.h"
 #include "rendering/scene/Parallel.h"
@@ -75,11 +76,13 @@ class FocusShows {
 /// What all rays of a picture share.
 struct Medium {
   const Scene& scene;
+  Field field;
   FocusField focus;        ///< or the protected labels, of which the context shows
   bool onlyFocus = false;  ///< nothing else shows
   FocusShows focusShows;
   Light light;
   VoxelNormals normals;
+  std::optional<SplineVectors> splineNormals;  ///< of a lit spline
   std::optional<FocusNormals> focusNormals;
   ContextFunctions context;
   std::vector<ValueGap> clear;  ///< values without any extinction
@@ -95,9 +98,10 @@ struct Medium {
     return medium;
   }
 
-  Medium(const Scene& what, const Camera& camera, FocusField field)
+  Medium(const Scene& what, const Camera& camera, FocusField held)
       : scene(what),
-        focus(std::move(field)),
+        field(what),
+        focus(std::move(held)),
         focusShows(what),
         light(camera, what.look.shading),
         normals(*what.volume),
@@ -105,11 +109,14 @@ struct Medium {
         clear(context.all().front().transparentGaps(0.0)) {
     const Grid& grid = scene.volume->grid;
     wallDepth = lighting::wallDepthVoxels * std::min({grid.spacing.x, grid.spacing.y, grid.spacing.z});
+    if (scene.look.shading.enabled && field.spline())
+      splineNormals.emplace(
+          grid.dims, [&](glm::ivec3 voxel) { return normals.gated(field.spline()->gradient(glm::dvec3(voxel))); });
   }
 
-  bool isClear(double least, double greatest) const {
+  bool isClear(ValueRange range) const {
     return std::any_of(clear.begin(), clear.end(),
-                       [&](const ValueGap& gap) { return gap.low < least && greatest < gap.high; });
+                       [&](const ValueGap& gap) { return gap.low < range.low && range.high < gap.high; });
   }
 };
 
@@ -141,12 +148,6 @@ struct Part {
     return part;
   }
 };
-
-/// The cubic through values at 0, 1/3, 2/3 and 1.
-Cubic through(double a, double b, double c, double d) {
-  return {a, -5.5 * a + 9.0 * b - 4.5 * c + d, 9.0 * a - 22.5 * b + 18.0 * c - 4.5 * d,
-          -4.5 * a + 13.5 * b - 13.5 * c + 4.5 * d};
-}
 
 /// A transfer function along part of a cell in which `value` (from 0 to 1 over the part) stays between two nodes.
 Part functionPart(const TransferFunction& transfer, const Cubic& value, double begin, double end) {
@@ -209,14 +210,14 @@ class Integrator {
     bool painted = false;
     const double tFace = ray_.span.tIn - ray_.beforeWall;
     walkCells(ray, {tFace, tFace}, grid_.dims, [&](const Piece& piece) {
-      const Corners values = cornersOf(piece.cell, grid_.dims, valueAt_);
-      if (const auto field = medium_.focus.corners(piece.cell, values); field && ray_.grey->showsFocus) {
-        const double inField = interpolate(*field, piece.begin);
+      const double value = medium_.field.value(glm::dvec3(piece.cell) + piece.begin, valueAt_);
+      if (const auto field = medium_.focus.along(piece, Cubic{value, 0.0, 0.0, 0.0}); field && ray_.grey->showsFocus) {
+        const double inField = evaluate(*field, 0.0);
         if (inField >= medium_.focus.range().low && inField <= medium_.focus.range().high) return false;
       }
       const WindowLevel window = ray_.grey->window;
       const double low = window.level - 0.5 * window.width;
-      const double grey = std::clamp((interpolate(values, piece.begin) - low) / window.width, 0.0, 1.0);
+      const double grey = std::clamp((value - low) / window.width, 0.0, 1.0);
       colour_ = glm::dvec3(medium_.scene.volume->lowIsWhite ? 1.0 - grey : grey);
       depth_ = std::numeric_limits<double>::infinity();
       painted = true;
@@ -238,35 +239,38 @@ class Integrator {
   double transmittance() const { return std::exp(-depth_); }
 
   void addCell(const Piece& piece) {
-    const Corners values = cornersOf(piece.cell, grid_.dims, valueAt_);
-    const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
-    const std::optional<Corners> field = medium_.focus.corners(piece.cell, values);
-    if (!field && (medium_.onlyFocus || medium_.isClear(*least, *greatest))) return;
-    piece_ = &piece;
+    const bool mayHoldFocus = medium_.focus.mayHold(piece.cell);
+    const auto wants = [&](ValueRange range) {
+      return mayHoldFocus || (!medium_.onlyFocus && !medium_.isClear(range));
+    };
+    bool hasNormals = medium_.field.spline() || !medium_.scene.look.shading.enabled;
+    medium_.field.along(piece, valueAt_, wants, [&](const FieldPiece& part) {
+      if (!wants(part.range)) return true;
+      if (!hasNormals) findNormals(piece.cell);
+      hasNormals = true;
+      addPiece(part.piece, part.value, part.range, mayHoldFocus);
+      return true;
+    });
+  }
 
-    const Cubic value = alongPiece(values, piece);
-    const Cubic focusValue = field ? alongPiece(*field, piece) : Cubic{};
+  void addPiece(const Piece& piece, const Cubic& value, ValueRange range, bool mayHoldFocus) {
+    piece_ = &piece;
+    const std::optional<Cubic> field = mayHoldFocus ? medium_.focus.along(piece, value) : std::nullopt;
+    const Cubic focusValue = field.value_or(Cubic{});
     const ValueRange& focusRange = medium_.focus.range();
     places_.assign({0.0, 1.0});
     const Stops stops = monotoneStops(value);
     for (const TransferFunction::Node& node : medium_.context.all().front().nodes)
-      if (*least <= node.value && node.value <= *greatest) appendCrossings(value, stops, node.value, places_);
+      if (range.low <= node.value && node.value <= range.high) appendCrossings(value, stops, node.value, places_);
     if (field) {
       const Stops focusStops = monotoneStops(focusValue);
       for (const double level : {focusRange.low, focusRange.high})
         appendCrossings(focusValue, focusStops, level, places_);
       for (const double node : medium_.focusShows.nodes())
-        if (*least <= node && node <= *greatest) appendCrossings(value, stops, node, places_);
+        if (range.low <= node && node <= range.high) appendCrossings(value, stops, node, places_);
     }
     if (medium_.context.differ() || (field && medium_.focusShows.differ())) appendMiddles(piece, places_);
-    if (medium_.scene.look.shading.enabled) {
-      for (int i = 0; i < 8; ++i) {
-        const glm::ivec3 corner = piece.cell + glm::ivec3(i & 1, (i >> 1) & 1, i >> 2);
-        normals_[static_cast<std::size_t>(i)] =
-            medium_.normals.at(glm::clamp(corner, glm::ivec3(0), grid_.dims - 1), valueAt_);
-      }
-      appendTurns(piece);
-    }
+    if (medium_.scene.look.shading.enabled) appendTurns(piece);
     std::sort(places_.begin(), places_.end());
 
     for (std::size_t k = 0; k + 1 < places_.size(); ++k) {
@@ -294,11 +298,28 @@ class Integrator {
     }
   }
 
+  /// At the corners of a cell of trilinear values.
+  void findNormals(glm::ivec3 cell) {
+    for (int i = 0; i < 8; ++i) {
+      const glm::ivec3 corner = cell + glm::ivec3(i & 1, (i >> 1) & 1, i >> 2);
+      normals_[static_cast<std::size_t>(i)] =
+          medium_.normals.at(glm::clamp(corner, glm::ivec3(0), grid_.dims - 1), valueAt_);
+    }
+  }
+
   /// Where the normals turn from one side of the light to the other: |n·l| has a kink there.
   void appendTurns(const Piece& piece) {
-    Corners towards;
-    for (std::size_t i = 0; i < 8; ++i) towards[i] = glm::dot(normals_[i], medium_.light.direction);
-    const Cubic cubic = alongPiece(towards, piece);
+    const auto towards = [&](double s) {
+      return glm::dot(gatedAt(glm::mix(piece.begin, piece.end, s)), medium_.light.direction);
+    };
+    Cubic cubic;
+    if (medium_.field.spline()) {
+      cubic = through(towards(0.0), towards(1.0 / 3.0), towards(2.0 / 3.0), towards(1.0));  // near enough to halve from
+    } else {
+      Corners corners;
+      for (std::size_t i = 0; i < 8; ++i) corners[i] = glm::dot(normals_[i], medium_.light.direction);
+      cubic = alongPiece(corners, piece);
+    }
     appendCrossings(cubic, monotoneStops(cubic), 0.0, places_);
   }
 
@@ -352,7 +373,12 @@ class Integrator {
       const double length = glm::length(normal);
       if (length > flatFocus) return normal / length;
     }
-    return interpolate(normals_, at);
+    return gatedAt(at);
+  }
+
+  /// The context's gated normal at a place in the cell.
+  glm::dvec3 gatedAt(glm::dvec3 at) const {
+    return medium_.splineNormals ? medium_.splineNormals->at(at + glm::dvec3(piece_->cell)) : interpolate(normals_, at);
   }
 
   /// 2^-52 of a part is below the resolution of its ends. An error below one rounding of 1 cannot be reached.

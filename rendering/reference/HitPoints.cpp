@@ -1,4 +1,5 @@
 #include "rendering/reference/ContextFunctions.h"
+#include "rendering/reference/Field.h"
 #include "rendering/reference/FocusField.h"
 #include "rendering/scene/Parallel.h"
 
@@ -18,13 +19,13 @@ const ValueGap* gapAround(const Gaps& gaps, double value) {
   return nullptr;
 }
 
-/// First t of the piece whose value lies in none of the gaps.
-std::optional<double> firstOutside(const Gaps& gaps, const Corners& corners, const Piece& piece) {
-  const auto [least, greatest] = std::minmax_element(corners.begin(), corners.end());
-  for (const ValueGap& gap : gaps)
-    if (gap.low < *least && *greatest < gap.high) return {};
+bool isInGap(const Gaps& gaps, ValueRange range) {
+  return std::any_of(gaps.begin(), gaps.end(),
+                     [&](const ValueGap& gap) { return gap.low < range.low && range.high < gap.high; });
+}
 
-  const Cubic cubic = alongPiece(corners, piece);
+/// First t of the piece whose value lies in none of the gaps.
+std::optional<double> firstOutside(const Gaps& gaps, const Cubic& cubic, const Piece& piece) {
   const ValueGap* gap = gapAround(gaps, cubic[0]);
   if (!gap) return piece.tBegin;
   const auto left = [&](double s) {
@@ -39,23 +40,33 @@ std::optional<double> firstOutside(const Gaps& gaps, const Corners& corners, con
   return {};
 }
 
+/// The part of a cubic between two places, from 0 to 1 over that part.
+Cubic between(const Cubic& c, double from, double to) {
+  const double d = to - from;
+  return {evaluate(c, from), d * (c[1] + from * (2.0 * c[2] + 3.0 * from * c[3])), d * d * (c[2] + 3.0 * from * c[3]),
+          d * d * d * c[3]};
+}
+
 /// The context's functions, and where each of them is transparent.
 class ContextGaps {
  public:
   explicit ContextGaps(const Scene& scene) : functions_(scene) {
     for (const TransferFunction& function : functions_.all()) gaps_.push_back(function.transparentGaps(1.0 / 255.0));
   }
+  /// Whether values of that range show in no function: the others show less than the first.
+  bool isClear(ValueRange range) const { return isInGap(gaps_.front(), range); }
   /// First t of the piece in the context.
-  std::optional<double> firstHit(const Corners& corners, const Piece& piece) const {
+  std::optional<double> firstHit(const FieldPiece& whole) const {
+    if (!functions_.differ()) return firstOutside(gaps_.front(), whole.value, whole.piece);
+    const Piece& piece = whole.piece;
     std::vector<double> ends{0.0, 1.0};
-    if (functions_.differ()) appendMiddles(piece, ends);
+    appendMiddles(piece, ends);
     std::sort(ends.begin(), ends.end());
     for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
-      const auto at = [&](double s) { return glm::mix(piece.begin, piece.end, s); };
-      const auto t = [&](double s) { return std::lerp(piece.tBegin, piece.tEnd, s); };
-      const glm::dvec3 middle = glm::dvec3(piece.cell) + at(0.5 * (ends[k] + ends[k + 1]));
-      const Piece part{piece.cell, t(ends[k]), t(ends[k + 1]), at(ends[k]), at(ends[k + 1])};
-      if (const auto found = firstOutside(gaps_[functions_.numberAt(middle)], corners, part)) return found;
+      const Piece part = Field::partOf(piece, ends[k], ends[k + 1]);
+      const glm::dvec3 middle = glm::dvec3(piece.cell) + 0.5 * (part.begin + part.end);
+      const Cubic value = between(whole.value, ends[k], ends[k + 1]);
+      if (const auto found = firstOutside(gaps_[functions_.numberAt(middle)], value, part)) return found;
     }
     return {};
   }
@@ -78,6 +89,7 @@ HitPoints hitPoints(const Scene& scene, const Camera& camera, glm::ivec2 size) {
   const std::size_t count = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
   HitPoints result{Image(count, nothing), Image(count, nothing), Image(count, nothing)};
 
+  const Field field(scene);
   const std::vector<HalfSpace> kept = halfSpaces(scene.look.clipping, grid);
   const FocusField focus(scene);
   const Gaps outsideFocus{{-infinity, focus.range().low}, {focus.range().high, infinity}};
@@ -86,13 +98,21 @@ HitPoints hitPoints(const Scene& scene, const Camera& camera, glm::ivec2 size) {
     const auto cast = [&](const Ray& ray, Span span, bool onFace) {
       Hit hit;
       if (onFace) hit.tContext = span.tIn;
-      walkCells(ray, span, grid.dims, [&](const Piece& piece) {
-        const Corners corners = cornersOf(piece.cell, grid.dims, valueAt);
-        if (const std::optional<Corners> field = focus.corners(piece.cell, corners))
-          hit.tFocus = firstOutside(outsideFocus, *field, piece).value_or(nothing);
-        if (std::isnan(hit.tContext))
-          hit.tContext = std::fmin(context.firstHit(corners, piece).value_or(nothing), hit.tFocus);
-        return std::isnan(hit.tFocus);
+      walkCells(ray, span, grid.dims, [&](const Piece& cell) {
+        const bool mayHoldFocus = focus.mayHold(cell.cell);
+        const auto wants = [&](ValueRange range) {
+          return mayHoldFocus || (std::isnan(hit.tContext) && !context.isClear(range));
+        };
+        return field.along(cell, valueAt, wants, [&](const FieldPiece& part) {
+          if (mayHoldFocus)
+            hit.tFocus = firstOutside(outsideFocus, *focus.along(part.piece, part.value), part.piece).value_or(nothing);
+          if (std::isnan(hit.tContext)) {
+            const bool isClear = context.isClear(part.range);
+            const auto found = isClear ? std::nullopt : context.firstHit(part);
+            hit.tContext = std::fmin(found.value_or(nothing), hit.tFocus);
+          }
+          return std::isnan(hit.tFocus);
+        });
       });
       return hit;
     };

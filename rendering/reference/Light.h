@@ -41,9 +41,10 @@ class VoxelNormals {
     return gated(difference);
   }
 
- private:
+  /// The gated normal of any gradient by the index.
   glm::dvec3 gated(glm::dvec3 indexGradient) const;
 
+ private:
   glm::ivec3 dims_;
   glm::dmat3 worldFromIndexGradient_;
   double gateUnit_;  ///< gradient at which the gate's argument is 1

@@ -4,7 +4,7 @@
 //
 // Colour is the emission-absorption integral along each pixel's ray (Max, TVCG 1995, equation 5),
 //   C = ∫ T(t) κ(f(t)) c(f(t)) shade(t) dt,  T(t) = exp(-∫ κ dt),  A = 1 - T(t_out),
-// with f the trilinear interpolation of the voxels' values, κ and c the piecewise linear transfer function itself. Each
+// with f the reconstruction of the voxels' values (trilinear, or a spline; see Field.h), κ and c the piecewise linear transfer function itself. Each
 // ray is cut at cell faces, where f meets a node of the transfer function and at the surface of the focus; in between κ
 // is a polynomial, so optical depth is exact, and colour is integrated by Gauss-Kronrod rules that halve their interval
 // until the tolerance is met.

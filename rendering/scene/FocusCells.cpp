@@ -7,7 +7,7 @@
 namespace fenestra {
 namespace {
 
-constexpr std::uint8_t inactive = 0, kept = 1, unvisited = 2;
+constexpr std::uint8_t inactive = 0, kept = 1, unvisited = 2, dropped = 3;
 
 std::vector<std::uint8_t> activeCells(const ShownVolume& shown, ValueRange range, const Grid& cells) {
   const glm::ivec3 last = shown.volume->grid.dims - 1;
@@ -29,6 +29,20 @@ std::vector<std::uint8_t> activeCells(const ShownVolume& shown, ValueRange range
     });
   });
   return state;
+}
+
+/// Keeps the inactive neighbours of kept cells, too.
+void widen(std::vector<std::uint8_t>& state, const Grid& cells) {
+  const std::vector<std::uint8_t> before = state;
+  const auto isKept = [&](glm::ivec3 cell) { return cells.contains(cell) && before[cells.offset(cell)] == kept; };
+  glm::ivec3 cell;
+  for (cell.z = 0; cell.z < cells.dims.z; ++cell.z)
+    for (cell.y = 0; cell.y < cells.dims.y; ++cell.y)
+      for (cell.x = 0; cell.x < cells.dims.x; ++cell.x) {
+        std::uint8_t& own = state[cells.offset(cell)];
+        for (int n = 0; own == inactive && n < 27; ++n)
+          if (isKept(cell + glm::ivec3(n % 3, n / 3 % 3, n / 9) - 1)) own = kept;
+      }
 }
 
 }  // namespace
@@ -67,8 +81,10 @@ FocusCells focusCells(const ShownVolume& shown, const ValueFocus& focus) {
               for (int x = -1; x <= 1; ++x) visit(cell + glm::ivec3(x, y, z));
         }
         if (static_cast<double>(component.size()) * cellVolume < focus.minimumComponent)
-          for (const glm::ivec3& cell : component) state[cells.offset(cell)] = inactive;
+          for (const glm::ivec3& cell : component) state[cells.offset(cell)] = dropped;
       }
+  if (shown.reconstruction != Reconstruction::Linear) widen(state, cells);
+  std::replace(state.begin(), state.end(), dropped, inactive);
   return {cells.dims, std::move(state)};
 }
 

@@ -19,7 +19,8 @@ struct FocusCells {
 };
 
 /// Cells whose corner values overlap `focus.values`, without 26-connected components smaller than
-/// `focus.minimumComponent` (the number of cells times the voxel's volume).
+/// `focus.minimumComponent` (the number of cells times the voxel's volume). Of a spline also the cells around those whose
+/// own corner values do not overlap: it may reach into the range between the corners.
 FocusCells focusCells(const ShownVolume& shown, const ValueFocus& focus);
 
 }  // namespace fenestra

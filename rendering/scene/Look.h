@@ -12,6 +12,7 @@
 #include "rendering/scene/Cutaway.h"
 #include "rendering/scene/Focus.h"
 #include "rendering/scene/LabelSettings.h"
+#include "rendering/scene/Reconstruction.h"
 #include "rendering/scene/TransferFunction.h"
 
 namespace fenestra {
@@ -57,10 +58,11 @@ struct Look {
   Cutaway cutaway;
   ContextLayer contextLayer;
   Shading shading;
-  glm::dvec3 background{0.0};  ///< display RGB 0..1
-  bool hideTable = true;       ///< of a CT, in 3-D pictures; see Scene::table
-  Clipping clipping;           ///< with nothing to clip, no pass, no memory and no shader is used for it
-  BrushStrokes strokes;        ///< edits of the opening; without any, no pass runs and no memory is used for them
+  glm::dvec3 background{0.0};                              ///< display RGB 0..1
+  bool hideTable = true;                                   ///< of a CT, in 3-D pictures; see Scene::table
+  Reconstruction reconstruction = Reconstruction::Linear;  ///< of 3-D pictures; slices are always trilinear
+  Clipping clipping;     ///< with nothing to clip, no pass, no memory and no shader is used for it
+  BrushStrokes strokes;  ///< edits of the opening; without any, no pass runs and no memory is used for them
   bool operator==(const Look&) const = default;
 };
 

@@ -30,7 +30,16 @@ ShownVolume shownVolume(const Scene& scene) {
   if (scene.look.hideTable && scene.table && scene.table->count > 0) shown.table = scene.table;
   shown.hidden = labelsWith(LabelRole::Hidden, scene);
   if (!shown.hidden.empty()) shown.labels = structuresOf(scene);
+  shown.reconstruction = reconstructionOf(scene);
   return shown;
+}
+
+Reconstruction reconstructionOf(const Scene& scene) {
+  if (scene.look.reconstruction != Reconstruction::Auto || !scene.volume) return scene.look.reconstruction;
+  const Grid& grid = scene.volume->grid;
+  const double pixel = 2.0 * grid.boundingRadius() / pixelsAcrossVolume;
+  const bool coarse = std::max({grid.spacing.x, grid.spacing.y, grid.spacing.z}) > pixel;
+  return coarse && grid.voxelCount() <= mostSplineVoxels ? Reconstruction::Smooth : Reconstruction::Linear;
 }
 
 const std::shared_ptr<const LabelMap>& structuresOf(const Scene& scene) {

@@ -26,6 +26,15 @@ struct Scene {
 /// all.
 ShownVolume shownVolume(const Scene& scene);
 
+/// The look's reconstruction, of Auto what that stands for: Smooth where the voxels are wider than the pixels of a
+/// picture of the whole volume and mostSplineVoxels at most; else Linear. No camera counts, so that pictures do not
+/// change their kind.
+Reconstruction reconstructionOf(const Scene& scene);
+/// Some 180³. On the device a lit voxel of a spline takes up to 190 bytes, so these take about 1 GiB.
+inline constexpr std::size_t mostSplineVoxels = 5'800'000;
+/// Pixels across the diagonal of a volume in that picture, a small one: the surface of finer voxels shows no terraces.
+inline constexpr double pixelsAcrossVolume = 500.0;
+
 /// The label map that look.labels is about.
 const std::shared_ptr<const LabelMap>& structuresOf(const Scene& scene);
 /// Whether the labels in focus are labels of that map.

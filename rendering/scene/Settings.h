@@ -72,6 +72,16 @@ constexpr auto wordsOf(LabelRole) {
        {LabelRole::Hidden, "hidden", "Hidden", "Left out of 3-D pictures; slices show its voxels"},
        {LabelRole::Protected, "protected", "Protected", "Never cut away, even where it hides the focus"}});
 }
+constexpr auto wordsOf(Reconstruction) {
+  return std::to_array<Word<Reconstruction>>(
+      {{Reconstruction::Linear, "linear", "Straight", "Straight lines between voxels: coarse scans show terraces"},
+       {Reconstruction::Cubic, "cubic", "Curved",
+        "Smooth curves through every voxel, its noise as well: takes more memory and time"},
+       {Reconstruction::Smooth, "smooth", "Smoothed",
+        "Smooth curves near the voxels: fewer terraces and less noise, but softer detail"},
+       {Reconstruction::Auto, "auto", "Automatic",
+        "Smoothed where voxels are coarse and not too many, else straight"}});
+}
 constexpr auto wordsOf(Projection) {
   return std::to_array<Word<Projection>>(
       {{Projection::Perspective, "perspective"}, {Projection::Orthographic, "orthographic"}});
@@ -256,7 +266,11 @@ inline constexpr std::tuple settingsOf<Look>{
             {.key = "hide_table",
              .option = "--hide-table",
              .name = "Hide the table",
-             .description = "Whether 3-D pictures of a CT leave out the scanner's table, head rest and cushions"})};
+             .description = "Whether 3-D pictures of a CT leave out the scanner's table, head rest and cushions"}),
+    Setting(&Look::reconstruction, {.key = "reconstruction",
+                                    .option = "--reconstruction",
+                                    .name = "Between voxels",
+                                    .description = "How 3-D pictures fill in the values between the voxels"})};
 
 template <>
 inline constexpr std::tuple settingsOf<BrushStroke>{

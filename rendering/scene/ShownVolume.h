@@ -9,6 +9,7 @@
 
 #include "rendering/scene/CoarseMask.h"
 #include "rendering/scene/LabelMap.h"
+#include "rendering/scene/Reconstruction.h"
 #include "rendering/scene/Volume.h"
 
 namespace fenestra {
@@ -16,9 +17,10 @@ namespace fenestra {
 /// What is shown; equal ones show the same.
 struct ShownVolume {
   std::shared_ptr<const Volume> volume;
-  std::shared_ptr<const CoarseMask> table = nullptr;  ///< hidden voxels; null: none
-  std::shared_ptr<const LabelMap> labels = nullptr;   ///< on the same grid; null where no label is hidden
-  std::vector<std::uint16_t> hidden = {};             ///< labels whose voxels are hidden: ascending, each once
+  std::shared_ptr<const CoarseMask> table = nullptr;       ///< hidden voxels; null: none
+  std::shared_ptr<const LabelMap> labels = nullptr;        ///< on the same grid; null where no label is hidden
+  std::vector<std::uint16_t> hidden = {};                  ///< labels whose voxels are hidden: ascending, each once
+  Reconstruction reconstruction = Reconstruction::Linear;  ///< never Auto
 
   bool operator==(const ShownVolume&) const = default;
 };
@@ -37,6 +39,8 @@ class ShownVoxels {
     return (shown_.table && shown_.table->contains(index)) ||
            (shown_.labels && isHiddenLabel_[shown_.labels->value(index)]);
   }
+  /// Real value of air.
+  double air() const { return volume().slope * air_ + volume().intercept; }
   bool hidesNothing() const { return !shown_.table && !shown_.labels; }
 
   /// A row of stored scalars, of the volume's type: the volume's own where nothing in it is hidden, or a copy in

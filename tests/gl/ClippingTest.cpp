@@ -30,6 +30,17 @@ Scene body() {
   return scene;
 }
 
+/// The same with a rod of label 2 through everything.
+Scene bodyWithRod() {
+  Scene scene = body();
+  const glm::dvec3 middle = (glm::dvec3(scene.volume->grid.dims) - 1.0) * 0.5;
+  scene.labels = labelsOf(scene.volume->grid, [&](glm::ivec3 i) {
+    const glm::dvec3 p = glm::dvec3(i) - middle;
+    return glm::length(p - glm::dvec3(2, 0, 0)) < 5.0 ? 1 : std::abs(p.x + 3.0) < 3.0 && std::abs(p.z) < 3.0 ? 2 : 0;
+  });
+  return scene;
+}
+
 struct ClipCase {
   const char* name;
   Clipping clipping;
@@ -74,8 +85,8 @@ std::vector<std::pair<const char*, Camera>> cameras(const Grid& grid) {
           {"inside", lookAt(centre - glm::dvec3(0.0, 2.0, 0.0), centre + glm::dvec3(3.0, 20.0, 5.0))}};
 }
 
-/// Greatest error of the focus layer in 1/255, from the renderer's own starts.
-double worstOf(const Scene& scene, const View& view, const Layers& layers) {
+/// The reference from the renderer's own starts.
+reference::Picture truthOf(const Scene& scene, const View& view, const Layers& layers) {
   reference::Stages stages;
   if (hasCutaway(scene)) {
     stages = reference::geometricStages(scene, view.camera, view.size);
@@ -83,7 +94,24 @@ double worstOf(const Scene& scene, const View& view, const Layers& layers) {
     stages.hits.tFocus = widened(layers.tFocus);
     stages.tStart = widened(layers.tStart);
   }
-  const reference::Picture truth = reference::picture(scene, view.camera, view.size, stages, {});
+  return reference::picture(scene, view.camera, view.size, stages, {});
+}
+
+/// Pixels that are further than `bound`, in 1/255, off the reference's.
+std::size_t wrongOf(const std::vector<glm::vec4>& layer, const std::vector<glm::dvec4>& truth, double bound) {
+  std::size_t wrong = 0;
+  for (std::size_t i = 0; i < truth.size(); ++i)
+    for (int channel = 0; channel < 4; ++channel)
+      if (!(255.0 * std::abs(layer[i][channel] - truth[i][channel]) <= bound)) {
+        ++wrong;
+        break;
+      }
+  return wrong;
+}
+
+/// Greatest error of the focus layer in 1/255, from the renderer's own starts.
+double worstOf(const Scene& scene, const View& view, const Layers& layers) {
+  const reference::Picture truth = truthOf(scene, view, layers);
   double worst = 0.0;
   for (std::size_t i = 0; i < truth.focusLayer.size(); ++i)
     for (int channel = 0; channel < 4; ++channel) {
@@ -184,34 +212,14 @@ TEST_F(ClippingTest, GreyFacesAreTheReferences) {
             expectStagesMatch(layers, truth, scene, view.camera, size);
           }
           // Where the focus reaches the face, rounding decides which of both a pixel shows.
-          std::size_t wrong = 0;
-          reference::Stages stages;
-          if (hasCutaway(scene)) {
-            stages = reference::geometricStages(scene, view.camera, size);
-            stages.hits.tContext = widened(layers.tContext);
-            stages.hits.tFocus = widened(layers.tFocus);
-            stages.tStart = widened(layers.tStart);
-          }
-          const reference::Picture truth = reference::picture(scene, view.camera, size, stages, {});
-          for (std::size_t i = 0; i < truth.focusLayer.size(); ++i)
-            for (int channel = 0; channel < 4; ++channel)
-              if (!(255.0 * std::abs(layers.focusLayer[i][channel] - truth.focusLayer[i][channel]) <= 1.0)) {
-                ++wrong;
-                break;
-              }
+          const std::size_t wrong = wrongOf(layers.focusLayer, truthOf(scene, view, layers).focusLayer, 1.0);
           EXPECT_LE(wrong, 3u) << each.name << (open ? ", open" : ", closed");
         }
       }
 }
 
 TEST_F(ClippingTest, ExemptLabelsStayAsTheReferenceHasThem) {
-  Scene scene = body();
-  const glm::dvec3 middle = (glm::dvec3(scene.volume->grid.dims) - 1.0) * 0.5;
-  // A rod through everything, and the ball in focus.
-  scene.labels = labelsOf(scene.volume->grid, [&](glm::ivec3 i) {
-    const glm::dvec3 p = glm::dvec3(i) - middle;
-    return glm::length(p - glm::dvec3(2, 0, 0)) < 5.0 ? 1 : std::abs(p.x + 3.0) < 3.0 && std::abs(p.z) < 3.0 ? 2 : 0;
-  });
+  Scene scene = bodyWithRod();
   int more = 0;
   for (const Schedule schedule : schedules) {
     Renderer renderer(gpuWith(schedule));
@@ -230,14 +238,7 @@ TEST_F(ClippingTest, ExemptLabelsStayAsTheReferenceHasThem) {
           scene.look.clipping.exempt = {2};
           renderer.render(scene, view);
           const Layers layers = renderer.readLayers();
-          reference::Stages stages;
-          if (open) {
-            stages = reference::geometricStages(scene, view.camera, size);
-            stages.hits.tContext = widened(layers.tContext);
-            stages.hits.tFocus = widened(layers.tFocus);
-            stages.tStart = widened(layers.tStart);
-          }
-          const reference::Picture truth = reference::picture(scene, view.camera, size, stages, {});
+          const reference::Picture truth = truthOf(scene, view, layers);
           double worst = 0.0;
           for (std::size_t i = 0; i < truth.final.size(); ++i)
             for (int channel = 0; channel < 4; ++channel) {
@@ -249,6 +250,49 @@ TEST_F(ClippingTest, ExemptLabelsStayAsTheReferenceHasThem) {
         }
   }
   EXPECT_GT(more, 20) << "too little to tell";
+}
+
+TEST_F(ClippingTest, StagesOfSplinesAreTheReferences) {
+  Scene scene = body();
+  for (const Reconstruction kind : {Reconstruction::Cubic, Reconstruction::Smooth})
+    for (const bool grey : {false, true})
+      for (const ClipCase& each : clipCases(scene.volume->grid)) {
+        SCOPED_TRACE(std::string(each.name) + (grey ? ", grey" : ""));
+        scene.look.reconstruction = kind;
+        scene.look.clipping = each.clipping;
+        if (grey) scene.look.clipping.grey = WindowLevel{900.0, 500.0};
+        expectStagesMatch(scene, Camera::fromAngles(30.0, 20.0, scene.volume->grid), size);
+      }
+}
+
+/// Capped faces, lit and grey, with a label that neither the opening nor the clipping removes.
+TEST_F(ClippingTest, SplinesAreTheReferences) {
+  constexpr glm::ivec2 few{31, 27};
+  Scene scene = bodyWithRod();
+  scene.look.contextLayer.strength = 0.0;
+  scene.look.cutaway.borderWidth = 0.0;
+  scene.look.reconstruction = Reconstruction::Cubic;
+  put(scene.look.labels, {.label = 2, .role = LabelRole::Protected});
+  Renderer renderer(gpuWith(Schedule::Llvmpipe));
+  const std::vector<ClipCase> cases = clipCases(scene.volume->grid);
+  for (const bool lit : {false, true})
+    for (const bool open : {true, false})
+      for (const bool grey : {false, true})
+        for (const std::size_t which : {0, 2, 5}) {
+          scene.look.shading.enabled = lit;
+          scene.look.cutaway.enabled = open;
+          scene.look.clipping = cases[which].clipping;
+          scene.look.clipping.exempt = {2};
+          if (grey) scene.look.clipping.grey = WindowLevel{900.0, 500.0};
+          View view{Camera::fromAngles(30.0, 20.0, scene.volume->grid), few, 1.0, Quality::High};
+          view.maxError = 1.0;
+          renderer.render(scene, view);
+          const Layers layers = renderer.readLayers();
+          // Where the focus reaches a grey face, rounding decides which of both a pixel shows.
+          EXPECT_LE(wrongOf(layers.final, truthOf(scene, view, layers).final, 1.0), grey ? 2u : 1u)
+              << cases[which].name << (lit ? ", lit" : ", unlit") << (open ? ", open" : ", closed")
+              << (grey ? ", grey" : "");
+        }
 }
 
 /// What all labels together keep is what there was, where labels are everything.

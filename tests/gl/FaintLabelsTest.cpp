@@ -127,6 +127,23 @@ TEST_F(FaintLabelsTest, BoundsHold) {
       }
 }
 
+TEST_F(FaintLabelsTest, HoldInSplines) {
+  for (const auto& [name, focus] : focuses())
+    for (const bool lit : {false, true}) {
+      SCOPED_TRACE(std::string(name) + (lit ? ", lit" : ", unlit"));
+      Scene scene = body(lit);
+      scene.look.reconstruction = Reconstruction::Cubic;
+      scene.look.focus = focus;
+      if (hasCutaway(scene) && !lit) expectStagesMatch(scene, aside(scene), size);
+      for (const Schedule schedule : schedules)
+        for (const double bound : {4.0, 0.5}) {
+          View view{aside(scene), size, 1.0, Quality::High};
+          view.maxError = bound;
+          EXPECT_LE(pictureErrors(scene, view, drawn(scene, view, schedule)).worst, bound) << nameOf(schedule);
+        }
+    }
+}
+
 TEST_F(FaintLabelsTest, BoundsHoldBesideFunctionsOfTheFocusAndClipping) {
   const TransferFunction function{
       {{600.0, {{1.0, 0.2, 0.1}, 0.0}}, {800.0, {{0.9, 0.9, 0.2}, 0.4}}, {900.0, {{0.1, 0.4, 1.0}, 1.5}}}};

@@ -215,7 +215,7 @@ TEST_F(ProgramsTest, BlocksHaveTheLayoutOfTheirStructs) {
       {TransferBlock::name,
        {OFFSET(TransferBlock, firstMaterial), OFFSET(TransferBlock, lastMaterial), OFFSET(TransferBlock, map),
         OFFSET(TransferBlock, visibleEntries)}},
-      {FaintBlock::name, {OFFSET(FaintBlock, origin), OFFSET(FaintBlock, size)}},
+      {FaintBlock::name, {OFFSET(FaintBlock, origin), OFFSET(FaintBlock, size), OFFSET(FaintBlock, last)}},
       {FocusBlock::name,
        {OFFSET(FocusBlock, material), OFFSET(FocusBlock, range), OFFSET(FocusBlock, paletteOrigin),
         OFFSET(FocusBlock, smoothOrigin), OFFSET(FocusBlock, table), OFFSET(FocusBlock, worldFromIndexGradient)}},

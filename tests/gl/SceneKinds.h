@@ -136,6 +136,12 @@ inline std::vector<SceneKind> allSceneKinds() {
   addSceneKinds<float>("float", others);
   for (std::size_t i = 0; i < others.size(); i += 7) kinds.push_back(others[i]);
   const std::size_t plain = kinds.size();
+  for (std::size_t i = 0; i < plain; i += 5) {
+    SceneKind spline = kinds[i];
+    spline.name += ", spline";
+    spline.scene.look.reconstruction = Reconstruction::Cubic;
+    kinds.push_back(spline);
+  }
   for (std::size_t i = 0; i < plain; i += 13) {
     if (!hasCutaway(kinds[i].scene)) continue;
     SceneKind withStroke = kinds[i];

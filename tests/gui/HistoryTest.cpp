@@ -59,6 +59,7 @@ class RandomEdits {
         look.shading.ambient = number();
         look.background.g = number();
         look.hideTable = below(2) == 0;
+        look.reconstruction = static_cast<Reconstruction>(below(4));
         return document_.edit(QStringLiteral("Light"), std::move(look));
       }
       case 6: {

@@ -161,5 +161,25 @@ TEST(ReferenceClipping, GreyFacesShowTheValuesAsSlicesDo) {
   }
 }
 
+TEST(ReferenceClipping, GreyFacesOfSplinesShowTheSplinesValues) {
+  // A parabola, which the cubic spline through its values is; straight lines between them lie up to 1/8 above it.
+  Scene scene;
+  scene.volume = volumeOf<float>(gridOf({40, 40, 40}), [](glm::ivec3 i) { return 0.5f * i.x * i.x; });
+  scene.look.context.function = opaqueFrom(1e6);  // the transfer function shows nothing
+  scene.look.reconstruction = Reconstruction::Cubic;
+  scene.look.clipping.planes = {{{0.0, 1.0, 0.0}, 11.3}};
+  scene.look.clipping.grey = WindowLevel{800.0, 400.0};
+  const double height = 30.0;
+  const Camera camera = parallelTo(scene.volume->grid, height);
+  const glm::ivec2 size(40, 40);
+  const auto colours = picture(scene, camera, size).final;
+  for (int x = 0; x < size.x; ++x) {
+    const double at = (camera.eye + height / size.y * (x + 0.5 - 20.0) * camera.axes().right).x;
+    const glm::dvec4 colour = colours[static_cast<std::size_t>(20 * 40 + x)];
+    for (int channel = 0; channel < 3; ++channel) EXPECT_NEAR(colour[channel], 0.5 * at * at / 800.0, 1e-9);
+    EXPECT_EQ(colour.a, 1.0);
+  }
+}
+
 }  // namespace
 }  // namespace fenestra::reference

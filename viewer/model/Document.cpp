@@ -178,7 +178,8 @@ void Document::show(Look look) {
   const bool shading = now.shading != before.shading, strokes = now.strokes != before.strokes;
   const bool labels = now.labels != before.labels, clipping = now.clipping != before.clipping;
   const bool scene = focus || labels || context || cutaway || shading || clipping ||
-                     now.background != before.background || now.hideTable != before.hideTable;
+                     now.background != before.background || now.hideTable != before.hideTable ||
+                     now.reconstruction != before.reconstruction;
   if (focus) Q_EMIT focusChanged();
   if (labels) Q_EMIT labelSettingsChanged();
   if (context) Q_EMIT transferFunctionChanged();

@@ -18,7 +18,8 @@ AppearancePanel::AppearancePanel(Document& document, LookLibrary& library, QWidg
       editor_(new TransferFunctionEditor(document, library)),
       shift_(new SliderSpin(-500.0, 500.0, 1.0)),
       background_(new ColourButton(translated(settingOf(&Look::background).description))),
-      table_(new QCheckBox(translated(settingOf(&Look::hideTable).name))) {
+      table_(new QCheckBox(translated(settingOf(&Look::hideTable).name))),
+      reconstruction_(new QComboBox) {
   shift_->setToolTip(translated(settingOf(&ContextFunction::shift).description));
 
   auto* presets = new QFormLayout;
@@ -32,6 +33,14 @@ AppearancePanel::AppearancePanel(Document& document, LookLibrary& library, QWidg
   table_->setObjectName(QString::fromUtf8(settingOf(&Look::hideTable).key));
   table_->setToolTip(translated(settingOf(&Look::hideTable).description));
   form->addRow(table_);
+  const auto& reconstruction = settingOf(&Look::reconstruction);
+  reconstruction_->setObjectName(QString::fromUtf8(reconstruction.key));
+  reconstruction_->setToolTip(translated(reconstruction.description));
+  for (const Word<Reconstruction>& word : wordsOf(Reconstruction{})) {
+    reconstruction_->addItem(translated(word.name), static_cast<int>(word.value));
+    reconstruction_->setItemData(reconstruction_->count() - 1, translated(word.description), Qt::ToolTipRole);
+  }
+  form->addRow(translated(reconstruction.name), reconstruction_);
   auto* body = new QWidget;
   auto* column = new QVBoxLayout(body);
   column->addLayout(presets);
@@ -51,10 +60,16 @@ AppearancePanel::AppearancePanel(Document& document, LookLibrary& library, QWidg
     look.hideTable = hide;
     document_.edit(table_->text(), std::move(look));
   });
+  connect(reconstruction_, &QComboBox::activated, &document, [this](int row) {
+    Look look = document_.look();
+    look.reconstruction = static_cast<Reconstruction>(reconstruction_->itemData(row).toInt());
+    document_.edit(translated(settingOf(&Look::reconstruction).name), std::move(look));
+  });
   connect(&document, &Document::transferFunctionChanged, this, &AppearancePanel::show);
   connect(&document, &Document::sceneChanged, this, [this] {
     background_->setColour(document_.look().background);
     table_->setChecked(document_.look().hideTable);
+    showReconstruction();
   });
   connect(&document, &Document::shadingChanged, this, [this] { light_.show(); });
   connect(&document, &Document::volumeChanged, this, [this] {
@@ -77,6 +92,11 @@ void AppearancePanel::show() {
   shift_->setValue(document_.shift());
   background_->setColour(document_.look().background);
   table_->setChecked(document_.look().hideTable);
+  showReconstruction();
+}
+
+void AppearancePanel::showReconstruction() {
+  reconstruction_->setCurrentIndex(reconstruction_->findData(static_cast<int>(document_.look().reconstruction)));
 }
 
 }  // namespace fenestra::viewer

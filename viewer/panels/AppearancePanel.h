@@ -23,6 +23,7 @@ class AppearancePanel : public ScrollingPanel {
 
  private:
   void show();
+  void showReconstruction();
 
   Document& document_;
   LookControls<Shading> light_;
@@ -31,6 +32,7 @@ class AppearancePanel : public ScrollingPanel {
   SliderSpin* shift_;
   ColourButton* background_;
   QCheckBox* table_;
+  QComboBox* reconstruction_;
 };
 
 }  // namespace fenestra::viewer

@@ -32,6 +32,7 @@ Look plain(Look look) {
   look.labels = {};
   look.strokes = {};
   look.cutaway.enabled = false;
+  look.reconstruction = Reconstruction::Linear;  // too small to show
   look.hideTable = false;  // `smallVolume` did
   return look;
 }

@@ -1,6 +1,7 @@
 // Principal curvatures of the level set through a point, from first and second derivatives of a C² reconstruction: the
 // cubic B-spline over the derivative volume (Kindlmann, Whitaker, Tasdizen, Möller, Vis 2003, section 3).
 #include <schedule>
+#include "lib/Grid.glsl"
 
 // Smoothed field, coarser where the scan is fine.
 #if DERIVATIVE_BYTES == 2
@@ -16,7 +17,7 @@ struct DerivativeSettings {
 UNIFORM_BLOCK(DerivativeBlock, storedDerivative, DerivativeSettings, derivative);
 
 // Cubic B-spline weights of the four neighbours at offset f in [0, 1), and their first and second derivatives.
-void splineWeights(float f, out vec4 w, out vec4 dw, out vec4 ddw) {
+void derivativeWeights(float f, out vec4 w, out vec4 dw, out vec4 ddw) {
   float g = 1.0 - f;
   w = vec4(g * g * g, 4.0 - 3.0 * f * f * (2.0 - f), 4.0 - 3.0 * g * g * (2.0 - g), f * f * f) / 6.0;
   dw = vec4(-g * g, f * (3.0 * f - 4.0), g * (4.0 - 3.0 * g), f * f) * 0.5;
@@ -30,12 +31,12 @@ struct LevelSet {
 };
 
 LevelSet levelSetAt(vec3 position) {
-  vec3 index = (position - 0.5) / derivative.factor - 0.5;
+  vec3 index = (voxelPosition(position) - 0.5) / derivative.factor - 0.5;
   vec3 base = floor(index);
   vec4 wx, dx, ddx, wy, dy, ddy, wz, dz, ddz;
-  splineWeights(index.x - base.x, wx, dx, ddx);
-  splineWeights(index.y - base.y, wy, dy, ddy);
-  splineWeights(index.z - base.z, wz, dz, ddz);
+  derivativeWeights(index.x - base.x, wx, dx, ddx);
+  derivativeWeights(index.y - base.y, wy, dy, ddy);
+  derivativeWeights(index.z - base.z, wz, dz, ddz);
   ivec3 last = sizeOf(derivativeVolume) - 1;
   vec3 g = vec3(0.0), diagonal = vec3(0.0), mixed = vec3(0.0);  // mixed: xy, xz, yz
   for (int z = 0; z < 4; ++z)

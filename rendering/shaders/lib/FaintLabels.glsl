@@ -6,6 +6,7 @@
 #if FAINT_LABELS
 struct FaintSettings {
   ivec3 origin, size;  // voxels that faintIndex holds: the first, and how many
+  ivec3 last;          // voxel of the volume
 };
 UNIFORM_BLOCK(FaintBlock, storedFaint, FaintSettings, faint);
 
@@ -21,13 +22,13 @@ uint faintTexel(ivec3 voxel) {
 }
 
 // The functions in a cell: the number of the one there, and more where there are several.
-uint functionsIn(ivec3 cell) { return faintTexel(cell - 1); }
+uint functionsIn(ivec3 cell) { return faintTexel(voxelCell(cell) - 1); }
 bool functionsDiffer(uint functions) { return functions >= 128u; }
 
 // At a position (cell frame).
 int functionAt(vec3 at) {
-  ivec3 voxel = ivec3(floor(at - 0.5));
-  return int(faintTexel(clamp(voxel, ivec3(0), volume.dims - 1)) & 127u);
+  ivec3 voxel = ivec3(floor(voxelPosition(at) - 0.5));
+  return int(faintTexel(clamp(voxel, ivec3(0), faint.last)) & 127u);
 }
 
 // The first u' > u, at most 1, where from a to b, both within a cell, the function may change.

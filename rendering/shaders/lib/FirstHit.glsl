@@ -25,14 +25,10 @@ struct Search {
   float s;
   int stage;
   int after;    // the stage after SOLVE: LEAP or ENDED
-  float sFrom;  // where the ray came into the cell looked into; it leaves that at s
-  vec4 along;   // the field in it, Bernstein coefficients
+  float sFrom;  // where the ray came into the cell looked into, or that third of a path which is solved
+  float sTo;    // the end of what `along` covers
+  vec4 along;   // the field from sFrom to sTo, Bernstein coefficients
   vec2 gap;     // open interval that the field has to leave
-#if FAINT_LABELS
-  ivec3 within;    // the cell looked into
-  vec3 a, b;       // both ends of the ray's path in it, 0 to 1
-  uint functions;  // in it
-#endif
   float hit;
 };
 
@@ -66,63 +62,117 @@ void leap(inout Search search, const bool ofFocus, Ray ray, float sEnd) {
     moveOn(search, ray, sEnd, blockAt(search.cell, search.upwards, empty));
 }
 
-void look(inout Search search, const bool ofFocus, Ray ray, float sEnd) {
-  ivec3 cell = search.cell;
-  search.sFrom = search.s;
-  moveOn(search, ray, sEnd, blockAt(cell, search.upwards, 0));
-  vec3 a = clamp(cellPosition(ray, search.sFrom) - vec3(cell), 0.0, 1.0);
-  vec3 b = clamp(cellPosition(ray, min(search.s, sEnd)) - vec3(cell), 0.0, 1.0);
-  float f[8];
-  cellCorners(cell, f);
-  search.along = bernsteinAlong(f, a, b);
-  if (ofFocus) {
-    search.along = focusAlong(focusCellAt(focusSlot(cell), cell), a, b, search.along);
-    // A ray that comes into the cell inside the focus has met it there: no value lies in the empty gap.
-    vec2 range = focusRange();
-    float first = search.along.x;
-    search.gap = first < range.x ? vec2(-FAR, range.x) : first > range.y ? vec2(range.y, FAR) : vec2(FAR, -FAR);
-  }
-  search.after = search.stage;
-#if FAINT_LABELS
-  if (!ofFocus) {
-    search.within = cell;
-    search.a = a;
-    search.b = b;
-    search.functions = functionsIn(cell);
-    // Where they differ: as if the field left every gap.
-    bool differ = functionsDiffer(search.functions);
-    search.gap = gapAround(differ ? 0 : int(search.functions), search.along.x);
-    search.gap = mix(search.gap, vec2(FAR, -FAR), bvec2(differ));
-  }
-#endif
-  if (leavesHull(search.along, search.gap.x, search.gap.y)) search.stage = SOLVE;
+// The gap that the focus's field has to leave. A ray that comes into a cell inside the focus has met it there: no value lies
+// in the empty gap.
+vec2 gapAround(float first) {
+  vec2 range = focusRange();
+  return first < range.x ? vec2(-FAR, range.x) : first > range.y ? vec2(range.y, FAR) : vec2(FAR, -FAR);
 }
 
-#if FAINT_LABELS
-// Of a cell in which functions differ: u where the context begins; 2 where it does not.
-float firstFaintExit(Search search) {
+// Of the field along a path within a cell, where the context begins by the functions there: u; 2 where it does not.
+float firstContextExit(ivec3 cell, vec3 a, vec3 b, vec4 along) {
+  uint functions = functionsIn(cell);
   float from = 0.0, to = 0.0, found = 2.0;
   do {
-    to = nextFunction(search.a, search.b, from);
-    vec3 middle = vec3(search.within) + mix(search.a, search.b, 0.5 * (from + to));
-    vec2 gap = gapAround(functionAt(middle), bernstein(search.along, from));
-    float u = firstExit(bernsteinBetween(search.along, from, to), gap.x, gap.y);
+    to = functionsDiffer(functions) ? nextFunction(a, b, from) : 1.0;
+    vec2 gap = gapAround(functionAt(vec3(cell) + mix(a, b, 0.5 * (from + to))), bernstein(along, from));
+    vec4 part = bernsteinBetween(along, from, to);
+    float u = leavesHull(part, gap.x, gap.y) ? firstExit(part, gap.x, gap.y) : 2.0;
     if (u <= 1.0) found = mix(from, to, u);
     from = to;
   } while (to < 1.0 && found > 1.0);
   return found;
 }
+
+#if REFINEMENT > 1
+const int THIRDS = 3;
+
+// Seven values' weights in a value between them.
+float weighted(SplineAlong along, vec4 first, vec3 last) {
+  return dot(first, vec4(along.at[0], along.at[1], along.at[2], along.at[3])) +
+         dot(last, vec3(along.at[4], along.at[5], along.at[6]));
+}
+
+// A third of a path, nearer to the spline than a half of it is: through points of the polynomial through all seven values.
+vec4 thirdOf(SplineAlong along, int third) {
+  // Lagrange's weights at 1/9, 2/9 and 4/9; the other half's are the same ones backwards.
+  const vec4 first1 = vec4(728, 8736, -5460, 4160) / 6561.0, first2 = vec4(-154, 3696, 4620, -2464) / 6561.0,
+             first4 = vec4(35, -336, 2100, 5600) / 6561.0;
+  const vec3 last1 = vec3(-2184, 672, -91) / 6561.0, last2 = vec3(1155, -336, 44) / 6561.0,
+             last4 = vec3(-1050, 240, -28) / 6561.0;
+  SplineAlong back;
+  for (int i = 0; i < POINTS; ++i) back.at[i] = along.at[POINTS - 1 - i];
+  if (third == 0)
+    return bernsteinThrough(along.at[0], weighted(along, first1, last1), weighted(along, first2, last2), along.at[2]);
+  if (third == 1)
+    return bernsteinThrough(along.at[2], weighted(along, first4, last4), weighted(back, first4, last4), along.at[4]);
+  return bernsteinThrough(along.at[4], weighted(back, first2, last2), weighted(back, first1, last1), along.at[6]);
+}
+
+// Into the rest of a cell of the voxels, for the first third in which the field leaves the gap.
+void look(inout Search search, const bool ofFocus, Ray ray, float sEnd) {
+  ivec3 cell = middleOf(search.cell);
+  float sFrom = search.s;
+  moveOn(search, ray, sEnd, voxelBlockAt(search.cell, search.upwards));
+  float sTo = min(search.s, sEnd);
+  vec3 a = withinMiddle(cellPosition(ray, sFrom) - vec3(cell)), b = withinMiddle(cellPosition(ray, sTo) - vec3(cell));
+  SplineAlong values = splineAlong(cell, a, b);
+  FocusCell held = focusCellAt(focusSlot(cell), cell);
+  vec4 thirds[THIRDS];
+  for (int i = 0; i < THIRDS; ++i) {
+    float from = float(i) / float(THIRDS), to = float(i + 1) / float(THIRDS);
+    thirds[i] = thirdOf(values, i);
+    if (ofFocus) thirds[i] = focusAlong(held, mix(a, b, from), mix(a, b, to), thirds[i]);
+  }
+  if (ofFocus) search.gap = gapAround(thirds[0].x);
+  search.after = search.stage;
+  for (int i = THIRDS - 1; HAS_FAINT && !ofFocus && i >= 0; --i) {
+    float from = float(i) / float(THIRDS), to = float(i + 1) / float(THIRDS);
+    float u = firstContextExit(cell, mix(a, b, from), mix(a, b, to), thirds[i]);
+    if (u <= 1.0) search.hit = mix(sFrom, sTo, mix(from, to, u));
+    if (u <= 1.0) search.stage = ENDED;
+  }
+  for (int i = THIRDS - 1; (!HAS_FAINT || ofFocus) && i >= 0; --i) {
+    vec2 piece;
+    if (!leaves(thirds[i], search.gap.x, search.gap.y, piece)) continue;
+    search.along = thirds[i];
+    search.sFrom = mix(sFrom, sTo, float(i) / float(THIRDS));
+    search.sTo = mix(sFrom, sTo, float(i + 1) / float(THIRDS));
+    search.stage = SOLVE;
+  }
+}
+#else
+void look(inout Search search, const bool ofFocus, Ray ray, float sEnd) {
+  ivec3 cell = search.cell;
+  search.sFrom = search.s;
+  moveOn(search, ray, sEnd, blockAt(cell, search.upwards, 0));
+  search.sTo = min(search.s, sEnd);
+  vec3 a = clamp(cellPosition(ray, search.sFrom) - vec3(cell), 0.0, 1.0);
+  vec3 b = clamp(cellPosition(ray, search.sTo) - vec3(cell), 0.0, 1.0);
+  float f[8];
+  cellCorners(cell, f);
+  search.along = bernsteinAlong(f, a, b);
+  if (ofFocus) {
+    search.along = focusAlong(focusCellAt(focusSlot(cell), cell), a, b, search.along);
+    search.gap = gapAround(search.along.x);
+  }
+  search.after = search.stage;
+  if (HAS_FAINT && !ofFocus) {
+    float u = firstContextExit(cell, a, b, search.along);
+    if (u <= 1.0) search.hit = mix(search.sFrom, search.sTo, u);
+    if (u <= 1.0) search.stage = ENDED;
+  } else if (leavesHull(search.along, search.gap.x, search.gap.y)) {
+    search.stage = SOLVE;
+  }
+}
 #endif
 
 // `exact`: for the point itself; otherwise for the cell that it lies in.
-void solve(inout Search search, const bool ofFocus, const bool exact, float sEnd) {
+void solve(inout Search search, const bool exact) {
   vec2 gap = search.gap, piece;
   float u = exact ? firstExit(search.along, gap.x, gap.y) : leaves(search.along, gap.x, gap.y, piece) ? 0.0 : 2.0;
-#if FAINT_LABELS
-  if (!ofFocus && functionsDiffer(search.functions)) u = firstFaintExit(search);
-#endif
   search.stage = u <= 1.0 ? ENDED : search.after;
-  if (u <= 1.0) search.hit = mix(search.sFrom, min(search.s, sEnd), u);
+  if (u <= 1.0) search.hit = mix(search.sFrom, search.sTo, u);
 }
 
 // From sBegin to sEnd; NONE where there is none. `gap`: of the context, the interval that it has to leave.
@@ -134,21 +184,16 @@ float firstHit(const bool ofFocus, const bool exact, Ray ray, float sBegin, floa
   search.s = sBegin;
   search.stage = LEAP;
   search.after = ENDED;
-  search.sFrom = sBegin;
+  search.sFrom = search.sTo = sBegin;
   search.along = vec4(0.0);
   search.gap = gap;
-#if FAINT_LABELS
-  search.within = search.cell;
-  search.functions = 0u;
-  search.a = search.b = vec3(0.0);
-#endif
   search.hit = NONE;
   do {
     do {
       do leap(search, ofFocus, ray, sEnd); while (IN_STEP && search.stage == LEAP);
       if (search.stage == LOOK) look(search, ofFocus, ray, sEnd);
     } while (IN_STEP && search.stage == LEAP);
-    if (search.stage == SOLVE) solve(search, ofFocus, exact, sEnd);
+    if (search.stage == SOLVE) solve(search, exact);
   } while (search.stage != ENDED);
   return search.hit;
 }

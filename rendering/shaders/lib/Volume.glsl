@@ -3,6 +3,19 @@
 #include <schedule>
 #include "lib/Grid.glsl"
 
+// Corners of a cell (cell frame) are counted x fastest.
+ivec3 cornerOf(int i) { return ivec3(i & 1, (i >> 1) & 1, i >> 2); }
+
+// SPLINE: the volume is the spline itself, of which texels are samples on a finer grid; else it is what lies between texels.
+// A shader declares the textures of the one or the other, for it may declare eight images.
+#if SPLINE
+#include "lib/Spline.glsl"
+
+float storedExact(vec3 position) {
+  ivec3 cell = ivec3(floor(position));
+  return splineAt(cell, position - vec3(cell));
+}
+#else
 // Texels, and stored values per texel unit.
 #if VOLUME_BYTES == 1
 TEXELS_3D(r8, volumeTexels);
@@ -24,15 +37,12 @@ float storedAt(ivec3 index) {
 #endif
 }
 
-// Corners of a cell (cell frame) are counted x fastest.
-ivec3 cornerOf(int i) { return ivec3(i & 1, (i >> 1) & 1, i >> 2); }
-
 void cellCorners(ivec3 cell, out float f[8]) {
   for (int i = 0; i < 8; ++i) f[i] = storedAt(cell - 1 + cornerOf(i));
 }
 
-// Trilinear, with full float weights: hardware filters have 8-bit ones.
-float storedExact(vec3 position) {
+// Trilinear between texels, with full float weights: hardware filters have 8-bit ones.
+float storedBetween(vec3 position) {
   ivec3 cell = ivec3(floor(position));
   vec3 w = position - vec3(cell);
   float f[8];
@@ -41,3 +51,6 @@ float storedExact(vec3 position) {
   vec2 y = mix(x.xz, x.yw, w.y);
   return mix(y.x, y.y, w.z);
 }
+
+float storedExact(vec3 position) { return storedBetween(position); }
+#endif

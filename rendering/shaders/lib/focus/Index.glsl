@@ -35,11 +35,11 @@ const bool HAS_FOCUS = true;
 
 const int CELLS_PER_BRICK = BRICK_SIDE * BRICK_SIDE * BRICK_SIDE;
 
-uint focusSlot(ivec3 cell) { return texelOf(focusBricks, cell >> BRICK_SHIFT).r; }
+uint focusSlot(ivec3 cell) { return texelOf(focusBricks, voxelCell(cell) >> BRICK_SHIFT).r; }
 int distanceToFocus(ivec3 brick) { return int(texelOf(focusSkip, brick).r); }
 
 // Number of a cell in focusCells.
 int cellInSlot(uint slot, ivec3 cell) {
-  ivec3 local = cell & (BRICK_SIDE - 1);
+  ivec3 local = voxelCell(cell) & (BRICK_SIDE - 1);
   return int(slot - 2u) * CELLS_PER_BRICK + local.x + BRICK_SIDE * (local.y + BRICK_SIDE * local.z);
 }

@@ -5,12 +5,23 @@
 
 struct FocusCell {
   uint corners;
+#if REFINEMENT > 1
+  ivec3 cell;
+#endif
 };
 
+#if REFINEMENT > 1
+FocusCell focusCell(uint corners, ivec3 cell) { return FocusCell(corners, cell); }
+vec3 placeIn(FocusCell cell, vec3 within) { return withinVoxelCell(cell.cell, within); }
+#else
+FocusCell focusCell(uint corners, ivec3 cell) { return FocusCell(corners); }
+vec3 placeIn(FocusCell cell, vec3 within) { return within; }
+#endif
+
 FocusCell focusCellAt(uint slot, ivec3 cell) {
-  if (slot < 2u) return FocusCell(slot * 255u);
+  if (slot < 2u) return focusCell(slot * 255u, cell);
   int byte = cellInSlot(slot, cell);
-  return FocusCell((focusCells[byte >> 2] >> (8 * (byte & 3))) & 255u);
+  return focusCell((focusCells[byte >> 2] >> (8 * (byte & 3))) & 255u, cell);
 }
 
 bool mayHoldFocus(FocusCell cell) { return cell.corners != 0u; }
@@ -20,15 +31,16 @@ float focusAt(FocusCell cell, vec3 within, float stored) {
   uint c = cell.corners;
   vec4 low = vec4(c & 1u, (c >> 2) & 1u, (c >> 4) & 1u, (c >> 6) & 1u);
   vec4 high = vec4((c >> 1) & 1u, (c >> 3) & 1u, (c >> 5) & 1u, (c >> 7) & 1u);
-  vec4 x = mix(low, high, within.x);
-  vec2 y = mix(x.xz, x.yw, within.y);
-  return mix(y.x, y.y, within.z);
+  vec3 at = placeIn(cell, within);
+  vec4 x = mix(low, high, at.x);
+  vec2 y = mix(x.xz, x.yw, at.y);
+  return mix(y.x, y.y, at.z);
 }
 
 vec4 focusAlong(FocusCell cell, vec3 a, vec3 b, vec4 stored) {
   float f[8];
   for (int i = 0; i < 8; ++i) f[i] = float((cell.corners >> i) & 1u);
-  return bernsteinAlong(f, a, b);
+  return bernsteinAlong(f, placeIn(cell, a), placeIn(cell, b));
 }
 
 vec2 focusRange() { return vec2(0.5, FAR); }
@@ -39,7 +51,7 @@ uniform sampler2D focusPalette;  // a row of colours and shares of the extinctio
 
 // Of the nearest voxel.
 uint paletteEntry(vec3 at) {
-  return texelFetch(focusPaletteIndex, ivec3(floor(at - 0.5)) - focus.paletteOrigin, 0).r;
+  return texelFetch(focusPaletteIndex, ivec3(floor(voxelPosition(at) - 0.5)) - focus.paletteOrigin, 0).r;
 }
 
 vec4 focusMaterial(vec3 at) {

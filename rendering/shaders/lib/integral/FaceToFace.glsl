@@ -73,11 +73,11 @@ RayPoint pointOnFace(Walk walk, Face face) {
   return point;
 }
 
-// Trilinear between the cell's eight voxels.
+// Trilinear between the cell's eight texels, also of a spline, as points on faces are bilinear between four.
 RayPoint pointInside(Ray ray, ivec3 cell, float s) {
   RayPoint point;
   point.s = s;
-  point.stored = storedExact(cellPosition(ray, s));
+  point.stored = storedBetween(cellPosition(ray, s));
   vec3 w = clamp(cellPosition(ray, s) - vec3(cell), 0.0, 1.0);
   point.gated = vec3(0.0);
   for (int i = 0; i < 8; ++i) {
@@ -109,13 +109,17 @@ vec4 pieceBetween(Walk walk, RayPoint front, RayPoint back, vec4 material, bool 
 }
 
 // Of the context, over the last segment. Lit, in two halves: a segment is opaque mostly where its values are greatest,
-// and the light has to be taken there.
+// and the light has to be taken there. Segments of a refined grid are short enough for one light each.
 vec4 contextPiece(Walk walk) {
   RayPoint front = walk.front, back = walk.back;
   if (!LIT) return pieceOver(front.bound, back.bound, back.s - front.s);
+#if REFINEMENT > 1
+  return pieceBetween(walk, front, back, meanOfContext(front, back), false);
+#else
   RayPoint middle = between(front, back, 0.5);
   return over(pieceBetween(walk, front, middle, meanOfContext(front, middle), false),
               pieceBetween(walk, middle, back, meanOfContext(middle, back), false));
+#endif
 }
 
 // The part of the last segment that is in the focus, from and to 0 … 1; empty where from ≥ to. Between the two faces the

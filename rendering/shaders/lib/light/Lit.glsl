@@ -7,6 +7,7 @@
 //   lightOfGated      the light at a point of the context, from the gated normal interpolated there
 //   lightOfFocus      the light at a point of the focus
 //   CellNormals, normalsAlong, addFocusNormals, lightAlong   the same along a path through a cell
+//   NormalsAlong, normalsAlongSpline, halfOf   the same along a path through a spline
 //   piecesOfLight     into how many pieces the light along such a path has to be cut
 #include <focus>
 #include <schedule>
@@ -15,9 +16,6 @@
 #include "lib/light/BlinnPhong.glsl"
 
 const bool LIT = true;
-
-// Gated normals, zero at 511/1023.
-TEXELS_3D(rgb10_a2, gradientTexels);
 
 // A gated normal's light, which fades in with its length.
 vec2 lightOfGated(vec3 normal, vec3 rayDirection) {
@@ -31,11 +29,16 @@ vec2 lightOfGated(vec3 normal, vec3 rayDirection) {
 
 vec3 gatedNormal(vec3 texel) { return texel * (1023.0 / 511.0) - 1.0; }
 
+#if !SPLINE
+// Gated normals, zero at 511/1023.
+TEXELS_3D(rgb10_a2, gradientTexels);
+
 // At a voxel's centre.
 vec3 gatedAt(ivec3 voxel) {
   ivec3 last = sizeOf(gradientTexels) - 1;
   return gatedNormal(texelOf(gradientTexels, clamp(voxel - lighting.gradientOrigin, ivec3(0), last)).xyz);
 }
+#endif
 
 #if FOCUS_SMOOTH
 // Smoothed indicator around a label focus: filtered, and texel by texel.
@@ -48,7 +51,7 @@ const float FLAT_FOCUS = 1e-6;
 // Gradient of the smoothed indicator (1/mm).
 vec3 focusNormal(vec3 position) {
   vec3 size = vec3(textureSize(focusSmooth, 0));
-  vec3 at = (position - focus.smoothOrigin) / size, e = 1.0 / size;
+  vec3 at = (voxelPosition(position) - focus.smoothOrigin) / size, e = 1.0 / size;
   vec3 g = vec3(textureLod(focusSmooth, at + vec3(e.x, 0, 0), 0.0).r - textureLod(focusSmooth, at - vec3(e.x, 0, 0), 0.0).r,
                 textureLod(focusSmooth, at + vec3(0, e.y, 0), 0.0).r - textureLod(focusSmooth, at - vec3(0, e.y, 0), 0.0).r,
                 textureLod(focusSmooth, at + vec3(0, 0, e.z), 0.0).r - textureLod(focusSmooth, at - vec3(0, 0, e.z), 0.0).r);
@@ -88,6 +91,48 @@ void bernsteinAlong(vec3 f[8], vec3 a, vec3 b, out vec3 along[4]) {
   along[3] = bilinear(xb[0], xb[1], xb[2], xb[3], b.yz);
 }
 
+#if SPLINE
+TEXELS_3D(rgb10_a2, normalTexels);  // coefficients of the gated normals, as those of the spline
+
+// Gated normals at the points of a path through a spline (lib/Spline.glsl).
+struct NormalsAlong {
+  vec3 at[POINTS];
+};
+
+NormalsAlong normalsAlongSpline(ivec3 cell, vec3 a, vec3 b) {
+  SplinePath path = splinePath(cell, a, b);
+  vec4 x[POINTS], y[POINTS], z[POINTS];
+  NormalsAlong normals;
+  for (int i = 0; i < POINTS; ++i) {
+    vec3 t = mix(path.from, path.to, float(i) / float(POINTS - 1));
+    x[i] = splineWeights(t.x);
+    y[i] = splineWeights(t.y);
+    z[i] = splineWeights(t.z);
+    normals.at[i] = vec3(0.0);
+  }
+  for (int k = 0; k < 4; ++k)
+    for (int j = 0; j < 4; ++j) {
+      ivec3 first = path.base + ivec3(0, j, k);
+      vec3 c0 = texelOf(normalTexels, first).xyz, c1 = texelOf(normalTexels, first + ivec3(1, 0, 0)).xyz,
+           c2 = texelOf(normalTexels, first + ivec3(2, 0, 0)).xyz, c3 = texelOf(normalTexels, first + ivec3(3, 0, 0)).xyz;
+      for (int i = 0; i < POINTS; ++i)
+        normals.at[i] += (y[i][j] * z[i][k]) * (c0 * x[i].x + c1 * x[i].y + c2 * x[i].z + c3 * x[i].w);
+    }
+  for (int i = 0; i < POINTS; ++i) normals.at[i] = gatedNormal(normals.at[i]);
+  return normals;
+}
+
+CellNormals halfOf(NormalsAlong normals, int each) {
+  vec3 v0 = each == 0 ? normals.at[0] : normals.at[3], v1 = each == 0 ? normals.at[1] : normals.at[4],
+       v2 = each == 0 ? normals.at[2] : normals.at[5], v3 = each == 0 ? normals.at[3] : normals.at[6];
+  CellNormals result;
+  result.gated[0] = v0;
+  result.gated[1] = (-5.0 * v0 + 18.0 * v1 - 9.0 * v2 + 2.0 * v3) * (1.0 / 6.0);
+  result.gated[2] = (2.0 * v0 - 9.0 * v1 + 18.0 * v2 - 5.0 * v3) * (1.0 / 6.0);
+  result.gated[3] = v3;
+  return result;
+}
+#else
 // `a` and `b`: the path's ends within the cell.
 CellNormals normalsAlong(ivec3 cell, vec3 a, vec3 b) {
   vec3 f[8];
@@ -96,6 +141,7 @@ CellNormals normalsAlong(ivec3 cell, vec3 a, vec3 b) {
   bernsteinAlong(f, a, b, normals.gated);
   return normals;
 }
+#endif
 
 #if FOCUS_SMOOTH
 // Central difference of the smoothed indicator along an axis at corner i of a cell, from the cell's corners and the voxel
@@ -110,14 +156,14 @@ float smoothedDifference(float inner[8], ivec3 first, int i, int axis) {
 
 // What focusNormal() is between the cell's corners.
 void addFocusNormals(inout CellNormals normals, ivec3 cell, vec3 a, vec3 b) {
-  ivec3 first = cell - 1 - ivec3(floor(focus.smoothOrigin));
+  ivec3 first = voxelCell(cell) - 1 - ivec3(floor(focus.smoothOrigin));
   float inner[8];
   for (int i = 0; i < 8; ++i) inner[i] = texelOf(focusSmoothTexels, first + cornerOf(i)).r;
   vec3 f[8];
   for (int i = 0; i < 8; ++i)
     f[i] = vec3(smoothedDifference(inner, first, i, 0), smoothedDifference(inner, first, i, 1),
                 smoothedDifference(inner, first, i, 2));
-  bernsteinAlong(f, a, b, normals.focus);
+  bernsteinAlong(f, withinVoxelCell(cell, a), withinVoxelCell(cell, b), normals.focus);
   for (int k = 0; k < 4; ++k) normals.focus[k] = focus.worldFromIndexGradient * normals.focus[k];
 }
 #else

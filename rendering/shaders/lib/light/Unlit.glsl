@@ -12,6 +12,11 @@ vec3 gatedAt(ivec3 voxel) { return vec3(0.0); }
 vec2 lightOfGated(vec3 gated, vec3 rayDirection) { return UNLIT; }
 vec2 lightOfFocus(vec3 gated, vec3 position, vec3 rayDirection) { return UNLIT; }
 CellNormals normalsAlong(ivec3 cell, vec3 a, vec3 b) { return CellNormals(0.0); }
+struct NormalsAlong {
+  float none;
+};
+NormalsAlong normalsAlongSpline(ivec3 cell, vec3 a, vec3 b) { return NormalsAlong(0.0); }
+CellNormals halfOf(NormalsAlong normals, int each) { return CellNormals(0.0); }
 void addFocusNormals(inout CellNormals normals, ivec3 cell, vec3 a, vec3 b) {}
 vec2 lightAlong(CellNormals normals, float u, vec3 rayDirection, bool ofFocus) { return UNLIT; }
 float piecesOfLight(CellNormals normals, float from, float to, bool ofFocus, vec3 rayDirection, float weight) {

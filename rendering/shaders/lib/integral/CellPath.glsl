@@ -1,0 +1,329 @@
+// The volume rendering integral along a path through a cell, within a bound on its error.
+//
+// The values along the path are a cubic. The cubic is cut where it meets the nodes of the transfer function. Over a part
+// between two cuts colour and extinction are linear in the value, so the part's optical depth is exact. Left to approximate
+// is the mean of colour and light over the part, weighted by what is seen of it: it is taken to second order in the
+// position, from the weight's mean and variance. Its error is estimated beforehand and falls at least as 1/n² with n
+// pieces; a part is cut into as many as the bound asks for.
+#include <focus>
+#include <light>
+#include <opening>
+#include <schedule>
+#include "lib/Crossing.glsl"
+#include "lib/FaintLabels.glsl"
+#include "lib/TransferSegments.glsl"
+#include "lib/Traversal.glsl"
+#include "lib/Volume.glsl"
+#include "lib/integral/Piece.glsl"
+#include "lib/integral/Settings.glsl"
+
+const int MOST_PIECES = 64;  // of a part
+const int MOST_PARTS = 256;  // of a cell
+
+// What a ray finds between two faces of a cell. Vectors of four are Bernstein coefficients along it.
+struct CellPath {
+  ivec3 cell;
+  vec3 a, b;          // both ends within the cell, 0 to 1
+  float sFrom, sTo;   // mm along the ray
+  vec4 entries;       // table entries of the values
+  vec4 focusAlong;    // the focus's field, where some of the path may be in the focus
+#if FOCUS_FUNCTIONS
+  vec4 stored;        // values
+#endif
+  uint functions;     // of the context, as functionsIn() has them
+};
+
+float lowest(vec4 v) { return min(min(v.x, v.y), min(v.z, v.w)); }
+float highest(vec4 v) { return max(max(v.x, v.y), max(v.z, v.w)); }
+
+// Fills in the values between both ends of a path.
+void setValues(inout CellPath path, vec4 stored) {
+  // Within limits whose squares and differences float32 holds.
+  path.entries = clamp(stored * transfer.map.x + transfer.map.y, vec4(-1e12), vec4(1e12));
+#if FOCUS_FUNCTIONS
+  path.stored = stored;
+#endif
+}
+
+bool mayShow(CellPath path) {
+  vec2 visible = transfer.visibleEntries;
+  return highest(path.entries) > visible.x && lowest(path.entries) < visible.y;
+}
+
+// Fills in the focus's field.
+void setFocus(inout CellPath path, FocusCell held, vec4 stored) {
+  path.focusAlong = focusAlong(held, path.a, path.b, stored);
+  // integrateSections() asks the field also where none of the cell is in the focus.
+  vec4 outside = vec4(focusRange().x > -3e38 ? -3.4e38 : 3.4e38);
+  if (HAS_FAINT) path.focusAlong = mix(outside, path.focusAlong, bvec4(mayHoldFocus(held)));
+}
+
+bool mayMeetFocus(CellPath path) {
+  vec2 range = focusRange();
+  return lowest(path.focusAlong) <= range.y && highest(path.focusAlong) >= range.x;
+}
+
+// Stages; SECTIONS: of a cell some of which may be in the focus, or in which the context's functions differ.
+const int LEAP = 0, LOOK = 1, CONTEXT = 2, SECTIONS = 3, ENDED = 4;
+
+// Below, in or above the focus's range: -1, 0, 1.
+float sideOf(float value) {
+  vec2 range = focusRange();
+  return value < range.x ? -1.0 : value > range.y ? 1.0 : 0.0;
+}
+
+// The first u' > u, at most 1, where the focus begins or ends.
+float nextChange(vec4 along, float u) {
+  vec2 turns = turningPoints(along);
+  float from = u, to = 1.0, side = sideOf(bernstein(along, u));
+  bool changes = false;
+  for (int i = 0; i < 3; ++i) {
+    float end = i < 2 ? turns[i] : 1.0;
+    if (changes || end <= from) continue;
+    changes = sideOf(bernstein(along, end)) != side;
+    if (changes) to = end;
+    else from = end;
+  }
+  if (!changes) from = to;
+  // Bisection in a monotone piece, down to rounding.
+  for (int i = 0; i < 22 && from < to; ++i) {
+    float middle = 0.5 * (from + to);
+    if (sideOf(bernstein(along, middle)) != side) to = middle;
+    else from = middle;
+  }
+  return to;
+}
+
+// A part of a path that is all in the focus, of one material or function, or all in the context, of one function.
+struct Section {
+  float uFrom, uTo;  // of the path
+  float sFrom, sTo;  // mm along the ray
+  vec4 entries;      // of the context's tables, or that of the focus's function
+  bool inFocus;
+  vec4 material;     // of the focus
+#if FOCUS_FUNCTIONS || FAINT_LABELS
+  int function;      // of the context, or of the focus; 0 there: one material
+#endif
+  CellNormals normals;
+};
+
+#if FOCUS_FUNCTIONS || FAINT_LABELS
+bool isByValue(Section section) { return !section.inFocus || section.function > 0; }
+int functionOf(Section section) { return section.function; }
+
+// Chooses the function of a section.
+void findFunction(inout Section section, CellPath path, vec3 at) {
+  section.function = section.inFocus ? 0 : functionAt(at);
+#if FOCUS_FUNCTIONS
+  vec4 table = focusTable(at);
+  section.function = section.inFocus ? int(table.x) / 2 : section.function;
+  vec4 entries = clamp(path.stored * table.y + table.z, vec4(-1e12), vec4(1e12));
+  if (section.inFocus && section.function > 0) section.entries = bernsteinBetween(entries, section.uFrom, section.uTo);
+#endif
+}
+#else
+bool isByValue(Section section) { return !section.inFocus; }
+int functionOf(Section section) { return 0; }
+void findFunction(inout Section section, CellPath path, vec3 at) {}
+#endif
+
+// A part of a section in one segment of a transfer function.
+struct Part {
+  float from, to;  // of the section
+  vec4 entries;
+  Segment segment;
+};
+
+Part partBetween(Part part, float u, float v) {
+  return Part(mix(part.from, part.to, u), mix(part.from, part.to, v), bernsteinBetween(part.entries, u, v), part.segment);
+}
+
+// What a part holds, whatever light falls on it. Positions are 0 to 1 from its front; the weight of a position is the
+// light emitted there that gets out of the part's front.
+struct Medium {
+  float depth;             // optical
+  float growth;            // of the extinction from front to back, over its mean: -2 to 2
+  float steepness;         // greatest change of the extinction over its mean, 4 at most
+  vec2 change;             // of the entries from front to back, and of what bends away from that to the middle, times 4
+  float centre, variance;  // of the positions by their weights
+  vec3 colour;             // of what is seen
+};
+
+Medium mediumOf(Part part, float size) {
+  Segment segment = part.segment;
+  vec4 e = part.entries;
+  float mean = clamp(0.25 * (e.x + e.y + e.z + e.w), segment.low, segment.high);
+  Medium medium;
+  // The best line's slope is 12 times the first moment of the cubic; what is left is nearly q (u² - u + 1/6).
+  medium.change = vec2(0.3 * (3.0 * (e.w - e.x) + e.z - e.y), 1.5 * (e.x - e.y - e.z + e.w));
+  float extinction = max(segment.material.a + segment.slope.a * (mean - segment.anchor), 0.0);
+  medium.depth = extinction * size;
+  float slope = segment.slope.a / max(extinction, 1e-30);
+  medium.growth = clamp(slope * medium.change.x, -2.0, 2.0);
+  medium.steepness = min(abs(slope) * (abs(medium.change.x) + abs(medium.change.y)), 4.0);
+  vec2 moments = momentsOfEmission(medium.depth, medium.growth);
+  medium.centre = moments.x;
+  medium.variance = moments.y;
+  float seen = clamp(mean + medium.change.x * (medium.centre - 0.5), segment.low, segment.high);
+  medium.colour = segment.material.rgb + segment.slope.rgb * (seen - segment.anchor);
+  return medium;
+}
+
+// By how much the centre may be wrong. For small depths the next term of its series; the greatest error for any depth is
+// 0.1, in a deep part whose extinction begins at 0.
+float centreError(Medium medium) {
+  return min(medium.depth * medium.growth * medium.growth * (1.0 / 240.0), 0.1);
+}
+
+// Estimated error of the colour, of the worst channel.
+float colourError(Medium medium, Segment segment) {
+  float slope = highest(vec4(abs(segment.slope.rgb), 0.0)), steep = medium.steepness, depth = medium.depth;
+  float bent = min((depth * depth + 2.0 * depth * steep) * (1.0 / 360.0), 1.0 / 6.0) + steep * (1.0 / 180.0);
+  return slope * (abs(medium.change.x) * centreError(medium) + abs(medium.change.y) * bent);
+}
+
+// The light at the front, in the middle and at the back of a part.
+struct Lights {
+  vec2 front, middle, back;
+};
+
+vec2 lightIn(Section section, Ray ray, Cut cut, float x) {
+  vec2 light = lightAlong(section.normals, mix(section.uFrom, section.uTo, x), ray.world, section.inFocus);
+  return behindCut(light, cut, mix(section.sFrom, section.sTo, x));
+}
+
+// Estimated error of the light. A parabola through three points is right to 1/30 of its bend where the light's slope has
+// no jump; piecesOfLight() sees to the jumps.
+float lightError(Medium medium, Lights lights) {
+  vec2 turn = abs(lights.back - lights.front), bend = abs(lights.front - 2.0 * lights.middle + lights.back);
+  float uneven = medium.steepness + min(medium.depth, 4.0) * abs(medium.growth);
+  return (bend.x + bend.y) * (1.0 / 30.0 + uneven * (1.0 / 90.0)) +
+         (turn.x + turn.y + bend.x + bend.y) * centreError(medium);
+}
+
+vec4 pieceOf(Medium medium, Segment segment, Lights lights) {
+  float x = medium.centre, square = medium.variance + x * x;
+  vec2 light = lights.front * (1.0 - 3.0 * x + 2.0 * square) + lights.middle * (4.0 * (x - square)) +
+               lights.back * (2.0 * square - x);
+  vec3 together = segment.slope.rgb * (medium.change.x * (lights.back.x - lights.front.x) * medium.variance);
+  return vec4(max(medium.colour * light.x + together + light.y, 0.0), 1.0)
+         * (medium.depth * relativeOpacity(medium.depth));
+}
+
+// `transmittance`: in front of the part; `share`: its share of the ray's length.
+vec4 integratePart(Section section, Ray ray, Cut cut, Part part, float transmittance, float share) {
+  float size = (part.to - part.from) * (section.sTo - section.sFrom);
+  Medium medium = mediumOf(part, size);
+  Lights lights = Lights(lightIn(section, ray, cut, part.from), lightIn(section, ray, cut, 0.5 * (part.from + part.to)),
+                         lightIn(section, ray, cut, part.to));
+  vec4 result = pieceOf(medium, part.segment, lights);
+  // A part's allowed error is its share of the bound, by its opacity or by its length: each sums to at most 1 over the ray.
+  float shown = transmittance * result.a, weight = shown / (integral.maxError * max(shown, share));
+  vec2 ends = mix(vec2(section.uFrom), vec2(section.uTo), vec2(part.from, part.to));
+  float pieces = max(sqrt(weight * (colourError(medium, part.segment) + lightError(medium, lights))),
+                     piecesOfLight(section.normals, ends.x, ends.y, section.inFocus, ray.world, weight));
+  if (pieces > 1.0) {
+    int count = int(ceil(min(pieces, float(MOST_PIECES)))), i = 0;
+    result = vec4(0.0);
+    lights.back = lights.front;
+    do {
+      vec2 u = vec2(i, i + 1) / float(count);
+      Part piece = partBetween(part, u.x, u.y);
+      lights = Lights(lights.back, lightIn(section, ray, cut, 0.5 * (piece.from + piece.to)),
+                      lightIn(section, ray, cut, piece.to));
+      result = over(result, pieceOf(mediumOf(piece, size / float(count)), part.segment, lights));
+    } while (++i < count);
+  }
+  return result;
+}
+
+bool shows(Part part) { return part.segment.material.a > 0.0 || part.segment.slope.a != 0.0; }
+
+// The part of a section from `from` to the next node, or to the section's end. `index`: its segment; that of the part
+// behind it afterwards.
+Part nextPart(Section section, float from, inout int index) {
+  Part part;
+  part.segment = segmentAt(index);
+  part.from = from;
+  part.to = 1.0;
+  part.entries = bernsteinBetween(section.entries, from, 1.0);
+  float low = part.segment.low, high = part.segment.high;
+  if (leavesHull(part.entries, low, high)) {
+    // The front lies on the node where the part before ended: from there inwards.
+    float hair = min(0.01, 0.25 * (high - low));
+    part.entries.x = clamp(part.entries.x, low + hair, high - hair);
+    float end = firstExit(part.entries, low, high);
+    if (end < 1.0) {
+      index += bernstein(part.entries, end) < 0.5 * low + 0.5 * high ? -1 : 1;
+      part.entries = bernsteinBetween(part.entries, 0.0, end);
+      part.to = mix(from, 1.0, end);
+    }
+  }
+  return part;
+}
+
+// `transmittance`: in front of the section; `share`: its share of the ray's length.
+vec4 integrateSection(Section section, Ray ray, Cut cut, float transmittance, float share) {
+  if (!isByValue(section)) {
+    Segment segment =
+        constantSegment(vec4(section.material.rgb / max(section.material.a, 1e-30), section.material.a));
+    return integratePart(section, ray, cut, Part(0.0, 1.0, vec4(0.0), segment), transmittance, share);
+  }
+  vec4 result = vec4(0.0);
+  int index = segmentNear(functionOf(section), section.entries.x), left = MOST_PARTS;
+  float from = 0.0;
+  do {
+    Part part = nextPart(section, from, index);
+    if (--left == 0) part.to = 1.0;
+    if (shows(part))
+      result = over(result, integratePart(section, ray, cut, part, transmittance * (1.0 - result.a),
+                                          share * (part.to - part.from)));
+    from = part.to;
+  } while (from < 1.0);
+  return result;
+}
+
+Section wholeOf(CellPath path, CellNormals normals) {
+  Section section;
+  section.uFrom = 0.0;
+  section.uTo = 1.0;
+  section.sFrom = path.sFrom;
+  section.sTo = path.sTo;
+  section.entries = path.entries;
+  section.inFocus = false;
+  section.material = vec4(0.0);
+#if FOCUS_FUNCTIONS || FAINT_LABELS
+  section.function = int(path.functions);
+#endif
+  section.normals = normals;
+  return section;
+}
+
+// A cell that holds both focus and context, or context of several functions, section by section.
+vec4 integrateSections(CellPath path, CellNormals normals, Ray ray, Cut cut, float transmittance, float share) {
+  Section section = wholeOf(path, normals);
+  addFocusNormals(section.normals, path.cell, path.a, path.b);
+  vec4 result = vec4(0.0);
+  // A cubic crosses the two ends of a range at most six times; colours and functions change at three places.
+  int left = 10;
+  section.uTo = 0.0;
+  do {
+    section.uFrom = section.uTo;
+    bool held = sideOf(bernstein(path.focusAlong, section.uFrom)) == 0.0;
+    section.inFocus = held && !ONLY_FOCUS;
+    section.uTo = nextChange(path.focusAlong, section.uFrom);
+    if (section.inFocus) section.uTo = min(section.uTo, nextColour(path.a, path.b, section.uFrom));
+    else section.uTo = min(section.uTo, nextFunction(path.a, path.b, section.uFrom));
+    section.sFrom = mix(path.sFrom, path.sTo, section.uFrom);
+    section.sTo = mix(path.sFrom, path.sTo, section.uTo);
+    section.entries = bernsteinBetween(path.entries, section.uFrom, section.uTo);
+    float middle = 0.5 * (section.uFrom + section.uTo);
+    vec3 at = vec3(path.cell) + mix(path.a, path.b, middle);
+    section.material = focusMaterial(at);
+    findFunction(section, path, at);
+    if (held || !ONLY_FOCUS)
+      result = over(result, integrateSection(section, ray, cut, transmittance * (1.0 - result.a),
+                                             share * (section.uTo - section.uFrom)));
+  } while (section.uTo < 1.0 && --left > 0);
+  return result;
+}
