@@ -150,7 +150,7 @@ void addLabelSettings(CLI::App& command, LabelChanges& changes) {
   addLabelList(command, "--protected", "labels, by value or name, that are never cut away, though they hide the focus",
                changes.guarded);
   addParsed(command, "--label-opacity", "LABEL=0..1,...",
-            "opacity of labels in focus: the share of what 10 mm of them have otherwise",
+            "opacity of labels, in focus or not: the share of what 10 mm of them have otherwise; 0 hides",
             [&changes](const std::string& text) { return readPairs(text, changes.opacities, shareIn); });
   addParsed(command, "--label-colour", "LABEL=#rrggbb,...", "colours of labels, in place of the label map's",
             [&changes](const std::string& text) { return readPairs(text, changes.colours, colourIn); });

@@ -82,7 +82,9 @@ Scene FittedScene::of(const Scene& scene) {
   Scene fitted{volume_, thinnedOnce(labels_, scene.labels), scene.look};
   if (scene.structures) fitted.structures = thinnedOnce(structures_, scene.structures);
   // What is hidden is air in the thinned voxels.
-  std::erase_if(fitted.look.labels, [](const LabelSetting& each) { return each.role == LabelRole::Hidden; });
+  const std::vector<std::uint16_t> hidden = labelsWith(LabelRole::Hidden, scene);
+  std::erase_if(fitted.look.labels,
+                [&](const LabelSetting& each) { return std::binary_search(hidden.begin(), hidden.end(), each.label); });
   return fitted;
 }
 

@@ -130,6 +130,7 @@ void GpuScene::release() {
   focus_.release();
   protected_ = {};
   exempt_ = {};
+  faint_.release();
   paletteMap_ = {};
 }
 
@@ -138,13 +139,15 @@ void GpuScene::updateAll(const Scene& scene) {
   const bool volumeChanged = shown != shown_;
   if (volumeChanged) updateVolume(std::move(shown));
 
+  const bool contextChanged = updateContexts(scene);
+
   // A label map matters only while its labels are in focus.
   const bool usesLabels = std::holds_alternative<LabelFocus>(scene.look.focus);
   const bool focusChanged =
       volumeChanged || scene.look.focus != focusWanted_ || (usesLabels && scene.labels != labels_);
   LabelSettings focusSettings = settingsInFocus(scene);
   const bool coloursChanged =
-      focusChanged || scene.look.focusAppearance != appearance_ || focusSettings != focusSettings_;
+      focusChanged || !transferTables_ || scene.look.focusAppearance != appearance_ || focusSettings != focusSettings_;
   labels_ = usesLabels ? scene.labels : nullptr;
   const GpuFocus::Change changed = focusChanged ? updateFocus(scene) : GpuFocus::Change{};
   const std::size_t focusFunctions = focusFunctions_.size();
@@ -154,9 +157,8 @@ void GpuScene::updateAll(const Scene& scene) {
 
   updateKeptLabels(scene, volumeChanged);
 
-  const bool transferChanged =
-      volumeChanged || scene.look.context != contextWanted_ || focusFunctions_.size() != focusFunctions;
-  const bool occupancyChanged = transferChanged && updateTransfer(scene);
+  const bool transferChanged = volumeChanged || contextChanged || focusFunctions_.size() != focusFunctions;
+  const bool occupancyChanged = transferChanged && updateTransfer();
   updateSkips(changed, occupancyChanged);
 
   const bool wantsGradient = scene.look.shading.enabled;
@@ -268,7 +270,8 @@ void GpuScene::updateFocusColours(const Scene& scene) {
     auto at = std::find(functions.begin(), functions.end(), function);
     if (at == functions.end()) at = functions.insert(at, function);
     const glm::vec2 map = tableMap(tableSpan(function, shown_.volume->range, tableSize), volumeTexture_);
-    return glm::vec4(rowsPerFunction * (1 + (at - functions.begin())), map, 0.0f);
+    const auto number = static_cast<std::ptrdiff_t>(contexts_.size()) + (at - functions.begin());
+    return glm::vec4(rowsPerFunction * number, map, 0.0f);
   };
   if (std::holds_alternative<ValueFocus>(scene.look.focus))
     if (const auto& function = focusFunction(scene)) focusTable_ = tableOf(*function);
@@ -318,7 +321,7 @@ void GpuScene::updateFocusColours(const Scene& scene) {
 void GpuScene::updateFocusTables(std::vector<TransferFunction> functions) {
   const std::vector<TransferFunction> before = std::exchange(focusFunctions_, std::move(functions));
   // A texture of other rows is made with the context's table.
-  if (focusFunctions_.size() != before.size() || focusFunctions_ == before) return;
+  if (!transferTables_ || focusFunctions_.size() != before.size() || focusFunctions_ == before) return;
   for (std::size_t i = 0; i < before.size(); ++i)
     if (focusFunctions_[i] != before[i]) uploadFocusTable(i);
   updateSegments();
@@ -327,18 +330,22 @@ void GpuScene::updateFocusTables(std::vector<TransferFunction> functions) {
 void GpuScene::uploadFocusTable(std::size_t i) {
   const TransferFunction& function = focusFunctions_[i];
   uploadTables(TransferTables(function, tableSpan(function, shown_.volume->range, tableSize), tableSize),
-               rowsPerFunction * (1 + static_cast<int>(i)));
+               contexts_.size() + i);
 }
 
-void GpuScene::uploadTables(const TransferTables& tables, int row) {
+void GpuScene::uploadTables(const TransferTables& tables, std::size_t function) {
+  int row = rowsPerFunction * static_cast<int>(function);
   for (const auto* texels : {&tables.properties, &tables.integrals})
     transferTables_.upload({0, row++, 0}, {tableSize, 1, 1}, std::as_bytes(std::span(*texels)));
 }
 
 void GpuScene::updateSegments() {
-  TransferSegments all(context_, tableSpan(context_, shown_.volume->range, tableSize), tableSize);
-  for (const TransferFunction& function : focusFunctions_)
-    all.append(TransferSegments(function, tableSpan(function, shown_.volume->range, tableSize), tableSize));
+  const auto segmentsOf = [&](const TransferFunction& function) {
+    return TransferSegments(function, tableSpan(function, shown_.volume->range, tableSize), tableSize);
+  };
+  TransferSegments all = segmentsOf(contexts_.front());
+  for (std::size_t i = 1; i < contexts_.size(); ++i) all.append(segmentsOf(contexts_[i]));
+  for (const TransferFunction& function : focusFunctions_) all.append(segmentsOf(function));
   transferSegments_ = all.texture(segmentsPerRow);
   segmentOfEntry_ = gl::Buffer(std::as_bytes(std::span(all.ofEntry)));
 }
@@ -374,32 +381,37 @@ void GpuScene::makePaletteIndex(const LabelMap& labels, const std::vector<std::u
   focusPaletteIndex_.upload(std::span<const std::uint8_t>(entries));
 }
 
-bool GpuScene::updateTransfer(const Scene& scene) {
-  contextWanted_ = scene.look.context;
-  context_ = contextWanted_.shifted();
+bool GpuScene::updateContexts(const Scene& scene) {
+  FaintLabels faint = faintLabels(scene);
+  const bool indexChanged = faint_.update(faint, structuresOf(scene));
+  if (!faint_.any()) faint = {};
+  const std::vector<TransferFunction> before = std::exchange(contexts_, contextFunctions(scene, faint));
+  if (contexts_.size() != before.size()) transferTables_ = {};  // the functions behind them move
+  if (indexChanged) gaps_.clear();
+  return indexChanged || contexts_ != before;
+}
+
+void GpuScene::updateGaps() {
+  // Hit points depend on these alone, so a change of colour leaves them valid.
+  std::vector<glm::vec2> gaps = codedGaps(contexts_, contextThreshold, volumeTexture_);
+  if (gaps == gaps_ && gapBuffer_) return;
+  gaps_ = std::move(gaps);
+  gapBuffer_ = gl::Buffer(std::as_bytes(std::span(gaps_)));
+  ++versions_.gaps;
+}
+
+bool GpuScene::updateTransfer() {
   ++versions_.transfer;
-
-  // Gaps in coded values; hit points depend on these alone, so a change of colour leaves them valid.
-  std::vector<glm::vec2> gaps;
-  for (const ValueGap& gap : context_.transparentGaps(contextThreshold)) {
-    const ValueRange coded = volumeTexture_.codedFromReal({gap.low, gap.high});
-    gaps.emplace_back(static_cast<float>(std::clamp(coded.low, -1e30, 1e30)),
-                      static_cast<float>(std::clamp(coded.high, -1e30, 1e30)));
-  }
-  if (gaps != gaps_ || !gapBuffer_) {
-    gaps_ = std::move(gaps);
-    gapBuffer_ = gl::Buffer(std::as_bytes(std::span(gaps_)));
-    ++versions_.gaps;
-  }
-
-  const ValueRange span = tableSpan(context_, shown_.volume->range, tableSize);
-  const TransferTables tables(context_, span, tableSize);
-  const int rows = rowsPerFunction * (1 + static_cast<int>(focusFunctions_.size()));
+  updateGaps();
+  const ValueRange span = tableSpan(contexts_.front(), shown_.volume->range, tableSize);
+  const TransferTables tables(contexts_.front(), span, tableSize);
+  const int rows = rowsPerFunction * static_cast<int>(contexts_.size() + focusFunctions_.size());
   if (!transferTables_ || transferTables_.size().y != rows) {
     transferTables_ = gl::Texture::make2D(gl::Format::RGBA32F, {tableSize, rows});
     for (std::size_t i = 0; i < focusFunctions_.size(); ++i) uploadFocusTable(i);
   }
   uploadTables(tables, 0);
+  for (std::size_t i = 1; i < contexts_.size(); ++i) uploadTables(TransferTables(contexts_[i], span, tableSize), i);
   updateSegments();
   firstMaterial_ = tables.properties.front();
   lastMaterial_ = tables.properties.back();
@@ -412,7 +424,7 @@ bool GpuScene::updateTransfer(const Scene& scene) {
 bool GpuScene::updateOccupancy() {
   // Exactly: a brick whose values reach no further than the node where opacity begins stays empty, although the tables,
   // which are read to the nearest entry, may show a little there.
-  const std::vector<ValueRange> empty = context_.emptyRanges();
+  const std::vector<ValueRange> empty = contexts_.front().emptyRanges();
   std::vector<std::uint8_t> occupied(bricks_.ranges.size());
   constexpr std::size_t worthAThread = 1 << 16;
   parallelFor(occupied.size(), worthAThread, [&](std::size_t begin, std::size_t end) {
@@ -441,6 +453,7 @@ std::vector<GpuScene::Resource> GpuScene::resources() const {
   add("derivative volume", of(derivative_.texture));
   add("transfer tables", of(transferTables_) + of(transferSegments_) + segmentOfEntry_.bytes());
   add("empty-space skipping", of(contextSkip_) + of(occupiedSkip_) + of(focusSkip_));
+  add("faint labels", of(faint_.texture()));
   add("focus index", of(focus_.bricks()) + focus_.cells().bytes());
   add("focus palette", of(focusPaletteIndex_) + of(focusPalette_));
   add("focus normals", of(focus_.smooth()));

@@ -13,6 +13,7 @@
 #include "rendering/gl/ShaderProgram.h"
 #include "rendering/gl/Texture.h"
 #include "rendering/gpu/Bricks.h"
+#include "rendering/gpu/FaintIndex.h"
 #include "rendering/gpu/FittedScene.h"
 #include "rendering/gpu/GpuFocus.h"
 #include "rendering/gpu/RefinedVolume.h"
@@ -100,11 +101,12 @@ class GpuScene {
   glm::ivec3 gradientOrigin() const { return gradient_.origin; }  ///< index of its first texel
   const DerivativeVolume& derivative() const { return derivative_; }
 
-  /// Transparent gaps of the context in coded values, clipped to float's range: gapCount() vec2.
+  /// Transparent gaps of the context in coded values, clipped to float's range: gapCount() vec2 for each of its
+  /// functions, of which some may hold no value.
   const gl::Buffer& gaps() const { return gapBuffer_; }
-  int gapCount() const { return static_cast<int>(gaps_.size()); }
-  /// TransferTables of the context, and below them those of the focus's functions, two rows each. The context's entry =
-  /// coded value · map.x + map.y.
+  int gapCount() const { return static_cast<int>(gaps_.size() / contexts_.size()); }
+  /// TransferTables of the context, and below them those of its faint labels by number and of the focus's functions,
+  /// two rows each. An entry of the context's = coded value · map.x + map.y.
   static constexpr int tableSize = 16384, rowsPerFunction = 2;
   const gl::Texture& transferTables() const { return transferTables_; }
   /// The same functions from node to node, one behind the other; see shaders/lib/TransferSegments.glsl.
@@ -118,6 +120,9 @@ class GpuScene {
   /// Chebyshev distances in bricks: to anything of the context; to anything at all; to the focus.
   const gl::Texture& contextSkip() const { return contextSkip_; }
   const gl::Texture& occupiedSkip() const { return focusSkip_ ? occupiedSkip_ : contextSkip_; }
+
+  /// Where the context has other functions than the volume's.
+  const FaintIndex& faint() const { return faint_; }
 
   FocusIndex::Kind focusKind() const { return focus_.index().kind; }
   const FocusIndex& focus() const { return focus_.index(); }
@@ -152,10 +157,12 @@ class GpuScene {
   void updateVolume(ShownVolume shown);
   /// Which bricks' occupation has changed.
   GpuFocus::Change updateFocus(const Scene& scene);
+  /// The context's functions; returns whether they have changed.
+  bool updateContexts(const Scene& scene);
   void updateFocusColours(const Scene& scene);
   void updateFocusTables(std::vector<TransferFunction> functions);
   void uploadFocusTable(std::size_t i);
-  void uploadTables(const TransferTables& tables, int row);
+  void uploadTables(const TransferTables& tables, std::size_t function);
   void updateSegments();
   /// The texture of palette entries, by label, around the focus.
   void makePaletteIndex(const LabelMap& labels, const std::vector<std::uint8_t>& entryOf);
@@ -164,7 +171,8 @@ class GpuScene {
   /// Makes the index of `wanted`, unless it is there.
   void updateKept(KeptLabels& kept, std::vector<std::uint16_t> wanted, const Scene& scene, std::uint64_t& version);
   /// Returns whether other bricks than before hold something of the context.
-  bool updateTransfer(const Scene& scene);
+  bool updateTransfer();
+  void updateGaps();
   bool updateOccupancy();
   void updateGradient(const GpuFocus::Change& focus, bool occupancyChanged);
   /// The voxels of the bricks whose values vary by more than noise; `shown`: of those in which something shows.
@@ -182,8 +190,7 @@ class GpuScene {
   ShownVolume shown_;
   std::shared_ptr<const LabelMap> labels_, labelSource_;  ///< as drawn, and as given
   Focus focusWanted_;
-  ContextFunction contextWanted_;
-  TransferFunction context_;  ///< contextWanted_, shifted
+  std::vector<TransferFunction> contexts_;  ///< contextFunctions(), those of labels with voxels
   FocusAppearance appearance_;
   LabelSettings focusSettings_;  ///< of the labels in focus
   Versions versions_;
@@ -209,6 +216,7 @@ class GpuScene {
   std::vector<std::uint8_t> contextOccupied_;  ///< per brick
   gl::Texture contextSkip_, occupiedSkip_;
 
+  FaintIndex faint_;
   GpuFocus focus_;
   gl::Texture focusSkip_;
   gl::Texture focusPaletteIndex_, focusPalette_;

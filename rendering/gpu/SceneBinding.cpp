@@ -64,6 +64,15 @@ void bindFirstHit(const GpuScene& scene, gl::ShaderProgram& program) {
   program.set("gapCount", scene.gapCount());
 }
 
+void bindFaint(const GpuScene& scene, gl::ShaderProgram& program) {
+  const FaintIndex& faint = scene.faint();
+  if (!faint.any()) return;
+  program.bind("faintIndex", faint.texture());
+  program.set(FaintBlock{faint.origin(), faint.texture().size(), scene.grid().dims - 1});
+}
+
+gl::Define faintDefine(const GpuScene& scene) { return {"FAINT_LABELS", scene.faint().any()}; }
+
 void bindTransfer(const GpuScene& scene, gl::ShaderProgram& program) {
   program.bind("transferTables", scene.transferTables());
   program.set(TransferBlock{scene.firstMaterial(), scene.lastMaterial(), scene.transferMap(), scene.visibleEntries()});

@@ -24,8 +24,13 @@ void bindFocus(const GpuScene& scene, gl::ShaderProgram& program, FocusBlock blo
 /// The index of labels that pictures keep, in place of a focus.
 void bindLabels(const KeptLabels& labels, gl::ShaderProgram& program);
 
-/// What rays that look for first hits skip and leave (lib/FirstHit.glsl), with volume and focus.
+/// What rays that look for first hits skip and leave (lib/FirstHit.glsl), with volume and focus. Without bindFaint()
+/// the context is the volume's function everywhere.
 void bindFirstHit(const GpuScene& scene, gl::ShaderProgram& program);
+
+/// lib/FaintLabels.glsl; `program` was compiled with faintDefine(scene).
+void bindFaint(const GpuScene& scene, gl::ShaderProgram& program);
+gl::Define faintDefine(const GpuScene& scene);
 
 /// lib/Transfer.glsl; `program` was compiled with tableDefine().
 void bindTransfer(const GpuScene& scene, gl::ShaderProgram& program);

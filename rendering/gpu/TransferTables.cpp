@@ -88,6 +88,28 @@ gl::Texture TransferSegments::texture(int perRow) const {
   return result;
 }
 
+std::vector<glm::vec2> codedGaps(const std::vector<TransferFunction>& functions, double opacity,
+                                 const VolumeTexture& coding) {
+  constexpr double far = 1e30;
+  std::vector<std::vector<glm::vec2>> each;
+  std::size_t most = 0;
+  for (const TransferFunction& function : functions) {
+    std::vector<glm::vec2>& gaps = each.emplace_back();
+    for (const ValueGap& gap : function.transparentGaps(opacity)) {
+      const ValueRange coded = coding.codedFromReal({gap.low, gap.high});
+      gaps.emplace_back(static_cast<float>(std::clamp(coded.low, -far, far)),
+                        static_cast<float>(std::clamp(coded.high, -far, far)));
+    }
+    most = std::max(most, gaps.size());
+  }
+  std::vector<glm::vec2> all;
+  for (std::vector<glm::vec2>& gaps : each) {
+    gaps.resize(most, glm::vec2(far, -far));
+    all.insert(all.end(), gaps.begin(), gaps.end());
+  }
+  return all;
+}
+
 ValueRange tableSpan(const TransferFunction& function, ValueRange otherwise, int size) {
   ValueRange span = otherwise;
   if (!function.nodes.empty()) span = {function.nodes.front().value, function.nodes.back().value};

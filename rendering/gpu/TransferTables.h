@@ -8,6 +8,7 @@
 #include <glm/glm.hpp>
 
 #include "rendering/gl/Texture.h"
+#include "rendering/gpu/VolumeTexture.h"
 #include "rendering/scene/TransferFunction.h"
 
 namespace fenestra {
@@ -34,6 +35,11 @@ struct TransferSegments {
   /// Each segment's texels one below the other, `perRow` of them side by side.
   gl::Texture texture(int perRow) const;
 };
+
+/// The gaps of values in which 1 mm has an opacity up to `opacity`, in coded values clipped to float's range: of each
+/// function as many, of which some may hold no value.
+std::vector<glm::vec2> codedGaps(const std::vector<TransferFunction>& functions, double opacity,
+                                 const VolumeTexture& coding);
 
 /// The values that a function's tables span: its nodes, and an entry more at either end, which stands for all that lies
 /// beyond: there the function is constant, though it may begin or end with a step. Without nodes, `otherwise`.

@@ -44,6 +44,14 @@ struct alignas(16) TransferBlock {
   glm::vec2 map, visibleEntries;
 };
 
+/// shaders/lib/FaintLabels.glsl.
+struct alignas(16) FaintBlock {
+  static constexpr const char* name = "FaintBlock";
+  glm::ivec3 origin;
+  alignas(16) glm::ivec3 size;
+  alignas(16) glm::ivec3 last;
+};
+
 /// shaders/lib/focus/Index.glsl.
 struct alignas(16) FocusBlock {
   static constexpr const char* name = "FocusBlock";

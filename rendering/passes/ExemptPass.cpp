@@ -15,6 +15,7 @@ void ExemptPass::run(Steps& steps, const GpuScene& gpu, const Look& look, const 
                                                  refinementDefine(gpu),
                                                  tableDefine(),
                                                  segmentsDefine(),
+                                                 faintDefine(gpu),
                                                  {"FOCUS_PALETTE", false},
                                                  {"FOCUS_FUNCTIONS", false},
                                                  {"FOCUS_SMOOTH", false},
@@ -29,6 +30,7 @@ void ExemptPass::run(Steps& steps, const GpuScene& gpu, const Look& look, const 
     rays.setBlocks(program);
     bindVolume(gpu, program);
     bindTransferSegments(gpu, program);
+    bindFaint(gpu, program);
     bindLabels(gpu.exemptLabels(), program);
     program.set(FocusLayerPass::integralBlock(bounded));
     program.bind("picture", picture);

@@ -73,6 +73,7 @@ gl::ShaderProgram& FocusLayerPass::program(bool listed, const Drawn& drawn) {
                          {"SAMPLED", !bounded},
                          tableDefine(),
                          segmentsDefine(),
+                         faintDefine(gpu),
                          {"FOCUS_PALETTE", static_cast<bool>(gpu.focusPaletteIndex())},
                          {"FOCUS_FUNCTIONS", gpu.focusByValue()},
                          {"FOCUS_SMOOTH", lit && gpu.focusSmooth()},
@@ -95,6 +96,7 @@ gl::ShaderProgram& FocusLayerPass::prepared(bool listed, const Drawn& drawn) {
   rays.setBlocks(program);
   bindVolume(gpu, program);
   bindTransferSegments(gpu, program);
+  bindFaint(gpu, program);
   program.bind("occupiedSkip", gpu.occupiedSkip());
   program.set(integralBlock(sampling));
   if (opening) {

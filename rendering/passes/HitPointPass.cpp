@@ -7,10 +7,12 @@ namespace fenestra {
 void HitPointPass::run(Steps& steps, const GpuScene& scene, const RayFrame& rays, gl::Texture& hitPoints,
                        glm::ivec2 offset) {
   steps.add(glm::ivec2(hitPoints.size()), [this, &scene, &rays, &hitPoints, offset](Regions tile) {
-    gl::ShaderProgram& program = programs_.get({{volumeDefine(scene), refinementDefine(scene), rays.clipDefine()},
-                                                {scheduleChoice(scene.schedule()), focusChoice(scene)}});
+    gl::ShaderProgram& program =
+        programs_.get({{volumeDefine(scene), refinementDefine(scene), faintDefine(scene), rays.clipDefine()},
+                       {scheduleChoice(scene.schedule()), focusChoice(scene)}});
     rays.setBlocks(program);
     bindFirstHit(scene, program);
+    bindFaint(scene, program);
     program.set("pixelOffset", offset);
     program.bind("hitPoints", hitPoints, gl::Access::Write);
     program.dispatch(tile);

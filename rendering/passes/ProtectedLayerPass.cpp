@@ -17,6 +17,7 @@ void ProtectedLayerPass::run(Steps& steps, const GpuScene& gpu, const Look& look
                                                  refinementDefine(gpu),
                                                  tableDefine(),
                                                  segmentsDefine(),
+                                                 faintDefine(gpu),
                                                  {"FOCUS_PALETTE", false},
                                                  {"FOCUS_FUNCTIONS", false},
                                                  {"FOCUS_SMOOTH", false},
@@ -31,6 +32,7 @@ void ProtectedLayerPass::run(Steps& steps, const GpuScene& gpu, const Look& look
     rays.setBlocks(program);
     bindVolume(gpu, program);
     bindTransferSegments(gpu, program);
+    bindFaint(gpu, program);
     bindLabels(gpu.protectedLabels(), program);
     program.set(FocusLayerPass::integralBlock(bounded));
     program.bind("rayStart", opening.rayStart);

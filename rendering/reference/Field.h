@@ -26,6 +26,9 @@ class Field {
 
   explicit Field(const Scene& scene);
 
+  /// The part of a piece between two shares of its way.
+  static Piece partOf(const Piece& piece, double from, double to);
+
   /// Null where the values are trilinear.
   const SplineVolume* spline() const { return spline_ ? &*spline_ : nullptr; }
 
@@ -66,7 +69,6 @@ class Field {
   double valueIn(const Piece& piece, double s) const {
     return spline_->value(glm::dvec3(piece.cell) + glm::mix(piece.begin, piece.end, s));
   }
-  static Piece partOf(const Piece& piece, double from, double to);
   static ValueRange rangeOf(const Cubic& cubic);
 
   glm::ivec3 dims_;

@@ -2,6 +2,7 @@
 
 #include <atomic>
 
+#include "rendering/reference/ContextFunctions.h"
 #include "rendering/reference/Field.h"
 #include "rendering/reference/Light.h"
 #include "rendering/scene/Lighting.h"
@@ -83,7 +84,7 @@ struct Medium {
   VoxelNormals normals;
   std::optional<SplineVectors> splineNormals;  ///< of a lit spline
   std::optional<FocusNormals> focusNormals;
-  TransferFunction context;
+  ContextFunctions context;
   std::vector<ValueGap> clear;  ///< values without any extinction
   double wallDepth;             ///< mm
 
@@ -104,8 +105,8 @@ struct Medium {
         focusShows(what),
         light(camera, what.look.shading),
         normals(*what.volume),
-        context(what.look.context.shifted()),
-        clear(context.transparentGaps(0.0)) {
+        context(what),
+        clear(context.all().front().transparentGaps(0.0)) {
     const Grid& grid = scene.volume->grid;
     wallDepth = lighting::wallDepthVoxels * std::min({grid.spacing.x, grid.spacing.y, grid.spacing.z});
     if (scene.look.shading.enabled && field.spline())
@@ -259,7 +260,7 @@ class Integrator {
     const ValueRange& focusRange = medium_.focus.range();
     places_.assign({0.0, 1.0});
     const Stops stops = monotoneStops(value);
-    for (const TransferFunction::Node& node : medium_.context.nodes)
+    for (const TransferFunction::Node& node : medium_.context.all().front().nodes)
       if (range.low <= node.value && node.value <= range.high) appendCrossings(value, stops, node.value, places_);
     if (field) {
       const Stops focusStops = monotoneStops(focusValue);
@@ -267,8 +268,8 @@ class Integrator {
         appendCrossings(focusValue, focusStops, level, places_);
       for (const double node : medium_.focusShows.nodes())
         if (range.low <= node && node <= range.high) appendCrossings(value, stops, node, places_);
-      if (medium_.focusShows.differ()) appendMiddles(piece);
     }
+    if (medium_.context.differ() || (field && medium_.focusShows.differ())) appendMiddles(piece, places_);
     if (medium_.scene.look.shading.enabled) appendTurns(piece);
     std::sort(places_.begin(), places_.end());
 
@@ -279,16 +280,16 @@ class Integrator {
       const bool held = field && inField >= focusRange.low && inField <= focusRange.high;
       if (medium_.onlyFocus && !held) continue;
       inFocus_ = held && !medium_.onlyFocus;
+      const glm::dvec3 at = glm::mix(piece.begin, piece.end, middle) + glm::dvec3(piece.cell);
       Part part;
       if (inFocus_) {
-        const glm::dvec3 at = glm::mix(piece.begin, piece.end, middle) + glm::dvec3(piece.cell);
         const FocusShow& show = medium_.focusShows.at(at);
         if (show.function)
           part = functionPart(*show.function, value, begin, end);
         else
           part.from = show.material;
       } else {
-        part = functionPart(medium_.context, value, begin, end);
+        part = functionPart(medium_.context.all()[medium_.context.numberAt(at)], value, begin, end);
       }
       part.begin = begin;
       part.end = end;
@@ -303,14 +304,6 @@ class Integrator {
       const glm::ivec3 corner = cell + glm::ivec3(i & 1, (i >> 1) & 1, i >> 2);
       normals_[static_cast<std::size_t>(i)] =
           medium_.normals.at(glm::clamp(corner, glm::ivec3(0), grid_.dims - 1), valueAt_);
-    }
-  }
-
-  /// Where the nearest voxel changes.
-  void appendMiddles(const Piece& piece) {
-    for (int axis = 0; axis < 3; ++axis) {
-      const double s = (0.5 - piece.begin[axis]) / (piece.end[axis] - piece.begin[axis]);
-      if (s > 0.0 && s < 1.0) places_.push_back(s);
     }
   }
 

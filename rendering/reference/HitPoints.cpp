@@ -1,3 +1,4 @@
+#include "rendering/reference/ContextFunctions.h"
 #include "rendering/reference/Field.h"
 #include "rendering/reference/FocusField.h"
 #include "rendering/scene/Parallel.h"
@@ -39,6 +40,42 @@ std::optional<double> firstOutside(const Gaps& gaps, const Cubic& cubic, const P
   return {};
 }
 
+/// The part of a cubic between two places, from 0 to 1 over that part.
+Cubic between(const Cubic& c, double from, double to) {
+  const double d = to - from;
+  return {evaluate(c, from), d * (c[1] + from * (2.0 * c[2] + 3.0 * from * c[3])), d * d * (c[2] + 3.0 * from * c[3]),
+          d * d * d * c[3]};
+}
+
+/// The context's functions, and where each of them is transparent.
+class ContextGaps {
+ public:
+  explicit ContextGaps(const Scene& scene) : functions_(scene) {
+    for (const TransferFunction& function : functions_.all()) gaps_.push_back(function.transparentGaps(1.0 / 255.0));
+  }
+  /// Whether values of that range show in no function: the others show less than the first.
+  bool isClear(ValueRange range) const { return isInGap(gaps_.front(), range); }
+  /// First t of the piece in the context.
+  std::optional<double> firstHit(const FieldPiece& whole) const {
+    if (!functions_.differ()) return firstOutside(gaps_.front(), whole.value, whole.piece);
+    const Piece& piece = whole.piece;
+    std::vector<double> ends{0.0, 1.0};
+    appendMiddles(piece, ends);
+    std::sort(ends.begin(), ends.end());
+    for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
+      const Piece part = Field::partOf(piece, ends[k], ends[k + 1]);
+      const glm::dvec3 middle = glm::dvec3(piece.cell) + 0.5 * (part.begin + part.end);
+      const Cubic value = between(whole.value, ends[k], ends[k + 1]);
+      if (const auto found = firstOutside(gaps_[functions_.numberAt(middle)], value, part)) return found;
+    }
+    return {};
+  }
+
+ private:
+  ContextFunctions functions_;
+  std::vector<Gaps> gaps_;
+};
+
 /// First t of a ray in the context or the focus, and in the focus.
 struct Hit {
   double tContext = nothing, tFocus = nothing;
@@ -48,7 +85,7 @@ struct Hit {
 
 HitPoints hitPoints(const Scene& scene, const Camera& camera, glm::ivec2 size) {
   const Grid& grid = scene.volume->grid;
-  const Gaps transparent = scene.look.context.shifted().transparentGaps(1.0 / 255.0);
+  const ContextGaps context(scene);
   const std::size_t count = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
   HitPoints result{Image(count, nothing), Image(count, nothing), Image(count, nothing)};
 
@@ -64,14 +101,14 @@ HitPoints hitPoints(const Scene& scene, const Camera& camera, glm::ivec2 size) {
       walkCells(ray, span, grid.dims, [&](const Piece& cell) {
         const bool mayHoldFocus = focus.mayHold(cell.cell);
         const auto wants = [&](ValueRange range) {
-          return mayHoldFocus || (std::isnan(hit.tContext) && !isInGap(transparent, range));
+          return mayHoldFocus || (std::isnan(hit.tContext) && !context.isClear(range));
         };
         return field.along(cell, valueAt, wants, [&](const FieldPiece& part) {
           if (mayHoldFocus)
             hit.tFocus = firstOutside(outsideFocus, *focus.along(part.piece, part.value), part.piece).value_or(nothing);
           if (std::isnan(hit.tContext)) {
-            const bool isClear = isInGap(transparent, part.range);
-            const auto found = isClear ? std::nullopt : firstOutside(transparent, part.value, part.piece);
+            const bool isClear = context.isClear(part.range);
+            const auto found = isClear ? std::nullopt : context.firstHit(part);
             hit.tContext = std::fmin(found.value_or(nothing), hit.tFocus);
           }
           return std::isnan(hit.tFocus);

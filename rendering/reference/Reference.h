@@ -45,8 +45,9 @@ struct HitPoints {
 /// already starts in it, or enters through a capped face (Clipping.h). Cell by cell, with no step: inside a cell the
 /// trilinear field along the ray is a cubic, whose first crossing is found between its extrema.
 ///
-/// Context is every value whose opacity over 1 mm exceeds 1/255. Values that are not numbers count as the volume's
-/// least finite value, infinite ones as its least or greatest, so that neither makes a surface of its own.
+/// Context is every value whose opacity over 1 mm exceeds 1/255 in the function of the point (FaintLabels.h). Values
+/// that are not numbers count as the volume's least finite value, infinite ones as its least or greatest, so that
+/// neither makes a surface of its own.
 HitPoints hitPoints(const Scene& scene, const Camera& camera, glm::ivec2 size);
 
 /// Stage 2: pyramid interpolation of the unknown pixels (Strengert, Kraus, Ertl, VMV 2006), known pixels untouched.

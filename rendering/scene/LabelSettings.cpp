@@ -36,4 +36,10 @@ double opticalExtinction(double extinction, double opacity) {
   return -std::log1p(opacity * std::expm1(-extinction * thickness)) / thickness;
 }
 
+TransferFunction atOpacity(TransferFunction function, double opacity) {
+  for (TransferFunction::Node& node : function.nodes)
+    node.properties.extinction = opticalExtinction(node.properties.extinction, opacity);
+  return function;
+}
+
 }  // namespace fenestra

@@ -22,7 +22,7 @@ struct LabelSetting {
   std::uint16_t label = 0;
   LabelRole role = LabelRole::Context;  ///< while the label is not in focus
   bool visible = true;                  ///< off: slices do not tint it, 3-D pictures do not draw it in focus or keep it
-  double opacity = 1.0;                 ///< 0..1, of it in focus (see opticalExtinction) and of its tint on slices
+  double opacity = 1.0;                 ///< 0..1: see opticalExtinction; also of its tint on slices
   std::optional<glm::dvec3> colour{};   ///< display RGB 0..1, in place of the label map's
   /// Of it in focus: colour and extinction by value, in place of one material. See focusFunction.
   std::optional<TransferFunction> function{};
@@ -38,9 +38,14 @@ LabelSetting settingFor(const LabelSettings& settings, std::uint16_t label);
 /// Puts a setting in place; a default one removes what was there.
 void put(LabelSettings& settings, const LabelSetting& setting);
 
-/// Extinction (1/mm) of a structure in focus at an opacity: 10 mm of it have that share of the opacity that they have
-/// at
-/// 1. So half of the slider is half of what is seen, whatever the extinction.
+/// Extinction (1/mm) of a structure at an opacity: 10 mm of it have that share of the opacity that they have at 1. So
+/// half of the slider is half of what is seen, whatever the extinction.
+///
+/// It applies to a label's material or function in focus (see focusFunction), and in the context to the volume's
+/// transfer function where the nearest voxel has the label (see FaintLabels). At 0 a label of the context is hidden.
 double opticalExtinction(double extinction, double opacity);
+
+/// A function with the extinction of each node at that opacity; linear between the nodes.
+TransferFunction atOpacity(TransferFunction function, double opacity);
 
 }  // namespace fenestra

@@ -7,6 +7,18 @@
 #include "rendering/scene/Parallel.h"
 
 namespace fenestra {
+namespace {
+
+/// Of a label outside the focus.
+LabelRole shownRole(const LabelSetting& setting) { return setting.opacity > 0.0 ? setting.role : LabelRole::Hidden; }
+
+/// Whether a label of structuresOf(scene) is in focus.
+bool isInFocus(const Scene& scene, std::uint16_t label) {
+  const auto* focus = focusesStructures(scene) ? std::get_if<LabelFocus>(&scene.look.focus) : nullptr;
+  return focus && std::binary_search(focus->labels.begin(), focus->labels.end(), label);
+}
+
+}  // namespace
 
 bool hasCutaway(const Scene& scene) {
   return scene.look.cutaway.enabled &&
@@ -38,14 +50,16 @@ bool focusesStructures(const Scene& scene) { return !scene.structures || scene.s
 
 std::vector<std::uint16_t> labelsWith(LabelRole role, const Scene& scene) {
   std::vector<std::uint16_t> found;
-  if (scene.look.labels.empty() || !structuresOf(scene)) return found;
-  const auto* focus = focusesStructures(scene) ? std::get_if<LabelFocus>(&scene.look.focus) : nullptr;
+  if (!structuresOf(scene)) return found;
   for (const LabelSetting& each : scene.look.labels) {
-    if (each.role != role || (role == LabelRole::Protected && !each.visible)) continue;
-    if (!focus || !std::binary_search(focus->labels.begin(), focus->labels.end(), each.label))
-      found.push_back(each.label);
+    if (shownRole(each) != role || (role == LabelRole::Protected && !each.visible)) continue;
+    if (!isInFocus(scene, each.label)) found.push_back(each.label);
   }
   return found;
+}
+
+bool isInContext(const Scene& scene, const LabelSetting& setting) {
+  return structuresOf(scene) && shownRole(setting) != LabelRole::Hidden && !isInFocus(scene, setting.label);
 }
 
 OpticalProperties focusMaterial(const Scene& scene, std::uint16_t label) {
@@ -60,12 +74,8 @@ OpticalProperties focusMaterial(const Scene& scene, std::uint16_t label) {
 std::optional<TransferFunction> focusFunction(const Scene& scene, std::uint16_t label) {
   if (!focusesStructures(scene)) return scene.look.focusAppearance.function;
   LabelSetting setting = settingFor(scene.look.labels, label);
-  if (setting.function)
-    for (TransferFunction::Node& node : setting.function->nodes) {
-      double& extinction = node.properties.extinction;
-      extinction = setting.visible ? opticalExtinction(extinction, setting.opacity) : 0.0;
-    }
-  return std::move(setting.function);
+  if (!setting.function) return {};
+  return atOpacity(std::move(*setting.function), setting.visible ? setting.opacity : 0.0);
 }
 
 const std::optional<TransferFunction>& focusFunction(const Scene& scene) { return scene.look.focusAppearance.function; }

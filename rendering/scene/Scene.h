@@ -39,7 +39,10 @@ inline constexpr double pixelsAcrossVolume = 500.0;
 const std::shared_ptr<const LabelMap>& structuresOf(const Scene& scene);
 /// Whether the labels in focus are labels of that map.
 bool focusesStructures(const Scene& scene);
-/// The labels of that map that have a role and are not in focus, ascending; for Protected, those that are visible.
+/// Whether a label of that map belongs to the context: not in focus, and neither hidden nor of opacity 0.
+bool isInContext(const Scene& scene, const LabelSetting& setting);
+/// The labels of that map that have a role and are not in focus, ascending. One of opacity 0 has the role Hidden. For
+/// Protected, those that are visible.
 std::vector<std::uint16_t> labelsWith(LabelRole role, const Scene& scene);
 
 /// Colour and extinction (1/mm) of a label in focus, as the look has changed them; where it has no focusFunction.

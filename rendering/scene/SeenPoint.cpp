@@ -6,6 +6,8 @@
 #include <memory>
 #include <vector>
 
+#include "rendering/scene/FaintLabels.h"
+
 namespace fenestra {
 namespace {
 
@@ -24,12 +26,14 @@ class RaySamples {
       : scene_(scene),
         shown_(shownVolume(scene)),
         voxels_(shown_),
-        context_(scene.look.context.shifted()),
         structures_(structuresOf(scene)),
         protected_(labelsWith(LabelRole::Protected, scene)),
         kept_(halfSpaces(scene.look.clipping, scene.volume->grid)),
         start_(start),
         direction_(direction) {
+    const FaintLabels faint = faintLabels(scene);
+    context_ = contextFunctions(scene, faint);
+    if (faint.any()) numberOfLabel_ = faint.numberOfLabel();
     const Grid& grid = scene.volume->grid;
     indexFromWorld_ = grid.indexFromWorld();
     const glm::dvec3 spacing = grid.spacing;
@@ -54,7 +58,9 @@ class RaySamples {
     if (part == Part::Nothing) return 0.0;
     if (part == Part::Focus) return focusExtinctionAt(t);
     const double value = valueAt(t);
-    return std::isfinite(value) ? context_.evaluate(value).extinction : 0.0;
+    if (!std::isfinite(value)) return 0.0;
+    const std::size_t number = numberOfLabel_.empty() ? 0 : numberOfLabel_[labelAt(t, *structures_)];
+    return context_[number].evaluate(value).extinction;
   }
 
  private:
@@ -86,8 +92,9 @@ class RaySamples {
 
   const Scene& scene_;
   ShownVolume shown_;
-  ShownVoxels voxels_;  ///< of shown_
-  TransferFunction context_;
+  ShownVoxels voxels_;                          ///< of shown_
+  std::vector<TransferFunction> context_;       ///< contextFunctions()
+  std::vector<std::uint8_t> numberOfLabel_;     ///< of them; empty where there is one for all
   std::shared_ptr<const LabelMap> structures_;  ///< null without labels
   std::vector<std::uint16_t> protected_;        ///< ascending
   std::vector<HalfSpace> kept_;                 ///< what clips the scene

@@ -32,7 +32,7 @@ using Programs = std::map<std::string, Linked>;
 const std::vector<std::string> blockNames{
     RayBlock::name,          VolumeBlock::name,    TransferBlock::name,      FocusBlock::name,      LightBlock::name,
     IntegralBlock::name,     CutFaceBlock::name,   OpeningCameraBlock::name, DerivativeBlock::name, CutawayBlock::name,
-    ContextLayerBlock::name, CandidateBlock::name, ClipBlock::name};
+    ContextLayerBlock::name, CandidateBlock::name, ClipBlock::name,          FaintBlock::name};
 
 constexpr std::array schedules{Schedule::Plain, Schedule::Llvmpipe};
 
@@ -215,6 +215,7 @@ TEST_F(ProgramsTest, BlocksHaveTheLayoutOfTheirStructs) {
       {TransferBlock::name,
        {OFFSET(TransferBlock, firstMaterial), OFFSET(TransferBlock, lastMaterial), OFFSET(TransferBlock, map),
         OFFSET(TransferBlock, visibleEntries)}},
+      {FaintBlock::name, {OFFSET(FaintBlock, origin), OFFSET(FaintBlock, size), OFFSET(FaintBlock, last)}},
       {FocusBlock::name,
        {OFFSET(FocusBlock, material), OFFSET(FocusBlock, range), OFFSET(FocusBlock, paletteOrigin),
         OFFSET(FocusBlock, smoothOrigin), OFFSET(FocusBlock, table), OFFSET(FocusBlock, worldFromIndexGradient)}},

@@ -6,6 +6,7 @@
 
 #include "rendering/Renderer.h"
 #include "rendering/gl/Context.h"
+#include "rendering/scene/FaintLabels.h"
 #include "tests/support/Scenes.h"
 
 namespace fenestra::tests {
@@ -94,6 +95,15 @@ inline Scene withProtected(Scene scene) {
   return scene;
 }
 
+/// A body whose first organ is faint in the context, unless it is in focus; where it is, the second one is.
+inline Scene withFaint(Scene scene) {
+  put(scene.look.labels, {.label = 1, .opacity = 0.3});
+  LabelSetting second = settingFor(scene.look.labels, 2);
+  second.opacity = 0.6;
+  put(scene.look.labels, second);
+  return scene;
+}
+
 /// A body cut by a box and two planes, with faces in grey or as the transfer function shows them.
 inline Scene clipped(Scene scene, bool grey) {
   const Grid& grid = scene.volume->grid;
@@ -108,11 +118,14 @@ inline Scene clipped(Scene scene, bool grey) {
   return scene;
 }
 
-/// lavapipe of Mesa 22.3 crashes while it prepares most programs of clipped pictures that have no bound on their error:
-/// its search for uniforms to inline reads a buffer that is not there. llvmpipe draws them all.
+/// lavapipe of Mesa 22.3 crashes while it prepares most programs of pictures that have no bound on their error and are
+/// clipped, or lit with faint labels: its search for uniforms to inline reads a buffer that is not there. llvmpipe
+/// draws them all.
 inline bool crashesTheDriver(const SceneKind& kind) {
-  const Clipping& clipping = kind.scene.look.clipping;
-  return gl::description().starts_with("zink") && !kind.view.maxError && (clipping.cropped || !clipping.planes.empty());
+  const Look& look = kind.scene.look;
+  const bool clipped = look.clipping.cropped || !look.clipping.planes.empty();
+  const bool faint = look.shading.enabled && faintLabels(kind.scene).any();
+  return gl::description().starts_with("zink") && !kind.view.maxError && (clipped || faint);
 }
 
 /// All of them for one voxel type; of the others, whose shaders differ in how they read a voxel alone, every seventh.
@@ -179,6 +192,11 @@ inline std::vector<SceneKind> allSceneKinds() {
     guarded.scene = withProtected(guarded.scene);
     kinds.push_back(guarded);
   }
+  // Faint labels in the context with whatever else makes a program another one.
+  for (std::size_t i = 0, all = kinds.size(); i < all; ++i)
+    if (i % 9 == 0 && kinds[i].name.starts_with("int16") && !faintLabels(kinds[i].scene).any())
+      if (Scene faint = withFaint(kinds[i].scene); faintLabels(faint).any())
+        kinds.push_back({kinds[i].name + ", faint labels", std::move(faint), kinds[i].view});
   std::erase_if(kinds, crashesTheDriver);
   return kinds;
 }

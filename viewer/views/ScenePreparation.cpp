@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "rendering/Renderer.h"
+#include "rendering/scene/FaintLabels.h"
 
 namespace fenestra::viewer {
 namespace {
@@ -84,6 +85,7 @@ ScenePreparation::Kind ScenePreparation::kindOf(const Scene& scene, const View& 
           .manyLabels = labels && labels->labels.size() > 1,
           .byValue = hasFocusFunction(scene),
           .protects = hasCutaway(scene) && !labelsWith(LabelRole::Protected, scene).empty(),
+          .faint = faintLabels(scene).any(),
           .lit = look.shading.enabled,
           .cutaway = hasCutaway(scene),
           .contextLayer = look.contextLayer.strength > 0.0,

@@ -6,13 +6,15 @@
 #include <schedule>
 #include <focus>
 #include "lib/Crossing.glsl"
+#include "lib/FaintLabels.glsl"
 #include "lib/Traversal.glsl"
 #include "lib/Volume.glsl"
 
 // Chebyshev distance in bricks to the nearest one where the context is not transparent.
 UNSIGNED_TEXELS_3D(r8ui, contextSkip);
 
-uniform int gapCount;  // open intervals of stored values in which the context is transparent
+// Open intervals of stored values in which the context is transparent, for each of its functions (lib/FaintLabels.glsl).
+uniform int gapCount;
 layout(std430, binding = 1) readonly buffer Gaps { vec2 gaps[]; };
 
 const int LEAP = 0, LOOK = 1, SOLVE = 2, ENDED = 3;
@@ -29,6 +31,16 @@ struct Search {
   vec2 gap;     // open interval that the field has to leave
   float hit;
 };
+
+// The gap of a function that holds a value; an empty one where none does.
+vec2 gapAround(int function, float value) {
+  vec2 found = vec2(FAR, -FAR);
+  for (int i = 0; i < gapCount; ++i) {
+    vec2 gap = gaps[function * gapCount + i];
+    found = mix(found, gap, bvec2(value > gap.x && value < gap.y));
+  }
+  return found;
+}
 
 // Moves on to what lies behind a block; the search ends where the ray or the volume does.
 void moveOn(inout Search search, Ray ray, float sEnd, Block block) {
@@ -55,6 +67,21 @@ void leap(inout Search search, const bool ofFocus, Ray ray, float sEnd) {
 vec2 gapAround(float first) {
   vec2 range = focusRange();
   return first < range.x ? vec2(-FAR, range.x) : first > range.y ? vec2(range.y, FAR) : vec2(FAR, -FAR);
+}
+
+// Of the field along a path within a cell, where the context begins by the functions there: u; 2 where it does not.
+float firstContextExit(ivec3 cell, vec3 a, vec3 b, vec4 along) {
+  uint functions = functionsIn(cell);
+  float from = 0.0, to = 0.0, found = 2.0;
+  do {
+    to = functionsDiffer(functions) ? nextFunction(a, b, from) : 1.0;
+    vec2 gap = gapAround(functionAt(vec3(cell) + mix(a, b, 0.5 * (from + to))), bernstein(along, from));
+    vec4 part = bernsteinBetween(along, from, to);
+    float u = leavesHull(part, gap.x, gap.y) ? firstExit(part, gap.x, gap.y) : 2.0;
+    if (u <= 1.0) found = mix(from, to, u);
+    from = to;
+  } while (to < 1.0 && found > 1.0);
+  return found;
 }
 
 #if REFINEMENT > 1
@@ -99,7 +126,13 @@ void look(inout Search search, const bool ofFocus, Ray ray, float sEnd) {
   }
   if (ofFocus) search.gap = gapAround(thirds[0].x);
   search.after = search.stage;
-  for (int i = THIRDS - 1; i >= 0; --i) {
+  for (int i = THIRDS - 1; HAS_FAINT && !ofFocus && i >= 0; --i) {
+    float from = float(i) / float(THIRDS), to = float(i + 1) / float(THIRDS);
+    float u = firstContextExit(cell, mix(a, b, from), mix(a, b, to), thirds[i]);
+    if (u <= 1.0) search.hit = mix(sFrom, sTo, mix(from, to, u));
+    if (u <= 1.0) search.stage = ENDED;
+  }
+  for (int i = THIRDS - 1; (!HAS_FAINT || ofFocus) && i >= 0; --i) {
     vec2 piece;
     if (!leaves(thirds[i], search.gap.x, search.gap.y, piece)) continue;
     search.along = thirds[i];
@@ -124,7 +157,13 @@ void look(inout Search search, const bool ofFocus, Ray ray, float sEnd) {
     search.gap = gapAround(search.along.x);
   }
   search.after = search.stage;
-  if (leavesHull(search.along, search.gap.x, search.gap.y)) search.stage = SOLVE;
+  if (HAS_FAINT && !ofFocus) {
+    float u = firstContextExit(cell, a, b, search.along);
+    if (u <= 1.0) search.hit = mix(search.sFrom, search.sTo, u);
+    if (u <= 1.0) search.stage = ENDED;
+  } else if (leavesHull(search.along, search.gap.x, search.gap.y)) {
+    search.stage = SOLVE;
+  }
 }
 #endif
 
@@ -162,15 +201,19 @@ float firstHit(const bool ofFocus, const bool exact, Ray ray, float sBegin, floa
 float firstFocusHit(Ray ray) { return HAS_FOCUS ? firstHit(true, true, ray, ray.sIn, ray.sOut, vec2(0.0)) : NONE; }
 bool meetsFocus(Ray ray) { return HAS_FOCUS && !isNone(firstHit(true, false, ray, ray.sIn, ray.sOut, vec2(0.0))); }
 
-// First context point in [sIn, sEnd]. The field is continuous: a ray that starts inside one transparent gap of values
-// can leave that gap only through its ends.
+// First context point in [sIn, sEnd].
 float firstContextHit(Ray ray, float sEnd) {
   if (ray.sIn > sEnd) return NONE;
 #if CLIPPED == 2
   if (ray.cap >= 0) return ray.sIn;  // an opaque face
 #endif
+#if FAINT_LABELS
+  return firstHit(false, true, ray, ray.sIn, sEnd, vec2(0.0));
+#else
+  // The field is continuous: a ray that starts inside one transparent gap of values can leave that gap only through its ends.
   float value = storedExact(cellPosition(ray, ray.sIn));
   for (int i = 0; i < gapCount; ++i)
     if (value > gaps[i].x && value < gaps[i].y) return firstHit(false, true, ray, ray.sIn, sEnd, gaps[i]);
   return ray.sIn;
+#endif
 }

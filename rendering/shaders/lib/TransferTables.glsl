@@ -2,7 +2,7 @@
 #include <schedule>
 #include "lib/Transfer.glsl"
 
-// Rows of TABLE_SIZE entries, two a function, the context's first: emission and extinction; the integral of both from the
+// Rows of TABLE_SIZE entries, two a function, the context's first (lib/FaintLabels.glsl): emission and extinction; the integral of both from the
 // first entry on (entries/mm).
 TEXELS_2D(rgba32f, transferTables);
 
@@ -64,6 +64,12 @@ vec4 meanOverSpan(Table table, Bound a, Bound b) {
 }
 
 // The same for bounds at any distance.
+//
+// Lavapipe of Mesa 22.3 crashes on the branch below in some programs, but not on this.
+vec4 meanWithoutBranch(Table table, Bound a, Bound b) {
+  vec4 near = materialAt(table, 0.5 * (a.entry + b.entry));
+  return mix(meanOverSpan(table, a, b), near, bvec4(abs(b.entry - a.entry) < LEAST_SPAN));
+}
 vec4 meanMaterial(Table table, Bound a, Bound b) {
   if (abs(b.entry - a.entry) < LEAST_SPAN) return materialAt(table, 0.5 * (a.entry + b.entry));
   return meanOverSpan(table, a, b);

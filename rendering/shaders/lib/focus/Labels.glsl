@@ -60,13 +60,8 @@ vec4 focusMaterial(vec3 at) {
 }
 vec4 focusTable(vec3 at) { return texelFetch(focusPalette, ivec2(paletteEntry(at), 1), 0); }
 
-// The nearest voxel tells the colour; it changes half way between voxel centres, which is in the middle of cells of a finer
-// grid, too.
-float nextColour(vec3 a, vec3 b, float u) {
-  vec3 at = (0.5 - a) / (b - a);
-  at = mix(vec3(1.0), at, greaterThan(at, vec3(u)));
-  return min(min(at.x, at.y), min(at.z, 1.0));
-}
+// The nearest voxel tells the colour.
+float nextColour(vec3 a, vec3 b, float u) { return nextNearest(a, b, u); }
 #else
 vec4 focusMaterial(vec3 at) { return vec4(focus.material.rgb, 1.0) * focus.material.a; }
 vec4 focusTable(vec3 at) { return focus.table; }

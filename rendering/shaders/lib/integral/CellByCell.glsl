@@ -33,10 +33,11 @@ vec4 bernsteinTurned(Ray ray, float f[8], vec3 a, vec3 b) {
   return bernsteinAlong(f, mix(a, 1.0 - a, downwards), mix(b, 1.0 - b, downwards));
 }
 
-// Fills in what lies between s and sNext, and tells the stage that it needs: CONTEXT, FOCUS, or LEAP where nothing shows.
+// Fills in what lies between s and sNext, and tells the stage that it needs: SECTIONS, CONTEXT, or LEAP where nothing shows.
 // `f`: the cell's corners, turned.
 int lookInto(Ray ray, ivec3 cell, float s, float sNext, float f[8], out CellPath path) {
   path.cell = cell;
+  path.functions = functionsIn(cell);
   path.sFrom = s;
   path.sTo = sNext;
   path.a = clamp(cellPosition(ray, s) - vec3(cell), 0.0, 1.0);
@@ -44,10 +45,11 @@ int lookInto(Ray ray, ivec3 cell, float s, float sNext, float f[8], out CellPath
   vec4 stored = bernsteinTurned(ray, f, path.a, path.b);
   setValues(path, stored);
   FocusCell held = focusCellAt(focusSlot(cell), cell);
-  path.focusAlong = focusAlong(held, path.a, path.b, stored);
-  if (mayHoldFocus(held) && mayMeetFocus(path)) return FOCUS;
+  setFocus(path, held, stored);
+  if (mayHoldFocus(held) && mayMeetFocus(path)) return SECTIONS;
   if (ONLY_FOCUS) return LEAP;
-  return mayShow(path) ? CONTEXT : LEAP;
+  int shown = functionsDiffer(path.functions) ? SECTIONS : CONTEXT;
+  return mayShow(path) ? shown : LEAP;
 }
 
 // The state of a ray's walk.
@@ -131,13 +133,13 @@ void add(inout Walk walk, vec4 colour, bool whole) {
 
 float shareOf(Walk walk) { return (walk.path.sTo - walk.path.sFrom) / max(walk.ray.sOut - walk.cut.start, 1e-30); }
 
-// Integrates the next part of a cell that holds none of the focus. A ray with more parts than its neighbours does not hold
+// Integrates the next part of a cell that holds none of the focus and one function of the context. A ray with more parts than its neighbours does not hold
 // them up: it stays in the stage CONTEXT until they are there again.
 void integrateContext(inout Walk walk) {
   CellPath path = walk.path;
   if (walk.integrated == 0.0) {
     walk.normals = normalsAlong(path.cell, path.a, path.b);
-    walk.segment = segmentNear(path.entries.x);
+    walk.segment = segmentNear(int(path.functions), path.entries.x);
     walk.parts = 0;
   }
   Section section = wholeOf(path, walk.normals);
@@ -152,14 +154,14 @@ void integrateContext(inout Walk walk) {
   add(walk, colour, whole);
 }
 
-// Integrates a cell some of which may be in the focus.
-void integrateFocus(inout Walk walk) {
+// Integrates a cell some of which may be in the focus, or that has several functions.
+void integrateSections(inout Walk walk) {
   CellPath path = walk.path;
   vec2 range = focusRange();
   if (walk.cut.onFocus != 0u && path.sFrom == walk.cut.start)
     path.focusAlong.x = clamp(path.focusAlong.x, range.x, range.y);
   CellNormals normals = normalsAlong(path.cell, path.a, path.b);
-  add(walk, integrateFocusCell(path, normals, walk.ray, walk.cut, 1.0 - walk.result.a, shareOf(walk)), true);
+  add(walk, integrateSections(path, normals, walk.ray, walk.cut, 1.0 - walk.result.a, shareOf(walk)), true);
 }
 
 void follow(inout Walk walk) {
@@ -174,7 +176,7 @@ void follow(inout Walk walk) {
       } while (IN_STEP && walk.stage == LEAP);
       if (walk.stage == CONTEXT) integrateContext(walk);
     } while (IN_STEP && (walk.stage == LEAP || walk.stage == CONTEXT));
-    if (HAS_FOCUS && walk.stage == FOCUS) integrateFocus(walk);
+    if ((HAS_FOCUS || HAS_FAINT) && walk.stage == SECTIONS) integrateSections(walk);
   } while (walk.stage != ENDED);
 }
 

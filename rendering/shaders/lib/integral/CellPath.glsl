@@ -10,6 +10,7 @@
 #include <opening>
 #include <schedule>
 #include "lib/Crossing.glsl"
+#include "lib/FaintLabels.glsl"
 #include "lib/TransferSegments.glsl"
 #include "lib/Traversal.glsl"
 #include "lib/Volume.glsl"
@@ -29,6 +30,7 @@ struct CellPath {
 #if FOCUS_FUNCTIONS
   vec4 stored;        // values
 #endif
+  uint functions;     // of the context, as functionsIn() has them
 };
 
 float lowest(vec4 v) { return min(min(v.x, v.y), min(v.z, v.w)); }
@@ -48,12 +50,21 @@ bool mayShow(CellPath path) {
   return highest(path.entries) > visible.x && lowest(path.entries) < visible.y;
 }
 
+// Fills in the focus's field.
+void setFocus(inout CellPath path, FocusCell held, vec4 stored) {
+  path.focusAlong = focusAlong(held, path.a, path.b, stored);
+  // integrateSections() asks the field also where none of the cell is in the focus.
+  vec4 outside = vec4(focusRange().x > -3e38 ? -3.4e38 : 3.4e38);
+  if (HAS_FAINT) path.focusAlong = mix(outside, path.focusAlong, bvec4(mayHoldFocus(held)));
+}
+
 bool mayMeetFocus(CellPath path) {
   vec2 range = focusRange();
   return lowest(path.focusAlong) <= range.y && highest(path.focusAlong) >= range.x;
 }
 
-const int LEAP = 0, LOOK = 1, CONTEXT = 2, FOCUS = 3, ENDED = 4;  // stages
+// Stages; SECTIONS: of a cell some of which may be in the focus, or in which the context's functions differ.
+const int LEAP = 0, LOOK = 1, CONTEXT = 2, SECTIONS = 3, ENDED = 4;
 
 // Below, in or above the focus's range: -1, 0, 1.
 float sideOf(float value) {
@@ -83,29 +94,32 @@ float nextChange(vec4 along, float u) {
   return to;
 }
 
-// A part of a path that is all in the focus, of one material or function, or all in the context.
+// A part of a path that is all in the focus, of one material or function, or all in the context, of one function.
 struct Section {
   float uFrom, uTo;  // of the path
   float sFrom, sTo;  // mm along the ray
-  vec4 entries;      // of the context's table, or that of the focus's function
+  vec4 entries;      // of the context's tables, or that of the focus's function
   bool inFocus;
   vec4 material;     // of the focus
-#if FOCUS_FUNCTIONS
-  int function;      // of the focus, from 1 on; 0: one material, or the context
+#if FOCUS_FUNCTIONS || FAINT_LABELS
+  int function;      // of the context, or of the focus; 0 there: one material
 #endif
   CellNormals normals;
 };
 
-#if FOCUS_FUNCTIONS
+#if FOCUS_FUNCTIONS || FAINT_LABELS
 bool isByValue(Section section) { return !section.inFocus || section.function > 0; }
 int functionOf(Section section) { return section.function; }
 
-// Chooses the function of a section of the focus.
+// Chooses the function of a section.
 void findFunction(inout Section section, CellPath path, vec3 at) {
+  section.function = section.inFocus ? 0 : functionAt(at);
+#if FOCUS_FUNCTIONS
   vec4 table = focusTable(at);
-  section.function = section.inFocus ? int(table.x) / 2 : 0;
+  section.function = section.inFocus ? int(table.x) / 2 : section.function;
   vec4 entries = clamp(path.stored * table.y + table.z, vec4(-1e12), vec4(1e12));
-  if (section.function > 0) section.entries = bernsteinBetween(entries, section.uFrom, section.uTo);
+  if (section.inFocus && section.function > 0) section.entries = bernsteinBetween(entries, section.uFrom, section.uTo);
+#endif
 }
 #else
 bool isByValue(Section section) { return !section.inFocus; }
@@ -278,19 +292,19 @@ Section wholeOf(CellPath path, CellNormals normals) {
   section.entries = path.entries;
   section.inFocus = false;
   section.material = vec4(0.0);
-#if FOCUS_FUNCTIONS
-  section.function = 0;
+#if FOCUS_FUNCTIONS || FAINT_LABELS
+  section.function = int(path.functions);
 #endif
   section.normals = normals;
   return section;
 }
 
-// A cell that holds both focus and context, section by section.
-vec4 integrateFocusCell(CellPath path, CellNormals normals, Ray ray, Cut cut, float transmittance, float share) {
+// A cell that holds both focus and context, or context of several functions, section by section.
+vec4 integrateSections(CellPath path, CellNormals normals, Ray ray, Cut cut, float transmittance, float share) {
   Section section = wholeOf(path, normals);
   addFocusNormals(section.normals, path.cell, path.a, path.b);
   vec4 result = vec4(0.0);
-  // A cubic crosses the two ends of a range at most six times, and colours change at three places.
+  // A cubic crosses the two ends of a range at most six times; colours and functions change at three places.
   int left = 10;
   section.uTo = 0.0;
   do {
@@ -299,6 +313,7 @@ vec4 integrateFocusCell(CellPath path, CellNormals normals, Ray ray, Cut cut, fl
     section.inFocus = held && !ONLY_FOCUS;
     section.uTo = nextChange(path.focusAlong, section.uFrom);
     if (section.inFocus) section.uTo = min(section.uTo, nextColour(path.a, path.b, section.uFrom));
+    else section.uTo = min(section.uTo, nextFunction(path.a, path.b, section.uFrom));
     section.sFrom = mix(path.sFrom, path.sTo, section.uFrom);
     section.sTo = mix(path.sFrom, path.sTo, section.uTo);
     section.entries = bernsteinBetween(path.entries, section.uFrom, section.uTo);

@@ -9,6 +9,7 @@
 #include <light>
 #include <opening>
 #include <schedule>
+#include "lib/FaintLabels.glsl"
 #include "lib/TransferTables.glsl"
 #include "lib/Traversal.glsl"
 #include "lib/Volume.glsl"
@@ -30,6 +31,7 @@ struct Walk {
   ivec3 upwards;
   Block block;            // ahead of the ray
   uint slot;              // of the focus, in that block
+  uint functions;         // of the context, in that block's first cell
   RayPoint front, back;   // of the segment crossed last
   vec4 result;            // colour and opacity so far, premultiplied
   int left;               // 1: the ray goes on
@@ -37,7 +39,9 @@ struct Walk {
 
 // Early ray termination: what lies behind the last segment can no longer be seen.
 bool goesOn(Walk walk) { return walk.left != 0; }
-bool isAtFocus(Walk walk) { return goesOn(walk) && walk.slot != 0u; }
+bool isWhole(Walk walk) { return walk.slot == 0u && walk.functions == 0u; }
+// Whether the segment ahead may have parts: in the focus, or of other functions than the volume's.
+bool mayHaveParts(Walk walk) { return goesOn(walk) && !isWhole(walk); }
 
 // At a face by which the ray enters `cell`. From cell to cell the sum of the indices changes by one, whatever is skipped,
 // so the bounds of neighbouring faces lie at least LEAST_SPAN apart.
@@ -134,14 +138,11 @@ vec2 focusPart(Walk walk, uint slot, ivec3 cell) {
 
 #if FOCUS_FUNCTIONS
 // Mean material of the focus from one point to another. `function`: as focusTable() has it; `material`: where there is none.
-// As meanMaterial(), but without its branch, on which lavapipe of Mesa 22.3 crashes here.
 vec4 meanInFocus(RayPoint front, RayPoint back, vec4 function, vec4 material) {
   Table table = tableFrom(int(function.x));
   Bound first = boundAt(table, front.stored * function.y + function.z);
   Bound last = boundAt(table, back.stored * function.y + function.z);
-  vec4 near = materialAt(table, 0.5 * (first.entry + last.entry));
-  vec4 mean = mix(meanOverSpan(table, first, last), near, bvec4(abs(last.entry - first.entry) < LEAST_SPAN));
-  return mix(material, mean, bvec4(function.x > 0.0));
+  return mix(material, meanWithoutBranch(table, first, last), bvec4(function.x > 0.0));
 }
 #endif
 
@@ -161,13 +162,50 @@ vec4 pieceInFocus(Walk walk, RayPoint enters, RayPoint leavesAt) {
   return pieceBetween(walk, enters, leavesAt, material, true);
 }
 
-// A segment that is partly in the focus: what lies before, in and behind it.
-vec4 focusPiece(Walk walk, vec2 part) {
+#if FAINT_LABELS
+// Of the context from one point in a cell to another, by one of its functions.
+vec4 pieceByFunction(Walk walk, RayPoint front, RayPoint back, int function) {
+  Table table = tableFrom(2 * function);
+  vec4 mean = meanWithoutBranch(table, boundAt(table, front.bound.entry), boundAt(table, back.bound.entry));
+  return pieceBetween(walk, front, back, mean, false);
+}
+
+// Of the context from one point in a cell to another. Each function's part is lit in two halves, as contextPiece() is.
+vec4 contextBetween(Walk walk, ivec3 cell, RayPoint front, RayPoint back) {
+  vec3 a = clamp(cellPosition(walk.ray, front.s) - vec3(cell), 0.0, 1.0);
+  vec3 b = clamp(cellPosition(walk.ray, back.s) - vec3(cell), 0.0, 1.0);
+  RayPoint begin = front, end;
+  float from = 0.0, to = 0.0;
+  vec4 result = vec4(0.0);
+  do {
+    to = nextFunction(a, b, from);
+    end = between(front, back, to);
+    int function = functionAt(vec3(cell) + mix(a, b, 0.5 * (from + to)));
+    RayPoint middle = between(begin, end, 0.5);
+    if (LIT)
+      result = over(result, over(pieceByFunction(walk, begin, middle, function),
+                                 pieceByFunction(walk, middle, end, function)));
+    else
+      result = over(result, pieceByFunction(walk, begin, end, function));
+    begin = end;
+    from = to;
+  } while (to < 1.0);
+  return result;
+}
+#else
+vec4 contextBetween(Walk walk, ivec3 cell, RayPoint front, RayPoint back) {
+  return pieceBetween(walk, front, back, meanOfContext(front, back), false);
+}
+#endif
+
+// A segment that is partly in the focus, or in which the context's functions differ: what lies before, in and behind the
+// focus.
+vec4 focusPiece(Walk walk, ivec3 cell, vec2 part) {
   RayPoint front = walk.front, back = walk.back;
   RayPoint enters = between(front, back, part.x), leavesAt = between(front, back, max(part.x, part.y));
-  vec4 before = pieceBetween(walk, front, enters, meanOfContext(front, enters), false);
+  vec4 before = contextBetween(walk, cell, front, enters);
   vec4 inside = pieceInFocus(walk, enters, leavesAt);
-  vec4 behind = pieceBetween(walk, leavesAt, back, meanOfContext(leavesAt, back), false);
+  vec4 behind = contextBetween(walk, cell, leavesAt, back);
   return over(over(before, inside), behind);
 }
 
@@ -179,6 +217,7 @@ Walk walkFrom(Ray ray, Cut cut, bool visible) {
   ivec3 cell = cellAt(ray, cut.start);
   walk.block = blockAt(cell, walk.upwards, distanceToVisible(cell));
   walk.slot = focusSlot(cell);
+  walk.functions = functionsIn(cell);
   walk.back = pointInside(ray, cell, cut.start);
   classify(walk.back, cell);
   walk.front = walk.back;
@@ -225,13 +264,13 @@ void composite(inout Walk walk, Block crossed, vec4 piece) {
   walk.left = more ? 1 : 0;
 }
 
-// Every ray takes a step, through the block ahead of it. `mayMeetFocus`: false where no block ahead holds any of the focus.
+// Every ray takes a step, through the block ahead of it. `parts`: false where no segment ahead may have parts.
 //
 // The rays take each part of the step together, so that one has instructions to run while the other waits for memory.
-void takeStep(inout Walk walks[RAYS], const bool mayMeetFocus) {
+void takeStep(inout Walk walks[RAYS], const bool parts) {
   Face faces[RAYS];
   Block crossed[RAYS], behind[RAYS];
-  uint slots[RAYS];
+  uint slots[RAYS], isOne[RAYS];
   for (int i = 0; i < RAYS; ++i) {
     if (LEAPS)
       leapAhead(walks[i], faces[i], behind[i]);
@@ -249,13 +288,15 @@ void takeStep(inout Walk walks[RAYS], const bool mayMeetFocus) {
   for (int i = 0; i < RAYS; ++i) {
     crossed[i] = walks[i].block;
     slots[i] = walks[i].slot;
+    isOne[i] = isWhole(walks[i]) ? 1u : 0u;
     walks[i].block = behind[i];
     walks[i].slot = focusSlot(behind[i].cell);
+    walks[i].functions = functionsIn(behind[i].cell);
   }
   for (int i = 0; i < RAYS; ++i) {
     vec4 piece;
-    if (mayMeetFocus && slots[i] != 0u)
-      piece = focusPiece(walks[i], focusPart(walks[i], slots[i], crossed[i].cell));
+    if (parts && isOne[i] == 0u)
+      piece = focusPiece(walks[i], crossed[i].cell, focusPart(walks[i], slots[i], crossed[i].cell));
     else
       piece = contextPiece(walks[i]);
     composite(walks[i], crossed[i], piece);
@@ -268,22 +309,23 @@ bool anyGoesOn(Walk walks[RAYS]) {
   return any;
 }
 
-bool anyIsAtFocus(Walk walks[RAYS]) {
+bool anyHasParts(Walk walks[RAYS]) {
   bool any = false;
-  for (int i = 0; i < RAYS; ++i) any = any || isAtFocus(walks[i]);
+  for (int i = 0; i < RAYS; ++i) any = any || mayHaveParts(walks[i]);
   return any;
 }
 
 void integrate(inout Walk walks[RAYS]) {
+  const bool parts = HAS_FOCUS || HAS_FAINT;
   do {
-    // A segment that may meet the focus costs more than one that cannot: rays that run in step wait there for each other.
-    if (IN_STEP && HAS_FOCUS) {
+    // A segment that may have parts costs more than one that has none: rays that run in step wait there for each other.
+    if (IN_STEP && parts) {
       do {
-        if (anyIsAtFocus(walks)) break;
+        if (anyHasParts(walks)) break;
         takeStep(walks, false);
       } while (anyGoesOn(walks));
     }
-    takeStep(walks, HAS_FOCUS);
+    takeStep(walks, parts);
   } while (anyGoesOn(walks));
 }
 

@@ -81,6 +81,7 @@ int nextShown(Walk walk, int each) {
 void look(inout Walk walk) {
   ivec3 cell = middleOf(walk.cell);
   walk.path.cell = cell;
+  walk.path.functions = functionsIn(cell);
   walk.path.sFrom = walk.s;
   moveOn(walk, voxelBlockAt(walk.cell, walk.upwards));
   walk.path.sTo = min(walk.s, walk.ray.sOut);
@@ -94,11 +95,12 @@ void look(inout Walk walk) {
   bool meets = false;
   for (int i = 0; i < HALVES; ++i) {
     CellPath path = halfOf(walk, i);
-    path.focusAlong = focusAlong(held, path.a, path.b, halfOf(walk.values, i));
+    setFocus(path, held, halfOf(walk.values, i));
     meets = meets || mayMeetFocus(path);
   }
-  int needed = ONLY_FOCUS || walk.next == HALVES ? walk.after : CONTEXT;
-  walk.stage = mayHoldFocus(held) && meets ? FOCUS : needed;
+  int shown = functionsDiffer(walk.path.functions) ? SECTIONS : CONTEXT;
+  int needed = ONLY_FOCUS || walk.next == HALVES ? walk.after : shown;
+  walk.stage = mayHoldFocus(held) && meets ? SECTIONS : needed;
 }
 
 // Adds what the walk has integrated. `whole`: whether that was the rest of the cell.
@@ -114,7 +116,7 @@ float shareOf(Walk walk, CellPath path) { return (path.sTo - path.sFrom) / max(w
 void integrateContext(inout Walk walk) {
   CellPath path = halfOf(walk, walk.next);
   if (walk.integrated == 0.0) {
-    walk.segment = segmentNear(path.entries.x);
+    walk.segment = segmentNear(int(path.functions), path.entries.x);
     walk.parts = 0;
   }
   Section section = wholeOf(path, halfOf(walk.normals, walk.next));
@@ -131,17 +133,17 @@ void integrateContext(inout Walk walk) {
   add(walk, colour, whole && walk.next == HALVES);
 }
 
-// Integrates a cell some of which may be in the focus.
-void integrateFocus(inout Walk walk) {
+// Integrates a cell some of which may be in the focus, or that has several functions.
+void integrateSections(inout Walk walk) {
   vec2 range = focusRange();
   FocusCell held = focusCellAt(focusSlot(walk.path.cell), walk.path.cell);
   int each = 0;
   do {
     CellPath path = halfOf(walk, each);
-    path.focusAlong = focusAlong(held, path.a, path.b, halfOf(walk.values, each));
+    setFocus(path, held, halfOf(walk.values, each));
     if (walk.cut.onFocus != 0u && path.sFrom == walk.cut.start)
       path.focusAlong.x = clamp(path.focusAlong.x, range.x, range.y);
-    vec4 colour = integrateFocusCell(path, halfOf(walk.normals, each), walk.ray, walk.cut, 1.0 - walk.result.a,
+    vec4 colour = integrateSections(path, halfOf(walk.normals, each), walk.ray, walk.cut, 1.0 - walk.result.a,
                                      shareOf(walk, path));
     add(walk, colour, each == HALVES - 1);
   } while (++each < HALVES);
@@ -156,12 +158,12 @@ void follow(inout Walk walk) {
       } while (IN_STEP && walk.stage == LEAP);
       if (walk.stage == LOOK) look(walk);
     } while (IN_STEP && walk.stage == LEAP);
-    if (walk.stage == CONTEXT || walk.stage == FOCUS)
+    if (walk.stage == CONTEXT || walk.stage == SECTIONS)
       walk.normals = normalsAlongSpline(walk.path.cell, walk.path.a, walk.path.b);
     do {
       if (walk.stage == CONTEXT) integrateContext(walk);
     } while (walk.stage == CONTEXT);
-    if (HAS_FOCUS && walk.stage == FOCUS) integrateFocus(walk);
+    if ((HAS_FOCUS || HAS_FAINT) && walk.stage == SECTIONS) integrateSections(walk);
   } while (walk.stage != ENDED);
 }
 

@@ -1,0 +1,100 @@
+#include "rendering/gpu/FaintIndex.h"
+
+#include <algorithm>
+#include <mutex>
+#include <optional>
+#include <span>
+
+#include "rendering/scene/Parallel.h"
+
+namespace fenestra {
+namespace {
+
+constexpr std::uint8_t differ = 128;
+static_assert(FaintLabels::most < differ);
+
+struct Box {
+  glm::ivec3 low, high;
+};
+
+/// The voxels whose labels have a number.
+template <class Values>
+std::optional<Box> boxOf(Values values, const Grid& grid, const std::vector<std::uint8_t>& numbers) {
+  std::optional<Box> box;
+  std::mutex mutex;
+  parallelFor(static_cast<std::size_t>(grid.dims.z), 4, [&](std::size_t begin, std::size_t end) {
+    std::optional<Box> own;
+    for (int z = static_cast<int>(begin); z < static_cast<int>(end); ++z)
+      for (int y = 0; y < grid.dims.y; ++y) {
+        const auto* row = values.data() + grid.offset({0, y, z});
+        const auto isFaint = [&](int x) { return numbers[static_cast<std::uint16_t>(row[x])] != 0; };
+        int first = 0, last = grid.dims.x - 1;
+        while (first <= last && !isFaint(first)) ++first;
+        if (first > last) continue;
+        while (!isFaint(last)) --last;
+        if (!own) own = Box{{first, y, z}, {last, y, z}};
+        *own = {glm::min(own->low, glm::ivec3(first, y, z)), glm::max(own->high, glm::ivec3(last, y, z))};
+      }
+    if (!own) return;
+    const std::scoped_lock lock(mutex);
+    box = box ? Box{glm::min(box->low, own->low), glm::max(box->high, own->high)} : *own;
+  });
+  return box;
+}
+
+/// The texels from `origin` on.
+template <class Values>
+std::vector<std::uint8_t> texelsOf(Values values, const Grid& grid, const std::vector<std::uint8_t>& numbers,
+                                   glm::ivec3 origin, glm::ivec3 size) {
+  const auto width = static_cast<std::size_t>(size.x), height = static_cast<std::size_t>(size.y);
+  std::vector<std::uint8_t> texels(width * height * static_cast<std::size_t>(size.z));
+  parallelFor(static_cast<std::size_t>(size.z), 4, [&](std::size_t begin, std::size_t end) {
+    // Of a texel's row and the next ones along y and z.
+    std::array<std::vector<std::uint8_t>, 4> rows;
+    for (std::size_t z = begin; z < end; ++z)
+      for (std::size_t y = 0; y < height; ++y) {
+        for (std::size_t k = 0; k < 4; ++k) {
+          rows[k].resize(width + 1);
+          const glm::ivec3 first = origin + glm::ivec3(0, y + k % 2, z + k / 2);
+          for (int x = 0; x <= size.x; ++x) {
+            const glm::ivec3 voxel = glm::clamp(first + glm::ivec3(x, 0, 0), glm::ivec3(0), grid.dims - 1);
+            rows[k][static_cast<std::size_t>(x)] = numbers[static_cast<std::uint16_t>(values[grid.offset(voxel)])];
+          }
+        }
+        for (std::size_t x = 0; x < width; ++x) {
+          const std::uint8_t own = rows[0][x];
+          const bool same = std::all_of(rows.begin(), rows.end(),
+                                        [&](const auto& row) { return row[x] == own && row[x + 1] == own; });
+          texels[x + width * (y + height * z)] = same ? own : static_cast<std::uint8_t>(own | differ);
+        }
+      }
+  });
+  return texels;
+}
+
+}  // namespace
+
+bool FaintIndex::update(const FaintLabels& faint, const std::shared_ptr<const LabelMap>& labels) {
+  const std::shared_ptr<const LabelMap> map = faint.any() ? labels : nullptr;
+  if (faint.numbers == numbers_ && map == map_) return false;
+  const bool had = any();
+  texture_ = {};
+  numbers_ = faint.numbers;
+  map_ = map;
+  if (!map) return had;
+  const std::vector<std::uint8_t> numbers = faint.numberOfLabel();
+  map->voxels.visit([&](auto values) {
+    if constexpr (std::is_unsigned_v<typename decltype(values)::value_type>) {
+      const std::optional<Box> box = boxOf(values, map->grid, numbers);
+      if (!box) return;
+      // One voxel more below: the cells there reach into the labels.
+      origin_ = box->low - 1;
+      const glm::ivec3 size = box->high - origin_ + 1;
+      texture_ = gl::Texture::make3D(gl::Format::R8UI, size);
+      texture_.upload(std::span<const std::uint8_t>(texelsOf(values, map->grid, numbers, origin_, size)));
+    }
+  });
+  return had || any();
+}
+
+}  // namespace fenestra

@@ -1,0 +1,35 @@
+#pragma once
+// Where the faint labels of the context are, for shaders/lib/FaintLabels.glsl.
+
+#include <cstdint>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "rendering/gl/Texture.h"
+#include "rendering/scene/FaintLabels.h"
+
+namespace fenestra {
+
+/// A byte a voxel, in a box around the faint labels' voxels: the number of the context's function there (see
+/// FaintLabels), and 128 more where the eight voxels from that one up along each axis, clamped to the grid, have
+/// different ones. Empty while no voxel has a faint label.
+class FaintIndex {
+ public:
+  /// Returns whether it was remade. `labels` may be null.
+  bool update(const FaintLabels& faint, const std::shared_ptr<const LabelMap>& labels);
+  void release() { *this = {}; }
+
+  bool any() const { return static_cast<bool>(texture_); }
+  const gl::Texture& texture() const { return texture_; }
+  glm::ivec3 origin() const { return origin_; }  ///< index of its first texel, -1 at the least
+
+ private:
+  gl::Texture texture_;
+  glm::ivec3 origin_{0};
+  // What it was made of.
+  std::vector<std::pair<std::uint16_t, std::uint8_t>> numbers_;
+  std::shared_ptr<const LabelMap> map_;
+};
+
+}  // namespace fenestra
