@@ -108,32 +108,73 @@ vec4 pieceBetween(Walk walk, RayPoint front, RayPoint back, vec4 material, bool 
   return pieceOf(material, size, behindCut(light, walk.cut, s));
 }
 
-// Of the context, over the last segment. Lit, in two halves: a segment is opaque mostly where its values are greatest,
-// and the light has to be taken there. Segments of a refined grid are short enough for one light each.
+// Half way between two bounds, and in another entry than both where they are two entries apart at least.
+Bound boundBetween(Bound front, Bound back) { return boundAt(contextTable(), 0.5 * (front.entry + back.entry)); }
+
+// Of the context, from one bound to another, in two halves: what lies in the first one hides the second. However few
+// entries apart the bounds are, the depths of the halves sum to that of the whole.
+vec4 halvesOver(Bound front, Bound back, float size) {
+  Bound middle = boundBetween(front, back);
+  return over(pieceOver(front, middle, 0.5 * size), pieceOver(middle, back, 0.5 * size));
+}
+
+// As between, lit as at the centre of its emission.
+vec4 litHalves(Walk walk, RayPoint front, RayPoint back) {
+  float size = back.s - front.s;
+  vec4 piece = halvesOver(front.bound, back.bound, size);
+  float u = centreOfEmission(-log(max(1.0 - piece.a, 1e-6))), s = front.s + u * size;
+  vec2 light = behindCut(lightOfGated(mix(front.gated, back.gated, u), walk.ray.world), walk.cut, s);
+  return vec4(piece.rgb * light.x + piece.a * light.y, piece.a);
+}
+
+// Of the context, over the last segment. Lit, in two parts: a segment is opaque mostly where its values are greatest, and
+// the light has to be taken there. Segments of a refined grid are short enough for one light each.
 vec4 contextPiece(Walk walk) {
   RayPoint front = walk.front, back = walk.back;
-  if (!LIT) return pieceOver(front.bound, back.bound, back.s - front.s);
+  if (!LIT) return halvesOver(front.bound, back.bound, back.s - front.s);
 #if REFINEMENT > 1
-  return pieceBetween(walk, front, back, meanOfContext(front, back), false);
+  return litHalves(walk, front, back);
 #else
   RayPoint middle = between(front, back, 0.5);
-  return over(pieceBetween(walk, front, middle, meanOfContext(front, middle), false),
-              pieceBetween(walk, middle, back, meanOfContext(middle, back), false));
+  middle.bound = boundBetween(front.bound, back.bound);
+  return over(litHalves(walk, front, middle), litHalves(walk, middle, back));
 #endif
 }
 
-// The part of the last segment that is in the focus, from and to 0 … 1; empty where from ≥ to. Between the two faces the
-// focus's field changes evenly, as values do.
+// Where the parabola of these values at 0, 1/2 and 1 is `level` or more, from and to 0 … 1; empty where from ≥ to. Of two
+// such parts, that nearer to 0.
+vec2 partAbove(vec3 values, float level) {
+  float start = values.x - level, rise = values.z - values.x, bend = 4.0 * values.y - 2.0 * (values.x + values.z);
+  // start + slope u - bend u²
+  float slope = rise + bend, discriminant = slope * slope + 4.0 * bend * start;
+  if (discriminant < 0.0) return values.y >= level ? vec2(0.0, 1.0) : vec2(1.0, 0.0);
+  float q = -0.5 * (slope + (slope >= 0.0 ? sqrt(discriminant) : -sqrt(discriminant)));
+  float inner = q != 0.0 ? start / q : 0.0, outer = bend != 0.0 ? -q / bend : inner;
+  vec2 roots = vec2(min(inner, outer), max(inner, outer));
+  if (bend > 0.0) return clamp(roots, 0.0, 1.0);
+  bool outside = start < 0.0 || (start == 0.0 && slope < 0.0);
+  float next = roots.x > 0.0 ? roots.x : roots.y > 0.0 ? roots.y : FAR;
+  return clamp(outside ? vec2(roots.y > 0.0 ? roots.y : FAR, FAR) : vec2(0.0, next), 0.0, 1.0);
+}
+
+// The part of the last segment that is in the focus, as partAbove() has it: the focus's field runs as a parabola through
+// its exact value in the middle.
 vec2 focusPart(Walk walk, uint slot, ivec3 cell) {
   FocusCell held = focusCellAt(slot, cell);
   if (!mayHoldFocus(held)) return vec2(1.0, 0.0);
-  vec3 from = clamp(cellPosition(walk.ray, walk.front.s) - vec3(cell), 0.0, 1.0);
-  vec3 to = clamp(cellPosition(walk.ray, walk.back.s) - vec3(cell), 0.0, 1.0);
-  vec2 ends = vec2(focusAt(held, from, walk.front.stored), focusAt(held, to, walk.back.stored)), range = focusRange();
-  if (walk.cut.onFocus != 0u && walk.front.s == walk.cut.start) ends.x = clamp(ends.x, range.x, range.y);
-  if (ends.x == ends.y) return ends.x >= range.x && ends.x <= range.y ? vec2(0.0, 1.0) : vec2(1.0, 0.0);
-  vec2 at = (range - ends.x) / (ends.y - ends.x);
-  return clamp(vec2(min(at.x, at.y), max(at.x, at.y)), 0.0, 1.0);
+  float s[3] = float[3](walk.front.s, 0.5 * (walk.front.s + walk.back.s), walk.back.s);
+  float stored[3] = float[3](walk.front.stored, storedBetween(cellPosition(walk.ray, s[1])), walk.back.stored);
+  vec3 field;
+  for (int i = 0; i < 3; ++i)
+    field[i] = focusAt(held, clamp(cellPosition(walk.ray, s[i]) - vec3(cell), 0.0, 1.0), stored[i]);
+  vec2 range = focusRange(), part = vec2(0.0, 1.0);
+  if (walk.cut.onFocus != 0u && walk.front.s == walk.cut.start) field.x = clamp(field.x, range.x, range.y);
+  if (range.x > -FAR) part = partAbove(field, range.x);
+  if (range.y < FAR) {
+    vec2 below = partAbove(-field, -range.y);
+    part = vec2(max(part.x, below.x), min(part.y, below.y));
+  }
+  return part;
 }
 
 #if FOCUS_FUNCTIONS
