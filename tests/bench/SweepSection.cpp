@@ -4,9 +4,9 @@
 #include <limits>
 #include <map>
 
+#include "app/benchmark/Text.h"
 #include "rendering/gpu/GpuScene.h"
 #include "tests/bench/Peers.h"
-#include "tests/bench/Text.h"
 
 namespace fenestra::bench {
 namespace {
@@ -25,7 +25,7 @@ std::vector<Row> measureAll(const Measurable& what, const std::vector<double>& b
   Renderer renderer(std::make_shared<GpuScene>());
   std::vector<Setting> settings = unboundedSettings();
   for (const Setting& setting : boundSettings(bounds)) settings.push_back(setting);
-  std::vector<Measured> measured = measure(renderer, what, settings, pathRounds, options);
+  std::vector<Measured> measured = measure(renderer, what, settings, pathRounds);
   for (std::size_t i = 0; i < settings.size(); ++i) {
     const auto& [name, quality, maxError] = settings[i];
     const bool high = maxError == highQualityError;
