@@ -55,6 +55,7 @@ GuideBrowser::GuideBrowser(std::function<QString()> keys, QWidget* parent)
   setLineWrapMode(QTextEdit::FixedPixelWidth);
   setLineWrapColumnOrWidth(textWidth + 40);
   setFrameShape(QFrame::NoFrame);
+  connect(this, &QTextBrowser::sourceChanged, this, &GuideBrowser::setHeadingsApart);
 }
 
 QVariant GuideBrowser::loadResource(int type, const QUrl& name) {
@@ -74,6 +75,15 @@ void GuideBrowser::doSetSource(const QUrl& name, QTextDocument::ResourceType typ
   const bool isKeys = place.fileName() == keysPage;
   QTextBrowser::doSetSource(place, isKeys ? QTextDocument::HtmlResource : type);
   if (place.hasFragment()) scrollToHeading(place.fragment());
+}
+
+void GuideBrowser::setHeadingsApart() {
+  constexpr double above = 18.0;
+  for (QTextBlock block = document()->begin().next(); block.isValid(); block = block.next())
+    if (QTextBlockFormat format = block.blockFormat(); format.headingLevel() > 0 && format.topMargin() < above) {
+      format.setTopMargin(above);
+      QTextCursor(block).setBlockFormat(format);
+    }
 }
 
 void GuideBrowser::scrollToHeading(const QString& anchor) {
@@ -96,6 +106,7 @@ GuideWindow::GuideWindow(std::function<QString()> keys, QWidget* parent)
     auto* entry = new QListWidgetItem(page.title, contents_);
     entry->setData(Qt::UserRole, page.file);
   }
+  contents_->setObjectName(QStringLiteral("contents"));
   contents_->setFrameShape(QFrame::NoFrame);
   auto* halves = new QSplitter;
   halves->addWidget(contents_);
@@ -146,7 +157,7 @@ QWidget* GuideWindow::makeBar() {
   search_->setPlaceholderText(tr("Find on this page"));
   search_->setToolTip(tr("Return goes to the next place (Ctrl+F)"));
   search_->setClearButtonEnabled(true);
-  search_->setMinimumWidth(200);
+  search_->setFixedWidth(240);
   connect(search_, &QLineEdit::textEdited, this, &GuideWindow::findTyped);
   connect(search_, &QLineEdit::returnPressed, this, [this] { find({}); });
   connect(new QShortcut(QKeySequence::Find, this), &QShortcut::activated, search_, [this] {

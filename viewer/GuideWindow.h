@@ -39,6 +39,8 @@ class GuideBrowser : public QTextBrowser {
   void doSetSource(const QUrl& name, QTextDocument::ResourceType type) override;
 
  private:
+  /// Markdown leaves headings as near to the text before as to their own.
+  void setHeadingsApart();
   void scrollToHeading(const QString& anchor);
 
   std::function<QString()> keys_;

@@ -94,6 +94,7 @@ WelcomePage::WelcomePage(FileOpener& files, Workspace& workspace, Tour& tour, co
   row->addStretch(1);
   auto* scroller = new QScrollArea;
   scroller->setFrameShape(QFrame::NoFrame);
+  scroller->setFocusPolicy(Qt::NoFocus);
   scroller->setWidgetResizable(true);
   scroller->setWidget(centred);
   auto* whole = new QVBoxLayout(this);

@@ -62,7 +62,8 @@ void writeComparison(std::ostream& page, const BenchmarkResult& result, const st
     page << i + 1 << ". " << machine.name << ", measured on " << machine.date << " (" << machine.source << "): ";
     if (const std::optional<Comparison> found = compare(result, machine))
       page << "this machine takes " << number(1.0 / found->timesAsFast) << " times as long, in the geometric mean of "
-           << found->settings << (found->settings == 1 ? " setting" : " settings") << " that were measured on both.\n";
+           << found->settings << (found->settings == 1 ? " setting that was" : " settings that were")
+           << " measured on both.\n";
     else
       page << "no setting was measured on both.\n";
   }
@@ -124,6 +125,7 @@ nlohmann::ordered_json benchmarkJson(const BenchmarkResult& result, const std::v
   }
   return {{"processors", result.machine.processors},
           {"memory_gib", result.machine.memory},
+          {"load", result.machine.load},
           {"gl", result.machine.renderer},
           {"software", result.machine.isSoftware},
           {"schedule", result.schedule},
@@ -155,6 +157,10 @@ std::string benchmarkPage(const BenchmarkResult& result, const std::vector<Known
        << "| first picture: voxels uploaded, programs compiled or found | " << milliseconds(result.first) << " |\n"
        << "| cameras placed: 192 views measured | " << milliseconds(result.placing) << " |\n"
        << "| both cameras, as one is turned, normal quality | " << milliseconds(result.both) << " |\n\n";
+  constexpr double busy = 0.5;  // processors; less is what a desktop does by itself
+  if (machine.load > busy)
+    page << "Other programs kept " << number(machine.load)
+         << " processors busy in the minute before: alone on the machine, times are shorter.\n\n";
   writeComparison(page, result, machines);
   for (const SceneTimes& scene : result.scenes)
     writeScene(page, scene, machines, !result.isQuick, result.size == knownSize);

@@ -1,6 +1,7 @@
 #include "app/benchmark/Machine.h"
 
 #include <unistd.h>
+#include <cstdlib>
 #include <fstream>
 #include <thread>
 
@@ -17,10 +18,12 @@ std::string processors() {
 }
 
 Machine thisMachine() {
-  Machine machine{processors(), 0.0, gl::description(), gl::isSoftwareRasteriser()};
+  Machine machine{processors(), 0.0, gl::description(), gl::isSoftwareRasteriser(), 0.0};
   const long pages = ::sysconf(_SC_PHYS_PAGES), size = ::sysconf(_SC_PAGE_SIZE);
   constexpr double gibibyte = 1024.0 * 1024.0 * 1024.0;
   if (pages > 0 && size > 0) machine.memory = static_cast<double>(pages) * static_cast<double>(size) / gibibyte;
+  double load = 0.0;
+  if (::getloadavg(&load, 1) == 1) machine.load = load;
   return machine;
 }
 

@@ -10,6 +10,7 @@ struct Machine {
   double memory = 0.0;      ///< GiB of main memory; 0 where the system does not say
   std::string renderer;     ///< GL_RENDERER and GL_VERSION
   bool isSoftware = false;  ///< the processors draw
+  double load = 0.0;        ///< how many processors other programs kept busy before, a mean over a minute
 };
 
 /// "2 × NAME".

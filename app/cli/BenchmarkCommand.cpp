@@ -32,6 +32,10 @@ std::string today() {
 }  // namespace
 
 void benchmark(const BenchmarkOptions& options) {
+  // Before minutes are spent.
+  if (const auto folder = std::filesystem::absolute(options.output).parent_path();
+      !options.output.empty() && !std::filesystem::is_directory(folder))
+    throw io::Error(options.output, "cannot be written: there is no such folder", "choose a folder that exists");
   const auto starting = std::chrono::steady_clock::now();
   const egl::EglContext context;
   const double contextTime = millisecondsSince(starting);

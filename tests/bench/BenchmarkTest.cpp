@@ -12,7 +12,7 @@ namespace {
 
 BenchmarkResult madeUp() {
   BenchmarkResult result;
-  result.machine = {"4 × Made Up", 7.5, "Renderer, Driver 1.2", true};
+  result.machine = {"4 × Made Up", 7.5, "Renderer, Driver 1.2", true, 0.1};
   result.schedule = "plain";
   result.size = {700, 650};
   result.first = 120.0;
@@ -60,6 +60,13 @@ TEST(Benchmark, AQuickPageHasNoErrors) {
   const std::string page = benchmarkPage(quick, {other}, "1.0.0", "2026-01-31");
   EXPECT_NE(page.find("| normal | 10 | 9.0 to 12 | 100 | 20 |"), std::string::npos) << page;
   EXPECT_EQ(page.find("RMS"), std::string::npos);
+}
+
+TEST(Benchmark, ThePageSaysWhenTheMachineWasBusy) {
+  BenchmarkResult result = madeUp();
+  EXPECT_EQ(benchmarkPage(result, {}, "", "").find("Other programs"), std::string::npos);
+  result.machine.load = 1.5;
+  EXPECT_NE(benchmarkPage(result, {}, "", "").find("Other programs kept 1.5 processors busy"), std::string::npos);
 }
 
 TEST(Benchmark, TheJsonHoldsWhatThePageSays) {
