@@ -12,6 +12,7 @@
 #include <QShortcut>
 #include <QSplitter>
 #include <QTextBlock>
+#include <QTextTable>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -55,7 +56,7 @@ GuideBrowser::GuideBrowser(std::function<QString()> keys, QWidget* parent)
   setLineWrapMode(QTextEdit::FixedPixelWidth);
   setLineWrapColumnOrWidth(textWidth + 40);
   setFrameShape(QFrame::NoFrame);
-  connect(this, &QTextBrowser::sourceChanged, this, &GuideBrowser::setHeadingsApart);
+  connect(this, &QTextBrowser::sourceChanged, this, &GuideBrowser::setApart);
 }
 
 QVariant GuideBrowser::loadResource(int type, const QUrl& name) {
@@ -77,12 +78,23 @@ void GuideBrowser::doSetSource(const QUrl& name, QTextDocument::ResourceType typ
   if (place.hasFragment()) scrollToHeading(place.fragment());
 }
 
-void GuideBrowser::setHeadingsApart() {
+void GuideBrowser::setApart() {
   constexpr double above = 18.0;
   for (QTextBlock block = document()->begin().next(); block.isValid(); block = block.next())
     if (QTextBlockFormat format = block.blockFormat(); format.headingLevel() > 0 && format.topMargin() < above) {
       format.setTopMargin(above);
       QTextCursor(block).setBlockFormat(format);
+    }
+  for (QTextFrame* frame : document()->rootFrame()->childFrames())
+    if (auto* table = qobject_cast<QTextTable*>(frame); table && table->format().border() > 0.0) {
+      QTextTableFormat format = table->format();
+      format.setCellPadding(5.0);
+      format.setCellSpacing(0.0);
+      format.setBorderCollapse(true);
+      format.setBorderBrush(palette().light());
+      format.setTopMargin(6.0);
+      format.setBottomMargin(6.0);
+      table->setFormat(format);
     }
 }
 
@@ -105,6 +117,7 @@ GuideWindow::GuideWindow(std::function<QString()> keys, QWidget* parent)
   for (const GuidePage& page : guidePages()) {
     auto* entry = new QListWidgetItem(page.title, contents_);
     entry->setData(Qt::UserRole, page.file);
+    entry->setSizeHint(QSize(0, fontMetrics().height() + 10));
   }
   contents_->setObjectName(QStringLiteral("contents"));
   contents_->setFrameShape(QFrame::NoFrame);

@@ -39,8 +39,8 @@ class GuideBrowser : public QTextBrowser {
   void doSetSource(const QUrl& name, QTextDocument::ResourceType type) override;
 
  private:
-  /// Markdown leaves headings as near to the text before as to their own.
-  void setHeadingsApart();
+  /// Markdown leaves headings as near to the text before as to their own, and cells of tables without a margin.
+  void setApart();
   void scrollToHeading(const QString& anchor);
 
   std::function<QString()> keys_;

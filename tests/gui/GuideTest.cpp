@@ -69,8 +69,9 @@ TEST_F(GuideOfWindow, F1OpensThePageOfTheTabThatWasBroughtToTheFront) {
                                    {"brushDock", "brush.md"},
                                    {"clippingDock", "opening.md"},
                                    {"contextLayerDock", "opening.md"}}) {
-    dock(name)->raise();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return dock(name)->visibleRegion().isEmpty() == false; }, patience));
+    QDockWidget* raised = dock(name);
+    raised->raise();
+    ASSERT_TRUE(QTest::qWaitFor([raised] { return !raised->visibleRegion().isEmpty(); }, patience));
     QTest::qWait(20);
     window_->guide().open();
     EXPECT_EQ(page().toStdString(), file) << name;

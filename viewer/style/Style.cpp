@@ -140,7 +140,7 @@ QString styleSheetOf(const Colours& colours) {
     QFrame#notice { background: @notice; border: none; border-left: 4px solid #d8a53c; }
     QFrame#notice[error="true"] { background: @error; border-left: 4px solid #d9605a; }
     QFrame#welcome, QWidget#welcomeBody, QLabel#noOpenGl { background: @well; }
-    QListWidget#contents::item { padding: 5px 10px; }
+    QListWidget#contents { padding: 8px; }
     QFrame#card { background: @window; border: 1px solid @line; border-radius: 6px; }
     QFrame#welcome QPushButton#recent { text-align: left; color: @link; padding: 3px 0; }
     QFrame#welcome QPushButton#recent:hover { text-decoration: underline; }
