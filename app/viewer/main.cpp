@@ -116,7 +116,8 @@ struct Request {
 
 /// Reads the command line into `request`. Returns an exit code when the program should end at once.
 std::optional<int> parse(int argc, char** argv, Request& request) {
-  CLI::App program{"Fenestra: looks into medical volumes with an adaptive cutaway.\nNot for diagnostic use.",
+  CLI::App program{"Fenestra: looks into medical volumes with an adaptive cutaway.\nNot for diagnostic use.\n"
+                   "Without arguments it offers phantoms, a guided tour and the data opened last.",
                    "fenestra"};
   program.set_version_flag("--version", FENESTRA_VERSION);
   app::addCompletionOption(program);
