@@ -33,8 +33,8 @@ std::string today() {
 
 void benchmark(const BenchmarkOptions& options) {
   // Before minutes are spent.
-  if (const auto folder = std::filesystem::absolute(options.output).parent_path();
-      !options.output.empty() && !std::filesystem::is_directory(folder))
+  if (!options.output.empty() &&
+      !std::filesystem::is_directory(std::filesystem::absolute(options.output).parent_path()))
     throw io::Error(options.output, "cannot be written: there is no such folder", "choose a folder that exists");
   const auto starting = std::chrono::steady_clock::now();
   const egl::EglContext context;
