@@ -84,8 +84,7 @@ Tour::Tour(Workspace& workspace, ViewArea& views, QWidget* parent)
   bold.setBold(true);
   title_->setFont(bold);
   text_->setWordWrap(true);
-  // Always two lines, so that the pictures below keep their size.
-  text_->setFixedHeight(2 * text_->fontMetrics().lineSpacing() + 2);
+  text_->setMinimumWidth(200);
   text_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   auto* texts = new QVBoxLayout;
   texts->setSpacing(2);
@@ -127,6 +126,18 @@ QList<Tour::Step> Tour::allSteps() const {
           "guide."),
        nullptr},
   };
+}
+
+void Tour::resizeEvent(QResizeEvent* event) {
+  QFrame::resizeEvent(event);
+  // The same for all steps, so that the pictures below keep their size.
+  int height = 0;
+  for (const Step& step : allSteps())
+    height =
+        std::max(height, text_->fontMetrics()
+                             .boundingRect(QRect(0, 0, text_->width(), QWIDGETSIZE_MAX), Qt::TextWordWrap, step.text)
+                             .height());
+  text_->setFixedHeight(height + 2);
 }
 
 int Tour::steps() const { return static_cast<int>(allSteps().size()); }

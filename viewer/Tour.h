@@ -53,6 +53,9 @@ class Tour : public QFrame {
  Q_SIGNALS:
   void canStartChanged(bool can);
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   struct Step {
     QString title, text;

@@ -20,16 +20,21 @@ namespace fenestra::viewer {
 namespace {
 
 /// Device-independent pixels of the page, and of a path on it.
-constexpr int widest = 980, longestRecent = 560;
+constexpr int widest = 980, longestRecent = 440;
+/// Narrower pages have no room for three cards beside each other in a language of long words.
+constexpr int leastForCards = 720;
 
-QLabel* wrapped(const QString& text) {
-  auto* label = new QLabel(text);
-  label->setWordWrap(true);
-  return label;
-}
+/// A text of several lines, which may be as narrow as a few words; QLabel asks for more.
+class Paragraph : public QLabel {
+ public:
+  explicit Paragraph(const QString& text) : QLabel(text) { setWordWrap(true); }
+  QSize minimumSizeHint() const override { return {fontMetrics().averageCharWidth() * 20, fontMetrics().height()}; }
+};
+
+QLabel* wrapped(const QString& text) { return new Paragraph(text); }
 
 QLabel* larger(const QString& text, double factor) {
-  auto* label = new QLabel(text);
+  auto* label = new Paragraph(text);
   QFont font = label->font();
   font.setPointSizeF(font.pointSizeF() * factor);
   font.setBold(factor < 2.0);
@@ -54,6 +59,8 @@ WelcomePage::WelcomePage(FileOpener& files, Workspace& workspace, Tour& tour, co
     : QFrame(parent),
       files_(files),
       workspace_(workspace),
+      cards_(nullptr),
+      samples_(nullptr),
       recent_(new QVBoxLayout),
       recentTitle_(nullptr),
       body_(nullptr) {
@@ -95,6 +102,7 @@ WelcomePage::WelcomePage(FileOpener& files, Workspace& workspace, Tour& tour, co
   auto* scroller = new QScrollArea;
   scroller->setFrameShape(QFrame::NoFrame);
   scroller->setFocusPolicy(Qt::NoFocus);
+  scroller->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroller->setWidgetResizable(true);
   scroller->setWidget(centred);
   auto* whole = new QVBoxLayout(this);
@@ -130,20 +138,20 @@ QFrame* WelcomePage::makeCard(const char* iconName, const QString& title, const 
 QWidget* WelcomePage::makeCards(FileOpener& files, Tour& tour) {
   QVBoxLayout *touring = nullptr, *own = nullptr;
   auto* cards = new QWidget;
-  auto* row = new QHBoxLayout(cards);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(12);
-  row->addWidget(makeCard("labels", tr("Built-in phantoms"),
-                          tr("Bodies made of simple shapes, with every structure labelled. Nobody's data: try "
-                             "everything on them."),
-                          samples_),
-                 1);
-  row->addWidget(
+  cards_ = new QBoxLayout(QBoxLayout::LeftToRight, cards);
+  cards_->setContentsMargins(0, 0, 0, 0);
+  cards_->setSpacing(12);
+  cards_->addWidget(makeCard("labels", tr("Built-in phantoms"),
+                             tr("Bodies made of simple shapes, with every structure labelled. Nobody's data: try "
+                                "everything on them."),
+                             samples_),
+                    1);
+  cards_->addWidget(
       makeCard("place", tr("Guided tour"),
                tr("Clicks through the first minute on the torso phantom, and says at each step what it does."),
                touring),
       1);
-  row->addWidget(
+  cards_->addWidget(
       makeCard("folder", tr("Your own data"),
                tr("Drop a folder of DICOM files, or a NIfTI, NRRD or MetaImage file, anywhere in this window."), own),
       1);
@@ -160,6 +168,11 @@ QWidget* WelcomePage::makeCards(FileOpener& files, Tour& tour) {
   own->addWidget(folder);
   own->addWidget(file);
   return cards;
+}
+
+void WelcomePage::resizeEvent(QResizeEvent* event) {
+  QFrame::resizeEvent(event);
+  cards_->setDirection(width() < leastForCards ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
 }
 
 void WelcomePage::addSample(QAction& opens) {

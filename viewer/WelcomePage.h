@@ -7,6 +7,7 @@
 #include "viewer/views/GlSupport.h"
 
 class QAction;
+class QBoxLayout;
 class QLabel;
 class QVBoxLayout;
 
@@ -30,6 +31,10 @@ class WelcomePage : public QFrame {
  Q_SIGNALS:
   void guideRequested();
 
+ protected:
+  /// Puts the cards one above the other where there is no room beside each other.
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   QFrame* makeCard(const char* icon, const QString& title, const QString& text, QVBoxLayout*& buttons);
   QWidget* makeCards(FileOpener& files, Tour& tour);
@@ -38,6 +43,7 @@ class WelcomePage : public QFrame {
 
   FileOpener& files_;
   Workspace& workspace_;
+  QBoxLayout* cards_;
   QVBoxLayout *samples_, *recent_;
   QLabel* recentTitle_;
   QWidget* body_;

@@ -165,6 +165,19 @@ TEST_F(GuidedTour, DoesEachStepWithTheMouse) {
   EXPECT_FALSE(tour.isVisible());
 }
 
+TEST_F(GuidedTour, ItsTextsFitIntoASmallWindow) {
+  startTour();
+  window_->resize(960, 600);
+  waitUntilDrawn();
+  Tour& tour = window_->tour();
+  for (int step = 0; step < tour.steps(); ++step, tour.next()) {
+    waitUntilDrawn();
+    for (const auto* label : tour.findChildren<QLabel*>()) {
+      EXPECT_GE(label->height(), label->heightForWidth(label->width())) << label->text().toStdString();
+    }
+  }
+}
+
 TEST_F(GuidedTour, MovesAMouseThatIsSeen) {
   startTour();
   window_->tour().setAnimated(true);
