@@ -7,7 +7,9 @@
 #include <QToolButton>
 
 #include "viewer/Dialogs.h"
+#include "viewer/Guide.h"
 #include "viewer/PictureExports.h"
+#include "viewer/Tour.h"
 #include "viewer/Verification.h"
 #include "viewer/jobs/RegionGrower.h"
 #include "viewer/model/Workspace.h"
@@ -80,6 +82,12 @@ QAction* Actions::preferenceToggle(const QString& text, const QKeySequence& keys
 
 void Actions::makeHelpMenu() {
   QMenu* menu = targets_.window.menuBar()->addMenu(tr("&Help"));
+  menu->addAction(
+      action(tr("&User guide"), QKeySequence(QKeySequence::HelpContents), [this] { targets_.guide.open(); }));
+  QAction* tour = action(tr("Guided &tour"), {}, [this] { targets_.tour.start(); });
+  tour->setEnabled(targets_.tour.canStart());
+  connect(&targets_.tour, &Tour::canStartChanged, tour, &QAction::setEnabled);
+  menu->addAction(tour);
   menu->addAction(action(tr("&Keys and mouse"), QKeySequence(tr("?")),
                          [this] { showKeys(*targets_.window.menuBar(), &targets_.window); }));
   menu->addAction(action(tr("&About Fenestra"), {},

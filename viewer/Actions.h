@@ -23,8 +23,10 @@ class CutawayPanel;
 class Exports;
 class PictureExports;
 class FileOpener;
+class Guide;
 class RegionGrower;
 class Sessions;
+class Tour;
 class Verification;
 class ViewArea;
 struct Workspace;
@@ -47,13 +49,15 @@ class Actions : public QObject {
     GlSupport gl;
     std::function<void()> resetLayout;
     CutawayPanel& cutaway;
+    Guide& guide;
+    Tour& tour;
   };
 
   /// The window owns this.
   explicit Actions(const Targets& targets);
 
-  /// An entry in the File menu for data that comes with the program.
-  void addSample(const QString& name, StudyLoader::SampleReader read);
+  /// An entry in the File menu for data that comes with the program; this owns it.
+  QAction* addSample(const QString& name, StudyLoader::SampleReader read);
 
  private:
   QAction* action(const QString& text, const QKeySequence& keys, std::function<void()> does);

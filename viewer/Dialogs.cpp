@@ -51,6 +51,12 @@ QString keysHtml(const QMenuBar& menus) {
   return html + QStringLiteral("</table>");
 }
 
+QString keysPageHtml(const QMenuBar& menus) {
+  return QStringLiteral("<h1>%1</h1><p>%2</p>")
+             .arg(tr("Keys and mouse"), tr("What the mouse does in each view, then the keys of the menus.")) +
+         keysHtml(menus);
+}
+
 void showKeys(const QMenuBar& menus, QWidget* parent) {
   QDialog dialog(parent);
   dialog.setWindowTitle(tr("Keys and mouse"));

@@ -21,6 +21,8 @@ struct MenuKey {
 QList<MenuKey> menuKeys(const QMenuBar& menus);
 /// What the mouse does (viewer/Gestures.h) and the keys of the menus, as a table.
 QString keysHtml(const QMenuBar& menus);
+/// The same as a page of the user guide.
+QString keysPageHtml(const QMenuBar& menus);
 void showKeys(const QMenuBar& menus, QWidget* parent);
 void showAbout(const GlSupport& gl, std::optional<Schedule> schedule, QWidget* parent);
 

@@ -100,13 +100,15 @@ void Actions::addExports(QMenu& menu) {
   enable();
 }
 
-void Actions::addSample(const QString& name, StudyLoader::SampleReader read) {
+QAction* Actions::addSample(const QString& name, StudyLoader::SampleReader read) {
   samples_->menuAction()->setVisible(true);
-  connect(samples_->addAction(name), &QAction::triggered, this, [this, read = std::move(read)] {
+  QAction* sample = samples_->addAction(name);
+  connect(sample, &QAction::triggered, this, [this, read = std::move(read)] {
     if (!targets_.sessions.mayGo()) return;
     const Look look = targets_.workspace.preferences.startingLook({});
     targets_.loader.open([read, look](const io::Progress& progress) { return read(look, progress); });
   });
+  return sample;
 }
 
 void Actions::fillRecentMenu() {

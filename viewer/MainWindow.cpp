@@ -20,6 +20,7 @@
 #include "viewer/DockHeights.h"
 #include "viewer/Exports.h"
 #include "viewer/FileOpener.h"
+#include "viewer/Guide.h"
 #include "viewer/LoadingBar.h"
 #include "viewer/MeasureMenu.h"
 #include "viewer/NoticeBar.h"
@@ -28,6 +29,7 @@
 #include "viewer/Sessions.h"
 #include "viewer/StatusBar.h"
 #include "viewer/StructureMenu.h"
+#include "viewer/Tour.h"
 #include "viewer/UndoKeys.h"
 #include "viewer/Verification.h"
 #include "viewer/WelcomePage.h"
@@ -105,8 +107,10 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
                                    [this] { return sessions_->controller().session(); });
   setCentralWidget(makeCentre());
   panels_ = makePanels(*this, workspace_);
+  guide_ = new Guide(*this);
+  connect(welcome_, &WelcomePage::guideRequested, guide_, [this] { guide_->open(); });
   actions_ = new Actions({*this, workspace_, loader_, grower_, *files_, *exports_, *pictures_, *verification_,
-                          *sessions_, *views_, gl_, [this] { resetLayout(); }, *panels_.cutaway});
+                          *sessions_, *views_, gl_, [this] { resetLayout(); }, *panels_.cutaway, *guide_, *tour_});
   setStatusBar(new StatusBar(workspace_.document, *views_, gl_));
   // Not above the pictures: they would be drawn anew in another size with each click.
   // Also what waits for a job that is stopping.
@@ -131,8 +135,10 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
 MainWindow::~MainWindow() { hide(); }
 
 QWidget* MainWindow::makeCentre() {
+  tour_ = new Tour(workspace_, *views_);
+  welcome_ = new WelcomePage(*files_, workspace_, *tour_, gl_);
   pages_ = new QStackedWidget;
-  pages_->addWidget(new WelcomePage(*files_));
+  pages_->addWidget(welcome_);
   pages_->addWidget(views_);
   auto* centre = new QWidget;
   auto* column = new QVBoxLayout(centre);
@@ -141,6 +147,7 @@ QWidget* MainWindow::makeCentre() {
   column->addWidget(new LoadingBar(loader_.job(), tr("Opening…")));
   column->addWidget(new LoadingBar(exports_->job(), tr("Writing…")));
   column->addWidget(notices_);
+  column->addWidget(tour_);
   column->addWidget(pages_, 1);
   return centre;
 }
@@ -196,6 +203,11 @@ void MainWindow::connectPanels() {
 void MainWindow::connectLoader() {
   connect(&loader_, &StudyLoader::opened, this, &MainWindow::studyOpened);
   connect(&loader_, &StudyLoader::labelsOpened, notices_, &NoticeBar::addWarnings);
+  connect(&loader_.job(), &LoadJob::started, this, [this] { welcome_->setReading(true); });
+  connect(&loader_.job(), &LoadJob::ended, this, [this] {
+    welcome_->setReading(loader_.job().isRunning());
+    if (!loader_.job().isRunning()) tour_->openingEnded();
+  });
   connect(&loader_.job(), &LoadJob::failed, this, [this](const QString& message) {
     showError(message);
     Q_EMIT failed(message);
@@ -266,13 +278,20 @@ void MainWindow::open(const std::vector<std::filesystem::path>& paths) { files_-
 void MainWindow::openLabels(const std::filesystem::path& path) { loader_.openLabels(path); }
 
 void MainWindow::addSample(const QString& name, StudyLoader::SampleReader read) {
-  actions_->addSample(name, std::move(read));
+  QAction* sample = actions_->addSample(name, std::move(read));
+  welcome_->addSample(*sample);
+  if (!tour_->canStart())
+    tour_->setPhantom([this, sample] {
+      sample->trigger();
+      return loader_.job().isRunning();
+    });
 }
 
 void MainWindow::studyOpened() {
   const Study& study = workspace_.document.study();
   pages_->setCurrentWidget(views_);
   notices_->clear();
+  tour_->studyOpened();
   sessions_->studyShown();
   const std::filesystem::path& path = study.sessionFile.empty() ? study.path : study.sessionFile;
   if (!path.empty()) workspace_.preferences.addRecent(path);

@@ -24,11 +24,14 @@ namespace fenestra::viewer {
 class Actions;
 class Exports;
 class FileOpener;
+class Guide;
 class NoticeBar;
 class PictureExports;
 class Verification;
 class Sessions;
+class Tour;
 class ViewArea;
+class WelcomePage;
 
 class MainWindow : public QMainWindow {
   Q_OBJECT
@@ -49,7 +52,8 @@ class MainWindow : public QMainWindow {
   /// As FileOpener.
   void open(const std::vector<std::filesystem::path>& paths);
   void openLabels(const std::filesystem::path& path);
-  /// An entry in the File menu for data that comes with the program.
+  /// An entry in the File menu and on the welcome page for data that comes with the program. The guided tour takes the
+  /// first.
   void addSample(const QString& name, StudyLoader::SampleReader read);
 
   /// Calls `done` once, when nothing is being read and all views show the scene at full quality.
@@ -67,6 +71,8 @@ class MainWindow : public QMainWindow {
   Verification& verification() { return *verification_; }
   ViewArea& views() { return *views_; }
   NoticeBar& notices() { return *notices_; }
+  Guide& guide() { return *guide_; }
+  Tour& tour() { return *tour_; }
 
  Q_SIGNALS:
   /// The window shows a study.
@@ -116,8 +122,11 @@ class MainWindow : public QMainWindow {
   Exports* exports_;
   PictureExports* pictures_;
   Verification* verification_;
+  Tour* tour_;
+  WelcomePage* welcome_;
   QStackedWidget* pages_;
   Panels panels_;
+  Guide* guide_;
   Actions* actions_;
   QByteArray firstState_, firstViews_;  ///< of resetLayout()
 };

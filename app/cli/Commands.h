@@ -48,11 +48,11 @@ void surface(const SurfaceOptions& options);
 struct RenderOptions {
   app::SceneOptions scene;
   std::filesystem::path output, layers, stats, session, look;  ///< empty: not written
-  std::optional<Schedule> schedule;                      ///< empty: the faster one
-  int repeat = 1;                                        ///< frames, each from the first pass on
-  bool reference = false;                                ///< in double precision on the CPU
-  std::optional<int> certify;                            ///< pixels to compare with the reference
-  std::uint64_t certifySeed = 1;                         ///< that chooses them
+  std::optional<Schedule> schedule;                            ///< empty: the faster one
+  int repeat = 1;                                              ///< frames, each from the first pass on
+  bool reference = false;                                      ///< in double precision on the CPU
+  std::optional<int> certify;                                  ///< pixels to compare with the reference
+  std::uint64_t certifySeed = 1;                               ///< that chooses them
 };
 void render(const RenderOptions& options);
 
@@ -75,6 +75,15 @@ struct GrowOptions {
   std::filesystem::path output;
 };
 void grow(const GrowOptions& options);
+
+struct BenchmarkOptions {
+  std::filesystem::path output;      ///< .md or .json; empty: JSON to standard output
+  bool isQuick = false;              ///< in about twenty seconds
+  std::optional<glm::ivec2> size;    ///< of the pictures, pixels; that of the known machines otherwise
+  std::optional<Schedule> schedule;  ///< empty: the faster one
+};
+/// Measures how fast this machine draws the built-in phantom, and compares it with machines of the project's report.
+void benchmark(const BenchmarkOptions& options);
 
 struct CompareOptions {
   std::filesystem::path a, b;

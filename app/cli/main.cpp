@@ -283,6 +283,29 @@ Command addGrow(CLI::App& program, GrowOptions& options) {
   return {command, &options.volume, [&] { return grow(options), true; }};
 }
 
+Command addBenchmark(CLI::App& program, BenchmarkOptions& options) {
+  CLI::App* command = program.add_subcommand(
+      "benchmark", "how fast this machine draws the built-in phantom, compared with machines of the project's report");
+  command
+      ->add_option("-o,--output", options.output,
+                   "page (.md) or JSON (.json) to write; JSON to standard output otherwise")
+      ->type_name("FILE")
+      ->check([](const std::string& path) {
+        return path.ends_with(".md") || path.ends_with(".json") ? std::string()
+                                                                : path + " ends in neither .md nor .json";
+      });
+  command->add_flag("--quick", options.isQuick, "in about twenty seconds instead of some minutes, without errors");
+  app::addParsed(*command, "--size", "WxH", "pictures in pixels, default 700x650, that of the figures to compare with",
+                 [&options](const std::string& text) {
+                   const auto size = app::parseNumbers<int, 2>(text, 'x');
+                   if (!size || (*size)[0] < 1 || (*size)[1] < 1) return false;
+                   options.size = glm::ivec2((*size)[0], (*size)[1]);
+                   return true;
+                 });
+  app::addScheduleOption(*command, options.schedule);
+  return {command, nullptr, [&] { return benchmark(options), true; }};
+}
+
 Command addCompare(CLI::App& program, CompareOptions& options) {
   CLI::App* command = program.add_subcommand("compare", "errors between two pictures or layers, as JSON");
   command->add_option("A", options.a, "PNG or .mha")->required()->type_name("");
@@ -306,11 +329,13 @@ int main(int argc, char** argv) {
   RenderOptions renderOptions;
   PlaceOptions placeOptions;
   GrowOptions growOptions;
+  BenchmarkOptions benchmarkOptions;
   CompareOptions compareOptions;
-  const std::array commands{addInfo(program, infoOptions),       addConvert(program, convertOptions),
-                            addSlice(program, sliceOptions),     addRender(program, renderOptions),
-                            addPlace(program, placeOptions),     addGrow(program, growOptions),
-                            addSurface(program, surfaceOptions), addCompare(program, compareOptions)};
+  const std::array commands{addInfo(program, infoOptions),          addConvert(program, convertOptions),
+                            addSlice(program, sliceOptions),        addRender(program, renderOptions),
+                            addPlace(program, placeOptions),        addGrow(program, growOptions),
+                            addSurface(program, surfaceOptions),    addCompare(program, compareOptions),
+                            addBenchmark(program, benchmarkOptions)};
 
   try {
     program.parse(argc, argv);
@@ -319,7 +344,7 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     const bool named = !program.get_subcommands().empty() || error.get_name() == "ValidationError";
     const std::string what =
-        named ? error.what() : "expected info, convert, slice, render, place, grow, surface or compare";
+        named ? error.what() : "expected info, convert, slice, render, place, grow, surface, compare or benchmark";
     std::cerr << oneLine("fenestra-cli: " + what + "; see --help") << '\n';
     return misused;
   } catch (const io::Error& error) {  // of a session, which is read while parsing

@@ -22,6 +22,7 @@
 #include "io/base/SessionName.h"
 #include "viewer/MainWindow.h"
 #include "viewer/Sessions.h"
+#include "viewer/Tour.h"
 #include "viewer/jobs/ReadStudy.h"
 #include "viewer/style/Style.h"
 
@@ -100,6 +101,7 @@ struct Request {
   MainWindow::Patient patient = MainWindow::Patient::Hidden;  ///< in the screenshot
   std::optional<Effort> atRest;                               ///< unset: as remembered
   std::optional<Schedule> schedule;                           ///< unset: the faster one
+  bool welcomes = false;                                      ///< nothing was asked for: opens nothing
   bool setsBackground = false, setsUnit = false;              ///< a session or a preset does, too
 
   /// The scene as asked for, where nothing was said with the user's own defaults.
@@ -114,7 +116,8 @@ struct Request {
 
 /// Reads the command line into `request`. Returns an exit code when the program should end at once.
 std::optional<int> parse(int argc, char** argv, Request& request) {
-  CLI::App program{"Fenestra: looks into medical volumes with an adaptive cutaway.\nNot for diagnostic use.",
+  CLI::App program{"Fenestra: looks into medical volumes with an adaptive cutaway.\nNot for diagnostic use.\n"
+                   "Without arguments it offers phantoms, a guided tour and the data opened last.",
                    "fenestra"};
   program.set_version_flag("--version", FENESTRA_VERSION);
   app::addCompletionOption(program);
@@ -152,6 +155,7 @@ std::optional<int> parse(int argc, char** argv, Request& request) {
   const bool hasLook = io::isSession(options.path) || options.preset;
   request.setsBackground = hasLook || program.count("--background") > 0;
   request.setsUnit = hasLook || program.count("--width-unit") > 0;
+  request.welcomes = argc <= 1;
   if (options.empty()) options.phantom = "torso";
   if (program.count("--quality") + program.count("--max-error") > 0)
     request.atRest = Effort{.quality = options.quality, .maxError = options.maxError};
@@ -167,9 +171,10 @@ void setUp(QApplication& application) {
   applyStyle(application);
 }
 
-/// Offers to restore work after a crash; otherwise opens what `options` names.
-void openInWindow(MainWindow& window, const app::SceneOptions& options) {
-  if (window.sessions().startRecovery(Sessions::recoveryFolder())) return;
+/// Offers to restore work after a crash; otherwise opens what `request` names.
+void openInWindow(MainWindow& window, const Request& request) {
+  if (window.sessions().startRecovery(Sessions::recoveryFolder()) || request.welcomes) return;
+  const app::SceneOptions options = request.sceneWith(window.workspace().preferences);
   window.sessions().open([options](const io::SessionPlaces& places, const io::Progress& progress) {
     app::SceneOptions where = options;
     if (!places.volume.empty()) where.data = places.volume;
@@ -214,12 +219,14 @@ int main(int argc, char** argv) {
                              const std::shared_ptr<GpuScene>& gpu, const Scene& scene,
                              const View& view) { app::chooseScheduleQuickly(asked, software, gpu, scene, view); },
        .remember = stays});
-  for (const std::string& name : io::phantomNames())
+  std::vector<std::string> phantoms = io::phantomNames();
+  std::partition(phantoms.begin(), phantoms.end(), [](const std::string& name) { return name == Tour::phantom; });
+  for (const std::string& name : phantoms)
     window.addSample(QString::fromStdString(io::loadPhantom(name).name), phantomReader(name));
   if (request.scene.size) window.resize(request.scene.size->x, request.scene.size->y);
   window.show();
   if (stays)
-    openInWindow(window, request.sceneWith(window.workspace().preferences));
+    openInWindow(window, request);
   else
     openForScreenshot(window, request);
   return QApplication::exec();

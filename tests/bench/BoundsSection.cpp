@@ -2,8 +2,8 @@
 
 #include <iostream>
 
+#include "app/benchmark/Text.h"
 #include "rendering/gpu/GpuScene.h"
-#include "tests/bench/Text.h"
 
 namespace fenestra::bench {
 
@@ -26,7 +26,7 @@ Section boundsSection(const Options& options, const TruthStore& truths) {
     const Measurable what = prepare(subject.name, loaded.scene, oneView, truths);
     Renderer renderer(std::make_shared<GpuScene>());
     const std::vector<Setting> settings = boundSettings({4.0, 2.0, 1.0, 0.5});
-    const std::vector<Measured> measured = measure(renderer, what, settings, rounds, oneView);
+    const std::vector<Measured> measured = measure(renderer, what, settings, rounds);
     const std::size_t first = table.rows.size();
     for (std::size_t i = 0; i < settings.size(); ++i) {
       const Distribution& errors = measured[i].errors.channel;

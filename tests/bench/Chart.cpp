@@ -6,7 +6,7 @@
 #include <limits>
 #include <sstream>
 
-#include "tests/bench/Text.h"
+#include "app/benchmark/Text.h"
 
 namespace fenestra::bench {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "tests/bench/ColourError.h"
+#include "app/benchmark/ColourError.h"
 
 namespace fenestra::bench {
 namespace {

@@ -5,8 +5,8 @@
 #include <iostream>
 #include <optional>
 
+#include "app/benchmark/Text.h"
 #include "rendering/gpu/GpuScene.h"
-#include "tests/bench/Text.h"
 #include "tests/support/FeatureScenes.h"
 
 namespace fenestra::bench {

@@ -9,10 +9,10 @@
 #include <iomanip>
 #include <iostream>
 #include <sstream>
-#include <thread>
 
 #include <CLI/CLI.hpp>
 
+#include "app/benchmark/Machine.h"
 #include "tests/bench/Sections.h"
 
 namespace fenestra::bench {
@@ -34,15 +34,6 @@ const std::vector<NamedSection>& allSections() {
       {"sweep", sweepSection}, {"bounds", boundsSection},  {"random", randomSection}, {"stages", stageSection},
       {"passes", passSection}, {"updates", updateSection}, {"memory", memorySection}};
   return all;
-}
-
-/// "2 × NAME", as the kernel has it; the name is left out where it has none.
-std::string processors() {
-  std::ifstream file("/proc/cpuinfo");
-  std::string line, name;
-  while (name.empty() && std::getline(file, line))
-    if (line.starts_with("model name")) name = line.substr(line.find(':') + 1);
-  return std::to_string(std::thread::hardware_concurrency()) + " ×" + (name.empty() ? " processor" : name);
 }
 
 std::string today() {

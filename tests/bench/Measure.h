@@ -1,14 +1,11 @@
 #pragma once
-// Times and errors of the renderer's pictures.
+// The report's subjects, made ready to be measured (app/benchmark/Measure.h).
 
-#include <chrono>
-#include <optional>
+#include <filesystem>
 #include <string>
-#include <vector>
 
-#include "rendering/Renderer.h"
-#include "rendering/gl/Context.h"
-#include "tests/bench/ColourError.h"
+#include "app/benchmark/Measure.h"
+#include "app/benchmark/Timed.h"
 #include "tests/bench/Subjects.h"
 #include "tests/bench/TruthStore.h"
 
@@ -19,47 +16,6 @@ struct Options {
   std::filesystem::path peers;  ///< folder of what the peers measured
 };
 
-/// How the renderer chooses its steps.
-struct Setting {
-  std::string name;
-  Quality quality = Quality::Normal;
-  std::optional<double> maxError = std::nullopt;  ///< 1/255
-};
-/// Draft and normal; high is an error bound.
-std::vector<Setting> unboundedSettings();
-std::vector<Setting> boundSettings(const std::vector<double>& bounds);
-
-/// A subject loaded, its views and what they should show.
-struct Measurable {
-  std::string name;
-  Scene scene;
-  std::vector<Camera> cameras;
-  std::vector<glm::ivec2> pixels;               ///< that are compared
-  std::vector<std::vector<glm::dvec4>> truths;  ///< of the first cameras, premultiplied RGBA of `pixels`
-};
 Measurable prepare(const std::string& name, const Scene& scene, const Options& options, const TruthStore& truths);
-
-struct Measured {
-  Distribution milliseconds;  ///< one a frame, from the call until the picture is in the graphics memory
-  ColourErrors errors;        ///< over all cameras
-};
-/// Draws along the path with each setting in turn, `rounds` times, so that a machine that is slower for a while is so
-/// for all of them; each time after a view from elsewhere. Needs a current context.
-std::vector<Measured> measure(Renderer& renderer, const Measurable& what, const std::vector<Setting>& settings,
-                              int rounds, const Options& options);
-
-/// The compared pixels of a layer of `size` against their truth.
-ColourErrors errorsOf(const std::vector<glm::vec4>& here, const std::vector<glm::dvec4>& truth, const Measurable& what,
-                      glm::ivec2 size);
-
-/// Milliseconds that `work` takes, the GPU's included.
-template <class Work>
-double timed(const Work& work) {
-  const auto start = std::chrono::steady_clock::now();
-  gl::TimerQuery timer;
-  work();
-  timer.elapsedMilliseconds();  // waits
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
 
 }  // namespace fenestra::bench

@@ -3,9 +3,9 @@
 #include <iostream>
 #include <random>
 
+#include "app/benchmark/Text.h"
 #include "rendering/gpu/GpuScene.h"
 #include "rendering/reference/Picture.h"
-#include "tests/bench/Text.h"
 
 namespace fenestra::bench {
 namespace {
@@ -46,7 +46,8 @@ struct Row {
 /// Draws one picture with each setting in turn and compares it with the reference.
 void measureOne(Renderer& renderer, const Scene& scene, const Camera& camera, const Options& options,
                 const std::vector<Setting>& settings, std::vector<Row>& rows) {
-  Measurable what{{}, scene, {camera}, sampledPixels(options.views.size, 2 * options.views.pixelBlock), {}};
+  Measurable what{
+      {}, scene, options.views.size, {camera}, sampledPixels(options.views.size, 2 * options.views.pixelBlock), {}};
   const reference::PictureOptions exactly{.pixels = what.pixels};
   const std::vector<glm::dvec4> truth = reference::picture(scene, camera, options.views.size, exactly).final;
   for (std::size_t k = 0; k < settings.size(); ++k) {
@@ -55,7 +56,7 @@ void measureOne(Renderer& renderer, const Scene& scene, const Camera& camera, co
     renderer.render(scene, view);  // uploads the transfer function and compiles what the setting needs
     view.camera.eye.x = std::nextafter(view.camera.eye.x, std::numeric_limits<double>::infinity());
     rows[k].milliseconds.add(timed([&] { renderer.render(scene, view); }));
-    const ColourErrors errors = errorsOf(renderer.readLayers().final, truth, what, view.size);
+    const ColourErrors errors = errorsOf(renderer.readLayers().final, truth, what);
     rows[k].pictureRms.add(errors.squares.rms());
     rows[k].errors.add(errors);
   }

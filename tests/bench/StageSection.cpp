@@ -3,8 +3,8 @@
 #include <cmath>
 #include <iostream>
 
+#include "app/benchmark/Text.h"
 #include "rendering/gpu/GpuScene.h"
-#include "tests/bench/Text.h"
 
 namespace fenestra::bench {
 namespace {
@@ -89,12 +89,10 @@ Section stageSection(const Options& options, const TruthStore& truths) {
     reference::PictureOptions pictureOptions;
     pictureOptions.pixels = what.pixels;
     const reference::Picture picture = reference::picture(scene, camera, size, own, pictureOptions);
-    addRow(table, subject.name, "focus layer", "1/255",
-           errorsOf(layers.focusLayer, picture.focusLayer, what, size).channel, "", "");
-    addRow(table, subject.name, "composite", "1/255", errorsOf(layers.final, picture.final, what, size).channel, "",
-           "");
-    addRow(table, subject.name, "picture", "1/255", errorsOf(layers.final, what.truths.front(), what, size).channel, "",
-           "");
+    addRow(table, subject.name, "focus layer", "1/255", errorsOf(layers.focusLayer, picture.focusLayer, what).channel,
+           "", "");
+    addRow(table, subject.name, "composite", "1/255", errorsOf(layers.final, picture.final, what).channel, "", "");
+    addRow(table, subject.name, "picture", "1/255", errorsOf(layers.final, what.truths.front(), what).channel, "", "");
   }
   std::cerr << plainText(table);
   section.tables.push_back(std::move(table));

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/SceneOptions.h"
+#include "app/benchmark/Views.h"
 
 namespace CLI {
 class App;
@@ -40,17 +41,6 @@ struct Subjects {
 Subjects reportSubjects(const Views& views);
 /// Ten scenes of every kind, for the error bound.
 Subjects boundSubjects(const Views& views);
-
-/// A subject's scene as a plain volume rendering without lighting: what every volume renderer can draw. The outermost
-/// voxels have the volume's least value, because some programs end the volume at their centres and others half a voxel
-/// beyond; with nothing to see there, all have the same limit.
-Scene plainScene(const Scene& scene);
-
-/// `count` views around the patient, up and down, framing what shows. The first is the same for any count.
-std::vector<Camera> cameraPath(const Scene& scene, int count);
-
-/// One pixel of every block of side×side, at a place of its own in each, row by row.
-std::vector<glm::ivec2> sampledPixels(glm::ivec2 size, int side);
 
 /// Samples per voxel that the peers are timed at; with lighting, which costs them several times as much, at one alone.
 inline const std::vector<double> stepLadder{0.5, 1.0, 2.0, 4.0}, litLadder{2.0};

@@ -4,9 +4,9 @@
 #include <limits>
 #include <map>
 
+#include "app/benchmark/Text.h"
 #include "rendering/gpu/GpuScene.h"
 #include "tests/bench/Peers.h"
-#include "tests/bench/Text.h"
 
 namespace fenestra::bench {
 namespace {
@@ -20,12 +20,12 @@ struct Row {
 
 const std::string unbounded = "Fenestra", bounded = "Fenestra, error bound";
 
-std::vector<Row> measureAll(const Measurable& what, const std::vector<double>& bounds, const Options& options) {
+std::vector<Row> measureAll(const Measurable& what, const std::vector<double>& bounds) {
   std::vector<Row> rows;
   Renderer renderer(std::make_shared<GpuScene>());
   std::vector<Setting> settings = unboundedSettings();
   for (const Setting& setting : boundSettings(bounds)) settings.push_back(setting);
-  std::vector<Measured> measured = measure(renderer, what, settings, pathRounds, options);
+  std::vector<Measured> measured = measure(renderer, what, settings, pathRounds);
   for (std::size_t i = 0; i < settings.size(); ++i) {
     const auto& [name, quality, maxError] = settings[i];
     const bool high = maxError == highQualityError;
@@ -153,7 +153,7 @@ Section sweepSection(const Options& options, const TruthStore& truths) {
     const app::LoadedScene loaded = app::loadScene(subject.options);
     const Scene plainUnlit = plainScene(loaded.scene);
     const Measurable plain = prepare(subject.name, plainUnlit, options, truths);
-    std::vector<Row> rows = measureAll(plain, {8.0, 4.0, 2.0, 1.0, 0.5, 0.25}, options);
+    std::vector<Row> rows = measureAll(plain, {8.0, 4.0, 2.0, 1.0, 0.5, 0.25});
     const std::size_t ours = rows.size();
     std::map<std::string, Row> floors;
     for (const PeerRun& run : peers.runs) {
@@ -182,14 +182,14 @@ Section sweepSection(const Options& options, const TruthStore& truths) {
 
     Scene plainLit = plainUnlit;
     plainLit.look.shading.enabled = true;
-    std::vector<Row> litRows = measureAll(prepare(subject.name, plainLit, options, truths), {8.0, 2.0}, options);
+    std::vector<Row> litRows = measureAll(prepare(subject.name, plainLit, options, truths), {8.0, 2.0});
     for (Row& row : litPeers(subject.id, peers)) {
       litAgainst.rows.push_back(comparison(subject.name, row, litRows));
       litRows.push_back(std::move(row));
     }
     append(litTable, subject.name, litRows);
 
-    const std::vector<Row> own = measureAll(prepare(subject.name, loaded.scene, options, truths), {2.0, 0.5}, options);
+    const std::vector<Row> own = measureAll(prepare(subject.name, loaded.scene, options, truths), {2.0, 0.5});
     append(ownTable, subject.name, own);
     section.charts.push_back(timeAgainstError(subject.id + "-scene", subject.name + ", with cutaway and lighting",
                                               "99.99th percentile of the error, 1/255", own, nearlyMax));

@@ -19,6 +19,8 @@
 #include "tests/support/TestData.h"
 #include "viewer/Dialogs.h"
 #include "viewer/Gestures.h"
+#include "viewer/Guide.h"
+#include "viewer/GuideWindow.h"
 #include "viewer/Sessions.h"
 #include "viewer/WindowLevelDialog.h"
 #include "viewer/panels/AppearancePanel.h"
@@ -108,6 +110,13 @@ void Conventions::addFileAndEditCases(Cases& cases) {
       press(keys);
       EXPECT_EQ(asked, 1);
     };
+  cases["F1"] = [this] {
+    press("F1");
+    ASSERT_NE(window_->guide().window(), nullptr);
+    EXPECT_TRUE(window_->guide().window()->isVisible());
+    window_->guide().window()->close();
+    QApplication::setActiveWindow(window_.get());
+  };
   cases["Ctrl+C"] = [this] {
     QGuiApplication::clipboard()->clear();
     press("Ctrl+C");

@@ -214,6 +214,16 @@ TEST_F(PseudoWindow, TheDialogsShowNoUntranslatedText) {
   EXPECT_GE(dialogs, 8);
 }
 
+TEST_F(PseudoWindow, TheWelcomePageShowsItsTextsTranslatedAndWhole) {
+  MainWindow window({.gl = gl_, .remember = false});
+  window.resize(1024, 700);
+  window.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+  QTest::qWait(20);
+  EXPECT_EQ(untranslatedIn(window).join(QLatin1Char('\n')).toStdString(), "");
+  EXPECT_EQ(cutIn(window).join(QLatin1Char('\n')).toStdString(), "");
+}
+
 TEST_F(PseudoWindow, CornerTextsLeaveTheLettersAlone) {
   window_->resize(1024, 700);
   document().setInverted(true);  // which adds a word

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <iostream>
+#include <map>
+#include <sstream>
 
 #include <gtest/gtest.h>
 
@@ -78,10 +80,52 @@ TEST(Architecture, TheRuleHasNoCycleAndNoUnusedArrow) {
   }
 }
 
-// What follows feeds made-up projects to the checks: a check that reports nothing would prove nothing.
-
 constexpr const char* madeUpRule =
     "# A project\n```layers\nscene →\ngl → OpenGL, scene\nwindow → gl, Qt\n```\ntext →\n";
+
+/// The row of each room in the drawing that is fenced as ```rooms, from 0 at the top.
+std::map<std::string, int> drawnRooms(std::string_view markdown) {
+  const std::string_view fence = "```rooms\n";
+  const std::size_t begin = markdown.find(fence);
+  if (begin == std::string_view::npos) return {};
+  std::istringstream drawing(std::string(markdown.substr(begin + fence.size())));
+  std::map<std::string, int> rows;
+  std::string line;
+  for (int row = 0; std::getline(drawing, line) && line != "```"; ++row) {
+    std::istringstream words(line);
+    for (std::string word; words >> word;)
+      if (word != "│" && !rows.emplace(word, row).second) ADD_FAILURE() << word << " is drawn twice";
+  }
+  return rows;
+}
+
+/// Arrows that do not lead down in a drawing, and rooms that it lacks or that there are not.
+std::vector<std::string> misdrawn(const LayerRule& rule, const std::map<std::string, int>& rows) {
+  std::vector<std::string> found;
+  for (const auto& [room, used] : rule) {
+    if (!rows.contains(room)) found.push_back(room + " is not drawn");
+    for (const std::string& other : used)
+      if (rows.contains(room) && rows.contains(other) && rows.at(other) <= rows.at(room))
+        found.push_back(room + " → " + other + " does not lead down");
+  }
+  for (const auto& [room, row] : rows)
+    if (!rule.contains(room)) found.push_back(room + " is drawn, and is no room");
+  return found;
+}
+
+TEST(Architecture, TheDrawingOfRoomsFollowsTheRule) {
+  const std::string text = readSource("CONTRIBUTING.md");
+  EXPECT_EQ(joined(misdrawn(layerRule(text), drawnRooms(text))), "");
+}
+
+TEST(ArchitectureCheck, ReportsRoomsThatAreDrawnWrongly) {
+  const LayerRule rule = layerRule(madeUpRule);
+  EXPECT_TRUE(misdrawn(rule, drawnRooms("```rooms\n window\n gl\n scene\n```\n")).empty());
+  EXPECT_EQ(joined(misdrawn(rule, drawnRooms("```rooms\n gl │ window\n garden\n```\n")), "; "),
+            "scene is not drawn; window → gl does not lead down; garden is drawn, and is no room");
+}
+
+// What follows feeds made-up projects to the checks: a check that reports nothing would prove nothing.
 
 TEST(ArchitectureCheck, ReadsTheRule) {
   const LayerRule rule = layerRule(madeUpRule);

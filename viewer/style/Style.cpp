@@ -139,9 +139,15 @@ QString styleSheetOf(const Colours& colours) {
     QToolTip { border: 1px solid @line; padding: 3px; }
     QFrame#notice { background: @notice; border: none; border-left: 4px solid #d8a53c; }
     QFrame#notice[error="true"] { background: @error; border-left: 4px solid #d9605a; }
-    QFrame#welcome, QLabel#noOpenGl { background: @well; }
+    QFrame#welcome, QWidget#welcomeBody, QLabel#noOpenGl { background: @well; }
+    QListWidget#contents { padding: 8px; }
+    QFrame#card { background: @window; border: 1px solid @line; border-radius: 6px; }
+    QFrame#welcome QPushButton#recent { text-align: left; color: @link; padding: 3px 0; }
+    QFrame#welcome QPushButton#recent:hover { text-decoration: underline; }
   )");
   for (const auto& [name, colour] : {std::pair{"line", colours.line},
+                                     {"link", colours.link},
+                                     {"window", colours.window},
                                      {"hover", colours.hover},
                                      {"chosen", colours.chosen},
                                      {"accent", colours.accent},

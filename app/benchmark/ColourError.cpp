@@ -1,4 +1,4 @@
-#include "tests/bench/ColourError.h"
+#include "app/benchmark/ColourError.h"
 
 #include <algorithm>
 #include <cmath>
