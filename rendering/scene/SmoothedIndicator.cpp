@@ -29,7 +29,7 @@ std::uint16_t held(int value, bool inside) {
 /// The part of a cell that is inside.
 struct CellPart {
   float volume = 0.0f;  ///< share of the cell
-  float change = 0.0f;  ///< of it with the values, which are alike everywhere
+  float change = 0.0f;  ///< of that share, by what all values change
 };
 
 /// Places and weights of a rule by Gauss and Legendre on [0, 1]. Of even numbers: none is halfway between two voxels,
@@ -67,9 +67,9 @@ CellPart partInside(const std::array<float, 8>& f, const Rule<points>& rule) {
         part.volume += low >= 0.0f ? weight : 0.0f;
         continue;
       }
-      const float across = std::abs(high - low);
-      part.volume += weight * std::max(low, high) / across;
-      part.change += weight / across;
+      const float change = weight / std::abs(high - low);
+      part.volume += change * std::max(low, high);
+      part.change += change;
     }
   }
   // Of a corner that the rule misses, too: values could not be shifted to bring it back.
@@ -101,9 +101,14 @@ class Smoothing {
   void begin(const LabelMap& map, std::span<const T> labels, std::span<const std::uint16_t> inFocus);
   /// One step of diffusion, a Gaussian of σ = 1 voxel, under the condition.
   void diffuse();
-  /// Finds by cell how much more than the 0/1 indicator's surface the surface encloses.
+  /// Finds by blocks of cells how much more than the 0/1 indicator's surface the surface encloses.
   template <std::size_t points>
   void measure(const Rule<points>& rule);
+  /// As exactly as a thin structure needs; of a large surface's many cells, errors cancel.
+  void measureWell() {
+    constexpr std::size_t large = 4096;  // tiles
+    cut_ < large ? measure(fine) : measure(coarse);
+  }
   /// Shifts values by what the cells around them have too much.
   void shiftNear();
   /// Shifts all values by what the whole has too much; returns whether that was next to nothing.
@@ -135,7 +140,10 @@ class Smoothing {
   std::vector<std::uint8_t> wanted_;  ///< by label
   std::vector<glm::ivec3> active_;    ///< tiles with values of their own; those with a cell that is cut come first
   std::size_t cut_ = 0;               ///< number of those
-  std::vector<float> excess_, change_, volume_;  ///< of the blocks of those tiles; a cell counts by its last corner
+  /// Sums over the blocks of those tiles: x: what is inside and too much, y: its change with the values. A cell counts
+  /// by its last corner.
+  std::vector<glm::vec2> parts_;
+  std::vector<float> volumes_;  ///< inside the 0/1 indicator's surface
 };
 
 template <class T>
@@ -214,7 +222,8 @@ void Smoothing::begin(const LabelMap& map, std::span<const T> labels, std::span<
 
   values_.resize(active_.size() * TileMap::voxels);
   next_.resize(values_.size());
-  for (std::vector<float>* sums : {&excess_, &change_, &volume_}) sums->resize(cut_ * blocks);
+  parts_.resize(cut_ * blocks);
+  volumes_.resize(parts_.size());
   forTiles(active_.size(), [&](std::size_t i, glm::ivec3 low) {
     std::uint16_t* to = values_.data() + i * TileMap::voxels;
     glm::ivec3 at;
@@ -258,8 +267,8 @@ void Smoothing::measure(const Rule<points>& rule) {
   forTiles(cut_, [&](std::size_t tile, glm::ivec3 low) {
     std::array<std::uint16_t, cubed(wide)> block;
     tiles_.read<side, std::uint16_t>(values_, {0, SmoothedIndicator::one}, low - 1, glm::ivec3(wide), block.data());
-    for (std::vector<float>* sums : {&excess_, &change_, &volume_})
-      std::fill_n(sums->begin() + static_cast<std::ptrdiff_t>(tile * blocks), blocks, 0.0f);
+    std::fill_n(parts_.begin() + static_cast<std::ptrdiff_t>(tile * blocks), blocks, glm::vec2(0.0f));
+    std::fill_n(volumes_.begin() + static_cast<std::ptrdiff_t>(tile * blocks), blocks, 0.0f);
     const glm::ivec3 size = glm::min(tiles_.dims - low, side);
     glm::ivec3 at;
     for (at.z = 0; at.z < size.z; ++at.z)
@@ -279,11 +288,10 @@ void Smoothing::measure(const Rule<points>& rule) {
               tile * blocks + static_cast<std::size_t>(in.x + blocksPerSide * (in.y + blocksPerSide * in.z));
           // Cells at the volume's border are half as wide.
           const float width = (index.x ? 1.0f : 0.5f) * (index.y ? 1.0f : 0.5f) * (index.z ? 1.0f : 0.5f);
-          volume_[sum] += width * before[inside];
+          volumes_[sum] += width * before[inside];
           if (inside == 255) continue;
           const CellPart part = partInside(f, rule);
-          excess_[sum] += width * (part.volume - before[inside]);
-          change_[sum] += width * part.change;
+          parts_[sum] += width * glm::vec2(part.volume - before[inside], part.change);
         }
   });
 }
@@ -293,56 +301,55 @@ void Smoothing::shiftNear() {
   // which lie at the voxels 4 k + 1.
   constexpr int near = blocksPerSide + 2, taps = 4, wide = near + taps;
   constexpr float most = 0.1f;  // where next to nothing would change the volume
-  using Near = std::array<float, cubed(near)>;
-  const auto sumsOf = [&](const std::vector<float>& values, glm::ivec3 low) {
-    constexpr std::size_t n = near, w = wide;
-    std::array<float, cubed(wide)> block;
-    tiles_.read<blocksPerSide, float>(values, {0.0f, 0.0f}, low / blockSide - 1 - taps / 2, glm::ivec3(wide),
-                                      block.data());
-    const auto sum = [](const float* from, std::size_t step) {
+  constexpr std::size_t n = near, w = wide;
+  const auto sumsAround = [this](glm::ivec3 low) {
+    std::array<glm::vec2, w * w * w> block;
+    tiles_.read<blocksPerSide, glm::vec2>(parts_, {glm::vec2(0.0f), glm::vec2(0.0f)}, low / blockSide - 1 - taps / 2,
+                                          glm::ivec3(wide), block.data());
+    const auto sum = [](const glm::vec2* from, std::size_t step) {
       return from[0] + from[4 * step] + 4.0f * (from[step] + from[3 * step]) + 6.0f * from[2 * step];
     };
-    std::array<float, n * w * w> alongX;
+    std::array<glm::vec2, n * w * w> alongX;
     for (std::size_t row = 0; row < w * w; ++row)
       for (std::size_t x = 0; x < n; ++x) alongX[row * n + x] = sum(block.data() + row * w + x, 1);
-    std::array<float, n * n * w> alongY;
+    std::array<glm::vec2, n * n * w> alongY;
     for (std::size_t z = 0; z < w; ++z)
       for (std::size_t at = 0; at < n * n; ++at) alongY[z * n * n + at] = sum(alongX.data() + z * n * w + at, n);
-    Near sums;
+    std::array<glm::vec2, n * n * n> sums;
     for (std::size_t at = 0; at < sums.size(); ++at) sums[at] = sum(alongY.data() + at, n * n);
     return sums;
   };
+  // Of a place along an axis, the block before it and the share of the one behind.
+  const auto blockBefore = [](int at) { return static_cast<std::size_t>((at + blockSide - 1) / blockSide); };
+  const auto shareBehind = [](int at) { return static_cast<float>((at + blockSide - 1) % blockSide) / blockSide; };
   forTiles(active_.size(), [&](std::size_t tile, glm::ivec3 low) {
-    const Near excess = sumsOf(excess_, low), change = sumsOf(change_, low);
+    const std::array<glm::vec2, n* n* n> sums = sumsAround(low);
+    if (std::all_of(sums.begin(), sums.end(), [](glm::vec2 each) { return each.y == 0.0f; })) return;
     std::uint16_t* value = values_.data() + tile * TileMap::voxels;
-    glm::ivec3 at;
-    for (at.z = 0; at.z < side; ++at.z)
-      for (at.y = 0; at.y < side; ++at.y)
-        for (at.x = 0; at.x < side; ++at.x, ++value) {
-          const glm::ivec3 first = (at + blockSide - 1) / blockSide;
-          const glm::vec3 w = glm::vec3(at + blockSide - 1 - blockSide * first) / float{blockSide};
-          float over = 0.0f, of = 0.0f;
-          for (int i = 0; i < 8; ++i) {
-            const glm::ivec3 corner(i & 1, i >> 1 & 1, i >> 2), in = first + corner;
-            const glm::vec3 each = glm::mix(1.0f - w, w, glm::bvec3(corner));
-            const float weight = each.x * each.y * each.z;
-            const auto sum = static_cast<std::size_t>(in.x + near * (in.y + near * in.z));
-            over += weight * excess[sum];
-            of += weight * change[sum];
-          }
-          if (!(of > 0.0f)) continue;
-          const float shift = std::clamp(-over / of, -most, most);
-          *value = held(*value + static_cast<int>(std::lround(shift * SmoothedIndicator::one)), *value >= level);
+    for (int z = 0; z < side; ++z)
+      for (int y = 0; y < side; ++y) {
+        std::array<glm::vec2, n> row;
+        for (std::size_t x = 0; x < n; ++x) {
+          const glm::vec2* from = sums.data() + x + n * (blockBefore(y) + n * blockBefore(z));
+          row[x] = glm::mix(glm::mix(from[0], from[n], shareBehind(y)),
+                            glm::mix(from[n * n], from[n * n + n], shareBehind(y)), shareBehind(z));
         }
+        for (int x = 0; x < side; ++x, ++value) {
+          const glm::vec2 part = glm::mix(row[blockBefore(x)], row[blockBefore(x) + 1], shareBehind(x));
+          if (!(part.y > 0.0f)) continue;
+          const float shift = std::clamp(-part.x / part.y, -most, most) * SmoothedIndicator::one;
+          *value = held(static_cast<int>(static_cast<float>(*value) + shift + 0.5f), *value >= level);
+        }
+      }
   });
 }
 
 bool Smoothing::shiftAll() {
   double excess = 0.0, change = 0.0, volume = 0.0;
-  for (std::size_t i = 0; i < excess_.size(); ++i) {
-    excess += double{excess_[i]};
-    change += double{change_[i]};
-    volume += double{volume_[i]};
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    excess += double{parts_[i].x};
+    change += double{parts_[i].y};
+    volume += double{volumes_[i]};
   }
   constexpr double most = 0.1, enough = 1e-4;
   if (!(change > 0.0) || std::abs(excess) <= enough * volume) return true;
@@ -410,8 +417,8 @@ SmoothedIndicator::SmoothedIndicator(const LabelMap& map, std::span<const std::u
     smoothing.measure(coarse);
     smoothing.shiftNear();
   }
-  smoothing.measure(fine);
-  for (int shift = 0; shift < lastOfAll && !smoothing.shiftAll(); ++shift) smoothing.measure(fine);
+  smoothing.measureWell();
+  for (int shift = 0; shift < lastOfAll && !smoothing.shiftAll(); ++shift) smoothing.measureWell();
 }
 
 void SmoothedIndicator::read(glm::ivec3 low, glm::ivec3 size, std::uint16_t* to) const {

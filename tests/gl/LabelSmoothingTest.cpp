@@ -16,7 +16,7 @@ using LabelSmoothingTest = GlTest;
 /// Two organs, one with a thin stalk and a single voxel beside it, in a body of noise.
 Scene body(const Grid& grid, LabelSmoothing smoothing) {
   std::mt19937 random(7);
-  std::uniform_real_distribution<double> noise(-30.0, 30.0);
+  std::uniform_real_distribution<double> noise(-12.0, 12.0);
   Scene scene;
   scene.volume = volumeOf<std::int16_t>(grid, [&](glm::ivec3 i) {
     const glm::dvec3 p = (glm::dvec3(i) + 0.5) / glm::dvec3(grid.dims) * 2.0 - 1.0;

@@ -153,7 +153,7 @@ TEST_F(Passes, AGradientLiesBehindThePicture) {
     const double row = static_cast<double>(i / static_cast<std::size_t>(view.size.x));
     const glm::dvec3 behind = backgroundAt(scene.look, 1.0 - (row + 0.5) / view.size.y);
     for (int channel = 0; channel < 3; ++channel) {
-      const double value = fronts[i][channel] + (1.0 - fronts[i].a) * behind[channel];
+      const double value = std::clamp(fronts[i][channel] + (1.0 - fronts[i].a) * behind[channel], 0.0, 1.0);
       // Rounded once, from single precision.
       ASSERT_NEAR(shown[4 * i + static_cast<std::size_t>(channel)], 255.0 * value, 0.501) << i;
     }

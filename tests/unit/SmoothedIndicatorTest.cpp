@@ -10,102 +10,12 @@
 #include <gtest/gtest.h>
 
 #include "rendering/scene/Parallel.h"
-#include "tests/support/Scenes.h"
+#include "tests/unit/SampledIndicator.h"
 
 namespace fenestra::tests {
 namespace {
 
 constexpr std::array<LabelSmoothing, 2> strengths{LabelSmoothing::Light, LabelSmoothing::Strong};
-
-/// An indicator at the voxels of a small map, as it is or smoothed.
-class Sampled {
- public:
-  template <class InsideAt>
-  Sampled(glm::ivec3 dims, InsideAt insideAt, LabelSmoothing strength) : box_(gridOf(dims)) {
-    const auto labels = labelsOf(box_, [&](glm::ivec3 at) { return insideAt(at) ? 3 : at.x % 3; });
-    values_.resize(box_.voxelCount());
-    if (strength == LabelSmoothing::Off) {
-      forEachVoxel(dims, [&](glm::ivec3 at) { values_[box_.offset(at)] = insideAt(at) ? 1.0 : 0.0; });
-      return;
-    }
-    const std::array<std::uint16_t, 2> inFocus{3, 7};
-    const SmoothedIndicator smoothed(*labels, inFocus, strength);
-    forEachVoxel(dims, [&](glm::ivec3 at) { values_[box_.offset(at)] = smoothed.at(at) / 65535.0; });
-  }
-
-  glm::ivec3 dims() const { return box_.dims; }
-  double at(glm::ivec3 voxel) const { return values_[box_.offset(glm::clamp(voxel, glm::ivec3(0), box_.dims - 1))]; }
-  double at(glm::dvec3 index) const {
-    const glm::ivec3 low(glm::floor(index));
-    const glm::dvec3 w = index - glm::dvec3(low);
-    double sum = 0.0;
-    for (int i = 0; i < 8; ++i) {
-      const glm::ivec3 corner(i & 1, i >> 1 & 1, i >> 2);
-      sum +=
-          at(low + corner) * (corner.x ? w.x : 1.0 - w.x) * (corner.y ? w.y : 1.0 - w.y) * (corner.z ? w.z : 1.0 - w.z);
-    }
-    return sum;
-  }
-  bool isCut(glm::ivec3 cell) const {
-    int inside = 0;
-    for (int i = 0; i < 8; ++i) inside += at(cell + glm::ivec3(i & 1, i >> 1 & 1, i >> 2)) >= 0.5;
-    return inside != 0 && inside != 8;
-  }
-  /// Voxels enclosed by the 0.5 level, from the grid's first voxel centres to its last: exact along x, by `lines` lines
-  /// a cell's side across.
-  double volume(int lines) const {
-    double sum = 0.0;
-    forEachVoxel(box_.dims - 1, [&](glm::ivec3 cell) {
-      if (!isCut(cell)) {
-        sum += at(cell) >= 0.5;
-        return;
-      }
-      for (int j = 0; j < lines; ++j)
-        for (int i = 0; i < lines; ++i) {
-          const glm::dvec3 start = glm::dvec3(cell) + glm::dvec3(0.0, i + 0.5, j + 0.5) / double(lines);
-          // Beyond x + 1 lies another cell.
-          const double low = at(start) - 0.5, high = at(start + glm::dvec3(1.0 - 1e-12, 0.0, 0.0)) - 0.5;
-          const double share =
-              (low >= 0.0) == (high >= 0.0) ? (low >= 0.0 ? 1.0 : 0.0) : std::max(low, high) / std::abs(high - low);
-          sum += share / (lines * lines);
-        }
-    });
-    return sum;
-  }
-  /// Points of the level: crossings with lines along each axis, `lines` a cell's side, those between voxels included.
-  std::vector<glm::dvec3> points(int lines) const {
-    std::vector<glm::dvec3> found;
-    forEachVoxel(box_.dims - 1, [&](glm::ivec3 cell) {
-      if (!isCut(cell)) return;
-      for (int axis = 0; axis < 3; ++axis)
-        for (int j = 0; j < lines; ++j)
-          for (int i = 0; i < lines; ++i) {
-            glm::dvec3 start(cell), end;
-            start[(axis + 1) % 3] += static_cast<double>(i) / lines;
-            start[(axis + 2) % 3] += static_cast<double>(j) / lines;
-            end = start;
-            end[axis] += 1.0 - 1e-12;
-            const double low = at(start) - 0.5, high = at(end) - 0.5;
-            if ((low >= 0.0) != (high >= 0.0)) found.push_back(start + (end - start) * (low / (low - high)));
-          }
-    });
-    return found;
-  }
-  glm::dvec3 gradient(glm::dvec3 index) const {
-    constexpr double step = 1e-4;
-    glm::dvec3 result;
-    for (int axis = 0; axis < 3; ++axis) {
-      glm::dvec3 offset(0.0);
-      offset[axis] = step;
-      result[axis] = (at(index + offset) - at(index - offset)) / (2.0 * step);
-    }
-    return result;
-  }
-
- private:
-  Grid box_;
-  std::vector<double> values_;
-};
 
 /// Random blobs: where smooth noise, a few voxels wide, is positive, away from the map's border.
 std::vector<char> blobs(glm::ivec3 dims, unsigned seed, double waves) {
@@ -147,7 +57,7 @@ TEST(SmoothedIndicator, KeepsVoxelsOnTheirSide) {
     const std::vector<char> inside = blobs(dims, 11, waves);
     const Grid box = gridOf(dims);
     for (const LabelSmoothing strength : strengths) {
-      const Sampled smoothed(
+      const SampledIndicator smoothed(
           dims, [&](glm::ivec3 at) { return inside[box.offset(at)] != 0; }, strength);
       forEachVoxel(dims, [&](glm::ivec3 at) {
         // Not on the level either: 512 of 65535 away from it.
@@ -165,8 +75,8 @@ TEST(SmoothedIndicator, MovesTheSurfaceByLessThanAVoxel) {
     for (const LabelSmoothing strength : strengths) {
       const std::vector<char> inside = blobs(dims, 5, waves);
       const auto insideAt = [&](glm::ivec3 at) { return inside[box.offset(at)] != 0; };
-      const std::vector<glm::dvec3> before = Sampled(dims, insideAt, LabelSmoothing::Off).points(3);
-      const std::vector<glm::dvec3> after = Sampled(dims, insideAt, strength).points(3);
+      const std::vector<glm::dvec3> before = SampledIndicator(dims, insideAt, LabelSmoothing::Off).points(3);
+      const std::vector<glm::dvec3> after = SampledIndicator(dims, insideAt, strength).points(3);
       ASSERT_GT(before.size(), 1000u);
       // Points lie a third of a voxel apart, so that either distance is too large by 0.25 voxels at most.
       const double moved = std::max(farthest(after, before, dims), farthest(before, after, dims));
@@ -193,8 +103,8 @@ TEST(SmoothedIndicator, KeepsStructuresOneVoxelThick) {
   }};
   for (const Shape& shape : shapes)
     for (const LabelSmoothing strength : strengths) {
-      const double before = Sampled(dims, shape.isInside, LabelSmoothing::Off).volume(24);
-      const double after = Sampled(dims, shape.isInside, strength).volume(24);
+      const double before = SampledIndicator(dims, shape.isInside, LabelSmoothing::Off).volume(24);
+      const double after = SampledIndicator(dims, shape.isInside, strength).volume(24);
       std::cout << shape.name << ", strength " << int(strength) << ": " << before << " -> " << after << '\n';
       EXPECT_NEAR(after / before, 1.0, 0.01) << shape.name;
     }
@@ -207,8 +117,8 @@ TEST(SmoothedIndicator, KeepsTheVolume) {
       const auto ball = [&](glm::ivec3 p) {
         return glm::distance(glm::dvec3(p), glm::dvec3(0.5 * dims.x - 0.3)) < radius;
       };
-      const double before = Sampled(dims, ball, LabelSmoothing::Off).volume(10);
-      const double after = Sampled(dims, ball, strength).volume(10);
+      const double before = SampledIndicator(dims, ball, LabelSmoothing::Off).volume(10);
+      const double after = SampledIndicator(dims, ball, strength).volume(10);
       std::cout << "ball of " << radius << ", strength " << int(strength) << ": " << after / before
                 << " of the volume, " << after / (4.0 / 3.0 * std::numbers::pi * std::pow(radius, 3))
                 << " of the true one\n";
@@ -220,8 +130,8 @@ TEST(SmoothedIndicator, KeepsTheVolume) {
     for (const LabelSmoothing strength : strengths) {
       const std::vector<char> inside = blobs(dims, 3, waves);
       const auto insideAt = [&](glm::ivec3 at) { return inside[box.offset(at)] != 0; };
-      const double ratio =
-          Sampled(dims, insideAt, strength).volume(10) / Sampled(dims, insideAt, LabelSmoothing::Off).volume(10);
+      const double ratio = SampledIndicator(dims, insideAt, strength).volume(10) /
+                           SampledIndicator(dims, insideAt, LabelSmoothing::Off).volume(10);
       std::cout << "blobs of waves " << waves << ", strength " << int(strength) << ": " << ratio << '\n';
       EXPECT_NEAR(ratio, 1.0, 0.01);
     }
@@ -233,7 +143,7 @@ struct SurfaceError {
 };
 /// `normalAt` and `distanceAt`: of the true surface at a point near it; outwards.
 template <class NormalAt, class DistanceAt>
-SurfaceError errorOf(const Sampled& sampled, NormalAt normalAt, DistanceAt distanceAt) {
+SurfaceError errorOf(const SampledIndicator& sampled, NormalAt normalAt, DistanceAt distanceAt) {
   SurfaceError error;
   double count = 0.0;
   for (const glm::dvec3& point : sampled.points(3)) {
@@ -259,11 +169,11 @@ TEST(SmoothedIndicator, ABallAndASlopeAreNearerToTheTruth) {
     const auto toBall = [&](glm::dvec3 p) { return glm::distance(p, middle) - radius; };
     const auto toSlope = [&](glm::dvec3 p) { return glm::dot(p - middle, upwards); };
     ball[i] = errorOf(
-        Sampled(
+        SampledIndicator(
             glm::ivec3(60), [&](glm::ivec3 p) { return toBall(glm::dvec3(p)) < 0.0; }, strength),
         [&](glm::dvec3 p) { return glm::normalize(p - middle); }, toBall);
     slope[i] = errorOf(
-        Sampled(
+        SampledIndicator(
             glm::ivec3(60), [&](glm::ivec3 p) { return toSlope(glm::dvec3(p)) < 0.0; }, strength),
         [&](glm::dvec3) { return upwards; }, toSlope);
     std::cout << "strength " << i << ": normals of a ball are off by " << ball[i].angle << "°, its surface by "
@@ -287,9 +197,9 @@ TEST(SmoothedIndicator, DoesNotDependOnWhereTilesBegin) {
     return p.x + p.y / 4 > 20 && glm::distance(glm::dvec3(p), glm::dvec3(21)) < 11;
   };
   for (const LabelSmoothing strength : strengths) {
-    const Sampled here(dims, shape, strength);
+    const SampledIndicator here(dims, shape, strength);
     const auto differenceAfter = [&](glm::ivec3 shift) {
-      const Sampled there(
+      const SampledIndicator there(
           dims, [&](glm::ivec3 p) { return shape(p - shift); }, strength);
       double worst = 0.0;
       forEachVoxel(dims - 16, [&](glm::ivec3 at) {
@@ -311,12 +221,12 @@ TEST(SmoothedIndicator, DoesNotDependOnWhereTilesBegin) {
 TEST(SmoothedIndicator, RepeatsTheEdgeAndTakesThinMaps) {
   for (const glm::ivec3 dims : {glm::ivec3(1), glm::ivec3(17, 1, 1), glm::ivec3(9, 20, 1), glm::ivec3(8, 16, 24)})
     for (const LabelSmoothing strength : strengths) {
-      const Sampled all(
+      const SampledIndicator all(
           dims, [](glm::ivec3) { return true; }, strength);
-      const Sampled none(
+      const SampledIndicator none(
           dims, [](glm::ivec3) { return false; }, strength);
       const auto halfAt = [](glm::ivec3 p) { return p.x < 5; };
-      const Sampled half(dims, halfAt, strength);
+      const SampledIndicator half(dims, halfAt, strength);
       forEachVoxel(dims, [&](glm::ivec3 at) {
         ASSERT_EQ(all.at(at), 1.0);
         ASSERT_EQ(none.at(at), 0.0);
