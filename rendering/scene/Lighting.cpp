@@ -21,12 +21,11 @@ void LightPreset::applyTo(Shading& shading) const {
 
 std::span<const LightPreset> lightPresets() {
   constexpr Shading own;
-  // What a surface facing the light gives back is 1 without its highlight, so that colours stay what they are; bone is
-  // a little lighter.
+  // What a surface facing the light gives back is 1 without its highlight, so that colours stay what they are.
   static constexpr std::array<LightPreset, 5> presets{{
       {"standard", "Standard", "A little gloss", own.ambient, own.diffuse, own.specular, own.shininess},
       {"matte", "Matte", "Without highlights, as plaster", 0.25, 0.75, 0.0, 1.0},
-      {"bone", "Bone", "Bright, with a soft and wide sheen", 0.35, 0.75, 0.15, 8.0},
+      {"bone", "Bone", "Soft shades and a wide sheen", 0.4, 0.6, 0.15, 8.0},
       {"wet", "Wet", "Small and strong highlights, as moist tissue in an operation", 0.2, 0.8, 0.6, 70.0},
       {"technical", "Technical", "Even light that keeps colours to be told apart", 0.6, 0.4, 0.0, 1.0},
   }};

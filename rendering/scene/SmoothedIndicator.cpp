@@ -29,7 +29,7 @@ std::uint16_t held(int value, bool inside) {
 /// The part of a cell that is inside.
 struct CellPart {
   float volume = 0.0f;  ///< share of the cell
-  float change = 0.0f;  ///< of that share, by what all values change
+  float change = 0.0f;  ///< of that share with values greater by 1, to first order
 };
 
 /// Places and weights of a rule by Gauss and Legendre on [0, 1]. Of even numbers: none is halfway between two voxels,
@@ -97,6 +97,7 @@ class Smoothing {
  public:
   Smoothing(TileMap& tiles, std::vector<std::uint16_t>& values) : tiles_(tiles), values_(values) {}
 
+  /// The 0/1 indicator, in tiles near its surface.
   template <class T>
   void begin(const LabelMap& map, std::span<const T> labels, std::span<const std::uint16_t> inFocus);
   /// One step of diffusion, a Gaussian of σ = 1 voxel, under the condition.
@@ -109,15 +110,17 @@ class Smoothing {
     constexpr std::size_t large = 4096;  // tiles
     cut_ < large ? measure(fine) : measure(coarse);
   }
-  /// Shifts values by what the cells around them have too much.
+  /// Shifts values so that the volume around them is right, by Newton's method on what measure() has found.
   void shiftNear();
-  /// Shifts all values by what the whole has too much; returns whether that was next to nothing.
+  /// Shifts all values by one amount so that the whole volume is right; returns whether it was.
   bool shiftAll();
 
  private:
+  /// Sets each tile's slot: 0 or 1 where its voxels are alike, else `mixed`.
   template <class T>
   void findTiles(std::span<const T> labels);
-  void number();
+  /// Lists the tiles that are mixed or touch one that is not as they are.
+  void findActive();
   /// Calls work(number, first voxel) for the tiles with the numbers below `count`.
   template <class Work>
   void forTiles(std::size_t count, Work&& work) {
@@ -130,7 +133,7 @@ class Smoothing {
   }
 
   static constexpr std::uint32_t mixed = 2;
-  /// Cells in blocks of four a side, of which a tile has two along each axis.
+  // Cells are counted in blocks, of which a tile has two along each axis.
   static constexpr int blockSide = 4, blocksPerSide = side / blockSide;
   static constexpr std::size_t blocks = cubed(blocksPerSide);
 
@@ -140,8 +143,8 @@ class Smoothing {
   std::vector<std::uint8_t> wanted_;  ///< by label
   std::vector<glm::ivec3> active_;    ///< tiles with values of their own; those with a cell that is cut come first
   std::size_t cut_ = 0;               ///< number of those
-  /// Sums over the blocks of those tiles: x: what is inside and too much, y: its change with the values. A cell counts
-  /// by its last corner.
+  /// Sums over the blocks of those tiles, a cell in that of its last corner: how much more is inside than of the 0/1
+  /// indicator, in cells, and by how much more with values greater by 1.
   std::vector<glm::vec2> parts_;
   std::vector<float> volumes_;  ///< inside the 0/1 indicator's surface
 };
@@ -169,8 +172,8 @@ void Smoothing::findTiles(std::span<const T> labels) {
   });
 }
 
-void Smoothing::number() {
-  // The surface is at least a tile away from where values stay 0 or 1, three times the σ of all steps.
+void Smoothing::findActive() {
+  // In all others values stay 0 or 1. These are a tile or more from the surface: about three times the σ of all steps.
   std::vector<std::uint32_t> slots(tiles_.slots);
   glm::ivec3 tile, near;
   for (tile.z = 0; tile.z < tiles_.count.z; ++tile.z)
@@ -197,7 +200,7 @@ void Smoothing::begin(const LabelMap& map, std::span<const T> labels, std::span<
   tiles_.count = (map.grid.dims + side - 1) / side;
   tiles_.slots.assign(tiles_.offset({0, 0, tiles_.count.z}), 0);
   findTiles(labels);
-  number();
+  findActive();
 
   const auto insideAt = [&](glm::ivec3 voxel) {
     return wanted_[labels[map.grid.offset(glm::clamp(voxel, glm::ivec3(0), tiles_.dims - 1))]] != 0;

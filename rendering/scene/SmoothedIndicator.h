@@ -36,8 +36,9 @@ struct TileMap {
 ///
 /// The 0/1 indicator diffuses under that condition. Whitaker ("Reducing aliasing artifacts in iso-surfaces of binary
 /// volumes", IEEE Symposium on Volume Visualization 2000) holds a curvature flow by it in the same way. Diffusion alone
-/// would shrink what is convex; hence after each step values are shifted so that the surface encloses what the 0/1
-/// indicator's does within some eight voxels around, and at the end all by one amount for what is left of the whole.
+/// would shrink what is convex; hence after each step values are shifted so that the surface encloses as much volume as
+/// the 0/1 indicator's, weighted by a Gaussian of σ = 4 voxels around, and at the end all by one amount for the whole
+/// volume.
 ///
 /// Smoothing is by voxels, whatever their spacing: the steps between thick slices are as long as those slices.
 class SmoothedIndicator {
