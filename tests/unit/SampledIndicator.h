@@ -45,8 +45,8 @@ class SampledIndicator {
     for (int i = 0; i < 8; ++i) inside += at(cell + glm::ivec3(i & 1, i >> 1 & 1, i >> 2)) >= 0.5;
     return inside != 0 && inside != 8;
   }
-  /// Voxels enclosed by the 0.5 level, from the grid's first voxel centres to its last: exact along x, by `lines` lines
-  /// a cell's side across.
+  /// Voxels enclosed by the 0.5 level, from the grid's first voxel centres to its last: exact along the axis of the
+  /// steepest change, by `lines` lines a cell's side across.
   double volume(int lines) const {
     double sum = 0.0;
     forEachVoxel(box_.dims - 1, [&](glm::ivec3 cell) {
@@ -54,11 +54,16 @@ class SampledIndicator {
         sum += at(cell) >= 0.5;
         return;
       }
+      const glm::dvec3 slope = glm::abs(gradient(glm::dvec3(cell) + 0.5));
+      const int axis = slope.z >= std::max(slope.x, slope.y) ? 2 : slope.y >= slope.x ? 1 : 0;
       for (int j = 0; j < lines; ++j)
         for (int i = 0; i < lines; ++i) {
-          const glm::dvec3 start = glm::dvec3(cell) + glm::dvec3(0.0, i + 0.5, j + 0.5) / double(lines);
-          // Beyond x + 1 lies another cell.
-          const double low = at(start) - 0.5, high = at(start + glm::dvec3(1.0 - 1e-12, 0.0, 0.0)) - 0.5;
+          glm::dvec3 start(cell);
+          start[(axis + 1) % 3] += (i + 0.5) / lines;
+          start[(axis + 2) % 3] += (j + 0.5) / lines;
+          glm::dvec3 end = start;
+          end[axis] += 1.0 - 1e-12;  // beyond lies another cell
+          const double low = at(start) - 0.5, high = at(end) - 0.5;
           const double share =
               (low >= 0.0) == (high >= 0.0) ? (low >= 0.0 ? 1.0 : 0.0) : std::max(low, high) / std::abs(high - low);
           sum += share / (lines * lines);

@@ -34,7 +34,8 @@ void expectVolumesKept(const LabelMap& map, std::size_t least) {
     const double before = SampledIndicator(dims, insideAt, LabelSmoothing::Off).volume(6);
     for (const LabelSmoothing strength : {LabelSmoothing::Light, LabelSmoothing::Strong}) {
       const double change = SampledIndicator(dims, insideAt, strength).volume(6) / before - 1.0;
-      EXPECT_LT(std::abs(change), 0.01) << "label " << label << ", strength " << int(strength);
+      EXPECT_LT(std::abs(change), 0.01) << "label " << label << " of " << counts[label] << " voxels, strength "
+                                        << int(strength);
       double& most = worst[static_cast<std::size_t>(strength)];
       most = std::max(most, std::abs(change));
     }
@@ -45,7 +46,7 @@ void expectVolumesKept(const LabelMap& map, std::size_t least) {
 }
 
 TEST(SmoothedLabels, OfPhantomsKeepTheirVolume) {
-  for (const std::string& name : io::phantomNames()) expectVolumesKept(*io::openPhantom(name, 90).labels, 1);
+  for (const std::string& name : io::phantomNames()) expectVolumesKept(*io::openPhantom(name, 60).labels, 1);
 }
 
 TEST(SmoothedLabels, OfATorsoKeepTheirVolume) {
