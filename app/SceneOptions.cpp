@@ -11,6 +11,7 @@
 #include "app/CameraFile.h"
 #include "app/Growing.h"
 #include "app/LabelOptions.h"
+#include "app/LightOptions.h"
 #include "app/SceneSession.h"
 #include "app/SettingOptions.h"
 #include "io/PhantomFile.h"
@@ -342,6 +343,7 @@ void addLook(CLI::App& command, SceneOptions& options) {
         chosen->applyTo(look.cutaway, look.contextLayer);
         return true;
       });
+  addLightPreset(command, look.shading);
   addSettings(command, look.cutaway);
   addSettings(command, look.contextLayer);
   addSettings(command, look.shading);

@@ -113,6 +113,7 @@ void PassChain::begin(const Scene& scene, const View& view) {
   rays.emplace(view.camera, view.size, gpu->grid(), clipOf(scene.look.clipping, *gpu), gpu->refinement());
   pixelScale = view.pixelScale;
   background = glm::vec3(scene.look.background);
+  backgroundRise = glm::vec3(fenestra::backgroundRise(scene.look));
 
   const Grid& grid = gpu->grid();
   std::optional<OpeningView> cutFor;

@@ -70,7 +70,7 @@ struct PassChain {
   std::optional<RayFrame> rays;  ///< of the last picture
   double pixelScale = 1.0;
   glm::dvec2 widths{0.0};
-  glm::vec3 background{0.0f};
+  glm::vec3 background{0.0f}, backgroundRise{0.0f};
   bool timing = false;
   std::shared_ptr<std::array<PassStats, passCount>> stats = std::make_shared<std::array<PassStats, passCount>>();
 

@@ -41,19 +41,23 @@ void Renderer::present(std::uint32_t framebuffer, glm::ivec4 rectangle) {
   const gl::DrawTarget target(framebuffer, rectangle);
   program.bind("picture", s.picture());
   program.set("background", s.background);
+  program.set("backgroundRise", s.backgroundRise);
   program.drawFullScreen();
 }
 
 std::vector<std::uint8_t> Renderer::readPicture() {
   PassChain& s = *chain_;
   if (!s.picture()) return {};
-  std::vector<glm::vec4> values(static_cast<std::size_t>(s.picture().size().x) *
-                                static_cast<std::size_t>(s.picture().size().y));
+  const auto width = static_cast<std::size_t>(s.picture().size().x),
+             height = static_cast<std::size_t>(s.picture().size().y);
+  std::vector<glm::vec4> values(width * height);
   s.picture().readInto(std::span(values));
   std::vector<std::uint8_t> bytes;
   bytes.reserve(values.size() * 4);
-  for (const glm::vec4& front : values) {
-    const glm::vec3 colour = glm::vec3(front) + (1.0f - front.a) * s.background;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const glm::vec4& front = values[i];
+    const float above = 1.0f - (static_cast<float>(i / width) + 0.5f) / static_cast<float>(height);
+    const glm::vec3 colour = glm::vec3(front) + (1.0f - front.a) * (s.background + above * s.backgroundRise);
     for (int channel = 0; channel < 3; ++channel)
       bytes.push_back(static_cast<std::uint8_t>(std::clamp(colour[channel], 0.0f, 1.0f) * 255.0f + 0.5f));
     bytes.push_back(255);

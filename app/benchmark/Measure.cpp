@@ -41,7 +41,8 @@ ColourErrors errorsOf(const std::vector<glm::vec4>& here, const std::vector<glm:
   for (std::size_t k = 0; k < what.pixels.size(); ++k) {
     const std::size_t at = static_cast<std::size_t>(what.pixels[k].y) * static_cast<std::size_t>(what.size.x) +
                            static_cast<std::size_t>(what.pixels[k].x);
-    errors.add(glm::dvec4(here[at]), truth[k], what.scene.look.background);
+    const double above = 1.0 - (what.pixels[k].y + 0.5) / what.size.y;
+    errors.add(glm::dvec4(here[at]), truth[k], backgroundAt(what.scene.look, above));
   }
   return errors;
 }

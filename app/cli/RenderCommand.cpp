@@ -88,24 +88,24 @@ Layers referenceLayers(const Scene& scene, const View& view) {
   return layers;
 }
 
-/// The picture over the background, opaque RGB.
-std::vector<std::uint8_t> overBackground(const std::vector<std::uint8_t>& premultiplied, glm::dvec3 background) {
-  std::vector<std::uint8_t> rgb(premultiplied.size() / 4 * 3);
-  for (std::size_t pixel = 0; pixel < premultiplied.size() / 4; ++pixel) {
-    const double through = 255.0 - premultiplied[pixel * 4 + 3];
-    for (std::size_t channel = 0; channel < 3; ++channel) {
-      const double value = premultiplied[pixel * 4 + channel] + through * background[static_cast<int>(channel)];
-      rgb[pixel * 3 + channel] = static_cast<std::uint8_t>(std::lround(std::min(value, 255.0)));
-    }
-  }
+/// The colours of an opaque picture.
+std::vector<std::uint8_t> withoutAlpha(const std::vector<std::uint8_t>& picture) {
+  std::vector<std::uint8_t> rgb;
+  rgb.reserve(picture.size() / 4 * 3);
+  for (std::size_t i = 0; i < picture.size(); ++i)
+    if (i % 4 != 3) rgb.push_back(picture[i]);
   return rgb;
 }
 
-std::vector<std::uint8_t> overBackground(const std::vector<glm::vec4>& premultiplied, glm::dvec3 background) {
+/// A picture over its background, opaque RGB.
+std::vector<std::uint8_t> overBackground(const std::vector<glm::vec4>& premultiplied, glm::ivec2 size,
+                                         const Look& look) {
   std::vector<std::uint8_t> rgb;
   rgb.reserve(premultiplied.size() * 3);
-  for (const glm::vec4& front : premultiplied) {
-    const glm::vec3 colour = glm::vec3(front) + (1.0f - front.a) * glm::vec3(background);
+  for (std::size_t i = 0; i < premultiplied.size(); ++i) {
+    const glm::vec4& front = premultiplied[i];
+    const double row = static_cast<double>(i / static_cast<std::size_t>(size.x)) + 0.5;
+    const glm::vec3 colour = glm::vec3(front) + (1.0f - front.a) * glm::vec3(backgroundAt(look, 1.0 - row / size.y));
     for (int channel = 0; channel < 3; ++channel)
       rgb.push_back(static_cast<std::uint8_t>(std::lround(std::clamp(colour[channel], 0.0f, 1.0f) * 255.0f)));
   }
@@ -186,7 +186,7 @@ void render(const RenderOptions& options) {
     const Layers layers = referenceLayers(scene, view);
     if (!options.layers.empty()) writeLayers(options.layers, layers, view, scene.volume->grid);
     if (!options.output.empty())
-      io::writePng(options.output, view.size, 3, overBackground(layers.final, scene.look.background));
+      io::writePng(options.output, view.size, 3, overBackground(layers.final, view.size, scene.look));
     return;
   }
 
@@ -208,7 +208,7 @@ void render(const RenderOptions& options) {
     proof = prove(options, loaded, session, renderer.readLayers().final);
     printJson(Json::parse(proof->text));
   }
-  io::writePng(options.output, view.size, 3, overBackground(picture, scene.look.background), proof);
+  io::writePng(options.output, view.size, 3, withoutAlpha(picture), proof);
   if (!options.layers.empty()) writeLayers(options.layers, renderer.readLayers(), view, scene.volume->grid);
   if (!options.stats.empty())
     io::writeText(options.stats, statistics(context->description(), view, renderer, *gpuScene, frames).dump(2) + "\n");

@@ -118,7 +118,8 @@ void members(auto& io, io::json::Is<LabelSetting> auto& setting) {
      {"Of a label that is not in focus: part of the context, left out of 3-D pictures, or never cut away"});
   io("visible", setting.visible, {},
      {"Whether slices tint it, and 3-D pictures draw it in focus and keep it from being cut away"});
-  io("opacity", setting.opacity, fraction, {"Of 10 mm of it, and of its tint on slices; outside the focus, 0 hides it"});
+  io("opacity", setting.opacity, fraction,
+     {"Of 10 mm of it, and of its tint on slices; outside the focus, 0 hides it"});
   io.optional("colour", setting.colour, setting.colour.has_value(), fraction, {"In place of the label map's"});
   io.optional("function", setting.function, setting.function.has_value(), {},
               {"Of it in focus: by value, in place of one colour and extinction"});
@@ -157,12 +158,12 @@ void partMembers(auto& io, io::json::Is<Look> auto& look) {
   io("cutaway", look.cutaway);
   io("context_layer", look.contextLayer);
   io("shading", look.shading);
-  settings(io, look);  // background, table, reconstruction
+  settings(io, look);  // background, table, reconstruction, smoothing of labels
 }
 
 void members(auto& io, io::json::Is<Look> auto& look) {
-  auto& [focus, labels, focusAppearance, context, cutaway, contextLayer, shading, background, hideTable, reconstruction,
-         clipping, strokes] = look;
+  auto& [focus, labels, focusAppearance, context, cutaway, contextLayer, shading, background, backdrop, backgroundTop,
+         hideTable, reconstruction, labelSmoothing, clipping, strokes] = look;
   focusMember(io, focus);
   io.optional("label_settings", labels, !labels.empty(), {},
               {"How labels of the label map are shown, ascending by label; those that are shown as they come are left "

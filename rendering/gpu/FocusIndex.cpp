@@ -241,11 +241,18 @@ void indexValues(FocusIndex& index, const ShownVolume& shown, const ValueFocus& 
 
 }  // namespace
 
+std::shared_ptr<const SmoothedIndicator> smoothedIndicator(const Scene& scene) {
+  const auto* focus = std::get_if<LabelFocus>(&scene.look.focus);
+  if (!focus || !scene.labels || scene.look.labelSmoothing == LabelSmoothing::Off) return nullptr;
+  return std::make_shared<const SmoothedIndicator>(*scene.labels, focus->labels, scene.look.labelSmoothing);
+}
+
 FocusIndex buildFocusIndex(const Scene& scene, const BrickRanges& bricks) {
   FocusIndex index;
   index.bricks = bricks.dims;
   if (const auto* labels = std::get_if<LabelFocus>(&scene.look.focus); labels && scene.labels) {
     LabelIndexer(scene.labels).update(index, labels->labels);
+    index.smoothed = smoothedIndicator(scene);
   } else if (const auto* values = std::get_if<ValueFocus>(&scene.look.focus)) {
     index.kind = FocusIndex::Kind::Values;
     index.slots.assign(bricks.ranges.size(), 0);
@@ -269,6 +276,30 @@ std::vector<std::uint8_t> FocusIndex::occupied() const {
   return occupied;
 }
 
+std::vector<std::uint32_t> FocusIndex::smoothedCells() const {
+  constexpr int corners = brickSide + 1;
+  std::size_t slotCount = 0;
+  for (const std::uint32_t slot : slots) slotCount += slot >= 2;
+  std::vector<std::uint32_t> words(slotCount * smoothedWordsPerBrick);
+  parallelFor(static_cast<std::size_t>(bricks.z), 1, [&](std::size_t begin, std::size_t end) {
+    std::array<std::uint16_t, std::size_t{corners} * corners * corners> block;
+    for (int z = static_cast<int>(begin); z < static_cast<int>(end); ++z)
+      for (int y = 0; y < bricks.y; ++y)
+        for (int x = 0; x < bricks.x; ++x) {
+          const std::uint32_t slot = slots[brickOffset(bricks, {x, y, z})];
+          if (slot < 2) continue;
+          smoothed->read(glm::ivec3(x, y, z) * brickSide - 1, glm::ivec3(corners), block.data());
+          std::uint32_t* word = words.data() + (slot - 2) * smoothedWordsPerBrick;
+          for (std::size_t row = 0; row < std::size_t{corners} * corners; ++row)
+            for (std::size_t column = 0; column < std::size_t{brickSide}; ++column) {
+              const std::uint16_t* pair = block.data() + row * corners + column;
+              *word++ = pair[0] | static_cast<std::uint32_t>(pair[1]) << 16;
+            }
+        }
+  });
+  return words;
+}
+
 std::optional<glm::dvec3> FocusIndex::centre(const Grid& grid) const {
   if (!box) return std::nullopt;
   const glm::dvec3 index = 0.5 * (glm::dvec3(box->low) + glm::dvec3(box->high));
@@ -277,7 +308,9 @@ std::optional<glm::dvec3> FocusIndex::centre(const Grid& grid) const {
 
 std::optional<glm::dvec3> focusCentre(const Scene& scene) {
   if (std::holds_alternative<std::monostate>(scene.look.focus)) return std::nullopt;
-  return buildFocusIndex(scene, brickRanges(shownVolume(scene))).centre(scene.volume->grid);
+  Scene exact = scene;  // smoothing takes time and does not move the box
+  exact.look.labelSmoothing = LabelSmoothing::Off;
+  return buildFocusIndex(exact, brickRanges(shownVolume(scene))).centre(scene.volume->grid);
 }
 
 }  // namespace fenestra

@@ -2,11 +2,13 @@
 // Where the focus is, sparsely: only the bricks that its surface crosses store their cells one by one.
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "rendering/gpu/Bricks.h"
 #include "rendering/scene/Scene.h"
+#include "rendering/scene/SmoothedIndicator.h"
 
 namespace fenestra {
 
@@ -21,6 +23,8 @@ struct FocusIndex {
   /// Labels: cellsPerBrick bytes a slot, one a cell, bit i set when corner i (x fastest) has a label of the focus.
   /// Values: cellsPerBrick bits a slot, one a cell, set when FocusCells (rendering/scene) keep the cell.
   std::vector<std::uint32_t> cells;
+  /// Of labels whose surface the look smooths: what stands in place of the corners' bits. It is cut by the same cells.
+  std::shared_ptr<const SmoothedIndicator> smoothed;
   /// Box of the focus in index coordinates: labelled voxels, or the corners of kept cells. Empty when nothing is in
   /// focus.
   std::optional<IndexBox> box;
@@ -29,9 +33,17 @@ struct FocusIndex {
   bool holds(glm::ivec3 cell) const;
   /// By brick: 1 where some of the focus lies in it, else 0.
   std::vector<std::uint8_t> occupied() const;
+  /// With `smoothed`, in place of `cells` on the device: smoothedWordsPerBrick words a slot, each the indicator at two
+  /// neighbouring corners of the brick's cells in 65535ths, the first in the lower half. Of a row of corners the word x
+  /// is of those at x and x + 1; rows by y, then z.
+  std::vector<std::uint32_t> smoothedCells() const;
+  static constexpr std::size_t smoothedWordsPerBrick = std::size_t{brickSide} * (brickSide + 1) * (brickSide + 1);
   /// World position of the box's centre; empty when nothing is in focus. `grid` is the volume's.
   std::optional<glm::dvec3> centre(const Grid& grid) const;
 };
+
+/// The indicator of a label focus whose surface the look smooths; null for others.
+std::shared_ptr<const SmoothedIndicator> smoothedIndicator(const Scene& scene);
 
 /// `bricks` are the volume's. Runs on all cores.
 FocusIndex buildFocusIndex(const Scene& scene, const BrickRanges& bricks);

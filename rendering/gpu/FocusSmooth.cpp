@@ -170,7 +170,37 @@ void FocusSmooth::repeatEdge(glm::ivec3 low, Bits& bits) const {
       rowOf(y, z) = rowOf(std::clamp(y, first.y, last.y), std::clamp(z, first.z, last.z));
 }
 
+void FocusSmooth::makeSmoothed(glm::ivec3 tile, Tile& voxels) const {
+  constexpr auto wide = static_cast<std::size_t>(blockSide), narrow = static_cast<std::size_t>(side);
+  std::array<std::uint16_t, wide * wide * wide> block;
+  index_.smoothed->read(tile - reach, glm::ivec3(blockSide), block.data());
+  if ((block[0] == 0 || block[0] == 65535) &&
+      std::all_of(block.begin(), block.end(), [&](std::uint16_t value) { return value == block[0]; })) {
+    voxels.fill(block[0]);
+    return;
+  }
+  const auto sum = [](const auto* from, std::size_t step) {
+    constexpr std::array<float, taps> weights{1, 8, 28, 56, 70, 56, 28, 8, 1};
+    float total = 0.0f;
+    for (std::size_t tap = 0; tap < weights.size(); ++tap) total += weights[tap] * static_cast<float>(from[tap * step]);
+    return total * (1.0f / 256.0f);
+  };
+  std::array<float, narrow * wide * wide> alongX;
+  for (std::size_t row = 0; row < wide * wide; ++row)
+    for (std::size_t x = 0; x < narrow; ++x) alongX[row * narrow + x] = sum(block.data() + row * wide + x, 1);
+  std::array<float, narrow * narrow * wide> alongY;
+  for (std::size_t z = 0; z < wide; ++z)
+    for (std::size_t at = 0; at < narrow * narrow; ++at)
+      alongY[z * narrow * narrow + at] = sum(alongX.data() + z * narrow * wide + at, narrow);
+  for (std::size_t at = 0; at < voxels.size(); ++at)
+    voxels[at] = static_cast<std::uint16_t>(sum(alongY.data() + at, narrow * narrow) + 0.5f);
+}
+
 void FocusSmooth::make(glm::ivec3 tile, Tile& voxels) const {
+  if (index_.smoothed) {
+    makeSmoothed(tile, voxels);
+    return;
+  }
   Bits bits{};
   read(tile, bits);
   constexpr std::uint32_t full = (1u << blockSide) - 1;

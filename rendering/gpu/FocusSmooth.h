@@ -18,7 +18,8 @@ struct SmoothBox {
   bool operator==(const SmoothBox&) const = default;
 };
 
-/// 0 outside the focus and 65535 inside (eight bits would show as facets in the normals), filtered by the binomials of
+/// 0 outside the focus and 65535 inside (eight bits would show as facets in the normals), or the index's smoothed
+/// indicator, filtered by the binomials of
 /// 8 along each axis: a Gaussian of σ = √2 voxels. Beyond the volume its edge is repeated. Made tile by tile.
 class FocusSmooth {
  public:
@@ -47,6 +48,8 @@ class FocusSmooth {
   glm::ivec3 tileCount() const { return box_.size / tileSide; }
   std::vector<glm::ivec3> marked(const std::vector<std::uint8_t>& marks) const;
   void read(glm::ivec3 tile, Bits& bits) const;
+  /// Of the smoothed indicator.
+  void makeSmoothed(glm::ivec3 tile, Tile& voxels) const;
   /// Of a block whose first voxel is `low`.
   void repeatEdge(glm::ivec3 low, Bits& bits) const;
 

@@ -37,7 +37,12 @@ GpuFocus::Change GpuFocus::update(const Scene& scene, const BrickRanges& bricks)
                    {index_.bricks.x, index_.bricks.y, change.lastLayer + 1 - change.firstLayer},
                    std::as_bytes(std::span(index_.slots).subspan(first, end - first)));
   }
-  if (isNew || !change.bricks.empty()) uploadCells();
+  const bool changed = isNew || !change.bricks.empty() || scene.look.labelSmoothing != smoothing_;
+  smoothing_ = scene.look.labelSmoothing;
+  if (changed) {
+    index_.smoothed = smoothedIndicator(scene);
+    uploadCells();
+  }
   if (smooth_) stale_.insert(stale_.end(), change.bricks.begin(), change.bricks.end());
   indexer_ = std::move(indexer);
   change.filled.insert(change.filled.end(), change.emptied.begin(), change.emptied.end());
@@ -45,7 +50,9 @@ GpuFocus::Change GpuFocus::update(const Scene& scene, const BrickRanges& bricks)
 }
 
 void GpuFocus::uploadCells() {
-  const auto bytes = std::as_bytes(std::span(index_.cells));
+  std::vector<std::uint32_t> smoothed;
+  if (index_.smoothed) smoothed = index_.smoothedCells();
+  const auto bytes = std::as_bytes(std::span(index_.smoothed ? smoothed : index_.cells));
   if (cells_ && bytes.size() == cells_.bytes())
     cells_.write(bytes);
   else
@@ -56,17 +63,19 @@ void GpuFocus::updateSmooth(bool wanted) {
   if (!wanted || index_.kind != FocusIndex::Kind::Labels || !index_.box) {
     smooth_ = {};
     smoothBox_ = {};
+    smoothOf_ = {};
     stale_.clear();
     return;
   }
   const FocusSmooth source(index_, indexer_->map()->grid.dims);
-  if (smooth_ && source.box() == smoothBox_) {
+  if (smooth_ && source.box() == smoothBox_ && smoothOf_ == index_.smoothed) {
     if (!stale_.empty()) uploadSmooth(source, source.tilesNear(stale_));
   } else {
     smooth_ = {};
     smooth_ = gl::Texture::make3D(gl::Format::R16, source.box().size, gl::Filter::Linear);
     smooth_.clear();
     smoothBox_ = source.box();
+    smoothOf_ = index_.smoothed;
     uploadSmooth(source, source.tiles());
   }
   stale_.clear();
@@ -91,8 +100,10 @@ void GpuFocus::release() {
   indexer_.reset();
   bricks_ = {};
   cells_ = {};
+  smoothing_ = LabelSmoothing::Off;
   smooth_ = {};
   smoothBox_ = {};
+  smoothOf_ = {};
   stale_.clear();
 }
 

@@ -46,9 +46,11 @@ class GpuFocus {
   std::optional<LabelIndexer> indexer_;
   gl::Texture bricks_;
   gl::Buffer cells_;
+  LabelSmoothing smoothing_ = LabelSmoothing::Off;  ///< of the labels in `cells_`
   gl::Texture smooth_;
   SmoothBox smoothBox_;
-  std::vector<std::size_t> stale_;  ///< bricks that have changed since smooth_ was made
+  std::shared_ptr<const SmoothedIndicator> smoothOf_;  ///< what it was made of, where that is one
+  std::vector<std::size_t> stale_;                     ///< bricks that have changed since smooth_ was made
 };
 
 }  // namespace fenestra

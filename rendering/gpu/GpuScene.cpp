@@ -91,7 +91,9 @@ std::vector<std::uint8_t> GpuScene::drawnOccupied(const FocusIndex& focus) const
 
 bool GpuScene::holds(const Scene& scene) const {
   if (!shown_.volume || fitted_.isOfOther(scene) || scene.look.focus != focusWanted_) return false;
-  if (std::holds_alternative<LabelFocus>(scene.look.focus) && scene.labels != labelSource_) return false;
+  if (std::holds_alternative<LabelFocus>(scene.look.focus) &&
+      (scene.labels != labelSource_ || scene.look.labelSmoothing != labelSmoothing_))
+    return false;
   const bool wantsDerivative = hasCutaway(scene) && scene.look.contextLayer.strength > 0.0;
   return (gradient_.texture || !scene.look.shading.enabled) && (derivative_.texture || !wantsDerivative);
 }
@@ -143,8 +145,8 @@ void GpuScene::updateAll(const Scene& scene) {
 
   // A label map matters only while its labels are in focus.
   const bool usesLabels = std::holds_alternative<LabelFocus>(scene.look.focus);
-  const bool focusChanged =
-      volumeChanged || scene.look.focus != focusWanted_ || (usesLabels && scene.labels != labels_);
+  const bool focusChanged = volumeChanged || scene.look.focus != focusWanted_ ||
+                            (usesLabels && (scene.labels != labels_ || scene.look.labelSmoothing != labelSmoothing_));
   LabelSettings focusSettings = settingsInFocus(scene);
   const bool coloursChanged =
       focusChanged || !transferTables_ || scene.look.focusAppearance != appearance_ || focusSettings != focusSettings_;
@@ -223,6 +225,7 @@ void GpuScene::updateSkips(const GpuFocus::Change& focus, bool occupancyChanged)
 GpuFocus::Change GpuScene::updateFocus(const Scene& scene) {
   GpuFocus::Change change = focus_.update(scene, refinement_ > 1 ? voxelBricks_ : bricks_);
   focusWanted_ = scene.look.focus;
+  labelSmoothing_ = scene.look.labelSmoothing;
   if (change.isNew)
     for (gl::Texture* texture : {&focusSkip_, &occupiedSkip_}) *texture = {};
   ++versions_.focus;

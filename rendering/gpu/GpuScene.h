@@ -126,6 +126,7 @@ class GpuScene {
 
   FocusIndex::Kind focusKind() const { return focus_.index().kind; }
   const FocusIndex& focus() const { return focus_.index(); }
+  bool focusIsSmoothed() const { return focus_.index().smoothed != nullptr; }
   ValueRange focusValues() const { return std::get<ValueFocus>(focusWanted_).values; }  ///< of a value focus, real
   const gl::Texture& focusBricks() const { return focus_.bricks(); }
   const gl::Texture& focusSkip() const { return focusSkip_; }
@@ -190,7 +191,8 @@ class GpuScene {
   ShownVolume shown_;
   std::shared_ptr<const LabelMap> labels_, labelSource_;  ///< as drawn, and as given
   Focus focusWanted_;
-  std::vector<TransferFunction> contexts_;  ///< contextFunctions(), those of labels with voxels
+  LabelSmoothing labelSmoothing_ = LabelSmoothing::Off;  ///< of that focus
+  std::vector<TransferFunction> contexts_;               ///< contextFunctions(), those of labels with voxels
   FocusAppearance appearance_;
   LabelSettings focusSettings_;  ///< of the labels in focus
   Versions versions_;

@@ -28,7 +28,7 @@ gl::Choice integralChoice(const GpuScene& scene, bool bounded) {
 gl::Choice focusChoice(const GpuScene& scene) {
   switch (scene.focusKind()) {
     case FocusIndex::Kind::Labels:
-      return {"focus", "lib/focus/Labels.glsl"};
+      return {"focus", scene.focusIsSmoothed() ? "lib/focus/SmoothLabels.glsl" : "lib/focus/Labels.glsl"};
     case FocusIndex::Kind::Values:
       return {"focus", "lib/focus/Values.glsl"};
     case FocusIndex::Kind::None:

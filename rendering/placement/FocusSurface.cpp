@@ -1,6 +1,7 @@
 #include "rendering/placement/FocusSurface.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdlib>
@@ -69,6 +70,24 @@ glm::dvec3 gradientOf(unsigned corners) {
     if (corners >> i & 1u)
       gradient += glm::dvec3((i & 1) ? 0.25 : -0.25, (i & 2) ? 0.25 : -0.25, (i & 4) ? 0.25 : -0.25);
   return gradient;
+}
+
+/// The indicator at a cell's corners, and its gradient averaged over the cell, per index step.
+struct Level {
+  double mean = 0.0;
+  glm::dvec3 gradient{0.0};
+};
+Level levelIn(const Element& element, const SmoothedIndicator* smoothed) {
+  if (!smoothed) return {0.125 * std::popcount(element.corners), gradientOf(element.corners)};
+  std::array<std::uint16_t, 8> corners;
+  smoothed->read(element.cell, glm::ivec3(2), corners.data());
+  Level level;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const double value = corners[i] / double{SmoothedIndicator::one};
+    level.mean += 0.125 * value;
+    level.gradient += 0.25 * value * glm::dvec3((i & 1u) ? 1 : -1, (i & 2u) ? 1 : -1, (i & 4u) ? 1 : -1);
+  }
+  return level;
 }
 
 /// Interleaves the bits of three numbers (Morton code), so that neighbours in space are near in the order.
@@ -206,9 +225,9 @@ FocusSurface sampleSurface(const Scene& scene, const FocusIndex& index, int coun
   sampleEvenly(
       std::span<const Proposal>(proposals), shares, wanted, [](const Proposal& proposal) { return proposal.area; },
       [&](const Proposal& proposal) {
-        const glm::dvec3 gradient = gradientOf(proposal.element->corners);
-        const double mean = 0.125 * std::popcount(proposal.element->corners);
-        const glm::dvec3 toLevel = gradient * ((0.5 - mean) / glm::dot(gradient, gradient));
+        const auto [mean, gradient] = levelIn(*proposal.element, index.smoothed.get());
+        const double steepness = std::max(glm::dot(gradient, gradient), 1e-12);
+        const glm::dvec3 toLevel = gradient * ((0.5 - mean) / steepness);
         surface.points.push_back(
             {glm::dvec3(proposal.element->cell) + 0.5 + glm::clamp(toLevel, glm::dvec3(-0.5), glm::dvec3(0.5)),
              proposal.normal});

@@ -33,11 +33,12 @@ glm::dvec3 overBackground(glm::dvec4 premultiplied, glm::dvec3 background) {
 
 /// Of each sampled pixel, in 1/255.
 std::vector<double> differences(std::span<const glm::vec4> picture, const std::vector<glm::dvec4>& exact,
-                                const std::vector<glm::ivec2>& pixels, int width, glm::dvec3 background) {
+                                const std::vector<glm::ivec2>& pixels, glm::ivec2 size, const Look& look) {
   std::vector<double> result;
   for (std::size_t i = 0; i < pixels.size(); ++i) {
-    const auto at =
-        static_cast<std::size_t>(pixels[i].y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(pixels[i].x);
+    const auto at = static_cast<std::size_t>(pixels[i].y) * static_cast<std::size_t>(size.x) +
+                    static_cast<std::size_t>(pixels[i].x);
+    const glm::dvec3 background = backgroundAt(look, 1.0 - (pixels[i].y + 0.5) / size.y);
     const glm::dvec3 difference =
         glm::abs(overBackground(picture[at], background) - overBackground(exact[i], background));
     const double worst = 255.0 * std::max({difference.r, difference.g, difference.b});
@@ -97,7 +98,7 @@ Certificate certify(std::span<const glm::vec4> picture, const Scene& scene, cons
   const PictureOptions exactly{.pixelScale = view.pixelScale, .pixels = pixels};
   const Stages stages = hasCutaway(scene) ? geometricStages(scene, view) : Stages{};
   const std::vector<glm::dvec4> exact = reference::picture(scene, view.camera, size, stages, exactly).final;
-  const std::vector<double> measured = differences(picture, exact, pixels, size.x, scene.look.background);
+  const std::vector<double> measured = differences(picture, exact, pixels, size, scene.look);
   certificate.greatest = *std::max_element(measured.begin(), measured.end());
   const bool all = std::int64_t{size.x} * size.y == std::int64_t{certificate.pixels};
   certificate.within = options.within.value_or(leastWithin(measured, all));

@@ -5,16 +5,18 @@
 
 #include "rendering/reference/Cells.h"
 #include "rendering/scene/FocusCells.h"
+#include "rendering/scene/SmoothedIndicator.h"
 
 namespace fenestra::reference {
 
-/// For labels the trilinear 0/1 indicator, in focus from 0.5 on; for values the volume itself, in the cells that are
-/// kept. Empty when the scene has neither.
+/// For labels the trilinear 0/1 indicator, or where the look smooths it, a SmoothedIndicator; in focus from 0.5 on; for
+/// values the volume itself, in the cells that are kept. Empty when the scene has neither.
 class FocusField {
  public:
   explicit FocusField(const Scene& scene);
   /// The same of labels.
-  FocusField(const LabelMap& map, const std::vector<std::uint16_t>& labels);
+  FocusField(const LabelMap& map, const std::vector<std::uint16_t>& labels,
+             LabelSmoothing smoothing = LabelSmoothing::Off);
 
   const ValueRange& range() const { return range_; }
   /// Whether `cell` may hold some of the focus.
@@ -24,6 +26,8 @@ class FocusField {
 
   /// For labels: whether a voxel (clamped to the grid) has a label of the focus.
   bool isLabelled(glm::ivec3 index) const;
+  /// For labels: the indicator at a voxel (clamped to the grid).
+  double indicatorAtVoxel(glm::ivec3 index) const;
   bool hasLabels() const { return !indicator_.empty(); }
 
  private:
@@ -31,8 +35,9 @@ class FocusField {
 
   Grid grid_;
   ValueRange range_;
-  std::vector<std::uint8_t> indicator_;  ///< per voxel; for labels only
-  std::optional<FocusCells> cells_;      ///< for values only
+  std::vector<std::uint8_t> indicator_;        ///< per voxel; for labels only
+  std::optional<SmoothedIndicator> smoothed_;  ///< for labels whose surface is smoothed
+  std::optional<FocusCells> cells_;            ///< for values only
 };
 
 }  // namespace fenestra::reference

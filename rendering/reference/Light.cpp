@@ -55,17 +55,18 @@ FocusNormals::FocusNormals(const Grid& grid, const FocusField& focus)
           high = glm::max(high, index);
         }
   if (high.x < 0) return;
-  // Two passes of five taps reach four voxels out; queries lie within two voxels of the labels.
-  constexpr int margin = 5;
+  // Two passes of five taps reach four voxels out; queries lie within two voxels of the labels, where a smoothed
+  // indicator is not 0 yet.
+  constexpr int margin = 7;
   low_ = low - margin;
   box_.dims = high - low + 1 + 2 * margin;
   field_.resize(box_.voxelCount());
   for (index.z = 0; index.z < box_.dims.z; ++index.z)
     for (index.y = 0; index.y < box_.dims.y; ++index.y)
       for (index.x = 0; index.x < box_.dims.x; ++index.x)
-        field_[box_.offset(index)] = focus.isLabelled(low_ + index) ? 1.0f : 0.0f;
+        field_[box_.offset(index)] = static_cast<float>(focus.indicatorAtVoxel(low_ + index));
 
-  // Whole numbers over at most 2^24: exact in single precision.
+  // Of a 0/1 indicator, whole numbers over at most 2^24: exact in single precision.
   const auto filter = [&](int axis) {
     const int across = (axis + 1) % 3, along = (axis + 2) % 3;
     parallelFor(static_cast<std::size_t>(box_.dims[along]), 1, [&](std::size_t begin, std::size_t end) {

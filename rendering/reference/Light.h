@@ -50,8 +50,8 @@ class VoxelNormals {
   double gateUnit_;  ///< gradient at which the gate's argument is 1
 };
 
-/// Normals of a label focus: the indicator smoothed by (1 4 6 4 1)/16 twice along each axis (a Gaussian of σ = √2
-/// voxels), trilinear, differentiated over one voxel to either side.
+/// Normals of a label focus: its indicator, itself smoothed or not, smoothed by (1 4 6 4 1)/16 twice along each axis (a
+/// Gaussian of σ = √2 voxels), trilinear, differentiated over one voxel to either side.
 class FocusNormals {
  public:
   /// Needs a focus of labels.

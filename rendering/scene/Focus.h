@@ -10,7 +10,8 @@
 
 namespace fenestra {
 
-/// The union of labels; its surface is the 0.5 level of the trilinearly interpolated 0/1 indicator.
+/// The union of labels; its surface is the 0.5 level of the trilinearly interpolated 0/1 indicator, or where the look
+/// smooths it (Look::labelSmoothing), of a SmoothedIndicator.
 struct LabelFocus {
   std::vector<std::uint16_t> labels;  ///< sorted, unique, non-empty
   bool operator==(const LabelFocus&) const = default;

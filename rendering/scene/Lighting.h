@@ -5,10 +5,13 @@
 // border) gives a unit normal n and a gate g = smoothstep(gradientGateLow, gradientGateHigh, |gradient| · finest
 // spacing / value range): below the first a gradient is noise. Between voxels the vectors g·n are interpolated
 // trilinearly to V. Of a spline, the gradient is its own at the voxels' centres, and V the B-spline of the vectors g·n
-// (SplineVectors): normals at every point of the spline would turn too fast where the gradient vanishes. Lighting by V's
-// direction fades in with its length: certainty = smoothstep(0, certainLength, |V|), over the light that a surface of
-// average orientation gets. A label focus has the smoothed indicator's normal instead (see GpuScene::focusSmooth), with
-// certainty 1. Light is Blinn-Phong from one distant source, both sides of a surface lit.
+// (SplineVectors): normals at every point of the spline would turn too fast where the gradient vanishes. Lighting by
+// V's direction fades in with its length: certainty = smoothstep(0, certainLength, |V|), over the light that a surface
+// of average orientation gets. A label focus has the smoothed indicator's normal instead (see GpuScene::focusSmooth),
+// with certainty 1. Light is Blinn-Phong from one distant source, both sides of a surface lit.
+
+#include <span>
+#include <string_view>
 
 #include "rendering/scene/Camera.h"
 #include "rendering/scene/Look.h"
@@ -17,6 +20,17 @@ namespace fenestra {
 
 /// Towards the light, unit, world; fixed to the camera.
 glm::dvec3 lightDirection(const Camera::Axes& axes, const Shading& shading);
+
+/// Ready-made light: how much of it surfaces give back in which way, not where it comes from.
+struct LightPreset {
+  std::string_view id, name, description;
+  double ambient, diffuse, specular, shininess;
+
+  /// Leaves the rest as it is, but switches shading on.
+  void applyTo(Shading& shading) const;
+};
+/// standard, a scene's default; matte; bone; wet; technical.
+std::span<const LightPreset> lightPresets();
 
 namespace lighting {
 

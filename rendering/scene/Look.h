@@ -1,6 +1,7 @@
 #pragma once
 // How a volume is looked at: everything in a picture but the data and the camera. Plain data.
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -12,6 +13,7 @@
 #include "rendering/scene/Cutaway.h"
 #include "rendering/scene/Focus.h"
 #include "rendering/scene/LabelSettings.h"
+#include "rendering/scene/LabelSmoothing.h"
 #include "rendering/scene/Reconstruction.h"
 #include "rendering/scene/TransferFunction.h"
 
@@ -50,6 +52,9 @@ struct Shading {
   bool operator==(const Shading&) const = default;
 };
 
+/// What lies behind the volume.
+enum class Backdrop : std::uint8_t { Plain, Gradient };
+
 struct Look {
   Focus focus;
   LabelSettings labels;  ///< of the label map; empty until one is changed
@@ -58,12 +63,21 @@ struct Look {
   Cutaway cutaway;
   ContextLayer contextLayer;
   Shading shading;
-  glm::dvec3 background{0.0};                              ///< display RGB 0..1
+  glm::dvec3 background{0.0};  ///< display RGB 0..1; of a gradient, at the bottom
+  Backdrop backdrop = Backdrop::Plain;
+  glm::dvec3 backgroundTop{0.30, 0.36, 0.44};              ///< display RGB 0..1; of a gradient, at the top
   bool hideTable = true;                                   ///< of a CT, in 3-D pictures; see Scene::table
   Reconstruction reconstruction = Reconstruction::Linear;  ///< of 3-D pictures; slices are always trilinear
+  LabelSmoothing labelSmoothing = LabelSmoothing::Off;     ///< of a label focus in 3-D pictures
   Clipping clipping;     ///< with nothing to clip, no pass, no memory and no shader is used for it
   BrushStrokes strokes;  ///< edits of the opening; without any, no pass runs and no memory is used for them
   bool operator==(const Look&) const = default;
 };
+
+/// The colour behind a picture at a height between its bottom, 0, and its top, 1: linear in display RGB. A pixel of row
+/// j from the top, of H rows, is at the height 1 - (j + ½)/H.
+glm::dvec3 backgroundAt(const Look& look, double height);
+/// The change of that colour from the bottom to the top; 0 where the backdrop is plain.
+glm::dvec3 backgroundRise(const Look& look);
 
 }  // namespace fenestra

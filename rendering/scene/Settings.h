@@ -82,6 +82,17 @@ constexpr auto wordsOf(Reconstruction) {
        {Reconstruction::Auto, "auto", "Automatic",
         "Smoothed where voxels are coarse and not too many, else straight"}});
 }
+constexpr auto wordsOf(Backdrop) {
+  return std::to_array<Word<Backdrop>>({{Backdrop::Plain, "plain", "One colour", "The background's colour everywhere"},
+                                        {Backdrop::Gradient, "gradient", "Gradient",
+                                         "From the background's colour at the bottom to another at the top"}});
+}
+constexpr auto wordsOf(LabelSmoothing) {
+  return std::to_array<Word<LabelSmoothing>>(
+      {{LabelSmoothing::Off, "off", "Exact", "As the labels have it, with the steps of their voxels"},
+       {LabelSmoothing::Light, "light", "Lightly smoothed", "Without the steps of single voxels"},
+       {LabelSmoothing::Strong, "strong", "Strongly smoothed", "Without terraces of several voxels"}});
+}
 constexpr auto wordsOf(Projection) {
   return std::to_array<Word<Projection>>(
       {{Projection::Perspective, "perspective"}, {Projection::Orthographic, "orthographic"}});
@@ -261,7 +272,15 @@ inline constexpr std::tuple settingsOf<Look>{
     Setting(&Look::background, {.key = "background",
                                 .option = "--background",
                                 .name = "Background",
-                                .description = "Colour behind the volume"}),
+                                .description = "Colour behind the volume; of a gradient, at the bottom"}),
+    Setting(&Look::backdrop, {.key = "backdrop",
+                              .option = "--backdrop",
+                              .name = "Backdrop",
+                              .description = "Whether one colour is behind the volume, or a gradient of two"}),
+    Setting(&Look::backgroundTop, {.key = "background_top",
+                                   .option = "--background-top",
+                                   .name = "Top of the gradient",
+                                   .description = "Colour of a gradient behind the volume at the top"}),
     Setting(&Look::hideTable,
             {.key = "hide_table",
              .option = "--hide-table",
@@ -270,7 +289,13 @@ inline constexpr std::tuple settingsOf<Look>{
     Setting(&Look::reconstruction, {.key = "reconstruction",
                                     .option = "--reconstruction",
                                     .name = "Between voxels",
-                                    .description = "How 3-D pictures fill in the values between the voxels"})};
+                                    .description = "How 3-D pictures fill in the values between the voxels"}),
+    Setting(&Look::labelSmoothing,
+            {.key = "label_smoothing",
+             .option = "--label-smoothing",
+             .name = "Label surfaces",
+             .description = "How far 3-D pictures smooth the surface of labels in focus: it stays within the voxels "
+                            "that it passes through, and keeps its volume"})};
 
 template <>
 inline constexpr std::tuple settingsOf<BrushStroke>{

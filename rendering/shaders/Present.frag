@@ -5,4 +5,4 @@ in vec2 at;
 out vec4 colour;
 uniform sampler2D picture;
 
-void main() { colour = overBackground(texture(picture, at)); }
+void main() { colour = overBackground(texture(picture, at), at.y); }

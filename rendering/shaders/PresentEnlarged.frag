@@ -13,5 +13,5 @@ void main() {
   vec2 low = w0 + w1, high = 1.0 - low;
   vec2 a = (first - 0.5 + w1 / low) / size, b = (first + 1.5 + w3 / high) / size;
   colour = overBackground(low.y * (low.x * texture(picture, a) + high.x * texture(picture, vec2(b.x, a.y))) +
-                          high.y * (low.x * texture(picture, vec2(a.x, b.y)) + high.x * texture(picture, b)));
+                          high.y * (low.x * texture(picture, vec2(a.x, b.y)) + high.x * texture(picture, b)), at.y);
 }

@@ -45,6 +45,7 @@ void addGeometry(Digest& digest, const Scene& scene, const Camera& camera, glm::
     digest.add(std::as_bytes(std::span(focus->labels)));
     digest.add(std::span(scene.labels->voxels.data(), scene.labels->voxels.byteCount()));
     for (const Label& label : scene.labels->labels) digest.add(label.value, label.colour);
+    if (scene.look.labelSmoothing != LabelSmoothing::Off) digest.add(scene.look.labelSmoothing);
   }
   if (const auto* focus = std::get_if<ValueFocus>(&scene.look.focus))
     digest.add(focus->values.low, focus->values.high, focus->minimumComponent);

@@ -62,6 +62,7 @@ TEST_F(Passes, ReRunOnlyWhatAChangeReaches) {
   EXPECT_EQ(after([](Scene& s) { s.look.contextLayer.strength = 0.3; }), "composite");
   EXPECT_EQ(after([](Scene& s) { s.look.contextLayer.colour = glm::dvec3(0.2); }), "composite");
   EXPECT_EQ(after([](Scene& s) { s.look.background = glm::dvec3(0.2); }), "");
+  EXPECT_EQ(after([](Scene& s) { s.look.backdrop = Backdrop::Gradient; }), "");
   EXPECT_EQ(after([](Scene& s) { s.look.focusAppearance.extinction = 1.0; }), "focus layer, composite");
   // What the focus shows by value moves none of its surface.
   const TransferFunction byValue{{{0.0, {glm::dvec3(1.0), 0.0}}, {100.0, {glm::dvec3(1.0), 0.5}}}};
@@ -72,6 +73,7 @@ TEST_F(Passes, ReRunOnlyWhatAChangeReaches) {
   EXPECT_EQ(
       after([](Scene& s) { s.look.context.function.nodes[0].value = s.look.context.function.nodes[1].value = 150.0; }),
       all);
+  EXPECT_EQ(after([](Scene& s) { s.look.labelSmoothing = LabelSmoothing::Light; }), all);
   EXPECT_EQ(after([](Scene& s) { s.look.focus = LabelFocus{{1, 2}}; }), all);
   View turned = view;
   turned.camera = view.camera.orbited(0.3, 0.1);
@@ -134,6 +136,27 @@ TEST_F(Passes, MovingTheOpeningKeepsOnlyWhatStaysTheSame) {
     scene.look.background = glm::dvec3(0.5);
     reused.render(scene, view);
     EXPECT_EQ(reused.imageBytes(), still) << "what a moving opening needs is given back";
+  }
+}
+
+TEST_F(Passes, AGradientLiesBehindThePicture) {
+  Scene scene = ballScene();
+  scene.look.background = {0.1, 0.6, 0.3};
+  scene.look.backdrop = Backdrop::Gradient;
+  scene.look.backgroundTop = {0.9, 0.2, 0.4};
+  const View view = viewOf(scene);
+  Renderer renderer(std::make_shared<GpuScene>());
+  renderer.render(scene, view);
+  const std::vector<glm::vec4> fronts = renderer.readLayers().final;
+  const std::vector<std::uint8_t> shown = renderer.readPicture();
+  for (std::size_t i = 0; i < fronts.size(); ++i) {
+    const double row = static_cast<double>(i / static_cast<std::size_t>(view.size.x));
+    const glm::dvec3 behind = backgroundAt(scene.look, 1.0 - (row + 0.5) / view.size.y);
+    for (int channel = 0; channel < 3; ++channel) {
+      const double value = std::clamp(fronts[i][channel] + (1.0 - fronts[i].a) * behind[channel], 0.0, 1.0);
+      // Rounded once, from single precision.
+      ASSERT_NEAR(shown[4 * i + static_cast<std::size_t>(channel)], 255.0 * value, 0.501) << i;
+    }
   }
 }
 

@@ -142,6 +142,13 @@ inline std::vector<SceneKind> allSceneKinds() {
     spline.scene.look.reconstruction = Reconstruction::Cubic;
     kinds.push_back(spline);
   }
+  for (std::size_t i = 0, all = kinds.size(); i < all; i += 5) {
+    if (!std::holds_alternative<LabelFocus>(kinds[i].scene.look.focus)) continue;
+    SceneKind smoothed = kinds[i];
+    smoothed.name += ", smoothed labels";
+    smoothed.scene.look.labelSmoothing = LabelSmoothing::Strong;
+    kinds.push_back(smoothed);
+  }
   for (std::size_t i = 0; i < plain; i += 13) {
     if (!hasCutaway(kinds[i].scene)) continue;
     SceneKind withStroke = kinds[i];

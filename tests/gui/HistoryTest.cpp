@@ -60,6 +60,9 @@ class RandomEdits {
         look.background.g = number();
         look.hideTable = below(2) == 0;
         look.reconstruction = static_cast<Reconstruction>(below(4));
+        look.labelSmoothing = static_cast<LabelSmoothing>(below(3));
+        look.backdrop = static_cast<Backdrop>(below(2));
+        look.backgroundTop.b = number();
         return document_.edit(QStringLiteral("Light"), std::move(look));
       }
       case 6: {

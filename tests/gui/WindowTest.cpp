@@ -159,6 +159,44 @@ TEST_F(Window, TheBackgroundIsChosenAndUndone) {
   EXPECT_EQ(document().look().background, before);
 }
 
+TEST_F(Window, LightBackdropAndLabelSurfacesAreChosenAndUndone) {
+  document().focusOn(marker);
+  waitUntilDrawn();
+  const QImage before = picture(volume(0));
+  const Look look = document().look();
+  for (const char* name : {"light_preset", "backdrop", "label_smoothing"}) {
+    auto* box = window_->findChild<QComboBox*>(QString::fromUtf8(name));
+    ASSERT_NE(box, nullptr) << name;
+    EXPECT_EQ(box->currentIndex(), 0) << name;
+    const int steps = document().undoStack().index();
+    box->setCurrentIndex(1);
+    Q_EMIT box->activated(1);
+    EXPECT_EQ(document().undoStack().index(), steps + 1) << name;
+    waitUntilDrawn();
+    EXPECT_NE(picture(volume(0)), before) << name;
+    document().undoStack().undo();
+    EXPECT_EQ(document().look(), look) << name;
+    EXPECT_EQ(box->currentIndex(), 0) << name;
+    waitUntilDrawn();
+    EXPECT_EQ(picture(volume(0)), before) << name;
+  }
+}
+
+TEST_F(Window, AGradientIsTheTopsColourAtTheTopAlone) {
+  Look look = document().look();
+  look.background = {0.0, 0.0, 0.0};
+  look.backdrop = Backdrop::Gradient;
+  look.backgroundTop = {1.0, 0.0, 0.0};
+  document().edit(QStringLiteral("Backdrop"), look);
+  waitUntilDrawn();
+  const QImage shown = picture(volume(0));
+  // Beside the body and the text in the corners. A frame of a pixel is around the picture, and a row is 0.7 of 255.
+  const int column = shown.width() / 3;
+  EXPECT_NEAR(shown.pixelColor(column, 4).red(), 255.0 * (1.0 - 4.5 / shown.height()), 1.5);
+  EXPECT_NEAR(shown.pixelColor(column, shown.height() - 5).red(), 255.0 * 4.5 / shown.height(), 1.5);
+  EXPECT_EQ(shown.pixelColor(column, 4).green(), 0);
+}
+
 TEST_F(Window, OpeningSliderChangesThePicture) {
   document().focusOn(marker);
   waitUntilDrawn();

@@ -1,5 +1,7 @@
 // Candidates as the GPU measures them, against closed forms.
 
+#include <iostream>
+
 #include "tests/placement/CandidateTesting.h"
 
 namespace fenestra::placement {
@@ -127,6 +129,26 @@ TEST_F(CandidateTest, ABallsSurfaceAndWhatIsSeenOfIt) {
       EXPECT_NEAR(seenShare(candidates[i], candidates[i + 1], points), 1.0, 0.025);
     }
   }
+}
+
+TEST_F(CandidateTest, PointsOfASmoothedBallLieNearerToIt) {
+  const Grid grid = gridOf({48, 48, 48});
+  const double r = 14.0;
+  Scene scene = labelScene(grid, [&](glm::ivec3 i) { return glm::length(glm::dvec3(i) - grid.centre()) < r ? 1 : 0; });
+  const auto rmsDistance = [&] {
+    const std::vector<Candidate> candidates = measure(scene, {{0.0, 0.0, 1.0}, {0.0, 0.0, -1.0}}, side, 4096);
+    double sum = 0.0;
+    for (const FocusSurface::Point& point : surface().points)
+      sum += std::pow(glm::distance(point.index, grid.centre()) - r, 2.0);
+    // Both halves are seen, as of the ball with steps.
+    EXPECT_NEAR(seenShare(candidates[0], candidates[1], surface().points.size()), 1.0, 0.025);
+    return std::sqrt(sum / static_cast<double>(surface().points.size()));
+  };
+  const double exact = rmsDistance();
+  scene.look.labelSmoothing = LabelSmoothing::Light;
+  const double smoothed = rmsDistance();
+  std::cout << "points are " << exact << " voxels from the ball, smoothed " << smoothed << '\n';
+  EXPECT_LT(smoothed, 0.6 * exact);
 }
 
 TEST_F(CandidateTest, ABoxsSurface) {

@@ -84,6 +84,12 @@ const std::vector<std::string> options{"--focus-range",
                                        "draft",
                                        "--background",
                                        "0.1,0.2,0.3",
+                                       "--backdrop",
+                                       "gradient",
+                                       "--background-top",
+                                       "0.6,0.5,0.4",
+                                       "--light-preset",
+                                       "wet",
                                        "--transfer-function",
                                        "ct-soft-tissue"};
 

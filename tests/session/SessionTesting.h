@@ -64,8 +64,11 @@ inline io::Session fullSession(const std::filesystem::path& folder) {
                                .colour = {1.0, 0.0, 0.1}};
   session.look.shading = {false, 0.1, 0.2, 0.4, 7.0, 33.3, -12.5};
   session.look.background = {0.05, 0.06, 0.07};
+  session.look.backdrop = Backdrop::Gradient;
+  session.look.backgroundTop = {0.5, 0.6, 0.7};
   session.look.hideTable = false;
   session.look.reconstruction = Reconstruction::Smooth;
+  session.look.labelSmoothing = LabelSmoothing::Strong;
   session.look.strokes = {someStroke(BrushMode::Open), someStroke(BrushMode::Fade, 1),
                           someStroke(BrushMode::Strengthen)};
   session.look.clipping = {true,

@@ -178,8 +178,9 @@ void Document::show(Look look) {
   const bool shading = now.shading != before.shading, strokes = now.strokes != before.strokes;
   const bool labels = now.labels != before.labels, clipping = now.clipping != before.clipping;
   const bool scene = focus || labels || context || cutaway || shading || clipping ||
-                     now.background != before.background || now.hideTable != before.hideTable ||
-                     now.reconstruction != before.reconstruction;
+                     now.background != before.background || now.backdrop != before.backdrop ||
+                     now.backgroundTop != before.backgroundTop || now.hideTable != before.hideTable ||
+                     now.reconstruction != before.reconstruction || now.labelSmoothing != before.labelSmoothing;
   if (focus) Q_EMIT focusChanged();
   if (labels) Q_EMIT labelSettingsChanged();
   if (context) Q_EMIT transferFunctionChanged();

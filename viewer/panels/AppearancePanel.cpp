@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include <QFormLayout>
+#include <QHBoxLayout>
 #include <QVBoxLayout>
 
+#include "rendering/scene/Lighting.h"
 #include "viewer/model/Translation.h"
 
 namespace fenestra::viewer {
@@ -17,30 +18,29 @@ AppearancePanel::AppearancePanel(Document& document, LookLibrary& library, QWidg
       presets_(new PresetPicker(document, library)),
       editor_(new TransferFunctionEditor(document, library)),
       shift_(new SliderSpin(-500.0, 500.0, 1.0)),
-      background_(new ColourButton(translated(settingOf(&Look::background).description))),
-      table_(new QCheckBox(translated(settingOf(&Look::hideTable).name))),
-      reconstruction_(new QComboBox) {
+      table_(new QCheckBox(translated(settingOf(&Look::hideTable).name))) {
   shift_->setToolTip(translated(settingOf(&ContextFunction::shift).description));
 
   auto* presets = new QFormLayout;
   presets->addRow(tr("Preset"), presets_);
   presets->addRow(translated(settingOf(&ContextFunction::shift).name), shift_);
   auto* form = new QFormLayout;
+  form->addRow(tr("Light"), makeLightPresets());
   light_.addRow(*form, &Shading::lightAzimuth);
   light_.addRow(*form, &Shading::lightElevation);
-  background_->setObjectName(QString::fromUtf8(settingOf(&Look::background).key));
-  form->addRow(translated(settingOf(&Look::background).name), background_);
+  auto* background = new QHBoxLayout;
+  background->addWidget(makeColour(&Look::background));
+  background->addWidget(makeChoice(&Look::backdrop), 1);
+  ColourButton* top = makeColour(&Look::backgroundTop);
+  background->addWidget(top);
+  settings_.push_back([top](const Look& look) { top->setEnabled(look.backdrop == Backdrop::Gradient); });
+  form->addRow(translated(settingOf(&Look::background).name), background);
   table_->setObjectName(QString::fromUtf8(settingOf(&Look::hideTable).key));
   table_->setToolTip(translated(settingOf(&Look::hideTable).description));
+  settings_.push_back([this](const Look& look) { table_->setChecked(look.hideTable); });
   form->addRow(table_);
-  const auto& reconstruction = settingOf(&Look::reconstruction);
-  reconstruction_->setObjectName(QString::fromUtf8(reconstruction.key));
-  reconstruction_->setToolTip(translated(reconstruction.description));
-  for (const Word<Reconstruction>& word : wordsOf(Reconstruction{})) {
-    reconstruction_->addItem(translated(word.name), static_cast<int>(word.value));
-    reconstruction_->setItemData(reconstruction_->count() - 1, translated(word.description), Qt::ToolTipRole);
-  }
-  form->addRow(translated(reconstruction.name), reconstruction_);
+  form->addRow(translated(settingOf(&Look::reconstruction).name), makeChoice(&Look::reconstruction));
+  form->addRow(translated(settingOf(&Look::labelSmoothing).name), makeChoice(&Look::labelSmoothing));
   auto* body = new QWidget;
   auto* column = new QVBoxLayout(body);
   column->addLayout(presets);
@@ -50,27 +50,13 @@ AppearancePanel::AppearancePanel(Document& document, LookLibrary& library, QWidg
 
   makeDragsSteps(*shift_, document.history());
   connect(shift_, &SliderSpin::edited, &document, &Document::setShift);
-  connect(background_, &ColourButton::edited, &document, [this](glm::dvec3 colour) {
-    Look look = document_.look();
-    look.background = colour;
-    document_.edit(translated(settingOf(&Look::background).name), std::move(look));
-  });
   connect(table_, &QCheckBox::clicked, &document, [this](bool hide) {
     Look look = document_.look();
     look.hideTable = hide;
     document_.edit(table_->text(), std::move(look));
   });
-  connect(reconstruction_, &QComboBox::activated, &document, [this](int row) {
-    Look look = document_.look();
-    look.reconstruction = static_cast<Reconstruction>(reconstruction_->itemData(row).toInt());
-    document_.edit(translated(settingOf(&Look::reconstruction).name), std::move(look));
-  });
   connect(&document, &Document::transferFunctionChanged, this, &AppearancePanel::show);
-  connect(&document, &Document::sceneChanged, this, [this] {
-    background_->setColour(document_.look().background);
-    table_->setChecked(document_.look().hideTable);
-    showReconstruction();
-  });
+  connect(&document, &Document::sceneChanged, this, &AppearancePanel::showSettings);
   connect(&document, &Document::shadingChanged, this, [this] { light_.show(); });
   connect(&document, &Document::volumeChanged, this, [this] {
     const Volume& volume = *document_.scene().volume;
@@ -90,13 +76,71 @@ void AppearancePanel::show() {
   setEnabled(document_.hasVolume());
   if (!document_.hasVolume()) return;
   shift_->setValue(document_.shift());
-  background_->setColour(document_.look().background);
-  table_->setChecked(document_.look().hideTable);
-  showReconstruction();
+  showSettings();
 }
 
-void AppearancePanel::showReconstruction() {
-  reconstruction_->setCurrentIndex(reconstruction_->findData(static_cast<int>(document_.look().reconstruction)));
+void AppearancePanel::showSettings() const {
+  for (const auto& setting : settings_) setting(document_.look());
+}
+
+template <class E>
+QComboBox* AppearancePanel::makeChoice(E Look::*member) {
+  const auto& setting = settingOf(member);
+  auto* choice = new QComboBox;
+  choice->setObjectName(QString::fromUtf8(setting.key));
+  choice->setToolTip(translated(setting.description));
+  for (const Word<E>& word : wordsOf(E{})) {
+    choice->addItem(translated(word.name), static_cast<int>(word.value));
+    choice->setItemData(choice->count() - 1, translated(word.description), Qt::ToolTipRole);
+  }
+  connect(choice, &QComboBox::activated, &document_, [this, choice, member](int row) {
+    Look look = document_.look();
+    look.*member = static_cast<E>(choice->itemData(row).toInt());
+    document_.edit(translated(settingOf(member).name), std::move(look));
+  });
+  settings_.push_back([choice, member](const Look& look) {
+    choice->setCurrentIndex(choice->findData(static_cast<int>(look.*member)));
+  });
+  return choice;
+}
+
+ColourButton* AppearancePanel::makeColour(glm::dvec3 Look::*member) {
+  const auto& setting = settingOf(member);
+  auto* button = new ColourButton(translated(setting.description));
+  button->setObjectName(QString::fromUtf8(setting.key));
+  connect(button, &ColourButton::edited, &document_, [this, member](glm::dvec3 colour) {
+    Look look = document_.look();
+    look.*member = colour;
+    document_.edit(translated(settingOf(member).name), std::move(look));
+  });
+  settings_.push_back([button, member](const Look& look) { button->setColour(look.*member); });
+  return button;
+}
+
+QComboBox* AppearancePanel::makeLightPresets() {
+  auto* presets = new QComboBox;
+  presets->setObjectName(QStringLiteral("light_preset"));
+  presets->setToolTip(tr("Ready-made light: how surfaces give it back, from wherever it comes"));
+  presets->setPlaceholderText(tr("own"));
+  for (const LightPreset& preset : lightPresets()) {
+    presets->addItem(translated(preset.name));
+    presets->setItemData(presets->count() - 1, translated(preset.description), Qt::ToolTipRole);
+  }
+  connect(presets, &QComboBox::activated, &document_, [this](int row) {
+    Look look = document_.look();
+    lightPresets()[static_cast<std::size_t>(row)].applyTo(look.shading);
+    document_.edit(tr("Light"), std::move(look));
+  });
+  settings_.push_back([presets](const Look& look) {
+    const auto all = lightPresets();
+    const auto shown = std::find_if(all.begin(), all.end(), [&](const LightPreset& preset) {
+      Shading shading = look.shading;
+      preset.applyTo(shading);
+      return shading == look.shading;
+    });
+    presets->setCurrentIndex(shown == all.end() ? -1 : static_cast<int>(shown - all.begin()));
+  });
+  return presets;
 }
 
 }  // namespace fenestra::viewer

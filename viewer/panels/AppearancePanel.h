@@ -2,7 +2,11 @@
 // How the volume looks: a preset, the editor of transfer functions, a shift that moves the context's along the values,
 // light and background.
 
+#include <functional>
+#include <vector>
+
 #include <QCheckBox>
+#include <QFormLayout>
 
 #include "viewer/panels/LookControls.h"
 #include "viewer/panels/PresetPicker.h"
@@ -23,16 +27,21 @@ class AppearancePanel : public ScrollingPanel {
 
  private:
   void show();
-  void showReconstruction();
+
+  // Controls for settings of the look itself; showSettings() shows what it says.
+  template <class E>
+  QComboBox* makeChoice(E Look::*member);
+  ColourButton* makeColour(glm::dvec3 Look::*member);
+  QComboBox* makeLightPresets();
+  void showSettings() const;
 
   Document& document_;
   LookControls<Shading> light_;
   PresetPicker* presets_;
   TransferFunctionEditor* editor_;
   SliderSpin* shift_;
-  ColourButton* background_;
   QCheckBox* table_;
-  QComboBox* reconstruction_;
+  std::vector<std::function<void(const Look&)>> settings_;
 };
 
 }  // namespace fenestra::viewer

@@ -33,6 +33,7 @@ Look plain(Look look) {
   look.strokes = {};
   look.cutaway.enabled = false;
   look.reconstruction = Reconstruction::Linear;  // too small to show
+  look.labelSmoothing = LabelSmoothing::Off;
   look.hideTable = false;  // `smallVolume` did
   return look;
 }

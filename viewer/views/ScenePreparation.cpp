@@ -83,6 +83,7 @@ ScenePreparation::Kind ScenePreparation::kindOf(const Scene& scene, const View& 
   return {.volume = shownVolume(scene),
           .focus = look.focus.index(),
           .manyLabels = labels && labels->labels.size() > 1,
+          .smoothed = labels && look.labelSmoothing != LabelSmoothing::Off,
           .byValue = hasFocusFunction(scene),
           .protects = hasCutaway(scene) && !labelsWith(LabelRole::Protected, scene).empty(),
           .faint = faintLabels(scene).any(),
@@ -122,6 +123,7 @@ Scene ScenePreparation::held(Scene scene) const {
   earlier.labels = prepared_->labels;
   earlier.structures = prepared_->structures;
   earlier.look.focus = prepared_->look.focus;
+  earlier.look.labelSmoothing = prepared_->look.labelSmoothing;
   return gpuScene_->holds(earlier) ? earlier : scene;
 }
 

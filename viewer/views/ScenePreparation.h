@@ -50,7 +50,8 @@ class ScenePreparation {
   struct Kind {
     ShownVolume volume;
     std::size_t focus = 0;
-    bool manyLabels = false, byValue = false, protects = false, faint = false, lit = false, cutaway = false;
+    bool manyLabels = false, smoothed = false, byValue = false, protects = false, faint = false, lit = false,
+         cutaway = false;
     bool contextLayer = false;
     int clipped = 0;        ///< 2: with grey faces
     bool exempts = false;   ///< labels from that

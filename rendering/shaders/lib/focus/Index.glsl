@@ -1,8 +1,7 @@
-// Where the focus is: a sparse index by bricks of cells, see rendering/gpu/FocusIndex.h. Labels.glsl and Values.glsl say
-// what it holds of a cell.
+// Where the focus is: a sparse index by bricks of cells, see rendering/gpu/FocusIndex.h. Labels.glsl, SmoothLabels.glsl and
+// Values.glsl say what it holds of a cell.
 //
-// The files of this folder, None.glsl, Labels.glsl and Values.glsl, share one interface; `#include <focus>` names the one
-// that the scene needs:
+// These files and None.glsl share one interface; `#include <focus>` names the one that the scene needs:
 //   HAS_FOCUS           false: there is none, and what stands behind it is never compiled
 //   focusSlot           what the index says of a cell's brick; 0: none of the focus
 //   distanceToFocus     Chebyshev distance in bricks to the nearest brick with focus
