@@ -28,6 +28,8 @@ AppearancePanel::AppearancePanel(Document& document, LookLibrary& library, QWidg
   auto* form = new QFormLayout;
   light_.addRow(*form, &Shading::lightAzimuth);
   light_.addRow(*form, &Shading::lightElevation);
+  light_.addRow(*form, &Shading::occlusion);
+  light_.addRow(*form, &Shading::shadow);
   background_->setObjectName(QString::fromUtf8(settingOf(&Look::background).key));
   form->addRow(translated(settingOf(&Look::background).name), background_);
   table_->setObjectName(QString::fromUtf8(settingOf(&Look::hideTable).key));

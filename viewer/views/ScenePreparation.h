@@ -51,6 +51,7 @@ class ScenePreparation {
     ShownVolume volume;
     std::size_t focus = 0;
     bool manyLabels = false, byValue = false, protects = false, faint = false, lit = false, cutaway = false;
+    bool occluded = false;  ///< ambient occlusion or shadows
     bool contextLayer = false;
     int clipped = 0;        ///< 2: with grey faces
     bool exempts = false;   ///< labels from that
