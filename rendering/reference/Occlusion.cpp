@@ -112,9 +112,7 @@ OccludingMedium occludingMedium(const Scene& scene, const Camera& camera, glm::i
           const OccluderCells::Extinction& of = cells.extinction[offset];
           double sum = 0.0;
           for (int i = 0; i < 8; ++i) {
-            const glm::dvec3 place =
-                (glm::dvec3(cell) + 0.25 + 0.5 * glm::dvec3(i & 1, (i >> 1) & 1, i >> 2)) * glm::dvec3(cells.side) -
-                0.5;
+            const glm::dvec3 place = (glm::dvec3(cell) + occlusion::pointInCell(i)) * glm::dvec3(cells.side) - 0.5;
             const glm::dvec3 world(worldFromIndex * glm::dvec4(place, 1.0));
             double inside = 1.0;
             for (const HalfSpace& each : kept) inside *= occlusion::clippedShare(each.distance(world), width);

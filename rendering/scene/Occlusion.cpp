@@ -51,6 +51,10 @@ double Weight::ramp(double s, double from, double to) {
 Weight nearWeight(double side) { return {begin * side, full * side, fade * side, end * side}; }
 Weight farWeight(double side) { return {begin * side, full * side, nowhere, 2.0 * nowhere}; }
 
+glm::dvec3 pointInCell(int i) {
+  return glm::dvec3(0.2637, 0.2289, 0.2673) + 0.5 * glm::dvec3(i & 1, (i >> 1) & 1, i >> 2);
+}
+
 double visibleShare(double at, double start, double context, double width) {
   const double open = std::clamp((start - context) / width, 0.0, 1.0);
   return 1.0 - open * std::clamp((start - at) / width + 0.5, 0.0, 1.0);

@@ -72,6 +72,10 @@ inline constexpr double nowhere = 1e30;
 Weight nearWeight(double side);
 Weight farWeight(double side);
 
+/// Where in a cell, 0 to 1 along each axis, point i of eight lies: in the middle of an eighth but for an amount that no
+/// grid of pixels shares, so that in a view along the volume's axes no plane of points lies between two rows of pixels.
+glm::dvec3 pointInCell(int i);
+
 /// What of a point's surroundings the opening leaves, 0 to 1. `start` and `context`: where the ray that runs through
 /// the point starts to see and where it meets the context; `at`: where on it the point lies; all in mm along the ray.
 /// `width`: mm over which an edge is softened, so that rounding cannot switch a point.

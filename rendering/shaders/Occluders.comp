@@ -67,7 +67,7 @@ void main() {
   float sum = 0.0;
   if (extinction.x + extinction.y + extinction.z > 0.0) {
     for (int i = 0; i < 8; ++i) {
-      vec3 place = vec3(cell) + 0.25 + 0.5 * vec3(i & 1, (i >> 1) & 1, i >> 2);
+      vec3 place = vec3(cell) + vec3(0.2637, 0.2289, 0.2673) + 0.5 * vec3(i & 1, (i >> 1) & 1, i >> 2);
       sum += mix(extinction.z, visibleShare(place) * extinction.x + extinction.y, clippedShare(place));
     }
   }
