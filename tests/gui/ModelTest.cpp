@@ -296,6 +296,13 @@ TEST(FramePacer, WhereThereIsNoTimeTheLinkedViewSkipsFrames) {
   EXPECT_LE(alone, FramePacer::budget) << "the other one keeps the rate";
 }
 
+TEST(FramePacer, TheLinkedViewRatherComesLateThanInEveryOtherFrame) {
+  FramePacer pacer;
+  const Paced paced = drag(pacer, 560.0, 20.0);
+  EXPECT_GT(paced.frame, FramePacer::budget);
+  EXPECT_EQ(pacer.framesPerFollowing(), 1);
+}
+
 TEST(FramePacer, TimeBesideThePicturesDoesNotShrinkThemWithoutEnd) {
   FramePacer pacer;
   EXPECT_GT(drag(pacer, 40.0, 200.0).leader.scale, FramePacer::leastScale);
@@ -319,7 +326,9 @@ TEST(FramePacer, ADraftComesBeforeASlowPictureAtRest) {
   EXPECT_EQ(first->quality, Quality::Draft);
   EXPECT_GT(first->scale, pacer.moving(2).scale);
   EXPECT_LE(400.0 * first->scale * first->scale, FramePacer::firstAtRest);
-  for (int i = 0; i < 20; ++i) pacer.refined(pacer.atRest(), 100.0);
+  for (int i = 0; i < 20; ++i) pacer.refined(pacer.atRest(), 2.2 * FramePacer::firstAtRest);
+  EXPECT_TRUE(pacer.beforeRest());
+  for (int i = 0; i < 20; ++i) pacer.refined(pacer.atRest(), 1.8 * FramePacer::firstAtRest);
   EXPECT_FALSE(pacer.beforeRest()) << "fast enough now";
 }
 

@@ -16,6 +16,12 @@ constexpr double weight = 0.4;
 /// compiled meanwhile.
 const Effort first{FramePacer::leastScale, Quality::Normal};
 
+/// A frame that holds both views may take so many times the budget; a longer one leaves out the view that follows.
+constexpr double latest = 1.2;
+
+/// Of the budget, what a frame is planned for: some frames take longer.
+constexpr double planned = 0.85;
+
 /// Of the time of two pictures: the view that the user turns shows more detail than the one that follows.
 constexpr double leaderShare = 0.6;
 
@@ -42,7 +48,7 @@ QString nameOf(const Effort& effort) {
 /// What a frame's pictures may take together.
 double FramePacer::timeForPictures() const {
   // However slow the rest of a frame is, pictures get a part of it.
-  return std::max(budget_ - overhead_.value_or(0.0), 0.4 * budget_);
+  return std::max(planned * budget_ - overhead_.value_or(0.0), 0.4 * budget_);
 }
 
 Effort FramePacer::moving(int count, bool leads) const {
@@ -62,14 +68,15 @@ int FramePacer::framesPerFollowing() const {
   const Effort leader = moving(views, true), follower = moving(views, false);
   if (!draftCost_ || leader == rest_) return 1;
   const auto costOf = [&](const Effort& effort) { return *draftCost_ * effort.scale * effort.scale; };
-  const double left = timeForPictures() - costOf(leader);
-  // In every third frame it would seem to stand still.
-  return left >= costOf(follower) * 0.9 ? 1 : 2;
+  const double frame = overhead_.value_or(0.0) + costOf(leader) + costOf(follower);
+  // Until its next but one frame it waits longer than for one that is late. In every third frame it would seem to stand
+  // still.
+  return frame <= latest * budget_ ? 1 : 2;
 }
 
 std::optional<Effort> FramePacer::beforeRest() const {
   if (!restCost_ && !draftCost_) return std::nullopt;
-  if (restCost_ && *restCost_ <= firstAtRest) return std::nullopt;
+  if (restCost_ && *restCost_ <= 2.0 * firstAtRest) return std::nullopt;
   const double cost = draftCost_ ? *draftCost_ : 0.5 * *restCost_;
   const double scale = std::floor(std::min(std::sqrt(firstAtRest / std::max(cost, 1e-3)), 1.0) * 16.0) / 16.0;
   const Effort draft{std::max(scale, leastScale), Quality::Draft};

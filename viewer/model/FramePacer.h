@@ -28,8 +28,8 @@ class FramePacer {
   static constexpr double budget = 1000.0 / 12.0;
   /// Below a quarter of the resolution anatomy is hard to recognise.
   static constexpr double leastScale = 0.25;
-  /// Milliseconds that a first picture at rest may take; where one at full quality takes longer, a draft comes before
-  /// it.
+  /// Milliseconds that a first picture at rest may take. Where one at full quality takes more than twice as long, a
+  /// draft comes before it; otherwise a draft would be on screen for less time than it delays that picture.
   static constexpr double firstAtRest = 150.0;
   static constexpr int views = 2;
 
@@ -50,7 +50,7 @@ class FramePacer {
   /// What a view draws first when it comes to rest; unset where that is the picture at full quality.
   std::optional<Effort> beforeRest() const;
 
-  /// The view that the user turns: it is drawn first. A linked view follows in the time left: in every so many frames.
+  /// The view that the user turns: it is drawn first. A linked view follows: in every so many frames.
   void lead(int view) { leader_ = view; }
   bool leads(int view) const { return view == leader_; }
   int framesPerFollowing() const;

@@ -23,6 +23,8 @@ namespace {
 constexpr double clickSlack = 4.0;  ///< device-independent pixels between press and release of a click
 /// Until what lies under the mouse is read: a moving mouse reads nothing.
 constexpr int hoverMilliseconds = 40;
+/// From the end of a drag until the picture is refined: time for the frame that is due.
+constexpr int releasedMilliseconds = 20;
 constexpr double arrowTurn = glm::pi<double>() / 36.0;  ///< 5 degrees
 
 }  // namespace
@@ -69,6 +71,7 @@ void VolumeView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void VolumeView::mouseReleaseEvent(QMouseEvent* event) {
+  if (dragging_ && rest_.isActive()) rest_.start(releasedMilliseconds);
   if (brushTool_.release(*event) || clipTool_.release(*event) || dragging_ || !document_.hasVolume()) return;
   const std::optional<Hit> hit = pick(event->position());
   if (!hit) return;
