@@ -81,7 +81,7 @@ struct alignas(16) OccludersBlock {
   glm::ivec3 dims{0};
   float nearest = 0.0f;
   glm::vec3 side{1.0f};
-  float width = 0.0f, most = 0.0f;
+  float width = 0.0f;
 };
 
 /// shaders/Occlusion.comp.

@@ -34,7 +34,6 @@ OccludersBlock occludersBlock(const GpuScene& gpu, const RayFrame* rays) {
   block.side = glm::vec3(cells.side);
   // Half a cell lies around each of the eight points of a cell that are looked at.
   block.width = static_cast<float>(0.5 * side);
-  block.most = static_cast<float>(occlusion::mostDepth / side);
   if (!rays) return block;
   const Camera::Axes& axes = rays->axes();
   const glm::dmat3 viewFromWorld = glm::transpose(glm::dmat3(axes.right, axes.up, axes.forward));

@@ -91,7 +91,7 @@ OccludingMedium occludingMedium(const Scene& scene, const Camera& camera, glm::i
   const OccluderCells cells = occluderCells(scene);
   OccludingMedium medium{scene.volume->grid, cells.dims, cells.side, std::vector<double>(cells.extinction.size(), 0.0)};
   const Grid& grid = medium.grid;
-  const double sideLength = medium.sideLength(), width = 0.5 * sideLength;
+  const double width = 0.5 * medium.sideLength();
   const std::vector<HalfSpace> kept = halfSpaces(scene.look.clipping, grid);
   std::optional<CutRays> cut;
   double nearest = 0.0;
@@ -119,7 +119,7 @@ OccludingMedium occludingMedium(const Scene& scene, const Camera& camera, glm::i
             const double left = cut ? cut->visibleShare(world, width, nearest) : 1.0;
             sum += inside * (left * of.context + of.kept) + (1.0 - inside) * of.exempt;
           }
-          medium.extinction[offset] = std::min(sum / 8.0, occlusion::mostDepth / sideLength);
+          medium.extinction[offset] = sum / 8.0;
         }
   });
   return medium;

@@ -241,6 +241,7 @@ OccluderCells occluderCells(const Scene& scene) {
   const std::vector<int> xs = samplesAlong(cells.side.x), ys = samplesAlong(cells.side.y),
                          zs = samplesAlong(cells.side.z);
   const float perSample = 1.0f / static_cast<float>(xs.size() * ys.size() * zs.size());
+  const auto most = static_cast<float>(occlusion::mostDepth / cells.sideLength(grid));
   const ShownVolume shown = shownVolume(scene);
   withValues(shown, [&](auto valueAt) {
     parallelFor(static_cast<std::size_t>(cells.dims.z), 1, [&](std::size_t begin, std::size_t end) {
@@ -255,8 +256,8 @@ OccluderCells occluderCells(const Scene& scene) {
                   const glm::ivec3 voxel = cell * cells.side + glm::ivec3(x, y, z);
                   if (grid.contains(voxel)) absorber.add(sum, voxel, valueAt(voxel));
                 }
-            cells.extinction[lattice.offset(cell)] = {sum.context * perSample, sum.kept * perSample,
-                                                      sum.exempt * perSample, 0.0f};
+            const auto mean = [&](float of) { return std::min(of * perSample, most); };
+            cells.extinction[lattice.offset(cell)] = {mean(sum.context), mean(sum.kept), mean(sum.exempt), 0.0f};
           }
     });
   });

@@ -4,10 +4,10 @@
 //
 // Medium. Cells of whole voxels, mostCells of them at most along an axis, hold the mean extinction (1/mm) of their
 // voxels: each counts with the extinction of its own value, of the focus or of the context's function at it; what lies
-// outside the volume counts as empty. Hidden labels and the table are air. Of the part that an opening removes nothing
-// counts, nor of what is clipped, unless a label is protected or exempt from it: both are found at eight points of a
-// cell (see visibleShare() and clippedShare()), and the cell's extinction is the mean of what is seen there. An
-// extinction counts up to mostDepth a cell: more is as good as opaque.
+// outside the volume counts as empty. The mean counts up to mostDepth a cell: more is as good as opaque. Hidden labels
+// and the table are air. Of the part that an opening removes nothing counts, nor of what is clipped, unless a label is
+// protected or exempt from it: both are found at eight points of a cell (see visibleShare() and clippedShare()), and
+// the cell's extinction is the mean of what is seen there.
 //
 // Field. At the centre x of each cell, with the side h of a cubic cell of the same volume,
 //
@@ -26,7 +26,10 @@
 // the scene.
 //
 // The means are over a fixed number of directions, which makes the integrals exact sums along straight lines through
-// cells. tests/unit/OcclusionTest compares them with the means over all directions.
+// cells. What that leaves of the continuous integrals, as tests/unit/OcclusionTest measures it: on the surface of a
+// bumpy body with a pit, A differs from the mean over all directions by 0.04 RMS, S by 0.005. Cells blur a surface that
+// runs through them: near it the mean of T is off by up to 0.014 where a cell's side has an optical depth of 0.2, and
+// by up to 0.08 where it has 2.
 
 #include <array>
 #include <vector>
@@ -100,8 +103,8 @@ struct OccluderCells {
   /// Side of a cubic cell of the same volume, mm.
   double sideLength(const Grid& grid) const;
 };
-/// Uses all cores. Of cells of more than four voxels along an axis every second, third … one is looked at; a function
-/// of values is looked up in a table of 4096 steps from its first to its last node.
+/// Uses all cores. Four voxels at most along each axis of a cell, spread evenly, stand for all; a function of values is
+/// looked up in a table of 4096 steps from its first to its last node.
 OccluderCells occluderCells(const Scene& scene);
 /// Voxels along each axis of a cell.
 glm::ivec3 occluderSide(const Grid& grid);

@@ -21,7 +21,6 @@ struct OccludersSettings {
   float nearest;       // view depth in mm before which nothing is removed
   vec3 side;           // voxels
   float width;         // mm over which edges are softened
-  float most;          // 1/mm
 };
 UNIFORM_BLOCK(OccludersBlock, storedOccluders, OccludersSettings, occluders);
 
@@ -71,5 +70,5 @@ void main() {
       sum += mix(extinction.z, visibleShare(place) * extinction.x + extinction.y, clippedShare(place));
     }
   }
-  medium[index] = min(0.125 * sum, occluders.most);
+  medium[index] = 0.125 * sum;
 }

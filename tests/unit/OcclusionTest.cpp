@@ -103,6 +103,62 @@ TEST(AmbientOcclusion, OfAHalfSpaceIsTheClosedForm) {
   }
 }
 
+/// What the definition leaves of the continuous integrals: a half space whose surface lies inside a cell, which the
+/// cells' means blur, and a bumpy body with a pit, of whose surface few directions see what many do. The limits are
+/// what was found, rounded up.
+TEST(AmbientOcclusion, DiffersLittleFromTheContinuousIntegral) {
+  for (const auto& [extinction, limit] : {std::pair(0.2, 0.02), std::pair(2.0, 0.09)}) {
+    double worst = 0.0;
+    for (const double share : {0.25, 0.5, 0.75}) {
+      constexpr int surface = 30;
+      const OccludingMedium medium = mediumOf({61, 61, 61}, [&, k = extinction](glm::ivec3 cell) {
+        return cell.z < surface ? k : cell.z == surface ? share * k : 0.0;
+      });
+      const occlusion::Weight near = occlusion::nearWeight(medium.sideLength());
+      const auto many = occlusion::allAround(4000);
+      for (int z = 27; z < 36; ++z) {
+        const double height = z + 0.5 - (surface + share), all = near.upTo(near.fadeTo);
+        const auto passed = [&](double u) { return near.upTo(std::min(std::abs(height) / u, near.fadeTo)); };
+        const auto through = [&, k = extinction](double u, bool up) {
+          if (height > 0.0) return up ? 1.0 : std::exp(-k * (all - passed(u)));
+          return std::exp(-k * (up ? passed(u) : all));
+        };
+        const double truth = 0.5 * meanOf([&](double u) { return through(u, true) + through(u, false); });
+        worst = std::max(worst, std::abs(medium.meanTransmittance({30, 30, z}, many, near) - truth));
+      }
+    }
+    EXPECT_LE(worst, limit) << extinction;
+    RecordProperty("half_space_" + std::to_string(extinction), std::to_string(worst));
+  }
+
+  const OccludingMedium body = mediumOf(glm::ivec3(64), [](glm::ivec3 cell) {
+    const glm::dvec3 p = (glm::dvec3(cell) - 31.5) / 31.5;
+    const bool pit = glm::length(glm::dvec2(p.x - 0.1, p.z + 0.2)) < 0.2 && p.y < 0.1;
+    const double inside = 0.8 - glm::length(p) + 0.05 * std::sin(9.0 * p.x) * std::cos(8.0 * p.y + 3.0 * p.z);
+    return pit ? 0.0 : std::clamp(40.0 * inside, 0.0, 2.0);
+  });
+  const occlusion::Weight near = occlusion::nearWeight(1.0), far = occlusion::farWeight(1.0);
+  const glm::dvec3 light = glm::normalize(glm::dvec3(0.4, -0.8, 0.5));
+  const auto few = occlusion::allAround(occlusion::Directions{}.around), many = occlusion::allAround(1000);
+  const auto fewOfLight = occlusion::towards(light, occlusion::lightRadius, occlusion::Directions{}.towardsLight),
+             manyOfLight = occlusion::towards(light, occlusion::lightRadius, 300);
+  double around = 0.0, towards = 0.0;
+  int count = 0;
+  forEachVoxel(body.dims, [&](glm::ivec3 cell) {
+    if (!(body.at(cell) > 0.2 && body.at(cell) < 1.8) || (cell.x + cell.y + cell.z) % 16 != 0) return;
+    const double a = 2.0 * (body.meanTransmittance(cell, few, near) - body.meanTransmittance(cell, many, near));
+    const double s = body.meanTransmittance(cell, fewOfLight, far) - body.meanTransmittance(cell, manyOfLight, far);
+    around += a * a;
+    towards += s * s;
+    ++count;
+  });
+  ASSERT_GT(count, 100);
+  EXPECT_LE(std::sqrt(around / count), 0.06);
+  EXPECT_LE(std::sqrt(towards / count), 0.05);
+  RecordProperty("around", std::to_string(std::sqrt(around / count)));
+  RecordProperty("towards", std::to_string(std::sqrt(towards / count)));
+}
+
 /// A ball of radius 16 mm and 0.034/mm over an opaque plane: light from all around and from straight above, against the
 /// sum over directions of what the ball's chords let through.
 TEST(AmbientOcclusion, UnderABallOverAPlaneIsTheClosedForm) {
