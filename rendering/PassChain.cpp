@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "rendering/scene/Lighting.h"
+
 namespace fenestra {
 namespace {
 
@@ -178,9 +180,10 @@ void PassChain::dropOpening() {
 }
 
 void PassChain::beginStage() {
-  constexpr std::array stages{&PassChain::findHitPoints,    &PassChain::fillFocusHits,  &PassChain::mapDistances,
-                              &PassChain::startRays,        &PassChain::drawFocusLayer, &PassChain::drawProtectedLayer,
-                              &PassChain::drawContextLayer, &PassChain::compose,        &PassChain::addExempt};
+  constexpr std::array stages{&PassChain::findHitPoints,      &PassChain::fillFocusHits,    &PassChain::mapDistances,
+                              &PassChain::startRays,          &PassChain::occlude,          &PassChain::drawFocusLayer,
+                              &PassChain::drawProtectedLayer, &PassChain::drawContextLayer, &PassChain::compose,
+                              &PassChain::addExempt};
   if (frame->stagesBegun == 0 && !frame->hasCutaway) dropCutaway();
   constexpr std::size_t ofCutaway = 4;  // the first stages, which only a cutaway has
   if (!frame->hasCutaway) frame->stagesBegun = std::max(frame->stagesBegun, ofCutaway);
@@ -300,6 +303,37 @@ void PassChain::dropCutaway() {
   start.forget();
 }
 
+void PassChain::occlude() {
+  const Shading& shading = frame->scene.look.shading;
+  if (!hasOcclusion(shading)) {
+    occlusionNodes = {};
+    occlusionPass.release();
+    occlusion.forget();
+    return;
+  }
+  // A stroke changes what casts shadows all around it.
+  if (!frame->changed.empty()) occlusion.forget();
+  const PassChain& cuts = opening ? *opening : *this;
+  const bool open = frame->hasCutaway;
+  const glm::dvec3 light = shading.shadow > 0.0 ? lightDirection(rays->axes(), shading) : glm::dvec3(0.0);
+  OcclusionKey key{open ? cuts.start.version() : 0,
+                   open ? cuts.hits.version() : 0,
+                   open ? std::optional(cuts.rays->camera()) : std::nullopt,
+                   gpu->versions().occluders,
+                   light,
+                   {shading.occlusion, shading.shadow},
+                   rays->clip(),
+                   {}};
+  // A picture that is soon replaced is content with less, but takes what is there.
+  if (frame->view.quality == Quality::Draft && !frame->view.maxError && occlusion.isStale(key))
+    key.directions = occlusion::draftDirections;
+  addIfStale(Pass::Occlusion, occlusion, key, {}, [&](Regions) {
+    std::optional<OcclusionPass::Opening> cut;
+    if (open) cut.emplace(OcclusionPass::Opening{*cuts.rays, cuts.hitPoints, cuts.rayStart});
+    occlusionPass.run(steps, *gpu, shading, light, rays->clip(), cut, key.directions, occlusionNodes);
+  });
+}
+
 void PassChain::drawFocusLayer() {
   const GpuScene::Versions& version = gpu->versions();
   const Look& look = frame->scene.look;
@@ -307,6 +341,7 @@ void PassChain::drawFocusLayer() {
   const int reach = FocusLayerPass::reach(frame->sampling);
   const FocusLayerKey key{frame->hasCutaway ? start.version() : 0,
                           opening ? removed.version() : 0,
+                          occlusionVersion(),
                           version.volume,
                           version.focus,
                           version.transfer,
@@ -330,7 +365,7 @@ void PassChain::drawFocusLayer() {
         if (frame->hasCutaway) cut.emplace(FocusLayerPass::Opening{hitPoints, rayStart, opening ? &hole : nullptr});
         gl::Texture& layer = sized(focusLayer, gl::Format::RGBA32F, view.size, presented);
         if (anew) clearAround(nearVolume, layer);
-        focusLayerPass.run(steps, *gpu, look, *rays, cut, frame->sampling, regions, layer);
+        focusLayerPass.run(steps, *gpu, look, *rays, cut, frame->sampling, regions, layer, occlusionOfFrame());
       },
       onlyMoved ? nearFocus(*frame->moved + reach) : nearVolume);
 }
@@ -343,10 +378,11 @@ void PassChain::drawProtectedLayer() {
   }
   const GpuScene::Versions& version = gpu->versions();
   const Look& look = frame->scene.look;
-  const ProtectedLayerKey key{start.version(),  opening ? removed.version() : 0,
-                              version.volume,   version.protectedLabels,
-                              version.transfer, version.gradient,
-                              look.shading,     frame->sampling};
+  const ProtectedLayerKey key{start.version(),         opening ? removed.version() : 0,
+                              occlusionVersion(),      version.volume,
+                              version.protectedLabels, version.transfer,
+                              version.gradient,        look.shading,
+                              frame->sampling};
   // Rays farther from the focus start where they did, unless a stroke opened them.
   const auto part = frame->strokes.empty() && !opening ? nearFocus(widths.x + 1.0) : std::nullopt;
   const bool anew = part && guard.isStale(key);
@@ -355,7 +391,8 @@ void PassChain::drawProtectedLayer() {
       [&](Regions regions) {
         gl::Texture& layer = sized(protectedLayer, gl::Format::RGBA32F, frame->view.size);
         if (anew) clearAround(*part, layer);
-        protectedLayerPass.run(steps, *gpu, look, *rays, {hitPoints, rayStart}, frame->sampling, regions, layer);
+        protectedLayerPass.run(steps, *gpu, look, *rays, {hitPoints, rayStart}, frame->sampling, regions, layer,
+                               occlusionOfFrame());
       },
       part);
 }
@@ -429,15 +466,15 @@ void PassChain::addExempt() {
   const Look& look = frame->scene.look;
   const View& view = frame->view;
   const gl::Texture& below = composed ? composed : focusLayer;
-  const ExemptKey key{focus.version(),  composed ? std::optional(composite.version()) : std::nullopt,
-                      version.volume,   version.exemptLabels,
-                      version.transfer, version.gradient,
-                      look.shading,     view.camera,
-                      view.size,        frame->sampling,
-                      rays->clip()};
+  const ExemptKey key{focus.version(),      composed ? std::optional(composite.version()) : std::nullopt,
+                      occlusionVersion(),   version.volume,
+                      version.exemptLabels, version.transfer,
+                      version.gradient,     look.shading,
+                      view.camera,          view.size,
+                      frame->sampling,      rays->clip()};
   addIfStale(Pass::Exempt, exempt, key, frame->changed, [&](Regions regions) {
     exemptPass.run(steps, *gpu, look, *rays, below, frame->sampling, regions,
-                   sized(exempted, gl::Format::RGBA32F, view.size, presented));
+                   sized(exempted, gl::Format::RGBA32F, view.size, presented), occlusionOfFrame());
   });
 }
 

@@ -18,6 +18,7 @@
 #include "rendering/passes/ExemptPass.h"
 #include "rendering/passes/FocusLayerPass.h"
 #include "rendering/passes/HitPointPass.h"
+#include "rendering/passes/OcclusionPass.h"
 #include "rendering/passes/ProtectedLayerPass.h"
 #include "rendering/passes/PullPushPass.h"
 #include "rendering/passes/RayStartPass.h"
@@ -38,6 +39,7 @@ struct PassChain {
   EditMapPass editMapPass{gpu->programs()};
   RayStartPass rayStartPass{gpu->programs()};
   RemovedPass removedPass{gpu->programs()};
+  OcclusionPass occlusionPass{gpu->programs()};
   FocusLayerPass focusLayerPass{gpu->programs()};
   ProtectedLayerPass protectedLayerPass{gpu->programs()};
   ContextLayerPass contextLayerPass{gpu->programs()};
@@ -47,7 +49,8 @@ struct PassChain {
   gl::Texture hitPoints, focusFilled, distances, editMap, rayStart, focusLayer, protectedLayer, contextLayer,
       silhouette, composed, exempted;
   gl::Texture pickedHit;
-  gl::Texture faces, hole;  ///< of RemovedPass
+  gl::Texture faces, hole;    ///< of RemovedPass
+  gl::Buffer occlusionNodes;  ///< of OcclusionPass; empty without ambient occlusion and shadows
 
   /// Stages 1 to 4 of the camera that cuts the opening, where that is another than the picture's.
   std::unique_ptr<PassChain> opening;
@@ -58,6 +61,7 @@ struct PassChain {
   Memo<DistanceKey> distance;
   Memo<RayStartKey> edits, start;
   Memo<RemovedKey> removed;
+  Memo<OcclusionKey> occlusion;
   Memo<FocusLayerKey> focus;
   Memo<ProtectedLayerKey> guard;
   Memo<ContextLayerKey> context;
@@ -105,6 +109,7 @@ struct PassChain {
   void startRays();
   /// Instead of the last three, where another camera cuts the opening.
   void startRaysApart();
+  void occlude();
   void drawFocusLayer();
   void drawProtectedLayer();
   void drawContextLayer();
@@ -154,12 +159,16 @@ struct PassChain {
   void forgetEdited() {
     edits.forget();
     start.forget();
+    occlusion.forget();
     focus.forget();
     guard.forget();
     composite.forget();
     exempt.forget();
   }
 
+  /// What the passes that draw light read of it.
+  const gl::Buffer* occlusionOfFrame() const { return occlusionNodes ? &occlusionNodes : nullptr; }
+  std::uint64_t occlusionVersion() const { return occlusionNodes ? occlusion.version() : 0; }
   glm::dvec2 widthsInPixels(const Scene& scene) const;
   /// What is seen, without the background; a plain volume rendering has nothing laid over it.
   const gl::Texture& picture() const { return exempted ? exempted : composed ? composed : focusLayer; }

@@ -8,6 +8,7 @@
 #include "rendering/gpu/RayFrame.h"
 #include "rendering/gpu/StrokeLines.h"
 #include "rendering/passes/FocusLayerPass.h"
+#include "rendering/passes/OcclusionPass.h"
 #include "rendering/scene/Scene.h"
 #include "rendering/scene/View.h"
 
@@ -61,9 +62,20 @@ struct RemovedKey {
   bool holes;
   bool operator==(const RemovedKey&) const = default;
 };
+struct OcclusionKey {
+  std::uint64_t rayStart, hits;  ///< of the camera that cuts the opening; 0 without one
+  std::optional<Camera> camera;  ///< that one
+  std::uint64_t occluders;
+  glm::dvec3 light;     ///< 0 without shadows
+  glm::dvec2 strength;  ///< of occlusion and shadow
+  Clip clip;
+  occlusion::Directions directions;
+  bool operator==(const OcclusionKey&) const = default;
+};
 struct FocusLayerKey {
-  std::uint64_t rayStart;  ///< 0 without a cutaway
-  std::uint64_t removed;   ///< 0 where the picture's own camera cuts the opening
+  std::uint64_t rayStart;   ///< 0 without a cutaway
+  std::uint64_t removed;    ///< 0 where the picture's own camera cuts the opening
+  std::uint64_t occlusion;  ///< 0 without ambient occlusion and shadows
   std::uint64_t volume, focus, transfer, gradient, palette;
   double focusExtinction;
   Shading shading;
@@ -74,7 +86,7 @@ struct FocusLayerKey {
   bool operator==(const FocusLayerKey&) const = default;
 };
 struct ProtectedLayerKey {
-  std::uint64_t rayStart, removed, volume, protectedLabels, transfer, gradient;
+  std::uint64_t rayStart, removed, occlusion, volume, protectedLabels, transfer, gradient;
   Shading shading;
   FocusLayerPass::Sampling sampling;
   bool operator==(const ProtectedLayerKey&) const = default;
@@ -87,7 +99,7 @@ struct ContextLayerKey {
 struct ExemptKey {
   std::uint64_t focusLayer;
   std::optional<std::uint64_t> composite;
-  std::uint64_t volume, exemptLabels, transfer, gradient;
+  std::uint64_t occlusion, volume, exemptLabels, transfer, gradient;
   Shading shading;
   Camera camera;
   glm::ivec2 size;

@@ -10,7 +10,7 @@ namespace fenestra {
 
 std::string_view nameOf(Pass pass) {
   constexpr std::array<std::string_view, passCount> names{
-      "hit points",  "pull-push",       "distance map",  "edit map",  "ray start",
+      "hit points",  "pull-push",       "distance map",  "edit map",  "ray start",    "occlusion",
       "focus layer", "protected layer", "context layer", "composite", "exempt labels"};
   return names[static_cast<std::size_t>(pass)];
 }
@@ -196,8 +196,8 @@ const std::array<PassStats, passCount>& Renderer::stats() const { return *chain_
 namespace {
 
 std::size_t imageBytesOf(const PassChain& s) {
-  std::size_t sum =
-      s.pullPushPass.bytes() + s.distanceMapPass.bytes() + s.editMapPass.bytes() + s.focusLayerPass.bytes();
+  std::size_t sum = s.pullPushPass.bytes() + s.distanceMapPass.bytes() + s.editMapPass.bytes() +
+                    s.focusLayerPass.bytes() + s.occlusionPass.bytes() + s.occlusionNodes.bytes();
   for (const gl::Texture* texture :
        {&s.hitPoints, &s.focusFilled, &s.distances, &s.editMap, &s.rayStart, &s.focusLayer, &s.protectedLayer,
         &s.contextLayer, &s.silhouette, &s.composed, &s.exempted, &s.pickedHit, &s.faces, &s.hole})

@@ -23,13 +23,14 @@ enum class Pass : std::uint8_t {
   DistanceMap,
   EditMap,
   RayStart,
+  Occlusion,
   FocusLayer,
   ProtectedLayer,
   ContextLayer,
   Composite,
   Exempt
 };
-inline constexpr std::size_t passCount = 10;
+inline constexpr std::size_t passCount = 11;
 std::string_view nameOf(Pass pass);
 
 /// Row-major from the top of the picture; t in mm along the pixel's ray (see Camera), NaN where there is nothing.

@@ -95,7 +95,8 @@ bool GpuScene::holds(const Scene& scene) const {
       (scene.labels != labelSource_ || scene.look.labelSmoothing != labelSmoothing_))
     return false;
   const bool wantsDerivative = hasCutaway(scene) && scene.look.contextLayer.strength > 0.0;
-  return (gradient_.texture || !scene.look.shading.enabled) && (derivative_.texture || !wantsDerivative);
+  return (gradient_.texture || !scene.look.shading.enabled) && (derivative_.texture || !wantsDerivative) &&
+         (occluders_.any() || !hasOcclusion(scene.look.shading));
 }
 
 gl::ShaderProgram& GpuScene::presentation(bool enlarged) {
@@ -132,6 +133,7 @@ void GpuScene::release() {
   focus_.release();
   protected_ = {};
   exempt_ = {};
+  occluders_.release();
   faint_.release();
   paletteMap_ = {};
 }
@@ -168,6 +170,10 @@ void GpuScene::updateAll(const Scene& scene) {
   if (!wantsGradient) normalCoefficients_ = {};
   if (wantsGradient) updateGradient(changed, occupancyChanged);
   focus_.updateSmooth(wantsGradient);
+  const Versions& v = versions_;
+  if (occluders_.update(scene, {v.volume, v.focus, v.transfer, v.palette, v.protectedLabels, v.exemptLabels,
+                                scene.look.focusAppearance.extinction}))
+    ++versions_.occluders;
 
   const bool wantsDerivative = hasCutaway(scene) && scene.look.contextLayer.strength > 0.0;
   if (!wantsDerivative) derivative_ = {};
@@ -461,6 +467,7 @@ std::vector<GpuScene::Resource> GpuScene::resources() const {
   add("focus palette", of(focusPaletteIndex_) + of(focusPalette_));
   add("focus normals", of(focus_.smooth()));
   add("protected labels", of(protected_.bricks) + of(protected_.skip) + protected_.cells.bytes());
+  add("occluders", occluders_.bytes());
   add("exempt labels", of(exempt_.bricks) + of(exempt_.skip) + exempt_.cells.bytes());
   return all;
 }

@@ -16,6 +16,7 @@
 #include "rendering/gpu/FaintIndex.h"
 #include "rendering/gpu/FittedScene.h"
 #include "rendering/gpu/GpuFocus.h"
+#include "rendering/gpu/Occluders.h"
 #include "rendering/gpu/RefinedVolume.h"
 #include "rendering/gpu/Schedule.h"
 #include "rendering/gpu/TransferTables.h"
@@ -77,7 +78,7 @@ class GpuScene {
   // What the passes bind. A version grows whenever what it names was remade.
   struct Versions {
     std::uint64_t volume = 0, gradient = 0, focus = 0, gaps = 0, transfer = 0, derivative = 0, palette = 0,
-                  protectedLabels = 0, exemptLabels = 0;
+                  protectedLabels = 0, exemptLabels = 0, occluders = 0;
     bool operator==(const Versions&) const = default;
   };
   const Versions& versions() const { return versions_; }
@@ -145,6 +146,8 @@ class GpuScene {
   const KeptLabels& protectedLabels() const { return protected_; }
   /// Only while something is clipped, and labels are exempt from it.
   const KeptLabels& exemptLabels() const { return exempt_; }
+  /// Only while pictures have ambient occlusion or shadows.
+  const Occluders& occluders() const { return occluders_; }
   /// Smoothed indicator around a label focus, for its normals; only while shading is on.
   const gl::Texture& focusSmooth() const { return focus_.smooth(); }
   glm::ivec3 focusSmoothOrigin() const { return focus_.smoothOrigin(); }  ///< index of its first texel
@@ -230,6 +233,7 @@ class GpuScene {
   std::vector<TransferFunction> focusFunctions_;  ///< each once, in the order of their tables
 
   KeptLabels protected_, exempt_;
+  Occluders occluders_;
 };
 
 }  // namespace fenestra

@@ -97,6 +97,15 @@ void bindLight(const GpuScene& scene, gl::ShaderProgram& program, const Camera::
   if (scene.refinement() > 1) program.bind("normalTexels", scene.normalCoefficients());
 }
 
+void bindOcclusion(const GpuScene& scene, gl::ShaderProgram& program, const gl::Buffer* nodes) {
+  if (!nodes) return;
+  const OccluderCells& cells = scene.occluders().cells();
+  nodes->bind(occlusionNodesBinding);
+  program.set(OcclusionNodesBlock{cells.dims - 1, 1.0f / glm::vec3(cells.side)});
+}
+
+gl::Define occlusionDefine(const gl::Buffer* nodes) { return {"OCCLUDED", nodes != nullptr}; }
+
 LightBlock lightBlock(const Camera::Axes& axes, const Shading& shading) {
   return {glm::vec3(lightDirection(axes, shading)),
           static_cast<float>(shading.ambient),

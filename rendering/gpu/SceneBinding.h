@@ -43,6 +43,12 @@ gl::Define segmentsDefine();
 gl::Choice lightChoice(bool lit);
 /// lib/light/Lit.glsl, for a view with these axes.
 void bindLight(const GpuScene& scene, gl::ShaderProgram& program, const Camera::Axes& axes, const Shading& shading);
+/// lib/light/Occlusion.glsl: what OcclusionPass has written, null in pictures without ambient occlusion and shadows;
+/// `program` was compiled with occlusionDefine(nodes).
+void bindOcclusion(const GpuScene& scene, gl::ShaderProgram& program, const gl::Buffer* nodes);
+gl::Define occlusionDefine(const gl::Buffer* nodes);
+/// The storage block of those nodes.
+inline constexpr unsigned occlusionNodesBinding = 6;
 /// Light as Lighting.h describes it, for a view with these axes.
 LightBlock lightBlock(const Camera::Axes& axes, const Shading& shading);
 

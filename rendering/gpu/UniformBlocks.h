@@ -72,6 +72,34 @@ struct alignas(16) LightBlock {
   float certainLength;
 };
 
+/// shaders/Occluders.comp.
+struct alignas(16) OccludersBlock {
+  static constexpr const char* name = "OccludersBlock";
+  Std140Mat3 viewFromCells{1.0f};
+  glm::vec3 offset{0.0f};
+  float perDepth = 0.0f;
+  glm::ivec3 dims{0};
+  float nearest = 0.0f;
+  glm::vec3 side{1.0f};
+  float width = 0.0f;
+};
+
+/// shaders/Occlusion.comp.
+struct alignas(16) OcclusionBlock {
+  static constexpr const char* name = "OcclusionBlock";
+  glm::ivec3 dims;
+  int around;
+  glm::vec2 ramp, fade, strength;
+  int towardsLight;
+};
+
+/// shaders/lib/light/Occlusion.glsl.
+struct alignas(16) OcclusionNodesBlock {
+  static constexpr const char* name = "OcclusionNodesBlock";
+  alignas(16) glm::ivec3 last;
+  alignas(16) glm::vec3 perVoxel;
+};
+
 /// shaders/lib/integral/Settings.glsl.
 struct alignas(16) IntegralBlock {
   static constexpr const char* name = "IntegralBlock";

@@ -6,10 +6,10 @@ namespace fenestra {
 
 void ExemptPass::run(Steps& steps, const GpuScene& gpu, const Look& look, const RayFrame& rays,
                      const gl::Texture& picture, const FocusLayerPass::Sampling& sampling, Regions regions,
-                     gl::Texture& exempted) {
+                     gl::Texture& exempted, const gl::Buffer* occlusion) {
   FocusLayerPass::Sampling bounded = sampling;
   bounded.maxError = 0.25 * sampling.maxError.value_or(FocusLayerPass::usualBound);
-  steps.add(regions, [this, &gpu, &look, &rays, &picture, bounded, &exempted](Regions tile) {
+  steps.add(regions, [this, &gpu, &look, &rays, &picture, bounded, &exempted, occlusion](Regions tile) {
     const bool lit = look.shading.enabled;
     gl::ShaderProgram& program = programs_.get({{volumeDefine(gpu),
                                                  refinementDefine(gpu),
@@ -19,6 +19,7 @@ void ExemptPass::run(Steps& steps, const GpuScene& gpu, const Look& look, const 
                                                  {"FOCUS_PALETTE", false},
                                                  {"FOCUS_FUNCTIONS", false},
                                                  {"FOCUS_SMOOTH", false},
+                                                 occlusionDefine(occlusion),
                                                  {"APART", false},
                                                  {"CLIPPED", 1},
                                                  {"RAYS", 1}},
@@ -35,6 +36,7 @@ void ExemptPass::run(Steps& steps, const GpuScene& gpu, const Look& look, const 
     program.set(FocusLayerPass::integralBlock(bounded));
     program.bind("picture", picture);
     if (lit) bindLight(gpu, program, rays.axes(), look.shading);
+    bindOcclusion(gpu, program, occlusion);
     program.bind("exempted", exempted, gl::Access::Write);
     program.dispatch(tile);
   });

@@ -25,7 +25,8 @@ class ExemptPass {
   /// Writes premultiplied RGBA32F from `picture`, which is the same: cell by cell, each of both parts within a quarter
   /// of the sampling's bound on the error of a colour, or where it has none, of the usual one. `gpu` has exempt labels.
   void run(Steps& steps, const GpuScene& gpu, const Look& look, const RayFrame& rays, const gl::Texture& picture,
-           const FocusLayerPass::Sampling& sampling, Regions regions, gl::Texture& exempted);
+           const FocusLayerPass::Sampling& sampling, Regions regions, gl::Texture& exempted,
+           const gl::Buffer* occlusion = nullptr);
 
  private:
   gl::ShaderVariants programs_;

@@ -66,7 +66,7 @@ IntegralBlock FocusLayerPass::integralBlock(const Sampling& sampling) {
 }
 
 gl::ShaderProgram& FocusLayerPass::program(bool listed, const Drawn& drawn) {
-  const auto& [gpu, look, rays, opening, sampling] = drawn;
+  const auto& [gpu, look, rays, opening, sampling, occlusion] = drawn;
   const bool lit = look.shading.enabled, bounded = sampling.maxError.has_value();
   return programs_.get({{volumeDefine(gpu),
                          refinementDefine(gpu),
@@ -77,6 +77,7 @@ gl::ShaderProgram& FocusLayerPass::program(bool listed, const Drawn& drawn) {
                          {"FOCUS_PALETTE", static_cast<bool>(gpu.focusPaletteIndex())},
                          {"FOCUS_FUNCTIONS", gpu.focusByValue()},
                          {"FOCUS_SMOOTH", lit && gpu.focusSmooth()},
+                         occlusionDefine(occlusion),
                          {"LISTED", listed},
                          {"APART", opening && opening->hole},
                          rays.clipDefine(),
@@ -91,7 +92,7 @@ gl::ShaderProgram& FocusLayerPass::program(bool listed, const Drawn& drawn) {
 }
 
 gl::ShaderProgram& FocusLayerPass::prepared(bool listed, const Drawn& drawn) {
-  const auto& [gpu, look, rays, opening, sampling] = drawn;
+  const auto& [gpu, look, rays, opening, sampling, occlusion] = drawn;
   gl::ShaderProgram& program = this->program(listed, drawn);
   rays.setBlocks(program);
   bindVolume(gpu, program);
@@ -120,6 +121,7 @@ gl::ShaderProgram& FocusLayerPass::prepared(bool listed, const Drawn& drawn) {
     focus.material.a = static_cast<float>(look.focusAppearance.extinction);
   }
   if (look.shading.enabled) bindLight(gpu, program, rays.axes(), look.shading);
+  bindOcclusion(gpu, program, occlusion);
   if (look.shading.enabled && gpu.focusSmooth()) {
     program.bind("focusSmooth", gpu.focusSmooth());
     program.bind("focusSmoothTexels", gpu.focusSmooth());
@@ -152,8 +154,8 @@ void FocusLayerPass::drawBetween(const Drawn& drawn, int halfSide, bool centres,
 
 void FocusLayerPass::run(Steps& steps, const GpuScene& gpu, const Look& look, const RayFrame& rays,
                          const std::optional<Opening>& opening, const Sampling& sampling, Regions regions,
-                         gl::Texture& focusLayer) {
-  const Drawn drawn{gpu, look, rays, opening, sampling};
+                         gl::Texture& focusLayer, const gl::Buffer* occlusion) {
+  const Drawn drawn{gpu, look, rays, opening, sampling, occlusion};
   const int together = raysTogether(gpu.schedule(), sampling, look.shading.enabled);
   steps.add(inBoxes(regions, sampling.pitch * glm::ivec2(1, together)), [this, drawn, &focusLayer](Regions tile) {
     gl::ShaderProgram& lattice = prepared(false, drawn);

@@ -51,9 +51,11 @@ class FocusLayerPass {
   /// four half sides of the lattice's squares away, at each size of the squares; a cut face's normal on the next
   /// pixels.
   static int reach(const Sampling& sampling) { return 4 * (sampling.pitch - 1) + 1; }
-  /// Writes premultiplied RGBA32F. Without an opening rays start where they enter the volume.
+  /// Writes premultiplied RGBA32F. Without an opening rays start where they enter the volume. `occlusion`: of
+  /// OcclusionPass; null: neither ambient occlusion nor shadows.
   void run(Steps& steps, const GpuScene& gpu, const Look& look, const RayFrame& rays,
-           const std::optional<Opening>& opening, const Sampling& sampling, Regions regions, gl::Texture& focusLayer);
+           const std::optional<Opening>& opening, const Sampling& sampling, Regions regions, gl::Texture& focusLayer,
+           const gl::Buffer* occlusion = nullptr);
   std::size_t bytes() const { return list_.bytes(); }
 
  private:
@@ -63,6 +65,7 @@ class FocusLayerPass {
     const RayFrame& rays;
     std::optional<Opening> opening;
     Sampling sampling;
+    const gl::Buffer* occlusion;
   };
   /// The variant that such a picture takes, for pixels of the lattice or listed ones, and the same with all that it
   /// reads.

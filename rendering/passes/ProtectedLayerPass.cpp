@@ -8,10 +8,10 @@ namespace fenestra {
 
 void ProtectedLayerPass::run(Steps& steps, const GpuScene& gpu, const Look& look, const RayFrame& rays,
                              const FocusLayerPass::Opening& opening, const FocusLayerPass::Sampling& sampling,
-                             Regions regions, gl::Texture& protectedLayer) {
+                             Regions regions, gl::Texture& protectedLayer, const gl::Buffer* occlusion) {
   FocusLayerPass::Sampling bounded = sampling;
   bounded.maxError = 0.5 * sampling.maxError.value_or(std::max(FocusLayerPass::usualBound, 4.0 * sampling.tolerance));
-  steps.add(regions, [this, &gpu, &look, &rays, opening, bounded, &protectedLayer](Regions tile) {
+  steps.add(regions, [this, &gpu, &look, &rays, opening, bounded, &protectedLayer, occlusion](Regions tile) {
     const bool lit = look.shading.enabled;
     gl::ShaderProgram& program = programs_.get({{volumeDefine(gpu),
                                                  refinementDefine(gpu),
@@ -21,6 +21,7 @@ void ProtectedLayerPass::run(Steps& steps, const GpuScene& gpu, const Look& look
                                                  {"FOCUS_PALETTE", false},
                                                  {"FOCUS_FUNCTIONS", false},
                                                  {"FOCUS_SMOOTH", false},
+                                                 occlusionDefine(occlusion),
                                                  {"APART", false},
                                                  rays.clipDefine(),
                                                  {"RAYS", 1}},
@@ -38,6 +39,7 @@ void ProtectedLayerPass::run(Steps& steps, const GpuScene& gpu, const Look& look
     program.bind("rayStart", opening.rayStart);
     program.bind("hitPoints", opening.hitPoints);
     if (lit) bindLight(gpu, program, rays.axes(), look.shading);
+    bindOcclusion(gpu, program, occlusion);
     program.bind("protectedLayer", protectedLayer, gl::Access::Write);
     program.dispatch(tile);
   });

@@ -26,7 +26,7 @@ class ProtectedLayerPass {
   /// where it has none, of four times its tolerance. `gpu` has protected labels.
   void run(Steps& steps, const GpuScene& gpu, const Look& look, const RayFrame& rays,
            const FocusLayerPass::Opening& opening, const FocusLayerPass::Sampling& sampling, Regions regions,
-           gl::Texture& protectedLayer);
+           gl::Texture& protectedLayer, const gl::Buffer* occlusion = nullptr);
 
  private:
   gl::ShaderVariants programs_;

@@ -45,6 +45,7 @@ class Opening {
   }
 
   const Widths& widths() const { return widths_; }
+  const Stages& stages() const { return stages_; }
   double voxel() const { return voxel_; }
   bool hasEdits() const { return !stages_.editFactor.empty(); }
 
@@ -232,7 +233,9 @@ Stages geometricStages(const Scene& scene, const View& view) {
   stages.hits = hitPoints(scene, view.camera, view.size);
   stages.tStart = stages.hits.tContext;
   const std::size_t count = stages.tStart.size();
-  stages.apart = Apart{Image(count, infinity), Image(count, infinity), Image(count, infinity), opening.widths()};
+  stages.apart =
+      Apart{Image(count, infinity),         Image(count, infinity), Image(count, infinity), opening.widths(), *cut,
+            opening.stages().hits.tContext, opening.stages().tStart};
   if (opening.hasEdits()) stages.editFactor.assign(count, 1.0);
   parallelFor(count, 64, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {

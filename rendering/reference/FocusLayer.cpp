@@ -5,6 +5,7 @@
 #include "rendering/reference/ContextFunctions.h"
 #include "rendering/reference/Field.h"
 #include "rendering/reference/Light.h"
+#include "rendering/reference/Occlusion.h"
 #include "rendering/scene/Lighting.h"
 #include "rendering/scene/Parallel.h"
 
@@ -87,18 +88,21 @@ struct Medium {
   ContextFunctions context;
   std::vector<ValueGap> clear;  ///< values without any extinction
   double wallDepth;             ///< mm
+  const Occlusion* occlusion;   ///< null: none
 
-  Medium(const Scene& what, const Camera& camera) : Medium(what, camera, FocusField(what)) {
+  Medium(const Scene& what, const Camera& camera, const Occlusion* occluded)
+      : Medium(what, camera, FocusField(what), occluded) {
     if (scene.look.shading.enabled && focus.hasLabels()) focusNormals.emplace(scene.volume->grid, focus);
   }
   /// Of labels alone, as part of the context.
-  static Medium ofLabels(const Scene& what, const Camera& camera, const std::vector<std::uint16_t>& labels) {
-    Medium medium(what, camera, FocusField(*structuresOf(what), labels));
+  static Medium ofLabels(const Scene& what, const Camera& camera, const std::vector<std::uint16_t>& labels,
+                         const Occlusion* occluded) {
+    Medium medium(what, camera, FocusField(*structuresOf(what), labels), occluded);
     medium.onlyFocus = true;
     return medium;
   }
 
-  Medium(const Scene& what, const Camera& camera, FocusField held)
+  Medium(const Scene& what, const Camera& camera, FocusField held, const Occlusion* occluded)
       : scene(what),
         field(what),
         focus(std::move(held)),
@@ -106,7 +110,8 @@ struct Medium {
         light(camera, what.look.shading),
         normals(*what.volume),
         context(what),
-        clear(context.all().front().transparentGaps(0.0)) {
+        clear(context.all().front().transparentGaps(0.0)),
+        occlusion(occluded) {
     const Grid& grid = scene.volume->grid;
     wallDepth = lighting::wallDepthVoxels * std::min({grid.spacing.x, grid.spacing.y, grid.spacing.z});
     if (scene.look.shading.enabled && field.spline())
@@ -271,6 +276,7 @@ class Integrator {
     }
     if (medium_.context.differ() || (field && medium_.focusShows.differ())) appendMiddles(piece, places_);
     if (medium_.scene.look.shading.enabled) appendTurns(piece);
+    if (medium_.occlusion) medium_.occlusion->appendCrossings(piece, places_);
     std::sort(places_.begin(), places_.end());
 
     for (std::size_t k = 0; k + 1 < places_.size(); ++k) {
@@ -358,11 +364,12 @@ class Integrator {
     if (!medium_.scene.look.shading.enabled) return colour;
     const double s = glm::mix(part.begin, part.end, u);
     const glm::dvec3 at = glm::mix(piece_->begin, piece_->end, s), world = ray_.ray.direction;
-    glm::dvec3 shaded = medium_.light.shade(colour, normalAt(at), world);
+    const glm::dvec2 open = medium_.occlusion ? medium_.occlusion->at(at + glm::dvec3(piece_->cell)) : glm::dvec2(1.0);
+    glm::dvec3 shaded = medium_.light.shade(colour, normalAt(at), world, open);
     if (ray_.wall != glm::dvec3(0.0) && !isBehindHole_) {
       const double behind = piece_->tBegin + s * (piece_->tEnd - piece_->tBegin) - ray_.span.tIn + ray_.beforeWall;
       const double share = lighting::wallShare * std::exp(-behind / medium_.wallDepth);
-      shaded = glm::mix(shaded, medium_.light.lit(colour, ray_.wall, world), share);
+      shaded = glm::mix(shaded, medium_.light.lit(colour, ray_.wall, world, open), share);
     }
     return shaded;
   }
@@ -429,22 +436,25 @@ FocusLayer integrated(const Medium& medium, const std::vector<CutRay>& rays, dou
 
 }  // namespace
 
-FocusLayer focusLayer(const Scene& scene, const Camera& camera, const std::vector<CutRay>& rays, double tolerance) {
-  return integrated(Medium(scene, camera), rays, tolerance);
+FocusLayer focusLayer(const Scene& scene, const Camera& camera, const std::vector<CutRay>& rays, double tolerance,
+                      const Occlusion* occlusion) {
+  return integrated(Medium(scene, camera, occlusion), rays, tolerance);
 }
 
 FocusLayer protectedLayer(const Scene& scene, const Camera& camera, const std::vector<CutRay>& rays,
-                          const Image& tContext, double tolerance) {
+                          const Image& tContext, double tolerance, const Occlusion* occlusion) {
   std::vector<CutRay> removed = rays;
   for (std::size_t i = 0; i < removed.size(); ++i) {
     removed[i].span = std::isnan(tContext[i]) ? Span{1.0, 0.0} : Span{tContext[i], removed[i].span.tIn};
     removed[i].wall = glm::dvec3(0.0);
     removed[i].grey.reset();
   }
-  return integrated(Medium::ofLabels(scene, camera, labelsWith(LabelRole::Protected, scene)), removed, tolerance);
+  return integrated(Medium::ofLabels(scene, camera, labelsWith(LabelRole::Protected, scene), occlusion), removed,
+                    tolerance);
 }
 
-ExemptLayers exemptLayers(const Scene& scene, const Camera& camera, const std::vector<CutRay>& rays, double tolerance) {
+ExemptLayers exemptLayers(const Scene& scene, const Camera& camera, const std::vector<CutRay>& rays, double tolerance,
+                          const Occlusion* occlusion) {
   const Grid& grid = scene.volume->grid;
   const std::vector<HalfSpace> kept = halfSpaces(scene.look.clipping, grid);
   std::vector<CutRay> before, behind;
@@ -456,7 +466,7 @@ ExemptLayers exemptLayers(const Scene& scene, const Camera& camera, const std::v
     first.span = {whole->tIn, inside ? inside->tIn : whole->tOut};
     if (inside) last.span = {inside->tOut, whole->tOut};
   }
-  const Medium medium = Medium::ofLabels(scene, camera, scene.look.clipping.exempt);
+  const Medium medium = Medium::ofLabels(scene, camera, scene.look.clipping.exempt, occlusion);
   return {integrated(medium, before, tolerance), integrated(medium, behind, tolerance)};
 }
 

@@ -7,6 +7,8 @@
 
 namespace fenestra::reference {
 
+class Occlusion;
+
 /// A capped face in grey (Clipping::grey), on which a ray starts.
 struct GreyFace {
   WindowLevel window;
@@ -32,16 +34,18 @@ struct FocusLayer {
 /// What the opening removes of the scene's protected labels: the integral from `tContext` to the start of each ray, of
 /// the context alone and where the labels' interpolated 0/1 indicator is ½ or more. One element a ray.
 FocusLayer protectedLayer(const Scene& scene, const Camera& camera, const std::vector<CutRay>& rays,
-                          const Image& tContext, double tolerance);
+                          const Image& tContext, double tolerance, const Occlusion* occlusion = nullptr);
 
 /// What clipping leaves out of the scene's exempt labels, before and behind what it keeps of each ray; see
 /// rendering/passes/ExemptPass.h.
 struct ExemptLayers {
   FocusLayer before, behind;
 };
-ExemptLayers exemptLayers(const Scene& scene, const Camera& camera, const std::vector<CutRay>& rays, double tolerance);
+ExemptLayers exemptLayers(const Scene& scene, const Camera& camera, const std::vector<CutRay>& rays, double tolerance,
+                          const Occlusion* occlusion = nullptr);
 
-/// One element a ray.
-FocusLayer focusLayer(const Scene& scene, const Camera& camera, const std::vector<CutRay>& rays, double tolerance);
+/// One element a ray. `occlusion`, here and above: null without ambient occlusion and shadows.
+FocusLayer focusLayer(const Scene& scene, const Camera& camera, const std::vector<CutRay>& rays, double tolerance,
+                      const Occlusion* occlusion = nullptr);
 
 }  // namespace fenestra::reference

@@ -18,17 +18,17 @@ double smoothstep(double low, double high, double x) {
 
 Light::Light(const Camera& camera, const Shading& how) : direction(lightDirection(camera.axes(), how)), shading(how) {}
 
-glm::dvec3 Light::lit(glm::dvec3 colour, glm::dvec3 normal, glm::dvec3 rayDirection) const {
+glm::dvec3 Light::lit(glm::dvec3 colour, glm::dvec3 normal, glm::dvec3 rayDirection, glm::dvec2 open) const {
   const glm::dvec3 half = glm::normalize(direction - rayDirection);
-  return colour * incident(std::abs(glm::dot(normal, direction))) +
-         shading.specular * std::pow(std::abs(glm::dot(normal, half)), shading.shininess);
+  return colour * incident(std::abs(glm::dot(normal, direction)), open) +
+         open.y * shading.specular * std::pow(std::abs(glm::dot(normal, half)), shading.shininess);
 }
 
-glm::dvec3 Light::shade(glm::dvec3 colour, glm::dvec3 normal, glm::dvec3 rayDirection) const {
-  const glm::dvec3 average = colour * incident(lighting::meanIncidence);
+glm::dvec3 Light::shade(glm::dvec3 colour, glm::dvec3 normal, glm::dvec3 rayDirection, glm::dvec2 open) const {
+  const glm::dvec3 average = colour * incident(lighting::meanIncidence, open);
   const double length = glm::length(normal), certainty = smoothstep(0.0, lighting::certainLength, length);
   if (certainty == 0.0) return average;
-  return glm::mix(average, lit(colour, normal / length, rayDirection), certainty);
+  return glm::mix(average, lit(colour, normal / length, rayDirection, open), certainty);
 }
 
 VoxelNormals::VoxelNormals(const Volume& volume)

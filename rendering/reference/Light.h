@@ -13,11 +13,16 @@ struct Light {
   glm::dvec3 direction;
   Shading shading;
 
-  /// Ambient and diffuse light on a surface whose normal is at |cosine| to the light.
-  double incident(double cosine) const { return shading.ambient + shading.diffuse * cosine; }
-  glm::dvec3 lit(glm::dvec3 colour, glm::dvec3 normal, glm::dvec3 rayDirection) const;
+  /// Ambient and diffuse light on a surface whose normal is at |cosine| to the light. `open`: what is left of ambient
+  /// and of direct light (Occlusion.h).
+  double incident(double cosine, glm::dvec2 open = glm::dvec2(1.0)) const {
+    return shading.ambient * open.x + shading.diffuse * cosine * open.y;
+  }
+  glm::dvec3 lit(glm::dvec3 colour, glm::dvec3 normal, glm::dvec3 rayDirection,
+                 glm::dvec2 open = glm::dvec2(1.0)) const;
   /// The length of `normal` says how certain it is; 0 gives the light of a surface of average orientation.
-  glm::dvec3 shade(glm::dvec3 colour, glm::dvec3 normal, glm::dvec3 rayDirection) const;
+  glm::dvec3 shade(glm::dvec3 colour, glm::dvec3 normal, glm::dvec3 rayDirection,
+                   glm::dvec2 open = glm::dvec2(1.0)) const;
 };
 
 /// Hermite interpolation from 0 at `low` to 1 at `high`, clamped.

@@ -3,6 +3,7 @@
 #include "rendering/reference/ContextLayer.h"
 #include "rendering/reference/FocusLayer.h"
 #include "rendering/reference/Light.h"
+#include "rendering/reference/Occlusion.h"
 #include "rendering/reference/Strokes.h"
 #include "rendering/scene/Lighting.h"
 #include "rendering/scene/Parallel.h"
@@ -153,7 +154,10 @@ Picture picture(const Scene& scene, const Camera& camera, glm::ivec2 size, const
   const bool guarded = cutaway && !labelsWith(LabelRole::Protected, scene).empty();
   // Of each of two layers, and half of what is left beside exempt labels.
   const double tolerance = options.tolerance * (guarded ? 0.5 : 1.0) * (scene.look.clipping.exempt.empty() ? 1.0 : 0.5);
-  FocusLayer layer = focusLayer(scene, camera, cut, tolerance);
+  std::optional<Occlusion> occlusion;
+  if (hasOcclusion(scene.look.shading)) occlusion.emplace(scene, camera, size, cutaway ? &stages : nullptr);
+  const Occlusion* const occluded = occlusion ? &*occlusion : nullptr;
+  FocusLayer layer = focusLayer(scene, camera, cut, tolerance, occluded);
 
   const auto factor = [&](glm::ivec2 pixel) {
     return stages.editFactor.empty() ? 1.0 : stages.editFactor[offset(size, pixel)];
@@ -164,7 +168,7 @@ Picture picture(const Scene& scene, const Camera& camera, glm::ivec2 size, const
   if (guarded) {
     Image tContext;
     for (const glm::ivec2 pixel : pixels) tContext.push_back(stages.hits.tContext[offset(size, pixel)]);
-    FocusLayer front = protectedLayer(scene, camera, cut, tContext, tolerance);
+    FocusLayer front = protectedLayer(scene, camera, cut, tContext, tolerance, occluded);
     for (std::size_t i = 0; i < pixels.size(); ++i) {
       result.final[i] = over(front.colour[i], result.final[i]);
       layer.error[i] += front.error[i];
@@ -209,7 +213,7 @@ Picture picture(const Scene& scene, const Camera& camera, glm::ivec2 size, const
   }
   const Clipping& clipping = scene.look.clipping;
   if (!clipping.exempt.empty() && structuresOf(scene) && !halfSpaces(clipping, scene.volume->grid).empty()) {
-    const ExemptLayers exempt = exemptLayers(scene, camera, cut, 0.25 * options.tolerance);
+    const ExemptLayers exempt = exemptLayers(scene, camera, cut, 0.25 * options.tolerance, occluded);
     for (std::size_t i = 0; i < pixels.size(); ++i) {
       result.final[i] = over(over(exempt.before.colour[i], result.final[i]), exempt.behind.colour[i]);
       layer.error[i] += exempt.before.error[i] + exempt.behind.error[i];

@@ -80,6 +80,8 @@ struct Apart {
   Image holeBegin, holeEnd;  ///< t from where to where the ray sees nothing again; infinite where there is no hole
   Image distance;            ///< of the opening's picture, in its pixels, where the border is projected; +inf elsewhere
   Widths widths;             ///< in the opening's pixels
+  OpeningView opening{};     ///< the picture that the opening is cut for, and of its rays:
+  Image openingContext{}, openingStart{};
 };
 
 /// Stages 1 to 4 in one go, with the scene's brush strokes (see Strokes.h for what they edit). Without a cutaway,

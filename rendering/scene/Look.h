@@ -49,6 +49,8 @@ struct Shading {
   double shininess = 24.0;
   double lightAzimuth = -19.290046219188735;   ///< degrees; with the elevation, 0.35 to the left and 0.45 up for every
   double lightElevation = 23.012691498169566;  ///< 1 towards the viewer
+  double occlusion = 0.0;                      ///< share of the ambient light that surroundings hide; see Occlusion.h
+  double shadow = 0.0;                         ///< share of the light of the source that what lies before it hides
   bool operator==(const Shading&) const = default;
 };
 

@@ -238,7 +238,23 @@ inline constexpr std::tuple settingsOf<Shading>{
              .description = "How high the light stands: 90 is the top of the picture, -90 the bottom",
              .unit = "°",
              .range = {-90.0, 90.0},
-             .step = 1.0})};
+             .step = 1.0}),
+    Setting(&Shading::occlusion,
+            {.key = "occlusion",
+             .option = "--occlusion",
+             .name = "Occlusion",
+             .description = "How dark hollows are, which what is around them hides from the light from all sides; "
+                            "0 leaves them as bright as the rest and costs nothing",
+             .range = fraction,
+             .step = 0.05}),
+    Setting(&Shading::shadow,
+            {.key = "shadow",
+             .option = "--shadow",
+             .name = "Soft shadow",
+             .description = "How dark the shadows are that the volume, as it is cut open, casts on itself; "
+                            "0 casts none and costs nothing",
+             .range = fraction,
+             .step = 0.05})};
 
 template <>
 inline constexpr std::tuple settingsOf<FocusAppearance>{

@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "rendering/scene/Occlusion.h"
 #include "tests/gl/GlTest.h"
 #include "tests/support/FeatureScenes.h"
 
@@ -81,12 +82,14 @@ TEST_F(Cost, EveryKindOfSceneTakesItsOwnPassesAndResourcesAndNoOthers) {
   const std::map<std::string, Expected> expected{
       {"plain, unlit", {always, plainPasses}},
       {"plain", {lit, plainPasses}},
+      {"plain, occlusion", {with(lit, {"occluders"}), with(plainPasses, {"occlusion"})}},
       {"labels, no cutaway", {byLabel, plainPasses}},
       {"cutaway by value", {byValue, cutPasses}},
       {"cutaway by a label", {byLabel, cutPasses}},
       {"cutaway by two labels", {with(byLabel, {"focus palette"}), cutPasses}},
       {"with a border", {byLabel, cutPasses}},
       {"with the context layer", {withLayer, layerPasses}},
+      {"with occlusion", {with(byLabel, {"occluders"}), with(cutPasses, {"occlusion"})}},
       {"with a brush stroke", {withLayer, with(layerPasses, {"edit map"})}},
   };
   const std::vector<FeatureScene> scenes = kinds();
@@ -107,9 +110,19 @@ TEST_F(Cost, AFeatureAddsItsOwnBytesAndNoOthers) {
   EXPECT_EQ(unlit.at("volume"), voxels * 2);
   EXPECT_EQ(unlit.at("images"), pixels * 16);  // the focus layer, which is the picture, RGBA32F
 
+  const Memory plainWithGradient = memory["plain"];
   Memory plain = memory["plain"];
   EXPECT_EQ(plain.erase("gradient"), 1u);
   EXPECT_EQ(plain, unlit);
+
+  // Three extinctions and a fourth that fills the vector; medium and nodes; the directions.
+  Memory occluded = memory["plain, occlusion"];
+  const std::size_t cells = voxels;  // of one voxel each in a volume as small as this
+  EXPECT_EQ(occluded["occluders"], cells * 16);
+  EXPECT_EQ(occluded.erase("occluders"), 1u);
+  const occlusion::Directions directions;
+  occluded["images"] -= cells * 8 + static_cast<std::size_t>(directions.around + directions.towardsLight) * 16;
+  EXPECT_EQ(occluded, plainWithGradient);
 
   // Labels that open nothing bring the focus, no image and no pass.
   EXPECT_EQ(memory["labels, no cutaway"].at("images"), unlit.at("images"));

@@ -318,6 +318,23 @@ bool sameBits(const std::vector<T>& a, const std::vector<T>& b) {
   return std::ranges::equal(std::as_bytes(std::span(a)), std::as_bytes(std::span(b)));
 }
 
+/// Every so many pixels of a picture, `enough` of them.
+struct Some {
+  std::vector<std::size_t> pixels;
+  std::size_t stride = 1;
+  reference::PictureOptions options;  ///< for them
+};
+Some someOf(glm::ivec2 size, std::size_t enough) {
+  const std::size_t width = static_cast<std::size_t>(size.x), count = width * static_cast<std::size_t>(size.y);
+  Some some;
+  some.stride = (count + enough - 1) / enough;
+  for (std::size_t at = some.stride / 2; at < count; at += some.stride) {
+    some.pixels.push_back(at);
+    some.options.pixels.emplace_back(at % width, at / width);
+  }
+  return some;
+}
+
 class HardCases : public ::testing::WithParamInterface<HardCase>, public GlTest {};
 
 TEST_P(HardCases, everyStage) {
@@ -333,15 +350,7 @@ TEST_P(HardCases, everyStage) {
     stages = reference::geometricStages(shot.scene, shot.camera, shot.size);
     expectStagesMatch(layers, stages.hits, shot.scene, shot.camera, shot.size);
   }
-  // Colours at some pixels of a larger picture.
-  constexpr std::size_t enough = 2000;
-  reference::PictureOptions options;
-  std::vector<std::size_t> pixels;
-  const std::size_t stride = (layers.final.size() + enough - 1) / enough;
-  for (std::size_t at = stride / 2; at < layers.final.size(); at += stride) {
-    pixels.push_back(at);
-    options.pixels.emplace_back(at % static_cast<std::size_t>(shot.size.x), at / static_cast<std::size_t>(shot.size.x));
-  }
+  const auto [pixels, stride, options] = someOf(shot.size, 2000);
   const reference::Picture truth = reference::picture(shot.scene, shot.camera, shot.size, stages, options);
   expectSound(truth, options.tolerance);
   const ValueRange range = shot.scene.volume->range;
@@ -356,6 +365,28 @@ TEST_P(HardCases, everyStage) {
   const Layers same = again.readLayers();
   EXPECT_TRUE(sameBits(layers.final, same.final));
   EXPECT_TRUE(sameBits(layers.tStart, same.tStart));
+}
+
+/// Greatest error of the focus layer at 1000 pixels of a picture of high quality.
+double worstOfFocusLayer(const Shot& shot) {
+  Renderer renderer(std::make_shared<GpuScene>());
+  renderer.render(shot.scene, {shot.camera, shot.size, 1.0, Quality::High});
+  const Layers layers = renderer.readLayers();
+  reference::Stages stages;
+  if (hasCutaway(shot.scene)) stages = reference::geometricStages(shot.scene, shot.camera, shot.size);
+  const Some some = someOf(shot.size, 1000);
+  const reference::Picture truth = reference::picture(shot.scene, shot.camera, shot.size, stages, some.options);
+  return worstColour(layers.focusLayer, truth.focusLayer, some.pixels);
+}
+
+TEST_P(HardCases, withOcclusionAndShadow) {
+  Shot shot = GetParam().make();
+  shot.scene.look.shading.enabled = true;
+  // Of a focus of everything, one of these pixels is off by 1.03 without occlusion, too.
+  const double without = worstOfFocusLayer(shot);
+  shot.scene.look.shading.occlusion = 0.9;
+  shot.scene.look.shading.shadow = 0.8;
+  EXPECT_LE(worstOfFocusLayer(shot), std::max(GetParam().colourLimit, without));
 }
 
 INSTANTIATE_TEST_SUITE_P(Method, HardCases, ::testing::ValuesIn(hardCases()),

@@ -32,7 +32,8 @@ using Programs = std::map<std::string, Linked>;
 const std::vector<std::string> blockNames{
     RayBlock::name,          VolumeBlock::name,    TransferBlock::name,      FocusBlock::name,      LightBlock::name,
     IntegralBlock::name,     CutFaceBlock::name,   OpeningCameraBlock::name, DerivativeBlock::name, CutawayBlock::name,
-    ContextLayerBlock::name, CandidateBlock::name, ClipBlock::name,          FaintBlock::name};
+    ContextLayerBlock::name, CandidateBlock::name, ClipBlock::name,          FaintBlock::name,
+    OccludersBlock::name,    OcclusionBlock::name, OcclusionNodesBlock::name};
 
 constexpr std::array schedules{Schedule::Plain, Schedule::Llvmpipe};
 
@@ -108,7 +109,7 @@ TEST_F(ProgramsTest, EveryShaderIsLinkedInSeveralVariants) {
   for (const char* path :
        {"HitPoints.comp", "PullPushAnalysis.comp", "PullPushSynthesis.comp", "FocusMask.comp", "FocusTiles.comp",
         "DistanceRows.comp", "DistanceColumns.comp", "RayStart.comp", "EditMap.comp", "ProtectedLayer.comp",
-        "ContextLayer.comp", "Composite.comp", "CandidateHits.comp", "CandidateOutlines.comp",
+        "ContextLayer.comp", "Composite.comp", "Occluders.comp", "Occlusion.comp", "CandidateHits.comp", "CandidateOutlines.comp",
         "CandidateVisibility.comp", "CandidateEnds.comp"})
     EXPECT_GE(variants[path], 2) << path << ": one for each schedule at least";
   for (const char* path : {"PixelsBetween.comp", "CandidateEdges.comp"}) EXPECT_GE(variants[path], 1) << path;

@@ -104,6 +104,13 @@ inline Scene withFaint(Scene scene) {
   return scene;
 }
 
+/// A body with ambient occlusion and shadows.
+inline Scene occluded(Scene scene) {
+  scene.look.shading.occlusion = 0.8;
+  scene.look.shading.shadow = 0.7;
+  return scene;
+}
+
 /// A body cut by a box and two planes, with faces in grey or as the transfer function shows them.
 inline Scene clipped(Scene scene, bool grey) {
   const Grid& grid = scene.volume->grid;
@@ -204,6 +211,10 @@ inline std::vector<SceneKind> allSceneKinds() {
     if (i % 9 == 0 && kinds[i].name.starts_with("int16") && !faintLabels(kinds[i].scene).any())
       if (Scene faint = withFaint(kinds[i].scene); faintLabels(faint).any())
         kinds.push_back({kinds[i].name + ", faint labels", std::move(faint), kinds[i].view});
+  // Ambient occlusion and shadows with whatever else makes a program another one.
+  for (std::size_t i = 0, all = kinds.size(); i < all; ++i)
+    if (i % 7 == 0 && kinds[i].scene.look.shading.enabled)
+      kinds.push_back({kinds[i].name + ", occlusion", occluded(kinds[i].scene), kinds[i].view});
   std::erase_if(kinds, crashesTheDriver);
   return kinds;
 }

@@ -140,6 +140,26 @@ TEST_F(Window, LightSlidersChangeThePictureAndAreUndone) {
   }
 }
 
+TEST_F(Window, OcclusionAndShadowChangeThePictureAndAreUndone) {
+  waitUntilDrawn();
+  const QImage before = picture(volume(0));
+  const Shading shading = document().look().shading;
+  for (const char* key : {"occlusion", "shadow"}) {
+    auto* slider = window_->findChild<SliderSpin*>(QString::fromUtf8(key));
+    ASSERT_NE(slider, nullptr) << key;
+    EXPECT_EQ(slider->box()->value(), 0.0) << key;
+    slider->box()->setValue(0.8);
+    EXPECT_NE(document().look().shading, shading) << key;
+    waitUntilDrawn();
+    EXPECT_NE(picture(volume(0)), before) << key;
+    document().undoStack().undo();
+    EXPECT_EQ(document().look().shading, shading) << key;
+    EXPECT_EQ(slider->box()->value(), 0.0) << key;
+    waitUntilDrawn();
+    EXPECT_EQ(picture(volume(0)), before) << key;
+  }
+}
+
 TEST_F(Window, TheBackgroundIsChosenAndUndone) {
   waitUntilDrawn();
   const glm::dvec3 before = document().look().background;

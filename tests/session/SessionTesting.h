@@ -62,7 +62,7 @@ inline io::Session fullSession(const std::filesystem::path& folder) {
                                .illuminationWeight = 0.5,
                                .valueWeight = 0.1,
                                .colour = {1.0, 0.0, 0.1}};
-  session.look.shading = {false, 0.1, 0.2, 0.4, 7.0, 33.3, -12.5};
+  session.look.shading = {false, 0.1, 0.2, 0.4, 7.0, 33.3, -12.5, 0.35, 0.85};
   session.look.background = {0.05, 0.06, 0.07};
   session.look.backdrop = Backdrop::Gradient;
   session.look.backgroundTop = {0.5, 0.6, 0.7};

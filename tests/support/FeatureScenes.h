@@ -29,6 +29,7 @@ inline std::vector<FeatureScene> featureScenes(const Scene& base, const ValueFoc
     scene.look.cutaway.borderWidth = 0.0;
     scene.look.cutaway.enabled = true;
     scene.look.shading.enabled = true;
+    scene.look.shading.occlusion = scene.look.shading.shadow = 0.0;
     change(scene);
     kinds.push_back({name, std::move(scene)});
   };
@@ -41,6 +42,11 @@ inline std::vector<FeatureScene> featureScenes(const Scene& base, const ValueFoc
     scene.look.shading.enabled = false;
   });
   add("plain", plain);
+  add("plain, occlusion", [&](Scene& scene) {
+    plain(scene);
+    scene.look.shading.occlusion = 0.6;
+    scene.look.shading.shadow = 0.6;
+  });
   add("labels, no cutaway", [](Scene& scene) { scene.look.cutaway.enabled = false; });
   add("cutaway by value", [&](Scene& scene) {
     scene.look.focus = values;
@@ -53,6 +59,7 @@ inline std::vector<FeatureScene> featureScenes(const Scene& base, const ValueFoc
     scene.look.cutaway.borderWidth = 2.0;
     scene.look.contextLayer.strength = 0.7;
   });
+  add("with occlusion", [](Scene& scene) { scene.look.shading.occlusion = 0.6; });
   add("with a brush stroke", [](Scene& scene) {
     const Grid& grid = scene.volume->grid;
     BrushStroke stroke;

@@ -28,6 +28,8 @@ AppearancePanel::AppearancePanel(Document& document, LookLibrary& library, QWidg
   form->addRow(tr("Light"), makeLightPresets());
   light_.addRow(*form, &Shading::lightAzimuth);
   light_.addRow(*form, &Shading::lightElevation);
+  light_.addRow(*form, &Shading::occlusion);
+  light_.addRow(*form, &Shading::shadow);
   auto* background = new QHBoxLayout;
   background->addWidget(makeColour(&Look::background));
   background->addWidget(makeChoice(&Look::backdrop), 1);

@@ -6,6 +6,7 @@
 
 #include "rendering/Renderer.h"
 #include "rendering/scene/FaintLabels.h"
+#include "rendering/scene/Occlusion.h"
 
 namespace fenestra::viewer {
 namespace {
@@ -89,6 +90,7 @@ ScenePreparation::Kind ScenePreparation::kindOf(const Scene& scene, const View& 
           .faint = faintLabels(scene).any(),
           .lit = look.shading.enabled,
           .cutaway = hasCutaway(scene),
+          .occluded = hasOcclusion(look.shading),
           .contextLayer = look.contextLayer.strength > 0.0,
           .clipped = halfSpaces(look.clipping, scene.volume->grid).empty() ? 0
                      : look.clipping.grey                                  ? 2

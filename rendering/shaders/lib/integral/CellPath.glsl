@@ -185,11 +185,50 @@ float colourError(Medium medium, Segment segment) {
 // The light at the front, in the middle and at the back of a part.
 struct Lights {
   vec2 front, middle, back;
+#if OCCLUDED
+  vec2 openFront, openMiddle, openBack;  // what is left of ambient and of direct light
+#endif
 };
 
 vec2 lightIn(Section section, Ray ray, Cut cut, float x) {
   vec2 light = lightAlong(section.normals, mix(section.uFrom, section.uTo, x), ray.world, section.inFocus);
   return behindCut(light, cut, mix(section.sFrom, section.sTo, x));
+}
+
+#if OCCLUDED
+vec2 openIn(Section section, Ray ray, float x) { return openAt(cellPosition(ray, mix(section.sFrom, section.sTo, x))); }
+
+// A change of slope anywhere between three points, as occlusion has it from cell to cell, makes a parabola through them
+// wrong by at most a sixth of the bend that they show.
+float openError(Lights lights) {
+  vec2 bend = abs(lights.openFront - 2.0 * lights.openMiddle + lights.openBack);
+  return dot(bend, vec2(lighting.ambient, lighting.diffuse + lighting.specular)) * (1.0 / 6.0);
+}
+#else
+float openError(Lights lights) { return 0.0; }
+#endif
+
+// The light at a part's middle and back, behind that of a part before it.
+void lightPart(inout Lights lights, Section section, Ray ray, Cut cut, float from, float to) {
+  lights.middle = lightIn(section, ray, cut, 0.5 * (from + to));
+  lights.back = lightIn(section, ray, cut, to);
+#if OCCLUDED
+  lights.openMiddle = openIn(section, ray, 0.5 * (from + to));
+  lights.openBack = openIn(section, ray, to);
+  lights.middle = occluded(lights.middle, lights.openMiddle);
+  lights.back = occluded(lights.back, lights.openBack);
+#endif
+}
+
+Lights lightsOf(Section section, Ray ray, Cut cut, float from, float to) {
+  Lights lights;
+  lights.front = lightIn(section, ray, cut, from);
+#if OCCLUDED
+  lights.openFront = openIn(section, ray, from);
+  lights.front = occluded(lights.front, lights.openFront);
+#endif
+  lightPart(lights, section, ray, cut, from, to);
+  return lights;
 }
 
 // Estimated error of the light. A parabola through three points is right to 1/30 of its bend where the light's slope has
@@ -214,24 +253,22 @@ vec4 pieceOf(Medium medium, Segment segment, Lights lights) {
 vec4 integratePart(Section section, Ray ray, Cut cut, Part part, float transmittance, float share) {
   float size = (part.to - part.from) * (section.sTo - section.sFrom);
   Medium medium = mediumOf(part, size);
-  Lights lights = Lights(lightIn(section, ray, cut, part.from), lightIn(section, ray, cut, 0.5 * (part.from + part.to)),
-                         lightIn(section, ray, cut, part.to));
+  Lights lights = lightsOf(section, ray, cut, part.from, part.to);
   vec4 result = pieceOf(medium, part.segment, lights);
   // A part's allowed error is its share of the bound, by its opacity or by its length: each sums to at most 1 over the ray.
   float shown = transmittance * result.a, weight = shown / (integral.maxError * max(shown, share));
   vec2 ends = mix(vec2(section.uFrom), vec2(section.uTo), vec2(part.from, part.to));
-  float pieces = max(sqrt(weight * (colourError(medium, part.segment) + lightError(medium, lights))),
+  float pieces = max(sqrt(weight * (colourError(medium, part.segment) + lightError(medium, lights) + openError(lights))),
                      piecesOfLight(section.normals, ends.x, ends.y, section.inFocus, ray.world, weight));
   if (pieces > 1.0) {
     int count = int(ceil(min(pieces, float(MOST_PIECES)))), i = 0;
     result = vec4(0.0);
-    lights.back = lights.front;
     do {
       vec2 u = vec2(i, i + 1) / float(count);
       Part piece = partBetween(part, u.x, u.y);
-      lights = Lights(lights.back, lightIn(section, ray, cut, 0.5 * (piece.from + piece.to)),
-                      lightIn(section, ray, cut, piece.to));
+      lightPart(lights, section, ray, cut, piece.from, piece.to);
       result = over(result, pieceOf(mediumOf(piece, size / float(count)), part.segment, lights));
+      lights.front = lights.back;
     } while (++i < count);
   }
   return result;

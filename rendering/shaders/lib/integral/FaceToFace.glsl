@@ -22,6 +22,9 @@ struct RayPoint {
   float stored;
   Bound bound;   // the value's entry in the tables
   vec3 gated;    // normal
+#if OCCLUDED
+  vec2 open;     // what is left of ambient and of direct light
+#endif
 };
 
 // The state of a ray's walk. No member is a bool: lavapipe refuses local arrays that hold one.
@@ -70,6 +73,9 @@ RayPoint pointOnFace(Walk walk, Face face) {
   point.stored = TEXEL_SCALE * mix(edges.x, edges.y, aside);
   point.gated = mix(mix(gatedAt(voxels[0]), gatedAt(voxels[1]), along),
                     mix(gatedAt(voxels[2]), gatedAt(voxels[3]), along), aside);
+#if OCCLUDED
+  point.open = openAt(cellPosition(walk.ray, face.s));
+#endif
   return point;
 }
 
@@ -84,6 +90,9 @@ RayPoint pointInside(Ray ray, ivec3 cell, float s) {
     vec3 weights = mix(1.0 - w, w, bvec3(cornerOf(i)));
     point.gated += weights.x * weights.y * weights.z * gatedAt(cell - 1 + cornerOf(i));
   }
+#if OCCLUDED
+  point.open = openAt(cellPosition(ray, s));
+#endif
   return point;
 }
 
@@ -94,6 +103,9 @@ RayPoint between(RayPoint front, RayPoint back, float u) {
   point.stored = mix(front.stored, back.stored, u);
   point.bound = boundAt(contextTable(), entryOf(point.stored));
   point.gated = mix(front.gated, back.gated, u);
+#if OCCLUDED
+  point.open = mix(front.open, back.open, u);
+#endif
   return point;
 }
 
@@ -105,7 +117,11 @@ vec4 pieceBetween(Walk walk, RayPoint front, RayPoint back, vec4 material, bool 
   vec3 gated = mix(front.gated, back.gated, u);
   vec2 light = ofFocus ? lightOfFocus(gated, cellPosition(walk.ray, s), walk.ray.world)
                        : lightOfGated(gated, walk.ray.world);
-  return pieceOf(material, size, behindCut(light, walk.cut, s));
+  light = behindCut(light, walk.cut, s);
+#if OCCLUDED
+  light = occluded(light, mix(front.open, back.open, u));
+#endif
+  return pieceOf(material, size, light);
 }
 
 // Half way between two bounds, and in another entry than both where they are two entries apart at least.
@@ -124,6 +140,9 @@ vec4 litHalves(Walk walk, RayPoint front, RayPoint back) {
   vec4 piece = halvesOver(front.bound, back.bound, size);
   float u = centreOfEmission(-log(max(1.0 - piece.a, 1e-6))), s = front.s + u * size;
   vec2 light = behindCut(lightOfGated(mix(front.gated, back.gated, u), walk.ray.world), walk.cut, s);
+#if OCCLUDED
+  light = occluded(light, mix(front.open, back.open, u));
+#endif
   return vec4(piece.rgb * light.x + piece.a * light.y, piece.a);
 }
 

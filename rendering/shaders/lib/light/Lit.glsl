@@ -8,12 +8,14 @@
 //   lightOfFocus      the light at a point of the focus
 //   CellNormals, normalsAlong, addFocusNormals, lightAlong   the same along a path through a cell
 //   NormalsAlong, normalsAlongSpline, halfOf   the same along a path through a spline
+//   openAt, occluded  ambient occlusion and shadow, where OCCLUDED is 1 (lib/light/Occlusion.glsl)
 //   piecesOfLight     into how many pieces the light along such a path has to be cut
 #include <focus>
 #include <schedule>
 #include "lib/Crossing.glsl"
 #include "lib/Volume.glsl"
 #include "lib/light/BlinnPhong.glsl"
+#include "lib/light/Occlusion.glsl"
 
 const bool LIT = true;
 

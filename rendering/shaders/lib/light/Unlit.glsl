@@ -1,5 +1,8 @@
 // No lighting: colours are shown as they are. The interface is that of Lit.glsl.
 
+#undef OCCLUDED
+#define OCCLUDED 0
+
 const bool LIT = false;
 const vec2 UNLIT = vec2(1.0, 0.0);  // shaded colour = colour · x + y
 

@@ -1,0 +1,22 @@
+#include "rendering/gpu/Occluders.h"
+
+namespace fenestra {
+
+bool Occluders::update(const Scene& scene, const Key& key) {
+  const bool wanted = hasOcclusion(scene.look.shading);
+  if (!wanted && !any()) return false;
+  if (wanted && any() && key == key_) return false;
+  release();
+  if (!wanted) return true;
+  cells_ = occluderCells(scene);
+  buffer_ = gl::Buffer(std::as_bytes(std::span(cells_.extinction)));
+  key_ = key;
+  return true;
+}
+
+void Occluders::bind() const {
+  constexpr unsigned cellsBinding = 4;  // of Occluders.comp
+  buffer_.bind(cellsBinding);
+}
+
+}  // namespace fenestra
