@@ -17,7 +17,7 @@ TEST_F(CandidateTest, SmoothedLabelsAgreeWithTheCpu) {
   const Grid grid = obliqueGrid({31, 25, 17});
   Scene scene = labelScene(grid, [&](glm::ivec3 index) { return lobes(grid, index); });
   scene.look.labelSmoothing = LabelSmoothing::Strong;
-  // One view of those, because this one takes the CPU long.
+  // The CPU takes ten seconds for a view of smoothed labels, so one has to do.
   auto directions = someDirections();
   directions.resize(1);
   expectSameAsOnCpu(scene, measure(scene, directions));
