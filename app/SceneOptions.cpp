@@ -344,6 +344,7 @@ void addLook(CLI::App& command, SceneOptions& options) {
         return true;
       });
   addLightPreset(command, look.shading);
+  addSettings(command, look.method);
   addSettings(command, look.cutaway);
   addSettings(command, look.contextLayer);
   addSettings(command, look.shading);

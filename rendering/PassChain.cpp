@@ -14,12 +14,6 @@ namespace {
 /// Of images that may be presented: a draft is smaller than the rectangle it fills.
 constexpr gl::Filter presented = gl::Filter::Linear;
 
-/// A picture-sized image that lasts until the size changes or it is no longer used.
-gl::Texture& sized(gl::Texture& texture, gl::Format format, glm::ivec2 size, gl::Filter filter = gl::Filter::Nearest) {
-  if (!texture || glm::ivec2(texture.size()) != size) texture = gl::Texture::make2D(format, size, filter);
-  return texture;
-}
-
 /// Pixels from one ray that has to be followed to the next: a power of two, no more than a voxel is wide, so that what
 /// the volume holds does not slip through; or else `least`.
 int pitchOf(const Grid& grid, const RayFrame& rays, double least) {
@@ -46,10 +40,6 @@ FocusLayerPass::Sampling inParts(FocusLayerPass::Sampling sampling) {
   return sampling;
 }
 
-/// Distance maps reach this far (rendered pixels) or the next power of two beyond what the widths need: a slider that
-/// moves within it leaves the map as it is.
-constexpr int leastDistanceRange = 64;
-
 /// Fills with zeros all of a picture but one region.
 void clearAround(const gl::Region& region, gl::Texture& picture) {
   const glm::ivec2 size(picture.size()), first = region.origin, end = first + region.size;
@@ -57,14 +47,6 @@ void clearAround(const gl::Region& region, gl::Texture& picture) {
   picture.clear({0, end.y}, {size.x, size.y - end.y});
   picture.clear({0, first.y}, {first.x, region.size.y});
   picture.clear({end.x, first.y}, {size.x - end.x, region.size.y});
-}
-
-int distanceRange(glm::dvec2 widths, glm::ivec2 size) {
-  // Half a pixel more than the border's rim, which is anti-aliased.
-  const double needed = std::min(widths.x + widths.y + 1.0, std::hypot(size.x, size.y));
-  int range = leastDistanceRange;
-  while (range < needed) range *= 2;
-  return range;
 }
 
 Clip clipOf(const Clipping& clipping, const GpuScene& gpu) {
@@ -95,9 +77,10 @@ glm::vec2 PassChain::hitAt(glm::ivec2 pixel) {
 }
 
 glm::dvec2 PassChain::widthsInPixels(const Scene& scene) const {
-  const glm::dvec2 wanted =
-      glm::max(glm::dvec2(scene.look.cutaway.openWidth, scene.look.cutaway.borderWidth), glm::dvec2(0.0));
-  if (scene.look.cutaway.unit == WidthUnit::Pixel) return wanted * pixelScale;
+  const Cutaway& cutaway = scene.look.cutaway;
+  const glm::dvec2 wanted = glm::max(
+      glm::dvec2(stagesOf(scene.look.method).hasWidth ? cutaway.openWidth : 0.0, cutaway.borderWidth), glm::dvec2(0.0));
+  if (cutaway.unit == WidthUnit::Pixel) return wanted * pixelScale;
   const Grid& grid = gpu->grid();
   double depth = rays->depthOf(gpu->focus().centre(grid).value_or(grid.centre()));
   if (!(depth > 0.0)) depth = rays->depthOf(grid.centre());
@@ -124,6 +107,7 @@ void PassChain::begin(const Scene& scene, const View& view) {
   Frame& made = frame.emplace(Frame{.scene = scene, .view = view, .sampling = samplingOf(view, grid, *rays)});
   if (cutFor || gpu->exemptLabels().any()) made.sampling = inParts(made.sampling);
   made.hasCutaway = hasCutaway(scene);
+  if (made.hasCutaway) made.method = stagesOf(scene.look.method);
   made.opening = cutFor;
   made.hasContextLayer = made.hasCutaway && scene.look.contextLayer.strength > 0.0;
   made.startBefore = start.version();
@@ -155,11 +139,10 @@ void PassChain::beginOpening(const OpeningView& view) {
     opening->onlyStarts = true;
     opening->stats = stats;
     // What the stages made for the picture's own camera.
-    pullPushPass.release();
+    dropFill();
+    dropCones();
     distanceMapPass.release();
     releaseEdits();
-    focusFilled = {};
-    fill.forget();
     distance.forget();
     forgetEdited();
   }
@@ -180,9 +163,11 @@ void PassChain::dropOpening() {
 }
 
 void PassChain::beginStage() {
-  constexpr std::array stages{&PassChain::findHitPoints,      &PassChain::fillFocusHits,    &PassChain::mapDistances,
-                              &PassChain::startRays,          &PassChain::occlude,          &PassChain::drawFocusLayer,
-                              &PassChain::drawProtectedLayer, &PassChain::drawContextLayer, &PassChain::compose,
+  constexpr std::array stages{&PassChain::findHitPoints,    &PassChain::shapeOpening,
+                              &PassChain::mapDistances,     &PassChain::startRays,
+                              &PassChain::occlude,          &PassChain::drawFocusLayer,
+                              &PassChain::drawFaintLayer,   &PassChain::drawProtectedLayer,
+                              &PassChain::drawContextLayer, &PassChain::compose,
                               &PassChain::addExempt};
   if (frame->stagesBegun == 0 && !frame->hasCutaway) dropCutaway();
   constexpr std::size_t ofCutaway = 4;  // the first stages, which only a cutaway has
@@ -220,87 +205,6 @@ bool PassChain::advance(std::optional<double> milliseconds) try {
 } catch (...) {
   drop();
   throw;
-}
-
-void PassChain::findHitPoints() {
-  const GpuScene::Versions& version = gpu->versions();
-  const View& view = frame->view;
-  addIfStale(Pass::HitPoints, hits,
-             HitKey{version.volume, version.focus, version.gaps, view.camera, view.size, rays->clip()}, {},
-             [&](Regions) { hitPointPass.run(steps, *gpu, *rays, sized(hitPoints, gl::Format::RG32F, view.size)); });
-}
-
-void PassChain::fillFocusHits() {
-  if (opening) return;
-  addIfStale(Pass::PullPush, fill, FillKey{hits.version()}, {}, [&](Regions) {
-    pullPushPass.run(steps, gpu->schedule(), hitPoints, sized(focusFilled, gl::Format::R32F, rays->size()));
-  });
-}
-
-void PassChain::mapDistances() {
-  if (opening) return;
-  const int range = distanceRange(widths, frame->view.size);
-  addIfStale(Pass::DistanceMap, distance, DistanceKey{hits.version(), range}, {}, [&](Regions) {
-    distanceMapPass.run(steps, gpu->schedule(), hitPoints, range, sized(distances, gl::Format::R32F, frame->view.size));
-  });
-}
-
-void PassChain::startRays() {
-  if (opening) return startRaysApart();
-  const glm::ivec2 size = frame->view.size;
-  const RayStartKey key{hits.version(), fill.version(), distance.version(), widths.x};
-  const RayStartPass::Inputs inputs{hitPoints, focusFilled, distances, widths.x};
-  if (frame->strokes.empty())
-    releaseEdits();
-  else
-    addIfStale(Pass::EditMap, edits, key, frame->changed, [&](Regions regions) {
-      gl::Texture& map = sized(editMap, gl::Format::RG32F, size);
-      editMapPass.run(steps, gpu->schedule(), *rays, inputs, frame->strokes, regions, map);
-    });
-  if (const auto& last = start.key(); last && last->hits == key.hits)
-    frame->moved = std::max(last->openWidth, key.openWidth) + 1.0;
-  addIfStale(
-      Pass::RayStart, start, key, frame->changed,
-      [&](Regions regions) {
-        rayStartPass.run(steps, gpu->schedule(), *rays, inputs, editMap ? &editMap : nullptr, regions,
-                         sized(rayStart, gl::Format::R32F, size));
-      },
-      frame->moved ? nearFocus(*frame->moved) : std::nullopt);
-}
-
-void PassChain::startRaysApart() {
-  const glm::ivec2 size = frame->view.size;
-  const bool holes = !gpu->protectedLabels().any();
-  const RemovedPass::Opening cut{*opening->rays,           opening->hitPoints,
-                                 opening->focusFilled,     opening->distances,
-                                 opening->rayStart,        opening->editMap ? &opening->editMap : nullptr,
-                                 widths.x + widths.y + 1.0};
-  if (!opening->editMap) editMap = {};
-  const glm::dvec3 spacing = gpu->grid().spacing;
-  const double voxel = std::min({spacing.x, spacing.y, spacing.z});
-  addIfStale(Pass::RayStart, removed,
-             RemovedKey{hits.version(), opening->start.version(), *frame->opening, widths,
-                        opening->strokes.value_or(ProjectedStrokes()), holes},
-             {}, [&](Regions) {
-               const RemovedPass::Outputs outputs{sized(rayStart, gl::Format::R32F, size),
-                                                  sized(hole, gl::Format::RG32F, size),
-                                                  sized(distances, gl::Format::R32F, size),
-                                                  cut.editMap ? &sized(editMap, gl::Format::RG32F, size) : nullptr};
-               removedPass.run(steps, gpu->schedule(), *rays, hitPoints, cut, holes, voxel,
-                               sized(faces, gl::Format::RGBA32F, opening->rays->size()), outputs);
-             });
-}
-
-/// A plain volume rendering keeps none of the cutaway's images.
-void PassChain::dropCutaway() {
-  for (gl::Texture* texture : {&hitPoints, &focusFilled, &distances, &rayStart}) *texture = {};
-  pullPushPass.release();
-  distanceMapPass.release();
-  releaseEdits();
-  hits.forget();
-  fill.forget();
-  distance.forget();
-  start.forget();
 }
 
 void PassChain::occlude() {
@@ -370,6 +274,26 @@ void PassChain::drawFocusLayer() {
       onlyMoved ? nearFocus(*frame->moved + reach) : nearVolume);
 }
 
+void PassChain::drawFaintLayer() {
+  if (!(frame->method.faintOpacity > 0.0)) {
+    faintLayer = {};
+    faint.forget();
+    return;
+  }
+  const GpuScene::Versions& version = gpu->versions();
+  const Look& look = frame->scene.look;
+  const ProtectedLayerKey key{start.version(),
+                              opening ? removed.version() : 0,
+                              occlusionVersion(),
+                              version.volume,
+                              0,
+                              version.transfer,
+                              version.gradient,
+                              look.shading,
+                              frame->sampling};
+  drawRemoved(Pass::FaintLayer, faint, key, faintLayer, ProtectedLayerPass::Shown::All);
+}
+
 void PassChain::drawProtectedLayer() {
   if (!frame->hasCutaway || !gpu->protectedLabels().any()) {
     protectedLayer = {};
@@ -383,16 +307,21 @@ void PassChain::drawProtectedLayer() {
                               version.protectedLabels, version.transfer,
                               version.gradient,        look.shading,
                               frame->sampling};
+  drawRemoved(Pass::ProtectedLayer, guard, key, protectedLayer, ProtectedLayerPass::Shown::ProtectedLabels);
+}
+
+void PassChain::drawRemoved(Pass pass, Memo<ProtectedLayerKey>& memo, const ProtectedLayerKey& key,
+                            gl::Texture& texture, ProtectedLayerPass::Shown shown) {
   // Rays farther from the focus start where they did, unless a stroke opened them.
-  const auto part = frame->strokes.empty() && !opening ? nearFocus(widths.x + 1.0) : std::nullopt;
-  const bool anew = part && guard.isStale(key);
+  const auto part = frame->strokes.empty() && opensNearFocus() ? nearFocus(widths.x + 1.0) : std::nullopt;
+  const bool anew = part && memo.isStale(key);
   addIfStale(
-      Pass::ProtectedLayer, guard, key, frame->changed,
+      pass, memo, key, frame->changed,
       [&](Regions regions) {
-        gl::Texture& layer = sized(protectedLayer, gl::Format::RGBA32F, frame->view.size);
+        gl::Texture& layer = sized(texture, gl::Format::RGBA32F, frame->view.size);
         if (anew) clearAround(*part, layer);
-        protectedLayerPass.run(steps, *gpu, look, *rays, {hitPoints, rayStart}, frame->sampling, regions, layer,
-                               occlusionOfFrame());
+        protectedLayerPass.run(steps, *gpu, frame->scene.look, *rays, {hitPoints, rayStart}, frame->sampling, regions,
+                               layer, occlusionOfFrame(), shown);
       },
       part);
 }
@@ -428,6 +357,8 @@ void PassChain::compose() {
                          hasLayer ? std::optional(context.version()) : std::nullopt,
                          hasLayer ? std::optional(gpu->versions().transfer) : std::nullopt,
                          protectedLayer ? std::optional(guard.version()) : std::nullopt,
+                         faintLayer ? std::optional(faint.version()) : std::nullopt,
+                         frame->method,
                          widths,
                          look.cutaway.borderColour,
                          look.contextLayer};
@@ -435,7 +366,7 @@ void PassChain::compose() {
   const auto& last = composite.key();
   const bool sameBelow = last && last->sameBelow(key), stale = composite.isStale(key);
   // Strokes may open anywhere, and so bring protected labels anywhere.
-  const auto part = opening || (protectedLayer && !frame->strokes.empty())
+  const auto part = !opensNearFocus() || ((protectedLayer || faintLayer) && !frame->strokes.empty())
                         ? std::nullopt
                         : nearFocus(std::max(sameBelow ? last->reach() : 0.0, key.reach()));
   addIfStale(
@@ -446,6 +377,7 @@ void PassChain::compose() {
         CompositePass::Inputs inputs{focusLayer, hitPoints, distances, widths};
         if (editMap) inputs.editMap = &editMap;
         if (opening) inputs.rayStart = &rayStart;
+        if (faintLayer) inputs.faintLayer = &faintLayer;
         if (protectedLayer) inputs.protectedLayer = &protectedLayer;
         if (hasLayer) {
           inputs.contextLayer = &contextLayer;

@@ -12,6 +12,7 @@
 #include "rendering/gl/Context.h"
 #include "rendering/gpu/GpuScene.h"
 #include "rendering/passes/CompositePass.h"
+#include "rendering/passes/ConePass.h"
 #include "rendering/passes/ContextLayerPass.h"
 #include "rendering/passes/DistanceMapPass.h"
 #include "rendering/passes/EditMapPass.h"
@@ -27,6 +28,13 @@
 
 namespace fenestra {
 
+/// A picture-sized image that lasts until the size changes or it is no longer used.
+inline gl::Texture& sized(gl::Texture& texture, gl::Format format, glm::ivec2 size,
+                          gl::Filter filter = gl::Filter::Nearest) {
+  if (!texture || glm::ivec2(texture.size()) != size) texture = gl::Texture::make2D(format, size, filter);
+  return texture;
+}
+
 /// Keeps each stage's images from one picture to the next. Needs a current context.
 struct PassChain {
   explicit PassChain(std::shared_ptr<GpuScene> scene) : gpu(std::move(scene)) {}
@@ -35,6 +43,7 @@ struct PassChain {
 
   HitPointPass hitPointPass{gpu->programs()};
   PullPushPass pullPushPass{gpu->programs()};
+  ConePass conePass{gpu->programs()};
   DistanceMapPass distanceMapPass{gpu->programs()};
   EditMapPass editMapPass{gpu->programs()};
   RayStartPass rayStartPass{gpu->programs()};
@@ -46,8 +55,8 @@ struct PassChain {
   CompositePass compositePass{gpu->programs()};
   ExemptPass exemptPass{gpu->programs()};
 
-  gl::Texture hitPoints, focusFilled, distances, editMap, rayStart, focusLayer, protectedLayer, contextLayer,
-      silhouette, composed, exempted;
+  gl::Texture hitPoints, focusFilled, coneStart, distances, editMap, rayStart, focusLayer, faintLayer, protectedLayer,
+      contextLayer, silhouette, composed, exempted;
   gl::Texture pickedHit;
   gl::Texture faces, hole;    ///< of RemovedPass
   gl::Buffer occlusionNodes;  ///< of OcclusionPass; empty without ambient occlusion and shadows
@@ -58,12 +67,13 @@ struct PassChain {
 
   Memo<HitKey> hits;
   Memo<FillKey> fill;
+  Memo<ConeKey> cones;
   Memo<DistanceKey> distance;
   Memo<RayStartKey> edits, start;
   Memo<RemovedKey> removed;
   Memo<OcclusionKey> occlusion;
   Memo<FocusLayerKey> focus;
-  Memo<ProtectedLayerKey> guard;
+  Memo<ProtectedLayerKey> faint, guard;
   Memo<ContextLayerKey> context;
   Memo<CompositeKey> composite;
   Memo<ExemptKey> exempt;
@@ -84,6 +94,7 @@ struct PassChain {
     View view;
     FocusLayerPass::Sampling sampling;
     bool hasCutaway = false, hasContextLayer = false;
+    MethodStages method{};
     std::optional<OpeningView> opening{};  ///< cut by another camera
     ProjectedStrokes strokes{};
     std::vector<gl::Region> changed{};  ///< where strokes changed
@@ -104,14 +115,20 @@ struct PassChain {
 
   // Stages 1 to 7 of the method, and the brush: each adds its steps. A stage is begun when the one before is done.
   void findHitPoints();
+  /// The filled focus hits or the cones, as the method has it.
+  void shapeOpening();
   void fillFocusHits();
+  void standCones();
   void mapDistances();
   void startRays();
   /// Instead of the last three, where another camera cuts the opening.
   void startRaysApart();
   void occlude();
   void drawFocusLayer();
+  void drawFaintLayer();
   void drawProtectedLayer();
+  void drawRemoved(Pass pass, Memo<ProtectedLayerKey>& memo, const ProtectedLayerKey& key, gl::Texture& texture,
+                   ProtectedLayerPass::Shown shown);
   void drawContextLayer();
   void compose();
   void addExempt();
@@ -150,6 +167,20 @@ struct PassChain {
     });
   }
 
+  void dropFill() {
+    focusFilled = {};
+    pullPushPass.release();
+    fill.forget();
+  }
+  void dropCones() {
+    coneStart = {};
+    conePass.release();
+    cones.forget();
+  }
+  /// Whether the opening lies within w_open of the focus's projection, but for strokes.
+  bool opensNearFocus() const { return !opening && frame->method.start == MethodStages::Start::Blend; }
+  /// Of the camera that cuts the opening: the deepest that rays of its picture start, beside the focus's projection.
+  const gl::Texture& cutSurface() const { return coneStart ? coneStart : focusFilled; }
   void releaseEdits() {
     editMap = {};
     editMapPass.release();
@@ -161,6 +192,7 @@ struct PassChain {
     start.forget();
     occlusion.forget();
     focus.forget();
+    faint.forget();
     guard.forget();
     composite.forget();
     exempt.forget();

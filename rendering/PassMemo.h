@@ -7,6 +7,7 @@
 
 #include "rendering/gpu/RayFrame.h"
 #include "rendering/gpu/StrokeLines.h"
+#include "rendering/passes/ConePass.h"
 #include "rendering/passes/FocusLayerPass.h"
 #include "rendering/passes/OcclusionPass.h"
 #include "rendering/scene/Scene.h"
@@ -43,13 +44,19 @@ struct FillKey {
   std::uint64_t hits;
   bool operator==(const FillKey&) const = default;
 };
+struct ConeKey {
+  std::uint64_t hits;
+  ConePass::Cones cones;
+  bool operator==(const ConeKey&) const = default;
+};
 struct DistanceKey {
   std::uint64_t hits;
+  std::uint64_t cones;  ///< whose opening the distance is to; 0: to the focus's projection
   int range;
   bool operator==(const DistanceKey&) const = default;
 };
 struct RayStartKey {
-  std::uint64_t hits, fill, distance;
+  std::uint64_t hits, fill, distance, cones;  ///< 0 for what does not decide on the starts
   double openWidth;
   bool operator==(const RayStartKey&) const = default;
 };
@@ -85,6 +92,7 @@ struct FocusLayerKey {
   Clip clip;
   bool operator==(const FocusLayerKey&) const = default;
 };
+/// Of the faint layer, too, which depends on no labels.
 struct ProtectedLayerKey {
   std::uint64_t rayStart, removed, occlusion, volume, protectedLabels, transfer, gradient;
   Shading shading;
@@ -110,7 +118,8 @@ struct ExemptKey {
 struct CompositeKey {
   std::uint64_t focusLayer;
   std::uint64_t distance;
-  std::optional<std::uint64_t> contextLayer, ownColours, protectedLayer;
+  std::optional<std::uint64_t> contextLayer, ownColours, protectedLayer, faintLayer;
+  MethodStages method;
   glm::dvec2 widths;
   glm::dvec3 borderColour;
   ContextLayer look;
@@ -118,7 +127,7 @@ struct CompositeKey {
   /// Whether both lay something over the same picture.
   bool sameBelow(const CompositeKey& other) const {
     return focusLayer == other.focusLayer && distance == other.distance && contextLayer == other.contextLayer &&
-           protectedLayer == other.protectedLayer;
+           protectedLayer == other.protectedLayer && faintLayer == other.faintLayer && method == other.method;
   }
   double reach() const { return widths.x + widths.y + 1.0; }  ///< rendered pixels around the focus, its rim included
 };

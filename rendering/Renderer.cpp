@@ -10,8 +10,8 @@ namespace fenestra {
 
 std::string_view nameOf(Pass pass) {
   constexpr std::array<std::string_view, passCount> names{
-      "hit points",  "pull-push",       "distance map",  "edit map",  "ray start",    "occlusion",
-      "focus layer", "protected layer", "context layer", "composite", "exempt labels"};
+      "hit points",  "pull-push",   "cones",           "distance map",  "edit map",  "ray start",    "occlusion",
+      "focus layer", "faint layer", "protected layer", "context layer", "composite", "exempt labels"};
   return names[static_cast<std::size_t>(pass)];
 }
 
@@ -140,6 +140,10 @@ Layers Renderer::readLayers() {
   }
   layers.focusLayer.resize(count);
   s.focusLayer.readInto(std::span(layers.focusLayer));
+  if (s.faintLayer) {
+    layers.faintLayer.resize(count);
+    s.faintLayer.readInto(std::span(layers.faintLayer));
+  }
   if (s.protectedLayer) {
     layers.protectedLayer.resize(count);
     s.protectedLayer.readInto(std::span(layers.protectedLayer));
@@ -196,11 +200,11 @@ const std::array<PassStats, passCount>& Renderer::stats() const { return *chain_
 namespace {
 
 std::size_t imageBytesOf(const PassChain& s) {
-  std::size_t sum = s.pullPushPass.bytes() + s.distanceMapPass.bytes() + s.editMapPass.bytes() +
+  std::size_t sum = s.pullPushPass.bytes() + s.conePass.bytes() + s.distanceMapPass.bytes() + s.editMapPass.bytes() +
                     s.focusLayerPass.bytes() + s.occlusionPass.bytes() + s.occlusionNodes.bytes();
   for (const gl::Texture* texture :
-       {&s.hitPoints, &s.focusFilled, &s.distances, &s.editMap, &s.rayStart, &s.focusLayer, &s.protectedLayer,
-        &s.contextLayer, &s.silhouette, &s.composed, &s.exempted, &s.pickedHit, &s.faces, &s.hole})
+       {&s.hitPoints, &s.focusFilled, &s.coneStart, &s.distances, &s.editMap, &s.rayStart, &s.focusLayer, &s.faintLayer,
+        &s.protectedLayer, &s.contextLayer, &s.silhouette, &s.composed, &s.exempted, &s.pickedHit, &s.faces, &s.hole})
     if (*texture) sum += texture->bytes();
   return s.opening ? sum + imageBytesOf(*s.opening) : sum;
 }

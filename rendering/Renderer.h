@@ -20,26 +20,30 @@ struct PassChain;
 enum class Pass : std::uint8_t {
   HitPoints,
   PullPush,
+  Cones,
   DistanceMap,
   EditMap,
   RayStart,
   Occlusion,
   FocusLayer,
+  FaintLayer,
   ProtectedLayer,
   ContextLayer,
   Composite,
   Exempt
 };
-inline constexpr std::size_t passCount = 11;
+inline constexpr std::size_t passCount = 13;
 std::string_view nameOf(Pass pass);
 
 /// Row-major from the top of the picture; t in mm along the pixel's ray (see Camera), NaN where there is nothing.
 struct Layers {
   glm::ivec2 size{0};
   std::vector<float> tContext, tFocus, tFocusFilled, tStart;
-  std::vector<float> distance;            ///< px, 0 inside the focus projection, +inf beyond w_open + w_border
+  std::vector<float> distance;            ///< px, 0 inside the focus projection (the opening, where cones cut
+                                          ///< it), +inf beyond w_open + w_border
   std::vector<glm::vec2> edits;           ///< of brush strokes: EditMapPass's output
   std::vector<glm::vec4> focusLayer;      ///< premultiplied RGBA
+  std::vector<glm::vec4> faintLayer;      ///< premultiplied RGBA of all that is removed, before it is made faint
   std::vector<glm::vec4> protectedLayer;  ///< premultiplied RGBA, in front of the focus layer
   std::vector<glm::vec4> contextLayer;    ///< κ1, κ2 (1/mm), illumination, value (real units)
   std::vector<glm::vec4> final;           ///< premultiplied RGBA

@@ -57,6 +57,7 @@ void writeLayers(const fs::path& folder, const Layers& layers, const View& view,
   if (!layers.edits.empty())
     io::writeLayer(folder / "edit_map.mha", layers.size, 2, {&layers.edits[0].x, layers.edits.size() * 2});
   writeLayer(folder, "focus_layer", layers.size, layers.focusLayer);
+  writeLayer(folder, "faint_layer", layers.size, layers.faintLayer);
   writeLayer(folder, "protected_layer", layers.size, layers.protectedLayer);
   writeLayer(folder, "context_layer", layers.size, layers.contextLayer);
   writeLayer(folder, "final", layers.size, layers.final);
@@ -82,6 +83,7 @@ Layers referenceLayers(const Scene& scene, const View& view) {
   for (std::size_t i = 0; i < stages.editOffset.size(); ++i)
     layers.edits.emplace_back(stages.editOffset[i], stages.editFactor[i]);
   layers.focusLayer = colours(picture.focusLayer);
+  layers.faintLayer = colours(picture.faintLayer);
   layers.protectedLayer = colours(picture.protectedLayer);
   layers.contextLayer = colours(picture.contextLayer);
   layers.final = colours(picture.final);

@@ -22,6 +22,7 @@ void settings(auto& io, Object& object) {
   });
 }
 
+void members(auto& io, io::json::Is<Method> auto& method) { settings(io, method); }
 void members(auto& io, io::json::Is<Cutaway> auto& cutaway) { settings(io, cutaway); }
 void members(auto& io, io::json::Is<ContextLayer> auto& layer) { settings(io, layer); }
 void members(auto& io, io::json::Is<Shading> auto& shading) { settings(io, shading); }
@@ -155,6 +156,7 @@ void members(auto& io, io::json::Is<Clipping> auto& clipping) {
 
 /// What the files of sessions and of presets share.
 void partMembers(auto& io, io::json::Is<Look> auto& look) {
+  io("method", look.method);
   io("cutaway", look.cutaway);
   io("context_layer", look.contextLayer);
   io("shading", look.shading);
@@ -162,8 +164,8 @@ void partMembers(auto& io, io::json::Is<Look> auto& look) {
 }
 
 void members(auto& io, io::json::Is<Look> auto& look) {
-  auto& [focus, labels, focusAppearance, context, cutaway, contextLayer, shading, background, backdrop, backgroundTop,
-         hideTable, reconstruction, labelSmoothing, clipping, strokes] = look;
+  auto& [focus, labels, focusAppearance, context, method, cutaway, contextLayer, shading, background, backdrop,
+         backgroundTop, hideTable, reconstruction, labelSmoothing, clipping, strokes] = look;
   focusMember(io, focus);
   io.optional("label_settings", labels, !labels.empty(), {},
               {"How labels of the label map are shown, ascending by label; those that are shown as they come are left "

@@ -123,6 +123,13 @@ struct alignas(16) OpeningCameraBlock {
   float nearest;
 };
 
+/// shaders/lib/Cones.glsl.
+struct alignas(16) ConeBlock {
+  static constexpr const char* name = "ConeBlock";
+  glm::ivec2 origin, size;
+  float slope, perDepth;
+};
+
 /// shaders/lib/Curvature.glsl.
 struct alignas(16) DerivativeBlock {
   static constexpr const char* name = "DerivativeBlock";

@@ -15,15 +15,30 @@ ContextLayerBlock blockOf(const ContextLayer& layer, const DerivativeVolume& der
           static_cast<float>(derivative.spacing)};
 }
 
+/// As the shader numbers them.
+int faintKind(Sparseness sparseness) {
+  switch (sparseness) {
+    case Sparseness::Opacity:
+      break;
+    case Sparseness::Colour:
+      return 2;
+    case Sparseness::ScreenDoor:
+      return 3;
+  }
+  return 1;
+}
+
 }  // namespace
 
 void CompositePass::run(Steps& steps, const GpuScene& gpu, const Inputs& inputs, const Look& look, Regions regions,
                         gl::Texture& picture) {
-  steps.add(regions, [this, &gpu, inputs, &look, &picture](Regions tile) {
+  const MethodStages method = stagesOf(look.method);
+  steps.add(regions, [this, &gpu, inputs, method, &look, &picture](Regions tile) {
     const bool hasLayer = inputs.contextLayer != nullptr;
     gl::ShaderProgram& program = programs_.get({{{"CONTEXT_LAYER", hasLayer},
                                                  {"EDITED", inputs.editMap != nullptr},
                                                  {"PROTECTED", inputs.protectedLayer != nullptr},
+                                                 {"FAINT", inputs.faintLayer ? faintKind(method.sparseness) : 0},
                                                  {"APART", inputs.rayStart != nullptr},
                                                  tableDefine()},
                                                 {scheduleChoice(gpu.schedule())}});
@@ -32,6 +47,10 @@ void CompositePass::run(Steps& steps, const GpuScene& gpu, const Inputs& inputs,
     program.bind("distances", inputs.distances);
     if (inputs.editMap) program.bind("editMap", *inputs.editMap);
     if (inputs.protectedLayer) program.bind("protectedLayer", *inputs.protectedLayer);
+    if (inputs.faintLayer) {
+      program.bind("faintLayer", *inputs.faintLayer);
+      program.set("faintOpacity", static_cast<float>(method.faintOpacity));
+    }
     if (inputs.rayStart && hasLayer) program.bind("rayStart", *inputs.rayStart);
     program.set(CutawayBlock{glm::vec2(inputs.widths), glm::vec3(look.cutaway.borderColour)});
     if (hasLayer) {

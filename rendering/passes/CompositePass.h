@@ -23,6 +23,7 @@ class CompositePass {
     const gl::Texture* silhouette = nullptr;
     const gl::Texture* editMap = nullptr;         ///< of brush strokes
     const gl::Texture* protectedLayer = nullptr;  ///< in front of the focus layer
+    const gl::Texture* faintLayer = nullptr;      ///< all that is removed, between the two, as stagesOf() has it
     const gl::Texture* rayStart = nullptr;        ///< where another camera cuts the opening; see RemovedPass
   };
   /// Writes premultiplied RGBA32F without background.

@@ -3,7 +3,7 @@
 namespace fenestra {
 
 void DistanceMapPass::run(Steps& steps, Schedule schedule, const gl::Texture& hitPoints, int range,
-                          gl::Texture& distances) {
+                          gl::Texture& distances, const gl::Texture* starts) {
   const glm::ivec2 size(hitPoints.size());
   if (!rows_ || glm::ivec2(rows_.size()) != size) {
     mask_ = gl::Texture::make2D(gl::Format::R32UI, {(size.x + 31) / 32, size.y});
@@ -11,9 +11,10 @@ void DistanceMapPass::run(Steps& steps, Schedule schedule, const gl::Texture& hi
     rows_ = gl::Texture::make2D(gl::Format::R16UI, size);
   }
   const gl::Variant variant{{}, {scheduleChoice(schedule)}};
-  steps.add(glm::ivec2(mask_.size()), [this, variant, &hitPoints](Regions tile) {
-    gl::ShaderProgram& mask = maskProgram_.get(variant);
+  steps.add(glm::ivec2(mask_.size()), [this, schedule, &hitPoints, starts](Regions tile) {
+    gl::ShaderProgram& mask = maskProgram_.get({{{"OPENED", starts != nullptr}}, {scheduleChoice(schedule)}});
     mask.bind("hitPoints", hitPoints);
+    if (starts) mask.bind("starts", *starts);
     mask.bind("focusMask", mask_, gl::Access::Write);
     mask.dispatch(tile);
   });

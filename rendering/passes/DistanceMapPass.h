@@ -1,5 +1,5 @@
 #pragma once
-// Stage 3: exact Euclidean distance in pixels from every pixel to the focus projection.
+// Stage 3: exact Euclidean distance in pixels from every pixel to the focus projection, or to the opening.
 
 #include "rendering/gl/ShaderProgram.h"
 #include "rendering/gl/Texture.h"
@@ -20,8 +20,11 @@ class DistanceMapPass {
         columnProgram_("DistanceColumns.comp", programs) {}
   static constexpr float beyond = 1e30f;  ///< value of pixels farther than the range
 
-  /// Reads the y component of `hitPoints` (RG32F), writes `distances` (R32F). `range` in pixels, ≥ 0.
-  void run(Steps& steps, Schedule schedule, const gl::Texture& hitPoints, int range, gl::Texture& distances);
+  /// Reads `hitPoints` (RG32F), writes `distances` (R32F). `range` in pixels, ≥ 0. With `starts` (R32F), where rays
+  /// start before the brush, the distance is that to all that is opened: to pixels that meet the focus, and to those
+  /// whose rays start behind the context's first hit.
+  void run(Steps& steps, Schedule schedule, const gl::Texture& hitPoints, int range, gl::Texture& distances,
+           const gl::Texture* starts = nullptr);
   std::size_t bytes() const { return mask_.bytes() + tiles_.bytes() + rows_.bytes(); }
   /// Drops the intermediate images.
   void release() {

@@ -1,5 +1,6 @@
 #pragma once
-// Stage 5, in front of the focus layer: labels that are never cut away.
+// Stage 5, in front of the focus layer: labels that are never cut away, or all that the opening removes, for methods
+// that keep it faint.
 
 #include "rendering/gl/ShaderProgram.h"
 #include "rendering/gl/Texture.h"
@@ -17,16 +18,18 @@ namespace fenestra {
 ///
 /// where I is the trilinearly interpolated 0/1 indicator of the protected labels. The picture under the context's edges
 /// is P over the focus layer. So a protected vessel crosses the opening as it looks outside of it, and what lies
-/// between it and the focus stays removed. Rays that the opening leaves as they are have no P.
+/// between it and the focus stays removed. Rays that the opening leaves as they are have no P. All that is removed is
+/// the same integral without the indicator.
 class ProtectedLayerPass {
  public:
   explicit ProtectedLayerPass(const gl::SharedPrograms& programs = std::make_shared<gl::ComputePrograms>())
       : programs_("ProtectedLayer.comp", programs) {}
+  enum class Shown : std::uint8_t { ProtectedLabels, All };
   /// Writes P, premultiplied RGBA32F, cell by cell: within half of the sampling's bound on the error of a colour, or
-  /// where it has none, of four times its tolerance. `gpu` has protected labels.
+  /// where it has none, of four times its tolerance. For ProtectedLabels, `gpu` has some.
   void run(Steps& steps, const GpuScene& gpu, const Look& look, const RayFrame& rays,
            const FocusLayerPass::Opening& opening, const FocusLayerPass::Sampling& sampling, Regions regions,
-           gl::Texture& protectedLayer, const gl::Buffer* occlusion = nullptr);
+           gl::Texture& protectedLayer, const gl::Buffer* occlusion = nullptr, Shown shown = Shown::ProtectedLabels);
 
  private:
   gl::ShaderVariants programs_;

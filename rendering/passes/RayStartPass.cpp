@@ -4,6 +4,10 @@ namespace fenestra {
 
 void RayStartPass::Inputs::bind(gl::ShaderProgram& program) const {
   program.bind("hitPoints", hitPoints);
+  if (given) {
+    program.bind("givenStart", *given);
+    return;
+  }
   program.bind("focusFilled", focusFilled);
   program.bind("distances", distances);
   program.set("openWidth", static_cast<float>(openWidth));
@@ -12,7 +16,8 @@ void RayStartPass::Inputs::bind(gl::ShaderProgram& program) const {
 void RayStartPass::run(Steps& steps, Schedule schedule, const RayFrame& rays, const Inputs& inputs,
                        const gl::Texture* editMap, Regions regions, gl::Texture& rayStart) {
   steps.add(regions, [this, schedule, &rays, inputs, editMap, &rayStart](Regions tile) {
-    gl::ShaderProgram& program = programs_.get({{{"EDITED", editMap != nullptr}, rays.clipDefine()}, {scheduleChoice(schedule)}});
+    gl::ShaderProgram& program = programs_.get(
+        {{{"EDITED", editMap != nullptr}, inputs.define(), rays.clipDefine()}, {scheduleChoice(schedule)}});
     rays.setBlocks(program);
     inputs.bind(program);
     if (editMap) program.bind("editMap", *editMap);

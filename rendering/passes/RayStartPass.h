@@ -20,9 +20,11 @@ class RayStartPass {
     const gl::Texture& hitPoints;
     const gl::Texture& focusFilled;
     const gl::Texture& distances;
-    double openWidth;  ///< rendered pixels
+    double openWidth;                    ///< rendered pixels
+    const gl::Texture* given = nullptr;  ///< R32F: the starts before the brush, in place of what follows from the rest
 
     /// For shaders/lib/opening/RayStart.glsl.
+    gl::Define define() const { return {"GIVEN_START", given != nullptr}; }
     void bind(gl::ShaderProgram& program) const;
   };
   /// `editMap` is EditMapPass's, or null without strokes. Writes R32F.

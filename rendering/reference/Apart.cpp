@@ -36,7 +36,7 @@ class Opening {
     const glm::dvec3 spacing = scene.volume->grid.spacing;
     voxel_ = std::min({spacing.x, spacing.y, spacing.z});
     const double reach = widths_.open + widths_.border + 1.0;
-    distance_ = distanceMap(stages_.hits.tFocus, size_, reach);
+    distance_ = distanceMap(openedBy(stages_), size_, reach);
     for (double& distance : distance_) distance = std::min(distance, reach);
     if (perspective()) {
       const Grid& grid = scene.volume->grid;
@@ -79,7 +79,7 @@ class Opening {
       const double found = bilinear(point, [&](std::size_t at, double perTime) { return times[at] * perTime; });
       return std::isnan(found) ? -infinity : found;
     };
-    const double deepest = std::max(depth(stages_.tFocusFilled), depth(stages_.hits.tContext)) + behind * voxel_;
+    const double deepest = std::max(depth(surface()), depth(stages_.hits.tContext)) + behind * voxel_;
     if (!(depthOf(point) <= deepest)) return infinity;
     const double distance = bilinear(point, [&](std::size_t at, double) { return distance_[at]; });
     return distance < 0.5 ? 0.0 : distance;
@@ -91,6 +91,8 @@ class Opening {
   static glm::dvec3 pointAt(const Ray& ray, double t) { return ray.origin + t * ray.direction; }
 
  private:
+  /// Beside the focus's projection: the deepest that rays of the opening's picture start.
+  const Image& surface() const { return stages_.tCones.empty() ? stages_.tFocusFilled : stages_.tCones; }
   bool perspective() const { return camera_.projection == Projection::Perspective; }
   double depthOf(glm::dvec3 point) const { return glm::dot(point - camera_.eye, axes_.forward); }
   /// mm on a plane of depth 1 (perspective), or on any, from the middle to the top of the picture.
@@ -228,7 +230,8 @@ Stages geometricStages(const Scene& scene, const View& view) {
       hasCutaway(scene) ? openingOf(view, scene.look.cutaway, focusCentre(scene)) : std::nullopt;
   if (!cut) return geometricStages(scene, view.camera, view.size, view.pixelScale);
   const Opening opening(scene, *cut);
-  const bool holes = labelsWith(LabelRole::Protected, scene).empty();
+  // A layer in front of the picture holds what is removed at the ray's start alone.
+  const bool holes = labelsWith(LabelRole::Protected, scene).empty() && stagesOf(scene.look.method).faintOpacity == 0.0;
   Stages stages;
   stages.hits = hitPoints(scene, view.camera, view.size);
   stages.tStart = stages.hits.tContext;

@@ -164,7 +164,8 @@ Image rayStart(const HitPoints& hits, const Image& tFocusFilled, const Image& di
 Widths widthsInPixels(const Scene& scene, const Camera& camera, glm::ivec2 size, double pixelScale) {
   const double scale =
       scene.look.cutaway.unit == WidthUnit::Pixel ? pixelScale : pixelsPerMillimetre(scene, camera, size);
-  return {scene.look.cutaway.openWidth * scale, scene.look.cutaway.borderWidth * scale};
+  const double open = stagesOf(scene.look.method).hasWidth ? scene.look.cutaway.openWidth : 0.0;
+  return {open * scale, scene.look.cutaway.borderWidth * scale};
 }
 
 glm::dvec3 focusCentre(const Scene& scene) {
@@ -180,9 +181,13 @@ Stages geometricStages(const Scene& scene, const Camera& camera, glm::ivec2 size
   stages.tStart = stages.hits.tContext;
   if (!hasCutaway(scene)) return stages;
   const Widths widths = widthsInPixels(scene, camera, size, pixelScale);
-  stages.tFocusFilled = fill(stages.hits.tFocus, size);
-  stages.distance = distanceMap(stages.hits.tFocus, size, widths.open + widths.border);
-  stages.tStart = rayStart(stages.hits, stages.tFocusFilled, stages.distance, widths.open);
+  const MethodStages method = stagesOf(scene.look.method);
+  if (method.start == MethodStages::Start::Cones)
+    stages.tStart = stages.tCones = coneStart(stages.hits, camera, size, method.slope, method.onSilhouette);
+  else
+    stages.tFocusFilled = fill(stages.hits.tFocus, size);
+  stages.distance = distanceMap(openedBy(stages), size, widths.open + widths.border);
+  if (stages.tCones.empty()) stages.tStart = rayStart(stages.hits, stages.tFocusFilled, stages.distance, widths.open);
   if (std::any_of(scene.look.strokes.begin(), scene.look.strokes.end(), isEffective)) {
     Edits made = edits(scene.look.strokes, camera, size, stages.hits, stages.tStart);
     stages.tStart = std::move(made.tStart);

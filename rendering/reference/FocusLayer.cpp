@@ -434,6 +434,16 @@ FocusLayer integrated(const Medium& medium, const std::vector<CutRay>& rays, dou
   return layer;
 }
 
+/// The parts of rays between the context's first hit and where they start to see.
+std::vector<CutRay> removedOf(std::vector<CutRay> rays, const Image& tContext) {
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    rays[i].span = std::isnan(tContext[i]) ? Span{1.0, 0.0} : Span{tContext[i], rays[i].span.tIn};
+    rays[i].wall = glm::dvec3(0.0);
+    rays[i].grey.reset();
+  }
+  return rays;
+}
+
 }  // namespace
 
 FocusLayer focusLayer(const Scene& scene, const Camera& camera, const std::vector<CutRay>& rays, double tolerance,
@@ -443,14 +453,17 @@ FocusLayer focusLayer(const Scene& scene, const Camera& camera, const std::vecto
 
 FocusLayer protectedLayer(const Scene& scene, const Camera& camera, const std::vector<CutRay>& rays,
                           const Image& tContext, double tolerance, const Occlusion* occlusion) {
-  std::vector<CutRay> removed = rays;
-  for (std::size_t i = 0; i < removed.size(); ++i) {
-    removed[i].span = std::isnan(tContext[i]) ? Span{1.0, 0.0} : Span{tContext[i], removed[i].span.tIn};
-    removed[i].wall = glm::dvec3(0.0);
-    removed[i].grey.reset();
-  }
-  return integrated(Medium::ofLabels(scene, camera, labelsWith(LabelRole::Protected, scene), occlusion), removed,
-                    tolerance);
+  return integrated(Medium::ofLabels(scene, camera, labelsWith(LabelRole::Protected, scene), occlusion),
+                    removedOf(rays, tContext), tolerance);
+}
+
+FocusLayer removedLayer(const Scene& scene, const Camera& camera, const std::vector<CutRay>& rays,
+                        const Image& tContext, double tolerance, const Occlusion* occlusion) {
+  // The opening never removes any of the focus.
+  Scene unfocused = scene;
+  unfocused.look.focus = {};
+  const Medium medium(scene, camera, FocusField(unfocused), occlusion);
+  return integrated(medium, removedOf(rays, tContext), tolerance);
 }
 
 ExemptLayers exemptLayers(const Scene& scene, const Camera& camera, const std::vector<CutRay>& rays, double tolerance,

@@ -36,6 +36,10 @@ struct FocusLayer {
 FocusLayer protectedLayer(const Scene& scene, const Camera& camera, const std::vector<CutRay>& rays,
                           const Image& tContext, double tolerance, const Occlusion* occlusion = nullptr);
 
+/// All that the opening removes: the same integral of the context, without regard to labels.
+FocusLayer removedLayer(const Scene& scene, const Camera& camera, const std::vector<CutRay>& rays,
+                        const Image& tContext, double tolerance, const Occlusion* occlusion = nullptr);
+
 /// What clipping leaves out of the scene's exempt labels, before and behind what it keeps of each ray; see
 /// rendering/passes/ExemptPass.h.
 struct ExemptLayers {

@@ -113,6 +113,15 @@ std::vector<CutRay> cutRays(const Scene& scene, const Camera& camera, glm::ivec2
 /// Premultiplied `front` over `behind`.
 glm::dvec4 over(glm::dvec4 front, glm::dvec4 behind) { return front + (1.0 - front.a) * behind; }
 
+/// What shows of a colour that the opening removes, where the method keeps it faint.
+glm::dvec4 madeFaint(glm::dvec4 colour, const MethodStages& method, glm::ivec2 pixel) {
+  colour *= faintShare(method.sparseness, method.faintOpacity, pixel.x, pixel.y);
+  if (method.sparseness != Sparseness::Colour) return colour;
+  // Luminance after ITU-R BT.709.
+  const double grey = glm::dot(glm::dvec3(colour), glm::dvec3(0.2126, 0.7152, 0.0722));
+  return {glm::dvec3(grey), colour.a};
+}
+
 /// Opacity of the context layer: both terms rise steeply, so that edges come out as lines. `factor` is the brush's.
 double contextOpacity(const ContextLayer& look, const ContextPoint& point, double scale, double factor) {
   const double bend = std::sqrt(0.5 * (point.k1 * point.k1 + point.k2 * point.k2)) * scale;
@@ -153,7 +162,10 @@ Picture picture(const Scene& scene, const Camera& camera, glm::ivec2 size, const
   const std::vector<CutRay> cut = cutRays(scene, camera, size, cutaway ? &stages : nullptr, pixels);
   const bool guarded = cutaway && !labelsWith(LabelRole::Protected, scene).empty();
   // Of each of two layers, and half of what is left beside exempt labels.
-  const double tolerance = options.tolerance * (guarded ? 0.5 : 1.0) * (scene.look.clipping.exempt.empty() ? 1.0 : 0.5);
+  const MethodStages method = stagesOf(scene.look.method);
+  const bool hasFaint = cutaway && method.faintOpacity > 0.0;
+  const double tolerance = options.tolerance * (guarded || hasFaint ? (guarded && hasFaint ? 0.25 : 0.5) : 1.0) *
+                           (scene.look.clipping.exempt.empty() ? 1.0 : 0.5);
   std::optional<Occlusion> occlusion;
   if (hasOcclusion(scene.look.shading)) occlusion.emplace(scene, camera, size, cutaway ? &stages : nullptr);
   const Occlusion* const occluded = occlusion ? &*occlusion : nullptr;
@@ -165,10 +177,19 @@ Picture picture(const Scene& scene, const Camera& camera, glm::ivec2 size, const
 
   Picture result;
   result.final = layer.colour;
+  Image firstHits;
+  if (guarded || hasFaint)
+    for (const glm::ivec2 pixel : pixels) firstHits.push_back(stages.hits.tContext[offset(size, pixel)]);
+  if (hasFaint) {
+    FocusLayer front = removedLayer(scene, camera, cut, firstHits, tolerance, occluded);
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+      result.final[i] = over(madeFaint(front.colour[i], method, pixels[i]), result.final[i]);
+      layer.error[i] += front.error[i];
+    }
+    result.faintLayer = std::move(front.colour);
+  }
   if (guarded) {
-    Image tContext;
-    for (const glm::ivec2 pixel : pixels) tContext.push_back(stages.hits.tContext[offset(size, pixel)]);
-    FocusLayer front = protectedLayer(scene, camera, cut, tContext, tolerance, occluded);
+    FocusLayer front = protectedLayer(scene, camera, cut, firstHits, tolerance, occluded);
     for (std::size_t i = 0; i < pixels.size(); ++i) {
       result.final[i] = over(front.colour[i], result.final[i]);
       layer.error[i] += front.error[i];
@@ -202,8 +223,8 @@ Picture picture(const Scene& scene, const Camera& camera, glm::ivec2 size, const
   if (cutaway && scene.look.cutaway.borderWidth > 0.0) {
     const Widths widths = stages.apart ? stages.apart->widths : widthsInPixels(scene, camera, size, options.pixelScale);
     // The border's rim is filtered over one pixel, so it shows half a pixel beyond the border.
-    const Image distance = stages.apart ? stages.apart->distance
-                                        : distanceMap(stages.hits.tFocus, size, widths.open + widths.border + 1.0);
+    const Image distance =
+        stages.apart ? stages.apart->distance : distanceMap(openedBy(stages), size, widths.open + widths.border + 1.0);
     for (std::size_t i = 0; i < pixels.size(); ++i) {
       const std::size_t at = offset(size, pixels[i]);
       if (std::isnan(stages.hits.tContext[at])) continue;

@@ -4,10 +4,10 @@
 //
 // Colour is the emission-absorption integral along each pixel's ray (Max, TVCG 1995, equation 5),
 //   C = ∫ T(t) κ(f(t)) c(f(t)) shade(t) dt,  T(t) = exp(-∫ κ dt),  A = 1 - T(t_out),
-// with f the reconstruction of the voxels' values (trilinear, or a spline; see Field.h), κ and c the piecewise linear transfer function itself. Each
-// ray is cut at cell faces, where f meets a node of the transfer function and at the surface of the focus; in between κ
-// is a polynomial, so optical depth is exact, and colour is integrated by Gauss-Kronrod rules that halve their interval
-// until the tolerance is met.
+// with f the reconstruction of the voxels' values (trilinear, or a spline; see Field.h), κ and c the piecewise linear
+// transfer function itself. Each ray is cut at cell faces, where f meets a node of the transfer function and at the
+// surface of the focus; in between κ is a polynomial, so optical depth is exact, and colour is integrated by
+// Gauss-Kronrod rules that halve their interval until the tolerance is met.
 //
 // NaN and infinite values count as in hitPoints().
 
@@ -28,6 +28,7 @@ struct PictureOptions {
 /// One element a pixel, in the order of PictureOptions::pixels.
 struct Picture {
   std::vector<glm::dvec4> focusLayer;      ///< premultiplied RGBA
+  std::vector<glm::dvec4> faintLayer;      ///< the same of all that the opening removes; empty unless it stays faint
   std::vector<glm::dvec4> protectedLayer;  ///< the same, in front of it; empty without an opening or protected labels
   /// κ1 ≥ κ2 (1/mm, positive where the surface bends away from lower values), illumination, value (real units); NaN
   /// where there is no surface to draw. Empty when the scene has no context layer.

@@ -64,6 +64,10 @@ Image distanceMap(const Image& tFocus, glm::ivec2 size, double range);
 /// around it; tContext elsewhere. Within [tContext, tOut]; NaN where the ray meets nothing.
 Image rayStart(const HitPoints& hits, const Image& tFocusFilled, const Image& distance, double openWidth);
 
+/// Stage 4 of the methods that stand cones on the focus (rendering/passes/ConePass.h): `slope` and `onSilhouette` as in
+/// MethodStages. The focus hit where the ray meets the focus; NaN where it meets nothing.
+Image coneStart(const HitPoints& hits, const Camera& camera, glm::ivec2 size, double slope, bool onSilhouette);
+
 /// w_open and w_border in rendered pixels, whatever unit the scene gives them in. Millimetres are measured at the depth
 /// of the centre of the focus's bounding box (of its voxels, or of the cells that hold its values); of the volume's
 /// centre when there is no focus before the camera.
@@ -89,9 +93,12 @@ struct Apart {
 struct Stages {
   HitPoints hits;
   Image tFocusFilled, distance, tStart;
+  Image tCones;  ///< where the method stands cones, in place of tFocusFilled: the starts before the brush
   Image editOffset, editFactor;
   std::optional<Apart> apart;  ///< where another camera cuts the opening
 };
+/// What the border runs around: known where the ray meets the focus, or a cone opens it.
+Image openedBy(const Stages& stages);
 Stages geometricStages(const Scene& scene, const Camera& camera, glm::ivec2 size, double pixelScale = 1.0);
 /// The same of a view, whose opening may be frozen or have an axis offset. Where another camera cuts the opening,
 /// tFocusFilled, distance and editOffset stay empty.

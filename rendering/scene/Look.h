@@ -14,6 +14,7 @@
 #include "rendering/scene/Focus.h"
 #include "rendering/scene/LabelSettings.h"
 #include "rendering/scene/LabelSmoothing.h"
+#include "rendering/scene/Method.h"
 #include "rendering/scene/Reconstruction.h"
 #include "rendering/scene/TransferFunction.h"
 
@@ -62,6 +63,7 @@ struct Look {
   LabelSettings labels;  ///< of the label map; empty until one is changed
   FocusAppearance focusAppearance;
   ContextFunction context;
+  Method method;  ///< how the context is opened, where the cutaway is on
   Cutaway cutaway;
   ContextLayer contextLayer;
   Shading shading;

@@ -59,6 +59,35 @@ constexpr auto wordsOf(WidthUnit) {
   return std::to_array<Word<WidthUnit>>(
       {{WidthUnit::Pixel, "px", "pixels"}, {WidthUnit::Millimetre, "mm", "millimetres at the focus"}});
 }
+constexpr auto wordsOf(MethodKind) {
+  return std::to_array<Word<MethodKind>>(
+      {{MethodKind::Adaptive, "adaptive", "Adaptive cutaway",
+        "An opening around the focus that rises to the surface over a width that you choose: the method of this "
+        "program"},
+       {MethodKind::Cone, "cone", "Cone cutaway",
+        "A funnel around everything in focus, which widens towards you at one angle: the deeper the focus lies, the "
+        "wider the opening (Burns and Finkelstein 2008)"},
+       {MethodKind::Importance, "importance", "Importance-driven",
+        "What hides the focus gives way to it because the focus is more important: it is removed, or stays faint "
+        "(Viola, "
+        "Kanitsar and Gröller 2004)"}});
+}
+constexpr auto wordsOf(ImportanceMode) {
+  return std::to_array<Word<ImportanceMode>>(
+      {{ImportanceMode::Maximum, "maximum", "Removed",
+        "What hides the focus is removed, in a cone that widens from the focus's outline towards you (maximum "
+        "importance "
+        "projection)"},
+       {ImportanceMode::Average, "average", "Faint",
+        "What hides the focus stays, but faint (average importance compositing)"}});
+}
+constexpr auto wordsOf(Sparseness) {
+  return std::to_array<Word<Sparseness>>(
+      {{Sparseness::Opacity, "opacity", "See-through", "Less opaque, in its own colours"},
+       {Sparseness::Colour, "colour", "Grey", "Less opaque, and grey, so that the colours are the focus's alone"},
+       {Sparseness::ScreenDoor, "screen-door", "Dotted",
+        "As it is on a few pixels in an even pattern, and left out on the others"}});
+}
 constexpr auto wordsOf(BrushMode) {
   return std::to_array<Word<BrushMode>>(
       {{BrushMode::Restore, "restore", "Restore", "Brings back what the opening removed"},
@@ -113,6 +142,48 @@ constexpr Word<E> wordOf(E value) {
 /// All settings of `Owner`, in the order in which files and panels show them; empty for other structs.
 template <class Owner>
 inline constexpr std::tuple settingsOf{};
+
+template <>
+inline constexpr std::tuple settingsOf<Method>{
+    Setting(
+        &Method::kind,
+        {.key = "kind", .option = "--method", .name = "Method", .description = "How the view is opened to the focus"}),
+    Setting(&Method::coneAngle,
+            {.key = "cone_angle",
+             .option = "--cone-angle",
+             .name = "Cone's angle",
+             .description = "Angle between the axis and the wall of the cone cutaway's cones: more opens wider",
+             .unit = "°",
+             .range = {1.0, 85.0},
+             .slider = {5.0, 75.0},
+             .step = 1.0}),
+    Setting(&Method::importance, {.key = "importance",
+                                  .option = "--importance",
+                                  .name = "What hides the focus",
+                                  .description = "What the importance-driven method does with what hides the focus"}),
+    Setting(
+        &Method::importanceAngle,
+        {.key = "importance_angle",
+         .option = "--importance-angle",
+         .name = "Widening",
+         .description = "Angle at which the importance-driven opening widens from the focus's outline towards the eye",
+         .unit = "°",
+         .range = {1.0, 85.0},
+         .slider = {1.0, 60.0},
+         .step = 1.0}),
+    Setting(
+        &Method::importanceOpacity,
+        {.key = "importance_opacity",
+         .option = "--importance-opacity",
+         .name = "Opacity left",
+         .description = "Factor of the opacity of what hides the focus, where the importance-driven method keeps it "
+                        "faint; 0 removes it",
+         .range = fraction,
+         .step = 0.05}),
+    Setting(&Method::sparseness, {.key = "sparseness",
+                                  .option = "--importance-sparseness",
+                                  .name = "Faint how",
+                                  .description = "How what hides the focus is made faint"})};
 
 template <>
 inline constexpr std::tuple settingsOf<Cutaway>{

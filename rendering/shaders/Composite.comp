@@ -25,6 +25,22 @@ TEXELS_2D(rg32f, editMap);
 // A sampler under either schedule: with it, the images would be more than the eight that OpenGL guarantees.
 uniform sampler2D protectedLayer;
 #endif
+// What the opening removes stays faint: 1 less opaque, 2 also grey, 3 on some of the pixels.
+#if FAINT
+uniform sampler2D faintLayer;
+uniform float faintOpacity;
+
+#if FAINT == 3
+// Bayer's matrix of 8×8 (rendering/scene/Method.h).
+float faintShare(ivec2 pixel) {
+  int odd = pixel.x ^ pixel.y, rank = 0;
+  for (int bit = 0; bit < 3; ++bit) rank = (rank << 2) | (((odd >> bit) & 1) << 1) | ((pixel.y >> bit) & 1);
+  return (float(rank) + 0.5) / 64.0 < faintOpacity ? 1.0 : 0.0;
+}
+#else
+float faintShare(ivec2 pixel) { return faintOpacity; }
+#endif
+#endif
 #if APART
 uniform sampler2D rayStart;
 #endif
@@ -48,6 +64,13 @@ void main() {
   ivec2 pixel = regionPixel();
   if (any(greaterThanEqual(pixel, imageSize(picture)))) return;
   vec4 result = texelOf(focusLayer, pixel);
+#if FAINT
+  vec4 faint = texelFetch(faintLayer, pixel, 0) * faintShare(pixel);
+#if FAINT == 2
+  faint.rgb = vec3(dot(faint.rgb, vec3(0.2126, 0.7152, 0.0722)));  // ITU-R BT.709
+#endif
+  result = faint + (1.0 - faint.a) * result;
+#endif
 #if PROTECTED
   vec4 front = texelFetch(protectedLayer, pixel, 0);
   result = front + (1.0 - front.a) * result;

@@ -1,5 +1,5 @@
 // Stage 5, in front of the focus layer: what the opening removes of the labels that are never cut away, as part of the
-// context. `<focus>` is their index here. Output: premultiplied RGBA.
+// context, where `<focus>` is their index; or all that it removes. Output: premultiplied RGBA.
 #include <integral>
 #include <opening>
 #include "lib/PixelRay.glsl"

@@ -58,6 +58,7 @@ void addAppearance(Digest& digest, const Scene& scene) {
     forEachSetting<Part>([&](const auto& setting) { digest.add(part.*setting.member); });
   };
   add(scene.look.focusAppearance);
+  add(scene.look.method);
   add(scene.look.cutaway);
   add(scene.look.contextLayer);
   add(scene.look.shading);

@@ -48,6 +48,8 @@ TEST_F(CommandLine, WrongUsageExitsWithTwo) {
       {"render", "--phantom", "head", "--light", "0,91", "-o", png},
       {"render", "--phantom", "head", "--context-layer", "1.5", "-o", png},
       {"render", "--phantom", "head", "--cutaway", "maybe", "-o", png},
+      {"render", "--phantom", "head", "--method", "scissors", "-o", png},
+      {"render", "--phantom", "head", "--importance-sparseness", "none", "-o", png},
       {"render", "--phantom", "head", "--background", "1,2,3", "-o", png},
       {"render", "--phantom", "head", "--backdrop", "ramp", "-o", png},
       {"render", "--phantom", "head", "--light-preset", "chalk", "-o", png},
@@ -94,12 +96,13 @@ TEST_F(CommandLine, OptionsOfSettingsAreAsDeclared) {
       }
     });
   };
+  check(Method{});
   check(Cutaway{});
   check(ContextLayer{});
   check(Shading{});
   check(ValueFocus{});
   check(Look{});
-  EXPECT_EQ(options, 23);
+  EXPECT_EQ(options, 29);
   EXPECT_TRUE(nothingLeftBehind());
 }
 

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "rendering/reference/Picture.h"
+#include "rendering/scene/Settings.h"
 #include "tests/gl/GlTest.h"
 
 namespace fenestra::tests {
@@ -387,6 +388,51 @@ TEST_P(HardCases, withOcclusionAndShadow) {
   shot.scene.look.shading.occlusion = 0.9;
   shot.scene.look.shading.shadow = 0.8;
   EXPECT_LE(worstOfFocusLayer(shot), std::max(GetParam().colourLimit, without));
+}
+
+/// Ray starts and 1000 pixels of a picture of high quality.
+void expectOpenedAsByReference(const Shot& shot, double limit) {
+  Renderer renderer(std::make_shared<GpuScene>());
+  renderer.render(shot.scene, {shot.camera, shot.size, 1.0, Quality::High});
+  const Layers layers = renderer.readLayers();
+  reference::Stages stages;
+  const Some some = someOf(shot.size, 1000);
+  if (hasCutaway(shot.scene)) {
+    // From the renderer's own hits, as in expectStagesMatch(): on silhouettes rounding decides where they are.
+    stages = reference::geometricStages(shot.scene, shot.camera, shot.size);
+    stages.hits.tContext = widened(layers.tContext);
+    stages.hits.tFocus = widened(layers.tFocus);
+    const MethodStages method = stagesOf(shot.scene.look.method);
+    double greatest = 0.0;
+    for (const double t : stages.hits.tContext)
+      if (std::isfinite(t)) greatest = std::max(greatest, t);
+    // A voxel's length, and what float32 makes of t itself.
+    const double voxel = finestSpacing(shot.scene.volume->grid) + greatest * 1.2e-7 * 1e3;
+    const reference::Image start =
+        method.start == MethodStages::Start::Cones
+            ? reference::coneStart(stages.hits, shot.camera, shot.size, method.slope, method.onSilhouette)
+            : reference::rayStart(stages.hits, reference::fill(stages.hits.tFocus, shot.size),
+                                  reference::distanceMap(stages.hits.tFocus, shot.size, 1.0), 0.0);
+    const StageErrors errors = compareMaps(layers.tStart, start, voxel);
+    EXPECT_LE(errors.max(), 2e-3) << "ray start";
+    EXPECT_EQ(errors.onlyHere + errors.onlyReference, 0u);
+    stages.tStart = widened(layers.tStart);
+    if (!stages.tCones.empty()) stages.tCones = stages.tStart;
+  }
+  const reference::Picture truth = reference::picture(shot.scene, shot.camera, shot.size, stages, some.options);
+  expectSound(truth, some.options.tolerance);
+  EXPECT_LE(worstColour(layers.final, truth.final, some.pixels), limit) << "final";
+}
+
+TEST_P(HardCases, withEachMethod) {
+  Shot shot = GetParam().make();
+  for (const Method& method :
+       {Method{.kind = MethodKind::Cone}, Method{.kind = MethodKind::Importance},
+        Method{.kind = MethodKind::Importance, .importance = ImportanceMode::Average, .importanceOpacity = 0.3}}) {
+    SCOPED_TRACE(std::string(wordOf(method.kind).word) + ", " + wordOf(method.importance).word);
+    shot.scene.look.method = method;
+    expectOpenedAsByReference(shot, GetParam().colourLimit);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Method, HardCases, ::testing::ValuesIn(hardCases()),

@@ -111,6 +111,21 @@ inline Scene occluded(Scene scene) {
   return scene;
 }
 
+/// Every way of another method than the adaptive cutaway to open a body, by name.
+inline std::vector<std::pair<std::string, Method>> otherMethods() {
+  const auto average = [](Sparseness sparseness) {
+    return Method{.kind = MethodKind::Importance,
+                  .importance = ImportanceMode::Average,
+                  .importanceOpacity = 0.3,
+                  .sparseness = sparseness};
+  };
+  return {{"cone", {.kind = MethodKind::Cone}},
+          {"maximum importance", {.kind = MethodKind::Importance}},
+          {"average importance", average(Sparseness::Opacity)},
+          {"average importance, grey", average(Sparseness::Colour)},
+          {"average importance, screen door", average(Sparseness::ScreenDoor)}};
+}
+
 /// A body cut by a box and two planes, with faces in grey or as the transfer function shows them.
 inline Scene clipped(Scene scene, bool grey) {
   const Grid& grid = scene.volume->grid;
@@ -215,6 +230,16 @@ inline std::vector<SceneKind> allSceneKinds() {
   for (std::size_t i = 0, all = kinds.size(); i < all; ++i)
     if (i % 7 == 0 && kinds[i].scene.look.shading.enabled)
       kinds.push_back({kinds[i].name + ", occlusion", occluded(kinds[i].scene), kinds[i].view});
+  // Other methods, in turns, with whatever else makes a program another one.
+  const auto methods = otherMethods();
+  for (std::size_t i = 0, all = kinds.size(), next = 0; i < all; i += 7) {
+    if (!hasCutaway(kinds[i].scene)) continue;
+    const auto& [name, method] = methods[next++ % methods.size()];
+    SceneKind other = kinds[i];
+    other.name += ", " + name;
+    other.scene.look.method = method;
+    kinds.push_back(std::move(other));
+  }
   std::erase_if(kinds, crashesTheDriver);
   return kinds;
 }

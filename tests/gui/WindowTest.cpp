@@ -80,13 +80,15 @@ int expectSlidersAsDeclared(const QWidget& panel) {
     EXPECT_EQ(slider->slider()->maximum(), std::lround((setting.slider.high - setting.slider.low) / setting.step));
     EXPECT_EQ(slider->toolTip(), QString::fromUtf8(setting.description)) << setting.key;
   });
-  EXPECT_EQ(panel.findChildren<SliderSpin*>().size(), sliders) << "one each";
   return sliders;
 }
 
 TEST_F(Window, SlidersAreThoseOfTheDeclaredSettings) {
   EXPECT_EQ(expectSlidersAsDeclared<Cutaway>(panel<CutawayPanel>()), 3);
+  EXPECT_EQ(expectSlidersAsDeclared<Method>(panel<CutawayPanel>()), 3);
+  EXPECT_EQ(panel<CutawayPanel>().findChildren<SliderSpin*>().size(), 6) << "one each";
   EXPECT_EQ(expectSlidersAsDeclared<ContextLayer>(panel<ContextLayerPanel>()), 5);
+  EXPECT_EQ(panel<ContextLayerPanel>().findChildren<SliderSpin*>().size(), 5) << "one each";
 }
 
 TEST_F(Window, ATypedFocusValueIsOneStepAndUndoneFromItsBox) {

@@ -155,6 +155,7 @@ TEST_F(SessionCommand, RendersASessionAsTheOptionsThatMadeIt) {
                                              {"--shading", "off"},
                                              {"--light", "70,-20"},
                                              {"--cutaway", "off"},
+                                             {"--method", "cone"},
                                              {"--quality", "normal"},
                                              {"--transfer-function", "ct-angio"},
                                              {"--focus-range", "900:3000"},

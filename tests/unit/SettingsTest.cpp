@@ -37,6 +37,7 @@ struct Three {
 static_assert(memberCount<Three>() == 3);
 
 // A new member must be declared in rendering/scene/Settings.h, or be one of those that are no settings.
+static_assert(declared<Method> == memberCount<Method>());
 static_assert(declared<Cutaway> == memberCount<Cutaway>());
 static_assert(declared<ContextLayer> == memberCount<ContextLayer>());
 static_assert(declared<Shading> == memberCount<Shading>());
@@ -44,13 +45,13 @@ static_assert(declared<FocusAppearance> + 1 == memberCount<FocusAppearance>(), "
 static_assert(declared<ValueFocus> + 1 == memberCount<ValueFocus>(), "all but the range");
 static_assert(declared<ContextFunction> + 3 == memberCount<ContextFunction>(), "all but the function and its source");
 static_assert(declared<BrushStroke> + 1 == memberCount<BrushStroke>(), "all but the anchors");
-static_assert(declared<Look> + 9 == memberCount<Look>(),
+static_assert(declared<Look> + 10 == memberCount<Look>(),
               "all but the parts above, the focus, the labels, clipping and the strokes");
 
 template <class T>
 class SettingsOf : public testing::Test {};
-using Owners =
-    testing::Types<Cutaway, ContextLayer, Shading, FocusAppearance, ValueFocus, ContextFunction, Look, BrushStroke>;
+using Owners = testing::Types<Method, Cutaway, ContextLayer, Shading, FocusAppearance, ValueFocus, ContextFunction,
+                              Look, BrushStroke>;
 TYPED_TEST_SUITE(SettingsOf, Owners);
 
 TYPED_TEST(SettingsOf, HaveDefaultsAndSlidersInTheirRanges) {
@@ -88,6 +89,7 @@ TEST(Settings, OptionsAreNamedOnce) {
       EXPECT_TRUE(options.insert(setting.option).second) << setting.option;
     });
   };
+  collect(Method{});
   collect(Cutaway{});
   collect(ContextLayer{});
   collect(Shading{});

@@ -174,7 +174,8 @@ void Document::show(Look look) {
   const Look& now = this->look();
   const bool focus = now.focus != before.focus || now.focusAppearance != before.focusAppearance;
   const bool context = now.context != before.context;
-  const bool cutaway = now.cutaway != before.cutaway || now.contextLayer != before.contextLayer;
+  const bool cutaway =
+      now.method != before.method || now.cutaway != before.cutaway || now.contextLayer != before.contextLayer;
   const bool shading = now.shading != before.shading, strokes = now.strokes != before.strokes;
   const bool labels = now.labels != before.labels, clipping = now.clipping != before.clipping;
   const bool scene = focus || labels || context || cutaway || shading || clipping ||

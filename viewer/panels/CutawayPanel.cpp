@@ -28,12 +28,21 @@ CutawayPanel::CutawayPanel(Document& document, QWidget* parent)
     : QWidget(parent),
       document_(document),
       controls_(document, &Look::cutaway),
+      methodControls_(document, &Look::method),
       enabled_(controls_.box(&Cutaway::enabled)),
       openWidth_(controls_.slider(&Cutaway::openWidth)),
       borderWidth_(controls_.slider(&Cutaway::borderWidth)),
       axisOffset_(controls_.slider(&Cutaway::axisOffset)),
       axisDirection_(controls_.spin(&Cutaway::axisDirection, 15.0)),
       axis_(new QHBoxLayout),
+      importance_(new QHBoxLayout),
+      form_(new QFormLayout(this)),
+      method_(methodControls_.choice(&Method::kind)),
+      importanceMode_(methodControls_.choice(&Method::importance)),
+      sparseness_(methodControls_.choice(&Method::sparseness)),
+      coneAngle_(methodControls_.slider(&Method::coneAngle)),
+      importanceAngle_(methodControls_.slider(&Method::importanceAngle)),
+      importanceOpacity_(methodControls_.slider(&Method::importanceOpacity)),
       look_(new QComboBox),
       unit_(controls_.choice(&Cutaway::unit)),
       colour_(controls_.colour(&Cutaway::borderColour)) {
@@ -41,9 +50,10 @@ CutawayPanel::CutawayPanel(Document& document, QWidget* parent)
   look_->setPlaceholderText(tr("own"));
   look_->setToolTip(tr("Ready-made border and context edges"));
 
-  auto* form = new QFormLayout(this);
+  QFormLayout* form = form_;
   const auto name = [](const auto& setting) { return translated(setting.name); };
   form->addRow(enabled_);
+  addMethod(*form);
   form->addRow(name(settingOf(&Cutaway::openWidth)), openWidth_);
   auto* border = new QHBoxLayout;
   border->addWidget(borderWidth_, 1);
@@ -65,6 +75,17 @@ CutawayPanel::CutawayPanel(Document& document, QWidget* parent)
   show();
 }
 
+void CutawayPanel::addMethod(QFormLayout& form) {
+  const auto name = [](const auto& setting) { return translated(setting.name); };
+  form.addRow(name(settingOf(&Method::kind)), method_);
+  form.addRow(name(settingOf(&Method::coneAngle)), coneAngle_);
+  importance_->addWidget(importanceMode_, 1);
+  importance_->addWidget(sparseness_, 1);
+  form.addRow(name(settingOf(&Method::importance)), importance_);
+  form.addRow(name(settingOf(&Method::importanceAngle)), importanceAngle_);
+  form.addRow(name(settingOf(&Method::importanceOpacity)), importanceOpacity_);
+}
+
 void CutawayPanel::addFreeze(QAction* freeze) {
   auto* button = new QToolButton;
   button->setDefaultAction(freeze);
@@ -82,6 +103,28 @@ void CutawayPanel::show() {
   for (QWidget* widget : std::initializer_list<QWidget*>{look_, openWidth_, borderWidth_, axisOffset_, unit_, colour_})
     widget->setEnabled(cutaway.enabled);
   axisDirection_->setEnabled(cutaway.enabled && cutaway.axisOffset > 0.0);
+  showMethod();
+}
+
+void CutawayPanel::showMethod() {
+  methodControls_.show();
+  const Method& method = document_.look().method;
+  const bool open = document_.look().cutaway.enabled, byImportance = method.kind == MethodKind::Importance;
+  const bool removes = method.importance == ImportanceMode::Maximum;
+  form_->setRowVisible(coneAngle_, method.kind == MethodKind::Cone);
+  form_->setRowVisible(importance_, byImportance);
+  form_->setRowVisible(importanceAngle_, byImportance && removes);
+  form_->setRowVisible(importanceOpacity_, byImportance && !removes);
+  sparseness_->setVisible(byImportance && !removes);
+  method_->setToolTip(translated(wordOf(method.kind).description));
+  for (QWidget* widget : std::initializer_list<QWidget*>{method_, coneAngle_, importanceMode_, sparseness_,
+                                                         importanceAngle_, importanceOpacity_})
+    widget->setEnabled(open);
+  // A width that the method does not have stays in sight, and says why it cannot be moved.
+  const bool hasWidth = stagesOf(method).hasWidth;
+  openWidth_->setEnabled(open && hasWidth);
+  openWidth_->setToolTip(hasWidth ? translated(settingOf(&Cutaway::openWidth).description)
+                                  : tr("This method has no width of its own: the focus and the angle decide on it"));
 }
 
 }  // namespace fenestra::viewer

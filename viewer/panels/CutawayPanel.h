@@ -1,5 +1,6 @@
 #pragma once
-// The opening around the focus and its border. It is low and never scrolls, so that both widths are always in sight.
+// How the view is opened to the focus: the method, its opening and its border. It is low and never scrolls, so that
+// both widths are always in sight.
 
 #include <QWidget>
 
@@ -17,14 +18,20 @@ class CutawayPanel : public QWidget {
   void addFreeze(QAction* freeze);
 
  private:
+  void addMethod(QFormLayout& form);
   void show();
+  void showMethod();
 
   Document& document_;
   LookControls<Cutaway> controls_;
+  LookControls<Method> methodControls_;
   QCheckBox* enabled_;
   SliderSpin *openWidth_, *borderWidth_, *axisOffset_;
   QDoubleSpinBox* axisDirection_;
-  QHBoxLayout* axis_;
+  QHBoxLayout *axis_, *importance_;
+  QFormLayout* form_;
+  QComboBox *method_, *importanceMode_, *sparseness_;
+  SliderSpin *coneAngle_, *importanceAngle_, *importanceOpacity_;
   QComboBox *look_, *unit_;
   ColourButton* colour_;
 };

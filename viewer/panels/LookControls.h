@@ -64,7 +64,10 @@ class LookControls {
   QComboBox* choice(E Part::*member) {
     const auto& setting = settingOf(member);
     auto* choice = new QComboBox;
-    for (const Word<E>& word : wordsOf(E{})) choice->addItem(translated(word.name), static_cast<int>(word.value));
+    for (const Word<E>& word : wordsOf(E{})) {
+      choice->addItem(translated(word.name), static_cast<int>(word.value));
+      if (*word.description) choice->setItemData(choice->count() - 1, translated(word.description), Qt::ToolTipRole);
+    }
     const auto show = [=](E value) { choice->setCurrentIndex(choice->findData(static_cast<int>(value))); };
     QObject::connect(choice, &QComboBox::activated, &document_, [this, choice, &setting](int row) {
       set(setting, static_cast<E>(choice->itemData(row).toInt()));

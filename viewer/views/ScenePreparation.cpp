@@ -18,6 +18,15 @@ double seenHeight(const Camera& camera) {
              : 2.0 * glm::distance(camera.eye, camera.target) * std::tan(glm::radians(camera.verticalFov) * 0.5);
 }
 
+/// What of a method decides on programs.
+Method programsOf(const Method& method) {
+  Method result;
+  result.kind = method.kind;
+  result.importance = method.importance;
+  result.sparseness = method.sparseness;
+  return result;
+}
+
 /// A few voxels of CT with a focus of the kind: what draws them draws a patient.
 Scene sampleScene(const Focus& kind) {
   constexpr int side = 16;
@@ -90,6 +99,7 @@ ScenePreparation::Kind ScenePreparation::kindOf(const Scene& scene, const View& 
           .faint = faintLabels(scene).any(),
           .lit = look.shading.enabled,
           .cutaway = hasCutaway(scene),
+          .method = hasCutaway(scene) ? programsOf(look.method) : Method(),
           .occluded = hasOcclusion(look.shading),
           .contextLayer = look.contextLayer.strength > 0.0,
           .clipped = halfSpaces(look.clipping, scene.volume->grid).empty() ? 0

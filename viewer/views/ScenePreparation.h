@@ -52,6 +52,7 @@ class ScenePreparation {
     std::size_t focus = 0;
     bool manyLabels = false, smoothed = false, byValue = false, protects = false, faint = false, lit = false,
          cutaway = false;
+    Method method{};        ///< of it, without its numbers
     bool occluded = false;  ///< ambient occlusion or shadows
     bool contextLayer = false;
     int clipped = 0;        ///< 2: with grey faces

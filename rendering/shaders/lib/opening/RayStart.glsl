@@ -1,8 +1,13 @@
-// Stage 4 without the brush: where a ray starts to see.
+// Stage 4 without the brush: where a ray starts to see. With GIVEN_START, as another pass has found it.
 #include <schedule>
 #include "lib/None.glsl"
 
 TEXELS_2D(rg32f, hitPoints);
+#if GIVEN_START
+TEXELS_2D(r32f, givenStart);
+
+float uneditedStart(ivec2 pixel, vec2 hit, float sOut) { return texelOf(givenStart, pixel).r; }
+#else
 TEXELS_2D(r32f, focusFilled);
 TEXELS_2D(r32f, distances);
 uniform float openWidth;  // rendered pixels
@@ -18,3 +23,4 @@ float uneditedStart(ivec2 pixel, vec2 hit, float sOut) {
   }
   return clamp(start, hit.x, max(hit.x, sOut));
 }
+#endif

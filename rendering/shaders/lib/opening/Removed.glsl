@@ -1,12 +1,12 @@
-// What the opening removes: rays run from the context's first hit to where stage 4 lets them start, and show the labels
-// that are never cut away, alone (the interface is described in Closed.glsl).
+// What the opening removes: rays run from the context's first hit to where stage 4 lets them start, and show all of it, or with
+// LABELS_ALONE the labels that are never cut away (the interface is described in Closed.glsl).
 #include <schedule>
 #include "lib/PixelRay.glsl"
 
 // Not as images, of which a shader may have eight: they are read once a ray.
 uniform sampler2D rayStart, hitPoints;
 
-const bool ONLY_FOCUS = true;
+const bool ONLY_FOCUS = LABELS_ALONE == 1;
 
 struct Cut {
   float start;   // mm along the ray

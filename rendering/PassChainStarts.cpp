@@ -1,0 +1,130 @@
+// Stages 1 to 4 of the chain: where rays meet context and focus, and where they start to see. Which of them run, the
+// scene's method says (rendering/scene/Method.h).
+
+#include <algorithm>
+#include <cmath>
+
+#include "rendering/PassChain.h"
+
+namespace fenestra {
+namespace {
+
+/// Distance maps reach this far (rendered pixels) or the next power of two beyond what the widths need: a slider that
+/// moves within it leaves the map as it is.
+constexpr int leastDistanceRange = 64;
+
+int distanceRange(glm::dvec2 widths, glm::ivec2 size) {
+  // Half a pixel more than the border's rim, which is anti-aliased.
+  const double needed = std::min(widths.x + widths.y + 1.0, std::hypot(size.x, size.y));
+  int range = leastDistanceRange;
+  while (range < needed) range *= 2;
+  return range;
+}
+
+}  // namespace
+
+void PassChain::findHitPoints() {
+  const GpuScene::Versions& version = gpu->versions();
+  const View& view = frame->view;
+  addIfStale(Pass::HitPoints, hits,
+             HitKey{version.volume, version.focus, version.gaps, view.camera, view.size, rays->clip()}, {},
+             [&](Regions) { hitPointPass.run(steps, *gpu, *rays, sized(hitPoints, gl::Format::RG32F, view.size)); });
+}
+
+void PassChain::shapeOpening() {
+  if (opening) return;
+  if (frame->method.start == MethodStages::Start::Cones) {
+    dropFill();
+    standCones();
+  } else {
+    dropCones();
+    fillFocusHits();
+  }
+}
+
+void PassChain::fillFocusHits() {
+  addIfStale(Pass::PullPush, fill, FillKey{hits.version()}, {}, [&](Regions) {
+    pullPushPass.run(steps, gpu->schedule(), hitPoints, sized(focusFilled, gl::Format::R32F, rays->size()));
+  });
+}
+
+void PassChain::standCones() {
+  const ConePass::Cones wanted{frame->method.slope, frame->method.onSilhouette};
+  addIfStale(Pass::Cones, cones, ConeKey{hits.version(), wanted}, {}, [&](Regions) {
+    conePass.run(steps, gpu->schedule(), *rays, hitPoints, nearFocus(1.0).value_or(gl::Region()), wanted,
+                 sized(coneStart, gl::Format::R32F, rays->size()));
+  });
+}
+
+void PassChain::mapDistances() {
+  if (opening) return;
+  const int range = distanceRange(widths, frame->view.size);
+  const gl::Texture* opened = coneStart ? &coneStart : nullptr;
+  addIfStale(Pass::DistanceMap, distance, DistanceKey{hits.version(), opened ? cones.version() : 0, range}, {},
+             [&](Regions) {
+               distanceMapPass.run(steps, gpu->schedule(), hitPoints, range,
+                                   sized(distances, gl::Format::R32F, frame->view.size), opened);
+             });
+}
+
+void PassChain::startRays() {
+  if (opening) return startRaysApart();
+  const glm::ivec2 size = frame->view.size;
+  const gl::Texture* given = coneStart ? &coneStart : nullptr;
+  const RayStartKey key{hits.version(), given ? 0 : fill.version(), distance.version(), given ? cones.version() : 0,
+                        widths.x};
+  const RayStartPass::Inputs inputs{hitPoints, focusFilled, distances, widths.x, given};
+  if (frame->strokes.empty())
+    releaseEdits();
+  else
+    addIfStale(Pass::EditMap, edits, key, frame->changed, [&](Regions regions) {
+      gl::Texture& map = sized(editMap, gl::Format::RG32F, size);
+      editMapPass.run(steps, gpu->schedule(), *rays, inputs, frame->strokes, regions, map);
+    });
+  if (const auto& last = start.key(); last && last->hits == key.hits && last->cones == 0 && key.cones == 0)
+    frame->moved = std::max(last->openWidth, key.openWidth) + 1.0;
+  addIfStale(
+      Pass::RayStart, start, key, frame->changed,
+      [&](Regions regions) {
+        rayStartPass.run(steps, gpu->schedule(), *rays, inputs, editMap ? &editMap : nullptr, regions,
+                         sized(rayStart, gl::Format::R32F, size));
+      },
+      frame->moved ? nearFocus(*frame->moved) : std::nullopt);
+}
+
+void PassChain::startRaysApart() {
+  const glm::ivec2 size = frame->view.size;
+  const bool holes = !gpu->protectedLabels().any() && frame->method.faintOpacity == 0.0;
+  const RemovedPass::Opening cut{*opening->rays,           opening->hitPoints,
+                                 opening->cutSurface(),    opening->distances,
+                                 opening->rayStart,        opening->editMap ? &opening->editMap : nullptr,
+                                 widths.x + widths.y + 1.0};
+  if (!opening->editMap) editMap = {};
+  const glm::dvec3 spacing = gpu->grid().spacing;
+  const double voxel = std::min({spacing.x, spacing.y, spacing.z});
+  addIfStale(Pass::RayStart, removed,
+             RemovedKey{hits.version(), opening->start.version(), *frame->opening, widths,
+                        opening->strokes.value_or(ProjectedStrokes()), holes},
+             {}, [&](Regions) {
+               const RemovedPass::Outputs outputs{sized(rayStart, gl::Format::R32F, size),
+                                                  sized(hole, gl::Format::RG32F, size),
+                                                  sized(distances, gl::Format::R32F, size),
+                                                  cut.editMap ? &sized(editMap, gl::Format::RG32F, size) : nullptr};
+               removedPass.run(steps, gpu->schedule(), *rays, hitPoints, cut, holes, voxel,
+                               sized(faces, gl::Format::RGBA32F, opening->rays->size()), outputs);
+             });
+}
+
+/// A plain volume rendering keeps none of the cutaway's images.
+void PassChain::dropCutaway() {
+  for (gl::Texture* texture : {&hitPoints, &distances, &rayStart}) *texture = {};
+  dropFill();
+  dropCones();
+  distanceMapPass.release();
+  releaseEdits();
+  hits.forget();
+  distance.forget();
+  start.forget();
+}
+
+}  // namespace fenestra

@@ -1,0 +1,47 @@
+#include "rendering/scene/Method.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace fenestra {
+namespace {
+
+MethodStages cones(double angle, bool onSilhouette) {
+  MethodStages stages;
+  stages.start = MethodStages::Start::Cones;
+  stages.hasWidth = false;
+  stages.slope = 1.0 / std::tan(angle * std::numbers::pi / 180.0);
+  stages.onSilhouette = onSilhouette;
+  return stages;
+}
+
+}  // namespace
+
+MethodStages stagesOf(const Method& method) {
+  switch (method.kind) {
+    case MethodKind::Adaptive:
+      break;
+    case MethodKind::Cone:
+      return cones(method.coneAngle, false);
+    case MethodKind::Importance: {
+      if (method.importance == ImportanceMode::Maximum) return cones(method.importanceAngle, true);
+      MethodStages stages;
+      stages.hasWidth = false;
+      stages.faintOpacity = method.importanceOpacity;
+      stages.sparseness = method.sparseness;
+      return stages;
+    }
+  }
+  return {};
+}
+
+double faintShare(Sparseness sparseness, double opacity, int i, int j) {
+  if (sparseness != Sparseness::ScreenDoor) return opacity;
+  // Bayer's matrix: the bits of x ⊕ y and of y in turns, reversed, so that the lowest ones weigh most.
+  const auto x = static_cast<unsigned>(i), y = static_cast<unsigned>(j);
+  unsigned rank = 0;
+  for (unsigned bit = 0; bit < 3; ++bit) rank = (rank << 2) | ((((x ^ y) >> bit) & 1u) << 1) | ((y >> bit) & 1u);
+  return (rank + 0.5) / 64.0 < opacity ? 1.0 : 0.0;
+}
+
+}  // namespace fenestra

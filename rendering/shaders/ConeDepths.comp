@@ -1,0 +1,34 @@
+// Cones, first step: the depth of each pixel that a cone stands on, the pyramid's level 0.
+#include "lib/Cones.glsl"
+#include "lib/PixelRay.glsl"
+#include "lib/Region.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+TEXELS_2D(rg32f, hitPoints);
+
+bool isInPicture(ivec2 pixel) {
+  return all(greaterThanEqual(pixel, ivec2(0))) && all(lessThan(pixel, rays.pictureSize));
+}
+
+#if SILHOUETTE
+bool isBesideFocus(ivec2 pixel) { return isInPicture(pixel) && isNone(texelOf(hitPoints, pixel).y); }
+
+bool hasCone(ivec2 pixel) {
+  return isBesideFocus(pixel + ivec2(1, 0)) || isBesideFocus(pixel - ivec2(1, 0)) ||
+         isBesideFocus(pixel + ivec2(0, 1)) || isBesideFocus(pixel - ivec2(0, 1));
+}
+#else
+bool hasCone(ivec2 pixel) { return true; }
+#endif
+
+void main() {
+  ivec2 at = regionPixel();
+  if (any(greaterThanEqual(at, cones.size))) return;
+  ivec2 pixel = cones.origin + at;
+  float depth = -FAR;
+  if (isInPicture(pixel)) {
+    float s = texelOf(hitPoints, pixel).y;
+    if (!isNone(s) && hasCone(pixel)) depth = depthAtPosition(pixel, s);
+  }
+  coneDepths[at.y * cones.size.x + at.x] = depth;
+}

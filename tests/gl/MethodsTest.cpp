@@ -1,0 +1,322 @@
+// Pictures of the methods beside the adaptive cutaway: against the reference within their bounds, in scenes of every
+// kind; what runs again when; and that a method that is not in use costs nothing.
+
+#include <set>
+
+#include "rendering/reference/Picture.h"
+#include "rendering/scene/Lighting.h"
+#include "tests/gl/GlTest.h"
+#include "tests/gl/SceneKinds.h"
+
+namespace fenestra::tests {
+namespace {
+
+constexpr glm::ivec2 size{88, 72};
+
+/// A body that light passes through in part, with an organ in focus.
+Scene hazyBody(const Method& method) {
+  Scene scene = bodyWithOrgans<std::int16_t>(gridOf({40, 36, 34}));
+  scene.look.context.function = {{{20.0, {glm::dvec3(0.8, 0.5, 0.4), 0.0}},
+                                  {60.0, {glm::dvec3(0.9, 0.7, 0.6), 0.08}},
+                                  {120.0, {glm::dvec3(1.0, 0.95, 0.9), 0.3}}}};
+  scene.look.focus = LabelFocus{{1}};
+  scene.look.cutaway.openWidth = 12.0;
+  scene.look.method = method;
+  return scene;
+}
+
+Camera from(double azimuth, double elevation, const Scene& scene, Projection projection = Projection::Perspective) {
+  return Camera::fromAngles(azimuth, elevation, scene.volume->grid, projection);
+}
+
+View viewOf(const Camera& camera, double maxError = 1.0) {
+  View view{.camera = camera, .size = size};
+  view.maxError = maxError;
+  return view;
+}
+
+std::shared_ptr<GpuScene> gpuWith(Schedule schedule) {
+  const auto gpu = std::make_shared<GpuScene>();
+  gpu->setSchedule(schedule);
+  return gpu;
+}
+
+Layers drawn(const Scene& scene, const View& view, Schedule schedule = Schedule::Plain) {
+  Renderer renderer(gpuWith(schedule));
+  renderer.render(scene, view);
+  return renderer.readLayers();
+}
+
+/// Share of the pixels, in per mille, whose colour is off by more than so many 1/255.
+template <class Colour>
+double perMilleBeyond(double bound, const std::vector<glm::vec4>& picture, const std::vector<Colour>& truth) {
+  EXPECT_EQ(picture.size(), truth.size());
+  std::size_t beyond = 0;
+  for (std::size_t i = 0; i < std::min(picture.size(), truth.size()); ++i) {
+    const glm::dvec4 off = 255.0 * glm::abs(glm::dvec4(picture[i]) - glm::dvec4(truth[i]));
+    if (!(std::max({off.r, off.g, off.b, off.a}) <= bound)) ++beyond;
+  }
+  return 1000.0 * static_cast<double>(beyond) / static_cast<double>(truth.size());
+}
+
+/// Stages 1 to 4 and the picture. Where a ray grazes a surface or an opening's rim, rounding decides what it meets
+/// first: such pixels lie on lines and are held to four in a thousand, as those of other openings are.
+void expectMatches(const Scene& scene, const View& view) {
+  const reference::Stages stages = reference::geometricStages(scene, view);
+  const reference::Picture truth = reference::picture(scene, view);
+  const double voxel = finestSpacing(scene.volume->grid);
+  for (const Schedule schedule : {Schedule::Plain, Schedule::Llvmpipe}) {
+    SCOPED_TRACE(nameOf(schedule));
+    const Layers layers = drawn(scene, view, schedule);
+    const StageErrors starts = compareMaps(layers.tStart, stages.tStart, voxel);
+    // As for the adaptive cutaway's starts.
+    EXPECT_LE(starts.percentile(0.996), 2e-3);
+    EXPECT_LE(perMilleBeyond(*view.maxError, layers.focusLayer, truth.focusLayer), 4.0);
+    EXPECT_LE(perMilleBeyond(*view.maxError, layers.final, truth.final), 4.0);
+    EXPECT_EQ(layers.faintLayer.empty(), truth.faintLayer.empty());
+    if (!truth.faintLayer.empty()) {
+      EXPECT_LE(perMilleBeyond(*view.maxError, layers.faintLayer, truth.faintLayer), 4.0);
+    }
+  }
+}
+
+using Methods = GlTest;
+
+TEST_F(Methods, EachMatchesTheReferenceAndIsAnotherPicture) {
+  std::vector<std::vector<glm::vec4>> pictures{drawn(hazyBody({}), viewOf(from(25, 15, hazyBody({})))).final};
+  for (const auto& [name, method] : otherMethods()) {
+    SCOPED_TRACE(name);
+    const Scene scene = hazyBody(method);
+    for (const Projection projection : {Projection::Perspective, Projection::Orthographic}) {
+      expectMatches(scene, viewOf(from(25, 15, scene, projection)));
+      expectMatches(scene, viewOf(from(-120, 40, scene, projection), 0.5));
+    }
+    const std::vector<glm::vec4> picture = drawn(scene, viewOf(from(25, 15, scene))).final;
+    for (const std::vector<glm::vec4>& other : pictures) EXPECT_GT(perMilleBeyond(2.0, picture, other), 10.0);
+    pictures.push_back(picture);
+  }
+}
+
+TEST_F(Methods, ValuesSmoothedLabelsAndSplines) {
+  for (const auto& [name, method] : otherMethods()) {
+    SCOPED_TRACE(name);
+    Scene values = hazyBody(method);
+    values.look.focus = ValueFocus{{95.0, 1000.0}, 0.0};
+    expectMatches(values, viewOf(from(25, 15, values)));
+    Scene smoothed = hazyBody(method);
+    smoothed.look.labelSmoothing = LabelSmoothing::Strong;
+    expectMatches(smoothed, viewOf(from(25, 15, smoothed)));
+    Scene spline = hazyBody(method);
+    spline.look.reconstruction = Reconstruction::Cubic;
+    expectMatches(spline, viewOf(from(25, 15, spline)));
+  }
+}
+
+TEST_F(Methods, BrushProtectedLabelsAndClipping) {
+  for (const auto& [name, method] : otherMethods()) {
+    SCOPED_TRACE(name);
+    const Scene scene = hazyBody(method);
+    const View view = viewOf(from(25, 15, scene));
+    expectMatches(brushed(scene), view);
+    expectMatches(withProtected(scene), view);
+    expectMatches(withProtected(brushed(scene)), view);
+    expectMatches(clipped(scene, false), view);
+    expectMatches(clipped(scene, true), view);
+    expectMatches(withFaint(scene), view);
+    expectMatches(occluded(scene), viewOf(from(25, 15, scene), 2.0));
+  }
+}
+
+TEST_F(Methods, FrozenAndWithAnAxisOffset) {
+  for (const auto& [name, method] : otherMethods()) {
+    SCOPED_TRACE(name);
+    Scene scene = hazyBody(method);
+    View view = viewOf(from(50, 15, scene));
+    view.frozen = OpeningView{from(0, 5, scene), size, 1.0};
+    expectMatches(scene, view);
+    expectMatches(brushed(scene), view);
+    scene.look.cutaway.axisOffset = 30.0;
+    expectMatches(scene, viewOf(from(25, 15, scene)));
+  }
+}
+
+TEST_F(Methods, TheBorderFollowsTheRimOfWhatConesOpen) {
+  Scene scene = hazyBody({.kind = MethodKind::Cone});
+  scene.look.cutaway.borderWidth = 5.0;
+  const View view = viewOf(from(25, 15, scene));
+  const Layers layers = drawn(scene, view);
+  // From the renderer's own hits and starts, so that an error shows where it arises.
+  reference::Stages stages = reference::geometricStages(scene, view);
+  stages.hits.tContext = widened(layers.tContext);
+  stages.hits.tFocus = widened(layers.tFocus);
+  stages.tCones = widened(layers.tStart);
+  const StageErrors errors =
+      compareMaps(layers.distance, reference::distanceMap(reference::openedBy(stages), size, 5.0), 1.0);
+  // Squared distances are integers: what is left is one rounding of a square root.
+  EXPECT_LE(errors.max(), 1e-5);
+  int inBorder = 0;
+  for (std::size_t i = 0; i < layers.distance.size(); ++i)
+    if (!std::isnan(layers.tContext[i]) && layers.distance[i] > 1.0f && layers.distance[i] < 4.5f) {
+      ++inBorder;
+      EXPECT_LT(glm::distance(glm::dvec4(layers.final[i]), glm::dvec4(scene.look.cutaway.borderColour, 1.0)), 1e-5);
+    }
+  EXPECT_GT(inBorder, 100);
+}
+
+/// Runs by pass of the last picture of several.
+std::set<std::string> runsOfLast(const std::vector<Scene>& scenes, const View& view) {
+  Renderer renderer(gpuWith(Schedule::Plain));
+  std::array<PassStats, passCount> before{};
+  for (const Scene& scene : scenes) {
+    before = renderer.stats();
+    renderer.render(scene, view);
+  }
+  std::set<std::string> names;
+  for (std::size_t pass = 0; pass < passCount; ++pass)
+    if (renderer.stats()[pass].runs > before[pass].runs) names.emplace(nameOf(static_cast<Pass>(pass)));
+  return names;
+}
+
+TEST_F(Methods, ReRunOnlyWhatAChangeReaches) {
+  const Scene scene = hazyBody({.kind = MethodKind::Cone});
+  const View view = viewOf(from(25, 15, scene));
+  const auto after = [&](const Scene& first, auto&& change) {
+    Scene changed = first;
+    change(changed);
+    return runsOfLast({first, changed}, view);
+  };
+  const std::set<std::string> cut{"cones", "distance map", "ray start", "focus layer", "composite"};
+  EXPECT_EQ(after(scene, [](Scene& s) { s.look.method.coneAngle = 50.0; }), cut);
+  EXPECT_EQ(after(scene, [](Scene& s) { s.look.cutaway.openWidth += 9.0; }), std::set<std::string>());
+  EXPECT_EQ(after(scene, [](Scene& s) { s.look.method.importanceAngle = 50.0; }), std::set<std::string>());
+  EXPECT_EQ(after(scene, [](Scene& s) { s.look.cutaway.borderWidth += 1.0; }), std::set<std::string>{"composite"});
+  const Scene faint = hazyBody({.kind = MethodKind::Importance, .importance = ImportanceMode::Average});
+  EXPECT_EQ(after(faint, [](Scene& s) { s.look.method.importanceOpacity = 0.5; }), std::set<std::string>{"composite"});
+  EXPECT_EQ(after(faint, [](Scene& s) { s.look.method.sparseness = Sparseness::ScreenDoor; }),
+            std::set<std::string>{"composite"});
+}
+
+TEST_F(Methods, AMethodThatIsNotInUseCostsNothing) {
+  const Scene scene = hazyBody({});
+  const View view = viewOf(from(25, 15, scene));
+  Scene others = scene;
+  others.look.method = {.coneAngle = 70.0,
+                        .importance = ImportanceMode::Average,
+                        .importanceAngle = 40.0,
+                        .importanceOpacity = 0.9,
+                        .sparseness = Sparseness::Colour};
+  Renderer renderer(gpuWith(Schedule::Plain)), fresh(gpuWith(Schedule::Plain));
+  fresh.render(scene, view);
+  for (const Pass pass : {Pass::Cones, Pass::FaintLayer})
+    EXPECT_EQ(fresh.stats()[static_cast<std::size_t>(pass)].runs, 0u) << nameOf(pass);
+  renderer.render(others, view);
+  EXPECT_EQ(renderer.readPicture(), fresh.readPicture());
+  EXPECT_EQ(renderer.imageBytes(), fresh.imageBytes());
+  // A method gives back what it took.
+  for (const auto& [name, method] : otherMethods()) {
+    Scene other = scene;
+    other.look.method = method;
+    renderer.render(other, view);
+    renderer.render(scene, view);
+    EXPECT_EQ(renderer.readPicture(), fresh.readPicture()) << name;
+    EXPECT_EQ(renderer.imageBytes(), fresh.imageBytes()) << name;
+  }
+}
+
+TEST_F(Methods, ChangesLeaveNothingBehind) {
+  Renderer renderer(gpuWith(Schedule::Plain));
+  const auto expectFresh = [&](const Scene& scene, const View& view, const std::string& what) {
+    renderer.render(scene, view);
+    Renderer fresh(gpuWith(Schedule::Plain));
+    fresh.render(scene, view);
+    EXPECT_EQ(renderer.readPicture(), fresh.readPicture()) << what;
+    EXPECT_EQ(renderer.imageBytes(), fresh.imageBytes()) << what;
+  };
+  const View view = viewOf(from(25, 15, hazyBody({})));
+  View frozen = view;
+  frozen.frozen = OpeningView{from(0, 5, hazyBody({})), size, 1.0};
+  for (const auto& [name, method] : otherMethods()) {
+    Scene scene = hazyBody(method);
+    expectFresh(scene, view, name);
+    expectFresh(brushed(scene), view, name + ", a stroke");
+    expectFresh(scene, frozen, name + ", frozen");
+    expectFresh(brushed(scene), frozen, name + ", a stroke, frozen");
+    scene.look.method.coneAngle = scene.look.method.importanceAngle = 55.0;
+    scene.look.method.importanceOpacity = 0.6;
+    expectFresh(scene, view, name + ", other parameters");
+    expectFresh(withProtected(scene), view, name + ", a protected label");
+    scene.look.cutaway.openWidth = 20.0;
+    scene.look.method.kind = MethodKind::Adaptive;
+    expectFresh(scene, view, name + ", then the adaptive cutaway");
+    scene.look.cutaway.enabled = false;
+    expectFresh(scene, view, name + ", then none");
+  }
+}
+
+/// The pixel of a set that is nearest to another one.
+glm::ivec2 nearestOf(const std::vector<glm::ivec2>& pixels, glm::ivec2 to) {
+  return *std::min_element(pixels.begin(), pixels.end(), [&](glm::ivec2 a, glm::ivec2 b) {
+    const auto square = [&](glm::ivec2 p) { return (p.x - to.x) * (p.x - to.x) + (p.y - to.y) * (p.y - to.y); };
+    return square(a) < square(b);
+  });
+}
+
+/// How bright a cut face is tells its normal: that of the cone which the ray leaves last, over a disc the one on the
+/// nearest pixel of its rim.
+TEST_F(Methods, CutFacesOfConesAreLitByTheConesNormal) {
+  // An opaque context of one value, with no gradient of its own; a disc of focus deep in it, seen along y.
+  const Grid grid = gridOf({64, 40, 64});
+  Scene scene;
+  scene.volume = volumeOf<std::int16_t>(grid, [](glm::ivec3) { return 100; });
+  scene.labels =
+      labelsOf(grid, [](glm::ivec3 i) { return i.y >= 30 && std::hypot(i.x - 31.5, i.z - 31.5) < 8.0 ? 1 : 0; });
+  scene.look.focus = LabelFocus{{1}};
+  scene.look.context.function = {{{50.0, {glm::dvec3(1.0), 1e4}}, {150.0, {glm::dvec3(1.0), 1e4}}}};
+  scene.look.contextLayer.strength = scene.look.cutaway.borderWidth = 0.0;
+  scene.look.shading = {};
+  scene.look.shading.ambient = scene.look.shading.specular = 0.0;
+  scene.look.shading.diffuse = 1.0;
+  scene.look.shading.lightAzimuth = 50.0;
+  scene.look.method = {.kind = MethodKind::Cone, .coneAngle = 40.0};
+  const Camera camera = Camera::standard(StandardView::Anterior, grid, Projection::Orthographic);
+  View view = viewOf(camera, 0.5);
+  view.size = {200, 200};
+  const Layers layers = drawn(scene, view);
+  const auto at = [&](glm::ivec2 p) { return static_cast<std::size_t>(p.y * view.size.x + p.x); };
+  std::vector<glm::ivec2> focus;
+  for (int j = 0; j < view.size.y; ++j)
+    for (int i = 0; i < view.size.x; ++i)
+      if (!std::isnan(layers.tFocus[at({i, j})])) focus.emplace_back(i, j);
+  ASSERT_GT(focus.size(), 500u);
+  const glm::dvec3 light = lightDirection(camera.axes(), scene.look.shading);
+  const double angle = glm::radians(40.0);
+  int compared = 0;
+  double darkest = 1.0, brightest = 0.0;
+  for (int j = 1; j + 1 < view.size.y; j += 3)
+    for (int i = 1; i + 1 < view.size.x; i += 3) {
+      const glm::ivec2 pixel(i, j), apex = nearestOf(focus, pixel);
+      const glm::dvec2 aside(pixel - apex);
+      const double away = glm::length(aside);
+      // Well within the face, and not where two cones meet.
+      if (away < 8.0 || !(layers.tStart[at(pixel)] > layers.tContext[at(pixel)] + 4.0)) continue;
+      if (nearestOf(focus, pixel + glm::ivec2(1, 0)) != apex || nearestOf(focus, pixel - glm::ivec2(1, 0)) != apex ||
+          nearestOf(focus, pixel + glm::ivec2(0, 1)) != apex || nearestOf(focus, pixel - glm::ivec2(0, 1)) != apex)
+        continue;
+      const glm::dvec3 outwards = (camera.axes().right * aside.x - camera.axes().up * aside.y) / away;
+      const glm::dvec3 normal = std::cos(angle) * outwards + std::sin(angle) * camera.axes().forward;
+      const double face = std::abs(glm::dot(normal, light));
+      // The rest of the light is that of a surface of average orientation.
+      const double expected = glm::mix(lighting::meanIncidence, face, lighting::wallShare);
+      // The normal is found by differences over two pixels, of which the apex is eight or more away: within 1/6 · 1/64
+      // of its slope. The picture's bound is 0.5/255.
+      EXPECT_NEAR(layers.final[at(pixel)].r, expected, 0.006) << i << ", " << j;
+      darkest = std::min(darkest, expected);
+      brightest = std::max(brightest, expected);
+      ++compared;
+    }
+  EXPECT_GT(compared, 100);
+  EXPECT_GT(brightest - darkest, 0.3) << "the test would notice";
+}
+
+}  // namespace
+}  // namespace fenestra::tests

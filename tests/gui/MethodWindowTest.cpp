@@ -1,0 +1,121 @@
+// Choosing a method in the window: its own rows, pictures, undo, sessions, and what it does not have.
+
+#include <QComboBox>
+#include <QTest>
+
+#include "rendering/scene/Settings.h"
+#include "tests/gui/PseudoLocale.h"
+#include "tests/gui/WindowFixture.h"
+#include "viewer/panels/CutawayPanel.h"
+#include "viewer/panels/SliderSpin.h"
+
+namespace fenestra::viewer {
+namespace {
+
+class MethodWindow : public Window {
+ protected:
+  void SetUp() override {
+    Window::SetUp();
+    if (HasFatalFailure() || IsSkipped()) return;
+    setAutomatic(false);
+    document().focusOn(marker);
+    waitUntilDrawn();
+  }
+  template <class Control>
+  Control* control(const char* key) {
+    auto* found = panel<CutawayPanel>().findChild<Control*>(QLatin1String(key));
+    EXPECT_NE(found, nullptr) << key;
+    return found;
+  }
+  /// As a click on an entry of the list does.
+  template <class E>
+  void choose(const char* key, E value) {
+    auto* box = control<QComboBox>(key);
+    const int row = box->findData(static_cast<int>(value));
+    box->setCurrentIndex(row);
+    Q_EMIT box->activated(row);
+  }
+  bool shows(const char* key) { return control<QWidget>(key)->isVisibleTo(&panel<CutawayPanel>()); }
+};
+
+TEST_F(MethodWindow, ListsEachMethodWithAToolTip) {
+  const auto* box = control<QComboBox>("kind");
+  ASSERT_EQ(box->count(), static_cast<int>(wordsOf(MethodKind{}).size()));
+  for (int row = 0; row < box->count(); ++row)
+    EXPECT_GT(box->itemData(row, Qt::ToolTipRole).toString().size(), 40) << row;
+  for (const char* key : {"cone_angle", "importance", "sparseness", "importance_angle", "importance_opacity"})
+    EXPECT_FALSE(shows(key)) << key;
+}
+
+TEST_F(MethodWindow, EachHasItsOwnRowsAndIsAStepOfTheHistory) {
+  const QImage adaptive = picture(volume(0));
+  auto* width = control<SliderSpin>("open_width");
+  EXPECT_TRUE(width->isEnabled());
+  const int steps = document().undoStack().index();
+
+  choose("kind", MethodKind::Cone);
+  EXPECT_EQ(document().look().method.kind, MethodKind::Cone);
+  EXPECT_EQ(document().undoStack().index(), steps + 1);
+  EXPECT_TRUE(shows("cone_angle"));
+  EXPECT_FALSE(shows("importance"));
+  EXPECT_FALSE(width->isEnabled());
+  EXPECT_TRUE(width->toolTip().contains(QStringLiteral("no width")));
+  EXPECT_TRUE(control<SliderSpin>("border_width")->isEnabled());
+  waitUntilDrawn();
+  const QImage cone = picture(volume(0));
+  EXPECT_NE(cone, adaptive);
+  control<SliderSpin>("cone_angle")->box()->setValue(60.0);
+  EXPECT_EQ(document().look().method.coneAngle, 60.0);
+  waitUntilDrawn();
+  EXPECT_NE(picture(volume(0)), cone);
+
+  choose("kind", MethodKind::Importance);
+  EXPECT_FALSE(shows("cone_angle"));
+  EXPECT_TRUE(shows("importance") && shows("importance_angle"));
+  EXPECT_FALSE(shows("importance_opacity") || shows("sparseness"));
+  choose("importance", ImportanceMode::Average);
+  EXPECT_TRUE(shows("importance_opacity") && shows("sparseness"));
+  EXPECT_FALSE(shows("importance_angle"));
+  choose("sparseness", Sparseness::ScreenDoor);
+  EXPECT_EQ(document().look().method.sparseness, Sparseness::ScreenDoor);
+  waitUntilDrawn();
+  EXPECT_NE(picture(volume(0)), adaptive);
+
+  while (document().undoStack().index() > steps) document().undoStack().undo();
+  EXPECT_EQ(document().look().method, Method());
+  EXPECT_FALSE(shows("importance") || shows("cone_angle"));
+  EXPECT_TRUE(width->isEnabled());
+  waitUntilDrawn();
+  EXPECT_EQ(picture(volume(0)), adaptive) << "to the bit";
+}
+
+TEST_F(MethodWindow, WithoutAnOpeningThereIsNothingToChoose) {
+  Look look = document().look();
+  look.cutaway.enabled = false;
+  document().edit(QStringLiteral("off"), look);
+  EXPECT_FALSE(control<QComboBox>("kind")->isEnabled());
+}
+
+TEST_F(MethodWindow, TextsAreTranslated) {
+  PseudoLocale locale;
+  QCoreApplication::installTranslator(&locale);
+  CutawayPanel shown(document());
+  Look look = document().look();
+  look.method.kind = MethodKind::Cone;
+  document().edit(QStringLiteral("cone"), look);
+  QStringList texts;
+  for (const char* key : {"kind", "importance", "sparseness"}) {
+    const auto* box = shown.findChild<QComboBox*>(QLatin1String(key));
+    texts << box->toolTip();
+    for (int row = 0; row < box->count(); ++row)
+      texts << box->itemText(row) << box->itemData(row, Qt::ToolTipRole).toString();
+  }
+  for (const char* key : {"cone_angle", "importance_angle", "importance_opacity", "open_width"})
+    texts << shown.findChild<SliderSpin*>(QLatin1String(key))->toolTip();
+  QCoreApplication::removeTranslator(&locale);
+  EXPECT_GE(texts.size(), 20);
+  for (const QString& text : texts) EXPECT_TRUE(text.startsWith(opens)) << text.toStdString();
+}
+
+}  // namespace
+}  // namespace fenestra::viewer
