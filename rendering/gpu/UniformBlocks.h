@@ -126,7 +126,7 @@ struct alignas(16) OpeningCameraBlock {
 /// shaders/lib/Cones.glsl.
 struct alignas(16) ConeBlock {
   static constexpr const char* name = "ConeBlock";
-  glm::ivec2 origin, size;
+  glm::ivec2 origin, tops;
   float slope, perDepth;
 };
 

@@ -7,13 +7,13 @@ namespace {
 
 // shaders/lib/Cones.glsl.
 constexpr unsigned depthsBinding = 0;
-constexpr int topLevel = 4, topSide = 1 << (2 * topLevel);
+constexpr int topLevel = 8, topSide = 1 << topLevel;
 
 ConeBlock blockOf(const RayFrame& rays, const gl::Region& around, double slope) {
   ConeBlock block;
   block.origin = around.origin;
   // One square at least, so that the shaders need not ask whether there is any.
-  block.size = glm::max(around.size + topSide - 1, topSide) / topSide * topSide;
+  block.tops = glm::max((around.size + topSide - 1) / topSide, 1);
   block.slope = static_cast<float>(slope * rays.pixelSize(rays.distance()));
   block.perDepth = rays.perspective() ? static_cast<float>(1.0 / rays.distance()) : 0.0f;
   return block;
@@ -25,12 +25,11 @@ void ConePass::run(Steps& steps, Schedule schedule, const RayFrame& rays, const 
                    const gl::Region& around, const Cones& cones, gl::Texture& starts) {
   const ConeBlock block = blockOf(rays, around, cones.slope);
   std::size_t squares = 0;
-  for (int level = 0; level <= topLevel; ++level)
-    squares +=
-        static_cast<std::size_t>(block.size.x >> (2 * level)) * static_cast<std::size_t>(block.size.y >> (2 * level));
+  for (int below = 0; below <= topLevel; ++below)
+    squares += static_cast<std::size_t>(block.tops.x << below) * static_cast<std::size_t>(block.tops.y << below);
   if (depths_.bytes() != squares * sizeof(float)) depths_ = gl::Buffer::zeroed(squares * sizeof(float));
 
-  steps.add(block.size, [this, schedule, &rays, &hitPoints, block, cones](Regions tile) {
+  steps.add(block.tops << topLevel, [this, schedule, &rays, &hitPoints, block, cones](Regions tile) {
     gl::ShaderProgram& program =
         depthsProgram_.get({{{"SILHOUETTE", cones.onSilhouette}, rays.clipDefine()}, {scheduleChoice(schedule)}});
     rays.setBlocks(program);
@@ -39,21 +38,14 @@ void ConePass::run(Steps& steps, Schedule schedule, const RayFrame& rays, const 
     depths_.bind(depthsBinding);
     program.dispatch(tile);
   });
-  int finer = 0;
-  for (int level = 1; level <= topLevel; ++level) {
-    const glm::ivec2 size = block.size >> (2 * level);
-    const int coarser = finer + 16 * size.x * size.y;
-    steps.add(size, [this, schedule, block, size, finer, coarser](Regions tile) {
+  for (int below = topLevel - 1; below >= 0; --below)
+    steps.add(block.tops << below, [this, schedule, block, below](Regions tile) {
       gl::ShaderProgram& program = levelProgram_.get({{}, {scheduleChoice(schedule)}});
       program.set(block);
-      program.set("levelSize", size);
-      program.set("finer", finer);
-      program.set("coarser", coarser);
+      program.set("below", below);
       depths_.bind(depthsBinding);
       program.dispatch(tile);
     });
-    finer = coarser;
-  }
   steps.add(rays.size(), [this, schedule, &rays, &hitPoints, block, &starts](Regions tile) {
     gl::ShaderProgram& program = startProgram_.get({{rays.clipDefine()}, {scheduleChoice(schedule)}});
     rays.setBlocks(program);

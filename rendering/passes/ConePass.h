@@ -24,9 +24,9 @@ namespace fenestra {
 /// The start is C(p), not before the context's first hit and not behind the box; the focus hit where the ray meets the
 /// focus; `nothing` where it meets nothing.
 ///
-/// The maximum is exact up to float32's rounding. A pyramid holds the greatest depth of each square of 4, 16, 64 and
-/// 256 pixels a side; a pixel visits it from the top and leaves out every square whose greatest depth at its least
-/// distance does not exceed what was found.
+/// The maximum is exact up to float32's rounding. A pyramid holds the greatest depth of each square of 2, 4, … 256
+/// pixels a side; a pixel visits it from the top and leaves out every square whose greatest depth at its least distance
+/// does not exceed what was found.
 class ConePass {
  public:
   explicit ConePass(const gl::SharedPrograms& programs = std::make_shared<gl::ComputePrograms>())

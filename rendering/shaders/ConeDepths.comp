@@ -23,12 +23,13 @@ bool hasCone(ivec2 pixel) { return true; }
 
 void main() {
   ivec2 at = regionPixel();
-  if (any(greaterThanEqual(at, cones.size))) return;
+  ivec2 size = cones.tops << CONE_TOP;
+  if (any(greaterThanEqual(at, size))) return;
   ivec2 pixel = cones.origin + at;
   float depth = -FAR;
   if (isInPicture(pixel)) {
     float s = texelOf(hitPoints, pixel).y;
     if (!isNone(s) && hasCone(pixel)) depth = depthAtPosition(pixel, s);
   }
-  coneDepths[at.y * cones.size.x + at.x] = depth;
+  coneDepths[coneLevel(CONE_TOP) + at.y * size.x + at.x] = depth;
 }

@@ -3,16 +3,12 @@
 #include "lib/Region.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
-uniform ivec2 levelSize;     // squares
-uniform int finer, coarser;  // where the levels begin
+uniform int below;  // levels that it lies below the top
 
 void main() {
-  ivec2 at = regionPixel();
-  if (any(greaterThanEqual(at, levelSize))) return;
-  float deepest = -FAR;
-  for (int i = 0; i < 16; ++i) {
-    ivec2 from = 4 * at + ivec2(i & 3, i >> 2);
-    deepest = max(deepest, coneDepths[finer + from.y * 4 * levelSize.x + from.x]);
-  }
-  coneDepths[coarser + at.y * levelSize.x + at.x] = deepest;
+  ivec2 at = regionPixel(), squares = cones.tops << below;
+  if (any(greaterThanEqual(at, squares))) return;
+  int row = 2 * squares.x, first = coneLevel(below + 1) + 2 * at.y * row + 2 * at.x;
+  coneDepths[coneLevel(below) + at.y * squares.x + at.x] =
+      max(max(coneDepths[first], coneDepths[first + 1]), max(coneDepths[first + row], coneDepths[first + row + 1]));
 }

@@ -7,41 +7,42 @@ layout(local_size_x = 8, local_size_y = 8) in;
 TEXELS_2D(rg32f, hitPoints);
 layout(r32f) uniform writeonly image2D coneStart;
 
-const int CONE_TOP = 4;
-
-// One coordinate of a square from its place among the squares of a top square: its bits stand in every second pair.
-int everySecondPair(int bits) { return (bits & 3) | ((bits >> 2) & 12) | ((bits >> 4) & 48) | ((bits >> 6) & 192); }
+// Every second bit, from the lowest on, of 16.
+int everySecond(int bits) {
+  bits &= 0x5555;
+  bits = (bits | (bits >> 1)) & 0x3333;
+  bits = (bits | (bits >> 2)) & 0x0f0f;
+  return (bits | (bits >> 4)) & 0x00ff;
+}
 
 // Depth at which the pixel's ray leaves the last cone, where that is behind `least`; else `least`. Squares are visited depth
-// first, from the side of the region that the pixel lies on: near cones, which rule out most others, come first. A square of
-// `level` is the top square `top` and, within it, `place`: pairs of bits of x and y in turns.
+// first, and of the four parts of a square the one on the pixel's side first: near cones rule out most of the others. A square
+// is its place in that order within a top square, bits of x and y in turns, and for each level whether its parts are mirrored.
 float deepestCone(ivec2 pixel, float least) {
-  ivec2 at = pixel - cones.origin, tops = cones.size >> (2 * CONE_TOP);
-  int area = cones.size.x * cones.size.y;
-  ivec2 fromEnd = ivec2(greaterThan(2 * at, cones.size));
+  ivec2 at = pixel - cones.origin, tops = cones.tops, fromEnd = ivec2(greaterThan(2 * at, tops << CONE_TOP));
   int level = CONE_TOP, place = 0;
-  ivec2 top = ivec2(0);
+  ivec2 top = ivec2(0), mirrored = ivec2(0);
   float best = least;
   do {
-    ivec2 squares = cones.size >> (2 * level);
-    ivec2 square = (top << (2 * (CONE_TOP - level))) + ivec2(everySecondPair(place), everySecondPair(place >> 2));
-    square += fromEnd * (squares - 1 - 2 * square);
-    int begin = (level > 0 ? area : 0) + (level > 1 ? area >> 4 : 0) + (level > 2 ? area >> 8 : 0) +
-                (level > 3 ? area >> 12 : 0);
-    float deepest = coneDepths[begin + square.y * squares.x + square.x];
-    ivec2 low = square << (2 * level), high = low + (1 << (2 * level)) - 1;
+    int below = CONE_TOP - level;
+    ivec2 within = ivec2(everySecond(place), everySecond(place >> 1)) ^ (mirrored >> level);
+    ivec2 square = ((top + fromEnd * (tops - 1 - 2 * top)) << below) + within;
+    float deepest = coneDepths[coneLevel(below) + square.y * (tops.x << below) + square.x];
+    ivec2 low = square << level, high = low + (1 << level) - 1;
     float fall = cones.slope * length(vec2(max(max(low - at, at - high), 0)));
     float bound = (deepest - fall) / (1.0 + fall * cones.perDepth);
     bool isDeeper = bound > best, isPixel = level == 0;
     if (isDeeper && isPixel) best = bound;
     if (isDeeper && !isPixel) {
       --level;
-      place <<= 4;
+      place <<= 2;
+      ivec2 isBehindMiddle = ivec2(greaterThanEqual(at, low + (1 << level)));
+      mirrored = (mirrored & ~(1 << level)) | (isBehindMiddle << level);
     } else {
       // The next square of the level, or of the coarsest one that ends here.
       ++place;
-      int up = min(findLSB(place) >> 2, CONE_TOP - level);
-      place >>= 4 * up;
+      int up = min(findLSB(place) >> 1, below);
+      place >>= 2 * up;
       level += up;
       if (level == CONE_TOP) {
         place = 0;

@@ -241,7 +241,7 @@ TEST_F(ProgramsTest, BlocksHaveTheLayoutOfTheirStructs) {
         OFFSET(OpeningCameraBlock, perDepth), OFFSET(OpeningCameraBlock, halfSize),
         OFFSET(OpeningCameraBlock, pictureSize), OFFSET(OpeningCameraBlock, nearest)}},
       {ConeBlock::name,
-       {OFFSET(ConeBlock, origin), OFFSET(ConeBlock, size), OFFSET(ConeBlock, slope), OFFSET(ConeBlock, perDepth)}},
+       {OFFSET(ConeBlock, origin), OFFSET(ConeBlock, tops), OFFSET(ConeBlock, slope), OFFSET(ConeBlock, perDepth)}},
       {DerivativeBlock::name,
        {OFFSET(DerivativeBlock, worldFromDerivative), OFFSET(DerivativeBlock, factor), OFFSET(DerivativeBlock, scale)}},
       {CutawayBlock::name, {OFFSET(CutawayBlock, widths), OFFSET(CutawayBlock, borderColour)}},
