@@ -122,6 +122,17 @@ glm::dvec4 madeFaint(glm::dvec4 colour, const MethodStages& method, glm::ivec2 p
   return {glm::dvec3(grey), colour.a};
 }
 
+/// Lays a layer, each pixel as `shown` makes it, over the picture; `kept` gets the layer.
+template <class Shown>
+void layOver(FocusLayer front, std::vector<glm::dvec4>& kept, Image& error, std::vector<glm::dvec4>& picture,
+             const Shown& shown) {
+  for (std::size_t i = 0; i < picture.size(); ++i) {
+    picture[i] = over(shown(front.colour[i], i), picture[i]);
+    error[i] += front.error[i];
+  }
+  kept = std::move(front.colour);
+}
+
 /// Opacity of the context layer: both terms rise steeply, so that edges come out as lines. `factor` is the brush's.
 double contextOpacity(const ContextLayer& look, const ContextPoint& point, double scale, double factor) {
   const double bend = std::sqrt(0.5 * (point.k1 * point.k1 + point.k2 * point.k2)) * scale;
@@ -161,11 +172,11 @@ Picture picture(const Scene& scene, const Camera& camera, glm::ivec2 size, const
   const std::vector<glm::ivec2> pixels = pixelsOf(size, options);
   const std::vector<CutRay> cut = cutRays(scene, camera, size, cutaway ? &stages : nullptr, pixels);
   const bool guarded = cutaway && !labelsWith(LabelRole::Protected, scene).empty();
-  // Of each of two layers, and half of what is left beside exempt labels.
   const MethodStages method = stagesOf(scene.look.method);
   const bool hasFaint = cutaway && method.faintOpacity > 0.0;
-  const double tolerance = options.tolerance * (guarded || hasFaint ? (guarded && hasFaint ? 0.25 : 0.5) : 1.0) *
-                           (scene.look.clipping.exempt.empty() ? 1.0 : 0.5);
+  // Of each of so many layers, and half of what is left beside exempt labels.
+  const double tolerance =
+      options.tolerance / (1.0 + guarded + hasFaint) * (scene.look.clipping.exempt.empty() ? 1.0 : 0.5);
   std::optional<Occlusion> occlusion;
   if (hasOcclusion(scene.look.shading)) occlusion.emplace(scene, camera, size, cutaway ? &stages : nullptr);
   const Occlusion* const occluded = occlusion ? &*occlusion : nullptr;
@@ -180,22 +191,12 @@ Picture picture(const Scene& scene, const Camera& camera, glm::ivec2 size, const
   Image firstHits;
   if (guarded || hasFaint)
     for (const glm::ivec2 pixel : pixels) firstHits.push_back(stages.hits.tContext[offset(size, pixel)]);
-  if (hasFaint) {
-    FocusLayer front = removedLayer(scene, camera, cut, firstHits, tolerance, occluded);
-    for (std::size_t i = 0; i < pixels.size(); ++i) {
-      result.final[i] = over(madeFaint(front.colour[i], method, pixels[i]), result.final[i]);
-      layer.error[i] += front.error[i];
-    }
-    result.faintLayer = std::move(front.colour);
-  }
-  if (guarded) {
-    FocusLayer front = protectedLayer(scene, camera, cut, firstHits, tolerance, occluded);
-    for (std::size_t i = 0; i < pixels.size(); ++i) {
-      result.final[i] = over(front.colour[i], result.final[i]);
-      layer.error[i] += front.error[i];
-    }
-    result.protectedLayer = std::move(front.colour);
-  }
+  if (hasFaint)
+    layOver(removedLayer(scene, camera, cut, firstHits, tolerance, occluded), result.faintLayer, layer.error,
+            result.final, [&](glm::dvec4 colour, std::size_t i) { return madeFaint(colour, method, pixels[i]); });
+  if (guarded)
+    layOver(protectedLayer(scene, camera, cut, firstHits, tolerance, occluded), result.protectedLayer, layer.error,
+            result.final, [](glm::dvec4 colour, std::size_t) { return colour; });
   if (hasContext) {
     std::vector<Ray> rays;
     Image tContext, tFocus;

@@ -35,17 +35,30 @@ View viewOf(const Camera& camera, double maxError = 1.0) {
   return view;
 }
 
-std::shared_ptr<GpuScene> gpuWith(Schedule schedule) {
-  const auto gpu = std::make_shared<GpuScene>();
-  gpu->setSchedule(schedule);
-  return gpu;
-}
+class Methods : public GlTest {
+ protected:
+  static void TearDownTestSuite() {
+    programs_.reset();
+    GlTest::TearDownTestSuite();
+  }
+  /// All with the same programs, so that each is compiled once.
+  static std::shared_ptr<GpuScene> gpuWith(Schedule schedule) {
+    if (!programs_) programs_ = std::make_shared<gl::ComputePrograms>();
+    const auto gpu = std::make_shared<GpuScene>(programs_);
+    gpu->setSchedule(schedule);
+    return gpu;
+  }
+  static Layers drawn(const Scene& scene, const View& view, Schedule schedule = Schedule::Plain) {
+    Renderer renderer(gpuWith(schedule));
+    renderer.render(scene, view);
+    return renderer.readLayers();
+  }
+  static void expectMatches(const Scene& scene, const View& view);
+  static std::set<std::string> runsOfLast(const std::vector<Scene>& scenes, const View& view);
 
-Layers drawn(const Scene& scene, const View& view, Schedule schedule = Schedule::Plain) {
-  Renderer renderer(gpuWith(schedule));
-  renderer.render(scene, view);
-  return renderer.readLayers();
-}
+ private:
+  inline static gl::SharedPrograms programs_;
+};
 
 /// Share of the pixels, in per mille, whose colour is off by more than so many 1/255.
 template <class Colour>
@@ -61,9 +74,9 @@ double perMilleBeyond(double bound, const std::vector<glm::vec4>& picture, const
 
 /// Stages 1 to 4 and the picture. Where a ray grazes a surface or an opening's rim, rounding decides what it meets
 /// first: such pixels lie on lines and are held to four in a thousand, as those of other openings are.
-void expectMatches(const Scene& scene, const View& view) {
+void Methods::expectMatches(const Scene& scene, const View& view) {
   const reference::Stages stages = reference::geometricStages(scene, view);
-  const reference::Picture truth = reference::picture(scene, view);
+  const reference::Picture truth = reference::picture(scene, view.camera, view.size, stages);
   const double voxel = finestSpacing(scene.volume->grid);
   for (const Schedule schedule : {Schedule::Plain, Schedule::Llvmpipe}) {
     SCOPED_TRACE(nameOf(schedule));
@@ -80,8 +93,6 @@ void expectMatches(const Scene& scene, const View& view) {
   }
 }
 
-using Methods = GlTest;
-
 TEST_F(Methods, EachMatchesTheReferenceAndIsAnotherPicture) {
   std::vector<std::vector<glm::vec4>> pictures{drawn(hazyBody({}), viewOf(from(25, 15, hazyBody({})))).final};
   for (const auto& [name, method] : otherMethods()) {
@@ -89,16 +100,23 @@ TEST_F(Methods, EachMatchesTheReferenceAndIsAnotherPicture) {
     const Scene scene = hazyBody(method);
     for (const Projection projection : {Projection::Perspective, Projection::Orthographic}) {
       expectMatches(scene, viewOf(from(25, 15, scene, projection)));
-      expectMatches(scene, viewOf(from(-120, 40, scene, projection), 0.5));
     }
     const std::vector<glm::vec4> picture = drawn(scene, viewOf(from(25, 15, scene))).final;
-    for (const std::vector<glm::vec4>& other : pictures) EXPECT_GT(perMilleBeyond(2.0, picture, other), 10.0);
+    for (const std::vector<glm::vec4>& other : pictures)
+      EXPECT_GT(perMilleBeyond(1.0, picture, other), 8.0) << "twice what a match may miss";
     pictures.push_back(picture);
   }
 }
 
+/// One of each kind; the others differ in the composite alone.
+std::vector<std::pair<std::string, Method>> threeMethods() {
+  auto methods = otherMethods();
+  methods.resize(3);
+  return methods;
+}
+
 TEST_F(Methods, ValuesSmoothedLabelsAndSplines) {
-  for (const auto& [name, method] : otherMethods()) {
+  for (const auto& [name, method] : threeMethods()) {
     SCOPED_TRACE(name);
     Scene values = hazyBody(method);
     values.look.focus = ValueFocus{{95.0, 1000.0}, 0.0};
@@ -113,7 +131,7 @@ TEST_F(Methods, ValuesSmoothedLabelsAndSplines) {
 }
 
 TEST_F(Methods, BrushProtectedLabelsAndClipping) {
-  for (const auto& [name, method] : otherMethods()) {
+  for (const auto& [name, method] : threeMethods()) {
     SCOPED_TRACE(name);
     const Scene scene = hazyBody(method);
     const View view = viewOf(from(25, 15, scene));
@@ -128,7 +146,7 @@ TEST_F(Methods, BrushProtectedLabelsAndClipping) {
 }
 
 TEST_F(Methods, FrozenAndWithAnAxisOffset) {
-  for (const auto& [name, method] : otherMethods()) {
+  for (const auto& [name, method] : threeMethods()) {
     SCOPED_TRACE(name);
     Scene scene = hazyBody(method);
     View view = viewOf(from(50, 15, scene));
@@ -164,7 +182,7 @@ TEST_F(Methods, TheBorderFollowsTheRimOfWhatConesOpen) {
 }
 
 /// Runs by pass of the last picture of several.
-std::set<std::string> runsOfLast(const std::vector<Scene>& scenes, const View& view) {
+std::set<std::string> Methods::runsOfLast(const std::vector<Scene>& scenes, const View& view) {
   Renderer renderer(gpuWith(Schedule::Plain));
   std::array<PassStats, passCount> before{};
   for (const Scene& scene : scenes) {
