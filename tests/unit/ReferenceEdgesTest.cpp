@@ -81,8 +81,10 @@ TEST(ReferenceEdges, AreNearerToTheAreaThanOneRay) {
     squares += std::pow(smooth.final[i].a - area, 2);
     plainSquares += std::pow(plain.final[i].a - area, 2);
   }
-  // Along a straight edge one ray is up to half wrong, and five in a rotated grid about a fifth of that.
-  EXPECT_LT(std::sqrt(squares / plainSquares), 0.3);
+  // One ray is wrong by up to half of the contrast, evenly distributed: by 0.29 of it RMS. Five that are alone in their
+  // fifth of the width and of the height are wrong by a tenth of it at most on an edge along either, and by some 0.1 RMS
+  // on others: a third.
+  EXPECT_LT(std::sqrt(squares / plainSquares), 0.4);
 }
 
 TEST(ReferenceEdges, DraftsHaveNoneUnlessTheyHaveABound) {
@@ -127,7 +129,7 @@ Scene ballInBlock() {
 TEST(ReferenceEdges, TheLineAroundTheOpeningIsSmoothByItself) {
   Scene scene = ballInBlock();
   const Camera camera = lookAt(scene.volume->grid.centre() - glm::dvec3(0, 60, 0), scene.volume->grid.centre(),
-                               Projection::Orthographic, 30.0);
+                               Projection::Orthographic, 24.0);
   const Stages stages = geometricStages(scene, camera, size);
   const Picture smooth = picture(scene, camera, size, stages);
   scene.look.edges = Edges::Off;
@@ -136,7 +138,7 @@ TEST(ReferenceEdges, TheLineAroundTheOpeningIsSmoothByItself) {
   int onLine = 0, changed = 0;
   for (std::size_t i = 0; i < smooth.final.size(); ++i) {
     changed += smooth.final[i] != plain.final[i];
-    if (!(distance[i] > 2.0 && distance[i] < 9.0)) continue;
+    if (!(distance[i] > 2.0 && distance[i] < 7.6)) continue;
     EXPECT_EQ(smooth.final[i], plain.final[i]) << "at a distance of " << distance[i];
     ++onLine;
   }

@@ -12,8 +12,8 @@ const int BLOCKS_ACROSS = 256;  // pixels of the list in a row; rendering/gpu/Ra
 uniform int firstEdge, edgeCount;  // of the batch
 
 ivec2 edgePixel(int edge) {
-  uint packed = edgeList.pixels[uint(firstEdge + clamp(edge, 0, edgeCount - 1))].x;
-  return ivec2(packed & 0xffffu, packed >> 16);
+  uint both = edgeList.pixels[uint(firstEdge + clamp(edge, 0, edgeCount - 1))].x;
+  return ivec2(both & 0xffffu, both >> 16);
 }
 
 // The pixel of the batch that an invocation belongs to; edgeCount or more: none.
