@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "rendering/scene/Edges.h"
 #include "rendering/scene/Lighting.h"
 
 namespace fenestra {
@@ -183,7 +184,7 @@ void PassChain::beginStage() {
   constexpr std::array stages{&PassChain::findHitPoints,      &PassChain::fillFocusHits,    &PassChain::mapDistances,
                               &PassChain::startRays,          &PassChain::occlude,          &PassChain::drawFocusLayer,
                               &PassChain::drawProtectedLayer, &PassChain::drawContextLayer, &PassChain::compose,
-                              &PassChain::addExempt};
+                              &PassChain::addExempt,          &PassChain::findEdges,        &PassChain::drawEdges};
   if (frame->stagesBegun == 0 && !frame->hasCutaway) dropCutaway();
   constexpr std::size_t ofCutaway = 4;  // the first stages, which only a cutaway has
   if (!frame->hasCutaway) frame->stagesBegun = std::max(frame->stagesBegun, ofCutaway);
@@ -239,7 +240,9 @@ void PassChain::fillFocusHits() {
 
 void PassChain::mapDistances() {
   if (opening) return;
-  const int range = distanceRange(widths, frame->view.size);
+  // Between pixels the map is read up to a pixel further.
+  const double between = hasSmoothEdges(frame->scene.look, frame->view) ? edges::distanceBeyond - 1.0 : 0.0;
+  const int range = distanceRange(widths + glm::dvec2(between, 0.0), frame->view.size);
   addIfStale(Pass::DistanceMap, distance, DistanceKey{hits.version(), range}, {}, [&](Regions) {
     distanceMapPass.run(steps, gpu->schedule(), hitPoints, range, sized(distances, gl::Format::R32F, frame->view.size));
   });
@@ -268,16 +271,22 @@ void PassChain::startRays() {
       frame->moved ? nearFocus(*frame->moved) : std::nullopt);
 }
 
+RemovedPass::Opening PassChain::cutOpening() const {
+  return {*opening->rays,           opening->hitPoints, opening->focusFilled,
+          opening->distances,       opening->rayStart,  opening->editMap ? &opening->editMap : nullptr,
+          widths.x + widths.y + 1.0};
+}
+
+double PassChain::shortestVoxelSide() const {
+  const glm::dvec3 spacing = gpu->grid().spacing;
+  return std::min({spacing.x, spacing.y, spacing.z});
+}
+
 void PassChain::startRaysApart() {
   const glm::ivec2 size = frame->view.size;
-  const bool holes = !gpu->protectedLabels().any();
-  const RemovedPass::Opening cut{*opening->rays,           opening->hitPoints,
-                                 opening->focusFilled,     opening->distances,
-                                 opening->rayStart,        opening->editMap ? &opening->editMap : nullptr,
-                                 widths.x + widths.y + 1.0};
+  const bool holes = hasHoles();
+  const RemovedPass::Opening cut = cutOpening();
   if (!opening->editMap) editMap = {};
-  const glm::dvec3 spacing = gpu->grid().spacing;
-  const double voxel = std::min({spacing.x, spacing.y, spacing.z});
   addIfStale(Pass::RayStart, removed,
              RemovedKey{hits.version(), opening->start.version(), *frame->opening, widths,
                         opening->strokes.value_or(ProjectedStrokes()), holes},
@@ -286,7 +295,7 @@ void PassChain::startRaysApart() {
                                                   sized(hole, gl::Format::RG32F, size),
                                                   sized(distances, gl::Format::R32F, size),
                                                   cut.editMap ? &sized(editMap, gl::Format::RG32F, size) : nullptr};
-               removedPass.run(steps, gpu->schedule(), *rays, hitPoints, cut, holes, voxel,
+               removedPass.run(steps, gpu->schedule(), *rays, hitPoints, cut, holes, shortestVoxelSide(),
                                sized(faces, gl::Format::RGBA32F, opening->rays->size()), outputs);
              });
 }

@@ -25,6 +25,7 @@ void CompositePass::run(Steps& steps, const GpuScene& gpu, const Inputs& inputs,
                                                  {"EDITED", inputs.editMap != nullptr},
                                                  {"PROTECTED", inputs.protectedLayer != nullptr},
                                                  {"APART", inputs.rayStart != nullptr},
+                                                 {"SCATTERED", inputs.scattered},
                                                  tableDefine()},
                                                 {scheduleChoice(gpu.schedule())}});
     program.bind("focusLayer", inputs.focusLayer);

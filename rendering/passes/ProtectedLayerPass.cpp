@@ -24,6 +24,7 @@ void ProtectedLayerPass::run(Steps& steps, const GpuScene& gpu, const Look& look
                                                  occlusionDefine(occlusion),
                                                  {"APART", false},
                                                  rays.clipDefine(),
+                                                 rays.scatterDefine(),
                                                  {"RAYS", 1}},
                                                 {scheduleChoice(gpu.schedule()),
                                                  {"focus", "lib/focus/Labels.glsl"},

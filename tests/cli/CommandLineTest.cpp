@@ -99,7 +99,7 @@ TEST_F(CommandLine, OptionsOfSettingsAreAsDeclared) {
   check(Shading{});
   check(ValueFocus{});
   check(Look{});
-  EXPECT_EQ(options, 23);
+  EXPECT_EQ(options, 24);
   EXPECT_TRUE(nothingLeftBehind());
 }
 

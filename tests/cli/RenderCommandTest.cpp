@@ -34,10 +34,10 @@ TEST_F(RenderCommand, RenderWritesPictureLayersCameraAndStatistics) {
   EXPECT_EQ(camera["clipFromWorld"][3].size(), 4u);
 
   const Json stats = Json::parse(contents(at("stats.json")));
-  ASSERT_EQ(stats["passes"].size(), 11u);
-  // Without strokes there is nothing to edit, without protected labels nothing to protect; nothing is clipped, and no
-  // light is hidden.
-  const std::set<std::string> unused{"edit map", "occlusion", "protected layer", "exempt labels"};
+  ASSERT_EQ(stats["passes"].size(), 13u);
+  // Without strokes there is nothing to edit, without protected labels nothing to protect; nothing is clipped, no light
+  // is hidden, and edges are not smooth.
+  const std::set<std::string> unused{"edit map", "occlusion", "protected layer", "exempt labels", "edges", "edge rays"};
   for (const Json& pass : stats["passes"])
     EXPECT_EQ(pass["runs"], unused.contains(pass["name"].get<std::string>()) ? 0 : 3) << pass["name"];
   EXPECT_EQ(stats["frames_ms"].size(), 3u);

@@ -29,11 +29,12 @@ struct Linked {
 /// By source, so that each counts once.
 using Programs = std::map<std::string, Linked>;
 
-const std::vector<std::string> blockNames{
-    RayBlock::name,          VolumeBlock::name,    TransferBlock::name,      FocusBlock::name,      LightBlock::name,
-    IntegralBlock::name,     CutFaceBlock::name,   OpeningCameraBlock::name, DerivativeBlock::name, CutawayBlock::name,
-    ContextLayerBlock::name, CandidateBlock::name, ClipBlock::name,          FaintBlock::name,
-    OccludersBlock::name,    OcclusionBlock::name, OcclusionNodesBlock::name};
+const std::vector<std::string> blockNames{RayBlock::name,       VolumeBlock::name,        TransferBlock::name,
+                                          FocusBlock::name,     LightBlock::name,         IntegralBlock::name,
+                                          CutFaceBlock::name,   OpeningCameraBlock::name, DerivativeBlock::name,
+                                          CutawayBlock::name,   ContextLayerBlock::name,  CandidateBlock::name,
+                                          ClipBlock::name,      FaintBlock::name,         OccludersBlock::name,
+                                          OcclusionBlock::name, OcclusionNodesBlock::name};
 
 constexpr std::array schedules{Schedule::Plain, Schedule::Llvmpipe};
 
@@ -107,10 +108,11 @@ TEST_F(ProgramsTest, EveryShaderIsLinkedInSeveralVariants) {
   std::map<std::string, int> variants;
   for (const auto& [source, linked] : programs()) ++variants[linked.path];
   for (const char* path :
-       {"HitPoints.comp", "PullPushAnalysis.comp", "PullPushSynthesis.comp", "FocusMask.comp", "FocusTiles.comp",
-        "DistanceRows.comp", "DistanceColumns.comp", "RayStart.comp", "EditMap.comp", "ProtectedLayer.comp",
-        "ContextLayer.comp", "Composite.comp", "Occluders.comp", "Occlusion.comp", "CandidateHits.comp", "CandidateOutlines.comp",
-        "CandidateVisibility.comp", "CandidateEnds.comp"})
+       {"HitPoints.comp",     "PullPushAnalysis.comp",  "PullPushSynthesis.comp",   "FocusMask.comp",
+        "FocusTiles.comp",    "DistanceRows.comp",      "DistanceColumns.comp",     "RayStart.comp",
+        "EditMap.comp",       "ProtectedLayer.comp",    "ContextLayer.comp",        "Composite.comp",
+        "EdgePixels.comp",    "EdgeMeans.comp",         "Occluders.comp",           "Occlusion.comp",
+        "CandidateHits.comp", "CandidateOutlines.comp", "CandidateVisibility.comp", "CandidateEnds.comp"})
     EXPECT_GE(variants[path], 2) << path << ": one for each schedule at least";
   for (const char* path : {"PixelsBetween.comp", "CandidateEdges.comp"}) EXPECT_GE(variants[path], 1) << path;
   for (const char* path : {"CandidateAreas.comp", "CandidateSums.comp"})
