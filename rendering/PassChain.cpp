@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "rendering/scene/Edges.h"
 #include "rendering/scene/Lighting.h"
 
 namespace fenestra {
@@ -168,7 +169,8 @@ void PassChain::beginStage() {
                               &PassChain::occlude,          &PassChain::drawFocusLayer,
                               &PassChain::drawFaintLayer,   &PassChain::drawProtectedLayer,
                               &PassChain::drawContextLayer, &PassChain::compose,
-                              &PassChain::addExempt};
+                              &PassChain::addExempt,        &PassChain::findEdges,
+                              &PassChain::drawEdges};
   if (frame->stagesBegun == 0 && !frame->hasCutaway) dropCutaway();
   constexpr std::size_t ofCutaway = 4;  // the first stages, which only a cutaway has
   if (!frame->hasCutaway) frame->stagesBegun = std::max(frame->stagesBegun, ofCutaway);

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "rendering/EdgeSamples.h"
 #include "rendering/PassMemo.h"
 #include "rendering/Renderer.h"
 #include "rendering/gl/Context.h"
@@ -58,8 +59,9 @@ struct PassChain {
   gl::Texture hitPoints, focusFilled, coneStart, distances, editMap, rayStart, focusLayer, faintLayer, protectedLayer,
       contextLayer, silhouette, composed, exempted;
   gl::Texture pickedHit;
-  gl::Texture faces, hole;    ///< of RemovedPass
-  gl::Buffer occlusionNodes;  ///< of OcclusionPass; empty without ambient occlusion and shadows
+  gl::Texture faces, hole;                   ///< of RemovedPass
+  gl::Buffer occlusionNodes;                 ///< of OcclusionPass; empty without ambient occlusion and shadows
+  std::unique_ptr<EdgeSamples> edgeSamples;  ///< null where edges are not smooth
 
   /// Stages 1 to 4 of the camera that cuts the opening, where that is another than the picture's.
   std::unique_ptr<PassChain> opening;
@@ -77,6 +79,8 @@ struct PassChain {
   Memo<ContextLayerKey> context;
   Memo<CompositeKey> composite;
   Memo<ExemptKey> exempt;
+  Memo<EdgeKey> edgePixels;
+  Memo<EdgeSampleKey> edgeRays;
 
   /// What the images were last edited by, in the last picture's view; unknown after an error stopped a picture.
   std::optional<ProjectedStrokes> strokes{std::in_place};
@@ -132,6 +136,9 @@ struct PassChain {
   void drawContextLayer();
   void compose();
   void addExempt();
+  // Smooth edges: which pixels they run through, and what their rays see.
+  void findEdges();
+  void drawEdges();
   void beginStage();
   void dropCutaway();
   void dropOpening();
@@ -196,14 +203,24 @@ struct PassChain {
     guard.forget();
     composite.forget();
     exempt.forget();
+    edgePixels.forget();
+    edgeRays.forget();
   }
 
   /// What the passes that draw light read of it.
   const gl::Buffer* occlusionOfFrame() const { return occlusionNodes ? &occlusionNodes : nullptr; }
   std::uint64_t occlusionVersion() const { return occlusionNodes ? occlusion.version() : 0; }
   glm::dvec2 widthsInPixels(const Scene& scene) const;
-  /// What is seen, without the background; a plain volume rendering has nothing laid over it.
-  const gl::Texture& picture() const { return exempted ? exempted : composed ? composed : focusLayer; }
+  /// What the rays through the pixels' centres see, without the background; a plain volume rendering has nothing laid
+  /// over it.
+  const gl::Texture& unsmoothed() const { return exempted ? exempted : composed ? composed : focusLayer; }
+  const gl::Texture& picture() const {
+    return edgeSamples && edgeSamples->picture() ? edgeSamples->picture() : unsmoothed();
+  }
+  /// What another camera's opening is to RemovedPass.
+  RemovedPass::Opening cutOpening() const;
+  bool hasHoles() const { return !gpu->protectedLabels().any() && frame->method.faintOpacity == 0.0; }
+  double shortestVoxelSide() const;
   bool shows(glm::ivec2 pixel) const;
   /// First hits (context or focus, focus) on the ray of a pixel of the picture.
   glm::vec2 hitAt(glm::ivec2 pixel);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "rendering/PassChain.h"
+#include "rendering/scene/Edges.h"
 
 namespace fenestra {
 namespace {
@@ -58,7 +59,9 @@ void PassChain::standCones() {
 
 void PassChain::mapDistances() {
   if (opening) return;
-  const int range = distanceRange(widths, frame->view.size);
+  // Between pixels the map is read up to a pixel further.
+  const double between = hasSmoothEdges(frame->scene.look, frame->view) ? edges::distanceBeyond - 1.0 : 0.0;
+  const int range = distanceRange(widths + glm::dvec2(between, 0.0), frame->view.size);
   const gl::Texture* opened = coneStart ? &coneStart : nullptr;
   addIfStale(Pass::DistanceMap, distance, DistanceKey{hits.version(), opened ? cones.version() : 0, range}, {},
              [&](Regions) {
@@ -73,7 +76,7 @@ void PassChain::startRays() {
   const gl::Texture* given = coneStart ? &coneStart : nullptr;
   const RayStartKey key{hits.version(), given ? 0 : fill.version(), distance.version(), given ? cones.version() : 0,
                         widths.x};
-  const RayStartPass::Inputs inputs{hitPoints, focusFilled, distances, widths.x, given};
+  const RayStartPass::Inputs inputs{hitPoints, focusFilled, distances, widths.x, 0.0, given};
   if (frame->strokes.empty())
     releaseEdits();
   else
@@ -92,16 +95,22 @@ void PassChain::startRays() {
       frame->moved ? nearFocus(*frame->moved) : std::nullopt);
 }
 
+RemovedPass::Opening PassChain::cutOpening() const {
+  return {*opening->rays,           opening->hitPoints, opening->cutSurface(),
+          opening->distances,       opening->rayStart,  opening->editMap ? &opening->editMap : nullptr,
+          widths.x + widths.y + 1.0};
+}
+
+double PassChain::shortestVoxelSide() const {
+  const glm::dvec3 spacing = gpu->grid().spacing;
+  return std::min({spacing.x, spacing.y, spacing.z});
+}
+
 void PassChain::startRaysApart() {
   const glm::ivec2 size = frame->view.size;
-  const bool holes = !gpu->protectedLabels().any() && frame->method.faintOpacity == 0.0;
-  const RemovedPass::Opening cut{*opening->rays,           opening->hitPoints,
-                                 opening->cutSurface(),    opening->distances,
-                                 opening->rayStart,        opening->editMap ? &opening->editMap : nullptr,
-                                 widths.x + widths.y + 1.0};
+  const bool holes = hasHoles();
+  const RemovedPass::Opening cut = cutOpening();
   if (!opening->editMap) editMap = {};
-  const glm::dvec3 spacing = gpu->grid().spacing;
-  const double voxel = std::min({spacing.x, spacing.y, spacing.z});
   addIfStale(Pass::RayStart, removed,
              RemovedKey{hits.version(), opening->start.version(), *frame->opening, widths,
                         opening->strokes.value_or(ProjectedStrokes()), holes},
@@ -110,7 +119,7 @@ void PassChain::startRaysApart() {
                                                   sized(hole, gl::Format::RG32F, size),
                                                   sized(distances, gl::Format::R32F, size),
                                                   cut.editMap ? &sized(editMap, gl::Format::RG32F, size) : nullptr};
-               removedPass.run(steps, gpu->schedule(), *rays, hitPoints, cut, holes, voxel,
+               removedPass.run(steps, gpu->schedule(), *rays, hitPoints, cut, holes, shortestVoxelSide(),
                                sized(faces, gl::Format::RGBA32F, opening->rays->size()), outputs);
              });
 }

@@ -115,6 +115,16 @@ struct ExemptKey {
   Clip clip;
   bool operator==(const ExemptKey&) const = default;
 };
+/// Smooth edges, of the picture that the rays through pixel centres make.
+struct EdgeKey {
+  std::uint64_t focusLayer;
+  std::optional<std::uint64_t> composite, exempt;
+  bool operator==(const EdgeKey&) const = default;
+};
+struct EdgeSampleKey {
+  std::uint64_t edges;
+  bool operator==(const EdgeSampleKey&) const = default;
+};
 struct CompositeKey {
   std::uint64_t focusLayer;
   std::uint64_t distance;

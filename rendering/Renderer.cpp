@@ -11,7 +11,7 @@ namespace fenestra {
 std::string_view nameOf(Pass pass) {
   constexpr std::array<std::string_view, passCount> names{
       "hit points",  "pull-push",   "cones",           "distance map",  "edit map",  "ray start",    "occlusion",
-      "focus layer", "faint layer", "protected layer", "context layer", "composite", "exempt labels"};
+      "focus layer", "faint layer", "protected layer", "context layer", "composite", "exempt labels", "edges", "edge rays"};
   return names[static_cast<std::size_t>(pass)];
 }
 
@@ -84,7 +84,6 @@ void readTimes(const PassChain& chain, const gl::Texture& texture, std::vector<f
   for (float& value : into) value = timeOf(chain, value);
 }
 
-/// Where a chain's rays meet context and focus and where they start.
 /// Where a chain's rays meet context and focus and where they start.
 Layers rayStartsOf(PassChain& s) {
   Layers layers;
@@ -206,6 +205,7 @@ std::size_t imageBytesOf(const PassChain& s) {
        {&s.hitPoints, &s.focusFilled, &s.coneStart, &s.distances, &s.editMap, &s.rayStart, &s.focusLayer, &s.faintLayer,
         &s.protectedLayer, &s.contextLayer, &s.silhouette, &s.composed, &s.exempted, &s.pickedHit, &s.faces, &s.hole})
     if (*texture) sum += texture->bytes();
+  if (s.edgeSamples) sum += s.edgeSamples->bytes();
   return s.opening ? sum + imageBytesOf(*s.opening) : sum;
 }
 

@@ -30,9 +30,11 @@ enum class Pass : std::uint8_t {
   ProtectedLayer,
   ContextLayer,
   Composite,
-  Exempt
+  Exempt,
+  Edges,
+  EdgeRays
 };
-inline constexpr std::size_t passCount = 13;
+inline constexpr std::size_t passCount = 15;
 std::string_view nameOf(Pass pass);
 
 /// Row-major from the top of the picture; t in mm along the pixel's ray (see Camera), NaN where there is nothing.

@@ -72,7 +72,8 @@ Layers referenceLayers(const Scene& scene, const View& view) {
   options.pixelScale = view.pixelScale;
   reference::Stages stages;
   if (hasCutaway(scene)) stages = reference::geometricStages(scene, view);
-  const reference::Picture picture = reference::picture(scene, view.camera, view.size, stages, options);
+  const reference::Picture picture =
+      reference::picture(reference::asDrawn(scene, view), view.camera, view.size, stages, options);
   Layers layers;
   layers.size = view.size;
   layers.tContext = single(stages.hits.tContext);

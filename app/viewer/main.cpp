@@ -102,7 +102,8 @@ struct Request {
   std::optional<Effort> atRest;                               ///< unset: as remembered
   std::optional<Schedule> schedule;                           ///< unset: the faster one
   bool welcomes = false;                                      ///< nothing was asked for: opens nothing
-  bool setsBackground = false, setsUnit = false;              ///< a session or a preset does, too
+  /// A session or a preset sets all of them, too.
+  bool setsBackground = false, setsUnit = false, setsReconstruction = false, setsEdges = false;
 
   /// The scene as asked for, where nothing was said with the user's own defaults.
   app::SceneOptions sceneWith(const Preferences& preferences) const {
@@ -110,15 +111,18 @@ struct Request {
     const Look own = preferences.startingLook(scene.look);
     if (!setsBackground) options.look.background = own.background;
     if (!setsUnit) options.look.cutaway.unit = own.cutaway.unit;
+    if (!setsReconstruction) options.look.reconstruction = own.reconstruction;
+    if (!setsEdges) options.look.edges = own.edges;
     return options;
   }
 };
 
 /// Reads the command line into `request`. Returns an exit code when the program should end at once.
 std::optional<int> parse(int argc, char** argv, Request& request) {
-  CLI::App program{"Fenestra: looks into medical volumes with an adaptive cutaway.\nNot for diagnostic use.\n"
-                   "Without arguments it offers phantoms, a guided tour and the data opened last.",
-                   "fenestra"};
+  CLI::App program{
+      "Fenestra: looks into medical volumes with an adaptive cutaway.\nNot for diagnostic use.\n"
+      "Without arguments it offers phantoms, a guided tour and the data opened last.",
+      "fenestra"};
   program.set_version_flag("--version", FENESTRA_VERSION);
   app::addCompletionOption(program);
   app::SceneOptions& options = request.scene;
@@ -155,6 +159,8 @@ std::optional<int> parse(int argc, char** argv, Request& request) {
   const bool hasLook = io::isSession(options.path) || options.preset;
   request.setsBackground = hasLook || program.count("--background") > 0;
   request.setsUnit = hasLook || program.count("--width-unit") > 0;
+  request.setsReconstruction = hasLook || program.count("--reconstruction") > 0;
+  request.setsEdges = hasLook || program.count("--edges") > 0;
   request.welcomes = argc <= 1;
   if (options.empty()) options.phantom = "torso";
   if (program.count("--quality") + program.count("--max-error") > 0)

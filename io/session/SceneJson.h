@@ -160,12 +160,12 @@ void partMembers(auto& io, io::json::Is<Look> auto& look) {
   io("cutaway", look.cutaway);
   io("context_layer", look.contextLayer);
   io("shading", look.shading);
-  settings(io, look);  // background, table, reconstruction, smoothing of labels
+  settings(io, look);  // background, table, reconstruction, smoothing of labels and edges
 }
 
 void members(auto& io, io::json::Is<Look> auto& look) {
   auto& [focus, labels, focusAppearance, context, method, cutaway, contextLayer, shading, background, backdrop,
-         backgroundTop, hideTable, reconstruction, labelSmoothing, clipping, strokes] = look;
+         backgroundTop, hideTable, reconstruction, labelSmoothing, edges, clipping, strokes] = look;
   focusMember(io, focus);
   io.optional("label_settings", labels, !labels.empty(), {},
               {"How labels of the label map are shown, ascending by label; those that are shown as they come are left "

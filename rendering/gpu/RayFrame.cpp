@@ -49,6 +49,19 @@ void RayFrame::setBlocks(gl::ShaderProgram& program) const {
                        perspective() ? static_cast<float>(distance_) : 1.0f, size_});
   program.set(VolumeBlock{grid.dims});
   if (isClipped()) program.set(clip_.block(grid));
+  if (scatter_) scatter_->bind(program);
+}
+
+void Scatter::bind(gl::ShaderProgram& program) const {
+  list->bind(binding);
+  program.set("firstEdge", first);
+  program.set("edgeCount", count);
+}
+
+RayFrame RayFrame::scattered(const Scatter& scatter) const {
+  RayFrame frame = *this;
+  frame.scatter_ = scatter;
+  return frame;
 }
 
 OpeningCameraBlock RayFrame::seenFrom(const RayFrame& other) const {

@@ -1,6 +1,7 @@
 #pragma once
 // The camera as the shaders see it: one ray set-up for every pass (shaders/lib/PixelRay.glsl).
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -23,6 +24,19 @@ struct Clip {
   ClipBlock block(const Grid& grid) const;
 };
 
+/// Pixels of a list that several rays each are drawn for, between pixel centres (rendering/scene/Edges.h). They belong
+/// to images in which each listed pixel has a block of 2×2, blocksAcross in a row.
+struct Scatter {
+  static constexpr unsigned binding = 7;  ///< of the list's storage block, shaders/lib/EdgeList.glsl
+  static constexpr int blocksAcross = 256;
+  const gl::Buffer* list = nullptr;
+  int first = 0, count = 0;  ///< of the list
+
+  /// Blocks, as many as hold the pixels.
+  glm::ivec2 blocks() const { return {std::min(count, blocksAcross), (count + blocksAcross - 1) / blocksAcross}; }
+  void bind(gl::ShaderProgram& program) const;
+};
+
 /// Rays are anchored on a plane near the volume; positions along them are s = t - distance (mm). Computed in double and
 /// handed over relative to the volume, so that neither far cameras nor far origins cost precision.
 class RayFrame {
@@ -30,9 +44,13 @@ class RayFrame {
   /// `grid` is the volume's, of which shaders walk a finer one (see RefinedVolume.h).
   RayFrame(const Camera& camera, glm::ivec2 size, const Grid& grid, Clip clip = {}, int refinement = 1);
 
-  /// For lib/PixelRay.glsl; `program` was compiled with clipDefine().
+  /// For lib/PixelRay.glsl; `program` was compiled with clipDefine() and scatterDefine().
   void setBlocks(gl::ShaderProgram& program) const;
   gl::Define clipDefine() const { return clip_.define(); }
+  gl::Define scatterDefine() const { return {"SCATTERED", isScattered() ? 1 : 0}; }
+  /// The same picture's rays between pixel centres.
+  RayFrame scattered(const Scatter& scatter) const;
+  bool isScattered() const { return scatter_.has_value(); }
   const Clip& clip() const { return clip_; }
   bool isClipped() const { return !clip_.kept.empty(); }
 
@@ -62,6 +80,7 @@ class RayFrame {
   Clip clip_;
   int refinement_;
   Camera::Axes axes_;
+  std::optional<Scatter> scatter_;
   double distance_ = 0.0;     // eye to anchor plane
   glm::dvec2 halfSize_{0.0};  // mm at the anchor plane
 };

@@ -40,6 +40,7 @@ void CompositePass::run(Steps& steps, const GpuScene& gpu, const Inputs& inputs,
                                                  {"PROTECTED", inputs.protectedLayer != nullptr},
                                                  {"FAINT", inputs.faintLayer ? faintKind(method.sparseness) : 0},
                                                  {"APART", inputs.rayStart != nullptr},
+                                                 {"SCATTERED", inputs.scattered},
                                                  tableDefine()},
                                                 {scheduleChoice(gpu.schedule())}});
     program.bind("focusLayer", inputs.focusLayer);

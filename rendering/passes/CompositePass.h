@@ -25,6 +25,7 @@ class CompositePass {
     const gl::Texture* protectedLayer = nullptr;  ///< in front of the focus layer
     const gl::Texture* faintLayer = nullptr;      ///< all that is removed, between the two, as stagesOf() has it
     const gl::Texture* rayStart = nullptr;        ///< where another camera cuts the opening; see RemovedPass
+    bool scattered = false;                       ///< of rays between pixel centres; see RayFrame
   };
   /// Writes premultiplied RGBA32F without background.
   void run(Steps& steps, const GpuScene& gpu, const Inputs& inputs, const Look& look, Regions regions,

@@ -11,6 +11,7 @@ gl::ShaderProgram& ContextLayerPass::prepared(const GpuScene& gpu, const Shading
       programs_.get({{volumeDefine(gpu),
                       refinementDefine(gpu),
                       rays.clipDefine(),
+                      rays.scatterDefine(),
                       {"DERIVATIVE_BYTES", static_cast<int>(gl::bytesPerTexel(gpu.derivative().texture.format()))}},
                      {scheduleChoice(gpu.schedule())}});
   rays.setBlocks(program);

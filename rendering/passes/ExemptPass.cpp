@@ -22,6 +22,7 @@ void ExemptPass::run(Steps& steps, const GpuScene& gpu, const Look& look, const 
                                                  occlusionDefine(occlusion),
                                                  {"APART", false},
                                                  {"CLIPPED", 1},
+                                                 rays.scatterDefine(),
                                                  {"RAYS", 1}},
                                                 {scheduleChoice(gpu.schedule()),
                                                  {"focus", "lib/focus/Labels.glsl"},

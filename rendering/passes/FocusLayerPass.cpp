@@ -81,6 +81,7 @@ gl::ShaderProgram& FocusLayerPass::program(bool listed, const Drawn& drawn) {
                          {"LISTED", listed},
                          {"APART", opening && opening->hole},
                          rays.clipDefine(),
+                         rays.scatterDefine(),
                          {"RAYS", raysTogether(gpu.schedule(), sampling, lit)}},
                         {scheduleChoice(gpu.schedule()),
                          focusChoice(gpu),
@@ -104,6 +105,7 @@ gl::ShaderProgram& FocusLayerPass::prepared(bool listed, const Drawn& drawn) {
     if (opening->hole) program.bind("hole", *opening->hole);
     program.bind("rayStart", opening->rayStart);
     program.bind("hitPoints", opening->hitPoints);
+    if (opening->pixelStarts) program.bind("pixelStarts", *opening->pixelStarts);
   }
   if (opening || rays.isClipped()) {
     const glm::dvec3 spacing = gpu.grid().spacing;

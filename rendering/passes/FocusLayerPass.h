@@ -31,6 +31,9 @@ class FocusLayerPass {
     const gl::Texture& rayStart;
     /// Where another camera cuts the opening; see RemovedPass. Needs a sampling with a bound on the error.
     const gl::Texture* hole = nullptr;
+    /// Of scattered rays, whose the others are: the ray starts of the picture's pixels. They tell the cut face's
+    /// normal.
+    const gl::Texture* pixelStarts = nullptr;
   };
   /// How the integral is found: cell by cell within a bound on the error of a pixel's colour (0..1), or without one
   /// from face to face of the cells. Rays are traced through every pitch-th pixel of every pitch-th row (a power of

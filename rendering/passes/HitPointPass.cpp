@@ -6,10 +6,20 @@ namespace fenestra {
 
 void HitPointPass::run(Steps& steps, const GpuScene& scene, const RayFrame& rays, gl::Texture& hitPoints,
                        glm::ivec2 offset) {
-  steps.add(glm::ivec2(hitPoints.size()), [this, &scene, &rays, &hitPoints, offset](Regions tile) {
-    gl::ShaderProgram& program =
-        programs_.get({{volumeDefine(scene), refinementDefine(scene), faintDefine(scene), rays.clipDefine()},
-                       {scheduleChoice(scene.schedule()), focusChoice(scene)}});
+  add(steps, scene, rays, {glm::ivec2(0), glm::ivec2(hitPoints.size())}, hitPoints, offset);
+}
+
+void HitPointPass::run(Steps& steps, const GpuScene& scene, const RayFrame& rays, const gl::Region& region,
+                       gl::Texture& hitPoints) {
+  add(steps, scene, rays, region, hitPoints, glm::ivec2(0));
+}
+
+void HitPointPass::add(Steps& steps, const GpuScene& scene, const RayFrame& rays, const gl::Region& region,
+                       gl::Texture& hitPoints, glm::ivec2 offset) {
+  steps.add(Regions(&region, 1), [this, &scene, &rays, &hitPoints, offset](Regions tile) {
+    gl::ShaderProgram& program = programs_.get(
+        {{volumeDefine(scene), refinementDefine(scene), faintDefine(scene), rays.clipDefine(), rays.scatterDefine()},
+         {scheduleChoice(scene.schedule()), focusChoice(scene)}});
     rays.setBlocks(program);
     bindFirstHit(scene, program);
     bindFaint(scene, program);

@@ -75,8 +75,8 @@ void OcclusionPass::run(Steps& steps, const GpuScene& gpu, const Shading& shadin
   const glm::ivec2 size(cells.dims.x, cells.dims.y * cells.dims.z);
 
   steps.add(size, [this, &gpu, clip, opening](Regions tile) {
-    gl::ShaderProgram& program =
-        occluders_.get({{{"OPENED", opening.has_value()}, clip.define()}, {scheduleChoice(gpu.schedule())}});
+    gl::ShaderProgram& program = occluders_.get(
+        {{{"OPENED", opening.has_value()}, clip.define(), {"SCATTERED", 0}}, {scheduleChoice(gpu.schedule())}});
     if (opening) {
       opening->rays.setBlocks(program);
       program.bind("hitPoints", opening->hitPoints);

@@ -5,7 +5,8 @@ namespace fenestra {
 void RemovedPass::run(Steps& steps, Schedule schedule, const RayFrame& rays, const gl::Texture& hitPoints,
                       const Opening& opening, bool holes, double voxel, gl::Texture& faces, const Outputs& outputs) {
   steps.add(opening.rays.size(), [this, schedule, opening, &faces](Regions tile) {
-    gl::ShaderProgram& program = faces_.get({{opening.rays.clipDefine()}, {scheduleChoice(schedule)}});
+    gl::ShaderProgram& program =
+        faces_.get({{opening.rays.clipDefine(), opening.rays.scatterDefine()}, {scheduleChoice(schedule)}});
     opening.rays.setBlocks(program);
     program.bind("hitPoints", opening.hitPoints);
     program.bind("rayStart", opening.rayStart);
@@ -15,23 +16,32 @@ void RemovedPass::run(Steps& steps, Schedule schedule, const RayFrame& rays, con
     program.bind("faces", faces, gl::Access::Write);
     program.dispatch(tile);
   });
-  steps.add(rays.size(), [this, schedule, &rays, &hitPoints, opening, holes, voxel, &faces, outputs](Regions tile) {
-    gl::ShaderProgram& program = parts_.get({{{"EDITED", opening.editMap != nullptr}, rays.clipDefine()}, {scheduleChoice(schedule)}});
-    rays.setBlocks(program);
-    program.set(opening.rays.seenFrom(rays));
-    program.set("firstHole", holes ? -1e30f : 1e30f);
-    program.set("voxel", static_cast<float>(voxel));
-    program.bind("hitPoints", hitPoints);
-    program.bind("faces", faces);
-    program.bind("rayStart", outputs.rayStart, gl::Access::Write);
-    program.bind("hole", outputs.hole, gl::Access::Write);
-    program.bind("distances", outputs.distances, gl::Access::Write);
-    if (opening.editMap) {
-      program.bind("openingEdits", *opening.editMap);
-      program.bind("editMap", *outputs.editMap, gl::Access::Write);
-    }
-    program.dispatch(tile);
-  });
+  runParts(steps, schedule, rays, hitPoints, opening, holes, voxel, faces, {glm::ivec2(0), rays.size()}, outputs);
+}
+
+void RemovedPass::runParts(Steps& steps, Schedule schedule, const RayFrame& rays, const gl::Texture& hitPoints,
+                           const Opening& opening, bool holes, double voxel, const gl::Texture& faces,
+                           const gl::Region& region, const Outputs& outputs) {
+  steps.add(Regions(&region, 1),
+            [this, schedule, &rays, &hitPoints, opening, holes, voxel, &faces, outputs](Regions tile) {
+              gl::ShaderProgram& program =
+                  parts_.get({{{"EDITED", opening.editMap != nullptr}, rays.clipDefine(), rays.scatterDefine()},
+                              {scheduleChoice(schedule)}});
+              rays.setBlocks(program);
+              program.set(opening.rays.seenFrom(rays));
+              program.set("firstHole", holes ? -1e30f : 1e30f);
+              program.set("voxel", static_cast<float>(voxel));
+              program.bind("hitPoints", hitPoints);
+              program.bind("faces", faces);
+              program.bind("rayStart", outputs.rayStart, gl::Access::Write);
+              program.bind("hole", outputs.hole, gl::Access::Write);
+              program.bind("distances", outputs.distances, gl::Access::Write);
+              if (opening.editMap) {
+                program.bind("openingEdits", *opening.editMap);
+                program.bind("editMap", *outputs.editMap, gl::Access::Write);
+              }
+              program.dispatch(tile);
+            });
 }
 
 }  // namespace fenestra

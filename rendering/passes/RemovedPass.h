@@ -50,6 +50,10 @@ class RemovedPass {
   /// is. `voxel`: mm, its shortest side.
   void run(Steps& steps, Schedule schedule, const RayFrame& rays, const gl::Texture& hitPoints, const Opening& opening,
            bool holes, double voxel, gl::Texture& faces, const Outputs& outputs);
+  /// The same of other rays, whose images have that part, with the faces that run() has made.
+  void runParts(Steps& steps, Schedule schedule, const RayFrame& rays, const gl::Texture& hitPoints,
+                const Opening& opening, bool holes, double voxel, const gl::Texture& faces, const gl::Region& region,
+                const Outputs& outputs);
 
  private:
   gl::ShaderVariants faces_, parts_;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "rendering/reference/Reference.h"
+#include "rendering/reference/Apart.h"
 #include "rendering/scene/Parallel.h"
 
 namespace fenestra::reference {
@@ -225,19 +225,17 @@ Visible visibleOf(const std::vector<Span>& removed, double tContext, double tFoc
 
 }  // namespace
 
-Stages geometricStages(const Scene& scene, const View& view) {
-  const std::optional<OpeningView> cut =
-      hasCutaway(scene) ? openingOf(view, scene.look.cutaway, focusCentre(scene)) : std::nullopt;
-  if (!cut) return geometricStages(scene, view.camera, view.size, view.pixelScale);
-  const Opening opening(scene, *cut);
+Stages stagesApart(const Scene& scene, const Camera& camera, glm::ivec2 size, const OpeningView& cut,
+                   const std::vector<glm::dvec2>& places) {
+  const Opening opening(scene, cut);
   // A layer in front of the picture holds what is removed at the ray's start alone.
   const bool holes = labelsWith(LabelRole::Protected, scene).empty() && stagesOf(scene.look.method).faintOpacity == 0.0;
   Stages stages;
-  stages.hits = hitPoints(scene, view.camera, view.size);
+  stages.hits = hitPoints(scene, camera, size, places);
   stages.tStart = stages.hits.tContext;
   const std::size_t count = stages.tStart.size();
   stages.apart =
-      Apart{Image(count, infinity),         Image(count, infinity), Image(count, infinity), opening.widths(), *cut,
+      Apart{Image(count, infinity),         Image(count, infinity), Image(count, infinity), opening.widths(), cut,
             opening.stages().hits.tContext, opening.stages().tStart};
   if (opening.hasEdits()) stages.editFactor.assign(count, 1.0);
   parallelFor(count, 64, [&](std::size_t begin, std::size_t end) {
@@ -245,8 +243,7 @@ Stages geometricStages(const Scene& scene, const View& view) {
       interruptionPoint();
       const double tContext = stages.hits.tContext[i];
       if (std::isnan(tContext)) continue;
-      const glm::ivec2 pixel(static_cast<int>(i) % view.size.x, static_cast<int>(i) / view.size.x);
-      const Ray ray = pixelRay(view.camera, view.size, pixel);
+      const Ray ray = rayThrough(camera, size, places[i]);
       const Visible visible = visibleOf(opening.removed(ray, {tContext, stages.hits.tOut[i]}), tContext,
                                         stages.hits.tFocus[i], holes, opening.voxel());
       stages.tStart[i] = visible.start;
@@ -259,6 +256,13 @@ Stages geometricStages(const Scene& scene, const View& view) {
     }
   });
   return stages;
+}
+
+Stages geometricStages(const Scene& scene, const View& view) {
+  const std::optional<OpeningView> cut =
+      hasCutaway(scene) ? openingOf(view, scene.look.cutaway, focusCentre(scene)) : std::nullopt;
+  return cut ? stagesApart(scene, view.camera, view.size, *cut, centresOf(view.size))
+             : geometricStages(scene, view.camera, view.size, view.pixelScale);
 }
 
 }  // namespace fenestra::reference

@@ -97,7 +97,8 @@ Certificate certify(std::span<const glm::vec4> picture, const Scene& scene, cons
 
   const PictureOptions exactly{.pixelScale = view.pixelScale, .pixels = pixels};
   const Stages stages = hasCutaway(scene) ? geometricStages(scene, view) : Stages{};
-  const std::vector<glm::dvec4> exact = reference::picture(scene, view.camera, size, stages, exactly).final;
+  const std::vector<glm::dvec4> exact =
+      reference::picture(asDrawn(scene, view), view.camera, size, stages, exactly).final;
   const std::vector<double> measured = differences(picture, exact, pixels, size, scene.look);
   certificate.greatest = *std::max_element(measured.begin(), measured.end());
   const bool all = std::int64_t{size.x} * size.y == std::int64_t{certificate.pixels};

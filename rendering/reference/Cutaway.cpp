@@ -2,8 +2,10 @@
 #include <cmath>
 #include <limits>
 
+#include "rendering/reference/Apart.h"
 #include "rendering/reference/Reference.h"
 #include "rendering/reference/Strokes.h"
+#include "rendering/scene/Edges.h"
 #include "rendering/scene/FocusCells.h"
 #include "rendering/scene/Parallel.h"
 
@@ -195,6 +197,63 @@ Stages geometricStages(const Scene& scene, const Camera& camera, glm::ivec2 size
     stages.editFactor = std::move(made.factor);
   }
   return stages;
+}
+
+namespace {
+
+/// Between pixel centres, bilinear, constant beyond the outermost ones.
+class Between {
+ public:
+  Between(glm::ivec2 size, glm::dvec2 place) : size_(size) {
+    const glm::dvec2 texel = place - 0.5;
+    first_ = glm::ivec2(glm::floor(texel));
+    share_ = texel - glm::dvec2(first_);
+  }
+  template <class ValueAt>
+  double value(const ValueAt& valueAt) const {
+    const auto at = [&](int i, int j) {
+      const glm::ivec2 pixel = glm::clamp(first_ + glm::ivec2(i, j), glm::ivec2(0), size_ - 1);
+      return valueAt(offset(size_, pixel.x, pixel.y));
+    };
+    return glm::mix(glm::mix(at(0, 0), at(1, 0), share_.x), glm::mix(at(0, 1), at(1, 1), share_.x), share_.y);
+  }
+
+ private:
+  glm::ivec2 size_, first_;
+  glm::dvec2 share_;
+};
+
+Stages openedBetween(const Scene& scene, const Camera& camera, glm::ivec2 size, const Stages& pixels, double pixelScale,
+                     const std::vector<glm::dvec2>& places) {
+  const Widths widths = widthsInPixels(scene, camera, size, pixelScale);
+  const double reach = widths.open + widths.border + edges::distanceBeyond;
+  const Image filled = fill(pixels.hits.tFocus, size), distances = distanceMap(pixels.hits.tFocus, size, reach);
+  Stages stages;
+  stages.hits = hitPoints(scene, camera, size, places);
+  for (const glm::dvec2 place : places) {
+    const Between between(size, place);
+    stages.tFocusFilled.push_back(between.value([&](std::size_t at) { return filled[at]; }));
+    stages.distance.push_back(between.value([&](std::size_t at) { return std::min(distances[at], reach); }));
+  }
+  stages.tStart = rayStart(stages.hits, stages.tFocusFilled, stages.distance, widths.open);
+  if (std::any_of(scene.look.strokes.begin(), scene.look.strokes.end(), isEffective)) {
+    Edits made = edits(scene.look.strokes, camera, size, stages.hits, stages.tStart, places);
+    stages.tStart = std::move(made.tStart);
+    stages.editOffset = std::move(made.offset);
+    stages.editFactor = std::move(made.factor);
+  }
+  // No line around the opening on the focus itself.
+  for (std::size_t i = 0; i < places.size(); ++i)
+    if (!std::isnan(stages.hits.tFocus[i])) stages.distance[i] = 0.0;
+  return stages;
+}
+
+}  // namespace
+
+Stages stagesBetween(const Scene& scene, const Camera& camera, glm::ivec2 size, const Stages& pixels, double pixelScale,
+                     const std::vector<glm::dvec2>& places) {
+  return pixels.apart ? stagesApart(scene, camera, size, pixels.apart->opening, places)
+                      : openedBetween(scene, camera, size, pixels, pixelScale, places);
 }
 
 }  // namespace fenestra::reference

@@ -84,9 +84,13 @@ struct Hit {
 }  // namespace
 
 HitPoints hitPoints(const Scene& scene, const Camera& camera, glm::ivec2 size) {
+  return hitPoints(scene, camera, size, centresOf(size));
+}
+
+HitPoints hitPoints(const Scene& scene, const Camera& camera, glm::ivec2 size, const std::vector<glm::dvec2>& places) {
   const Grid& grid = scene.volume->grid;
   const ContextGaps context(scene);
-  const std::size_t count = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
+  const std::size_t count = places.size();
   HitPoints result{Image(count, nothing), Image(count, nothing), Image(count, nothing)};
 
   const Field field(scene);
@@ -119,9 +123,7 @@ HitPoints hitPoints(const Scene& scene, const Camera& camera, glm::ivec2 size) {
     parallelFor(count, static_cast<std::size_t>(size.x), [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         interruptionPoint();
-        const glm::ivec2 pixel(static_cast<int>(i % static_cast<std::size_t>(size.x)),
-                               static_cast<int>(i / static_cast<std::size_t>(size.x)));
-        const Ray ray = pixelRay(camera, size, pixel);
+        const Ray ray = rayThrough(camera, size, places[i]);
         const std::optional<Span> span = clip(ray, grid, kept);
         if (!span) continue;
         const bool onFace = scene.look.clipping.grey && capNormal(ray, grid, kept);

@@ -5,6 +5,7 @@
 #include "rendering/reference/Light.h"
 #include "rendering/reference/Occlusion.h"
 #include "rendering/reference/Strokes.h"
+#include "rendering/scene/Edges.h"
 #include "rendering/scene/Lighting.h"
 #include "rendering/scene/Parallel.h"
 
@@ -25,96 +26,104 @@ std::size_t offset(glm::ivec2 size, glm::ivec2 pixel) {
   return static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(pixel.x);
 }
 
-/// A picture's rays as the cutaway cuts them.
-class Opening {
- public:
-  Opening(const Scene& scene, const Camera& camera, glm::ivec2 size, const Stages& stages)
-      : camera_(camera), size_(size), stages_(stages) {
-    const glm::dvec3 spacing = scene.volume->grid.spacing;
-    wallDepth_ = lighting::wallDepthVoxels * std::min({spacing.x, spacing.y, spacing.z});
-  }
-
-  /// Where `pixel`'s ray starts to see; NaN where it meets nothing.
-  double start(glm::ivec2 pixel) const { return stages_.tStart[offset(size_, pixel)]; }
-
-  /// Unit normal of the face that the cutaway cuts, from the neighbours' ray starts; zero where the ray starts on the
-  /// focus, or on the context's own surface.
-  glm::dvec3 wallNormal(glm::ivec2 pixel) const {
-    const std::size_t at = offset(size_, pixel);
-    const double tFocus = stages_.hits.tFocus[at];
-    // Another camera's opening may let a ray start in front of the focus.
-    if (stages_.apart ? start(pixel) == tFocus : !std::isnan(tFocus)) return glm::dvec3(0.0);
-    if (!(start(pixel) > stages_.hits.tContext[at] + 0.5 * wallDepth_)) return glm::dvec3(0.0);
-    std::array<glm::dvec3, 2> tangents;
-    for (int axis = 0; axis < 2; ++axis) {
-      const glm::ivec2 step(1 - axis, axis);
-      const glm::ivec2 before = glm::max(pixel - step, 0), after = glm::min(pixel + step, size_ - 1);
-      if (std::isnan(start(before)) || std::isnan(start(after))) return glm::dvec3(0.0);
-      tangents[static_cast<std::size_t>(axis)] = startPoint(after) - startPoint(before);
-    }
-    const glm::dvec3 normal = glm::cross(tangents[0], tangents[1]);
-    const double length = glm::length(normal);
-    return length > 0.0 ? normal / length : glm::dvec3(0.0);
-  }
-
- private:
-  glm::dvec3 startPoint(glm::ivec2 pixel) const {
-    const Ray ray = pixelRay(camera_, size_, pixel);
-    return ray.origin + start(pixel) * ray.direction;
-  }
-
-  const Camera& camera_;
-  glm::ivec2 size_;
-  const Stages& stages_;
-  double wallDepth_;  ///< mm
+/// What the rays of a picture have in common, those through its pixels and those between.
+struct Frame {
+  const Scene& scene;
+  const Camera& camera;
+  glm::ivec2 size;
+  const Stages* pixels;  ///< stages 1 to 4 of the pixels; null without an opening
+  Widths widths;         ///< of the opening
+  const Occlusion* occlusion;
+  double tolerance;
+  bool hasBorder() const { return pixels && scene.look.cutaway.borderWidth > 0.0; }
 };
 
-/// The rays of `pixels`, starting where the box or the cutaway lets them.
-std::vector<CutRay> cutRays(const Scene& scene, const Camera& camera, glm::ivec2 size, const Stages* stages,
-                            const std::vector<glm::ivec2>& pixels) {
-  constexpr Span missed{1.0, 0.0};
-  std::vector<CutRay> rays;
-  rays.reserve(pixels.size());
-  const std::vector<HalfSpace> kept = halfSpaces(scene.look.clipping, scene.volume->grid);
+/// Some of those rays.
+struct Rays {
+  std::vector<glm::dvec2> places;  ///< on the picture, pixels from its top left
+  const Stages& stages;
+  std::vector<std::size_t> at;  ///< of each ray in the stages
+  const Image& borderDistance;  ///< that the line around the opening goes by, as the stages; empty without one
+  double boxWidth;              ///< pixels that a ray stands for
+  double start(std::size_t i) const { return stages.tStart[at[i]]; }
+  double tContext(std::size_t i) const { return stages.hits.tContext[at[i]]; }
+  double tFocus(std::size_t i) const { return stages.hits.tFocus[at[i]]; }
+  double factor(std::size_t i) const { return stages.editFactor.empty() ? 1.0 : stages.editFactor[at[i]]; }
+};
+
+double finestSpacing(const Scene& scene) {
   const glm::dvec3 spacing = scene.volume->grid.spacing;
-  const double finest = std::min({spacing.x, spacing.y, spacing.z});
-  std::optional<Opening> opening;
-  if (stages) opening.emplace(scene, camera, size, *stages);
-  for (const glm::ivec2 pixel : pixels) {
-    CutRay ray{.ray = pixelRay(camera, size, pixel), .span = missed};
+  return std::min({spacing.x, spacing.y, spacing.z});
+}
+
+/// Unit normal of the face that the cutaway cuts, from the ray starts of the pixels beside a ray's own; zero where the
+/// ray starts on the focus, or on the context's own surface.
+glm::dvec3 wallNormal(const Frame& frame, const Rays& rays, std::size_t i) {
+  const double start = rays.start(i), tFocus = rays.tFocus(i);
+  // Another camera's opening may let a ray start in front of the focus.
+  if (rays.stages.apart ? start == tFocus : !std::isnan(tFocus)) return glm::dvec3(0.0);
+  if (!(start > rays.tContext(i) + 0.5 * lighting::wallDepthVoxels * finestSpacing(frame.scene)))
+    return glm::dvec3(0.0);
+  const glm::ivec2 pixel(glm::floor(rays.places[i]));
+  std::array<glm::dvec3, 2> tangents;
+  for (int axis = 0; axis < 2; ++axis) {
+    const glm::ivec2 step(1 - axis, axis);
+    const auto startPoint = [&](glm::ivec2 beside) {
+      const Ray ray = pixelRay(frame.camera, frame.size, beside);
+      return ray.origin + frame.pixels->tStart[offset(frame.size, beside)] * ray.direction;
+    };
+    const glm::dvec3 before = startPoint(glm::max(pixel - step, 0)),
+                     after = startPoint(glm::min(pixel + step, frame.size - 1));
+    if (std::isnan(before.x) || std::isnan(after.x)) return glm::dvec3(0.0);
+    tangents[static_cast<std::size_t>(axis)] = after - before;
+  }
+  const glm::dvec3 normal = glm::cross(tangents[0], tangents[1]);
+  const double length = glm::length(normal);
+  return length > 0.0 ? normal / length : glm::dvec3(0.0);
+}
+
+/// The rays, starting where the box or the cutaway lets them.
+std::vector<CutRay> cutRays(const Frame& frame, const Rays& rays) {
+  constexpr Span missed{1.0, 0.0};
+  const Scene& scene = frame.scene;
+  std::vector<CutRay> cut;
+  cut.reserve(rays.places.size());
+  const std::vector<HalfSpace> kept = halfSpaces(scene.look.clipping, scene.volume->grid);
+  for (std::size_t i = 0; i < rays.places.size(); ++i) {
+    CutRay ray{.ray = rayThrough(frame.camera, frame.size, rays.places[i]), .span = missed};
     const std::optional<Span> span = clip(ray.ray, scene.volume->grid, kept);
     if (span) ray.span = *span;
-    if (opening) {
-      const double start = opening->start(pixel);
+    if (frame.pixels) {
+      const double start = rays.start(i);
       if (std::isnan(start)) {
         ray.span = missed;
       } else {
         ray.span.tIn = std::max(ray.span.tIn, start);
-        ray.wall = opening->wallNormal(pixel);
-        if (stages->apart) {
-          const std::size_t at = offset(size, pixel);
-          ray.hole = {stages->apart->holeBegin[at], stages->apart->holeEnd[at]};
-        }
+        ray.wall = wallNormal(frame, rays, i);
+        if (const auto& apart = rays.stages.apart)
+          ray.hole = {apart->holeBegin[rays.at[i]], apart->holeEnd[rays.at[i]]};
       }
     }
     if (span && ray.wall == glm::dvec3(0.0))
       if (const auto normal = capNormal(ray.ray, scene.volume->grid, kept)) {
         ray.wall = *normal;
         ray.beforeWall = ray.span.tIn - span->tIn;
-        const bool onFace = ray.beforeWall <= 0.5 * lighting::wallDepthVoxels * finest;
-        const bool onFocus = opening && opening->start(pixel) == stages->hits.tFocus[offset(size, pixel)];
-        if (scene.look.clipping.grey && onFace && !onFocus) ray.grey = GreyFace{*scene.look.clipping.grey, !opening};
+        const bool onFace = ray.beforeWall <= 0.5 * lighting::wallDepthVoxels * finestSpacing(scene);
+        const bool onFocus = frame.pixels && rays.start(i) == rays.tFocus(i);
+        if (scene.look.clipping.grey && onFace && !onFocus)
+          ray.grey = GreyFace{*scene.look.clipping.grey, !frame.pixels};
       }
-    rays.push_back(ray);
+    cut.push_back(ray);
   }
-  return rays;
+  return cut;
 }
 
 /// Premultiplied `front` over `behind`.
 glm::dvec4 over(glm::dvec4 front, glm::dvec4 behind) { return front + (1.0 - front.a) * behind; }
 
 /// What shows of a colour that the opening removes, where the method keeps it faint.
-glm::dvec4 madeFaint(glm::dvec4 colour, const MethodStages& method, glm::ivec2 pixel) {
+glm::dvec4 madeFaint(glm::dvec4 colour, const MethodStages& method, glm::dvec2 place) {
+  const glm::ivec2 pixel(glm::floor(place));
   colour *= faintShare(method.sparseness, method.faintOpacity, pixel.x, pixel.y);
   if (method.sparseness != Sparseness::Colour) return colour;
   // Luminance after ITU-R BT.709.
@@ -146,12 +155,165 @@ glm::dvec3 contextColour(const ContextLayer& look, const TransferFunction& conte
          glm::mix(1.0, point.illumination, look.illuminationWeight);
 }
 
-/// Share of a pixel, a box one pixel wide across the rim, that w_open < DM ≤ w_open + w_border covers.
-double borderCoverage(double distance, Widths widths) {
+/// Share of a box across the line around the opening that w_open < DM ≤ w_open + w_border covers.
+double borderCoverage(double distance, Widths widths, double boxWidth) {
   if (!(distance > 0.0)) return 0.0;
-  const double low = std::max(distance - 0.5, widths.open),
-               high = std::min(distance + 0.5, widths.open + widths.border);
-  return std::clamp(high - low, 0.0, 1.0);
+  const double low = std::max(distance - 0.5 * boxWidth, widths.open),
+               high = std::min(distance + 0.5 * boxWidth, widths.open + widths.border);
+  return std::clamp((high - low) / boxWidth, 0.0, 1.0);
+}
+
+void addContextLayer(const Frame& frame, const Rays& rays, const std::vector<CutRay>& cut, Picture& picture) {
+  const ContextLayer& look = frame.scene.look.contextLayer;
+  std::vector<Ray> uncut;
+  Image tContext, tFocus;
+  for (std::size_t i = 0; i < cut.size(); ++i) {
+    uncut.push_back(cut[i].ray);
+    tContext.push_back(rays.tContext(i));
+    // Of a surface that another camera's opening leaves, the edges show in itself.
+    const bool stays = rays.stages.apart && !(rays.start(i) > rays.tContext(i));
+    tFocus.push_back(stays ? nothing : rays.tFocus(i));
+  }
+  const double scale = derivativeSpacing(frame.scene.volume->grid);
+  const TransferFunction context = frame.scene.look.context.shifted();
+  for (const auto& point : contextLayer(frame.scene, frame.camera, uncut, tContext, tFocus)) {
+    const std::size_t i = picture.contextLayer.size();
+    picture.contextLayer.push_back(point ? glm::dvec4(point->k1, point->k2, point->illumination, point->value)
+                                         : glm::dvec4(nothing));
+    picture.silhouette.push_back(point ? point->silhouette : nothing);
+    if (!point) continue;
+    const glm::dvec4 surface(contextColour(look, context, *point), 1.0);
+    const double opacity = contextOpacity(look, *point, scale, rays.factor(i));
+    picture.final[i] = over(surface * opacity, picture.final[i]);
+  }
+}
+
+/// Stages 5 to 7 of some rays.
+Picture drawn(const Frame& frame, const Rays& rays) {
+  const Scene& scene = frame.scene;
+  const std::vector<CutRay> cut = cutRays(frame, rays);
+  const bool guarded = frame.pixels && !labelsWith(LabelRole::Protected, scene).empty();
+  const MethodStages method = stagesOf(scene.look.method);
+  const bool hasFaint = frame.pixels && method.faintOpacity > 0.0;
+  // Of each of so many layers, and half of what is left beside exempt labels.
+  const double tolerance =
+      frame.tolerance / (1.0 + guarded + hasFaint) * (scene.look.clipping.exempt.empty() ? 1.0 : 0.5);
+  FocusLayer layer = focusLayer(scene, frame.camera, cut, tolerance, frame.occlusion);
+  Picture result;
+  result.final = layer.colour;
+  Image firstHits;
+  for (std::size_t i = 0; (guarded || hasFaint) && i < cut.size(); ++i) firstHits.push_back(rays.tContext(i));
+  if (hasFaint)
+    layOver(removedLayer(scene, frame.camera, cut, firstHits, tolerance, frame.occlusion), result.faintLayer,
+            layer.error, result.final,
+            [&](glm::dvec4 colour, std::size_t i) { return madeFaint(colour, method, rays.places[i]); });
+  if (guarded)
+    layOver(protectedLayer(scene, frame.camera, cut, firstHits, tolerance, frame.occlusion), result.protectedLayer,
+            layer.error, result.final, [](glm::dvec4 colour, std::size_t) { return colour; });
+  if (frame.pixels && scene.look.contextLayer.strength > 0.0) addContextLayer(frame, rays, cut, result);
+  for (std::size_t i = 0; frame.hasBorder() && i < cut.size(); ++i) {
+    if (std::isnan(rays.tContext(i))) continue;
+    const glm::dvec4 border(scene.look.cutaway.borderColour, 1.0);
+    const double coverage = borderCoverage(rays.borderDistance[rays.at[i]], frame.widths, rays.boxWidth);
+    result.final[i] = glm::mix(result.final[i], border, coverage * rays.factor(i));
+  }
+  const Clipping& clipping = scene.look.clipping;
+  if (!clipping.exempt.empty() && structuresOf(scene) && !halfSpaces(clipping, scene.volume->grid).empty()) {
+    const ExemptLayers exempt = exemptLayers(scene, frame.camera, cut, 0.25 * frame.tolerance, frame.occlusion);
+    for (std::size_t i = 0; i < cut.size(); ++i) {
+      result.final[i] = over(over(exempt.before.colour[i], result.final[i]), exempt.behind.colour[i]);
+      layer.error[i] += exempt.before.error[i] + exempt.behind.error[i];
+    }
+  }
+  result.focusLayer = std::move(layer.colour);
+  result.error = std::move(layer.error);
+  return result;
+}
+
+bool isInside(glm::ivec2 pixel, glm::ivec2 size) {
+  return glm::all(glm::greaterThanEqual(pixel, glm::ivec2(0))) && glm::all(glm::lessThan(pixel, size));
+}
+constexpr std::array<glm::ivec2, 4> steps{{glm::ivec2(1, 0), glm::ivec2(0, 1), glm::ivec2(-1, 0), glm::ivec2(0, -1)}};
+
+/// The pixels, and behind them those beside them that are not among them; and where each pixel of the picture is in
+/// that list.
+struct Neighbourhood {
+  std::vector<glm::ivec2> pixels;
+  std::vector<std::size_t> indexOf;
+  static constexpr std::size_t absent = std::numeric_limits<std::size_t>::max();
+};
+Neighbourhood withNeighbours(const std::vector<glm::ivec2>& pixels, glm::ivec2 size) {
+  Neighbourhood all{
+      {}, std::vector(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y), Neighbourhood::absent)};
+  const auto add = [&](glm::ivec2 pixel, bool again) {
+    std::size_t& index = all.indexOf[offset(size, pixel)];
+    if (index != Neighbourhood::absent && !again) return;
+    index = all.pixels.size();
+    all.pixels.push_back(pixel);
+  };
+  for (const glm::ivec2 pixel : pixels) add(pixel, true);
+  for (const glm::ivec2 pixel : pixels)
+    for (const glm::ivec2 step : steps)
+      if (isInside(pixel + step, size)) add(pixel + step, false);
+  return all;
+}
+
+/// Greatest difference of a channel between a pixel and one beside it, as Edges.h has it.
+double contrastOf(const Frame& frame, const Rays& rays, const std::vector<glm::dvec4>& colours,
+                  const Neighbourhood& all, std::size_t i) {
+  const auto isOnBorder = [&](std::size_t k) {
+    return frame.hasBorder() && !std::isnan(rays.tContext(k)) &&
+           borderCoverage(rays.borderDistance[rays.at[k]], frame.widths, 1.0) > 0.0;
+  };
+  const auto meetTheSame = [&](std::size_t a, std::size_t b) {
+    return std::isnan(rays.tContext(a)) == std::isnan(rays.tContext(b)) &&
+           std::isnan(rays.tFocus(a)) == std::isnan(rays.tFocus(b));
+  };
+  double contrast = 0.0;
+  for (const glm::ivec2 step : steps) {
+    const glm::ivec2 beside = all.pixels[i] + step;
+    if (!isInside(beside, frame.size)) continue;
+    const std::size_t k = all.indexOf[offset(frame.size, beside)];
+    if (frame.pixels && (isOnBorder(i) || isOnBorder(k)) && meetTheSame(i, k)) continue;
+    const glm::dvec4 difference = glm::abs(colours[i] - colours[k]);
+    contrast = std::max({contrast, difference.r, difference.g, difference.b, difference.a});
+  }
+  return contrast;
+}
+
+/// Makes the first `count` pixels of a picture those with smooth edges.
+void smoothEdges(const Frame& frame, const Rays& rays, double pixelScale, const Neighbourhood& all, std::size_t count,
+                 Picture& picture) {
+  struct Edge {
+    std::size_t pixel;
+    double weight;
+  };
+  std::vector<Edge> found;
+  std::vector<glm::dvec2> places;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double weight = edges::weight(contrastOf(frame, rays, picture.final, all, i));
+    if (!(weight > 0.0)) continue;
+    found.push_back({i, weight});
+    for (const glm::dvec2 sample : edges::sampleOffsets) places.push_back(rays.places[i] + sample);
+  }
+  if (found.empty()) return;
+  const Stages stages =
+      frame.pixels ? stagesBetween(frame.scene, frame.camera, frame.size, *frame.pixels, pixelScale, places) : Stages{};
+  Rays samples{
+      std::move(places), stages, {}, stages.apart ? stages.apart->distance : stages.distance, edges::sampleWidth};
+  for (std::size_t i = 0; i < samples.places.size(); ++i) samples.at.push_back(i);
+  const Picture between = drawn(frame, samples);
+  constexpr std::size_t perPixel = edges::sampleOffsets.size();
+  for (std::size_t e = 0; e < found.size(); ++e) {
+    glm::dvec4& colour = picture.final[found[e].pixel];
+    glm::dvec4 sum = colour;
+    double& error = picture.error[found[e].pixel];
+    for (std::size_t k = e * perPixel; k < (e + 1) * perPixel; ++k) {
+      sum += between.final[k];
+      error = std::max(error, between.error[k]);
+    }
+    colour = glm::mix(colour, sum / static_cast<double>(perPixel + 1), found[e].weight);
+  }
 }
 
 }  // namespace
@@ -162,87 +324,48 @@ Picture picture(const Scene& scene, const Camera& camera, glm::ivec2 size, const
 }
 
 Picture picture(const Scene& scene, const View& view, double tolerance) {
-  return picture(scene, view.camera, view.size, hasCutaway(scene) ? geometricStages(scene, view) : Stages{},
+  return picture(asDrawn(scene, view), view.camera, view.size,
+                 hasCutaway(scene) ? geometricStages(scene, view) : Stages{},
                  {.pixelScale = view.pixelScale, .tolerance = tolerance, .pixels = {}});
+}
+
+Scene asDrawn(Scene scene, const View& view) {
+  if (!hasSmoothEdges(scene.look, view)) scene.look.edges = Edges::Off;
+  return scene;
 }
 
 Picture picture(const Scene& scene, const Camera& camera, glm::ivec2 size, const Stages& stages,
                 const PictureOptions& options) {
-  const bool cutaway = hasCutaway(scene), hasContext = cutaway && scene.look.contextLayer.strength > 0.0;
-  const std::vector<glm::ivec2> pixels = pixelsOf(size, options);
-  const std::vector<CutRay> cut = cutRays(scene, camera, size, cutaway ? &stages : nullptr, pixels);
-  const bool guarded = cutaway && !labelsWith(LabelRole::Protected, scene).empty();
-  const MethodStages method = stagesOf(scene.look.method);
-  const bool hasFaint = cutaway && method.faintOpacity > 0.0;
-  // Of each of so many layers, and half of what is left beside exempt labels.
-  const double tolerance =
-      options.tolerance / (1.0 + guarded + hasFaint) * (scene.look.clipping.exempt.empty() ? 1.0 : 0.5);
+  const bool cutaway = hasCutaway(scene), smooth = scene.look.edges == Edges::Smooth;
+  std::vector<glm::ivec2> pixels = pixelsOf(size, options);
+  const std::size_t count = pixels.size();
+  Neighbourhood all;
+  if (smooth) {
+    all = withNeighbours(pixels, size);
+    pixels = all.pixels;
+  }
   std::optional<Occlusion> occlusion;
   if (hasOcclusion(scene.look.shading)) occlusion.emplace(scene, camera, size, cutaway ? &stages : nullptr);
-  const Occlusion* const occluded = occlusion ? &*occlusion : nullptr;
-  FocusLayer layer = focusLayer(scene, camera, cut, tolerance, occluded);
-
-  const auto factor = [&](glm::ivec2 pixel) {
-    return stages.editFactor.empty() ? 1.0 : stages.editFactor[offset(size, pixel)];
-  };
-
-  Picture result;
-  result.final = layer.colour;
-  Image firstHits;
-  if (guarded || hasFaint)
-    for (const glm::ivec2 pixel : pixels) firstHits.push_back(stages.hits.tContext[offset(size, pixel)]);
-  if (hasFaint)
-    layOver(removedLayer(scene, camera, cut, firstHits, tolerance, occluded), result.faintLayer, layer.error,
-            result.final, [&](glm::dvec4 colour, std::size_t i) { return madeFaint(colour, method, pixels[i]); });
-  if (guarded)
-    layOver(protectedLayer(scene, camera, cut, firstHits, tolerance, occluded), result.protectedLayer, layer.error,
-            result.final, [](glm::dvec4 colour, std::size_t) { return colour; });
-  if (hasContext) {
-    std::vector<Ray> rays;
-    Image tContext, tFocus;
-    for (std::size_t i = 0; i < pixels.size(); ++i) {
-      rays.push_back(cut[i].ray);
-      const std::size_t at = offset(size, pixels[i]);
-      tContext.push_back(stages.hits.tContext[at]);
-      // Of a surface that another camera's opening leaves, the edges show in itself.
-      const bool stays = stages.apart && !(stages.tStart[at] > stages.hits.tContext[at]);
-      tFocus.push_back(stays ? nothing : stages.hits.tFocus[at]);
-    }
-    const double scale = derivativeSpacing(scene.volume->grid);
-    const TransferFunction context = scene.look.context.shifted();
-    for (const auto& point : contextLayer(scene, camera, rays, tContext, tFocus)) {
-      const std::size_t i = result.contextLayer.size();
-      result.contextLayer.push_back(point ? glm::dvec4(point->k1, point->k2, point->illumination, point->value)
-                                          : glm::dvec4(nothing));
-      result.silhouette.push_back(point ? point->silhouette : nothing);
-      if (!point) continue;
-      const glm::dvec4 surface(contextColour(scene.look.contextLayer, context, *point), 1.0);
-      const double opacity = contextOpacity(scene.look.contextLayer, *point, scale, factor(pixels[i]));
-      result.final[i] = over(surface * opacity, result.final[i]);
-    }
-  }
-  if (cutaway && scene.look.cutaway.borderWidth > 0.0) {
-    const Widths widths = stages.apart ? stages.apart->widths : widthsInPixels(scene, camera, size, options.pixelScale);
+  Frame frame{
+      scene, camera, size, cutaway ? &stages : nullptr, {}, occlusion ? &*occlusion : nullptr, options.tolerance};
+  Image distance;
+  if (frame.hasBorder()) {
+    frame.widths = stages.apart ? stages.apart->widths : widthsInPixels(scene, camera, size, options.pixelScale);
     // The border's rim is filtered over one pixel, so it shows half a pixel beyond the border.
-    const Image distance =
-        stages.apart ? stages.apart->distance : distanceMap(openedBy(stages), size, widths.open + widths.border + 1.0);
-    for (std::size_t i = 0; i < pixels.size(); ++i) {
-      const std::size_t at = offset(size, pixels[i]);
-      if (std::isnan(stages.hits.tContext[at])) continue;
-      const glm::dvec4 border(scene.look.cutaway.borderColour, 1.0);
-      result.final[i] = glm::mix(result.final[i], border, borderCoverage(distance[at], widths) * factor(pixels[i]));
-    }
+    distance = stages.apart ? stages.apart->distance
+                            : distanceMap(openedBy(stages), size, frame.widths.open + frame.widths.border + 1.0);
   }
-  const Clipping& clipping = scene.look.clipping;
-  if (!clipping.exempt.empty() && structuresOf(scene) && !halfSpaces(clipping, scene.volume->grid).empty()) {
-    const ExemptLayers exempt = exemptLayers(scene, camera, cut, 0.25 * options.tolerance, occluded);
-    for (std::size_t i = 0; i < pixels.size(); ++i) {
-      result.final[i] = over(over(exempt.before.colour[i], result.final[i]), exempt.behind.colour[i]);
-      layer.error[i] += exempt.before.error[i] + exempt.behind.error[i];
-    }
+  Rays rays{{}, stages, {}, distance, 1.0};
+  for (const glm::ivec2 pixel : pixels) {
+    rays.places.push_back(glm::dvec2(pixel) + 0.5);
+    rays.at.push_back(offset(size, pixel));
   }
-  result.focusLayer = std::move(layer.colour);
-  result.error = std::move(layer.error);
+  Picture result = drawn(frame, rays);
+  if (smooth) smoothEdges(frame, rays, options.pixelScale, all, count, result);
+  for (auto* layer : {&result.focusLayer, &result.faintLayer, &result.protectedLayer, &result.contextLayer, &result.final})
+    if (layer->size() > count) layer->resize(count);
+  for (Image* image : {&result.silhouette, &result.error})
+    if (image->size() > count) image->resize(count);
   return result;
 }
 

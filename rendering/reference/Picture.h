@@ -9,6 +9,9 @@
 // surface of the focus; in between κ is a polynomial, so optical depth is exact, and colour is integrated by
 // Gauss-Kronrod rules that halve their interval until the tolerance is met.
 //
+// Where the look's edges are smooth, the finished picture is the mean of five rays in the pixels that edges run
+// through, as rendering/scene/Edges.h defines it; the layers stay those of the rays through the pixels' centres.
+//
 // NaN and infinite values count as in hitPoints().
 
 #include <vector>
@@ -42,7 +45,11 @@ struct Picture {
 /// The whole chain. With no cutaway (see hasCutaway) it is a plain volume rendering from the box's entry on.
 Picture picture(const Scene& scene, const Camera& camera, glm::ivec2 size, const PictureOptions& options = {});
 
-/// The same of a view, whose opening may be frozen or have an axis offset. `tolerance` as in PictureOptions.
+/// The scene as a view's picture shows it: without smooth edges where the view has none (hasSmoothEdges).
+Scene asDrawn(Scene scene, const View& view);
+
+/// The same of a view, whose opening may be frozen or have an axis offset, and which may have no smooth edges.
+/// `tolerance` as in PictureOptions.
 Picture picture(const Scene& scene, const View& view, double tolerance = 1e-5);
 
 /// The same from given stages 1 to 4. With another renderer's, only its errors of stages 5 to 7 remain in a comparison.

@@ -12,16 +12,27 @@ constexpr double parallel = 1e-7;
 
 }  // namespace
 
-Ray pixelRay(const Camera& camera, glm::ivec2 size, glm::ivec2 pixel) {
+Ray rayThrough(const Camera& camera, glm::ivec2 size, glm::dvec2 place) {
   const Camera::Axes axes = camera.axes();
   const double aspect = static_cast<double>(size.x) / size.y;
-  const double x = (2.0 * (pixel.x + 0.5) / size.x - 1.0) * aspect, y = 1.0 - 2.0 * (pixel.y + 0.5) / size.y;
+  const double x = (2.0 * place.x / size.x - 1.0) * aspect, y = 1.0 - 2.0 * place.y / size.y;
   if (camera.projection == Projection::Orthographic) {
     const double halfHeight = 0.5 * camera.orthographicHeight;
     return {camera.eye + (x * axes.right + y * axes.up) * halfHeight, axes.forward};
   }
   const double slope = std::tan(0.5 * glm::radians(camera.verticalFov));
   return {camera.eye, glm::normalize(axes.forward + (x * axes.right + y * axes.up) * slope)};
+}
+
+Ray pixelRay(const Camera& camera, glm::ivec2 size, glm::ivec2 pixel) {
+  return rayThrough(camera, size, glm::dvec2(pixel) + 0.5);
+}
+
+std::vector<glm::dvec2> centresOf(glm::ivec2 size) {
+  std::vector<glm::dvec2> centres;
+  for (int j = 0; j < size.y; ++j)
+    for (int i = 0; i < size.x; ++i) centres.emplace_back(i + 0.5, j + 0.5);
+  return centres;
 }
 
 std::optional<Span> clip(const Ray& ray, const Grid& grid) {

@@ -16,8 +16,12 @@ struct Ray {
   glm::dvec3 origin{0.0};
   glm::dvec3 direction{0.0};
 };
-/// The ray through the centre of pixel (i, j), j from the top.
+/// The ray through a place of the picture, in pixels from its top left.
+Ray rayThrough(const Camera& camera, glm::ivec2 size, glm::dvec2 place);
+/// The same through the centre of pixel (i, j), j from the top.
 Ray pixelRay(const Camera& camera, glm::ivec2 size, glm::ivec2 pixel);
+/// Of all pixels, row by row from the top.
+std::vector<glm::dvec2> centresOf(glm::ivec2 size);
 
 /// The same ray in index space; t is still in mm, so the direction is not a unit vector.
 Ray indexRay(const Ray& ray, const Grid& grid);
@@ -49,6 +53,8 @@ struct HitPoints {
 /// that are not numbers count as the volume's least finite value, infinite ones as its least or greatest, so that
 /// neither makes a surface of its own.
 HitPoints hitPoints(const Scene& scene, const Camera& camera, glm::ivec2 size);
+/// The same of the rays through some places of the picture, one element each.
+HitPoints hitPoints(const Scene& scene, const Camera& camera, glm::ivec2 size, const std::vector<glm::dvec2>& places);
 
 /// Stage 2: pyramid interpolation of the unknown pixels (Strengert, Kraus, Ertl, VMV 2006), known pixels untouched.
 /// Level by level, each half the size rounded up, a pixel is the mean of the known pixels in its 2×2 block; back from
@@ -103,5 +109,9 @@ Stages geometricStages(const Scene& scene, const Camera& camera, glm::ivec2 size
 /// The same of a view, whose opening may be frozen or have an axis offset. Where another camera cuts the opening,
 /// tFocusFilled, distance and editOffset stay empty.
 Stages geometricStages(const Scene& scene, const View& view);
+/// Stages 1 to 4 of the rays through some places of a picture, whose pixels have the stages `pixels`: as Edges.h (in
+/// rendering/scene) defines them. One element a ray; `distance` is what the line around the opening goes by.
+Stages stagesBetween(const Scene& scene, const Camera& camera, glm::ivec2 size, const Stages& pixels, double pixelScale,
+                     const std::vector<glm::dvec2>& places);
 
 }  // namespace fenestra::reference

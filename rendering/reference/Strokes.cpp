@@ -36,9 +36,9 @@ class Projector {
     const glm::dvec2 offset(glm::dot(from, axes_.right), -glm::dot(from, axes_.up));
     return {0.5 * glm::dvec2(size_) + perMillimetre * offset, perMillimetre * radius, depth};
   }
-  /// t on the pixel's ray at a view depth.
-  double timeAt(glm::ivec2 pixel, double depth) const {
-    return depth / glm::dot(pixelRay(camera_, size_, pixel).direction, axes_.forward);
+  /// t on the ray through a place of the picture at a view depth.
+  double timeAt(glm::dvec2 place, double depth) const {
+    return depth / glm::dot(rayThrough(camera_, size_, place).direction, axes_.forward);
   }
 
  private:
@@ -71,19 +71,19 @@ double profile(double d, double softness) {
   return softness > 0.0 ? smoothstep(0.0, softness, 1.0 - d) : d <= 1.0 ? 1.0 : 0.0;
 }
 
-/// Greatest weight of the lines at a pixel, on what lies between the times `nearest` and `farthest` of its ray.
-double weightAt(glm::ivec2 pixel, const BrushStroke& stroke, const std::vector<Line>& lines, const Projector& projector,
+/// Greatest weight of the lines at a place of the picture, on what lies between the times `nearest` and `farthest` of
+/// its ray.
+double weightAt(glm::dvec2 place, const BrushStroke& stroke, const std::vector<Line>& lines, const Projector& projector,
                 double nearest, double farthest) {
   double weight = 0.0;
-  const glm::dvec2 centre = glm::dvec2(pixel) + 0.5;
   for (const Line& line : lines) {
     const glm::dvec2 along = line.to.pixel - line.from.pixel;
     const double size2 = glm::dot(along, along);
-    const double u = size2 > 0.0 ? std::clamp(glm::dot(centre - line.from.pixel, along) / size2, 0.0, 1.0) : 0.0;
+    const double u = size2 > 0.0 ? std::clamp(glm::dot(place - line.from.pixel, along) / size2, 0.0, 1.0) : 0.0;
     const double radius = glm::mix(line.from.radius, line.to.radius, u);
-    const double d = glm::distance(centre, line.from.pixel + u * along) / radius;
+    const double d = glm::distance(place, line.from.pixel + u * along) / radius;
     if (d > 1.0) continue;
-    const double time = projector.timeAt(pixel, glm::mix(line.from.depth, line.to.depth, u));
+    const double time = projector.timeAt(place, glm::mix(line.from.depth, line.to.depth, u));
     const double off = std::max({nearest - time, time - farthest, 0.0});
     weight = std::max(weight, profile(d, stroke.softness) * (1.0 - smoothstep(1.0, 2.0, off / stroke.radius)));
   }
@@ -94,6 +94,11 @@ double weightAt(glm::ivec2 pixel, const BrushStroke& stroke, const std::vector<L
 
 Edits edits(const BrushStrokes& strokes, const Camera& camera, glm::ivec2 size, const HitPoints& hits,
             const Image& tStart) {
+  return edits(strokes, camera, size, hits, tStart, centresOf(size));
+}
+
+Edits edits(const BrushStrokes& strokes, const Camera& camera, glm::ivec2 size, const HitPoints& hits,
+            const Image& tStart, const std::vector<glm::dvec2>& places) {
   const Projector projector(camera, size);
   std::vector<std::pair<const BrushStroke*, std::vector<Line>>> drawn;
   for (const BrushStroke& stroke : strokes)
@@ -104,14 +109,13 @@ Edits edits(const BrushStrokes& strokes, const Camera& camera, glm::ivec2 size, 
     for (std::size_t i = begin; i < end; ++i) {
       const double context = hits.tContext[i];
       if (std::isnan(context)) continue;
-      const glm::ivec2 pixel(static_cast<int>(i) % size.x, static_cast<int>(i) / size.x);
       const bool meetsFocus = !std::isnan(hits.tFocus[i]);
       const double farthest = std::max(context, meetsFocus ? hits.tFocus[i] : hits.tOut[i]);
       double& start = result.tStart[i];
       for (const auto& [stroke, lines] : drawn) {
         const bool opens = stroke->mode == BrushMode::Open, movesRays = opens || stroke->mode == BrushMode::Restore;
         const double weight =
-            weightAt(pixel, *stroke, lines, projector, context, opens ? std::max(tStart[i], start) : context);
+            weightAt(places[i], *stroke, lines, projector, context, opens ? std::max(tStart[i], start) : context);
         if (opens) {
           start = std::min(start + stroke->depth * weight, farthest);
         } else if (stroke->mode == BrushMode::Restore) {

@@ -11,6 +11,7 @@
 #include "rendering/scene/BrushStroke.h"
 #include "rendering/scene/Clipping.h"
 #include "rendering/scene/Cutaway.h"
+#include "rendering/scene/Edges.h"
 #include "rendering/scene/Focus.h"
 #include "rendering/scene/LabelSettings.h"
 #include "rendering/scene/LabelSmoothing.h"
@@ -73,6 +74,7 @@ struct Look {
   bool hideTable = true;                                   ///< of a CT, in 3-D pictures; see Scene::table
   Reconstruction reconstruction = Reconstruction::Linear;  ///< of 3-D pictures; slices are always trilinear
   LabelSmoothing labelSmoothing = LabelSmoothing::Off;     ///< of a label focus in 3-D pictures
+  Edges edges = Edges::Off;                                ///< of pictures at rest; off, no pass runs for them
   Clipping clipping;     ///< with nothing to clip, no pass, no memory and no shader is used for it
   BrushStrokes strokes;  ///< edits of the opening; without any, no pass runs and no memory is used for them
   bool operator==(const Look&) const = default;

@@ -122,6 +122,11 @@ constexpr auto wordsOf(LabelSmoothing) {
        {LabelSmoothing::Light, "light", "Lightly smoothed", "Without the steps of single voxels"},
        {LabelSmoothing::Strong, "strong", "Strongly smoothed", "Without terraces of several voxels"}});
 }
+constexpr auto wordsOf(Edges) {
+  return std::to_array<Word<Edges>>(
+      {{Edges::Off, "off", "One ray a pixel", "Edges show the steps of the pixels"},
+       {Edges::Smooth, "smooth", "Smooth", "Several rays for each pixel that an edge runs through"}});
+}
 constexpr auto wordsOf(Projection) {
   return std::to_array<Word<Projection>>(
       {{Projection::Perspective, "perspective"}, {Projection::Orthographic, "orthographic"}});
@@ -382,7 +387,11 @@ inline constexpr std::tuple settingsOf<Look>{
              .option = "--label-smoothing",
              .name = "Label surfaces",
              .description = "How far 3-D pictures smooth the surface of labels in focus: it stays within the voxels "
-                            "that it passes through, and keeps its volume"})};
+                            "that it passes through, and keeps its volume"}),
+    Setting(&Look::edges, {.key = "edges",
+                           .option = "--edges",
+                           .name = "Edges",
+                           .description = "Whether 3-D pictures at rest smooth outlines and the rims of what is cut"})};
 
 template <>
 inline constexpr std::tuple settingsOf<BrushStroke>{

@@ -18,6 +18,13 @@ struct CutawaySettings {
 };
 UNIFORM_BLOCK(CutawayBlock, storedCutaway, CutawaySettings, cutaway);
 
+// Pixels across the box that a ray stands for.
+#if SCATTERED
+const float BOX = 0.2;
+#else
+const float BOX = 1.0;
+#endif
+
 #if EDITED
 TEXELS_2D(rg32f, editMap);
 #endif
@@ -100,9 +107,9 @@ void main() {
   }
 #endif
   if (!isNone(hit.x)) {
-    // Share of this pixel, a box one pixel wide across the rim, that w_open < DM ≤ w_open + w_border covers.
+    // Share of this ray's box across the rim that w_open < DM ≤ w_open + w_border covers.
     float distance = texelOf(distances, pixel).r, inner = cutaway.widths.x, outer = inner + cutaway.widths.y;
-    float border = clamp(min(distance + 0.5, outer) - max(distance - 0.5, inner), 0.0, 1.0);
+    float border = clamp((min(distance + 0.5 * BOX, outer) - max(distance - 0.5 * BOX, inner)) / BOX, 0.0, 1.0);
     if (distance <= 0.0) border = 0.0;
 #if EDITED
     border *= texelOf(editMap, pixel).g;

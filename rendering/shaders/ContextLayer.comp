@@ -15,7 +15,7 @@ uniform float contextMargin;  // mm: hits nearer than this to the box's entry or
 
 void main() {
   ivec2 pixel = regionPixel();
-  if (any(greaterThanEqual(pixel, rays.pictureSize))) return;
+  if (!hasRay(pixel)) return;
   vec2 hit = texelOf(hitPoints, pixel).xy;
   vec4 layer = vec4(NONE, NONE, 0.0, 0.0);
   float rim = 0.0;

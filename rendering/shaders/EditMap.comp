@@ -42,14 +42,16 @@ float profile(float d, float softness) {
 
 void main() {
   ivec2 pixel = regionPixel();
-  if (any(greaterThanEqual(pixel, rays.pictureSize))) return;
+  if (!hasRay(pixel)) return;
   vec2 hit = texelOf(hitPoints, pixel).xy;
   float offset = 0.0, share = 1.0;
   if (!isNone(hit.x)) {
     bool meetsFocus = !isNone(hit.y);
     float sOut = pixelRay(pixel).sOut, farthest = max(hit.x, meetsFocus ? hit.y : sOut);
     float unedited = uneditedStart(pixel, hit, sOut), start = unedited;
-    int tile = (pixel.y / tileSize) * tilesAcross + pixel.x / tileSize;
+    vec2 place = placeOf(pixel);
+    ivec2 tileAt = ivec2(place) / tileSize;
+    int tile = tileAt.y * tilesAcross + tileAt.x;
     uint next = tiles[tile], end = tiles[tile + 1];
     while (next < end) {
       // One stroke: the greatest weight over its lines here.
@@ -59,10 +61,10 @@ void main() {
       for (; next < end; ++next) {
         Line line = lines[tiles[tileCount + 1 + next]];
         if (line.stroke.x != index) break;
-        vec2 along = line.to.xy - line.from.xy, from = vec2(pixel) + 0.5 - line.from.xy;
+        vec2 along = line.to.xy - line.from.xy, from = place - line.from.xy;
         float size2 = dot(along, along);
         vec4 nearest = mix(line.from, line.to, size2 > 0.0 ? clamp(dot(from, along) / size2, 0.0, 1.0) : 0.0);
-        float painted = profile(length(vec2(pixel) + 0.5 - nearest.xy) / nearest.z, stroke.softness);
+        float painted = profile(length(place - nearest.xy) / nearest.z, stroke.softness);
         if (painted <= weight) continue;
         float s = positionAtDepth(pixel, nearest.w);
         float off = excess(s, hit.x, stroke.mode == OPEN ? max(unedited, start) : hit.x);

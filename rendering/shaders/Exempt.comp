@@ -11,7 +11,7 @@ uniform sampler2D picture;
 
 void main() {
   ivec2 pixel = regionPixel();
-  bool inPicture = all(lessThan(pixel, rays.pictureSize));
+  bool inPicture = hasRay(pixel);
   Ray whole = wholePixelRay(pixel), kept = whole;
   clipToHalfSpaces(kept);
   bool anyKept = kept.sIn <= kept.sOut;
@@ -24,7 +24,7 @@ void main() {
     walks[0] = walkFrom(ray, Cut(ray.sIn, 0u), inPicture && ray.sIn < ray.sOut);
     integrate(walks);
     colour = over(colour, colourOf(walks[0]));
-    if (part == 0) colour = over(colour, texelFetch(picture, min(pixel, rays.pictureSize - 1), 0));
+    if (part == 0) colour = over(colour, texelFetch(picture, min(pixel, textureSize(picture, 0) - 1), 0));
   }
   imageStore(exempted, pixel, colour);
 }

@@ -39,7 +39,7 @@ void main() {
   Ray ray = pixelRay(pixel);
   Cut cut = cutAt(pixel, ray);
   vec2 removed = holeAt(pixel);
-  bool visible = showsVolume(cut, ray) && all(lessThan(pixel, rays.pictureSize));
+  bool visible = showsVolume(cut, ray) && hasRay(pixel);
   float sOut = ray.sOut;
   vec4 colour = vec4(0.0);
   for (int part = 0; part < 2; ++part) {
@@ -59,7 +59,7 @@ void main() {
     ivec2 pixel = pixelOf(i);
     Ray ray = pixelRay(pixel);
     Cut cut = cutAt(pixel, ray);
-    walks[i] = walkFrom(ray, cut, showsVolume(cut, ray) && all(lessThan(pixel, rays.pictureSize)));
+    walks[i] = walkFrom(ray, cut, showsVolume(cut, ray) && hasRay(pixel));
   }
   integrate(walks);
   for (int i = 0; i < RAYS; ++i) imageStore(focusLayer, pixelOf(i), seenOn(walks[i]));

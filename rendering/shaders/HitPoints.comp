@@ -10,7 +10,7 @@ uniform ivec2 pixelOffset;  // first pixel of the region, for a look at a single
 void main() {
   ivec2 local = regionPixel();
   ivec2 pixel = local + pixelOffset;
-  if (any(greaterThanEqual(local, imageSize(hitPoints))) || any(greaterThanEqual(pixel, rays.pictureSize))) return;
+  if (any(greaterThanEqual(local, imageSize(hitPoints))) || !hasRay(pixel)) return;
   Ray ray = pixelRay(pixel);
   vec2 hits = vec2(NONE);  // context or focus, focus
   if (ray.sIn <= ray.sOut) {

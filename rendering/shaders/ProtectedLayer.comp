@@ -14,7 +14,7 @@ void main() {
   Cut cut = cutAt(pixel, ray);
   ray.sOut = endAt(pixel, ray);
   Walk walks[RAYS];
-  walks[0] = walkFrom(ray, cut, startsHere(cut, ray) && all(lessThan(pixel, rays.pictureSize)));
+  walks[0] = walkFrom(ray, cut, startsHere(cut, ray) && hasRay(pixel));
   integrate(walks);
   imageStore(protectedLayer, pixel, colourOf(walks[0]));
 }

@@ -8,10 +8,13 @@ layout(r32f) uniform writeonly image2D rayStart;
 #if EDITED
 TEXELS_2D(rg32f, editMap);
 #endif
+#if SCATTERED
+layout(r32f) uniform writeonly image2D borderDistance;  // that the line around the opening goes by: 0 on the focus
+#endif
 
 void main() {
   ivec2 pixel = regionPixel();
-  if (any(greaterThanEqual(pixel, rays.pictureSize))) return;
+  if (!hasRay(pixel)) return;
   vec2 hit = texelOf(hitPoints, pixel).xy;
   float start = hit.x;
   if (!isNone(hit.x)) {
@@ -22,4 +25,7 @@ void main() {
 #endif
   }
   imageStore(rayStart, pixel, vec4(start));
+#if SCATTERED
+  imageStore(borderDistance, pixel, vec4(isNone(hit.y) ? distanceAt(pixel) : 0.0));
+#endif
 }

@@ -173,7 +173,7 @@ vec4 removedParts(Line line, vec2 span) {
 
 void main() {
   ivec2 pixel = regionPixel();
-  if (any(greaterThanEqual(pixel, rays.pictureSize))) return;
+  if (!hasRay(pixel)) return;
   vec2 hit = texelOf(hitPoints, pixel).xy;
   float start = hit.x, distance = FAR, factor = 1.0;
   vec2 removed = vec2(FAR);

@@ -112,6 +112,7 @@ TEST_F(ProgramsTest, EveryShaderIsLinkedInSeveralVariants) {
         "FocusTiles.comp",    "DistanceRows.comp",      "DistanceColumns.comp",     "RayStart.comp",
         "EditMap.comp",       "ProtectedLayer.comp",    "ContextLayer.comp",        "Composite.comp",
         "ConeDepths.comp",    "ConeStart.comp",         "Occluders.comp",           "Occlusion.comp",
+        "EdgePixels.comp",    "EdgeMeans.comp",
         "CandidateHits.comp", "CandidateOutlines.comp", "CandidateVisibility.comp", "CandidateEnds.comp"})
     EXPECT_GE(variants[path], 2) << path << ": one for each schedule at least";
   for (const char* path : {"PixelsBetween.comp", "CandidateEdges.comp"}) EXPECT_GE(variants[path], 1) << path;

@@ -240,6 +240,12 @@ inline std::vector<SceneKind> allSceneKinds() {
     other.scene.look.method = method;
     kinds.push_back(std::move(other));
   }
+  // Smooth edges with whatever else makes a program another one; drafts have none.
+  for (std::size_t i = 0, all = kinds.size(); i < all; ++i)
+    if (i % 6 == 0 && (kinds[i].view.quality != Quality::Draft || kinds[i].view.maxError)) {
+      kinds.push_back({kinds[i].name + ", smooth edges", kinds[i].scene, kinds[i].view});
+      kinds.back().scene.look.edges = Edges::Smooth;
+    }
   std::erase_if(kinds, crashesTheDriver);
   return kinds;
 }

@@ -75,6 +75,7 @@ const std::vector<Change> changes{
     {"stronger edges", [](Scene& scene, View&) { scene.look.contextLayer.strength = 0.9; }},
     {"no cutaway", [](Scene& scene, View&) { scene.look.cutaway.enabled = false; }},
     {"draft", [](Scene&, View& view) { view.quality = Quality::Draft; }},
+    {"smooth edges", [](Scene& scene, View&) { scene.look.edges = Edges::Smooth; }},
 };
 
 TEST_F(Tiles, ADroppedPictureLeavesNoTrace) {

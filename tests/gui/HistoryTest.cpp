@@ -61,6 +61,7 @@ class RandomEdits {
         look.hideTable = below(2) == 0;
         look.reconstruction = static_cast<Reconstruction>(below(4));
         look.labelSmoothing = static_cast<LabelSmoothing>(below(3));
+        look.edges = static_cast<Edges>(below(2));
         look.backdrop = static_cast<Backdrop>(below(2));
         look.backgroundTop.b = number();
         return document_.edit(QStringLiteral("Light"), std::move(look));

@@ -70,6 +70,7 @@ inline io::Session fullSession(const std::filesystem::path& folder) {
   session.look.hideTable = false;
   session.look.reconstruction = Reconstruction::Smooth;
   session.look.labelSmoothing = LabelSmoothing::Strong;
+  session.look.edges = Edges::Smooth;
   session.look.strokes = {someStroke(BrushMode::Open), someStroke(BrushMode::Fade, 1),
                           someStroke(BrushMode::Strengthen)};
   session.look.clipping = {true,

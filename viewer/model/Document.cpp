@@ -181,7 +181,8 @@ void Document::show(Look look) {
   const bool scene = focus || labels || context || cutaway || shading || clipping ||
                      now.background != before.background || now.backdrop != before.backdrop ||
                      now.backgroundTop != before.backgroundTop || now.hideTable != before.hideTable ||
-                     now.reconstruction != before.reconstruction || now.labelSmoothing != before.labelSmoothing;
+                     now.reconstruction != before.reconstruction || now.labelSmoothing != before.labelSmoothing ||
+                     now.edges != before.edges;
   if (focus) Q_EMIT focusChanged();
   if (labels) Q_EMIT labelSettingsChanged();
   if (context) Q_EMIT transferFunctionChanged();

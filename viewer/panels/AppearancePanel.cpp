@@ -43,6 +43,7 @@ AppearancePanel::AppearancePanel(Document& document, LookLibrary& library, QWidg
   form->addRow(table_);
   form->addRow(translated(settingOf(&Look::reconstruction).name), makeChoice(&Look::reconstruction));
   form->addRow(translated(settingOf(&Look::labelSmoothing).name), makeChoice(&Look::labelSmoothing));
+  form->addRow(translated(settingOf(&Look::edges).name), makeChoice(&Look::edges));
   auto* body = new QWidget;
   auto* column = new QVBoxLayout(body);
   column->addLayout(presets);

@@ -116,7 +116,10 @@ void CutawayPanel::showMethod() {
   form_->setRowVisible(importanceAngle_, byImportance && removes);
   form_->setRowVisible(importanceOpacity_, byImportance && !removes);
   sparseness_->setVisible(byImportance && !removes);
-  method_->setToolTip(translated(wordOf(method.kind).description));
+  QString tip = translated(wordOf(method.kind).description);
+  if (method.kind != MethodKind::Adaptive)
+    tip += QStringLiteral("\n") + tr("Smooth edges, by several rays a pixel, are the adaptive cutaway's alone");
+  method_->setToolTip(tip);
   for (QWidget* widget : std::initializer_list<QWidget*>{method_, coneAngle_, importanceMode_, sparseness_,
                                                          importanceAngle_, importanceOpacity_})
     widget->setEnabled(open);

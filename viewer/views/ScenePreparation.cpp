@@ -50,6 +50,7 @@ Scene sampleScene(const Focus& kind) {
   } else if (std::holds_alternative<ValueFocus>(kind)) {
     scene.look.focus = ValueFocus{{1000.0, 1500.0}};
   }
+  scene.look.edges = Edges::Smooth;  // as data without a session begin
   scene.look.context.function.nodes = {{500.0, {glm::dvec3(1.0), 0.0}}, {1000.0, {glm::dvec3(1.0), 1.0}}};
   return scene;
 }
@@ -107,6 +108,7 @@ ScenePreparation::Kind ScenePreparation::kindOf(const Scene& scene, const View& 
                                                                            : 1,
           .exempts = !look.clipping.exempt.empty(),
           .apart = hasCutaway(scene) && (view.frozen || look.cutaway.axisOffset != 0.0),
+          .smoothEdges = hasSmoothEdges(look, view),
           .enlarged = view.quality == Quality::Draft || std::min({spacing.x, spacing.y, spacing.z}) > pixel,
           .quality = view.quality,
           .maxError = view.maxError};

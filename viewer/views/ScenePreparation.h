@@ -55,9 +55,10 @@ class ScenePreparation {
     Method method{};        ///< of it, without its numbers
     bool occluded = false;  ///< ambient occlusion or shadows
     bool contextLayer = false;
-    int clipped = 0;        ///< 2: with grey faces
-    bool exempts = false;   ///< labels from that
-    bool apart = false;     ///< another camera cuts the opening
+    int clipped = 0;       ///< 2: with grey faces
+    bool exempts = false;  ///< labels from that
+    bool apart = false;    ///< another camera cuts the opening
+    bool smoothEdges = false;
     bool enlarged = false;  ///< pixels smaller than voxels: rays between others
     Quality quality{};
     std::optional<double> maxError;

@@ -5,6 +5,9 @@
 #include "lib/Clip.glsl"
 #include "lib/Grid.glsl"
 #include "lib/Ray.glsl"
+#if SCATTERED
+#include "lib/EdgeList.glsl"
+#endif
 
 struct RaySettings {
   mat3 cellsFromView;  // cells per mm along the view's right, up and forward
@@ -18,22 +21,32 @@ struct RaySettings {
 };
 UNIFORM_BLOCK(RayBlock, storedRays, RaySettings, rays);
 
+// Where the ray of an invocation runs through the picture, in pixels from its top left, and whether it has one. SCATTERED:
+// through places between pixel centres; an invocation's `pixel` is then its own place in the images of such rays.
+#if SCATTERED
+vec2 placeOf(ivec2 pixel) { return samplePlace(pixel); }
+bool hasRay(ivec2 pixel) { return edgeOf(pixel) < edgeCount; }
+#else
+vec2 placeOf(ivec2 pixel) { return vec2(pixel) + 0.5; }
+bool hasRay(ivec2 pixel) { return all(lessThan(pixel, rays.pictureSize)); }
+#endif
+
 // -1 … 1 across the picture, upwards.
-vec2 deviceCoordinates(ivec2 pixel) {
-  vec2 ndc = 2.0 * (vec2(pixel) + 0.5) / vec2(rays.pictureSize) - 1.0;
+vec2 deviceCoordinates(vec2 place) {
+  vec2 ndc = 2.0 * place / vec2(rays.pictureSize) - 1.0;
   return vec2(ndc.x, -ndc.y);
 }
 
 // The ray's direction in the view's axes: from the eye to the anchor plane, mm; (0, 0, 1) where rays are parallel.
-vec3 towardsAnchor(ivec2 pixel) { return vec3(deviceCoordinates(pixel) * rays.spread, rays.depth); }
+vec3 towardsAnchor(vec2 place) { return vec3(deviceCoordinates(place) * rays.spread, rays.depth); }
 
 // Length of that vector less its depth, without cancellation.
 float beyondPlane(vec3 towards, float along) { return dot(towards.xy, towards.xy) / (along + towards.z); }
 
 // Inside the volume's box, whatever clips it.
-Ray wholePixelRay(ivec2 pixel) {
-  vec2 offset = deviceCoordinates(pixel) * rays.halfSize;
-  vec3 towards = towardsAnchor(pixel);
+Ray wholeRayThrough(vec2 place) {
+  vec2 offset = deviceCoordinates(place) * rays.halfSize;
+  vec3 towards = towardsAnchor(place);
   float along = length(towards), sAnchor = beyondPlane(towards, along);
   vec3 view = towards / along;
   Ray ray;
@@ -45,22 +58,25 @@ Ray wholePixelRay(ivec2 pixel) {
   return ray;
 }
 
-Ray pixelRay(ivec2 pixel) {
-  Ray ray = wholePixelRay(pixel);
+Ray rayThrough(vec2 place) {
+  Ray ray = wholeRayThrough(place);
   clipToHalfSpaces(ray);
   return ray;
 }
 
+Ray wholePixelRay(ivec2 pixel) { return wholeRayThrough(placeOf(pixel)); }
+Ray pixelRay(ivec2 pixel) { return rayThrough(placeOf(pixel)); }
+
 // View depth of s on the pixel's ray, mm behind the anchor plane.
 float depthAtPosition(ivec2 pixel, float s) {
-  vec3 towards = towardsAnchor(pixel);
+  vec3 towards = towardsAnchor(placeOf(pixel));
   float along = length(towards);
   return (s - beyondPlane(towards, along)) * (towards.z / along);
 }
 
 // Where the pixel's ray crosses the plane parallel to the picture `depth` mm behind the anchor plane.
 float positionAtDepth(ivec2 pixel, float depth) {
-  vec3 towards = towardsAnchor(pixel);
+  vec3 towards = towardsAnchor(placeOf(pixel));
   float along = length(towards);
   return depth * (along / towards.z) + beyondPlane(towards, along);
 }

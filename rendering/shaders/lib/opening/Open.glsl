@@ -7,10 +7,15 @@
 
 // Not as images, of which a shader may have eight: they are read once a ray.
 uniform sampler2D rayStart, hitPoints;
+#if SCATTERED
+uniform sampler2D pixelStarts;  // of the rays through the centres of pixels
+#else
+#define pixelStarts rayStart
+#endif
 
 const bool ONLY_FOCUS = false;
 
-// Normal of the cut face at a pixel, from its neighbours' ray starts; zero where the ray does not start on a cut face.
+// Normal of the cut face at a pixel, from the ray starts of the pixels beside it; zero where the ray does not start on a cut face.
 vec3 wallNormal(ivec2 pixel, float start, vec2 hit) {
 #if APART
   // A ray may start on a face in front of the focus.
@@ -19,13 +24,14 @@ vec3 wallNormal(ivec2 pixel, float start, vec2 hit) {
   bool hasNone = !isNone(hit.y);
 #endif
   if (hasNone || start <= hit.x + 0.5 * cutFace.depth) return vec3(0.0);
+  ivec2 here = ivec2(placeOf(pixel));
   vec3 tangent[2];
   for (int axis = 0; axis < 2; ++axis) {
     ivec2 step = ivec2(1 - axis, axis);
-    ivec2 a = max(pixel - step, ivec2(0)), b = min(pixel + step, rays.pictureSize - 1);
-    float sa = texelFetch(rayStart, a, 0).r, sb = texelFetch(rayStart, b, 0).r;
+    ivec2 a = max(here - step, ivec2(0)), b = min(here + step, rays.pictureSize - 1);
+    float sa = texelFetch(pixelStarts, a, 0).r, sb = texelFetch(pixelStarts, b, 0).r;
     if (isNone(sa) || isNone(sb)) return vec3(0.0);
-    tangent[axis] = worldPosition(pixelRay(b), sb) - worldPosition(pixelRay(a), sa);
+    tangent[axis] = worldPosition(rayThrough(vec2(b) + 0.5), sb) - worldPosition(rayThrough(vec2(a) + 0.5), sa);
   }
   vec3 n = cross(tangent[0], tangent[1]);
   float size = length(n);

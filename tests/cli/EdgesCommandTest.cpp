@@ -1,0 +1,66 @@
+// fenestra-cli render --edges, as a script uses it.
+
+#include <cmath>
+
+#include "io/ImageWriter.h"
+#include "io/session/SessionFile.h"
+#include "tests/cli/CommandLine.h"
+
+namespace fenestra::tests {
+namespace {
+
+class EdgesCommand : public CommandLine {
+ protected:
+  Result render(const std::string& name, const std::vector<std::string>& more) const {
+    std::vector<std::string> all{"render",         "--phantom",   "torso",  "--phantom-voxels", "64",
+                                 "--focus-labels", "left kidney", "--size", "120x100",          "--camera",
+                                 "200,10",         "-o",          at(name)};
+    all.insert(all.end(), more.begin(), more.end());
+    return run(all);
+  }
+  /// The share of values that differ by more than so many 1/255.
+  double shareBeyond(double limit, const std::string& a, const std::string& b) const {
+    const std::vector<float> one = io::readPicture(at(a)).values, other = io::readPicture(at(b)).values;
+    EXPECT_EQ(one.size(), other.size());
+    std::size_t beyond = 0;
+    for (std::size_t i = 0; i < std::min(one.size(), other.size()); ++i)
+      beyond += 255.0 * std::abs(one[i] - other[i]) > limit;
+    return static_cast<double>(beyond) / static_cast<double>(one.size());
+  }
+};
+
+TEST_F(EdgesCommand, PicturesAreTheReferencesAndOffIsTheDefault) {
+  ASSERT_EQ(render("plain.png", {"--max-error", "1"}).exitCode, 0);
+  ASSERT_EQ(render("off.png", {"--max-error", "1", "--edges", "off"}).exitCode, 0);
+  ASSERT_EQ(render("smooth.png", {"--max-error", "1", "--edges", "smooth"}).exitCode, 0);
+  ASSERT_EQ(render("truth.png", {"--edges", "smooth", "--reference"}).exitCode, 0);
+  EXPECT_EQ(contents(at("off.png")), contents(at("plain.png")));
+  // A bound of 1/255 and two 8-bit roundings, but for what rays graze.
+  EXPECT_LT(shareBeyond(2.0, "smooth.png", "truth.png"), 0.002);
+  EXPECT_GT(shareBeyond(5.0, "plain.png", "truth.png"), 0.02) << "the test would notice";
+}
+
+TEST_F(EdgesCommand, DraftsHaveNone) {
+  ASSERT_EQ(render("a.png", {"--quality", "draft"}).exitCode, 0);
+  ASSERT_EQ(render("b.png", {"--quality", "draft", "--edges", "smooth"}).exitCode, 0);
+  EXPECT_EQ(contents(at("a.png")), contents(at("b.png")));
+}
+
+TEST_F(EdgesCommand, ACertificateIsOfTheSmoothPicture) {
+  const Result result = render("a.png", {"--max-error", "1", "--edges", "smooth", "--certify", "12000"});
+  ASSERT_EQ(result.exitCode, 0) << result.error;
+  EXPECT_EQ(result.json().at("pixels"), 120 * 100);
+  EXPECT_EQ(result.json().at("within"), 1.0);
+  EXPECT_GT(result.json().at("share"), 0.998);
+}
+
+TEST_F(EdgesCommand, ASessionKeepsIt) {
+  ASSERT_EQ(render("a.png", {"--edges", "smooth", "--save-session", at("work.fenestra")}).exitCode, 0);
+  EXPECT_EQ(io::readSession(at("work.fenestra")).look.edges, Edges::Smooth);
+  ASSERT_EQ(run({"render", at("work.fenestra"), "-o", at("b.png")}).exitCode, 0);
+  EXPECT_EQ(contents(at("a.png")), contents(at("b.png")));
+  EXPECT_EQ(render("x.png", {"--edges", "soft"}).exitCode, 2);
+}
+
+}  // namespace
+}  // namespace fenestra::tests
