@@ -10,8 +10,9 @@ namespace fenestra {
 
 std::string_view nameOf(Pass pass) {
   constexpr std::array<std::string_view, passCount> names{
-      "hit points",  "pull-push",   "cones",           "distance map",  "edit map",  "ray start",    "occlusion",
-      "focus layer", "faint layer", "protected layer", "context layer", "composite", "exempt labels", "edges", "edge rays"};
+      "hit points",    "pull-push", "cones",         "distance map", "edit map",
+      "ray start",     "occlusion", "focus layer",   "faint layer",  "protected layer",
+      "context layer", "composite", "exempt labels", "edges",        "edge rays"};
   return names[static_cast<std::size_t>(pass)];
 }
 

@@ -74,7 +74,8 @@ void EditMapPass::run(Steps& steps, Schedule schedule, const RayFrame& rays, con
   tiles_ = gl::Buffer(std::as_bytes(std::span(tiles)));
 
   steps.add(regions, [this, schedule, &rays, inputs, grid, &editMap](Regions tile) {
-    gl::ShaderProgram& program = programs_.get({{inputs.define(), rays.clipDefine(), rays.scatterDefine()}, {scheduleChoice(schedule)}});
+    gl::ShaderProgram& program =
+        programs_.get({{inputs.define(), rays.clipDefine(), rays.scatterDefine()}, {scheduleChoice(schedule)}});
     rays.setBlocks(program);
     inputs.bind(program);
     strokes_.bind(strokesBlock);

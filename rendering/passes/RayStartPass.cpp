@@ -18,8 +18,9 @@ void RayStartPass::run(Steps& steps, Schedule schedule, const RayFrame& rays, co
                        const gl::Texture* editMap, Regions regions, gl::Texture& rayStart,
                        gl::Texture* borderDistance) {
   steps.add(regions, [this, schedule, &rays, inputs, editMap, &rayStart, borderDistance](Regions tile) {
-    gl::ShaderProgram& program = programs_.get(
-        {{{"EDITED", editMap != nullptr}, inputs.define(), rays.clipDefine(), rays.scatterDefine()}, {scheduleChoice(schedule)}});
+    gl::ShaderProgram& program =
+        programs_.get({{{"EDITED", editMap != nullptr}, inputs.define(), rays.clipDefine(), rays.scatterDefine()},
+                       {scheduleChoice(schedule)}});
     rays.setBlocks(program);
     inputs.bind(program);
     if (editMap) program.bind("editMap", *editMap);

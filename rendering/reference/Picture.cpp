@@ -362,7 +362,8 @@ Picture picture(const Scene& scene, const Camera& camera, glm::ivec2 size, const
   }
   Picture result = drawn(frame, rays);
   if (smooth) smoothEdges(frame, rays, options.pixelScale, all, count, result);
-  for (auto* layer : {&result.focusLayer, &result.faintLayer, &result.protectedLayer, &result.contextLayer, &result.final})
+  for (auto* layer :
+       {&result.focusLayer, &result.faintLayer, &result.protectedLayer, &result.contextLayer, &result.final})
     if (layer->size() > count) layer->resize(count);
   for (Image* image : {&result.silhouette, &result.error})
     if (image->size() > count) image->resize(count);

@@ -6,7 +6,8 @@ namespace fenestra {
 
 bool hasSmoothEdges(const Look& look, const View& view) {
   const bool opens = look.cutaway.enabled && !std::holds_alternative<std::monostate>(look.focus);
-  return look.edges == Edges::Smooth && !(opens && look.method.kind != MethodKind::Adaptive) && (view.quality != Quality::Draft || view.maxError);
+  return look.edges == Edges::Smooth && !(opens && look.method.kind != MethodKind::Adaptive) &&
+         (view.quality != Quality::Draft || view.maxError);
 }
 
 }  // namespace fenestra
