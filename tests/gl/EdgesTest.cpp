@@ -193,7 +193,7 @@ TEST_F(EdgesTest, NoiseIsTheMeanOfPicturesOfShiftedCamerasInSeveralBatches) {
   std::mt19937 random(3);
   Scene scene;
   scene.volume = volumeOf<std::uint8_t>(grid, [&](glm::ivec3) { return random() % 200; });
-  scene.look.context.function = {{{0.0, {{0.2, 0.1, 0.6}, 0.0}}, {200.0, {{1.0, 0.9, 0.3}, 1.5}}}};
+  scene.look.context.function = {{{0.0, {{0.2, 0.1, 0.6}, 0.0}}, {200.0, {{1.0, 0.9, 0.3}, 6.0}}}};
   scene.look.shading.enabled = false;
   const glm::ivec2 large{330, 310};
   View view{.camera = lookAt(grid.centre() - glm::dvec3(0, 50, 0), grid.centre(), Projection::Orthographic, large.y),
