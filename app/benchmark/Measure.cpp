@@ -17,7 +17,8 @@ std::vector<Measured> measure(Renderer& renderer, const Measurable& what, const 
                               int rounds) {
   // A picture from elsewhere uploads, allocates and compiles what a setting needs, as the peers' first one does. One of
   // another size would not do: llvmpipe compiles apart for sizes that are powers of two.
-  const Camera elsewhere = cameraPath(what.scene, 2 * static_cast<int>(what.cameras.size())).back();
+  const Camera elsewhere =
+      cameraPath(what.scene, 2 * static_cast<int>(what.cameras.size()), what.cameras.front().projection).back();
   std::vector<Measured> results(settings.size());
   for (int round = 0; round < rounds; ++round)
     for (std::size_t k = 0; k < settings.size(); ++k) {

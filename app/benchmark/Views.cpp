@@ -39,13 +39,13 @@ Scene plainScene(const Scene& scene) {
   return plain;
 }
 
-std::vector<Camera> cameraPath(const Scene& scene, int count) {
+std::vector<Camera> cameraPath(const Scene& scene, int count, Projection projection) {
   const Grid framed = visibleGrid(shownVolume(scene), scene.look.context.shifted());
   std::vector<Camera> path;
   for (int i = 0; i < count; ++i) {
     // Off the axes, where rays would run along the voxels' planes and flatter everybody.
     const double turn = 0.02 + static_cast<double>(i) / count;
-    path.push_back(Camera::fromAngles(360.0 * turn, 25.0 * std::sin(6.0 + 17.0 * turn), framed));
+    path.push_back(Camera::fromAngles(360.0 * turn, 25.0 * std::sin(6.0 + 17.0 * turn), framed, projection));
   }
   return path;
 }

@@ -14,7 +14,7 @@ namespace fenestra::bench {
 Scene plainScene(const Scene& scene);
 
 /// `count` views around the patient, up and down, framing what shows. The first is the same for any count.
-std::vector<Camera> cameraPath(const Scene& scene, int count);
+std::vector<Camera> cameraPath(const Scene& scene, int count, Projection projection = Projection::Perspective);
 
 /// One pixel of every block of side×side, at a place of its own in each, row by row.
 std::vector<glm::ivec2> sampledPixels(glm::ivec2 size, int side);

@@ -6,6 +6,74 @@
 namespace fenestra::segmentation {
 namespace {
 
+/// One kind of seeds. Within a level the order does not matter, so a voxel brings along the run of voxels beside it,
+/// and runs find each other as rows do, next to each other in memory: some three times as fast as voxel by voxel.
+class RunFlooding {
+ public:
+  explicit RunFlooding(const FloodSource& source)
+      : costs_(source.costs->all()), reached_(source.costs->dims()), levels_(reached_.all()) {
+    const auto width = static_cast<std::size_t>(source.costs->dims().x + 2);
+    const auto slice = width * static_cast<std::size_t>(source.costs->dims().y + 2);
+    // Unsigned numbers wrap around: adding one of the last two goes back.
+    rows_ = {width, slice, std::size_t{0} - width, std::size_t{0} - slice};
+    for (const glm::ivec3 seed : source.seeds) wait(reached_.offset(seed));
+  }
+
+  void run(int level) {
+    level_ = static_cast<Level>(level);
+    std::vector<std::size_t>& waiting = waiting_[level_];
+    for (const std::size_t at : waiting) {
+      spreadFrom(at);
+      while (!joining_.empty()) {
+        const std::size_t next = joining_.back();
+        joining_.pop_back();
+        if (levels_[next] != never) continue;  // another run has brought it along
+        levels_[next] = level_;
+        spreadFrom(next);
+      }
+    }
+    std::vector<std::size_t>().swap(waiting);
+  }
+
+  PaddedLevels take() { return std::move(reached_); }
+
+ private:
+  /// Reaches a voxel later, at its own cost.
+  void wait(std::size_t at) {
+    if (levels_[at] != never || costs_[at] == never) return;
+    levels_[at] = costs_[at];
+    waiting_[costs_[at]].push_back(at);
+  }
+
+  bool joins(std::size_t at) const { return levels_[at] == never && costs_[at] <= level_; }
+
+  /// From a voxel that is reached at this level, along its row and into the four rows beside it.
+  void spreadFrom(std::size_t at) {
+    std::size_t first = at, last = at;
+    while (joins(first - 1)) levels_[--first] = level_;
+    while (joins(last + 1)) levels_[++last] = level_;
+    wait(first - 1);
+    wait(last + 1);
+    for (const std::size_t row : rows_) {
+      bool isInRun = false;
+      for (std::size_t i = first + row; i != last + row + 1; ++i) {
+        const bool joining = joins(i);
+        if (joining && !isInRun) joining_.push_back(i);
+        if (!joining) wait(i);
+        isInRun = joining;
+      }
+    }
+  }
+
+  const std::vector<Level>& costs_;
+  PaddedLevels reached_;
+  std::vector<Level>& levels_;
+  std::array<std::size_t, 4> rows_{};
+  Level level_ = 0;
+  std::array<std::vector<std::size_t>, levelCount> waiting_;
+  std::vector<std::size_t> joining_;  ///< reached at this level, one of each run
+};
+
 /// Voxels by the level at which they are reached; two kinds of seeds.
 class Flooding {
  public:
@@ -86,12 +154,19 @@ Level escapeLevel(const FloodSource& source) {
 }  // namespace
 
 Flooded flood(const FloodSource& inside, const FloodSource& outside, const std::function<bool(double)>& goOn) {
-  const Level start = outside.costs ? std::max(escapeLevel(inside), escapeLevel(outside)) : Level{0};
-  Flooding flooding(inside, outside, start);
-  for (int level = 0; level < levelCount; ++level) {
-    if (!goOn(static_cast<double>(level) / levelCount)) break;
-    flooding.run(level);
+  const auto runAll = [&](auto& flooding) {
+    for (int level = 0; level < levelCount; ++level) {
+      if (!goOn(static_cast<double>(level) / levelCount)) break;
+      flooding.run(level);
+    }
+  };
+  if (!outside.costs) {
+    RunFlooding flooding(inside);
+    runAll(flooding);
+    return {flooding.take(), {}};
   }
+  Flooding flooding(inside, outside, std::max(escapeLevel(inside), escapeLevel(outside)));
+  runAll(flooding);
   return flooding.take();
 }
 

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <tuple>
 
 namespace fenestra::placement {
 namespace {
@@ -153,52 +155,79 @@ double seenShare(const Candidate& a, const Candidate& b, std::size_t points) {
   return static_cast<double>(count) / static_cast<double>(points);
 }
 
+namespace {
+
+/// Pairs whose values differ by less are equally good: a share of the surface is known to about a hundredth.
+constexpr double sameValue = 0.01;
+/// C1 is the view that people look at first.
+constexpr double sharesOfC1 = 0.8;
+
+/// How much lies between a camera and the focus: its depth, less a little for views near a standard one.
+double farness(const Descriptors& d) {
+  constexpr double perOrientation = 0.1;
+  return d.visibility - perOrientation * d.orientation;
+}
+
+/// A candidate of the joint search, with the most that it can add to a pair's value.
+struct View {
+  std::size_t index;
+  double quality, bound, farness;
+};
+
+/// Calls `visit(a, b)` for each two views that may stand together and whose bounds add up to at least `least()`.
+/// `views` are sorted by bound, the greatest first.
+template <class Least, class Visit>
+void forEachPair(const std::vector<View>& views, const std::vector<Candidate>& candidates, const Options& options,
+                 Least&& least, Visit&& visit) {
+  for (std::size_t a = 0; a < views.size(); ++a)
+    for (std::size_t b = a + 1; b < views.size() && views[a].bound + views[b].bound >= least(); ++b) {
+      const glm::dvec3 first = candidates[views[a].index].direction, second = candidates[views[b].index].direction;
+      if (inRegion(first, second, options) || inRegion(second, first, options)) visit(views[a], views[b]);
+    }
+}
+
+}  // namespace
+
 std::optional<Pair> jointSearch(const std::vector<Candidate>& candidates, std::size_t points, const Options& options) {
-  struct View {
-    std::size_t index;
-    double quality, bound;  ///< the most that it can add to a pair's value
-  };
   const double shareWeight = options.shareWeight;
   std::vector<View> views;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     if (candidates[i].sums.count <= 0.0) continue;
     const double q = quality(candidates[i].descriptors, options.weights);
     const double share = seenShare(candidates[i], candidates[i], points);
-    views.push_back({i, q, shareWeight * share + (1.0 - shareWeight) * 0.5 * q});
+    views.push_back({i, q, shareWeight * share + (1.0 - shareWeight) * 0.5 * q, farness(candidates[i].descriptors)});
   }
   std::stable_sort(views.begin(), views.end(), [](const View& a, const View& b) { return a.bound > b.bound; });
+  const auto valueOf = [&](const View& a, const View& b) {
+    const double share = seenShare(candidates[a.index], candidates[b.index], points);
+    return shareWeight * share + (1.0 - shareWeight) * 0.5 * (a.quality + b.quality);
+  };
 
-  /// In the order in which pairs are preferred.
+  double greatest = -std::numeric_limits<double>::infinity();
+  forEachPair(
+      views, candidates, options, [&] { return greatest; },
+      [&](const View& a, const View& b) { greatest = std::max(greatest, valueOf(a, b)); });
+
+  /// In the order in which equally good pairs are preferred.
   struct Found {
-    double value, mean;
-    Pair pair;
-    bool isBetterThan(const Found& other) const {
-      if (value != other.value) return value > other.value;
-      if (mean != other.mean) return mean > other.mean;
-      return std::pair(pair.c1, pair.c2) < std::pair(other.pair.c1, other.pair.c2);
-    }
+    double farness, value;
+    std::size_t c1, c2;
+    auto order() const { return std::tuple(farness, -value, c1, c2); }
   };
   std::optional<Found> best;
-  // A pair's value is at most the sum of both bounds. Views are sorted by bound, so once the sum is too small no later
-  // view can do better. The margin keeps rounding from cutting off an equal pair.
-  constexpr double rounding = 1e-12;
-  for (std::size_t a = 0; a < views.size(); ++a)
-    for (std::size_t b = a + 1; b < views.size(); ++b) {
-      if (best && views[a].bound + views[b].bound < best->value - rounding) break;
-      const std::size_t low = std::min(views[a].index, views[b].index), high = std::max(views[a].index, views[b].index);
-      const bool asIs = inRegion(candidates[low].direction, candidates[high].direction, options);
-      const bool swapped = inRegion(candidates[high].direction, candidates[low].direction, options);
-      if (!asIs && !swapped) continue;
-      const double share = seenShare(candidates[low], candidates[high], points);
-      const double mean = 0.5 * (views[a].quality + views[b].quality);
-      Pair pair{low, high, share};
-      // Where either may be C1, it is the better view.
-      const double lead = (views[a].index == low ? 1.0 : -1.0) * (views[a].quality - views[b].quality);
-      if (!asIs || (swapped && lead < 0.0)) std::swap(pair.c1, pair.c2);
-      const Found found{shareWeight * share + (1.0 - shareWeight) * mean, mean, pair};
-      if (!best || found.isBetterThan(*best)) best = found;
-    }
-  return best ? std::optional(best->pair) : std::nullopt;
+  forEachPair(
+      views, candidates, options, [&] { return greatest - sameValue; },
+      [&](const View& a, const View& b) {
+        const double value = valueOf(a, b);
+        if (value < greatest - sameValue) return;
+        // Where both are as far, the better one is C1, then the one of the lower index.
+        const auto role = [](const View& view) { return std::tuple(view.farness, -view.quality, view.index); };
+        const View &c1 = role(a) < role(b) ? a : b, &c2 = &c1 == &a ? b : a;
+        const Found found{sharesOfC1 * c1.farness + (1.0 - sharesOfC1) * c2.farness, value, c1.index, c2.index};
+        if (!best || found.order() < best->order()) best = found;
+      });
+  if (!best) return std::nullopt;
+  return Pair{best->c1, best->c2, seenShare(candidates[best->c1], candidates[best->c2], points)};
 }
 
 std::optional<Pair> bestStandardPair(const std::vector<Candidate>& candidates, std::size_t points) {

@@ -72,9 +72,10 @@ struct Pair {
   std::size_t c1 = 0, c2 = 0;
   double share = 0.0;
 };
-/// Both cameras at once: the pair, c2 in c1's region, that maximises shareWeight · share + (1 - shareWeight) · mean
-/// quality. Ties go to the pair of higher mean quality, then to the lowest indices. Where either view may be c1, the
-/// one of higher quality is.
+/// Both cameras at once: the pair, either in the other's region, that maximises shareWeight · share + (1 - shareWeight)
+/// · mean quality. A share is known to about a hundredth, so pairs within 0.01 of the greatest value are equally good;
+/// of these the one is taken that looks through least, C1 before C2: the least 0.8 · f(c1) + 0.2 · f(c2), where f =
+/// visibility - 0.1 · orientation. Then ties go to the greater value, then to the lowest indices.
 std::optional<Pair> jointSearch(const std::vector<Candidate>& candidates, std::size_t points, const Options& options);
 /// The best orthogonal pair of the six standard views by share, among candidates that hold them.
 std::optional<Pair> bestStandardPair(const std::vector<Candidate>& candidates, std::size_t points);

@@ -43,7 +43,7 @@ Section passSection(const Options& options, const TruthStore&) {
   for (const Subject& subject : subjects.here) {
     std::cerr << "passes: " << subject.name << '\n';
     const app::LoadedScene loaded = app::loadScene(subject.options);
-    const std::vector<Camera> path = cameraPath(loaded.scene, options.views.cameras + 1);
+    const std::vector<Camera> path = cameraPath(loaded.scene, options.views.cameras + 1, options.views.projection());
     Renderer renderer(std::make_shared<GpuScene>());
     renderer.setTiming(true);
     std::array<Distribution, passCount> times;

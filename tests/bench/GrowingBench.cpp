@@ -6,6 +6,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <iomanip>
 #include <iostream>
@@ -16,6 +17,8 @@
 #include <string>
 #include <thread>
 #include <vector>
+
+#include <CLI/CLI.hpp>
 
 #include "io/PhantomFile.h"
 #include "io/VolumeReader.h"
@@ -346,13 +349,7 @@ void writeTimes(std::ostream& page) {
   }
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  if (argc < 2) {
-    std::cerr << "usage: growing-bench FOLDER [PART-OF-A-NAME]\n";
-    return 2;
-  }
+void run(const std::filesystem::path& folder, const std::string& part) {
   std::ostringstream page;
   page << "# Region growing\n\nMedian Dice over " << seedsPerStructure
        << " random inner voxels as seeds, and the share of seeds above 0.8. `growing-bench` writes this page.\n\n"
@@ -367,19 +364,26 @@ int main(int argc, char** argv) {
           "- A structure in several parts, such as the ventricles, counts as the part that holds the seed.\n"
           "- AAL labels are an atlas' regions, which T1 values bound in part only. Phantoms have "
        << phantomVoxels << " voxels along their longest side.\n\n";
-  writeAccuracy(page, argc > 2 ? argv[2] : "");
+  writeAccuracy(page, part);
   page << "\n## Times\n\nVisible Human head, 512×512×245 voxels, on " << std::thread::hardware_concurrency()
        << " cores; median of five.\n\n";
   writeTimes(page);
-  std::ofstream(std::filesystem::path(argv[1]) / "growing.md") << page.str();
-  return 0;
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "growing.md") << page.str();
 }
 
+}  // namespace
 }  // namespace fenestra
 
 int main(int argc, char** argv) {
+  CLI::App program{"Measures region growing against known structures and writes growing.md.", "growing-bench"};
+  std::string folder, part;
+  program.add_option("FOLDER", folder, "where the page goes")->required();
+  program.add_option("PART", part, "only the structures whose names hold this");
+  CLI11_PARSE(program, argc, argv);
   try {
-    return fenestra::main(argc, argv);
+    fenestra::run(folder, part);
+    return 0;
   } catch (const std::exception& error) {
     std::cerr << "growing-bench: " << error.what() << '\n';
     return 1;

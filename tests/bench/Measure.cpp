@@ -6,7 +6,7 @@ Measurable prepare(const std::string& name, const Scene& scene, const Options& o
   Measurable result{name,
                     scene,
                     options.views.size,
-                    cameraPath(scene, options.views.cameras),
+                    cameraPath(scene, options.views.cameras, options.views.projection()),
                     sampledPixels(options.views.size, options.views.pixelBlock),
                     {}};
   for (const Camera& camera : result.cameras)

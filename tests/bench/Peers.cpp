@@ -29,18 +29,21 @@ Peers readPeers(const fs::path& folder, const Views& views) {
                          json.at("compared"),
                          json.at("pixelBlock"),
                          json.at("phantomVoxels"),
+                         json.at("parallel"),
                          views.only};
       if (theirs != views) {
         peers.left.push_back(path.stem().string() + ": left out, was measured with other views");
         continue;
       }
       const std::string program = json.at("program");
-      const std::string described =
-          program + ": version " + json.at("version").get<std::string>() + ", on " + json.at("gl").get<std::string>();
+      const std::string described = program + ": version " + json.at("version").get<std::string>() + ", on " +
+                                    json.at("machine").get<std::string>();
       if (std::find(peers.programs.begin(), peers.programs.end(), described) == peers.programs.end())
         peers.programs.push_back(described);
       for (const auto& entry : json.at("runs")) {
-        PeerRun run{program, entry.at("subject"), entry.at("lit"), entry.at("samplesPerVoxel"), {}, {}};
+        PeerRun run{
+            program, entry.at("subject"), entry.at("lit"), entry.at("samplesPerVoxel"), entry.value("setting", ""), {},
+            {}};
         for (const double frame : entry.at("frames_ms")) run.milliseconds.add(frame);
         for (const std::string picture : entry.value("pictures", nlohmann::json::array()))
           run.pictures.push_back(folder / picture);

@@ -14,6 +14,7 @@ struct PeerRun {
   std::string program, subject;
   bool lit = false;
   double samplesPerVoxel = 0.0;
+  std::string setting;                          ///< in the program's own terms, where that is no step
   Distribution milliseconds;                    ///< one a frame
   std::vector<std::filesystem::path> pictures;  ///< of the compared pixels, one a camera
 };

@@ -20,10 +20,12 @@ struct Views {
   int compared = 2;         ///< of them with the reference, from the first on
   int pixelBlock = 8;       ///< one pixel of each block of this side is compared with the reference
   int phantomVoxels = 256;  ///< along a phantom's longest side
+  bool parallel = false;    ///< parallel projection, which is all that some peers draw
   std::string only;         ///< subjects whose id starts with it
+  Projection projection() const { return parallel ? Projection::Orthographic : Projection::Perspective; }
   bool operator==(const Views&) const = default;
 };
-/// --size, --cameras, --compared, --block, --voxels and --only.
+/// --size, --cameras, --compared, --block, --voxels, --parallel and --only.
 void addViewOptions(CLI::App& program, Views& views);
 
 /// One data set with a focus, as the programs' options describe it.

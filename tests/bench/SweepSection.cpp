@@ -138,7 +138,13 @@ Section sweepSection(const Options& options, const TruthStore& truths) {
       "limit, ours against the reference, a peer's against its picture at " +
       stepName(litLimit) +
       ". No pre-integrating CPU renderer of regular grids could be had from Debian: VTK's works on tetrahedra, whose "
-      "interpolation is another field.";
+      "interpolation is another field."
+      "\n\nVolPack (shear-warp, Lacroute and Levoy 1994) draws in parallel projection alone, on one core, into 8 bits. "
+      "It gives each voxel its colour and opacity first and interpolates these, so that its picture does not converge "
+      "to the reference: outlines lie up to a voxel further out. Its opacities are those of the way from slice to "
+      "slice along the view, set anew for each view "
+      "outside the times. Of its two settings one is its defaults, which skip voxels of opacity below 0.05 and end a "
+      "ray at 0.95; the other skips transparent voxels alone and ends at 254/255.";
   const Peers peers = readPeers(options.peers, options.views);
   for (const std::string& program : peers.programs) section.text += "\n\n" + program;
   for (const std::string& left : peers.left) section.text += "\n\n" + left;
@@ -158,7 +164,8 @@ Section sweepSection(const Options& options, const TruthStore& truths) {
     std::map<std::string, Row> floors;
     for (const PeerRun& run : peers.runs) {
       if (run.subject != subject.id || run.lit) continue;
-      Row row{run.program, stepName(run.samplesPerVoxel), run.milliseconds, errorsOf(run, plain)};
+      Row row{run.program, run.setting.empty() ? stepName(run.samplesPerVoxel) : run.setting, run.milliseconds,
+              errorsOf(run, plain)};
       if (!limitLadder.empty() && subject.id == subjects.here.front().id)
         limit.rows.push_back({row.program, row.setting, number(rootMeanSquare(row.errors)),
                               number(row.errors.channel.percentile(99.9)), number(nearlyMax(row.errors)),

@@ -18,6 +18,7 @@ void addViewOptions(CLI::App& program, Views& views) {
       ->check(CLI::Range(1, 64));
   program.add_option("--voxels", views.phantomVoxels, "along a phantom's longest side, default 256")
       ->check(CLI::Range(8, 1024));
+  program.add_flag("--parallel", views.parallel, "views in parallel projection, as shear-warp needs");
   program.add_option("--only", views.only, "subjects whose id starts with this");
 }
 

@@ -1,9 +1,10 @@
 // window-bench: how the window answers. Opens a scene as `fenestra` does, drags a view in circles with a synthetic
 // mouse at 60 events a second, lets go, drags the transfer function, opens the list of presets, and places the cameras.
-// Writes one JSON object: new pictures a second of each view, longest gap between two, times until the pictures at rest,
-// and the longest time that one event kept the window's thread busy, with what of it the thread itself worked: the rest
-// it waited, for another program on a busy machine. With --grow L,P,S it clicks there, and moves the tolerance of the
-// region that grows. Needs a display with OpenGL. Takes the options of a scene, --window WIDTHxHEIGHT and --seconds.
+// Writes one JSON object: new pictures a second of each view, longest gap between two, times until the pictures at
+// rest, and the longest time that one event kept the window's thread busy, with what of it the thread itself worked:
+// the rest it waited, for another program on a busy machine. With --grow L,P,S it clicks there, and moves the tolerance
+// of the region that grows. Needs a display with OpenGL. Takes the options of a scene, --window WIDTHxHEIGHT and
+// --seconds.
 
 #include <algorithm>
 #include <array>

@@ -24,22 +24,14 @@
 #include <vtkVersion.h>
 #include <vtkVolume.h>
 #include <vtkVolumeProperty.h>
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "io/ImageWriter.h"
-#include "io/base/AtomicFile.h"
-#include "tests/bench/Subjects.h"
+#include "tests/peers/PeerRuns.h"
 
 namespace fenestra::peers {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-struct Options {
-  std::filesystem::path folder;
-  bench::Views views;
-};
 
 int vtkTypeOf(ScalarType type) {
   switch (type) {
@@ -119,6 +111,8 @@ void placeCamera(vtkCamera& target, const Camera& camera) {
   const glm::dvec3 up = camera.axes().up;
   target.SetViewUp(up.x, up.y, up.z);
   target.SetViewAngle(camera.verticalFov);
+  target.SetParallelProjection(camera.projection == Projection::Orthographic);
+  target.SetParallelScale(0.5 * camera.orthographicHeight);
 }
 
 /// One subject in a window of its own, whose picture is kept in single precision: eight bits would add an error of
@@ -212,8 +206,6 @@ class Stage {
 
 void measure(const Options& options, const Peer& peer) {
   const std::string& name = peer.name;
-  const std::filesystem::path folder = options.folder / "peers";
-  std::filesystem::create_directories(folder);
   const std::vector<glm::ivec2> pixels = bench::sampledPixels(options.views.size, options.views.pixelBlock);
   Json runs = Json::array();
   std::string gl;
@@ -221,7 +213,7 @@ void measure(const Options& options, const Peer& peer) {
   const bench::Subjects subjects = bench::reportSubjects(options.views);
   for (const bench::Subject& subject : subjects.here) {
     const Scene scene = bench::plainScene(app::loadScene(subject.options).scene);
-    const std::vector<Camera> cameras = bench::cameraPath(scene, options.views.cameras);
+    const std::vector<Camera> cameras = bench::cameraPath(scene, options.views.cameras, options.views.projection());
     for (const bool lit : {false, true}) {
       Stage stage(scene, options.views.size, lit, peer);
       std::vector<double> ladder = lit ? bench::litLadder : bench::stepLadder;
@@ -242,7 +234,7 @@ void measure(const Options& options, const Peer& peer) {
             if (round > 0 || i >= static_cast<std::size_t>(options.views.compared)) continue;
             const std::string file = name + "-" + subject.id + (lit ? "-lit-" : "-") + std::to_string(i) + "-" +
                                      std::to_string(static_cast<int>(samples * 10.0)) + ".mha";
-            io::writeLayer(folder / file, {static_cast<int>(pixels.size()), 1}, 4, stage.read(pixels));
+            writePicture(options, file, stage.read(pixels));
             run["pictures"].push_back(file);
           }
         std::cerr << name << ' ' << run.dump() << '\n';
@@ -252,36 +244,14 @@ void measure(const Options& options, const Peer& peer) {
     }
     first = false;
   }
-  const bench::Views& views = options.views;
-  const std::string part = views.only.empty() ? "" : "-" + views.only;
-  io::writeText(folder / (name + part + ".json"), Json{{"program", peer.title},
-                                                       {"version", vtkVersion::GetVTKVersion()},
-                                                       {"gl", gl},
-                                                       {"size", {views.size.x, views.size.y}},
-                                                       {"cameras", views.cameras},
-                                                       {"compared", views.compared},
-                                                       {"pixelBlock", views.pixelBlock},
-                                                       {"phantomVoxels", views.phantomVoxels},
-                                                       {"runs", runs}}
-                                                          .dump(1) +
-                                                      "\n");
+  writeRuns(options, {name, peer.title, vtkVersion::GetVTKVersion(), gl}, runs);
 }
 
 }  // namespace
 
 int run(int argc, char** argv, const Peer& peer) {
-  Options options;
-  CLI::App program{"Draws the report's subjects with VTK and times it."};
-  program.add_option("FOLDER", options.folder, "the report's folder")->required();
-  bench::addViewOptions(program, options.views);
-  CLI11_PARSE(program, argc, argv);
-  try {
-    measure(options, peer);
-    return 0;
-  } catch (const std::exception& error) {
-    std::cerr << program.get_name() << ": " << error.what() << '\n';
-    return 1;
-  }
+  return runProgram(argc, argv, "Draws the report's subjects with VTK and times it.",
+                    [&](const Options& options) { measure(options, peer); });
 }
 
 }  // namespace fenestra::peers
