@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "rendering/PassChain.h"
-#include "rendering/scene/Edges.h"
+#include "rendering/scene/EdgeRays.h"
 
 namespace fenestra {
 namespace {

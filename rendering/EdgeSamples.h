@@ -1,5 +1,5 @@
 #pragma once
-// Stages 1 and 4 to 7 along the rays between pixel centres that make edges smooth (rendering/scene/Edges.h).
+// Stages 1 and 4 to 7 along the rays between pixel centres that make edges smooth (rendering/scene/EdgeRays.h).
 
 #include <deque>
 

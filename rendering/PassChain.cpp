@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "rendering/scene/Edges.h"
+#include "rendering/scene/EdgeRays.h"
 #include "rendering/scene/Lighting.h"
 
 namespace fenestra {

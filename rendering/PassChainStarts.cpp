@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "rendering/PassChain.h"
-#include "rendering/scene/Edges.h"
+#include "rendering/scene/EdgeRays.h"
 
 namespace fenestra {
 namespace {

@@ -24,8 +24,8 @@ struct Clip {
   ClipBlock block(const Grid& grid) const;
 };
 
-/// Pixels of a list that several rays each are drawn for, between pixel centres (rendering/scene/Edges.h). They belong
-/// to images in which each listed pixel has a block of 2×2, blocksAcross in a row.
+/// Pixels of a list that several rays each are drawn for, between pixel centres (rendering/scene/EdgeRays.h). They
+/// belong to images in which each listed pixel has a block of 2×2, blocksAcross in a row.
 struct Scatter {
   static constexpr unsigned binding = 7;  ///< of the list's storage block, shaders/lib/EdgeList.glsl
   static constexpr int blocksAcross = 256;

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-#include "rendering/scene/Edges.h"
+#include "rendering/scene/EdgeRays.h"
 
 namespace fenestra {
 namespace {
@@ -32,6 +32,7 @@ void EdgePass::find(Steps& steps, Schedule schedule, const gl::Texture& picture,
       program.bind("distances", opening->distances);
       program.set("widths", glm::vec2(opening->widths));
     }
+    program.set("outline", static_cast<float>(edges::outline));
     program.set("contrasts", glm::vec2(edges::leastContrast, edges::fullContrast));
     program.bind("smoothed", smoothed, gl::Access::Write);
     program.dispatch(tile);

@@ -1,5 +1,5 @@
 #pragma once
-// Smooth edges: which pixels they run through, and those pixels as means of several rays (rendering/scene/Edges.h).
+// Smooth edges: which pixels they run through, and those pixels as means of several rays (rendering/scene/EdgeRays.h).
 
 #include <optional>
 

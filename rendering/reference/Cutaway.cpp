@@ -5,7 +5,7 @@
 #include "rendering/reference/Apart.h"
 #include "rendering/reference/Reference.h"
 #include "rendering/reference/Strokes.h"
-#include "rendering/scene/Edges.h"
+#include "rendering/scene/EdgeRays.h"
 #include "rendering/scene/FocusCells.h"
 #include "rendering/scene/Parallel.h"
 

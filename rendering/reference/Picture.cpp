@@ -5,7 +5,7 @@
 #include "rendering/reference/Light.h"
 #include "rendering/reference/Occlusion.h"
 #include "rendering/reference/Strokes.h"
-#include "rendering/scene/Edges.h"
+#include "rendering/scene/EdgeRays.h"
 #include "rendering/scene/Lighting.h"
 #include "rendering/scene/Parallel.h"
 
@@ -258,7 +258,7 @@ Neighbourhood withNeighbours(const std::vector<glm::ivec2>& pixels, glm::ivec2 s
   return all;
 }
 
-/// Greatest difference of a channel between a pixel and one beside it, as Edges.h has it.
+/// Greatest difference of a channel between a pixel and one beside it, as EdgeRays.h has it.
 double contrastOf(const Frame& frame, const Rays& rays, const std::vector<glm::dvec4>& colours,
                   const Neighbourhood& all, std::size_t i) {
   const auto isOnBorder = [&](std::size_t k) {
@@ -274,8 +274,9 @@ double contrastOf(const Frame& frame, const Rays& rays, const std::vector<glm::d
     const glm::ivec2 beside = all.pixels[i] + step;
     if (!isInside(beside, frame.size)) continue;
     const std::size_t k = all.indexOf[offset(frame.size, beside)];
-    if (frame.pixels && (isOnBorder(i) || isOnBorder(k)) && meetTheSame(i, k)) continue;
-    const glm::dvec4 difference = glm::abs(colours[i] - colours[k]);
+    const bool outlined = frame.pixels && !meetTheSame(i, k);
+    if (!outlined && (isOnBorder(i) || isOnBorder(k))) continue;
+    const glm::dvec4 difference = (outlined ? edges::outline : 1.0) * glm::abs(colours[i] - colours[k]);
     contrast = std::max({contrast, difference.r, difference.g, difference.b, difference.a});
   }
   return contrast;

@@ -10,7 +10,7 @@
 // Gauss-Kronrod rules that halve their interval until the tolerance is met.
 //
 // Where the look's edges are smooth, the finished picture is the mean of five rays in the pixels that edges run
-// through, as rendering/scene/Edges.h defines it; the layers stay those of the rays through the pixels' centres.
+// through, as rendering/scene/EdgeRays.h defines it; the layers stay those of the rays through the pixels' centres.
 //
 // NaN and infinite values count as in hitPoints().
 

@@ -109,7 +109,7 @@ Stages geometricStages(const Scene& scene, const Camera& camera, glm::ivec2 size
 /// The same of a view, whose opening may be frozen or have an axis offset. Where another camera cuts the opening,
 /// tFocusFilled, distance and editOffset stay empty.
 Stages geometricStages(const Scene& scene, const View& view);
-/// Stages 1 to 4 of the rays through some places of a picture, whose pixels have the stages `pixels`: as Edges.h (in
+/// Stages 1 to 4 of the rays through some places of a picture, whose pixels have the stages `pixels`: as EdgeRays.h (in
 /// rendering/scene) defines them. One element a ray; `distance` is what the line around the opening goes by.
 Stages stagesBetween(const Scene& scene, const Camera& camera, glm::ivec2 size, const Stages& pixels, double pixelScale,
                      const std::vector<glm::dvec2>& places);

@@ -1,5 +1,5 @@
 // Smooth edges, last step: the pixels of a batch become means of their centre's ray and of those between
-// (rendering/scene/Edges.h).
+// (rendering/scene/EdgeRays.h).
 #include <schedule>
 #include "lib/EdgeList.glsl"
 #include "lib/Region.glsl"

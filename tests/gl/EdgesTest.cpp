@@ -5,6 +5,7 @@
 #include <random>
 
 #include "rendering/reference/Picture.h"
+#include "rendering/scene/EdgeRays.h"
 #include "tests/gl/GlTest.h"
 #include "tests/gl/SceneKinds.h"
 
@@ -59,6 +60,11 @@ struct Case {
 std::vector<Case> cases() {
   Scene body = bodyWithOrgans<std::int16_t>(gridOf({26, 24, 22}));
   body.look.focus = LabelFocus{{1, 2}};
+  // Surfaces at which colours end.
+  body.look.context.function = {{{30.0, {{0.9, 0.6, 0.4}, 0.0}},
+                                 {30.0, {{0.9, 0.6, 0.4}, 2.0}},
+                                 {90.0, {{1.0, 0.95, 0.9}, 2.0}},
+                                 {90.0, {{0.3, 0.5, 1.0}, 3.0}}}};
   body.look.contextLayer.strength = 0.7;
   body.look.cutaway.borderWidth = 2.0;
   const View view{.camera = Camera::fromAngles(30.0, 20.0, body.volume->grid), .size = size, .maxError = 1.0};
@@ -187,7 +193,7 @@ TEST_F(EdgesTest, NoiseIsTheMeanOfPicturesOfShiftedCamerasInSeveralBatches) {
   std::mt19937 random(3);
   Scene scene;
   scene.volume = volumeOf<std::uint8_t>(grid, [&](glm::ivec3) { return random() % 200; });
-  scene.look.context.function = {{{0.0, {{0.2, 0.1, 0.6}, 0.0}}, {200.0, {{1.0, 0.9, 0.3}, 1.5}}}};
+  scene.look.context.function = {{{0.0, {{0.2, 0.1, 0.6}, 0.0}}, {200.0, {{1.0, 0.9, 0.3}, 6.0}}}};
   scene.look.shading.enabled = false;
   const glm::ivec2 large{330, 310};
   View view{.camera = lookAt(grid.centre() - glm::dvec3(0, 50, 0), grid.centre(), Projection::Orthographic, large.y),

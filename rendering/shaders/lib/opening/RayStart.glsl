@@ -14,7 +14,7 @@ TEXELS_2D(r32f, distances);
 uniform float openWidth;  // rendered pixels
 
 #if SCATTERED
-// Between the centres of pixels (rendering/scene/Edges.h).
+// Between the centres of pixels (rendering/scene/EdgeRays.h).
 uniform float reach;  // rendered pixels: greater distances count as this
 
 float bilinear(vec4 corners, vec2 at) {
