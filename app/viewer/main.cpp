@@ -103,7 +103,7 @@ struct Request {
   std::optional<Schedule> schedule;                           ///< unset: the faster one
   bool welcomes = false;                                      ///< nothing was asked for: opens nothing
   /// A session or a preset sets all of them, too.
-  bool setsBackground = false, setsUnit = false, setsReconstruction = false, setsEdges = false;
+  bool setsBackground = false, setsUnit = false, setsReconstruction = false;
 
   /// The scene as asked for, where nothing was said with the user's own defaults.
   app::SceneOptions sceneWith(const Preferences& preferences) const {
@@ -112,7 +112,6 @@ struct Request {
     if (!setsBackground) options.look.background = own.background;
     if (!setsUnit) options.look.cutaway.unit = own.cutaway.unit;
     if (!setsReconstruction) options.look.reconstruction = own.reconstruction;
-    if (!setsEdges) options.look.edges = own.edges;
     return options;
   }
 };
@@ -160,7 +159,6 @@ std::optional<int> parse(int argc, char** argv, Request& request) {
   request.setsBackground = hasLook || program.count("--background") > 0;
   request.setsUnit = hasLook || program.count("--width-unit") > 0;
   request.setsReconstruction = hasLook || program.count("--reconstruction") > 0;
-  request.setsEdges = hasLook || program.count("--edges") > 0;
   request.welcomes = argc <= 1;
   if (options.empty()) options.phantom = "torso";
   if (program.count("--quality") + program.count("--max-error") > 0)

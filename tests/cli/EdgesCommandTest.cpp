@@ -1,10 +1,8 @@
 // fenestra-cli render --edges, as a script uses it.
 
-#include <cmath>
-
-#include "io/ImageWriter.h"
 #include "io/session/SessionFile.h"
 #include "tests/cli/CommandLine.h"
+#include "tests/cli/PictureCommand.h"
 
 namespace fenestra::tests {
 namespace {
@@ -18,14 +16,8 @@ class EdgesCommand : public CommandLine {
     all.insert(all.end(), more.begin(), more.end());
     return run(all);
   }
-  /// The share of values that differ by more than so many 1/255.
   double shareBeyond(double limit, const std::string& a, const std::string& b) const {
-    const std::vector<float> one = io::readPicture(at(a)).values, other = io::readPicture(at(b)).values;
-    EXPECT_EQ(one.size(), other.size());
-    std::size_t beyond = 0;
-    for (std::size_t i = 0; i < std::min(one.size(), other.size()); ++i)
-      beyond += 255.0 * std::abs(one[i] - other[i]) > limit;
-    return static_cast<double>(beyond) / static_cast<double>(one.size());
+    return tests::shareBeyond(limit, at(a), at(b));
   }
 };
 

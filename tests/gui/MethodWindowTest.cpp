@@ -86,6 +86,7 @@ TEST_F(MethodWindow, EachHasItsOwnRowsAndIsAStepOfTheHistory) {
   EXPECT_FALSE(shows("importance") || shows("cone_angle"));
   EXPECT_TRUE(width->isEnabled());
   waitUntilDrawn();
+  ASSERT_EQ(picture(volume(0)).size(), adaptive.size()) << "the panel's rows leave the views their place";
   EXPECT_EQ(picture(volume(0)), adaptive) << "to the bit";
 }
 

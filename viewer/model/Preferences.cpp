@@ -105,9 +105,8 @@ Look Preferences::startingLook(Look look) const {
   const int rgb = value(Preference::Background);
   look.background = glm::dvec3((rgb >> 16) & 255, (rgb >> 8) & 255, rgb & 255) / 255.0;
   look.cutaway.unit = wordsOf(WidthUnit{})[static_cast<std::size_t>(value(Preference::WidthUnit))].value;
-  // What looks best at rest; scripts compare pictures and begin with the plainest.
+  // Without the terraces of coarse scans; scripts compare pictures and begin with the data as they are.
   look.reconstruction = Reconstruction::Auto;
-  look.edges = Edges::Smooth;
   return look;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QToolButton>
 
 #include "viewer/model/Translation.h"
@@ -79,9 +80,15 @@ void CutawayPanel::addMethod(QFormLayout& form) {
   const auto name = [](const auto& setting) { return translated(setting.name); };
   form.addRow(name(settingOf(&Method::kind)), method_);
   form.addRow(name(settingOf(&Method::coneAngle)), coneAngle_);
-  importance_->addWidget(importanceMode_, 1);
-  importance_->addWidget(sparseness_, 1);
-  form.addRow(name(settingOf(&Method::importance)), importance_);
+  // A row that appears must not widen the panel and so push the views aside.
+  for (QComboBox* box : {importanceMode_, sparseness_}) {
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    box->setMinimumContentsLength(5);
+    importance_->addWidget(box, 1);
+  }
+  auto* label = new QLabel(name(settingOf(&Method::importance)));
+  label->setWordWrap(true);
+  form.addRow(label, importance_);
   form.addRow(name(settingOf(&Method::importanceAngle)), importanceAngle_);
   form.addRow(name(settingOf(&Method::importanceOpacity)), importanceOpacity_);
 }

@@ -50,7 +50,6 @@ Scene sampleScene(const Focus& kind) {
   } else if (std::holds_alternative<ValueFocus>(kind)) {
     scene.look.focus = ValueFocus{{1000.0, 1500.0}};
   }
-  scene.look.edges = Edges::Smooth;  // as data without a session begin
   scene.look.context.function.nodes = {{500.0, {glm::dvec3(1.0), 0.0}}, {1000.0, {glm::dvec3(1.0), 1.0}}};
   return scene;
 }
