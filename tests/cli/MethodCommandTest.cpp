@@ -7,11 +7,6 @@ namespace fenestra::tests {
 namespace {
 
 using MethodCommand = PictureCommand;
-}
-
-private:
-const std::filesystem::path folder_ = scratchFolder();
-};
 
 const std::vector<std::string> methods{"--method cone --cone-angle 50", "--method importance --importance-angle 25",
                                        "--method importance --importance average --importance-opacity 0.2",

@@ -7,11 +7,6 @@ namespace fenestra::tests {
 namespace {
 
 using OcclusionCommand = PictureCommand;
-}
-
-private:
-const std::filesystem::path folder_ = scratchFolder();
-};
 
 TEST_F(OcclusionCommand, PicturesAreTheReferences) {
   const std::string both = "--occlusion 0.9 --shadow 0.8 --light=-40,50 ";
