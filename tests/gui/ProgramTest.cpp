@@ -1,6 +1,7 @@
 // The program from outside: what it writes, prints and returns.
 
 #include <sys/resource.h>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 
@@ -68,10 +69,22 @@ TEST(Program, AScreenshotNamesThePatientOnlyWhenAsked) {
     constexpr int statusBar = 40;  // tells how long the picture took
     return image.copy(0, 0, image.width(), image.height() - statusBar * image.width() / 1000);
   };
+  // Qt rounds a letter's rim up or down from run to run; a name that is shown changes whole letters.
+  const auto alike = [](const QImage& a, const QImage& b) {
+    if (a.size() != b.size()) return false;
+    for (int y = 0; y < a.height(); ++y)
+      for (int x = 0; x < a.width(); ++x) {
+        const QColor one = a.pixelColor(x, y), other = b.pixelColor(x, y);
+        if (std::abs(one.red() - other.red()) > 1 || std::abs(one.green() - other.green()) > 1 ||
+            std::abs(one.blue() - other.blue()) > 1)
+          return false;
+      }
+    return true;
+  };
   const std::filesystem::path named = series("named", "Vermeer^Johanna"), nobody = series("nobody", "");
   const QImage without = shot(named, {}), asked = shot(named, {"--with-patient"});
-  EXPECT_EQ(without, shot(nobody, {}));
-  EXPECT_NE(without, asked);
+  EXPECT_TRUE(alike(without, shot(nobody, {})));
+  EXPECT_FALSE(alike(without, asked));
 }
 
 TEST(Program, EndsWithOneLineWhenTheFileIsAtFault) {
