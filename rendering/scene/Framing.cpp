@@ -7,11 +7,10 @@
 
 #include "rendering/scene/Parallel.h"
 #include "rendering/scene/Scene.h"
+#include "rendering/scene/VisibleValues.h"
 
 namespace fenestra {
 namespace {
-
-constexpr double visibleOpacity = 0.05;  ///< of 1 mm, as visibleGrid() has it
 
 /// Voxels are looked at in blocks; one of which little shows is noise in the air.
 struct Blocks {
@@ -95,14 +94,10 @@ Framing visibleFraming(const ShownVolume& shown, const TransferFunction& context
   const glm::ivec3 first(glm::round(glm::dvec3(grid.indexFromWorld() * glm::dvec4(box.origin, 1.0))));
   const Blocks block(box.dims);
   const glm::ivec3 blocks = (box.dims + block.side - 1) / block.side;
-  const std::vector<ValueGap> gaps = context.transparentGaps(visibleOpacity);
-  const auto isVisible = [&](double value) {
-    return std::none_of(gaps.begin(), gaps.end(),
-                        [&](const ValueGap& gap) { return !(value <= gap.low || value >= gap.high); });
-  };
   std::vector<std::vector<glm::ivec2>> hulls(static_cast<std::size_t>(blocks.z));
   volume.voxels.visit([&](auto scalars) {
     using T = std::remove_const_t<typename decltype(scalars)::value_type>;
+    const VisibleValues<T> shows(volume, context);
     parallelFor(hulls.size(), 1, [&](std::size_t begin, std::size_t end) {
       std::vector<std::uint8_t> counts(static_cast<std::size_t>(blocks.x) * static_cast<std::size_t>(blocks.y));
       std::vector<T> buffer;
@@ -112,10 +107,10 @@ Framing visibleFraming(const ShownVolume& shown, const TransferFunction& context
         for (int z = low; z < high; ++z)
           for (int y = z % block.rowStep; y < box.dims.y; y += block.rowStep) {
             const T* row = voxels.row(first.y + y, first.z + z, buffer) + first.x;
-            std::uint8_t* into = counts.data() + static_cast<std::size_t>(y / block.side * blocks.x);
-            for (int x = 0; x < box.dims.x; ++x)
-              into[x / block.side] = static_cast<std::uint8_t>(
-                  into[x / block.side] + isVisible(volume.slope * static_cast<double>(row[x]) + volume.intercept));
+            auto into = counts.begin() + static_cast<std::ptrdiff_t>(y / block.side) * blocks.x;
+            for (int x = 0; x < box.dims.x; ++into)
+              for (const int stop = std::min(x + block.side, box.dims.x); x < stop; ++x)
+                *into = static_cast<std::uint8_t>(*into + shows(row[x]));
           }
         hulls[layer] = layerHull(counts, block, {blocks.x, blocks.y}, glm::ivec2(box.dims));
       }

@@ -5,6 +5,7 @@
 #include <mutex>
 
 #include "rendering/scene/Parallel.h"
+#include "rendering/scene/VisibleValues.h"
 
 namespace fenestra {
 namespace {
@@ -91,22 +92,17 @@ bool hasFocusFunction(const Scene& scene) {
 }
 
 Grid visibleGrid(const ShownVolume& shown, const TransferFunction& context) {
-  constexpr double visibleOpacity = 0.05;  // of 1 mm: the frame leaves haze out
-  constexpr double leastShare = 0.01;      // of the fullest slab
+  constexpr double leastShare = 0.01;  // of the fullest slab
   const Volume& volume = *shown.volume;
   const Grid& grid = volume.grid;
   const ShownVoxels voxels(shown);
-  const std::vector<ValueGap> gaps = context.transparentGaps(visibleOpacity);
-  const auto isVisible = [&](double value) {
-    return std::none_of(gaps.begin(), gaps.end(),
-                        [&](const ValueGap& gap) { return !(value <= gap.low || value >= gap.high); });
-  };
   std::array<std::vector<std::size_t>, 3> counts;
   for (int axis = 0; axis < 3; ++axis)
     counts[static_cast<std::size_t>(axis)].resize(static_cast<std::size_t>(grid.dims[axis]));
   std::mutex mutex;
   volume.voxels.visit([&](auto scalars) {
-    using T = typename decltype(scalars)::value_type;
+    using T = std::remove_const_t<typename decltype(scalars)::value_type>;
+    const VisibleValues<T> shows(volume, context);
     parallelFor(static_cast<std::size_t>(grid.dims.z), 4, [&](std::size_t begin, std::size_t end) {
       auto local = counts;
       std::vector<T> buffer;
@@ -115,12 +111,14 @@ Grid visibleGrid(const ShownVolume& shown, const TransferFunction& context) {
       for (std::size_t z = begin; z < end; ++z)
         for (int y = static_cast<int>(z % 2); y < grid.dims.y; y += 2) {
           const T* row = voxels.row(y, static_cast<int>(z), buffer);
+          std::size_t inRow = 0;
           for (int x = 0; x < grid.dims.x; ++x) {
-            if (!isVisible(volume.slope * static_cast<double>(row[x]) + volume.intercept)) continue;
-            ++local[0][static_cast<std::size_t>(x)];
-            ++local[1][static_cast<std::size_t>(y)];
-            ++local[2][z];
+            const std::size_t count = shows(row[x]);
+            local[0][static_cast<std::size_t>(x)] += count;
+            inRow += count;
           }
+          local[1][static_cast<std::size_t>(y)] += inRow;
+          local[2][z] += inRow;
         }
       const std::scoped_lock lock(mutex);
       for (std::size_t axis = 0; axis < 3; ++axis)

@@ -1,5 +1,7 @@
 // A camera's frame encloses what shows, and little more.
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -76,6 +78,32 @@ TEST(Framing, IsTheGridWhereNothingShows) {
   const Grid& grid = head.volume->grid;
   for (const StandardView view : {StandardView::Anterior, StandardView::Superior})
     EXPECT_EQ(Camera::standard(view, framing), Camera::standard(view, grid));
+}
+
+TEST(Framing, IsTheSameForStoredValuesOfEveryWidth) {
+  const Head head(100);
+  const Framing expected = visibleFraming({head.volume}, head.context);
+  // 16 bits are looked up, 32 are compared; 8 hold the values by slope and intercept.
+  const auto as = [&]<class T>(ScalarType type, T air, T inside, double slope, double intercept) {
+    auto volume = std::make_shared<Volume>();
+    volume->grid = head.volume->grid;
+    volume->slope = slope;
+    volume->intercept = intercept;
+    volume->voxels = Voxels(type, volume->grid.voxelCount());
+    const auto own = head.volume->voxels.as<std::int16_t>();
+    const auto values = volume->voxels.as<T>();
+    std::transform(own.begin(), own.end(), values.begin(),
+                   [&](std::int16_t value) { return value == 40 ? inside : air; });
+    volume->computeRange();
+    return visibleFraming({volume}, head.context);
+  };
+  for (const Framing& other : {as(ScalarType::UInt8, std::uint8_t{0}, std::uint8_t{104}, 10.0, -1000.0),
+                               as(ScalarType::Int8, std::int8_t{-125}, std::int8_t{5}, 8.0, 0.0),
+                               as(ScalarType::Int32, std::int32_t{-1000}, std::int32_t{40}, 1.0, 0.0),
+                               as(ScalarType::Float32, -1000.0F, 40.0F, 1.0, 0.0)}) {
+    EXPECT_EQ(other.centre, expected.centre);
+    EXPECT_EQ(other.points, expected.points);
+  }
 }
 
 TEST(Framing, TurnsAroundTheMiddleOfWhatShows) {
