@@ -36,7 +36,7 @@ Camera around(const Scene& scene) {
 constexpr glm::ivec2 size(9, 8);
 
 TEST(ReferenceReconstruction, HitsOfASplineAgreeWithFineMarching) {
-  for (const Reconstruction kind : {Reconstruction::Cubic, Reconstruction::Smooth}) {
+  for (const Reconstruction kind : {Reconstruction::Cubic, Reconstruction::Smooth, Reconstruction::Smoother}) {
     Scene scene = noise(kind, opaqueFrom(62.0));
     scene.look.focus = ValueFocus{.values = {70.0, 1e9}, .minimumComponent = 0.0};
     const Camera camera = around(scene);
@@ -114,7 +114,7 @@ TEST(ReferenceReconstruction, IntegralOfASplineAgreesWithFineSteps) {
                                    {50.0, {{0.2, 1.0, 0.3}, 0.2}},
                                    {55.0, {{0.1, 0.3, 1.0}, 0.01}},
                                    {110.0, {{1.0, 1.0, 0.5}, 0.3}}}};
-  for (const Reconstruction kind : {Reconstruction::Cubic, Reconstruction::Smooth}) {
+  for (const Reconstruction kind : {Reconstruction::Cubic, Reconstruction::Smooth, Reconstruction::Smoother}) {
     const Scene scene = noise(kind, transfer);
     const Camera camera = around(scene);
     PictureOptions options;
