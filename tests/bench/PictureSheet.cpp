@@ -26,7 +26,7 @@
 #include "rendering/Renderer.h"
 #include "rendering/egl/EglContext.h"
 #include "rendering/gpu/GpuScene.h"
-#include "rendering/scene/Settings.h"
+#include "tests/bench/MethodVariants.h"
 #include "tests/support/TestData.h"
 
 namespace fenestra {
@@ -186,12 +186,9 @@ Sheet methodSheet() {
   rows.labelled("kidneys", "CT torso: kidneys", torsoCt, torsoLabels, {"2", "3"}, {180.0, 10.0}, 1.3);
   rows.labelled("aorta", "CT torso: aorta", torsoCt, torsoLabels, {"52"}, {40.0, 5.0}, 1.3);
   Sheet sheet{rows.take(), {}, {240, 223}};
-  for (const auto& word : wordsOf(MethodKind{}))
-    sheet.columns.push_back({word.word, word.name, [kind = word.value](Look& look) { look.method.kind = kind; }});
-  sheet.columns.push_back({"importance-average", "Importance-driven, average", [](Look& look) {
-                             look.method.kind = MethodKind::Importance;
-                             look.method.importance = ImportanceMode::Average;
-                           }});
+  for (const bench::MethodVariant& variant : bench::methodVariants())
+    sheet.columns.push_back(
+        {variant.name, variant.caption, [method = variant.method](Look& look) { look.method = method; }});
   return sheet;
 }
 
