@@ -20,7 +20,6 @@
 #include <QDrag>
 #include <QElapsedTimer>
 #include <QMenu>
-#include <QRubberBand>
 #include <QTest>
 #include <QTimer>
 
@@ -240,12 +239,11 @@ class Monkey : public Window, public testing::WithParamInterface<unsigned> {
     return objects;
   }
 
-  /// All widgets but tool tips, which come and go, and the rubber band that Qt's main window makes when a dock is first
-  /// dragged and keeps.
+  /// All widgets but tool tips, which come and go.
   static std::map<std::string, int> widgetsByClass() {
     std::map<std::string, int> kinds;
     for (const QWidget* each : QApplication::allWidgets())
-      if (each->windowType() != Qt::ToolTip && !qobject_cast<const QRubberBand*>(each)) ++kinds[each->metaObject()->className()];
+      if (each->windowType() != Qt::ToolTip) ++kinds[each->metaObject()->className()];
     return kinds;
   }
 
@@ -291,14 +289,15 @@ TEST_P(Monkey, TheWindowSurvivesAndAnswers) {
     // Each of four renderers (two views, each with a picture shown and one refined) keeps the images of passes that it
     // has run once: of a picked pixel, strokes, what an opening camera removes (two), protected structures and context
     // edges; and their buffers: three of strokes, and one of rays between those of the lattice. The window may hold one
-    // dialog that leaves it usable; that of the window has eleven widgets. What grew with each event would be far more.
-    constexpr int renderers = 4, imagesOfPasses = 6, buffersOfPasses = 4, widgetsOfDialog = 11;
+    // dialog that leaves it usable; that of the window has ten widgets. Some are made when they are first needed and
+    // kept, such as Qt's rubber band of a dragged dock. What grew with one of a hundred events would be more.
+    constexpr int renderers = 4, imagesOfPasses = 6, buffersOfPasses = 4, widgetsOfDialog = 10, madeOnce = 10;
     if (half == 1) {
       EXPECT_LE(objects.kept(), before.kept() + renderers * (imagesOfPasses + buffersOfPasses));
       std::ostringstream more;
       for (const auto& [kind, count] : kinds)
         if (count != kindsBefore[kind]) more << ' ' << kind << ' ' << kindsBefore[kind] << " to " << count;
-      EXPECT_LE(widgets, widgetsBefore + widgetsOfDialog) << more.str();
+      EXPECT_LE(widgets, widgetsBefore + widgetsOfDialog + madeOnce) << more.str();
     }
     before = objects;
     widgetsBefore = widgets;
@@ -307,9 +306,12 @@ TEST_P(Monkey, TheWindowSurvivesAndAnswers) {
   std::cerr << "longest event: " << longestEvent << '\n';
   // A click after it all: the cross-hair follows.
   const glm::dvec3 at = cursor().position();
-  QTest::mouseClick(slice(SlicePlane::Axial), Qt::LeftButton, {},
-                    slice(SlicePlane::Axial)->rect().center() / 2 + QPoint(60, 60));
-  EXPECT_NE(cursor().position(), at);
+  SliceView* axial = slice(SlicePlane::Axial);
+  const QPoint beside = axial->widgetFromWorld(at).toPoint() + QPoint(20, 15);
+  QTest::mouseClick(axial, Qt::LeftButton, {}, beside);
+  EXPECT_NE(cursor().position(), at) << "click at " << beside.x() << ", " << beside.y() << " of " << axial->width()
+                                     << "×" << axial->height() << ", visible " << axial->isVisible() << ", measuring "
+                                     << window_->workspace().measuring.kind().has_value();
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, Monkey, testing::Values(1u, 2u, 3u, 4u, 5u));
