@@ -33,6 +33,7 @@ struct Row {
   bool isPhantom = false;
   double shareOfC1 = 0.0, bestShare = 0.0, shareOfPair = 0.0;
   std::vector<std::array<double, comparedWith.size()>> correlations;  ///< of each descriptor
+  std::vector<std::vector<double>> alikeness;                         ///< of each two descriptors' preferences
   std::vector<std::optional<Choice>> choices;                         ///< of each descriptor
   RepresentativeViews views;
   double tourDegrees = 0.0;
@@ -68,6 +69,11 @@ Row measure(const Structure& structure) {
     for (std::size_t i = 0; i < lists.size(); ++i)
       correlations[i] = preferenceCorrelation(entry.descriptor, values, lists[i]);
     row.correlations.push_back(correlations);
+    std::vector<double> alikeness;
+    for (const ViewDescriptorEntry& other : viewDescriptors())
+      alikeness.push_back((other.isHighBest ? 1.0 : -1.0) *
+                          preferenceCorrelation(entry.descriptor, values, views.values(other.descriptor)));
+    row.alikeness.push_back(std::move(alikeness));
     std::optional<Choice> choice;
     if (const auto view = choiceBy(entry.descriptor, values)) {
       const double cosine = glm::dot(spread[*view].direction, spread[c1].direction);
@@ -137,6 +143,27 @@ std::string correlationTable(const std::vector<Row>& rows) {
   return table;
 }
 
+/// Means over the real structures.
+std::string alikenessTable(const std::vector<Row>& rows) {
+  std::vector<std::string> cells{"descriptor"};
+  for (const ViewDescriptorEntry& entry : viewDescriptors()) cells.emplace_back(entry.name);
+  std::string table = header(cells);
+  for (std::size_t d = 0; d < viewDescriptors().size(); ++d) {
+    cells = {std::string(viewDescriptors()[d].name)};
+    for (std::size_t other = 0; other < viewDescriptors().size(); ++other) {
+      double sum = 0.0, count = 0.0;
+      for (const Row* row : realOnes(rows))
+        if (!std::isnan(row->alikeness[d][other])) {
+          sum += row->alikeness[d][other];
+          ++count;
+        }
+      cells.push_back(count > 0.0 ? number(sum / count, 2) : "–");
+    }
+    table += tableRow(cells);
+  }
+  return table;
+}
+
 /// Of each structure and descriptor one figure, and the mean over the real ones.
 template <class Of>
 std::string choiceTable(const std::vector<Row>& rows, int digits, const std::string& more, Of&& of) {
@@ -188,6 +215,8 @@ std::string page(const std::vector<Row>& rows, const std::string& gl) {
          "a focus that is farther away; its default weight is negative. `structure-entropy` is over the structures of "
          "two labels.\n\n"
       << correlationTable(rows)
+      << "\nOf the preferences of each two descriptors, the mean over the same structures:\n\n"
+      << alikenessTable(rows)
       << "\n## Angle to the paper's C1\n\nDegrees between the view that a descriptor would choose and `argmax Q` with "
          "the "
          "default weights. Opposite views have the same outline in parallel projection, so angles near 180° are common "
