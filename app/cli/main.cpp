@@ -75,7 +75,7 @@ void addDescriptorOptions(CLI::App& command, PlaceOptions& options) {
                                                                   joined(descriptorNames()));
               },
               "also what other view descriptors say of every direction: their values, the camera that each would "
-              "choose, and rank correlations with the paper's three; default all of " +
+              "choose, and rank correlations with the paper's three; names, default all: " +
                   joined(descriptorNames()))
           ->type_name("[NAME,...]")
           ->expected(0, 1)
