@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "app/SceneOptions.h"
+#include "app/cli/DescriptorReport.h"
 #include "io/surface/Surface.h"
 #include "rendering/gpu/Schedule.h"
 #include "rendering/placement/Placer.h"
@@ -65,6 +66,8 @@ struct PlaceOptions {
   std::optional<Schedule> schedule;
   int repeat = 1;             ///< measurements, for their times
   std::filesystem::path map;  ///< PNG of the quality over the sphere; empty: not written
+  /// Beside the paper's three; of evenly spread directions, so that `sampling` is then not refined.
+  DescriptorOptions descriptors;
 };
 void place(const PlaceOptions& options);
 

@@ -1,4 +1,5 @@
 #include <chrono>
+#include <memory>
 #include <optional>
 
 #include <nlohmann/json.hpp>
@@ -51,6 +52,27 @@ Json cameraJson(const Measured& measured, std::optional<std::size_t> index, cons
   return json;
 }
 
+/// Pictures of the chosen cameras, unless --size asks for another size.
+constexpr glm::ivec2 thumbnail{320, 240};
+
+void describe(const PlaceOptions& options, const app::LoadedScene& loaded, const std::shared_ptr<GpuScene>& gpu,
+              const Measured& measured, std::size_t c1, const Framing& framed, Json& json) {
+  const Weights& weights = options.placement.weights;
+  const Projection projection = loaded.view.camera.projection;
+  const DescribedViews views =
+      describeViews(*gpu, loaded.scene, measured, options.sampling, options.descriptors.needsImages());
+  const DescribedPlacement placed{
+      measured, views, c1, [&](std::size_t index) { return cameraJson(measured, index, weights, framed, projection); }};
+  addDescriptors(json, options.descriptors, placed);
+  if (options.descriptors.pictures.empty()) return;
+  View view = loaded.view;
+  view.size = options.scene.size.value_or(thumbnail);
+  view.pixelScale *= static_cast<double>(view.size.x) / loaded.view.size.x;  // openings as wide as in a whole picture
+  writeDescriptorPictures(options.descriptors, placed, gpu, loaded.scene, view, [&](std::size_t index) {
+    return Camera::fromDirection(measured.candidates[index].direction, framed, projection);
+  });
+}
+
 }  // namespace
 
 void place(const PlaceOptions& options) {
@@ -58,12 +80,12 @@ void place(const PlaceOptions& options) {
   printWarnings(loaded.warnings);
   const Scene& scene = loaded.scene;
   egl::EglContext context;
-  GpuScene gpu;
-  if (const auto known = app::knownSchedule(options.schedule, *scene.volume)) gpu.setSchedule(*known);
+  const auto gpu = std::make_shared<GpuScene>();
+  if (const auto known = app::knownSchedule(options.schedule, *scene.volume)) gpu->setSchedule(*known);
   const auto uploading = std::chrono::steady_clock::now();
-  gpu.update(scene);
+  gpu->update(scene);
   const double uploadTime = millisecondsSince(uploading);
-  printReduction(gpu);
+  printReduction(*gpu);
 
   Placer placer;
   const Measured* measured = nullptr;
@@ -71,7 +93,7 @@ void place(const PlaceOptions& options) {
   for (int i = 0; i < options.repeat; ++i) {
     placer.forget();
     const auto start = std::chrono::steady_clock::now();
-    measured = &placer.measure(gpu, scene, options.sampling, options.placement);
+    measured = &placer.measure(*gpu, scene, options.sampling, options.placement);
     times.push_back(millisecondsSince(start));
   }
   const auto choosing = std::chrono::steady_clock::now();
@@ -103,6 +125,7 @@ void place(const PlaceOptions& options) {
     for (std::size_t i = 0; i < measured->candidates.size(); ++i)
       json["all"].push_back(candidateJson(*measured, i, weights));
   }
+  if (!options.descriptors.isEmpty()) describe(options, loaded, gpu, *measured, *placement.c1, framed, json);
   printJson(json);
 }
 

@@ -58,6 +58,36 @@ std::string text(double number) {
   return stream.str();
 }
 
+std::string joined(const std::vector<std::string>& list) {
+  std::string text;
+  for (const std::string& each : list) text += (text.empty() ? "" : ", ") + each;
+  return text;
+}
+
+void addDescriptorOptions(CLI::App& command, PlaceOptions& options) {
+  CLI::Option* descriptors =
+      command
+          .add_option_function<std::string>(
+              "--descriptors",
+              [&options](const std::string& names) {
+                if (!selectDescriptors(names, options.descriptors))
+                  throw CLI::ValidationError("--descriptors", "\"" + names + "\" names no descriptors; there are " +
+                                                                  joined(descriptorNames()));
+              },
+              "also what other view descriptors say of every direction: their values, the camera that each would "
+              "choose, and rank correlations with the paper's three; names, default all: " +
+                  joined(descriptorNames()))
+          ->type_name("[NAME,...]")
+          ->expected(0, 1)
+          ->default_str(descriptorNames().front())
+          ->excludes(command.get_option("--refine"));
+  command
+      .add_option("--pictures", options.descriptors.pictures,
+                  "folder for a PNG from each of those cameras, 320x240 or as --size says")
+      ->type_name("FOLDER")
+      ->needs(descriptors);
+}
+
 void addPlacementOptions(CLI::App& command, PlaceOptions& options) {
   command.option_defaults()->group("Placement");
   command
@@ -122,6 +152,7 @@ void addPlacementOptions(CLI::App& command, PlaceOptions& options) {
   app::addChoice<bool>(command, "--json", "the two cameras, or also every candidate; default cameras",
                        {{"cameras", false}, {"all", true}}, options.everyCandidate);
   command.add_option("--map", options.map, "PNG of the quality over the sphere, the cameras marked")->type_name("FILE");
+  addDescriptorOptions(command, options);
   app::addScheduleOption(command, options.schedule);
   command.add_option("--repeat", options.repeat, "measurements to make and time")->check(CLI::Range(1, 1000));
   command.option_defaults()->group("Options");
@@ -267,7 +298,11 @@ Command addPlace(CLI::App& program, PlaceOptions& options) {
                        [&options](const io::Session& session) { useAsDefaults(session, options); });
   addPlacementOptions(*command, options);
   requireSource(*command);
-  return {command, &options.scene, [&] { return place(options), true; }};
+  return {command, &options.scene, [&] {
+            // A session may ask for a refinement, whose candidates crowd where the paper's quality is best.
+            if (!options.descriptors.isEmpty()) options.sampling.refined = false;
+            return place(options), true;
+          }};
 }
 
 Command addGrow(CLI::App& program, GrowOptions& options) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "rendering/gpu/RayFrame.h"
 #include "rendering/gpu/SceneBinding.h"
@@ -97,8 +98,10 @@ PixelRange pixelsOf(const Grid& grid, const IndexBox& box, const Camera::Axes& a
           glm::clamp(glm::ivec2(glm::floor(high)) + 1, 0, side - 1)};
 }
 
+glm::ivec2 tilesOver(const PixelRange& pixels) { return (pixels.high - pixels.low) / tileSide + 1; }
+
 void addTiles(std::vector<Tile>& tiles, unsigned view, const PixelRange& pixels) {
-  const glm::ivec2 count = (pixels.high - pixels.low) / tileSide + 1;
+  const glm::ivec2 count = tilesOver(pixels);
   for (int row = 0; row < count.y; ++row)
     for (int column = 0; column < count.x; ++column)
       tiles.push_back(
@@ -128,7 +131,30 @@ ImageSums fromBehind(const ImageSums& front, glm::vec4 more, const Camera::Axes&
   return sums;
 }
 
+void dispatchTiles(gl::ShaderProgram& program, std::size_t tiles, int side, glm::ivec2 groups) {
+  program.set("tileCount", static_cast<int>(tiles));
+  program.set("side", side);
+  program.dispatch(groups, {1, 1});
+}
+
+/// As the shaders have it.
+bool isNone(float depth) { return depth < -1e29f; }
+
 }  // namespace
+
+/// Images of some views: where their rays meet the focus, and where the outlines between them run.
+struct CandidateImages::Traced {
+  std::size_t tileCount;
+  gl::Buffer views, tiles, hits, crossed, crossings;
+
+  Traced(const std::vector<View>& viewList, const std::vector<Tile>& tileList)
+      : tileCount(tileList.size()),
+        views(bufferOf(viewList)),
+        tiles(bufferOf(tileList)),
+        hits(gl::Buffer::zeroed(tileCount * pixelsPerTile * sizeof(glm::vec2))),
+        crossed(gl::Buffer::zeroed((1 + tileCount * edgesPerTile) * sizeof(unsigned))),
+        crossings(gl::Buffer::zeroed(tileCount * edgesPerTile * sizeof(float))) {}
+};
 
 int CandidateImages::sideFor(const GpuScene& gpu, int least) {
   if (!gpu.focus().box) return least;
@@ -168,6 +194,57 @@ gl::ShaderProgram& CandidateImages::prepared(gl::ShaderVariants& programs, const
   return program;
 }
 
+void CandidateImages::trace(const GpuScene& gpu, const Traced& traced, int side) {
+  traced.views.bind(viewsBlock);
+  traced.tiles.bind(tilesBlock);
+  traced.hits.bind(hitsBlock);
+  traced.crossed.bind(crossedBlock);
+  traced.crossings.bind(crossingsBlock);
+  const glm::ivec2 groupPerTile = groupsFor(traced.tileCount);
+  dispatchTiles(prepared(hits_, gpu), traced.tileCount, side, groupPerTile);
+  dispatchTiles(edges_.get(), traced.tileCount, side, groupPerTile);
+  unsigned count = 0;
+  traced.crossed.read(std::as_writable_bytes(std::span(&count, 1)));
+  gl::ShaderProgram& outlines = prepared(outlines_, gpu);
+  outlines.set("halvings", outlineHalvings);
+  dispatchTiles(outlines, traced.tileCount, side, groupsFor((count + pixelsPerTile - 1) / pixelsPerTile));
+}
+
+FocusImage CandidateImages::image(const GpuScene& gpu, glm::dvec3 direction, int side,
+                                  const std::vector<HalfSpace>& kept) {
+  FocusImage image;
+  if (!gpu.focus().box) return image;
+  clip_ = {kept};
+  const PixelRange pixels = pixelsOf(gpu.grid(), *gpu.focus().box, axesAt(direction), side);
+  std::vector<Tile> tiles;
+  addTiles(tiles, 0, pixels);
+  const Traced traced({viewOf(gpu.drawnGrid(), direction, false)}, tiles);
+  trace(gpu, traced, side);
+  std::vector<glm::vec2> hits(tiles.size() * pixelsPerTile);
+  traced.hits.read(std::as_writable_bytes(std::span(hits)));
+  std::vector<float> crossings(tiles.size() * edgesPerTile);
+  traced.crossings.read(std::as_writable_bytes(std::span(crossings)));
+
+  const double diameter = 2.0 * gpu.grid().boundingRadius();
+  const glm::ivec2 count = tilesOver(pixels);
+  // A row and a column around the tiles, which see nothing: there the outlines close.
+  image.size = count * tileSide + 2;
+  image.pixel = diameter / side;
+  const std::size_t size = static_cast<std::size_t>(image.size.x) * static_cast<std::size_t>(image.size.y);
+  image.depth.assign(size, std::numeric_limits<float>::quiet_NaN());
+  image.right.assign(size, 0.5f);
+  image.below.assign(size, 0.5f);
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    const int tile = static_cast<int>(i / pixelsPerTile), within = static_cast<int>(i % pixelsPerTile);
+    const std::size_t at = image.offset(glm::ivec2(tile % count.x, tile / count.x) * tileSide +
+                                        glm::ivec2(within % tileSide, within / tileSide) + 1);
+    if (!isNone(hits[i].x)) image.depth[at] = static_cast<float>((hits[i].x - 0.5) * diameter);
+    image.right[at] = crossings[2 * i];
+    image.below[at] = crossings[2 * i + 1];
+  }
+  return image;
+}
+
 void CandidateImages::measureImages(const GpuScene& gpu, std::vector<Candidate>& candidates, int side, bool endFaces) {
   // Opposite candidates share an image.
   std::vector<glm::dvec3> directions;
@@ -193,38 +270,18 @@ void CandidateImages::measureImages(const GpuScene& gpu, std::vector<Candidate>&
       ranges.emplace_back(static_cast<unsigned>(first), static_cast<unsigned>(tiles.size() - first));
       views.push_back(viewOf(gpu.drawnGrid(), direction, opposites[traced[i]].has_value()));
     }
-    const gl::Buffer viewList = bufferOf(views), tileList = bufferOf(tiles);
-    const gl::Buffer hits = gl::Buffer::zeroed(tiles.size() * pixelsPerTile * sizeof(glm::vec2));
-    const gl::Buffer crossed = gl::Buffer::zeroed((1 + tiles.size() * edgesPerTile) * sizeof(unsigned));
-    const gl::Buffer crossings = gl::Buffer::zeroed(tiles.size() * edgesPerTile * sizeof(float));
+    const Traced images(views, tiles);
     const gl::Buffer partials = gl::Buffer::zeroed(tiles.size() * sizeof(Sums));
-    viewList.bind(viewsBlock);
-    tileList.bind(tilesBlock);
-    hits.bind(hitsBlock);
     partials.bind(sumsBlock);
-    crossed.bind(crossedBlock);
-    crossings.bind(crossingsBlock);
-    const auto dispatch = [&](gl::ShaderProgram& program, glm::ivec2 groups) {
-      program.set("tileCount", static_cast<int>(tiles.size()));
-      program.set("side", side);
-      program.dispatch(groups, {1, 1});
-    };
-    const glm::ivec2 groupPerTile = groupsFor(tiles.size());
-    dispatch(prepared(hits_, gpu), groupPerTile);
-    dispatch(edges_.get(), groupPerTile);
-    unsigned count = 0;
-    crossed.read(std::as_writable_bytes(std::span(&count, 1)));
-    gl::ShaderProgram& outlines = prepared(outlines_, gpu);
-    outlines.set("halvings", outlineHalvings);
-    dispatch(outlines, groupsFor((count + pixelsPerTile - 1) / pixelsPerTile));
+    trace(gpu, images, side);
     const gl::Buffer ends =
         endFaces ? gl::Buffer::zeroed(tiles.size() * pixelsPerTile * sizeof(unsigned)) : gl::Buffer();
     if (endFaces) {
       ends.bind(endsBlock);
-      dispatch(prepared(ends_, gpu), groupPerTile);
+      dispatchTiles(prepared(ends_, gpu), tiles.size(), side, groupsFor(tiles.size()));
     }
     const gl::Variant summed{{{"END_FACES", endFaces ? 1 : 0}}, {}};
-    dispatch(areas_.get(summed), groupsFor((tiles.size() + tileSide - 1) / tileSide));
+    dispatchTiles(areas_.get(summed), tiles.size(), side, groupsFor((tiles.size() + tileSide - 1) / tileSide));
 
     std::vector<Sums> totals(ranges.size());
     const gl::Buffer rangeList = bufferOf(ranges), result = gl::Buffer::zeroed(totals.size() * sizeof(Sums));

@@ -8,6 +8,7 @@
 #include "rendering/gpu/RayFrame.h"
 #include "rendering/placement/FocusSurface.h"
 #include "rendering/viewpoints/Choice.h"
+#include "rendering/viewpoints/FocusImage.h"
 
 namespace fenestra::placement {
 
@@ -31,9 +32,15 @@ class CandidateImages {
                                  const FocusSurface& surface, int side, bool endFaces = false,
                                  const std::vector<HalfSpace>& kept = {});
 
+  /// One candidate's image as plain data, by the same rays as in measure(); `side` and `kept` as there. Empty where
+  /// there is no focus.
+  FocusImage image(const GpuScene& gpu, glm::dvec3 direction, int side, const std::vector<HalfSpace>& kept = {});
+
  private:
+  struct Traced;
   /// The scene's variant of a program that looks for first hits, with all that it reads of the scene.
   gl::ShaderProgram& prepared(gl::ShaderVariants& programs, const GpuScene& gpu);
+  void trace(const GpuScene& gpu, const Traced& traced, int side);
   void measureImages(const GpuScene& gpu, std::vector<Candidate>& candidates, int side, bool endFaces);
   void measureVisibility(const GpuScene& gpu, const FocusSurface& surface, std::vector<Candidate>& candidates);
 

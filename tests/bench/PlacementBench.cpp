@@ -17,70 +17,18 @@
 #include "rendering/egl/EglContext.h"
 #include "rendering/placement/Placer.h"
 #include "rendering/viewpoints/Sphere.h"
-#include "tests/support/TestData.h"
+#include "tests/bench/DescriptorsPage.h"
+#include "tests/bench/PlacementSubjects.h"
 
 namespace fenestra {
 namespace {
 
 using namespace placement;
+using bench::Structure;
 
 constexpr int convergedCount = 12288;
 constexpr int manyPoints = 16384;
 const std::vector<int> counts{12, 48, 108, 192, 300, 432, 588, 768, 972, 1200};
-
-struct Structure {
-  std::string name;
-  app::SceneOptions scene;
-};
-
-/// Real data that is not there is left out, and said.
-std::vector<Structure> structures() {
-  std::vector<Structure> list;
-  const auto phantom = [&](const std::string& name, const std::string& body, std::vector<std::string> labels) {
-    app::SceneOptions scene;
-    scene.phantom = body;
-    scene.focusLabels = std::move(labels);
-    list.push_back({name, scene});
-  };
-  const auto labelled = [&](const std::string& name, const std::string& image, const std::string& labels,
-                            std::vector<std::string> focus) {
-    app::SceneOptions scene;
-    scene.path = tests::findTestData(image);
-    scene.labels = tests::findTestData(labels);
-    scene.focusLabels = std::move(focus);
-    if (scene.path.empty() || scene.labels.empty())
-      std::cerr << "left out " << name << ": needs " << image << '\n';
-    else
-      list.push_back({name, scene});
-  };
-  const auto ranged = [&](const std::string& name, const std::filesystem::path& image, ValueRange range) {
-    app::SceneOptions scene;
-    scene.path = image;
-    scene.focusRange = range;
-    if (image.empty())
-      std::cerr << "left out " << name << '\n';
-    else
-      list.push_back({name, scene});
-  };
-  phantom("phantom torso: organs", "torso", {});
-  phantom("phantom head: tumour, ventricles", "head", {});
-  const std::string torso = "labelled/totalsegmentator-torso/example_ct.nii.gz";
-  const std::string organs = "labelled/totalsegmentator-torso/example_seg_fast_force_split.nii.gz";
-  labelled("torso: kidneys", torso, organs, {"2", "3"});
-  labelled("torso: aorta", torso, organs, {"52"});
-  ranged("CT head: skull", tests::findTestData("ct-head/ct.nii.gz"), {0.6, 1.0});
-  labelled("torso: liver", torso, organs, {"5"});
-  const std::string brain = "labelled/brain-colin27/ch2.nii.gz", regions = "labelled/brain-colin27/aal.nii.gz";
-  labelled("brain: hippocampus", brain, regions, {"37", "38"});
-  labelled("brain: thalamus", brain, regions, {"77", "78"});
-  labelled("chest: right and left lung", "labelled/slicer-ctchest/CTChest4.nrrd",
-           "labelled/slicer-ctchest/Segmentation.seg.nrrd", {"right lung", "left lung"});
-  ranged("Visible Human head: skull", tests::unpackTestData("visible-human/VHMCT1mm_Head.tar.xz", "VHMCT1mm_Head"),
-         {300.0, 3000.0});
-  labelled("torso: spleen", torso, organs, {"1"});
-  labelled("torso: vertebra L1", torso, organs, {"31"});
-  return list;
-}
 
 double millisecondsSince(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
@@ -512,14 +460,16 @@ std::string plot(const std::vector<Row>& rows) {
   return svg.str();
 }
 
-int run(const std::filesystem::path& folder, const std::string& part) {
+int run(const std::filesystem::path& folder, const std::string& part, bool onlyDescriptors) {
   egl::EglContext context;
   std::filesystem::create_directories(folder);
+  bench::writeDescriptorsPage(folder, part, context.description());
+  if (onlyDescriptors) return 0;
   std::vector<Scaled> scaling;
   if (part.empty())
     for (const int voxels : {128, 256, 512}) scaling.push_back(measureScaled(voxels));
   std::vector<Row> rows;
-  for (const Structure& structure : structures()) {
+  for (const Structure& structure : bench::structures()) {
     if (structure.name.find(part) == std::string::npos) continue;
     const auto start = std::chrono::steady_clock::now();
     rows.push_back(measureStructure(structure));
@@ -538,13 +488,16 @@ int run(const std::filesystem::path& folder, const std::string& part) {
 }  // namespace fenestra
 
 int main(int argc, char** argv) {
-  CLI::App program{"Measures dual-camera placement and writes placement.md and placement.svg.", "placement-bench"};
+  CLI::App program{"Measures dual-camera placement; writes placement.md, placement.svg and descriptors.md.",
+                   "placement-bench"};
   std::string folder, part;
+  bool onlyDescriptors = false;
+  program.add_flag("--only-descriptors", onlyDescriptors, "descriptors.md alone");
   program.add_option("FOLDER", folder, "where the page and its plot go")->required();
   program.add_option("PART", part, "only the structures whose names hold this");
   CLI11_PARSE(program, argc, argv);
   try {
-    return fenestra::run(folder, part);
+    return fenestra::run(folder, part, onlyDescriptors);
   } catch (const std::exception& error) {
     std::cerr << "placement-bench: " << error.what() << '\n';
     return 1;

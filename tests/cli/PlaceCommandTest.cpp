@@ -64,6 +64,82 @@ TEST_F(PlaceCommand, PlaceReportsBothCamerasAndDrawsTheMap) {
   EXPECT_EQ(run({"place", "--phantom", "head", "--joint", "--sequential"}).exitCode, 2);
 }
 
+const std::vector<std::string> allDescriptors{
+    "entropy",           "structure-entropy",    "mutual-information", "i2", "stability", "depth-distribution",
+    "silhouette-length", "silhouette-curvature", "curvature-entropy"};
+const std::vector<std::string> smallTorso{"place", "--phantom", "torso", "--phantom-voxels", "64", "--samples", "48"};
+
+std::vector<std::string> joined(std::vector<std::string> arguments, const std::vector<std::string>& more) {
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
+TEST_F(PlaceCommand, PlaceReportsDescriptors) {
+  const Result result = run(joined(smallTorso, {"--size", "80x60", "--descriptors", "--pictures", at("seen")}));
+  ASSERT_EQ(result.exitCode, 0) << result.error;
+  const Json json = result.json();
+  ASSERT_EQ(json["descriptors"].size(), allDescriptors.size());
+  EXPECT_EQ(json["directions"].size(), 48u);
+  for (const std::string& name : allDescriptors) {
+    const Json& each = json["descriptors"][name];
+    ASSERT_EQ(each["values"].size(), 48u) << name;
+    const std::size_t choice = each["choice"]["index"];
+    const double best = each["choice"]["value"], sign = each["best"] == "high" ? 1.0 : -1.0;
+    EXPECT_EQ(each["values"][choice], best) << name;
+    for (const Json& value : each["values"]) EXPECT_LE(sign * value.get<double>(), sign * best) << name;
+    EXPECT_EQ(each["choice"]["direction"], json["directions"][choice]) << name;
+    for (const char* with : {"visibility", "coverage", "location", "share"})
+      EXPECT_LE(std::abs(each["rank_correlation"][with].get<double>()), 1.0 + 1e-12) << name;
+    EXPECT_LE(each["choice"]["degrees_from_c1"].get<double>(), 180.0);
+    EXPECT_EQ(io::readPicture(at("seen/" + name + ".png")).size, glm::ivec2(80, 60));
+  }
+  // Of one channel, I2 orders views as entropy does, reversed.
+  EXPECT_EQ(json["descriptors"]["i2"]["choice"]["index"], json["descriptors"]["entropy"]["choice"]["index"]);
+  const Json& views = json["representative_views"]["views"];
+  EXPECT_EQ(views[0]["index"], json["descriptors"]["entropy"]["choice"]["index"]);
+  EXPECT_EQ(json["representative_views"]["tour"].size(), views.size());
+  for (std::size_t i = 1; i < views.size(); ++i)
+    EXPECT_GT(views[i]["share_together"].get<double>(), views[i - 1]["share_together"].get<double>());
+  EXPECT_TRUE(fs::exists(at("seen/c1.png")) && fs::exists(at("seen/representative-view-1.png")));
+}
+
+TEST_F(PlaceCommand, DescriptorsChangeNothingElse) {
+  const auto placed = [&](const std::vector<std::string>& more) {
+    const Result result = run(joined(smallTorso, more));
+    EXPECT_EQ(result.exitCode, 0) << result.error;
+    Json json = result.json();
+    json.erase("milliseconds");
+    return json;
+  };
+  const Json usual = placed({"--json", "all"});
+  EXPECT_FALSE(usual.contains("descriptors") || usual.contains("directions"));
+  Json described = placed({"--json", "all", "--descriptors", "silhouette-length,entropy"});
+  EXPECT_EQ(described["descriptors"].size(), 2u);
+  EXPECT_FALSE(described.contains("representative_views"));
+  described.erase("descriptors");
+  described.erase("directions");
+  EXPECT_EQ(described, usual);
+  const Json views = placed({"--descriptors", "representative-views"});
+  EXPECT_TRUE(views["descriptors"].empty());
+  EXPECT_FALSE(views["representative_views"]["views"].empty());
+}
+
+TEST_F(PlaceCommand, UnknownDescriptorsAreNamedWithTheKnownOnes) {
+  const Result result = run(joined(smallTorso, {"--descriptors", "entropy,beauty"}));
+  EXPECT_EQ(result.exitCode, 2);
+  EXPECT_NE(result.error.find("beauty"), std::string::npos) << result.error;
+  for (const std::string& name : joined(allDescriptors, {"all", "representative-views"}))
+    EXPECT_NE(result.error.find(name), std::string::npos) << result.error;
+  EXPECT_EQ(run(joined(smallTorso, {"--descriptors", "", "--json", "all"})).exitCode, 2);
+  EXPECT_EQ(run(joined(smallTorso, {"--descriptors", "--refine"})).exitCode, 2);
+  EXPECT_EQ(run(joined(smallTorso, {"--pictures", at("seen")})).exitCode, 2);
+}
+
+TEST_F(PlaceCommand, PicturesNeedAFolder) {
+  write(at("file"), "");
+  expectFailure(run(joined(smallTorso, {"--descriptors", "entropy", "--pictures", at("file")})), at("file"));
+}
+
 TEST_F(PlaceCommand, PlaceWithoutAFocusFails) {
   const std::string empty = at("head.mha");
   ASSERT_EQ(run({"convert", "--phantom", "head", "--phantom-voxels", "24", "-o", empty}).exitCode, 0);

@@ -1,0 +1,21 @@
+#pragma once
+// The structures that placement is measured on.
+
+#include <string>
+#include <vector>
+
+#include "app/SceneOptions.h"
+
+namespace fenestra::bench {
+
+struct Structure {
+  std::string name;
+  app::SceneOptions scene;
+  bool isPhantom = false;
+};
+
+/// Two of the phantoms and ten of the real-data collection. Real data that is not there is left out, and said on
+/// standard error.
+std::vector<Structure> structures();
+
+}  // namespace fenestra::bench
