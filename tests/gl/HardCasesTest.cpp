@@ -438,7 +438,8 @@ TEST_P(HardCases, withEachMethod) {
   if (GetParam().name == std::string("aThousandKilometresAway")) limit = 4.1;
   for (const Method& method :
        {Method{.kind = MethodKind::Cone}, Method{.kind = MethodKind::Importance},
-        Method{.kind = MethodKind::Importance, .importance = ImportanceMode::Average, .importanceOpacity = 0.3}}) {
+        Method{.kind = MethodKind::Importance, .importance = ImportanceMode::Average, .importanceOpacity = 0.3},
+        Method{.kind = MethodKind::ClearView, .lensRadius = 40.0}}) {
     SCOPED_TRACE(std::string(wordOf(method.kind).word) + ", " + wordOf(method.importance).word);
     shot.scene.look.method = method;
     EXPECT_LE(worstOfOpened(shot), limit);
