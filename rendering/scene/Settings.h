@@ -117,6 +117,8 @@ constexpr auto wordsOf(Reconstruction) {
         "Smooth curves through every voxel, its noise as well: takes more memory and time"},
        {Reconstruction::Smooth, "smooth", "Smoothed",
         "Smooth curves near the voxels: fewer terraces and less noise, but softer detail"},
+       {Reconstruction::Smoother, "smoother", "Smoothed more",
+        "Smooth curves near means over five voxels: no terraces in coarse scans, but fine detail is lost"},
        {Reconstruction::Auto, "auto", "Automatic",
         "Smoothed where voxels are coarse and not too many, else straight"}});
 }

@@ -73,6 +73,28 @@ void extend(const Lines& lines, SplineVolume::Ends ends) {
   }
 }
 
+/// Means with the weights 1, 2, 1; elements beyond the voxels count as extend() leaves them.
+void average(const Lines& lines) {
+  for (std::size_t k = 0; k < lines.width; ++k) {
+    double before = lines.at(0, k);
+    for (int i = 1; i <= lines.count; ++i) {
+      const double own = lines.at(i, k);
+      lines.at(i, k) = 0.25 * (before + 2.0 * own + lines.at(i + 1, k));
+      before = own;
+    }
+  }
+}
+
+void computeCoefficients(const Lines& lines, Reconstruction kind, SplineVolume::Ends ends) {
+  if (kind == Reconstruction::Cubic) return interpolate(lines);
+  extend(lines, ends);
+  if (kind != Reconstruction::Smoother) return;
+  for (int pass = 0; pass < 2; ++pass) {  // twice 1, 2, 1 is 1, 4, 6, 4, 1
+    average(lines);
+    extend(lines, ends);
+  }
+}
+
 /// Coefficients along an axis; one voxel has four, so that any position has four around it.
 glm::ivec3 coefficientCount(glm::ivec3 dims) { return glm::max(dims + 2, 4); }
 
@@ -119,9 +141,7 @@ SplineVolume::SplineVolume(const ShownVolume& shown, Ends ends)
 }
 
 void SplineVolume::filter(Reconstruction kind, Ends ends) {
-  const auto each = [&](const Lines& lines) {
-    kind == Reconstruction::Cubic ? interpolate(lines) : extend(lines, ends);
-  };
+  const auto each = [&](const Lines& lines) { computeCoefficients(lines, kind, ends); };
   const auto width = static_cast<std::size_t>(size_.x), plane = width * static_cast<std::size_t>(size_.y);
   parallelFor(static_cast<std::size_t>(dims_.z), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t z = begin + 1; z <= end; ++z) {

@@ -6,8 +6,10 @@
 // Eden, "B-spline signal processing", IEEE TSP 1993); the fourth differences of c vanish at both ends of an axis (the
 // "not-a-knot" condition), so that f is a polynomial of degree 3 exactly wherever the values are one, up to the
 // outermost centres. An axis of three voxels takes the parabola through them, one of two the line.
-// Reconstruction::Smooth: c is the values themselves, continued evenly beyond the ends. f is C² either way. In the half
-// voxel between the outermost centres and the volume's border f goes on as it is at the centres' plane.
+// Reconstruction::Smooth: c is the values themselves, continued evenly beyond the ends. Reconstruction::Smoother: c is
+// their mean along each axis with the binomial weights 1, 4, 6, 4, 1, so continued; an impulse then has a standard
+// deviation of √(4/3) voxels instead of √(1/3). f is C² in each. In the half voxel between the outermost centres and
+// the volume's border f goes on as it is at the centres' plane.
 //
 // Of hidden voxels the coefficients become air, after the filter: near them f is then a mean of air and what is shown,
 // with non-negative weights. Filtered after the voxels were hidden, f would overshoot beside that step.
@@ -41,8 +43,8 @@ class SplineVolume {
   /// Coefficients beyond the ends of an axis go on evenly, or are those at the ends.
   enum class Ends { Even, Held };
 
-  /// `shown` is Cubic or Smooth. NaN counts as the volume's least value, ±Inf as the ends of its range. Runs on all
-  /// cores, and takes 8 bytes a voxel. `ends`: of Smooth.
+  /// `shown` is Cubic, Smooth or Smoother. NaN counts as the volume's least value, ±Inf as the ends of its range. Runs
+  /// on all cores, and takes 8 bytes a voxel. `ends`: of the latter two.
   explicit SplineVolume(const ShownVolume& shown, Ends ends = Ends::Even);
 
   glm::ivec3 dims() const { return dims_; }  ///< voxels

@@ -160,6 +160,26 @@ TEST_F(ClippingWindow, PlanesAreAddedFlippedMovedAndRemoved) {
   EXPECT_EQ(clipping(), Clipping());
 }
 
+TEST_F(ClippingWindow, UndoWhileAPlaneIsDraggedEndsTheDrag) {
+  cursor().moveTo({1.0, 1.0, 1.0});
+  choose(2);
+  SliceView* axial = slice(SlicePlane::Axial);
+  const auto square = handle(axial, Kind::Move, 0);
+  ASSERT_TRUE(square);
+  const QPoint from = at(axial, *square);
+  const auto moveTo = [&](QPoint at) {
+    QMouseEvent move(QEvent::MouseMove, at, axial->mapToGlobal(at), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(axial, &move);
+  };
+  QTest::mousePress(axial, Qt::LeftButton, Qt::NoModifier, from);
+  moveTo(from + QPoint(0, 15));
+  while (!clipping().planes.empty() && document().undoStack().canUndo()) document().undoStack().undo();
+  ASSERT_TRUE(clipping().planes.empty());
+  moveTo(from + QPoint(0, 30));
+  QTest::mouseRelease(axial, Qt::LeftButton, Qt::NoModifier, from + QPoint(0, 30));
+  EXPECT_TRUE(clipping().planes.empty());
+}
+
 TEST_F(ClippingWindow, APlaneIsTiltedAtItsArrow) {
   cursor().moveTo(glm::dvec3(0.0));
   choose(2);

@@ -122,6 +122,27 @@ TEST_F(MeasureWindow, HandlesAndLinesAreDraggedInOneStep) {
   EXPECT_EQ(document().undoStack().count(), 2);
 }
 
+TEST_F(MeasureWindow, UndoWhileAMeasureIsDraggedEndsTheDrag) {
+  drawDistance();
+  QTest::keyClick(axial(), Qt::Key_Escape);
+  const auto moveTo = [&](QPoint at) {
+    QMouseEvent move(QEvent::MouseMove, at, axial()->mapToGlobal(at), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(axial(), &move);
+  };
+  const glm::dvec3 cross = cursor().position();
+  QTest::mousePress(axial(), Qt::LeftButton, Qt::NoModifier, to_);
+  moveTo(to_ + QPoint(0, 20));
+  QTest::keyClick(axial(), Qt::Key_Z, Qt::ControlModifier);
+  QTest::keyClick(axial(), Qt::Key_Z, Qt::ControlModifier);
+  ASSERT_TRUE(document().measures().empty());
+  moveTo(to_ + QPoint(0, 40));
+  QTest::mouseRelease(axial(), Qt::LeftButton, Qt::NoModifier, to_ + QPoint(0, 40));
+  EXPECT_TRUE(document().measures().empty());
+  EXPECT_EQ(cursor().position(), cross) << "the drag has become one of the crosshair";
+  drawDistance();
+  EXPECT_EQ(document().measures().size(), 1u);
+}
+
 TEST_F(MeasureWindow, DeleteKeyAndMenuRemove) {
   drawDistance();
   QTest::keyClick(axial(), Qt::Key_Delete);

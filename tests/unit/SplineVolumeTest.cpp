@@ -78,6 +78,32 @@ TEST(SplineVolume, SmoothIsTheBSplineOverTheValues) {
   EXPECT_EQ(spline.value({6, 4, 4}), 0.0);
 }
 
+TEST(SplineVolume, SmootherIsTheBSplineOverBinomialMeans) {
+  const auto impulse = volumeOf(gridOf({13, 13, 13}), [](glm::ivec3 i) { return i == glm::ivec3(6) ? 1.0 : 0.0; });
+  const SplineVolume spline(shownAs(impulse, Reconstruction::Smoother));
+  // Along an axis the B-spline is 1/6, 4/6, 1/6 at the voxels, and the means weigh 1, 4, 6, 4, 1 sixteenths.
+  const std::array<double, 5> along{32.0 / 96.0, 23.0 / 96.0, 8.0 / 96.0, 1.0 / 96.0, 0.0};
+  for (std::size_t i = 0; i < along.size(); ++i)
+    EXPECT_NEAR(spline.value({6.0 + static_cast<double>(i), 6, 6}), along[i] * along[0] * along[0], 1e-15) << i;
+  EXPECT_NEAR(spline.value({6, 4, 7}), along[0] * along[2] * along[1], 1e-15);
+}
+
+TEST(SplineVolume, MeansKeepWhatIsLinear) {
+  // Up to the outermost voxels, and of so few that the means' five do not fit in.
+  for (const glm::ivec3 dims : {glm::ivec3(9, 7, 8), glm::ivec3(2, 3, 1), glm::ivec3(1, 4, 2)}) {
+    const auto linear = [](glm::dvec3 p) { return 100.0 + 3.0 * p.x - 2.0 * p.y + 0.5 * p.z; };
+    const auto volume = volumeOf(gridOf(dims), [&](glm::ivec3 i) { return linear(i); });
+    std::mt19937 random(5);
+    for (const Reconstruction kind : {Reconstruction::Smooth, Reconstruction::Smoother}) {
+      const SplineVolume spline(shownAs(volume, kind));
+      for (int i = 0; i < 100; ++i) {
+        const glm::dvec3 p = randomIn(random, glm::dvec3(0.0), glm::dvec3(dims - 1));
+        EXPECT_NEAR(spline.value(p), linear(p), 1e-12);
+      }
+    }
+  }
+}
+
 TEST(SplineVolume, GoesOnEvenlyBeyondTheOutermostVoxels) {
   const auto volume = volumeOf(gridOf({5, 5, 5}), [](glm::ivec3 i) { return std::sin(3.0 * i.x + i.y * i.z); });
   const SplineVolume spline(shownAs(volume, Reconstruction::Cubic));
@@ -105,7 +131,7 @@ TEST(SplineVolume, AHiddenLabelsEdgeDoesNotRing) {
   scene.volume = volume;
   scene.labels = labelsOf(grid, [](glm::ivec3 i) { return i.x >= 8 ? 1 : 0; });
   put(scene.look.labels, {.label = 1, .role = LabelRole::Hidden});
-  for (const Reconstruction kind : {Reconstruction::Cubic, Reconstruction::Smooth}) {
+  for (const Reconstruction kind : {Reconstruction::Cubic, Reconstruction::Smooth, Reconstruction::Smoother}) {
     scene.look.reconstruction = kind;
     const SplineVolume spline(shownVolume(scene));
     // The slab at y = 1 keeps its own bend: far from it, values fall evenly from tissue to air.
@@ -121,12 +147,13 @@ TEST(SplineVolume, AHiddenLabelsEdgeDoesNotRing) {
 
 /// Root mean square error of the reconstructions at random points away from the border.
 struct Errors {
-  double linear = 0.0, cubic = 0.0, smooth = 0.0;
+  double linear = 0.0, cubic = 0.0, smooth = 0.0, smoother = 0.0;
 };
 
 Errors errorsOf(int side, const auto& signal) {
   const auto volume = volumeOf(gridOf(glm::ivec3(side)), [&](glm::ivec3 i) { return signal(glm::dvec3(i)); });
-  const SplineVolume cubic(shownAs(volume, Reconstruction::Cubic)), smooth(shownAs(volume, Reconstruction::Smooth));
+  const SplineVolume cubic(shownAs(volume, Reconstruction::Cubic)), smooth(shownAs(volume, Reconstruction::Smooth)),
+      smoother(shownAs(volume, Reconstruction::Smoother));
   std::mt19937 random(4);
   Errors sums;
   constexpr int count = 100000;
@@ -136,16 +163,18 @@ Errors errorsOf(int side, const auto& signal) {
     sums.linear += square(volume->sample(p));
     sums.cubic += square(cubic.value(p));
     sums.smooth += square(smooth.value(p));
+    sums.smoother += square(smoother.value(p));
   }
   const auto root = [](double sum) { return std::sqrt(sum / count); };
-  return {root(sums.linear), root(sums.cubic), root(sums.smooth)};
+  return {root(sums.linear), root(sums.cubic), root(sums.smooth), root(sums.smoother)};
 }
 
 void expectOrder(const char* name, const Errors& errors) {
   std::cout << name << ": RMS error linear " << errors.linear << ", cubic " << errors.cubic << ", smooth "
-            << errors.smooth << "\n";
+            << errors.smooth << ", smoother " << errors.smoother << "\n";
   EXPECT_LT(errors.cubic, errors.linear);
   EXPECT_LT(errors.linear, errors.smooth);
+  EXPECT_LT(errors.smooth, errors.smoother);
 }
 
 TEST(SplineVolume, CubicIsNearerToTheMarschnerLobbSignalThanLinearAndThatThanSmooth) {

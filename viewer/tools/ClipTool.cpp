@@ -125,7 +125,7 @@ bool ClipTool::press(const QMouseEvent& event) {
   if (event.button() != Qt::LeftButton || event.modifiers() != Qt::NoModifier) return false;
   grip_ = handleAt(event.position());
   if (!grip_) return false;
-  before_ = document_.clipping();
+  before_ = held_ = document_.clipping();
   pressed_ = event.position();
   document_.history().beginGesture();
   return true;
@@ -133,6 +133,8 @@ bool ClipTool::press(const QMouseEvent& event) {
 
 bool ClipTool::move(const QMouseEvent& event) {
   if (!grip_) return false;
+  // Undone, removed, or of a study that has arrived in the meantime: there is nothing to drag any more.
+  if (!document_.hasVolume() || document_.clipping() != held_) return true;
   const QPointF moved = event.position() - pressed_;
   switch (grip_->kind) {
     case Handle::Kind::Face:
@@ -145,6 +147,7 @@ bool ClipTool::move(const QMouseEvent& event) {
       tiltPlane(moved);
       break;
   }
+  held_ = document_.clipping();
   return true;
 }
 

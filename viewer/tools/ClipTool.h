@@ -74,6 +74,7 @@ class ClipTool {
   Canvas canvas_;
   std::optional<Handle> grip_;  ///< being dragged
   Clipping before_;             ///< at the press
+  Clipping held_;               ///< as the press or the drag's last move left it
   QPointF pressed_;
 };
 

@@ -78,6 +78,7 @@ bool MeasureTool::press(const QMouseEvent& event) {
   if (grip_) {
     mode_.select(grip_->measure);
     gripped_ = canvas_.worldFromWidget(event.position());
+    held_ = document_.measures();
     return true;
   }
   mode_.select(std::nullopt);
@@ -94,6 +95,8 @@ bool MeasureTool::move(const QMouseEvent& event) {
   const bool left = event.buttons() & Qt::LeftButton;
   if (grip_ && left) {
     if (!dragging_ && QLineF(pressed_, event.position()).length() <= clickSlack) return true;
+    // Undone, deleted, or of a study that has arrived in the meantime: there is nothing to drag any more.
+    if (document_.measures() != held_) return true;
     if (!std::exchange(dragging_, true)) document_.history().beginGesture();
     drag(world);
     return true;
@@ -112,6 +115,7 @@ void MeasureTool::drag(glm::dvec3 to) {
       grip_->handle ? withHandleAt(std::move(measure), *grip_->handle, to) : movedBy(std::move(measure), to - gripped_);
   gripped_ = to;
   document_.setMeasures(std::move(measures), MeasureMode::tr("Move measure"));
+  held_ = document_.measures();
 }
 
 bool MeasureTool::release(const QMouseEvent& event) {

@@ -61,9 +61,10 @@ class MeasureTool {
   MeasureMode& mode_;
   Document& document_;
   Canvas canvas_;
-  std::optional<Grip> grip_;  ///< being dragged
-  glm::dvec3 gripped_{0.0};   ///< where the mouse was last, world
-  bool dragging_ = false;     ///< has moved since the press
+  std::optional<Grip> grip_;   ///< being dragged
+  std::vector<Measure> held_;  ///< all, as the press or the drag's last move left them
+  glm::dvec3 gripped_{0.0};    ///< where the mouse was last, world
+  bool dragging_ = false;      ///< has moved since the press
   QPointF pressed_;
 };
 

@@ -1,0 +1,274 @@
+// picture-sheet SHEET OUT.png [FOLDER]: scenes, one a row, each drawn in several ways from one camera, one a column.
+// Real data only where the real-data collection is. With FOLDER, every picture also goes there by itself at full size.
+// Sheets:
+//
+// figures: the adaptive cutaway as in the method's Figures 4, 5 and 8: plain, w_open 0, w_open 24, with the context
+// layer,
+//   with the border, and with both and brushed (tests/bench/figures has the strokes).
+// look: reconstruction, smooth surfaces of labels, occlusion and soft shadow, one by one and together.
+// methods: every method at its defaults.
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <QGuiApplication>
+#include <QImage>
+#include <QPainter>
+
+#include "app/SceneOptions.h"
+#include "rendering/Renderer.h"
+#include "rendering/egl/EglContext.h"
+#include "rendering/gpu/GpuScene.h"
+#include "tests/bench/MethodVariants.h"
+#include "tests/support/TestData.h"
+
+namespace fenestra {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int gap = 6;                        ///< pixels between cells
+constexpr int margin = 24;                    ///< pixels for captions
+constexpr int finer = 3;                      ///< times finer is what is rendered and then averaged
+constexpr double methodPictureWidth = 700.0;  ///< the method's pictures, which w_open of 24 px refers to
+
+const fs::path figures = FENESTRA_FIGURES;
+
+struct Row {
+  std::string name, caption;
+  app::SceneOptions options;
+  double zoom = 1.0;
+  double raise = 0.0;  ///< mm that the camera is moved up
+};
+
+struct Column {
+  std::string name, caption;
+  std::function<void(Look&)> apply;
+};
+
+struct Sheet {
+  std::vector<Row> rows;
+  std::vector<Column> columns;
+  QSize cell;
+  bool hasCaptions = true;
+};
+
+/// Collects rows; leaves out those whose data is not there, and says so.
+class Rows {
+ public:
+  void phantom(const std::string& name, const std::string& caption) {
+    app::SceneOptions options;
+    options.phantom = name;
+    add({name, caption, std::move(options), 1.15});
+  }
+  void ranged(const std::string& name, const std::string& caption, const fs::path& path, ValueRange focus,
+              app::ViewAngles camera, double zoom) {
+    app::SceneOptions options;
+    options.path = tests::findTestData(path);
+    options.focusRange = focus;
+    options.camera = camera;
+    if (options.path.empty()) return leaveOut(caption, path);
+    add({name, caption, std::move(options), zoom});
+  }
+  void labelled(const std::string& name, const std::string& caption, const fs::path& path, const fs::path& labels,
+                std::vector<std::string> focus, app::ViewAngles camera, double zoom, double raise = 0.0) {
+    app::SceneOptions options;
+    options.path = tests::findTestData(path);
+    options.labels = tests::findTestData(labels);
+    options.focusLabels = std::move(focus);
+    options.camera = camera;
+    if (options.path.empty() || options.labels.empty()) return leaveOut(caption, path);
+    add({name, caption, std::move(options), zoom, raise});
+  }
+
+  Row* last(const std::string& name) { return !rows_.empty() && rows_.back().name == name ? &rows_.back() : nullptr; }
+  std::vector<Row> take() { return std::move(rows_); }
+
+ private:
+  void add(Row row) {
+    row.options.look.background = glm::dvec3(0.05, 0.055, 0.07);
+    rows_.push_back(std::move(row));
+  }
+  static void leaveOut(const std::string& caption, const fs::path& path) {
+    std::cerr << "left out: " << caption << ", which needs " << path.string() << '\n';
+  }
+
+  std::vector<Row> rows_;
+};
+
+const fs::path headCt = "ct-head/ct.nii.gz";
+const fs::path torsoCt = "labelled/totalsegmentator-torso/example_ct.nii.gz";
+const fs::path torsoLabels = "labelled/totalsegmentator-torso/example_seg_fast_force_split.nii.gz";
+const fs::path brainMr = "labelled/brain-colin27/ch2.nii.gz", brainLabels = "labelled/brain-colin27/aal.nii.gz";
+const fs::path chestCt = "labelled/slicer-ctchest/CTChest4.nrrd";
+const fs::path chestLabels = "labelled/slicer-ctchest/Segmentation.seg.nrrd";
+constexpr ValueRange skull{0.5, 1.0};  ///< bone of headCt, in the file's own scale
+
+void head(Rows& rows) {
+  rows.ranged("head", "CT head: skull", headCt, skull, {55.0, 5.0}, 1.25);
+  if (Row* row = rows.last("head")) row->options.transferFunction = (figures / "head-transfer-function.json").string();
+}
+
+Sheet figureSheet() {
+  Rows rows;
+  const auto brushed = [&](const std::string& name, const std::string& strokes) {
+    if (Row* row = rows.last(name)) row->options.strokes = figures / strokes;
+  };
+  rows.phantom("torso", "Phantom");
+  brushed("torso", "torso-strokes.json");
+  head(rows);
+  brushed("head", "head-strokes.json");
+  rows.labelled("labelled", "CT torso: kidneys, aorta", torsoCt, torsoLabels, {"2", "3", "52"}, {180.0, 10.0}, 1.45,
+                50.0);
+  brushed("labelled", "labelled-strokes.json");
+
+  const auto column = [](const std::string& name, const std::string& ready, double openWidth, bool hasStrokes = false) {
+    return Column{name, name, [=](Look& look) {
+                    const auto looks = openingLooks();
+                    std::find_if(looks.begin(), looks.end(), [&](const OpeningLook& each) {
+                      return each.id == ready;
+                    })->applyTo(look.cutaway, look.contextLayer);
+                    look.cutaway.enabled = name != "plain";
+                    look.cutaway.openWidth = openWidth;
+                    if (!hasStrokes) look.strokes.clear();
+                  }};
+  };
+  return {rows.take(),
+          {column("plain", "bare", 0.0), column("open-0", "bare", 0.0), column("open-24", "bare", 24.0),
+           column("context", "context", 24.0), column("border", "border", 24.0), column("brushed", "full", 24.0, true)},
+          {256, 238},
+          false};
+}
+
+Sheet lookSheet() {
+  Rows rows;
+  head(rows);
+  rows.labelled("torso", "CT torso, 3 mm: kidney", torsoCt, torsoLabels, {"2"}, {150.0, 5.0}, 1.3);
+  rows.labelled("chest", "CT chest, 10 mm: lungs", chestCt, chestLabels, {"right lung", "left lung"}, {25.0, 10.0},
+                1.3);
+  rows.labelled("brain", "MR brain: hippocampus", brainMr, brainLabels, {"37", "38"}, {90.0, 20.0}, 1.3);
+  rows.phantom("torso", "Phantom");
+
+  const auto spline = [](Look& look) { look.reconstruction = Reconstruction::Smoother; };
+  const auto surfaces = [](Look& look) { look.labelSmoothing = LabelSmoothing::Strong; };
+  const auto hollows = [](Look& look) { look.shading.occlusion = 0.6; };
+  const auto shadows = [](Look& look) { look.shading.shadow = 0.5; };
+  return {rows.take(),
+          {{"before", "As it was", [](Look&) {}},
+           {"cubic", "Curved", [](Look& look) { look.reconstruction = Reconstruction::Cubic; }},
+           {"smoother", "Smoothed more", spline},
+           {"labels", "Label surfaces", surfaces},
+           {"occlusion", "Occlusion", hollows},
+           {"shadow", "Soft shadow", shadows},
+           {"all", "All, smooth edges",
+            [=](Look& look) {
+              spline(look);
+              surfaces(look);
+              hollows(look);
+              shadows(look);
+              look.edges = Edges::Smooth;
+            }}},
+          {200, 186}};
+}
+
+Sheet methodSheet() {
+  Rows rows;
+  rows.phantom("torso", "Phantom: organs");
+  head(rows);
+  rows.labelled("brain", "MR brain: hippocampus", brainMr, brainLabels, {"37", "38"}, {90.0, 20.0}, 1.3);
+  rows.labelled("kidneys", "CT torso: kidneys", torsoCt, torsoLabels, {"2", "3"}, {180.0, 10.0}, 1.3);
+  rows.labelled("aorta", "CT torso: aorta", torsoCt, torsoLabels, {"52"}, {40.0, 5.0}, 1.3);
+  Sheet sheet{rows.take(), {}, {240, 223}};
+  for (const bench::MethodVariant& variant : bench::methodVariants())
+    sheet.columns.push_back(
+        {variant.name, variant.caption, [method = variant.method](Look& look) { look.method = method; }});
+  return sheet;
+}
+
+/// One row's pictures, from left to right.
+std::vector<QImage> drawn(const Row& row, const Sheet& sheet) {
+  const app::LoadedScene loaded = app::loadScene(row.options);
+  View view = loaded.view;
+  view.camera = view.camera.zoomed(row.zoom).panned(0.0, row.raise);
+  view.size = finer * glm::ivec2(sheet.cell.width(), sheet.cell.height());
+  view.pixelScale = view.size.x / methodPictureWidth;
+  view.quality = Quality::High;
+  Renderer renderer(std::make_shared<GpuScene>());
+  std::vector<QImage> pictures;
+  for (const Column& column : sheet.columns) {
+    Scene scene = loaded.scene;
+    column.apply(scene.look);
+    renderer.render(scene, view);
+    const std::vector<std::uint8_t> pixels = renderer.readPicture();
+    pictures.push_back(
+        QImage(pixels.data(), view.size.x, view.size.y, 4 * view.size.x, QImage::Format_RGBX8888).copy());
+  }
+  return pictures;
+}
+
+void draw(const Sheet& sheet, const fs::path& output, const fs::path& folder) {
+  const egl::EglContext context;
+  const QSize cell = sheet.cell, step = cell + QSize(gap, gap);
+  const int edge = sheet.hasCaptions ? margin : 0;
+  const auto columns = static_cast<int>(sheet.columns.size()), rows = static_cast<int>(sheet.rows.size());
+  QImage page(edge + columns * step.width() - gap, edge + rows * step.height() - gap, QImage::Format_RGB888);
+  page.fill(Qt::white);
+  QPainter painter(&page);
+  painter.setPen(Qt::black);
+  const auto save = [](const QImage& image, const fs::path& path) {
+    if (!image.save(QString::fromStdString(path.string())))
+      throw std::runtime_error(path.string() + ": cannot be written");
+  };
+  for (int r = 0; r < rows; ++r) {
+    const Row& row = sheet.rows[static_cast<std::size_t>(r)];
+    const std::vector<QImage> pictures = drawn(row, sheet);
+    for (int c = 0; c < columns; ++c) {
+      const Column& column = sheet.columns[static_cast<std::size_t>(c)];
+      const QRect place(QPoint(edge + c * step.width(), edge + r * step.height()), cell);
+      const QImage& picture = pictures[static_cast<std::size_t>(c)];
+      painter.drawImage(place, picture.scaled(cell, Qt::IgnoreAspectRatio, Qt::SmoothTransformation));
+      if (r == 0 && edge > 0)
+        painter.drawText(QRect(place.left(), 0, cell.width(), edge), Qt::AlignCenter,
+                         QString::fromStdString(column.caption));
+      if (!folder.empty()) save(picture, folder / (row.name + "-" + column.name + ".png"));
+    }
+    if (edge == 0) continue;
+    painter.save();
+    painter.translate(0, edge + r * step.height() + cell.height());
+    painter.rotate(-90.0);
+    painter.drawText(QRect(0, 0, cell.height(), edge), Qt::AlignCenter, QString::fromStdString(row.caption));
+    painter.restore();
+  }
+  painter.end();
+  save(page, output);
+}
+
+}  // namespace
+}  // namespace fenestra
+
+int main(int argc, char** argv) {
+  CLI::App program{"Draws scenes in several ways on one sheet.", "picture-sheet"};
+  std::string sheet, output, folder;
+  program.add_option("SHEET", sheet)->required()->check(CLI::IsMember({"figures", "look", "methods"}));
+  program.add_option("OUT", output, "PNG")->required();
+  program.add_option("FOLDER", folder, "where every picture also goes by itself");
+  CLI11_PARSE(program, argc, argv);
+  // Text is drawn into pictures alone.
+  qputenv("QT_QPA_PLATFORM", "offscreen");
+  const QGuiApplication application(argc, argv);
+  try {
+    using namespace fenestra;
+    draw(sheet == "figures" ? figureSheet() : sheet == "look" ? lookSheet() : methodSheet(), output, folder);
+  } catch (const std::exception& error) {
+    std::cerr << "picture-sheet: " << error.what() << '\n';
+    return 1;
+  }
+  return 0;
+}
