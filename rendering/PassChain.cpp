@@ -79,8 +79,10 @@ glm::vec2 PassChain::hitAt(glm::ivec2 pixel) {
 
 glm::dvec2 PassChain::widthsInPixels(const Scene& scene) const {
   const Cutaway& cutaway = scene.look.cutaway;
-  const glm::dvec2 wanted = glm::max(
-      glm::dvec2(stagesOf(scene.look.method).hasWidth ? cutaway.openWidth : 0.0, cutaway.borderWidth), glm::dvec2(0.0));
+  const MethodStages method = stagesOf(scene.look.method);
+  const glm::dvec2 wanted =
+      glm::max(glm::dvec2(method.hasWidth ? cutaway.openWidth : 0.0, method.hasBorder ? cutaway.borderWidth : 0.0),
+               glm::dvec2(0.0));
   if (cutaway.unit == WidthUnit::Pixel) return wanted * pixelScale;
   const Grid& grid = gpu->grid();
   double depth = rays->depthOf(gpu->focus().centre(grid).value_or(grid.centre()));
@@ -168,9 +170,9 @@ void PassChain::beginStage() {
                               &PassChain::mapDistances,     &PassChain::startRays,
                               &PassChain::occlude,          &PassChain::drawFocusLayer,
                               &PassChain::drawFaintLayer,   &PassChain::drawProtectedLayer,
-                              &PassChain::drawContextLayer, &PassChain::compose,
-                              &PassChain::addExempt,        &PassChain::findEdges,
-                              &PassChain::drawEdges};
+                              &PassChain::drawContextLayer, &PassChain::findLens,
+                              &PassChain::compose,          &PassChain::addExempt,
+                              &PassChain::findEdges,        &PassChain::drawEdges};
   if (frame->stagesBegun == 0 && !frame->hasCutaway) dropCutaway();
   constexpr std::size_t ofCutaway = 4;  // the first stages, which only a cutaway has
   if (!frame->hasCutaway) frame->stagesBegun = std::max(frame->stagesBegun, ofCutaway);
@@ -277,7 +279,7 @@ void PassChain::drawFocusLayer() {
 }
 
 void PassChain::drawFaintLayer() {
-  if (!(frame->method.faintOpacity > 0.0)) {
+  if (!frame->method.keepsRemoved()) {
     faintLayer = {};
     faint.forget();
     return;
@@ -346,6 +348,21 @@ void PassChain::drawContextLayer() {
       nearFocus(1.0));
 }
 
+void PassChain::findLens() {
+  if (!frame->method.lens) {
+    lensSurface = {};
+    lensPass.release();
+    lens.forget();
+    return;
+  }
+  const Grid& grid = gpu->grid();
+  const glm::dvec3 middle = gpu->focus().centre(grid).value_or(grid.centre());
+  addIfStale(Pass::Lens, lens, LensKey{hits.version(), gpu->versions().derivative, middle}, {}, [&](Regions regions) {
+    lensPass.run(steps, *gpu, *rays, hitPoints, middle, regions,
+                 sized(lensSurface, gl::Format::RGBA32F, frame->view.size));
+  });
+}
+
 void PassChain::compose() {
   if (!frame->hasCutaway) {
     composed = {};
@@ -360,6 +377,7 @@ void PassChain::compose() {
                          hasLayer ? std::optional(gpu->versions().transfer) : std::nullopt,
                          protectedLayer ? std::optional(guard.version()) : std::nullopt,
                          faintLayer ? std::optional(faint.version()) : std::nullopt,
+                         lensSurface ? std::optional(lens.version()) : std::nullopt,
                          frame->method,
                          widths,
                          look.cutaway.borderColour,
@@ -367,8 +385,8 @@ void PassChain::compose() {
   // What lies over the focus layer lies near the focus; elsewhere the picture is the focus layer.
   const auto& last = composite.key();
   const bool sameBelow = last && last->sameBelow(key), stale = composite.isStale(key);
-  // Strokes may open anywhere, and so bring protected labels anywhere.
-  const auto part = !opensNearFocus() || ((protectedLayer || faintLayer) && !frame->strokes.empty())
+  // Strokes may open anywhere, and so bring protected labels anywhere; the line around a lens lies anywhere.
+  const auto part = !opensNearFocus() || lensSurface || ((protectedLayer || faintLayer) && !frame->strokes.empty())
                         ? std::nullopt
                         : nearFocus(std::max(sameBelow ? last->reach() : 0.0, key.reach()));
   addIfStale(
@@ -380,6 +398,7 @@ void PassChain::compose() {
         if (editMap) inputs.editMap = &editMap;
         if (opening) inputs.rayStart = &rayStart;
         if (faintLayer) inputs.faintLayer = &faintLayer;
+        if (lensSurface) inputs.lensSurface = &lensSurface;
         if (protectedLayer) inputs.protectedLayer = &protectedLayer;
         if (hasLayer) {
           inputs.contextLayer = &contextLayer;

@@ -20,6 +20,7 @@
 #include "rendering/passes/ExemptPass.h"
 #include "rendering/passes/FocusLayerPass.h"
 #include "rendering/passes/HitPointPass.h"
+#include "rendering/passes/LensPass.h"
 #include "rendering/passes/OcclusionPass.h"
 #include "rendering/passes/ProtectedLayerPass.h"
 #include "rendering/passes/PullPushPass.h"
@@ -53,11 +54,12 @@ struct PassChain {
   FocusLayerPass focusLayerPass{gpu->programs()};
   ProtectedLayerPass protectedLayerPass{gpu->programs()};
   ContextLayerPass contextLayerPass{gpu->programs()};
+  LensPass lensPass{gpu->programs()};
   CompositePass compositePass{gpu->programs()};
   ExemptPass exemptPass{gpu->programs()};
 
   gl::Texture hitPoints, focusFilled, coneStart, distances, editMap, rayStart, focusLayer, faintLayer, protectedLayer,
-      contextLayer, silhouette, composed, exempted;
+      contextLayer, silhouette, lensSurface, composed, exempted;
   gl::Texture pickedHit;
   gl::Texture faces, hole;                   ///< of RemovedPass
   gl::Buffer occlusionNodes;                 ///< of OcclusionPass; empty without ambient occlusion and shadows
@@ -77,6 +79,7 @@ struct PassChain {
   Memo<FocusLayerKey> focus;
   Memo<ProtectedLayerKey> faint, guard;
   Memo<ContextLayerKey> context;
+  Memo<LensKey> lens;
   Memo<CompositeKey> composite;
   Memo<ExemptKey> exempt;
   Memo<EdgeKey> edgePixels;
@@ -134,6 +137,7 @@ struct PassChain {
   void drawRemoved(Pass pass, Memo<ProtectedLayerKey>& memo, const ProtectedLayerKey& key, gl::Texture& texture,
                    ProtectedLayerPass::Shown shown);
   void drawContextLayer();
+  void findLens();
   void compose();
   void addExempt();
   // Smooth edges: which pixels they run through, and what their rays see.
@@ -219,7 +223,7 @@ struct PassChain {
   }
   /// What another camera's opening is to RemovedPass.
   RemovedPass::Opening cutOpening() const;
-  bool hasHoles() const { return !gpu->protectedLabels().any() && frame->method.faintOpacity == 0.0; }
+  bool hasHoles() const { return !gpu->protectedLabels().any() && !frame->method.keepsRemoved(); }
   double shortestVoxelSide() const;
   bool shows(glm::ivec2 pixel) const;
   /// First hits (context or focus, focus) on the ray of a pixel of the picture.

@@ -104,6 +104,11 @@ struct ContextLayerKey {
   Shading shading;
   bool operator==(const ContextLayerKey&) const = default;
 };
+struct LensKey {
+  std::uint64_t hits, derivative;
+  glm::dvec3 middle;
+  bool operator==(const LensKey&) const = default;
+};
 struct ExemptKey {
   std::uint64_t focusLayer;
   std::optional<std::uint64_t> composite;
@@ -128,7 +133,7 @@ struct EdgeSampleKey {
 struct CompositeKey {
   std::uint64_t focusLayer;
   std::uint64_t distance;
-  std::optional<std::uint64_t> contextLayer, ownColours, protectedLayer, faintLayer;
+  std::optional<std::uint64_t> contextLayer, ownColours, protectedLayer, faintLayer, lens;
   MethodStages method;
   glm::dvec2 widths;
   glm::dvec3 borderColour;
@@ -137,7 +142,8 @@ struct CompositeKey {
   /// Whether both lay something over the same picture.
   bool sameBelow(const CompositeKey& other) const {
     return focusLayer == other.focusLayer && distance == other.distance && contextLayer == other.contextLayer &&
-           protectedLayer == other.protectedLayer && faintLayer == other.faintLayer && method == other.method;
+           protectedLayer == other.protectedLayer && faintLayer == other.faintLayer && lens == other.lens &&
+           method == other.method;
   }
   double reach() const { return widths.x + widths.y + 1.0; }  ///< rendered pixels around the focus, its rim included
 };

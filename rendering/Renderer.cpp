@@ -10,9 +10,9 @@ namespace fenestra {
 
 std::string_view nameOf(Pass pass) {
   constexpr std::array<std::string_view, passCount> names{
-      "hit points",    "pull-push", "cones",         "distance map", "edit map",
-      "ray start",     "occlusion", "focus layer",   "faint layer",  "protected layer",
-      "context layer", "composite", "exempt labels", "edges",        "edge rays"};
+      "hit points", "pull-push",     "cones",       "distance map",    "edit map",      "ray start",
+      "occlusion",  "focus layer",   "faint layer", "protected layer", "context layer", "lens",
+      "composite",  "exempt labels", "edges",       "edge rays"};
   return names[static_cast<std::size_t>(pass)];
 }
 
@@ -138,6 +138,12 @@ Layers Renderer::readLayers() {
                   : glm::vec4(nan);
     }
   }
+  if (s.lensSurface) {
+    layers.lens.resize(count);
+    s.lensSurface.readInto(std::span(layers.lens));
+    for (glm::vec4& texel : layers.lens)
+      if (!isSomething(texel.w)) texel.w = nan;
+  }
   layers.focusLayer.resize(count);
   s.focusLayer.readInto(std::span(layers.focusLayer));
   if (s.faintLayer) {
@@ -201,10 +207,10 @@ namespace {
 
 std::size_t imageBytesOf(const PassChain& s) {
   std::size_t sum = s.pullPushPass.bytes() + s.conePass.bytes() + s.distanceMapPass.bytes() + s.editMapPass.bytes() +
-                    s.focusLayerPass.bytes() + s.occlusionPass.bytes() + s.occlusionNodes.bytes();
-  for (const gl::Texture* texture :
-       {&s.hitPoints, &s.focusFilled, &s.coneStart, &s.distances, &s.editMap, &s.rayStart, &s.focusLayer, &s.faintLayer,
-        &s.protectedLayer, &s.contextLayer, &s.silhouette, &s.composed, &s.exempted, &s.pickedHit, &s.faces, &s.hole})
+                    s.focusLayerPass.bytes() + s.lensPass.bytes() + s.occlusionPass.bytes() + s.occlusionNodes.bytes();
+  for (const gl::Texture* texture : {&s.hitPoints, &s.focusFilled, &s.coneStart, &s.distances, &s.editMap, &s.rayStart,
+                                     &s.focusLayer, &s.faintLayer, &s.protectedLayer, &s.contextLayer, &s.silhouette,
+                                     &s.lensSurface, &s.composed, &s.exempted, &s.pickedHit, &s.faces, &s.hole})
     if (*texture) sum += texture->bytes();
   if (s.edgeSamples) sum += s.edgeSamples->bytes();
   return s.opening ? sum + imageBytesOf(*s.opening) : sum;

@@ -29,12 +29,13 @@ enum class Pass : std::uint8_t {
   FaintLayer,
   ProtectedLayer,
   ContextLayer,
+  Lens,
   Composite,
   Exempt,
   Edges,
   EdgeRays
 };
-inline constexpr std::size_t passCount = 15;
+inline constexpr std::size_t passCount = 16;
 std::string_view nameOf(Pass pass);
 
 /// Row-major from the top of the picture; t in mm along the pixel's ray (see Camera), NaN where there is nothing.
@@ -48,7 +49,10 @@ struct Layers {
   std::vector<glm::vec4> faintLayer;      ///< premultiplied RGBA of all that is removed, before it is made faint
   std::vector<glm::vec4> protectedLayer;  ///< premultiplied RGBA, in front of the focus layer
   std::vector<glm::vec4> contextLayer;    ///< κ1, κ2 (1/mm), illumination, value (real units)
-  std::vector<glm::vec4> final;           ///< premultiplied RGBA
+  /// Of the context's first surface, where a lens reads it: its normal along the view's right, up and forward, 0 where
+  /// there is none; mm to the lens's middle, NaN where there is no surface before the focus.
+  std::vector<glm::vec4> lens;
+  std::vector<glm::vec4> final;  ///< premultiplied RGBA
 };
 
 struct PassStats {

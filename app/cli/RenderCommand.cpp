@@ -60,6 +60,7 @@ void writeLayers(const fs::path& folder, const Layers& layers, const View& view,
   writeLayer(folder, "faint_layer", layers.size, layers.faintLayer);
   writeLayer(folder, "protected_layer", layers.size, layers.protectedLayer);
   writeLayer(folder, "context_layer", layers.size, layers.contextLayer);
+  writeLayer(folder, "lens", layers.size, layers.lens);
   writeLayer(folder, "final", layers.size, layers.final);
 }
 
@@ -87,6 +88,7 @@ Layers referenceLayers(const Scene& scene, const View& view) {
   layers.faintLayer = colours(picture.faintLayer);
   layers.protectedLayer = colours(picture.protectedLayer);
   layers.contextLayer = colours(picture.contextLayer);
+  layers.lens = colours(picture.lens);
   layers.final = colours(picture.final);
   return layers;
 }

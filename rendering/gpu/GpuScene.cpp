@@ -94,7 +94,7 @@ bool GpuScene::holds(const Scene& scene) const {
   if (std::holds_alternative<LabelFocus>(scene.look.focus) &&
       (scene.labels != labelSource_ || scene.look.labelSmoothing != labelSmoothing_))
     return false;
-  const bool wantsDerivative = hasCutaway(scene) && scene.look.contextLayer.strength > 0.0;
+  const bool wantsDerivative = readsContextSurface(scene);
   return (gradient_.texture || !scene.look.shading.enabled) && (derivative_.texture || !wantsDerivative) &&
          (occluders_.any() || !hasOcclusion(scene.look.shading));
 }
@@ -175,7 +175,7 @@ void GpuScene::updateAll(const Scene& scene) {
                                 scene.look.focusAppearance.extinction}))
     ++versions_.occluders;
 
-  const bool wantsDerivative = hasCutaway(scene) && scene.look.contextLayer.strength > 0.0;
+  const bool wantsDerivative = readsContextSurface(scene);
   if (!wantsDerivative) derivative_ = {};
   if (wantsDerivative && !derivative_.texture) {
     derivative_ = makeDerivativeVolume(shown_);

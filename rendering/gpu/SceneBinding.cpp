@@ -1,5 +1,7 @@
 #include "rendering/gpu/SceneBinding.h"
 
+#include <algorithm>
+
 #include "rendering/scene/Lighting.h"
 
 namespace fenestra {
@@ -86,6 +88,25 @@ void bindTransferSegments(const GpuScene& scene, gl::ShaderProgram& program) {
 
 gl::Define tableDefine() { return {"TABLE_SIZE", GpuScene::tableSize}; }
 gl::Define segmentsDefine() { return {"SEGMENTS_PER_ROW", GpuScene::segmentsPerRow}; }
+
+void bindDerivative(const GpuScene& scene, gl::ShaderProgram& program) {
+  const DerivativeVolume& derivative = scene.derivative();
+  program.bind("derivativeVolume", derivative.texture);
+  const glm::dvec3 factor(derivative.factor);
+  const glm::dmat3 derivativeFromWorld =
+      glm::dmat3(glm::dvec3(1.0 / factor.x, 0.0, 0.0), glm::dvec3(0.0, 1.0 / factor.y, 0.0),
+                 glm::dvec3(0.0, 0.0, 1.0 / factor.z)) *
+      glm::dmat3(scene.grid().indexFromWorld());
+  program.set(DerivativeBlock{Std140Mat3(glm::mat3(glm::transpose(derivativeFromWorld))), glm::vec3(factor),
+                              static_cast<float>(derivative.texelScale)});
+  // A surface this near to the box's entry is where the scan ends; this near to the focus it is the focus's own.
+  const glm::dvec3 spacing = scene.grid().spacing;
+  program.set("contextMargin", static_cast<float>(0.5 * std::min({spacing.x, spacing.y, spacing.z})));
+}
+
+gl::Define derivativeDefine(const GpuScene& scene) {
+  return {"DERIVATIVE_BYTES", static_cast<int>(gl::bytesPerTexel(scene.derivative().texture.format()))};
+}
 
 gl::Choice lightChoice(bool lit) { return {"light", lit ? "lib/light/Lit.glsl" : "lib/light/Unlit.glsl"}; }
 

@@ -39,6 +39,11 @@ void bindTransferSegments(const GpuScene& scene, gl::ShaderProgram& program);
 gl::Define tableDefine();
 gl::Define segmentsDefine();
 
+/// lib/Curvature.glsl; `program` was compiled with derivativeDefine(scene) and refinementDefine(scene). The scene
+/// readsContextSurface().
+void bindDerivative(const GpuScene& scene, gl::ShaderProgram& program);
+gl::Define derivativeDefine(const GpuScene& scene);
+
 /// What `#include <light>` stands for.
 gl::Choice lightChoice(bool lit);
 /// lib/light/Lit.glsl, for a view with these axes.

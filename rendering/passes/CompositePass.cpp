@@ -16,8 +16,9 @@ ContextLayerBlock blockOf(const ContextLayer& layer, const DerivativeVolume& der
 }
 
 /// As the shader numbers them.
-int faintKind(Sparseness sparseness) {
-  switch (sparseness) {
+int faintKind(const MethodStages& method) {
+  if (method.lens) return 4;
+  switch (method.sparseness) {
     case Sparseness::Opacity:
       break;
     case Sparseness::Colour:
@@ -26,6 +27,12 @@ int faintKind(Sparseness sparseness) {
       return 3;
   }
   return 1;
+}
+
+void setLens(gl::ShaderProgram& program, const gl::Texture& surface, const MethodStages::Lens& lens, const Grid& grid) {
+  program.bind("lensSurface", surface);
+  program.set("lens", glm::vec3(1.0 / radiusOf(lens, grid), lens.bends, lens.rim));
+  program.set("lensFade", static_cast<int>(lens.fade));
 }
 
 }  // namespace
@@ -38,7 +45,7 @@ void CompositePass::run(Steps& steps, const GpuScene& gpu, const Inputs& inputs,
     gl::ShaderProgram& program = programs_.get({{{"CONTEXT_LAYER", hasLayer},
                                                  {"EDITED", inputs.editMap != nullptr},
                                                  {"PROTECTED", inputs.protectedLayer != nullptr},
-                                                 {"FAINT", inputs.faintLayer ? faintKind(method.sparseness) : 0},
+                                                 {"FAINT", inputs.faintLayer ? faintKind(method) : 0},
                                                  {"APART", inputs.rayStart != nullptr},
                                                  {"SCATTERED", inputs.scattered},
                                                  tableDefine()},
@@ -50,7 +57,10 @@ void CompositePass::run(Steps& steps, const GpuScene& gpu, const Inputs& inputs,
     if (inputs.protectedLayer) program.bind("protectedLayer", *inputs.protectedLayer);
     if (inputs.faintLayer) {
       program.bind("faintLayer", *inputs.faintLayer);
-      program.set("faintOpacity", static_cast<float>(method.faintOpacity));
+      if (method.lens)
+        setLens(program, *inputs.lensSurface, *method.lens, gpu.grid());
+      else
+        program.set("faintOpacity", static_cast<float>(method.faintOpacity));
     }
     if (inputs.rayStart && hasLayer) program.bind("rayStart", *inputs.rayStart);
     program.set(CutawayBlock{glm::vec2(inputs.widths), glm::vec3(look.cutaway.borderColour)});

@@ -24,6 +24,7 @@ class CompositePass {
     const gl::Texture* editMap = nullptr;         ///< of brush strokes
     const gl::Texture* protectedLayer = nullptr;  ///< in front of the focus layer
     const gl::Texture* faintLayer = nullptr;      ///< all that is removed, between the two, as stagesOf() has it
+    const gl::Texture* lensSurface = nullptr;     ///< with faintLayer, where stagesOf() has a lens: of LensPass
     const gl::Texture* rayStart = nullptr;        ///< where another camera cuts the opening; see RemovedPass
     bool scattered = false;                       ///< of rays between pixel centres; see RayFrame
   };

@@ -229,7 +229,7 @@ Stages stagesApart(const Scene& scene, const Camera& camera, glm::ivec2 size, co
                    const std::vector<glm::dvec2>& places) {
   const Opening opening(scene, cut);
   // A layer in front of the picture holds what is removed at the ray's start alone.
-  const bool holes = labelsWith(LabelRole::Protected, scene).empty() && stagesOf(scene.look.method).faintOpacity == 0.0;
+  const bool holes = labelsWith(LabelRole::Protected, scene).empty() && !stagesOf(scene.look.method).keepsRemoved();
   Stages stages;
   stages.hits = hitPoints(scene, camera, size, places);
   stages.tStart = stages.hits.tContext;

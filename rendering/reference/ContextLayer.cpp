@@ -128,4 +128,27 @@ std::vector<std::optional<ContextPoint>> contextLayer(const Scene& scene, const 
   return layer;
 }
 
+std::vector<glm::dvec3> contextNormals(const Scene& scene, const std::vector<Ray>& rays, const Image& tContext,
+                                       const Image& tFocus) {
+  const Grid& grid = scene.volume->grid;
+  const glm::ivec3 factor = thinning(grid);
+  const double margin = 0.5 * finestSpacing(grid);
+  const std::vector<HalfSpace> kept = halfSpaces(scene.look.clipping, grid);
+  const glm::dmat3 worldFromGradient = glm::transpose(glm::dmat3(grid.indexFromWorld()));
+  std::vector<glm::dvec3> normals(rays.size(), glm::dvec3(0.0));
+  withValues(shownVolume(scene), [&](auto valueAt) {
+    parallelFor(rays.size(), 16, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const std::optional<Span> span = clip(rays[i], grid, kept);
+        if (!span || !(tContext[i] > span->tIn + margin) || tContext[i] >= tFocus[i] - margin) continue;
+        const Ray local = indexRay(rays[i], grid);
+        const glm::dvec3 index = local.origin + tContext[i] * local.direction;
+        const glm::dvec3 gradient = worldFromGradient * derivativesAt(grid, factor, index, valueAt).gradient;
+        if (glm::length(gradient) > leastGradient) normals[i] = glm::normalize(gradient);
+      }
+    });
+  });
+  return normals;
+}
+
 }  // namespace fenestra::reference

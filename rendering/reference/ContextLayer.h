@@ -23,6 +23,11 @@ std::vector<std::optional<ContextPoint>> contextLayer(const Scene& scene, const 
                                                       const std::vector<Ray>& rays, const Image& tContext,
                                                       const Image& tFocus);
 
+/// One element a ray: the unit gradient there, in world space; 0 where `tContext` is no surface of its own, as above,
+/// or has no gradient. The ray need not meet the focus.
+std::vector<glm::dvec3> contextNormals(const Scene& scene, const std::vector<Ray>& rays, const Image& tContext,
+                                       const Image& tFocus);
+
 /// The length in mm that makes curvature dimensionless: the finest spacing of the smoothed volume.
 double derivativeSpacing(const Grid& grid);
 

@@ -166,8 +166,9 @@ Image rayStart(const HitPoints& hits, const Image& tFocusFilled, const Image& di
 Widths widthsInPixels(const Scene& scene, const Camera& camera, glm::ivec2 size, double pixelScale) {
   const double scale =
       scene.look.cutaway.unit == WidthUnit::Pixel ? pixelScale : pixelsPerMillimetre(scene, camera, size);
-  const double open = stagesOf(scene.look.method).hasWidth ? scene.look.cutaway.openWidth : 0.0;
-  return {open * scale, scene.look.cutaway.borderWidth * scale};
+  const MethodStages method = stagesOf(scene.look.method);
+  return {method.hasWidth ? scene.look.cutaway.openWidth * scale : 0.0,
+          method.hasBorder ? scene.look.cutaway.borderWidth * scale : 0.0};
 }
 
 glm::dvec3 focusCentre(const Scene& scene) {

@@ -2,6 +2,7 @@
 
 #include "rendering/reference/ContextLayer.h"
 #include "rendering/reference/FocusLayer.h"
+#include "rendering/reference/Lens.h"
 #include "rendering/reference/Light.h"
 #include "rendering/reference/Occlusion.h"
 #include "rendering/reference/Strokes.h"
@@ -35,7 +36,9 @@ struct Frame {
   Widths widths;         ///< of the opening
   const Occlusion* occlusion;
   double tolerance;
-  bool hasBorder() const { return pixels && scene.look.cutaway.borderWidth > 0.0; }
+  bool hasBorder() const {
+    return pixels && scene.look.cutaway.borderWidth > 0.0 && stagesOf(scene.look.method).hasBorder;
+  }
 };
 
 /// Some of those rays.
@@ -121,6 +124,16 @@ std::vector<CutRay> cutRays(const Frame& frame, const Rays& rays) {
 /// Premultiplied `front` over `behind`.
 glm::dvec4 over(glm::dvec4 front, glm::dvec4 behind) { return front + (1.0 - front.a) * behind; }
 
+/// The lens at the pixels of some rays; empty without one.
+std::vector<LensPoint> lensOf(const Frame& frame, const Rays& rays, Picture& picture) {
+  if (!frame.pixels || !stagesOf(frame.scene.look.method).lens) return {};
+  std::vector<glm::ivec2> pixels;
+  for (const glm::dvec2 place : rays.places) pixels.emplace_back(glm::floor(place));
+  std::vector<LensPoint> points = lensPoints(frame.scene, frame.camera, frame.size, frame.pixels->hits, pixels);
+  for (const LensPoint& point : points) picture.lens.emplace_back(point.normal, point.distance);
+  return points;
+}
+
 /// What shows of a colour that the opening removes, where the method keeps it faint.
 glm::dvec4 madeFaint(glm::dvec4 colour, const MethodStages& method, glm::dvec2 place) {
   const glm::ivec2 pixel(glm::floor(place));
@@ -163,7 +176,8 @@ double borderCoverage(double distance, Widths widths, double boxWidth) {
   return std::clamp((high - low) / boxWidth, 0.0, 1.0);
 }
 
-void addContextLayer(const Frame& frame, const Rays& rays, const std::vector<CutRay>& cut, Picture& picture) {
+void addContextLayer(const Frame& frame, const Rays& rays, const std::vector<CutRay>& cut,
+                     const std::vector<LensPoint>& lens, Picture& picture) {
   const ContextLayer& look = frame.scene.look.contextLayer;
   std::vector<Ray> uncut;
   Image tContext, tFocus;
@@ -183,7 +197,8 @@ void addContextLayer(const Frame& frame, const Rays& rays, const std::vector<Cut
     picture.silhouette.push_back(point ? point->silhouette : nothing);
     if (!point) continue;
     const glm::dvec4 surface(contextColour(look, context, *point), 1.0);
-    const double opacity = contextOpacity(look, *point, scale, rays.factor(i));
+    double opacity = contextOpacity(look, *point, scale, rays.factor(i));
+    if (!lens.empty()) opacity *= 1.0 - lens[i].share;
     picture.final[i] = over(surface * opacity, picture.final[i]);
   }
 }
@@ -194,28 +209,35 @@ Picture drawn(const Frame& frame, const Rays& rays) {
   const std::vector<CutRay> cut = cutRays(frame, rays);
   const bool guarded = frame.pixels && !labelsWith(LabelRole::Protected, scene).empty();
   const MethodStages method = stagesOf(scene.look.method);
-  const bool hasFaint = frame.pixels && method.faintOpacity > 0.0;
+  const bool hasFaint = frame.pixels && method.keepsRemoved();
   // Of each of so many layers, and half of what is left beside exempt labels.
   const double tolerance =
       frame.tolerance / (1.0 + guarded + hasFaint) * (scene.look.clipping.exempt.empty() ? 1.0 : 0.5);
   FocusLayer layer = focusLayer(scene, frame.camera, cut, tolerance, frame.occlusion);
   Picture result;
   result.final = layer.colour;
+  const std::vector<LensPoint> lens = lensOf(frame, rays, result);
   Image firstHits;
   for (std::size_t i = 0; (guarded || hasFaint) && i < cut.size(); ++i) firstHits.push_back(rays.tContext(i));
   if (hasFaint)
     layOver(removedLayer(scene, frame.camera, cut, firstHits, tolerance, frame.occlusion), result.faintLayer,
-            layer.error, result.final,
-            [&](glm::dvec4 colour, std::size_t i) { return madeFaint(colour, method, rays.places[i]); });
+            layer.error, result.final, [&](glm::dvec4 colour, std::size_t i) {
+              return lens.empty() ? madeFaint(colour, method, rays.places[i]) : lens[i].share * colour;
+            });
   if (guarded)
     layOver(protectedLayer(scene, frame.camera, cut, firstHits, tolerance, frame.occlusion), result.protectedLayer,
             layer.error, result.final, [](glm::dvec4 colour, std::size_t) { return colour; });
-  if (frame.pixels && scene.look.contextLayer.strength > 0.0) addContextLayer(frame, rays, cut, result);
+  if (frame.pixels && scene.look.contextLayer.strength > 0.0) addContextLayer(frame, rays, cut, lens, result);
   for (std::size_t i = 0; frame.hasBorder() && i < cut.size(); ++i) {
     if (std::isnan(rays.tContext(i))) continue;
     const glm::dvec4 border(scene.look.cutaway.borderColour, 1.0);
     const double coverage = borderCoverage(rays.borderDistance[rays.at[i]], frame.widths, rays.boxWidth);
     result.final[i] = glm::mix(result.final[i], border, coverage * rays.factor(i));
+  }
+  for (std::size_t i = 0; i < lens.size(); ++i) {
+    glm::dvec4& colour = result.final[i];
+    const double line = lens[i].line * rays.factor(i) * colour.a;
+    colour = {glm::max(glm::dvec3(colour) - line, 0.0), colour.a};
   }
   const Clipping& clipping = scene.look.clipping;
   if (!clipping.exempt.empty() && structuresOf(scene) && !halfSpaces(clipping, scene.volume->grid).empty()) {
@@ -363,8 +385,8 @@ Picture picture(const Scene& scene, const Camera& camera, glm::ivec2 size, const
   }
   Picture result = drawn(frame, rays);
   if (smooth) smoothEdges(frame, rays, options.pixelScale, all, count, result);
-  for (auto* layer :
-       {&result.focusLayer, &result.faintLayer, &result.protectedLayer, &result.contextLayer, &result.final})
+  for (auto* layer : {&result.focusLayer, &result.faintLayer, &result.protectedLayer, &result.contextLayer,
+                      &result.lens, &result.final})
     if (layer->size() > count) layer->resize(count);
   for (Image* image : {&result.silhouette, &result.error})
     if (image->size() > count) image->resize(count);

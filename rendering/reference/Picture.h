@@ -36,6 +36,9 @@ struct Picture {
   /// κ1 ≥ κ2 (1/mm, positive where the surface bends away from lower values), illumination, value (real units); NaN
   /// where there is no surface to draw. Empty when the scene has no context layer.
   std::vector<glm::dvec4> contextLayer;
+  /// Where a lens shows a part of what is removed: the surface's normal along the view's axes, 0 where it has none, and
+  /// its distance in mm from the lens's middle, NaN where there is no surface. Empty without a lens.
+  std::vector<glm::dvec4> lens;
   Image silhouette;               ///< 1 - |n·v| of the context layer, NaN and empty as that is
   std::vector<glm::dvec4> final;  ///< premultiplied RGBA, without background
   /// Estimated error of the worst channel of the focus layer, at most the tolerance; the final picture's is no greater.

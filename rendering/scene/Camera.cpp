@@ -114,6 +114,16 @@ Camera Camera::panned(double rightMm, double upMm) const {
   return camera;
 }
 
+std::optional<Camera> Camera::aimedAt(glm::dvec3 point) const {
+  const Axes a = axes();
+  const glm::dvec3 from = point - eye;
+  if (!(glm::dot(from, a.forward) > 0.0)) return std::nullopt;
+  if (projection == Projection::Orthographic) return panned(glm::dot(from, a.right), glm::dot(from, a.up));
+  Camera aimed = *this;
+  aimed.target = point;
+  return aimed;
+}
+
 Camera Camera::beside() const {
   Camera camera = orbited(glm::half_pi<double>(), 0.0);
   camera.up = {0.0, 0.0, 1.0};

@@ -2,6 +2,7 @@
 // Where a picture is taken from.
 
 #include <cstdint>
+#include <optional>
 
 #include <glm/glm.hpp>
 
@@ -48,6 +49,10 @@ struct Camera {
   Camera zoomed(double factor) const;
   /// Move eye and target together by `right` and `up` mm in the view plane.
   Camera panned(double right, double up) const;
+
+  /// With `point` (world) in the middle of the picture, from the same eye, or in the same direction where rays are
+  /// parallel; empty where it does not lie before the eye.
+  std::optional<Camera> aimedAt(glm::dvec3 point) const;
 
   /// The second camera of a pair: a quarter turn to this one's right, the patient upright. For an anterior view it
   /// looks from the patient's left.

@@ -1,5 +1,6 @@
 #include "rendering/scene/Method.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -31,8 +32,19 @@ MethodStages stagesOf(const Method& method) {
       stages.sparseness = method.sparseness;
       return stages;
     }
+    case MethodKind::ClearView: {
+      MethodStages stages;
+      stages.hasWidth = stages.hasBorder = false;
+      stages.lens = {method.lensFade, 0.01 * method.lensRadius, method.lensBends, method.lensRim};
+      return stages;
+    }
   }
   return {};
+}
+
+double radiusOf(const MethodStages::Lens& lens, const Grid& grid) {
+  const glm::dvec3 sides = glm::dvec3(grid.dims) * grid.spacing;
+  return lens.radius * std::max({sides.x, sides.y, sides.z});
 }
 
 double faintShare(Sparseness sparseness, double opacity, int i, int j) {

@@ -3,13 +3,17 @@
 // parameters, and which stages of a picture each one puts in the place of the adaptive cutaway's.
 
 #include <cstdint>
+#include <optional>
+
+#include "rendering/scene/Grid.h"
 
 namespace fenestra {
 
 /// Adaptive: the paper's own. Cone: M. Burns, A. Finkelstein: Adaptive cutaways for comprehensible rendering of
 /// polygonal scenes, SIGGRAPH Asia 2008. Importance: I. Viola, A. Kanitsar, M. E. Gröller: Importance-driven volume
-/// rendering, IEEE Visualization 2004.
-enum class MethodKind : std::uint8_t { Adaptive, Cone, Importance };
+/// rendering, IEEE Visualization 2004. ClearView: J. Krüger, J. Schneider, R. Westermann: ClearView: An interactive
+/// context preserving hotspot visualization technique, IEEE Visualization 2006.
+enum class MethodKind : std::uint8_t { Adaptive, Cone, Importance, ClearView };
 
 /// Maximum importance projection removes what hides the focus, in cones that widen towards the eye. Average importance
 /// compositing keeps it, faintly, on the rays that meet the focus.
@@ -18,6 +22,10 @@ enum class ImportanceMode : std::uint8_t { Maximum, Average };
 /// How what lies before the focus is made faint.
 enum class Sparseness : std::uint8_t { Opacity, Colour, ScreenDoor };
 
+/// What decides within ClearView's lens, beside the context's bends, how much of the context stays: how far it lies
+/// from the lens's middle; nothing else; how much of it lies in front of the focus.
+enum class LensFade : std::uint8_t { Distance, Curvature, Depth };
+
 struct Method {
   MethodKind kind = MethodKind::Adaptive;
   double coneAngle = 30.0;  ///< degrees between the axis and the wall of the cones of Cone, 1 to 85
@@ -25,11 +33,25 @@ struct Method {
   double importanceAngle = 15.0;    ///< degrees, of the cones of Maximum, 1 to 85; 15 is its authors'
   double importanceOpacity = 0.05;  ///< of Average: the factor of the opacity of what lies before the focus, 0..1
   Sparseness sparseness = Sparseness::Opacity;  ///< of Average
+  LensFade lensFade = LensFade::Distance;       ///< of ClearView
+  /// % of the volume's longest side, 0.1 to 1000: 100 by what ClearView's authors call the lens's size, in units of one
+  /// divided by the longest side of the volume. Theirs is 5.5.
+  double lensRadius = 18.2;
+  double lensBends = 1.0;  ///< contextScale of ClearView's authors, 0 to 100
+  double lensRim = 60.0;   ///< border of ClearView's authors, 1 to 1000
   bool operator==(const Method&) const = default;
 };
 
 /// What a method decides on in a picture of an opening. All else is the same for every method: hits, brush, integral,
 /// context layer, border.
+///
+/// Of what the opening removes, E (premultiplied colour, of opacity a), a method may keep a share w per pixel, laid
+/// over what the ray shows behind it, F:
+///
+///   w E + (1 - w a) F  =  w (E + (1 - a) F) + (1 - w) F
+///
+/// As E over F is the picture in which nothing is removed behind the context's first hit, this is also the mix of that
+/// picture and of the opened one.
 struct MethodStages {
   /// Where rays start. Blend: stages 2 to 4 of the adaptive cutaway. Cones: on cones that stand on the focus (stated in
   /// rendering/passes/ConePass.h), which replace the filled focus hits and the distance map to the focus; the border
@@ -39,12 +61,43 @@ struct MethodStages {
   bool hasWidth = true;       ///< w_open says how wide the opening is; else it counts as 0
   double slope = 0.0;         ///< of cones: depth in mm per mm beside the axis, the cotangent of their half angle
   bool onSilhouette = false;  ///< cones stand on the silhouette of the focus's projection alone
-  double faintOpacity = 0.0;  ///< the factor of the opacity of what the opening removes; 0: nothing of it shows
+  double faintOpacity = 0.0;  ///< w, the same everywhere; 0: nothing of what the opening removes shows
   Sparseness sparseness = Sparseness::Opacity;
+  /// Where w is a lens's: of the context's first surface, at P, n its normal in the view's axes, or 0 where there is
+  /// none,
+  ///
+  ///   κ = ‖Σ |n_i - n|‖     over the four pixels beside, those beyond the picture left out, |·| of each component
+  ///   d = ‖P - middle‖ / radius
+  ///   b = clamp(d, 0, 1)                                            Distance
+  ///       0 where d < 1, else 1                                     Curvature
+  ///       clamp((t_focus - t_context) / radius, 0, 1) where d < 1, else 1; t_focus infinite beside the focus   Depth
+  ///   w = clamp(max(κ · bends, b), 0, 1)
+  ///
+  /// The middle is where the line of sight to the middle of the focus (FocusIndex::centre) first meets context or
+  /// focus, as a pick there would be; the middle of the focus itself where that line meets nothing, or it lies behind
+  /// the eye. Where the ray meets the focus within half the finest spacing of the context, there is no surface: w = 1.
+  /// A surface has no normal this near to where its ray enters the volume, or what clips it. The context layer's
+  /// opacity is multiplied by 1 - w, because it shows edges of what was removed. At last the line around the lens
+  /// darkens the premultiplied picture of opacity A wherever there is a surface, as far as the brush does not fade it:
+  ///
+  ///   C := max(C - A · ½ (1 - clamp(|d - 1| · rim, 0, 1)), 0)
+  struct Lens {
+    LensFade fade = LensFade::Distance;
+    double radius = 0.0;  ///< of the volume's longest side
+    double bends = 1.0, rim = 1.0;
+    bool operator==(const Lens&) const = default;
+  };
+  std::optional<Lens> lens{};
+  bool hasBorder = true;  ///< w_border says how wide the line around the opening is; else it counts as 0
 
+  /// Something of what the opening removes may show.
+  bool keepsRemoved() const { return faintOpacity > 0.0 || lens; }
   bool operator==(const MethodStages&) const = default;
 };
 MethodStages stagesOf(const Method& method);
+
+/// mm. The volume's longest side is that of its box along an index axis, half a voxel around the voxels' centres.
+double radiusOf(const MethodStages::Lens& lens, const Grid& grid);
 
 /// The share of what the opening removes that shows at a pixel, (i, j) from the top left: of ScreenDoor 1 on as many
 /// pixels of each 8×8 square as `opacity` asks for, in the order of Bayer's ordered dither, and 0 on the others; else

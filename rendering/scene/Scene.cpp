@@ -26,6 +26,10 @@ bool hasCutaway(const Scene& scene) {
          (std::holds_alternative<LabelFocus>(scene.look.focus) || std::holds_alternative<ValueFocus>(scene.look.focus));
 }
 
+bool readsContextSurface(const Scene& scene) {
+  return hasCutaway(scene) && (scene.look.contextLayer.strength > 0.0 || stagesOf(scene.look.method).lens);
+}
+
 ShownVolume shownVolume(const Scene& scene) {
   ShownVolume shown{scene.volume};
   if (scene.look.hideTable && scene.table && scene.table->count > 0) shown.table = scene.table;

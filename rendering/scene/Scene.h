@@ -59,6 +59,8 @@ bool hasFocusFunction(const Scene& scene);
 
 /// A scene has an opening when it has a focus and its cutaway is on.
 bool hasCutaway(const Scene& scene);
+/// Whether a picture needs the shape of the context's first surface: for its edges over the focus, or for a lens.
+bool readsContextSurface(const Scene& scene);
 
 /// The part of the volume's grid that `context` shows, for a camera to frame: scans hold much air. Nearly empty slabs
 /// of voxels (a table's edge, noise) do not count. The whole grid when the context shows nothing.

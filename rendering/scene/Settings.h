@@ -70,7 +70,16 @@ constexpr auto wordsOf(MethodKind) {
        {MethodKind::Importance, "importance", "Importance-driven",
         "What hides the focus gives way to it because the focus is more important: it is removed, or stays faint "
         "(Viola, "
-        "Kanitsar and Gröller 2004)"}});
+        "Kanitsar and Gröller 2004)"},
+       {MethodKind::ClearView, "clearview", "ClearView",
+        "A lens over the focus through which it shows, while what hides it fades towards the lens's middle and stays "
+        "where it bends (Krüger, Schneider and Westermann 2006)"}});
+}
+constexpr auto wordsOf(LensFade) {
+  return std::to_array<Word<LensFade>>(
+      {{LensFade::Distance, "distance", "To the rim", "The nearer to the lens's rim, the more of what hides the focus"},
+       {LensFade::Curvature, "curvature", "Evenly", "Nothing but the bends of what hides the focus"},
+       {LensFade::Depth, "depth", "With depth", "The more lies in front of the focus, the more of it"}});
 }
 constexpr auto wordsOf(ImportanceMode) {
   return std::to_array<Word<ImportanceMode>>(
@@ -190,7 +199,34 @@ inline constexpr std::tuple settingsOf<Method>{
     Setting(&Method::sparseness, {.key = "sparseness",
                                   .option = "--importance-sparseness",
                                   .name = "Faint how",
-                                  .description = "How what hides the focus is made faint"})};
+                                  .description = "How what hides the focus is made faint"}),
+    Setting(&Method::lensFade, {.key = "lens_fade",
+                                .option = "--lens-fade",
+                                .name = "Lens keeps",
+                                .description = "What stays within ClearView's lens of what hides the focus, beside its "
+                                               "bends"}),
+    Setting(&Method::lensRadius,
+            {.key = "lens_radius",
+             .option = "--lens-radius",
+             .name = "Lens",
+             .description = "Radius of ClearView's lens, as a share of the volume's longest side; its authors use 18.2",
+             .unit = "%",
+             .range = {0.1, 1000.0},
+             .slider = {2.0, 60.0},
+             .step = 0.2}),
+    Setting(&Method::lensBends,
+            {.key = "lens_bends",
+             .option = "--lens-bends",
+             .name = "Bends kept",
+             .description = "How much of the bends of what hides the focus stays within ClearView's lens; 0 keeps none",
+             .range = {0.0, 100.0},
+             .slider = {0.0, 4.0},
+             .step = 0.1}),
+    Setting(&Method::lensRim, {.key = "lens_rim",
+                               .option = "--lens-rim",
+                               .name = "Rim of the lens",
+                               .description = "How thin the dark line around ClearView's lens is: more is thinner",
+                               .range = {1.0, 1000.0}})};
 
 template <>
 inline constexpr std::tuple settingsOf<Cutaway>{

@@ -32,20 +32,46 @@ TEXELS_2D(rg32f, editMap);
 // A sampler under either schedule: with it, the images would be more than the eight that OpenGL guarantees.
 uniform sampler2D protectedLayer;
 #endif
-// What the opening removes stays faint: 1 less opaque, 2 also grey, 3 on some of the pixels.
+// A share of what the opening removes stays: 1 less opaque, 2 also grey, 3 on some of the pixels, 4 as a lens has it.
 #if FAINT
 uniform sampler2D faintLayer;
+#if FAINT == 4
+TEXELS_2D(rgba32f, lensSurface);  // LensPass
+uniform vec3 lens;                // 1/mm of its radius; bends; rim
+uniform int lensFade;             // LensFade (rendering/scene/Method.h, which has the formula)
+
+// How far out a place is, in radii, along the context's surface; beyond anything where that has no place before the focus.
+float placeInLens(ivec2 pixel) {
+  float distance = texelOf(lensSurface, pixel).w;
+  return isNone(distance) ? FAR : distance * lens.x;
+}
+
+float faintShare(ivec2 pixel, vec2 hit) {
+  vec3 normal = texelOf(lensSurface, pixel).xyz, bend = vec3(0.0);
+  ivec2 last = imageSize(picture) - 1;
+  for (int i = 0; i < 4; ++i) {
+    ivec2 step = (i & 2) == 0 ? ivec2(1, 0) : ivec2(0, 1);
+    ivec2 beside = clamp((i & 1) == 0 ? pixel + step : pixel - step, ivec2(0), last);
+    bend += abs(texelOf(lensSurface, beside).xyz - normal);
+  }
+  float place = placeInLens(pixel), kept = clamp(place, 0.0, 1.0);
+  if (lensFade != 0 && place < 1.0)
+    kept = lensFade == 1 ? 0.0 : isNone(hit.y) ? 1.0 : clamp((hit.y - hit.x) * lens.x, 0.0, 1.0);
+  return clamp(max(length(bend) * lens.y, kept), 0.0, 1.0);
+}
+#else
 uniform float faintOpacity;
+#endif
 
 #if FAINT == 3
 // Bayer's matrix of 8×8 (rendering/scene/Method.h).
-float faintShare(ivec2 pixel) {
+float faintShare(ivec2 pixel, vec2 hit) {
   int odd = pixel.x ^ pixel.y, rank = 0;
   for (int bit = 0; bit < 3; ++bit) rank = (rank << 2) | (((odd >> bit) & 1) << 1) | ((pixel.y >> bit) & 1);
   return (float(rank) + 0.5) / 64.0 < faintOpacity ? 1.0 : 0.0;
 }
-#else
-float faintShare(ivec2 pixel) { return faintOpacity; }
+#elif FAINT < 3
+float faintShare(ivec2 pixel, vec2 hit) { return faintOpacity; }
 #endif
 #endif
 #if APART
@@ -71,8 +97,10 @@ void main() {
   ivec2 pixel = regionPixel();
   if (any(greaterThanEqual(pixel, imageSize(picture)))) return;
   vec4 result = texelOf(focusLayer, pixel);
+  vec2 hit = texelOf(hitPoints, pixel).xy;
 #if FAINT
-  vec4 faint = texelFetch(faintLayer, pixel, 0) * faintShare(pixel);
+  float share = faintShare(pixel, hit);
+  vec4 faint = texelFetch(faintLayer, pixel, 0) * share;
 #if FAINT == 2
   faint.rgb = vec3(dot(faint.rgb, vec3(0.2126, 0.7152, 0.0722)));  // ITU-R BT.709
 #endif
@@ -82,7 +110,6 @@ void main() {
   vec4 front = texelFetch(protectedLayer, pixel, 0);
   result = front + (1.0 - front.a) * result;
 #endif
-  vec2 hit = texelOf(hitPoints, pixel).xy;
 #if CONTEXT_LAYER
   vec4 context = texelOf(contextLayer, pixel);
   bool isRemoved = !isNone(hit.y);
@@ -97,6 +124,9 @@ void main() {
     opacity = look.strength * clamp(opacity + look.silhouetteWeight * smoothstep(0.30, 0.85, rim), 0.0, 1.0);
 #if EDITED
     opacity = min(opacity * texelOf(editMap, pixel).g, 1.0);
+#endif
+#if FAINT == 4
+    opacity *= 1.0 - share;
 #endif
     // A surface lies where opacity begins: what is opaque next to its value gives the colour.
     float entry = floor(clamp(entryOf(context.w) + 0.5, 0.0, LAST_ENTRY));
@@ -115,6 +145,13 @@ void main() {
     border *= texelOf(editMap, pixel).g;
 #endif
     result = mix(result, vec4(cutaway.borderColour, 1.0), border);
+#if FAINT == 4
+    float line = 0.5 * (1.0 - clamp(abs(placeInLens(pixel) - 1.0) * lens.z, 0.0, 1.0));
+#if EDITED
+    line *= texelOf(editMap, pixel).g;
+#endif
+    result.rgb = max(result.rgb - result.a * line, 0.0);
+#endif
   }
   imageStore(picture, pixel, result);
 }

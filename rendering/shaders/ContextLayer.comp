@@ -11,7 +11,6 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(rgba32f) uniform writeonly image2D contextLayer;
 layout(r32f) uniform writeonly image2D silhouette;
 TEXELS_2D(rg32f, hitPoints);
-uniform float contextMargin;  // mm: hits nearer than this to the box's entry or to the focus are no surface of their own
 
 void main() {
   ivec2 pixel = regionPixel();

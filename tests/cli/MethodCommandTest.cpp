@@ -8,10 +8,13 @@ namespace {
 
 using MethodCommand = PictureCommand;
 
-const std::vector<std::string> methods{"--method cone --cone-angle 50", "--method importance --importance-angle 25",
+const std::vector<std::string> methods{"--method cone --cone-angle 50",
+                                       "--method importance --importance-angle 25",
                                        "--method importance --importance average --importance-opacity 0.2",
                                        "--method importance --importance average --importance-opacity 0.4 "
-                                       "--importance-sparseness screen-door"};
+                                       "--importance-sparseness screen-door",
+                                       "--method clearview --lens-radius 35 --lens-bends 0.5 --lens-rim 20",
+                                       "--method clearview --lens-radius 50 --lens-fade depth"};
 
 TEST_F(MethodCommand, PicturesAreTheReferences) {
   ASSERT_EQ(render("adaptive.png", ""), 0);
@@ -27,7 +30,10 @@ TEST_F(MethodCommand, PicturesAreTheReferences) {
 
 TEST_F(MethodCommand, ParametersOfOtherMethodsLeaveThePictureAsItIs) {
   ASSERT_EQ(render("plain.png", ""), 0);
-  ASSERT_EQ(render("same.png", "--method adaptive --cone-angle 70 --importance average --importance-opacity 0.9"), 0);
+  ASSERT_EQ(render("same.png",
+                   "--method adaptive --cone-angle 70 --importance average --importance-opacity 0.9 "
+                   "--lens-radius 60 --lens-fade depth --lens-bends 3 --lens-rim 5"),
+            0);
   EXPECT_EQ(bytes("plain.png"), bytes("same.png"));
 }
 
@@ -39,15 +45,13 @@ TEST_F(MethodCommand, ASessionKeepsEach) {
     EXPECT_EQ(bytes("a.png"), bytes("b.png"));
   }
   const Method kept = io::readSession(at("work.fenestra")).look.method;
-  EXPECT_EQ(kept, (Method{.kind = MethodKind::Importance,
-                          .importance = ImportanceMode::Average,
-                          .importanceOpacity = 0.4,
-                          .sparseness = Sparseness::ScreenDoor}));
+  EXPECT_EQ(kept, (Method{.kind = MethodKind::ClearView, .lensFade = LensFade::Depth, .lensRadius = 50.0}));
 }
 
 TEST_F(MethodCommand, RefusesWhatIsNoAngleAndNoShare) {
-  for (const std::string wrong : {"--cone-angle 0", "--cone-angle 90", "--cone-angle nan", "--importance-angle 0",
-                                  "--importance-opacity 1.1", "--importance some"})
+  for (const std::string wrong :
+       {"--cone-angle 0", "--cone-angle 90", "--cone-angle nan", "--importance-angle 0", "--importance-opacity 1.1",
+        "--importance some", "--lens-radius 0", "--lens-bends -1", "--lens-rim 0.5", "--lens-fade away"})
     EXPECT_EQ(render("x.png", wrong), 2) << wrong;
   EXPECT_FALSE(std::filesystem::exists(at("x.png")));
 }

@@ -34,11 +34,11 @@ TEST_F(RenderCommand, RenderWritesPictureLayersCameraAndStatistics) {
   EXPECT_EQ(camera["clipFromWorld"][3].size(), 4u);
 
   const Json stats = Json::parse(contents(at("stats.json")));
-  ASSERT_EQ(stats["passes"].size(), 15u);
+  ASSERT_EQ(stats["passes"].size(), 16u);
   // Without strokes there is nothing to edit, without protected labels nothing to protect; nothing is clipped, no light
-  // is hidden, edges are not smooth, and the method stands no cones and keeps nothing faint.
-  const std::set<std::string> unused{"cones",           "edit map",      "occlusion", "faint layer",
-                                     "protected layer", "exempt labels", "edges",     "edge rays"};
+  // is hidden, edges are not smooth, and the method stands no cones, keeps nothing faint and has no lens.
+  const std::set<std::string> unused{"cones", "edit map",      "occlusion", "faint layer", "protected layer",
+                                     "lens",  "exempt labels", "edges",     "edge rays"};
   for (const Json& pass : stats["passes"])
     EXPECT_EQ(pass["runs"], unused.contains(pass["name"].get<std::string>()) ? 0 : 3) << pass["name"];
   EXPECT_EQ(stats["frames_ms"].size(), 3u);

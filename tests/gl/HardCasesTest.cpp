@@ -416,13 +416,18 @@ double worstOfOpened(const Shot& shot) {
   reference::Stages stages;
   const Some some = someOf(shot.size, 1000);
   if (hasCutaway(shot.scene)) {
-    // From the renderer's own hits, as in expectStagesMatch(): on silhouettes rounding decides where they are.
     stages = reference::geometricStages(shot.scene, shot.camera, shot.size);
-    stages.hits.tContext = widened(layers.tContext);
-    stages.hits.tFocus = widened(layers.tFocus);
-    if (shot.scene.look.method.kind != MethodKind::Adaptive) expectStartsMatch(layers, stages, shot);
-    stages.tStart = widened(layers.tStart);
-    if (!stages.tCones.empty()) stages.tCones = stages.tStart;
+    // Layers hold t from the eye in float32, which has steps of 1/16 mm from 10⁶ mm away: the passes' own positions are
+    // finer, and such steps from pixel to pixel turn the normals whose differences a lens sums.
+    const bool isFar = glm::distance(shot.camera.eye, shot.scene.volume->grid.centre()) > 1e5;
+    if (!isFar || !stagesOf(shot.scene.look.method).lens) {
+      // From the renderer's own hits, as in expectStagesMatch(): on silhouettes rounding decides where they are.
+      stages.hits.tContext = widened(layers.tContext);
+      stages.hits.tFocus = widened(layers.tFocus);
+      if (shot.scene.look.method.kind != MethodKind::Adaptive) expectStartsMatch(layers, stages, shot);
+      stages.tStart = widened(layers.tStart);
+      if (!stages.tCones.empty()) stages.tCones = stages.tStart;
+    }
   }
   const reference::Picture truth = reference::picture(shot.scene, shot.camera, shot.size, stages, some.options);
   expectSound(truth, some.options.tolerance);
@@ -438,7 +443,8 @@ TEST_P(HardCases, withEachMethod) {
   if (GetParam().name == std::string("aThousandKilometresAway")) limit = 4.1;
   for (const Method& method :
        {Method{.kind = MethodKind::Cone}, Method{.kind = MethodKind::Importance},
-        Method{.kind = MethodKind::Importance, .importance = ImportanceMode::Average, .importanceOpacity = 0.3}}) {
+        Method{.kind = MethodKind::Importance, .importance = ImportanceMode::Average, .importanceOpacity = 0.3},
+        Method{.kind = MethodKind::ClearView, .lensRadius = 40.0}}) {
     SCOPED_TRACE(std::string(wordOf(method.kind).word) + ", " + wordOf(method.importance).word);
     shot.scene.look.method = method;
     EXPECT_LE(worstOfOpened(shot), limit);

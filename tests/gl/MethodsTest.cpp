@@ -5,6 +5,7 @@
 
 #include "rendering/reference/Picture.h"
 #include "rendering/scene/Lighting.h"
+#include "rendering/scene/Settings.h"
 #include "tests/gl/GlTest.h"
 #include "tests/gl/SceneKinds.h"
 
@@ -72,6 +73,20 @@ double perMilleBeyond(double bound, const std::vector<glm::vec4>& picture, const
   return 1000.0 * static_cast<double>(beyond) / static_cast<double>(truth.size());
 }
 
+/// What the lens reads of the surface: rays that graze it are held to four in a thousand, as below.
+void expectLensMatches(const std::vector<glm::vec4>& here, const std::vector<glm::dvec4>& truth) {
+  ASSERT_EQ(here.size(), truth.size());
+  std::size_t off = 0;
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    const bool same = std::isnan(here[i].w) == std::isnan(truth[i].w);
+    // Values in 16 bits, whose steps turn normals by 1e-3; hits within 2e-3 voxels, of up to 1 mm here.
+    const bool isNear = glm::distance(glm::dvec3(here[i]), glm::dvec3(truth[i])) <= 2e-3 &&
+                        (std::isnan(truth[i].w) || std::abs(here[i].w - truth[i].w) <= 2e-3);
+    off += !(same && isNear);
+  }
+  EXPECT_LE(1000.0 * static_cast<double>(off), 4.0 * static_cast<double>(truth.size())) << "the lens's surface";
+}
+
 /// Stages 1 to 4 and the picture. Where a ray grazes a surface or an opening's rim, rounding decides what it meets
 /// first: such pixels lie on lines and are held to four in a thousand, as those of other openings are.
 void Methods::expectMatches(const Scene& scene, const View& view) {
@@ -90,6 +105,7 @@ void Methods::expectMatches(const Scene& scene, const View& view) {
     if (!truth.faintLayer.empty()) {
       EXPECT_LE(perMilleBeyond(*view.maxError, layers.faintLayer, truth.faintLayer), 4.0);
     }
+    expectLensMatches(layers.lens, truth.lens);
   }
 }
 
@@ -109,14 +125,28 @@ TEST_F(Methods, EachMatchesTheReferenceAndIsAnotherPicture) {
 }
 
 /// One of each kind; the others differ in the composite alone.
-std::vector<std::pair<std::string, Method>> threeMethods() {
+std::vector<std::pair<std::string, Method>> fourMethods() {
   auto methods = otherMethods();
-  methods.resize(3);
+  methods.resize(4);
   return methods;
 }
 
+/// Near enough that the focus fills a tenth of the picture, so that no fade could be mistaken for another.
+TEST_F(Methods, FadesOfClearViewMatchAndDiffer) {
+  std::vector<std::vector<glm::vec4>> pictures;
+  for (const LensFade fade : {LensFade::Distance, LensFade::Curvature, LensFade::Depth}) {
+    SCOPED_TRACE(wordOf(fade).word);
+    const Scene scene = hazyBody({.kind = MethodKind::ClearView, .lensFade = fade, .lensRadius = 20.0});
+    const View view = viewOf(from(25, 15, scene).zoomed(3.0));
+    expectMatches(scene, view);
+    pictures.push_back(drawn(scene, view).final);
+    for (std::size_t other = 0; other + 1 < pictures.size(); ++other)
+      EXPECT_GT(perMilleBeyond(4.0, pictures.back(), pictures[other]), 40.0) << other;
+  }
+}
+
 TEST_F(Methods, ValuesSmoothedLabelsAndSplines) {
-  for (const auto& [name, method] : threeMethods()) {
+  for (const auto& [name, method] : fourMethods()) {
     SCOPED_TRACE(name);
     Scene values = hazyBody(method);
     values.look.focus = ValueFocus{{95.0, 1000.0}, 0.0};
@@ -131,7 +161,7 @@ TEST_F(Methods, ValuesSmoothedLabelsAndSplines) {
 }
 
 TEST_F(Methods, BrushProtectedLabelsAndClipping) {
-  for (const auto& [name, method] : threeMethods()) {
+  for (const auto& [name, method] : fourMethods()) {
     SCOPED_TRACE(name);
     const Scene scene = hazyBody(method);
     const View view = viewOf(from(25, 15, scene));
@@ -146,7 +176,7 @@ TEST_F(Methods, BrushProtectedLabelsAndClipping) {
 }
 
 TEST_F(Methods, FrozenAndWithAnAxisOffset) {
-  for (const auto& [name, method] : threeMethods()) {
+  for (const auto& [name, method] : fourMethods()) {
     SCOPED_TRACE(name);
     Scene scene = hazyBody(method);
     View view = viewOf(from(50, 15, scene));
@@ -181,6 +211,40 @@ TEST_F(Methods, TheBorderFollowsTheRimOfWhatConesOpen) {
   EXPECT_GT(inBorder, 100);
 }
 
+/// The picture that ClearView should make of two others, without the context's edges: one in which nothing is removed,
+/// and the focus layer.
+TEST_F(Methods, ClearViewMixesThePictureAndTheOpenedOne) {
+  Scene scene = hazyBody({.kind = MethodKind::ClearView, .lensRadius = 45.0, .lensBends = 0.0, .lensRim = 1000.0});
+  scene.look.contextLayer.strength = 0.0;
+  Scene closed = scene;
+  closed.look.cutaway.enabled = false;
+  // Near: along the body's outline the plain picture has haze too thin to be a surface, before which opened rays do not
+  // start.
+  const View view = viewOf(from(25, 15, scene).zoomed(3.0), 0.5);
+  for (const Schedule schedule : {Schedule::Plain, Schedule::Llvmpipe}) {
+    const Layers plain = drawn(closed, view, schedule);
+    for (const double radius : {45.0, 1000.0}) {
+      scene.look.method.lensRadius = radius;
+      const Layers clear = drawn(scene, view, schedule);
+      const double mm = 0.01 * radius * 40.0;
+      std::size_t mixed = 0, off = 0;
+      for (std::size_t i = 0; i < plain.final.size(); ++i) {
+        const bool isSurface = !std::isnan(clear.lens[i].w);
+        const double d = clear.lens[i].w / mm;
+        if (isSurface && std::abs(d - 1.0) < 1e-3) continue;  // its line
+        const double w = isSurface ? std::min(d, 1.0) : 1.0;
+        const glm::dvec4 expected = w * glm::dvec4(plain.final[i]) + (1.0 - w) * glm::dvec4(clear.focusLayer[i]);
+        const glm::dvec4 error = 255.0 * glm::abs(glm::dvec4(clear.final[i]) - expected);
+        // Three integrals of a bound of 0.5 each, of which this is a weighted mean and a difference.
+        off += std::max({error.r, error.g, error.b, error.a}) > 1.5;
+        mixed += w < 0.9 && glm::distance(plain.final[i], clear.focusLayer[i]) > 0.1f;
+      }
+      EXPECT_LE(off, plain.final.size() / 1000);
+      EXPECT_GT(mixed, 100u) << radius;
+    }
+  }
+}
+
 /// Runs by pass of the last picture of several.
 std::set<std::string> Methods::runsOfLast(const std::vector<Scene>& scenes, const View& view) {
   Renderer renderer(gpuWith(Schedule::Plain));
@@ -212,6 +276,16 @@ TEST_F(Methods, ReRunOnlyWhatAChangeReaches) {
   EXPECT_EQ(after(faint, [](Scene& s) { s.look.method.importanceOpacity = 0.5; }), std::set<std::string>{"composite"});
   EXPECT_EQ(after(faint, [](Scene& s) { s.look.method.sparseness = Sparseness::ScreenDoor; }),
             std::set<std::string>{"composite"});
+  const Scene clear = hazyBody({.kind = MethodKind::ClearView});
+  for (double Method::*number : {&Method::lensRadius, &Method::lensBends, &Method::lensRim}) {
+    EXPECT_EQ(after(clear, [=](Scene& s) { s.look.method.*number *= 1.5; }), std::set<std::string>{"composite"});
+    EXPECT_EQ(after(scene, [=](Scene& s) { s.look.method.*number *= 1.5; }), std::set<std::string>());
+  }
+  EXPECT_EQ(after(clear, [](Scene& s) { s.look.method.lensFade = LensFade::Depth; }),
+            std::set<std::string>{"composite"});
+  EXPECT_EQ(after(clear, [](Scene& s) { s.look.cutaway.borderWidth += 4.0; }), std::set<std::string>());
+  EXPECT_EQ(after(faint, [](Scene& s) { s.look.method.kind = MethodKind::ClearView; }),
+            (std::set<std::string>{"lens", "composite"}));
 }
 
 TEST_F(Methods, AMethodThatIsNotInUseCostsNothing) {
@@ -222,10 +296,14 @@ TEST_F(Methods, AMethodThatIsNotInUseCostsNothing) {
                         .importance = ImportanceMode::Average,
                         .importanceAngle = 40.0,
                         .importanceOpacity = 0.9,
-                        .sparseness = Sparseness::Colour};
+                        .sparseness = Sparseness::Colour,
+                        .lensFade = LensFade::Depth,
+                        .lensRadius = 70.0,
+                        .lensBends = 3.0,
+                        .lensRim = 9.0};
   Renderer renderer(gpuWith(Schedule::Plain)), fresh(gpuWith(Schedule::Plain));
   fresh.render(scene, view);
-  for (const Pass pass : {Pass::Cones, Pass::FaintLayer})
+  for (const Pass pass : {Pass::Cones, Pass::FaintLayer, Pass::Lens})
     EXPECT_EQ(fresh.stats()[static_cast<std::size_t>(pass)].runs, 0u) << nameOf(pass);
   renderer.render(others, view);
   EXPECT_EQ(renderer.readPicture(), fresh.readPicture());
@@ -261,6 +339,7 @@ TEST_F(Methods, ChangesLeaveNothingBehind) {
     expectFresh(brushed(scene), frozen, name + ", a stroke, frozen");
     scene.look.method.coneAngle = scene.look.method.importanceAngle = 55.0;
     scene.look.method.importanceOpacity = 0.6;
+    scene.look.method.lensRadius = 30.0;
     expectFresh(scene, view, name + ", other parameters");
     expectFresh(withProtected(scene), view, name + ", a protected label");
     scene.look.cutaway.openWidth = 20.0;

@@ -119,11 +119,19 @@ inline std::vector<std::pair<std::string, Method>> otherMethods() {
                   .importanceOpacity = 0.3,
                   .sparseness = sparseness};
   };
+  // Of bodies as small as these, lenses whose lines run through the picture in other places.
+  const auto lens = [](LensFade fade, double radius) {
+    return Method{
+        .kind = MethodKind::ClearView, .lensFade = fade, .lensRadius = radius, .lensBends = 0.7, .lensRim = 8.0};
+  };
   return {{"cone", {.kind = MethodKind::Cone}},
           {"maximum importance", {.kind = MethodKind::Importance}},
           {"average importance", average(Sparseness::Opacity)},
+          {"ClearView", lens(LensFade::Distance, 45.0)},
           {"average importance, grey", average(Sparseness::Colour)},
-          {"average importance, screen door", average(Sparseness::ScreenDoor)}};
+          {"average importance, screen door", average(Sparseness::ScreenDoor)},
+          {"ClearView, bends alone", lens(LensFade::Curvature, 25.0)},
+          {"ClearView, with depth", lens(LensFade::Depth, 35.0)}};
 }
 
 /// A body cut by a box and two planes, with faces in grey or as the transfer function shows them.

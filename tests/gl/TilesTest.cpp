@@ -28,6 +28,7 @@ void expectSameStages(const Layers& a, const Layers& b) {
   EXPECT_TRUE(sameBits(a.tStart, b.tStart)) << "ray starts";
   EXPECT_TRUE(sameBits(a.focusLayer, b.focusLayer)) << "focus layer";
   EXPECT_TRUE(sameBits(a.contextLayer, b.contextLayer)) << "context layer";
+  EXPECT_TRUE(sameBits(a.lens, b.lens)) << "lens";
   EXPECT_TRUE(sameBits(a.final, b.final)) << "picture";
 }
 
@@ -75,6 +76,7 @@ const std::vector<Change> changes{
     {"stronger edges", [](Scene& scene, View&) { scene.look.contextLayer.strength = 0.9; }},
     {"no cutaway", [](Scene& scene, View&) { scene.look.cutaway.enabled = false; }},
     {"draft", [](Scene&, View& view) { view.quality = Quality::Draft; }},
+    {"ClearView", [](Scene& scene, View&) { scene.look.method.kind = MethodKind::ClearView; }},
     {"smooth edges", [](Scene& scene, View&) { scene.look.edges = Edges::Smooth; }},
 };
 

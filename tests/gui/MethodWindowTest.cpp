@@ -43,7 +43,8 @@ TEST_F(MethodWindow, ListsEachMethodWithAToolTip) {
   ASSERT_EQ(box->count(), static_cast<int>(wordsOf(MethodKind{}).size()));
   for (int row = 0; row < box->count(); ++row)
     EXPECT_GT(box->itemData(row, Qt::ToolTipRole).toString().size(), 40) << row;
-  for (const char* key : {"cone_angle", "importance", "sparseness", "importance_angle", "importance_opacity"})
+  for (const char* key : {"cone_angle", "importance", "sparseness", "importance_angle", "importance_opacity",
+                          "lens_radius", "lens_bends", "lens_fade", "lens_rim"})
     EXPECT_FALSE(shows(key)) << key;
 }
 
@@ -90,6 +91,46 @@ TEST_F(MethodWindow, EachHasItsOwnRowsAndIsAStepOfTheHistory) {
   EXPECT_EQ(picture(volume(0)), adaptive) << "to the bit";
 }
 
+TEST_F(MethodWindow, ClearViewHasALensInPlaceOfWidthAndBorder) {
+  const QImage adaptive = picture(volume(0));
+  const int steps = document().undoStack().index(), width = panel<CutawayPanel>().width();
+  choose("kind", MethodKind::ClearView);
+  waitUntilDrawn();
+  EXPECT_EQ(panel<CutawayPanel>().width(), width);
+  for (const char* key : {"lens_radius", "lens_bends", "lens_fade", "lens_rim"}) EXPECT_TRUE(shows(key)) << key;
+  for (const char* key : {"cone_angle", "importance", "importance_angle"}) EXPECT_FALSE(shows(key)) << key;
+  for (const char* key : {"open_width", "border_width", "border_colour"})
+    EXPECT_FALSE(control<QWidget>(key)->isEnabled()) << key;
+  EXPECT_TRUE(control<SliderSpin>("border_width")->toolTip().contains(QStringLiteral("rim")));
+  QImage before = picture(volume(0));
+  EXPECT_NE(before, adaptive);
+  const auto expectChanged = [&](const char* what) {
+    waitUntilDrawn();
+    const QImage now = picture(volume(0));
+    EXPECT_NE(now, before) << what;
+    before = now;
+  };
+  control<SliderSpin>("lens_radius")->box()->setValue(40.0);
+  EXPECT_EQ(document().look().method.lensRadius, 40.0);
+  expectChanged("radius");
+  control<SliderSpin>("lens_bends")->box()->setValue(0.0);
+  EXPECT_EQ(document().look().method.lensBends, 0.0);
+  expectChanged("bends");
+  control<QDoubleSpinBox>("lens_rim")->setValue(10.0);
+  EXPECT_EQ(document().look().method.lensRim, 10.0);
+  expectChanged("rim");
+  choose("lens_fade", LensFade::Curvature);
+  EXPECT_EQ(document().look().method.lensFade, LensFade::Curvature);
+  expectChanged("fade");
+  EXPECT_EQ(document().undoStack().index(), steps + 5);
+  while (document().undoStack().index() > steps) document().undoStack().undo();
+  EXPECT_TRUE(control<SliderSpin>("border_width")->isEnabled());
+  EXPECT_FALSE(control<SliderSpin>("border_width")->toolTip().contains(QStringLiteral("rim")));
+  waitUntilDrawn();
+  ASSERT_EQ(picture(volume(0)).size(), adaptive.size());
+  EXPECT_EQ(picture(volume(0)), adaptive) << "to the bit";
+}
+
 TEST_F(MethodWindow, WithoutAnOpeningThereIsNothingToChoose) {
   Look look = document().look();
   look.cutaway.enabled = false;
@@ -105,16 +146,23 @@ TEST_F(MethodWindow, TextsAreTranslated) {
   look.method.kind = MethodKind::Cone;
   document().edit(QStringLiteral("cone"), look);
   QStringList texts;
-  for (const char* key : {"kind", "importance", "sparseness"}) {
+  for (const char* key : {"kind", "importance", "sparseness", "lens_fade"}) {
     const auto* box = shown.findChild<QComboBox*>(QLatin1String(key));
     texts << box->toolTip();
     for (int row = 0; row < box->count(); ++row)
       texts << box->itemText(row) << box->itemData(row, Qt::ToolTipRole).toString();
   }
-  for (const char* key : {"cone_angle", "importance_angle", "importance_opacity", "open_width"})
+  for (const char* key :
+       {"cone_angle", "importance_angle", "importance_opacity", "open_width", "lens_radius", "lens_bends"})
+    texts << shown.findChild<SliderSpin*>(QLatin1String(key))->toolTip();
+  look.method.kind = MethodKind::ClearView;
+  document().edit(QStringLiteral("lens"), look);
+  const auto* rim = shown.findChild<QDoubleSpinBox*>(QStringLiteral("lens_rim"));
+  texts << rim->toolTip() << rim->prefix();
+  for (const char* key : {"open_width", "border_width"})
     texts << shown.findChild<SliderSpin*>(QLatin1String(key))->toolTip();
   QCoreApplication::removeTranslator(&locale);
-  EXPECT_GE(texts.size(), 20);
+  EXPECT_GE(texts.size(), 34);
   for (const QString& text : texts) EXPECT_TRUE(text.startsWith(opens)) << text.toStdString();
 }
 

@@ -55,7 +55,16 @@ inline io::Session fullSession(const std::filesystem::path& folder) {
   session.look.context.function.nodes = {{-0.1, {{0.9, 0.8, 0.7}, 0.0}},
                                          {300.0, {{0.0, 1.0, 0.5}, 13.815510557964274}}};
   session.look.context.shift = -17.25;
-  session.look.method = {MethodKind::Importance, 41.5, ImportanceMode::Average, 22.25, 0.125, Sparseness::ScreenDoor};
+  session.look.method = {MethodKind::Importance,
+                         41.5,
+                         ImportanceMode::Average,
+                         22.25,
+                         0.125,
+                         Sparseness::ScreenDoor,
+                         LensFade::Depth,
+                         33.5,
+                         2.25,
+                         12.5};
   session.look.cutaway = {false, 31.0, 0.5, WidthUnit::Millimetre, {0.3, 0.2, 0.1}, 22.5, -135.0};
   session.look.contextLayer = {.strength = 0.25,
                                .curvatureWeight = 2.0,

@@ -25,6 +25,27 @@ void expectOrthonormal(const Camera& camera) {
   expectNear(glm::cross(a.right, a.up), -a.forward, rounding);
 }
 
+TEST(Camera, aimedHasAPointInTheMiddle) {
+  const glm::dvec3 point(12.0, 3.0, -7.0);
+  for (const Projection projection : {Projection::Perspective, Projection::Orthographic}) {
+    const Camera camera = lookAt({40.0, -60.0, 15.0}, {1.0, 2.0, 3.0}, projection);
+    const auto aimed = camera.aimedAt(point);
+    ASSERT_TRUE(aimed);
+    const Camera::Axes a = aimed->axes();
+    const double depth = glm::dot(point - aimed->eye, a.forward);
+    expectNear(aimed->eye + depth * a.forward, point, 1e-12 * 100.0);
+    if (projection == Projection::Perspective) {
+      EXPECT_EQ(aimed->eye, camera.eye);
+    } else {
+      expectNear(a.forward, camera.axes().forward, rounding);
+      // In the same plane: positions along rays stay the same.
+      EXPECT_NEAR(depth, glm::dot(point - camera.eye, camera.axes().forward), 1e-12 * 100.0);
+    }
+    EXPECT_FALSE(camera.aimedAt(camera.eye - (point - camera.eye)));
+    EXPECT_FALSE(camera.aimedAt(camera.eye));
+  }
+}
+
 TEST(Camera, standardViewsPutThePatientsSidesRight) {
   const Grid grid = gridOf({10, 20, 30});
   const glm::dvec3 left(1, 0, 0), right(-1, 0, 0), posterior(0, 1, 0), anterior(0, -1, 0), superior(0, 0, 1);

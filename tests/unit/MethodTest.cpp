@@ -15,6 +15,9 @@ TEST(Method, TheAdaptiveCutawayIsTheUsualOneWhateverTheOthersParameters) {
   EXPECT_EQ(stagesOf(Method{}), MethodStages{});
   EXPECT_EQ(stagesOf({.coneAngle = 70.0, .importance = ImportanceMode::Average, .importanceOpacity = 1.0}),
             MethodStages{});
+  EXPECT_EQ(stagesOf({.lensFade = LensFade::Curvature, .lensRadius = 90.0, .lensBends = 4.0, .lensRim = 7.0}),
+            MethodStages{});
+  EXPECT_FALSE(stagesOf(Method{}).keepsRemoved());
 }
 
 TEST(Method, ConesHaveTheCotangentOfTheirAngle) {
@@ -32,6 +35,23 @@ TEST(Method, AverageImportanceKeepsWhatHidesTheFocus) {
   EXPECT_EQ(stages.start, MethodStages::Start::Blend);
   EXPECT_FALSE(stages.hasWidth);
   EXPECT_EQ(stages.faintOpacity, 0.05);
+}
+
+TEST(Method, ClearViewKeepsAShareByItsLens) {
+  const MethodStages stages = stagesOf({.kind = MethodKind::ClearView, .lensFade = LensFade::Depth});
+  EXPECT_EQ(stages.start, MethodStages::Start::Blend);
+  EXPECT_FALSE(stages.hasWidth || stages.hasBorder);
+  EXPECT_EQ(stages.faintOpacity, 0.0);
+  ASSERT_TRUE(stages.lens && stages.keepsRemoved());
+  EXPECT_EQ(stages.lens->fade, LensFade::Depth);
+  EXPECT_EQ(stages.lens->bends, 1.0);
+  EXPECT_EQ(stages.lens->rim, 60.0);
+  // 5.5 divides the longest side; the default has three digits.
+  EXPECT_NEAR(1.0 / stages.lens->radius, 5.5, 0.006);
+  Grid grid;
+  grid.dims = {10, 20, 40};
+  grid.spacing = {3.0, 2.5, 1.0};
+  EXPECT_NEAR(radiusOf(*stages.lens, grid), 0.182 * 50.0, 1e-12);
 }
 
 TEST(Method, AScreenDoorShowsItsShareOfEverySquareEvenly) {

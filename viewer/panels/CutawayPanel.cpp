@@ -37,13 +37,18 @@ CutawayPanel::CutawayPanel(Document& document, QWidget* parent)
       axisDirection_(controls_.spin(&Cutaway::axisDirection, 15.0)),
       axis_(new QHBoxLayout),
       importance_(new QHBoxLayout),
+      lens_(new QHBoxLayout),
       form_(new QFormLayout(this)),
       method_(methodControls_.choice(&Method::kind)),
       importanceMode_(methodControls_.choice(&Method::importance)),
       sparseness_(methodControls_.choice(&Method::sparseness)),
+      lensFade_(methodControls_.choice(&Method::lensFade)),
       coneAngle_(methodControls_.slider(&Method::coneAngle)),
       importanceAngle_(methodControls_.slider(&Method::importanceAngle)),
       importanceOpacity_(methodControls_.slider(&Method::importanceOpacity)),
+      lensRadius_(methodControls_.slider(&Method::lensRadius)),
+      lensBends_(methodControls_.slider(&Method::lensBends)),
+      lensRim_(methodControls_.spin(&Method::lensRim, 5.0)),
       look_(new QComboBox),
       unit_(controls_.choice(&Cutaway::unit)),
       colour_(controls_.colour(&Cutaway::borderColour)) {
@@ -81,16 +86,22 @@ void CutawayPanel::addMethod(QFormLayout& form) {
   form.addRow(name(settingOf(&Method::kind)), method_);
   form.addRow(name(settingOf(&Method::coneAngle)), coneAngle_);
   // A row that appears must not widen the panel and so push the views aside.
-  for (QComboBox* box : {importanceMode_, sparseness_}) {
+  for (QComboBox* box : {importanceMode_, sparseness_, lensFade_}) {
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     box->setMinimumContentsLength(5);
-    importance_->addWidget(box, 1);
+    (box == lensFade_ ? lens_ : importance_)->addWidget(box, 1);
   }
   auto* label = new QLabel(name(settingOf(&Method::importance)));
   label->setWordWrap(true);
   form.addRow(label, importance_);
   form.addRow(name(settingOf(&Method::importanceAngle)), importanceAngle_);
   form.addRow(name(settingOf(&Method::importanceOpacity)), importanceOpacity_);
+  form.addRow(name(settingOf(&Method::lensRadius)), lensRadius_);
+  form.addRow(name(settingOf(&Method::lensBends)), lensBends_);
+  //: before the number that says how thin the line around a lens is
+  lensRim_->setPrefix(tr("rim") + QLatin1Char(' '));
+  lens_->addWidget(lensRim_);
+  form.addRow(name(settingOf(&Method::lensFade)), lens_);
 }
 
 void CutawayPanel::addFreeze(QAction* freeze) {
@@ -117,24 +128,34 @@ void CutawayPanel::showMethod() {
   methodControls_.show();
   const Method& method = document_.look().method;
   const bool open = document_.look().cutaway.enabled, byImportance = method.kind == MethodKind::Importance;
+  const bool byLens = method.kind == MethodKind::ClearView;
   const bool removes = method.importance == ImportanceMode::Maximum;
   form_->setRowVisible(coneAngle_, method.kind == MethodKind::Cone);
   form_->setRowVisible(importance_, byImportance);
   form_->setRowVisible(importanceAngle_, byImportance && removes);
   form_->setRowVisible(importanceOpacity_, byImportance && !removes);
   sparseness_->setVisible(byImportance && !removes);
+  form_->setRowVisible(lensRadius_, byLens);
+  form_->setRowVisible(lensBends_, byLens);
+  form_->setRowVisible(lens_, byLens);
   QString tip = translated(wordOf(method.kind).description);
   if (method.kind != MethodKind::Adaptive)
     tip += QStringLiteral("\n") + tr("Smooth edges, by several rays a pixel, are the adaptive cutaway's alone");
   method_->setToolTip(tip);
-  for (QWidget* widget : std::initializer_list<QWidget*>{method_, coneAngle_, importanceMode_, sparseness_,
-                                                         importanceAngle_, importanceOpacity_})
+  for (QWidget* widget :
+       std::initializer_list<QWidget*>{method_, coneAngle_, importanceMode_, sparseness_, importanceAngle_,
+                                       importanceOpacity_, lensFade_, lensRadius_, lensBends_, lensRim_})
     widget->setEnabled(open);
   // A width that the method does not have stays in sight, and says why it cannot be moved.
-  const bool hasWidth = stagesOf(method).hasWidth;
-  openWidth_->setEnabled(open && hasWidth);
-  openWidth_->setToolTip(hasWidth ? translated(settingOf(&Cutaway::openWidth).description)
-                                  : tr("This method has no width of its own: the focus and the angle decide on it"));
+  const MethodStages stages = stagesOf(method);
+  const QString decides = byLens ? tr("This method has no width of its own: the focus and the lens decide on it")
+                                 : tr("This method has no width of its own: the focus and the angle decide on it");
+  openWidth_->setEnabled(open && stages.hasWidth);
+  openWidth_->setToolTip(stages.hasWidth ? translated(settingOf(&Cutaway::openWidth).description) : decides);
+  borderWidth_->setEnabled(open && stages.hasBorder);
+  colour_->setEnabled(open && stages.hasBorder);
+  borderWidth_->setToolTip(stages.hasBorder ? translated(settingOf(&Cutaway::borderWidth).description)
+                                            : tr("The line of this method is the rim of its lens"));
 }
 
 }  // namespace fenestra::viewer

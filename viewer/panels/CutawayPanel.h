@@ -28,10 +28,11 @@ class CutawayPanel : public QWidget {
   QCheckBox* enabled_;
   SliderSpin *openWidth_, *borderWidth_, *axisOffset_;
   QDoubleSpinBox* axisDirection_;
-  QHBoxLayout *axis_, *importance_;
+  QHBoxLayout *axis_, *importance_, *lens_;
   QFormLayout* form_;
-  QComboBox *method_, *importanceMode_, *sparseness_;
-  SliderSpin *coneAngle_, *importanceAngle_, *importanceOpacity_;
+  QComboBox *method_, *importanceMode_, *sparseness_, *lensFade_;
+  SliderSpin *coneAngle_, *importanceAngle_, *importanceOpacity_, *lensRadius_, *lensBends_;
+  QDoubleSpinBox* lensRim_;
   QComboBox *look_, *unit_;
   ColourButton* colour_;
 };

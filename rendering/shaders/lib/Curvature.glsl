@@ -15,6 +15,7 @@ struct DerivativeSettings {
   float scale;               // real value per texel unit
 };
 UNIFORM_BLOCK(DerivativeBlock, storedDerivative, DerivativeSettings, derivative);
+uniform float contextMargin;  // mm: hits nearer than this to the box's entry or to the focus are no surface of their own
 
 // Cubic B-spline weights of the four neighbours at offset f in [0, 1), and their first and second derivatives.
 void derivativeWeights(float f, out vec4 w, out vec4 dw, out vec4 ddw) {

@@ -1,0 +1,22 @@
+#pragma once
+// ClearView's lens in double precision, as MethodStages::Lens (rendering/scene/Method.h) defines it.
+
+#include <vector>
+
+#include "rendering/reference/Reference.h"
+
+namespace fenestra::reference {
+
+/// Of one ray.
+struct LensPoint {
+  glm::dvec3 normal{0.0};  ///< of the context's first surface, along the view's axes; 0 where it has none
+  double distance;         ///< mm from the lens's middle; NaN where no context lies before the focus
+  double share;            ///< w: how much of what the opening removes shows
+  double line;             ///< of the picture's opacity, which the line around the lens takes from each channel
+};
+
+/// Of pixels of a picture with a lens, whose first hits are `hits`.
+std::vector<LensPoint> lensPoints(const Scene& scene, const Camera& camera, glm::ivec2 size, const HitPoints& hits,
+                                  const std::vector<glm::ivec2>& pixels);
+
+}  // namespace fenestra::reference
