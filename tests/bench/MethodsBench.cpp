@@ -79,6 +79,10 @@ double meanDifference(const Pixels& a, const Pixels& b) {
   return sum / (static_cast<double>(a.size()) / 4.0);
 }
 
+double meanOf(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
 /// Of a method, over all views.
 struct Measured {
   std::vector<double> seen;    ///< share of the focus
@@ -87,9 +91,6 @@ struct Measured {
   std::vector<double> milliseconds;
   double error = 0.0;  ///< of 99.9 % of the pixels of the first view, 1/255
 
-  double meanOf(const std::vector<double>& values) const {
-    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-  }
   double medianTime() const {
     std::vector<double> sorted = milliseconds;
     std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2), sorted.end());
@@ -97,9 +98,10 @@ struct Measured {
   }
 };
 
-class Subjected {
+/// Measures methods on one subject.
+class MethodMeasurement {
  public:
-  Subjected(Scene scene, const Arguments& arguments)
+  MethodMeasurement(Scene scene, const Arguments& arguments)
       : scene_(std::move(scene)),
         arguments_(arguments),
         framing_(visibleFraming(shownVolume(scene_), scene_.look.context.shifted())),
@@ -201,18 +203,18 @@ const char* const text =
     "nearer, except by what it leaves out.";
 
 Section sectionOf(const Subject& subject, const Arguments& arguments) {
-  Subjected subjected(app::loadScene(subject.options).scene, arguments);
+  MethodMeasurement measurement(app::loadScene(subject.options).scene, arguments);
   Section section;
-  section.title = subject.name + " (" + number(subjected.changeOfPlain()) + ")";
+  section.title = subject.name + " (" + number(measurement.changeOfPlain()) + ")";
   Table table{
       subject.id, {"method", "focus seen", "least", "picture kept", "least kept", "turning", "ms", "error"}, {}};
   for (const MethodVariant& variant : methodVariants()) {
-    const Measured measured = subjected.measure(variant.method);
+    const Measured measured = measurement.measure(variant.method);
     const auto least = [](const std::vector<double>& values) {
       return *std::min_element(values.begin(), values.end());
     };
-    table.rows.push_back({variant.caption, fixed(measured.meanOf(measured.seen), 3), fixed(least(measured.seen), 3),
-                          fixed(measured.meanOf(measured.kept), 3), fixed(least(measured.kept), 3),
+    table.rows.push_back({variant.caption, fixed(meanOf(measured.seen), 3), fixed(least(measured.seen), 3),
+                          fixed(meanOf(measured.kept), 3), fixed(least(measured.kept), 3),
                           number(*std::max_element(measured.turned.begin(), measured.turned.end())),
                           fixed(measured.medianTime(), 1), number(measured.error)});
     std::cerr << subject.id << ", " << variant.name << '\n';
