@@ -36,23 +36,23 @@ uniform sampler2D protectedLayer;
 #if FAINT
 uniform sampler2D faintLayer;
 #if FAINT == 4
-TEXELS_2D(rgba32f, lensSurface);  // LensPass
+uniform sampler2D lensSurface;  // LensPass; a sampler as protectedLayer is
 uniform vec3 lens;                // 1/mm of its radius; bends; rim
 uniform int lensFade;             // LensFade (rendering/scene/Method.h, which has the formula)
 
 // How far out a place is, in radii, along the context's surface; beyond anything where that has no place before the focus.
 float placeInLens(ivec2 pixel) {
-  float distance = texelOf(lensSurface, pixel).w;
+  float distance = texelFetch(lensSurface, pixel, 0).w;
   return isNone(distance) ? FAR : distance * lens.x;
 }
 
 float faintShare(ivec2 pixel, vec2 hit) {
-  vec3 normal = texelOf(lensSurface, pixel).xyz, bend = vec3(0.0);
+  vec3 normal = texelFetch(lensSurface, pixel, 0).xyz, bend = vec3(0.0);
   ivec2 last = imageSize(picture) - 1;
   for (int i = 0; i < 4; ++i) {
     ivec2 step = (i & 2) == 0 ? ivec2(1, 0) : ivec2(0, 1);
     ivec2 beside = clamp((i & 1) == 0 ? pixel + step : pixel - step, ivec2(0), last);
-    bend += abs(texelOf(lensSurface, beside).xyz - normal);
+    bend += abs(texelFetch(lensSurface, beside, 0).xyz - normal);
   }
   float place = placeInLens(pixel), kept = clamp(place, 0.0, 1.0);
   if (lensFade != 0 && place < 1.0)
