@@ -13,6 +13,7 @@
 #include "rendering/placement/FocusViews.h"
 #include "rendering/placement/Placer.h"
 #include "rendering/viewpoints/RepresentativeViews.h"
+#include "tests/bench/MarkdownTable.h"
 #include "tests/bench/PlacementSubjects.h"
 
 namespace fenestra::bench {
@@ -88,24 +89,6 @@ Row measure(const Structure& structure) {
   return row;
 }
 
-std::string number(double value, int digits) {
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(digits) << value;
-  return text.str();
-}
-
-std::string tableRow(const std::vector<std::string>& cells) {
-  std::string line = "|";
-  for (const std::string& cell : cells) line += " " + cell + " |";
-  return line + "\n";
-}
-
-std::string header(const std::vector<std::string>& cells) {
-  std::string rule = "|---|";
-  for (std::size_t i = 1; i < cells.size(); ++i) rule += "---:|";
-  return tableRow(cells) + rule + "\n";
-}
-
 /// "mean (least … greatest)" of the values that there are.
 std::string summary(const std::vector<double>& values, int digits) {
   double sum = 0.0, count = 0.0, least = 1e300, greatest = -1e300;
@@ -117,7 +100,7 @@ std::string summary(const std::vector<double>& values, int digits) {
     ++count;
   }
   if (count == 0.0) return "–";
-  return number(sum / count, digits) + " (" + number(least, digits) + " … " + number(greatest, digits) + ")";
+  return fixed(sum / count, digits) + " (" + fixed(least, digits) + " … " + fixed(greatest, digits) + ")";
 }
 
 std::vector<const Row*> realOnes(const std::vector<Row>& rows) {
@@ -130,7 +113,7 @@ std::vector<const Row*> realOnes(const std::vector<Row>& rows) {
 std::string correlationTable(const std::vector<Row>& rows) {
   std::vector<std::string> cells{"descriptor"};
   for (const char* with : comparedWith) cells.emplace_back(with);
-  std::string table = header(cells);
+  std::string table = tableHeader(cells);
   for (std::size_t d = 0; d < viewDescriptors().size(); ++d) {
     cells = {std::string(viewDescriptors()[d].name)};
     for (std::size_t i = 0; i < comparedWith.size(); ++i) {
@@ -147,7 +130,7 @@ std::string correlationTable(const std::vector<Row>& rows) {
 std::string alikenessTable(const std::vector<Row>& rows) {
   std::vector<std::string> cells{"descriptor"};
   for (const ViewDescriptorEntry& entry : viewDescriptors()) cells.emplace_back(entry.name);
-  std::string table = header(cells);
+  std::string table = tableHeader(cells);
   for (std::size_t d = 0; d < viewDescriptors().size(); ++d) {
     cells = {std::string(viewDescriptors()[d].name)};
     for (std::size_t other = 0; other < viewDescriptors().size(); ++other) {
@@ -157,7 +140,7 @@ std::string alikenessTable(const std::vector<Row>& rows) {
           sum += row->alikeness[d][other];
           ++count;
         }
-      cells.push_back(count > 0.0 ? number(sum / count, 2) : "–");
+      cells.push_back(count > 0.0 ? fixed(sum / count, 2) : "–");
     }
     table += tableRow(cells);
   }
@@ -170,11 +153,11 @@ std::string choiceTable(const std::vector<Row>& rows, int digits, const std::str
   std::vector<std::string> cells{"structure"};
   for (const ViewDescriptorEntry& entry : viewDescriptors()) cells.emplace_back(entry.name);
   if (!more.empty()) cells.push_back(more);
-  std::string table = header(cells);
+  std::string table = tableHeader(cells);
   for (const Row& row : rows) {
     cells = {row.name};
-    for (const auto& choice : row.choices) cells.push_back(choice ? number(of(*choice), digits) : "–");
-    if (!more.empty()) cells.push_back(number(row.shareOfC1, digits) + " / " + number(row.bestShare, digits));
+    for (const auto& choice : row.choices) cells.push_back(choice ? fixed(of(*choice), digits) : "–");
+    if (!more.empty()) cells.push_back(fixed(row.shareOfC1, digits) + " / " + fixed(row.bestShare, digits));
     table += tableRow(cells);
   }
   cells = {"**mean of the real ones**"};
@@ -185,7 +168,7 @@ std::string choiceTable(const std::vector<Row>& rows, int digits, const std::str
         sum += of(*row->choices[d]);
         ++count;
       }
-    cells.push_back(count > 0.0 ? number(sum / count, digits) : "–");
+    cells.push_back(count > 0.0 ? fixed(sum / count, digits) : "–");
   }
   if (!more.empty()) {
     double ofC1 = 0.0, best = 0.0;
@@ -194,7 +177,7 @@ std::string choiceTable(const std::vector<Row>& rows, int digits, const std::str
       ofC1 += row->shareOfC1 / static_cast<double>(real.size());
       best += row->bestShare / static_cast<double>(real.size());
     }
-    cells.push_back(number(ofC1, digits) + " / " + number(best, digits));
+    cells.push_back(fixed(ofC1, digits) + " / " + fixed(best, digits));
   }
   return table + tableRow(cells);
 }
@@ -233,12 +216,12 @@ std::string page(const std::vector<Row>& rows, const std::string& gl) {
          "together; they may lie at any angle. *joint pair*: that of the two cameras of the joint search, which stay "
          "60° "
          "to 120° apart.\n\n"
-      << header({"structure", "views", "share", "tour", "first two", "joint pair"});
+      << tableHeader({"structure", "views", "share", "tour", "first two", "joint pair"});
   for (const Row& row : rows) {
     const std::vector<double>& shares = row.views.shares;
-    out << tableRow({row.name, std::to_string(shares.size()), shares.empty() ? "–" : number(shares.back(), 3),
-                     number(row.tourDegrees, 0) + "°", shares.size() < 2 ? "–" : number(shares[1], 3),
-                     number(row.shareOfPair, 3)});
+    out << tableRow({row.name, std::to_string(shares.size()), shares.empty() ? "–" : fixed(shares.back(), 3),
+                     fixed(row.tourDegrees, 0) + "°", shares.size() < 2 ? "–" : fixed(shares[1], 3),
+                     fixed(row.shareOfPair, 3)});
   }
   return out.str();
 }

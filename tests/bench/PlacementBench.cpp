@@ -18,10 +18,13 @@
 #include "rendering/placement/Placer.h"
 #include "rendering/viewpoints/Sphere.h"
 #include "tests/bench/DescriptorsPage.h"
+#include "tests/bench/MarkdownTable.h"
 #include "tests/bench/PlacementSubjects.h"
 
 namespace fenestra {
 namespace {
+
+using bench::fixed, bench::tableHeader, bench::tableRow;
 
 using namespace placement;
 using bench::Structure;
@@ -250,35 +253,15 @@ Scaled measureScaled(int voxels) {
   return scaled;
 }
 
-std::string number(double value, int digits) {
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(digits) << value;
-  return text.str();
-}
-
-std::string tableRow(const std::vector<std::string>& cells) {
-  std::string line = "|";
-  for (const std::string& cell : cells) line += " " + cell + " |";
-  return line + "\n";
-}
-
-std::string header(const std::vector<std::string>& cells) {
-  return tableRow(cells) + "|" + [&] {
-    std::string rule;
-    for (std::size_t i = 0; i < cells.size(); ++i) rule += i == 0 ? "---|" : "---:|";
-    return rule;
-  }() + "\n";
-}
-
 std::string angleTable(const std::vector<Row>& rows, double Deviation::*angle) {
   std::vector<std::string> cells{"N"};
   for (const int count : counts) cells.push_back(std::to_string(count));
   cells.push_back("refined");
-  std::string table = header(cells);
+  std::string table = tableHeader(cells);
   for (const Row& row : rows) {
     cells = {row.name};
-    for (const Deviation& d : row.brute) cells.push_back(number(d.*angle, 1));
-    cells.push_back(number(row.refined.*angle, 2) + " (" + std::to_string(row.refinedImages) + ")");
+    for (const Deviation& d : row.brute) cells.push_back(fixed(d.*angle, 1));
+    cells.push_back(fixed(row.refined.*angle, 2) + " (" + std::to_string(row.refinedImages) + ")");
     table += tableRow(cells);
   }
   return table;
@@ -301,12 +284,12 @@ PairMeasures meanOf(const std::vector<Row>& rows, bool tuned, const std::functio
 }
 
 std::vector<std::string> cellsOf(const PairMeasures& pair) {
-  return {number(pair.degrees, 0) + "°", number(pair.share, 3), number(pair.endFace, 2)};
+  return {fixed(pair.degrees, 0) + "°", fixed(pair.share, 3), fixed(pair.endFace, 2)};
 }
 
 std::string pairTable(const std::vector<Row>& rows, bool tuned) {
   std::string table =
-      header({"structure", "angle before", "share before", "end face before", "angle", "share", "end face"});
+      tableHeader({"structure", "angle before", "share before", "end face before", "angle", "share", "end face"});
   const auto add = [&](const std::string& name, const PairMeasures& before, const PairMeasures& after) {
     std::vector<std::string> cells{name};
     for (const PairMeasures& pair : {before, after})
@@ -337,7 +320,7 @@ std::string pairSection(const std::vector<Row>& rows) {
          "the best fifteen of the joint search's trials, and the default. A view wholly through a cut end then costs "
          "as "
          "much as a tenth of the surface.\n\n"
-      << header({"share weight; visibility, coverage, location, end face", "score", "angle", "share", "end face"});
+      << tableHeader({"share weight; visibility, coverage, location, end face", "score", "angle", "share", "end face"});
   const std::vector<Options> trials = trialOptions();
   std::vector<std::pair<double, std::size_t>> order;
   std::vector<PairMeasures> means;
@@ -351,10 +334,10 @@ std::string pairSection(const std::vector<Row>& rows) {
     const Weights& w = trials[i].weights;
     const bool isUsual = trials[i] == usual;
     if (rank >= 15 && !isUsual) continue;
-    std::vector<std::string> cells{number(trials[i].shareWeight, 2) + "; " + number(w.visibility, 2) + ", " +
-                                       number(w.coverage, 0) + ", " + number(w.location, 1) + ", " +
-                                       number(w.endFace, 1) + (isUsual ? " (default)" : ""),
-                                   number(means[i].score(), 4)};
+    std::vector<std::string> cells{fixed(trials[i].shareWeight, 2) + "; " + fixed(w.visibility, 2) + ", " +
+                                       fixed(w.coverage, 0) + ", " + fixed(w.location, 1) + ", " + fixed(w.endFace, 1) +
+                                       (isUsual ? " (default)" : ""),
+                                   fixed(means[i].score(), 4)};
     for (const std::string& cell : cellsOf(means[i])) cells.push_back(cell);
     out << tableRow(cells);
   }
@@ -375,43 +358,43 @@ std::string page(const std::vector<Row>& rows, const std::vector<Scaled>& scalin
       << angleTable(rows, &Deviation::c2)
       << "\nQuality lost to the converged answer. *Error*: scatter of the qualities against images four times as fine; "
          "what is below it is a tie.\n\n";
-  out << header({"structure", "image", "error", "C1, N = 192", "C1, N = 1200", "C1, refined", "C2, refined"});
+  out << tableHeader({"structure", "image", "error", "C1, N = 192", "C1, N = 1200", "C1, refined", "C2, refined"});
   for (const Row& row : rows)
-    out << tableRow({row.name, std::to_string(row.side) + "²", number(row.error, 5), number(row.brute[3].lost, 5),
-                     number(row.brute.back().lost, 5), number(row.refined.lost, 5), number(row.refined.lostByC2, 5)});
+    out << tableRow({row.name, std::to_string(row.side) + "²", fixed(row.error, 5), fixed(row.brute[3].lost, 5),
+                     fixed(row.brute.back().lost, 5), fixed(row.refined.lost, 5), fixed(row.refined.lostByC2, 5)});
   out << "\n## Share of the focus's surface that the pair sees\n\nN = 192 and the six standard views. *checked*: the "
          "joint search's pair looked at with "
       << manyPoints << " points.\n\n"
-      << header({"structure", "best standard pair", "stream", "semi-sphere", "joint, stream", "joint, semi-sphere",
-                 "checked"});
+      << tableHeader({"structure", "best standard pair", "stream", "semi-sphere", "joint, stream", "joint, semi-sphere",
+                      "checked"});
   for (const Row& row : rows)
-    out << tableRow({row.name, number(row.standard, 3), number(row.stream, 3), number(row.semiSphere, 3),
-                     number(row.jointStream, 3), number(row.joint, 3), number(row.jointByMore, 3)});
+    out << tableRow({row.name, fixed(row.standard, 3), fixed(row.stream, 3), fixed(row.semiSphere, 3),
+                     fixed(row.jointStream, 3), fixed(row.joint, 3), fixed(row.jointByMore, 3)});
   out << "\n## Times\n\nMilliseconds, median of five after one run. *images*: N = 192 candidate images alone; *ends*: "
          "with end faces; "
          "*measure*: with what each candidate sees of the surface, and all descriptors; *refined*: the same, refined; "
          "*choose*: C1 and C2 after a change of weights; *joint*: the joint search; *C2*: C2 for a dragged C1.\n\n"
-      << header({"structure", "images", "ends", "measure", "refined", "choose", "joint", "joint, N = 1200", "C2"});
+      << tableHeader({"structure", "images", "ends", "measure", "refined", "choose", "joint", "joint, N = 1200", "C2"});
   for (const Row& row : rows)
-    out << tableRow({row.name, number(row.images, 0), number(row.ends, 0), number(row.measure, 0),
-                     number(row.refine, 0), number(row.choose, 2), number(row.chooseJoint, 2),
-                     number(row.chooseJointOfMany, 1), number(row.dual, 2)});
+    out << tableRow({row.name, fixed(row.images, 0), fixed(row.ends, 0), fixed(row.measure, 0), fixed(row.refine, 0),
+                     fixed(row.choose, 2), fixed(row.chooseJoint, 2), fixed(row.chooseJointOfMany, 1),
+                     fixed(row.dual, 2)});
   out << "\n## Scaling\n\nMilliseconds for N candidate images, one run each.\n\n";
   std::vector<std::string> cells{"N"};
   for (const int count : counts) cells.push_back(std::to_string(count));
-  out << header(cells);
+  out << tableHeader(cells);
   for (const Row& row : rows) {
     cells = {row.name};
-    for (const double time : row.times) cells.push_back(number(time, 0));
+    for (const double time : row.times) cells.push_back(fixed(time, 0));
     out << tableRow(cells);
   }
   out << "\nThe phantom torso's organs in volumes of growing size; milliseconds for N = 192, median of five.\n\n"
-      << header({"voxels", "millions", "images", "measure"});
+      << tableHeader({"voxels", "millions", "images", "measure"});
   for (const Scaled& scaled : scaling)
     out << tableRow(
         {std::to_string(scaled.dims.x) + "×" + std::to_string(scaled.dims.y) + "×" + std::to_string(scaled.dims.z),
-         number(1e-6 * scaled.dims.x * scaled.dims.y * scaled.dims.z, 1), number(scaled.images, 0),
-         number(scaled.measure, 0)});
+         fixed(1e-6 * scaled.dims.x * scaled.dims.y * scaled.dims.z, 1), fixed(scaled.images, 0),
+         fixed(scaled.measure, 0)});
   out << pairSection(rows);
   return out.str();
 }
@@ -474,7 +457,7 @@ int run(const std::filesystem::path& folder, const std::string& part, bool onlyD
     const auto start = std::chrono::steady_clock::now();
     rows.push_back(measureStructure(structure));
     const Row& row = rows.back();
-    std::cerr << row.name << ": " << number(millisecondsSince(start) / 1000.0, 1) << " s; refined C1 " << row.refined.c1
+    std::cerr << row.name << ": " << fixed(millisecondsSince(start) / 1000.0, 1) << " s; refined C1 " << row.refined.c1
               << "°, C2 " << row.refined.c2 << "°, lost " << row.refined.lost << ", " << row.refinedImages
               << " images\n";
     // After each, so that a run cut short leaves what it has.
