@@ -47,6 +47,7 @@
 #include "viewer/style/Style.h"
 #include "viewer/views/PlacementRenderer.h"
 #include "viewer/views/PreviewRenderer.h"
+#include "viewer/views/RepaintsByRound.h"
 #include "viewer/views/ViewArea.h"
 
 namespace fenestra::viewer {
@@ -96,6 +97,7 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
                         workspace_.brush, workspace_.measuring, gl_,
                         setup.atRest.value_or(workspace_.preferences.atRest()), setup.chooseSchedule);
   views_->warmUp(setup.expected);
+  if (views_->turns()) new RepaintsByRound(*this, views_->turns());
   notices_ = new NoticeBar;
   sessions_ = new Sessions(*this, workspace_, loader_, *notices_,
                            {.describe = [this](io::Session& session) { views_->describe(session); },

@@ -14,6 +14,10 @@
 namespace fenestra::viewer {
 namespace {
 
+/// Milliseconds that a text stays, so that it can be read. A new one has the window put together from more parts than
+/// new pictures have.
+constexpr qint64 readable = 500;
+
 /// "L 12.3  P 45.0  S 101.2 mm": the patient's own directions instead of signs.
 QString patientCoordinates(glm::dvec3 world) {
   const auto one = [](double value, char positive, char negative) {
@@ -41,7 +45,9 @@ StatusBar::StatusBar(const Document& document, const ViewArea& views, const GlSu
 
   connect(&views, &ViewArea::pointed, this, &StatusBar::pointAt);
   connect(&views, &ViewArea::left, pointer_, &QLabel::clear);
-  connect(&views, &ViewArea::drawn, this, &StatusBar::showFrame);
+  connect(&views, &ViewArea::drawn, this, [this] {
+    if (views_.isSettled() || !sinceFrame_.isValid() || sinceFrame_.hasExpired(readable)) showFrame();
+  });
 }
 
 void StatusBar::pointAt(glm::dvec3 world) {
@@ -73,6 +79,7 @@ void StatusBar::showFrame() {
   else
     text += QStringLiteral(", ") + nameOf(effort);
   frame_->setText(text);
+  sinceFrame_.start();
   layout()->activate();  // a picture of the window may be taken before the next event
 }
 

@@ -3,6 +3,7 @@
 
 #include <glm/glm.hpp>
 
+#include <QElapsedTimer>
 #include <QStatusBar>
 
 class QLabel;
@@ -18,7 +19,7 @@ class StatusBar : public QStatusBar {
  public:
   StatusBar(const Document& document, const ViewArea& views, const GlSupport& gl, QWidget* parent = nullptr);
 
-  /// Shows time and sampling of the last picture. It does so itself once that is on screen.
+  /// Shows time and sampling of the last picture. It does so itself once that is on screen, in a motion twice a second.
   void showFrame();
 
  private:
@@ -28,6 +29,7 @@ class StatusBar : public QStatusBar {
   const Document& document_;
   const ViewArea& views_;
   QLabel *pointer_, *frame_;
+  QElapsedTimer sinceFrame_;  ///< since the last text of frame_
 };
 
 }  // namespace fenestra::viewer

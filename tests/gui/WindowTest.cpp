@@ -18,6 +18,7 @@
 #include "viewer/panels/FocusPanel.h"
 #include "viewer/panels/LabelList.h"
 #include "viewer/panels/SliderSpin.h"
+#include "viewer/views/RepaintsByRound.h"
 
 namespace fenestra::viewer {
 namespace {
@@ -107,6 +108,62 @@ TEST_F(Window, ATypedFocusValueIsOneStepAndUndoneFromItsBox) {
   QTest::keyClick(*low, Qt::Key_Z, Qt::ControlModifier);
   EXPECT_EQ(document().focus(), Focus(ValueFocus{{123.0, 800.0}, 0.0}));
   EXPECT_EQ((*low)->value(), 123.0);
+}
+
+TEST_F(Window, WhatChangesWhilePicturesAreDrawnIsShownWithThem) {
+  waitUntilDrawn();
+  long repaints = 0;
+  QObject::connect(volume(0), &QOpenGLWidget::frameSwapped, window_.get(), [&] { ++repaints; });
+  const long frames = views().pacer().frames();
+  cameras().orbit(0, 0.1, 0.0);
+  window_->statusBar()->showMessage(QStringLiteral("while both views draw"));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return views().pacer().frames() > frames; }, patience));
+  EXPECT_EQ(views().pacer().frames(), frames + 1);
+  EXPECT_EQ(repaints, 1);
+}
+
+TEST_F(Window, TheEndOfADragIsFollowedByThePictureAtRest) {
+  waitUntilDrawn();
+  const long frames = views().pacer().frames();
+  const glm::dvec3 eye = cameras().camera(0).eye;
+  drag(volume(0), {60, 60}, {90, 60});  // within one event: the frame of its last step is still due
+  waitUntilDrawn();
+  EXPECT_NE(cameras().camera(0).eye, eye);
+  EXPECT_EQ(views().pacer().frames(), frames);
+  EXPECT_EQ(volume(0)->finishedPicture()->view.camera,
+            cameras().camera(0).fittedTo(static_cast<double>(volume(0)->width()) / volume(0)->height()));
+}
+
+/// Counts its paint events, and notes how many turns there were before the last one.
+struct CountingWidget : QWidget {
+  int paints = 0, turns = 0, turnsBefore = 0;
+  void paintEvent(QPaintEvent*) override {
+    ++paints;
+    turnsBefore = turns;
+  }
+};
+
+TEST(RepaintsByRound, ARepaintWaitsForTheEndOfTheRoundAndNoLonger) {
+  const FramePacer pacer;
+  const auto turns = std::make_shared<DrawingTurns>(pacer);
+  CountingWidget window;
+  new RepaintsByRound(window, turns);
+  window.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+  QTest::qWait(100);  // whatever the window system still asks for
+  const int before = window.paints;
+  window.update();
+  QCoreApplication::processEvents();
+  EXPECT_EQ(window.paints, before + 1) << "no view draws";
+
+  QObject::connect(turns.get(), &DrawingTurns::turn, &window, [&](int view) {
+    if (++window.turns < 20) turns->ask(view);  // as in a drag: the next round follows at once
+  });
+  turns->ask(0);
+  turns->ask(1);
+  window.update();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window.paints > before + 1; }, patience));
+  EXPECT_EQ(window.turnsBefore, 2) << "painted between the views of a round, or later than at its end";
 }
 
 TEST_F(Window, AtRestTheStatusBarTellsOfThePictureAtRest) {

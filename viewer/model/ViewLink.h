@@ -67,6 +67,8 @@ class ViewLink : public QObject {
   /// Brings a view, and its linked partner, `factor` times nearer.
   void zoom(int view, double factor);
   void pan(int view, double rightMm, double upMm);
+  /// A drag of a view has ended: its cameras stay where they are.
+  void release() { Q_EMIT released(); }
   /// Changes the projection of both views. Objects at the target keep their size on screen.
   void setProjection(Projection projection);
   Projection projection() const { return cameras_[0].projection; }
@@ -76,6 +78,7 @@ class ViewLink : public QObject {
   /// A view was turned by hand; its linked partner has turned too.
   void turned(int view);
   void landed();
+  void released();
   void frozenChanged();
   void linkedChanged(bool linked);
   void projectionChanged(Projection projection);

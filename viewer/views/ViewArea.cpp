@@ -39,7 +39,8 @@ ViewArea::ViewArea(Document& document, SliceCursor& cursor, ViewLink& cameras, V
   };
   if (gl.available) {
     preparation_ = std::make_shared<ScenePreparation>(chooseSchedule);
-    const VolumeView::Shared shared{preparation_, pacer_, std::make_shared<DrawingTurns>(*pacer_)};
+    turns_ = std::make_shared<DrawingTurns>(*pacer_);
+    const VolumeView::Shared shared{preparation_, pacer_, turns_};
     for (int index = 0; index < ViewLink::count; ++index) {
       auto* view = new VolumeView(index, document, cursor, cameras, options, brush, shared);
       connectView(view);

@@ -77,6 +77,7 @@ VolumeView::VolumeView(int index, Document& document, SliceCursor& cursor, ViewL
   connect(&cameras, &ViewLink::changed, this, [this](int view) {
     if (view == index_) follow();
   });
+  connect(&cameras, &ViewLink::released, this, &VolumeView::settleAtOnce);
   const auto repaint = [this] { update(); };
   connect(shared_.turns.get(), &DrawingTurns::turn, this, [this, isAwaited](int view) {
     if (view == index_ && !*isAwaited) draw(shownScene());
@@ -171,6 +172,13 @@ void VolumeView::settle() {
   refinement_ = first.value_or(shared_.pacer->atRest());
   shared_.pacer->refine(index_, first ? 0 : 1);
   refining_.start(0);
+}
+
+void VolumeView::settleAtOnce() {
+  if (!rest_.isActive()) return;
+  // A frame that is still due is left out: the picture at rest follows, with a draft before it where it takes long.
+  rest_.stop();
+  settle();
 }
 
 void VolumeView::stopRefining() {
@@ -470,23 +478,6 @@ std::optional<VolumeView::Hit> VolumeView::pick(QPointF position) {
     hit = Hit{*start, opened ? opened->removed : 0.0};
   });
   return hit;
-}
-
-glm::dvec3 VolumeView::surfaceAt(const Hit& hit) const {
-  const glm::dvec3 ray = rayThrough(hit.start);
-  const glm::dvec3 seen = hit.removed > 0.0 ? seenAt(hit) : hit.start;
-  // The start lies on the surface between two voxels. Half a voxel further along the ray is the voxel that is seen.
-  return glm::dot(seen - hit.start, ray) < 0.0 ? seen : hit.start + halfVoxel() * ray;
-}
-
-double VolumeView::halfVoxel() const {
-  const glm::dvec3 spacing = document_.scene().volume->grid.spacing;
-  return 0.5 * std::min({spacing.x, spacing.y, spacing.z});
-}
-
-glm::dvec3 VolumeView::rayThrough(glm::dvec3 world) const {
-  const Camera camera = picture_->shownView().camera;
-  return camera.projection == Projection::Perspective ? glm::normalize(world - camera.eye) : camera.axes().forward;
 }
 
 double VolumeView::mmPerPixel(const Camera& camera) const {

@@ -124,6 +124,8 @@ class VolumeView : public QOpenGLWidget {
   void follow();
   /// Begins to refine the picture.
   void settle();
+  /// The same at the end of a drag, without waiting for another move.
+  void settleAtOnce();
   /// Reports raysStarted(), and that what was reported no longer holds.
   void reportStarts();
   void forgetStarts();

@@ -23,8 +23,6 @@ namespace {
 constexpr double clickSlack = 4.0;  ///< device-independent pixels between press and release of a click
 /// Until what lies under the mouse is read: a moving mouse reads nothing.
 constexpr int hoverMilliseconds = 40;
-/// From the end of a drag until the picture is refined: time for the frame that is due.
-constexpr int releasedMilliseconds = 20;
 constexpr double arrowTurn = glm::pi<double>() / 36.0;  ///< 5 degrees
 
 }  // namespace
@@ -71,7 +69,7 @@ void VolumeView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void VolumeView::mouseReleaseEvent(QMouseEvent* event) {
-  if (dragging_ && rest_.isActive()) rest_.start(releasedMilliseconds);
+  if (dragging_) cameras_.release();
   if (brushTool_.release(*event) || clipTool_.release(*event) || dragging_ || !document_.hasVolume()) return;
   const std::optional<Hit> hit = pick(event->position());
   if (!hit) return;
@@ -85,6 +83,23 @@ void VolumeView::mouseReleaseEvent(QMouseEvent* event) {
 glm::dvec3 VolumeView::seenAt(const Hit& hit) const {
   const glm::dvec3 ray = rayThrough(hit.start);
   return seenPoint(shownScene(), hit.start, ray, hit.removed).value_or(hit.start + halfVoxel() * ray);
+}
+
+glm::dvec3 VolumeView::surfaceAt(const Hit& hit) const {
+  const glm::dvec3 ray = rayThrough(hit.start);
+  const glm::dvec3 seen = hit.removed > 0.0 ? seenAt(hit) : hit.start;
+  // The start lies on the surface between two voxels. Half a voxel further along the ray is the voxel that is seen.
+  return glm::dot(seen - hit.start, ray) < 0.0 ? seen : hit.start + halfVoxel() * ray;
+}
+
+double VolumeView::halfVoxel() const {
+  const glm::dvec3 spacing = document_.scene().volume->grid.spacing;
+  return 0.5 * std::min({spacing.x, spacing.y, spacing.z});
+}
+
+glm::dvec3 VolumeView::rayThrough(glm::dvec3 world) const {
+  const Camera camera = picture_->shownView().camera;
+  return camera.projection == Projection::Perspective ? glm::normalize(world - camera.eye) : camera.axes().forward;
 }
 
 void VolumeView::readUnderMouse() {
