@@ -107,6 +107,24 @@ TEST_F(EditorWindow, ADragThatReturnsOrIsCancelledLeavesNothing) {
   EXPECT_EQ(steps(), 0);
 }
 
+TEST_F(EditorWindow, AStudyThatArrivesDuringADragKeepsItsFunction) {
+  document().setPreset("ct-bone");
+  const QPoint from = nodeAt(2), to = from + QPoint(20, 20);
+  const auto moveTo = [&](QPoint at) {
+    QMouseEvent move(QEvent::MouseMove, at, plot().mapToGlobal(at), Qt::NoButton, Qt::LeftButton, {});
+    QApplication::sendEvent(&plot(), &move);
+  };
+  QTest::mousePress(&plot(), Qt::LeftButton, {}, from);
+  moveTo(to);
+  const Study study = markedBall();
+  open(study);
+  EXPECT_EQ(document().look(), study.scene.look);
+  moveTo(from);
+  QTest::mouseRelease(&plot(), Qt::LeftButton, {}, from);
+  EXPECT_EQ(document().look(), study.scene.look);
+  EXPECT_EQ(steps(), 0);
+}
+
 TEST_F(EditorWindow, ADoubleClickAddsAPointAndDeleteRemovesIt) {
   const Look before = document().look();
   QTest::mouseDClick(&plot(), Qt::LeftButton, {}, at(500.0, 0.5));
