@@ -182,7 +182,7 @@ void Occlusion::appendCrossings(const Piece& piece, std::vector<double>& places)
   for (int axis = 0; axis < 3; ++axis) {
     const double side = medium_.side[axis], way = piece.end[axis] - piece.begin[axis];
     const auto nodeAt = [&](double within) { return (piece.cell[axis] + within + 0.5) / side - 0.5; };
-    const auto [low, high] = std::minmax(nodeAt(piece.begin[axis]), nodeAt(piece.end[axis]));
+    const auto [low, high] = std::minmax({nodeAt(piece.begin[axis]), nodeAt(piece.end[axis])});
     for (double plane = std::ceil(low); plane <= high; plane += 1.0) {
       const double s = ((plane + 0.5) * side - 0.5 - piece.cell[axis] - piece.begin[axis]) / way;
       if (s > 0.0 && s < 1.0) places.push_back(s);

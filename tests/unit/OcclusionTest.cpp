@@ -58,6 +58,18 @@ TEST(OcclusionDirections, AreSpreadEvenly) {
   }
 }
 
+TEST(OcclusionCrossings, AreThePlanesThroughTheCentresOfTheMediumsCells) {
+  const glm::ivec3 dims(8), side(2);  // centres at 0.5, 2.5, 4.5, … voxels
+  const reference::Occlusion occlusion({gridOf(side * dims), dims, side, std::vector<double>(512, 0.0)}, Shading{},
+                                       {0.0, 0.0, 1.0});
+  const reference::Piece piece{{4, 4, 6}, 0.0, 1.0, {0.2, 0.9, 0.5}, {1.0, 0.1, 0.5}};
+  std::vector<double> places;
+  occlusion.appendCrossings(piece, places);
+  ASSERT_EQ(places.size(), 2u);
+  EXPECT_NEAR(places[0], 0.375, 1e-12);
+  EXPECT_NEAR(places[1], 0.5, 1e-12);  // along y the piece runs downwards
+}
+
 /// Under a slab of 6 mm of 0.3/mm light is as in closed form, at any slant.
 TEST(Shadow, OfASlabIsItsTransmittance) {
   const OccludingMedium medium =
