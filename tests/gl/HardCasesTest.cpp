@@ -387,7 +387,9 @@ TEST_P(HardCases, withOcclusionAndShadow) {
   const double without = worstOfFocusLayer(shot);
   shot.scene.look.shading.occlusion = 0.9;
   shot.scene.look.shading.shadow = 0.8;
-  EXPECT_LE(worstOfFocusLayer(shot), std::max(GetParam().colourLimit, without));
+  // With occlusion the reference integrates in more pieces, so that its own error differs.
+  const double ofReference = 2.0 * 255.0 * reference::PictureOptions{}.tolerance;
+  EXPECT_LE(worstOfFocusLayer(shot), std::max(GetParam().colourLimit, without + ofReference));
 }
 
 /// Ray starts of another method than the adaptive cutaway, whose own have tests of their own.
