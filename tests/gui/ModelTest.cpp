@@ -287,18 +287,18 @@ TEST(FramePacer, ShrinksUntilTheFrameFitsItsBudget) {
 
 TEST(FramePacer, WhereThereIsNoTimeTheLinkedViewSkipsFrames) {
   FramePacer pacer;
-  const Paced paced = drag(pacer, 800.0, 20.0);
+  const Paced paced = drag(pacer, 960.0, 20.0);
   EXPECT_EQ(paced.leader.scale, FramePacer::leastScale);
-  EXPECT_EQ(paced.follower.scale, FramePacer::leastScale);
+  EXPECT_EQ(paced.follower.scale, FramePacer::leastFollowingScale);
   EXPECT_GT(paced.frame, FramePacer::budget);
   EXPECT_GT(pacer.framesPerFollowing(), 1);
-  const double alone = paced.frame - 800.0 * FramePacer::leastScale * FramePacer::leastScale;
+  const double alone = paced.frame - 960.0 * paced.follower.scale * paced.follower.scale;
   EXPECT_LE(alone, FramePacer::budget) << "the other one keeps the rate";
 }
 
 TEST(FramePacer, TheLinkedViewRatherComesLateThanInEveryOtherFrame) {
   FramePacer pacer;
-  const Paced paced = drag(pacer, 560.0, 20.0);
+  const Paced paced = drag(pacer, 720.0, 20.0);
   EXPECT_GT(paced.frame, FramePacer::budget);
   EXPECT_EQ(pacer.framesPerFollowing(), 1);
 }

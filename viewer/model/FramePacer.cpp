@@ -61,7 +61,7 @@ Effort FramePacer::moving(int count, bool leads) const {
   const double scale = std::sqrt(time * share / std::max(cost, 1e-3));
   // In steps of a sixteenth, so that the renderer seldom has to allocate images of another size.
   const double stepped = std::floor(std::min(scale, 1.0) * 16.0) / 16.0;
-  return {std::max(stepped, leastScale), Quality::Draft};
+  return {std::max(stepped, count == 1 || leads ? leastScale : leastFollowingScale), Quality::Draft};
 }
 
 int FramePacer::framesPerFollowing() const {

@@ -28,6 +28,8 @@ class FramePacer {
   static constexpr double budget = 1000.0 / 12.0;
   /// Below a quarter of the resolution anatomy is hard to recognise.
   static constexpr double leastScale = 0.25;
+  /// Of a view that follows the one that the user turns, and looks at.
+  static constexpr double leastFollowingScale = 0.1875;
   /// Milliseconds that a first picture at rest may take. Where one at full quality takes more than twice as long, a
   /// draft comes before it; otherwise a draft would be on screen for less time than it delays that picture.
   static constexpr double firstAtRest = 150.0;
@@ -92,7 +94,7 @@ class FramePacer {
   long frames_ = 0;
   std::optional<double> restCost_;   ///< ms per view at rest
   std::optional<double> draftCost_;  ///< ms per view for a draft of scale 1
-  std::optional<double> overhead_;  ///< ms of a frame besides its pictures: overlays, putting the window together
+  std::optional<double> overhead_;   ///< ms of a frame besides its pictures: overlays, putting the window together
 };
 
 }  // namespace fenestra::viewer
