@@ -14,8 +14,8 @@
 namespace fenestra::viewer {
 namespace {
 
-/// Milliseconds that a text stays, so that it can be read. A new one has the window put together from more parts than
-/// new pictures have.
+/// Milliseconds that a text stays, so that it can be read. For a new text Qt also paints and uploads widgets, which
+/// slows moving pictures on software OpenGL.
 constexpr qint64 readable = 500;
 
 /// "L 12.3  P 45.0  S 101.2 mm": the patient's own directions instead of signs.

@@ -28,7 +28,7 @@ class FramePacer {
   static constexpr double budget = 1000.0 / 12.0;
   /// Below a quarter of the resolution anatomy is hard to recognise.
   static constexpr double leastScale = 0.25;
-  /// Of a view that follows the one that the user turns, and looks at.
+  /// The same for the linked view: users look at the one that they turn.
   static constexpr double leastFollowingScale = 0.1875;
   /// Milliseconds that a first picture at rest may take. Where one at full quality takes more than twice as long, a
   /// draft comes before it; otherwise a draft would be on screen for less time than it delays that picture.

@@ -14,7 +14,7 @@ RepaintsByRound::RepaintsByRound(QWidget& window, std::shared_ptr<const DrawingT
     : QObject(&window), turns_(std::move(turns)) {
   window.installEventFilter(this);
   connect(turns_.get(), &DrawingTurns::roundEnded, this, [this, &window] {
-    // Also where the next round begins at once.
+    // One repaint passes even if the next round has begun by then: pictures are shown between rounds.
     mayPass_ = true;
     if (std::exchange(isHeld_, false)) QCoreApplication::postEvent(&window, new QEvent(QEvent::UpdateRequest));
   });
