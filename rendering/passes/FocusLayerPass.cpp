@@ -35,6 +35,13 @@ int raysTogether(Schedule schedule, const FocusLayerPass::Sampling& sampling, bo
   return schedule == Schedule::Plain || sampling.maxError || lit ? 1 : 2;
 }
 
+/// Whether normals in the focus follow the volume's exactly (shaders/lib/integral/FaceToFace.glsl): of a focus of
+/// values, which has none of its own. Draft has no time for that; it is told by its tolerance.
+bool bendsNormals(const GpuScene& gpu, const FocusLayerPass::Sampling& sampling, bool lit) {
+  const bool isDraft = sampling.tolerance > FocusLayerPass::Sampling().tolerance;
+  return lit && !sampling.maxError && !isDraft && gpu.focusKind() == FocusIndex::Kind::Values;
+}
+
 // shaders/lib/PixelList.glsl.
 constexpr unsigned listBlock = 2;
 constexpr std::array<std::uint32_t, 4> emptyList{16, 0, 1, 0};
@@ -77,6 +84,7 @@ gl::ShaderProgram& FocusLayerPass::program(bool listed, const Drawn& drawn) {
                          {"FOCUS_PALETTE", static_cast<bool>(gpu.focusPaletteIndex())},
                          {"FOCUS_FUNCTIONS", gpu.focusByValue()},
                          {"FOCUS_SMOOTH", lit && gpu.focusSmooth()},
+                         {"BENT_NORMALS", bendsNormals(gpu, sampling, lit)},
                          occlusionDefine(occlusion),
                          {"LISTED", listed},
                          {"APART", opening && opening->hole},

@@ -137,6 +137,18 @@ TEST_F(QualityErrors, NormalLightsTheSideThatIsSeen) {
   EXPECT_LT(normal, 1.0) << "lit half way through each piece they would be off by 1.5";
 }
 
+TEST_F(QualityErrors, NormalLightsAFocusOfValuesByTheNormalsInItsCells) {
+  // Coarse cells, in which the volume's normals turn fast along the focus's surface.
+  Scene scene = waves(12);
+  scene.look.focus = ValueFocus{{520.0, 900.0}, 0.0};
+  scene.look.focusAppearance.extinction = 1.0;
+  scene.look.context.function = {{{0.0, {{1.0, 1.0, 1.0}, 0.0}}}};
+  scene.look.cutaway.enabled = false;
+  scene.look.shading.enabled = true;
+  // What normal quality is to keep; by one light and normals that run evenly it would be 2.06.
+  EXPECT_LT(errorsOf(scene, aside(scene), Quality::Normal).rms, 1.0);
+}
+
 TEST_F(QualityErrors, NormalStepsOverNoThinLayer) {
   // Values that run evenly, and a layer a fifth of a voxel thick, nearly transparent: from face to face it is exact but
   // for what it hides of itself.

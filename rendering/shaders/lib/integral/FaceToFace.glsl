@@ -16,6 +16,10 @@
 #include "lib/integral/Piece.glsl"
 #include "lib/integral/Settings.glsl"
 
+#ifndef BENT_NORMALS
+#define BENT_NORMALS 0
+#endif
+
 // Where a ray is, and what the volume holds there.
 struct RayPoint {
   float s;       // mm along the ray
@@ -79,17 +83,22 @@ RayPoint pointOnFace(Walk walk, Face face) {
   return point;
 }
 
+// The gated normal inside a cell, trilinear.
+vec3 gatedInside(Ray ray, ivec3 cell, float s) {
+  vec3 w = clamp(cellPosition(ray, s) - vec3(cell), 0.0, 1.0), gated = vec3(0.0);
+  for (int i = 0; i < 8; ++i) {
+    vec3 weights = mix(1.0 - w, w, bvec3(cornerOf(i)));
+    gated += weights.x * weights.y * weights.z * gatedAt(cell - 1 + cornerOf(i));
+  }
+  return gated;
+}
+
 // Trilinear between the cell's eight texels, also of a spline, as points on faces are bilinear between four.
 RayPoint pointInside(Ray ray, ivec3 cell, float s) {
   RayPoint point;
   point.s = s;
   point.stored = storedBetween(cellPosition(ray, s));
-  vec3 w = clamp(cellPosition(ray, s) - vec3(cell), 0.0, 1.0);
-  point.gated = vec3(0.0);
-  for (int i = 0; i < 8; ++i) {
-    vec3 weights = mix(1.0 - w, w, bvec3(cornerOf(i)));
-    point.gated += weights.x * weights.y * weights.z * gatedAt(cell - 1 + cornerOf(i));
-  }
+  point.gated = gatedInside(ray, cell, s);
 #if OCCLUDED
   point.open = openAt(cellPosition(ray, s));
 #endif
@@ -206,18 +215,41 @@ vec4 meanInFocus(RayPoint front, RayPoint back, vec4 function, vec4 material) {
 }
 #endif
 
-// What of a segment is in the focus. By value it is lit in two halves, as the context is.
-vec4 pieceInFocus(Walk walk, RayPoint enters, RayPoint leavesAt) {
+// Half way between two points of a segment in the focus. BENT_NORMALS: the normals of all three are on the parabola through
+// the exact one in the middle of the segment. Those of the volume turn fast at the surface of a focus of values.
+RayPoint halfWayInFocus(Walk walk, ivec3 cell, inout RayPoint enters, inout RayPoint leavesAt) {
+  RayPoint halfWay = between(enters, leavesAt, 0.5);
+#if BENT_NORMALS
+  float size = walk.back.s - walk.front.s;
+  vec3 bend = 4.0 * gatedInside(walk.ray, cell, 0.5 * (walk.front.s + walk.back.s)) -
+              2.0 * (walk.front.gated + walk.back.gated);
+  vec3 u = (vec3(enters.s, halfWay.s, leavesAt.s) - walk.front.s) / max(size, 1e-30), weights = u * (1.0 - u);
+  enters.gated += weights.x * bend;
+  halfWay.gated += weights.y * bend;
+  leavesAt.gated += weights.z * bend;
+#endif
+  return halfWay;
+}
+
+// What of a segment is in the focus. By value it is lit in two halves, as the context is; so is a focus of values in normal
+// quality.
+vec4 pieceInFocus(Walk walk, ivec3 cell, RayPoint enters, RayPoint leavesAt) {
   vec3 middle = cellPosition(walk.ray, 0.5 * (enters.s + leavesAt.s));
   vec4 material = focusMaterial(middle);
 #if FOCUS_FUNCTIONS
   vec4 function = focusTable(middle);
   if (LIT) {
-    RayPoint halfWay = between(enters, leavesAt, 0.5);
+    RayPoint halfWay = halfWayInFocus(walk, cell, enters, leavesAt);
     return over(pieceBetween(walk, enters, halfWay, meanInFocus(enters, halfWay, function, material), true),
                 pieceBetween(walk, halfWay, leavesAt, meanInFocus(halfWay, leavesAt, function, material), true));
   }
   material = meanInFocus(enters, leavesAt, function, material);
+#elif BENT_NORMALS
+  if (LIT) {
+    RayPoint halfWay = halfWayInFocus(walk, cell, enters, leavesAt);
+    return over(pieceBetween(walk, enters, halfWay, material, true),
+                pieceBetween(walk, halfWay, leavesAt, material, true));
+  }
 #endif
   return pieceBetween(walk, enters, leavesAt, material, true);
 }
@@ -264,7 +296,7 @@ vec4 focusPiece(Walk walk, ivec3 cell, vec2 part) {
   RayPoint front = walk.front, back = walk.back;
   RayPoint enters = between(front, back, part.x), leavesAt = between(front, back, max(part.x, part.y));
   vec4 before = contextBetween(walk, cell, front, enters);
-  vec4 inside = pieceInFocus(walk, enters, leavesAt);
+  vec4 inside = pieceInFocus(walk, cell, enters, leavesAt);
   vec4 behind = contextBetween(walk, cell, leavesAt, back);
   return over(over(before, inside), behind);
 }
