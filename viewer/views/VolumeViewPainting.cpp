@@ -60,10 +60,10 @@ void VolumeView::drawOverlay() {
     drawStudyText(painter, view, patientLines(document_.study().patient, document_.study().series), 0);
   clipTool_.draw(painter);
   brushTool_.draw(painter, view);
-  if (hasFocus()) {
-    painter.setPen(QColor(86, 140, 190));
-    painter.drawRect(rect().adjusted(0, 0, -1, -1));
-  }
+  // Filled, because OpenGL leaves out lines along the rim.
+  if (hasFocus())
+    for (const QRect& side : QRegion(rect()) - rect().adjusted(1, 1, -1, -1))
+      painter.fillRect(side, QColor(86, 140, 190));
 }
 
 void VolumeView::drawMarks(QPainter& painter, const Camera& camera) const {
