@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "rendering/gpu/SceneBinding.h"
+#include "rendering/scene/Fading.h"
 #include "rendering/scene/Lighting.h"
 
 namespace fenestra {
@@ -78,6 +79,7 @@ gl::ShaderProgram& FocusLayerPass::program(bool listed, const Drawn& drawn) {
                          {"FOCUS_FUNCTIONS", gpu.focusByValue()},
                          {"FOCUS_SMOOTH", lit && gpu.focusSmooth()},
                          occlusionDefine(occlusion),
+                         fadingDefine(fadingOf(look)),
                          {"LISTED", listed},
                          {"APART", opening && opening->hole},
                          rays.clipDefine(),
@@ -124,6 +126,7 @@ gl::ShaderProgram& FocusLayerPass::prepared(bool listed, const Drawn& drawn) {
   }
   if (look.shading.enabled) bindLight(gpu, program, rays.axes(), look.shading);
   bindOcclusion(gpu, program, occlusion);
+  bindFading(gpu, program, rays.camera(), rays.distance(), fadingOf(look));
   if (look.shading.enabled && gpu.focusSmooth()) {
     program.bind("focusSmooth", gpu.focusSmooth());
     program.bind("focusSmoothTexels", gpu.focusSmooth());

@@ -73,7 +73,10 @@ constexpr auto wordsOf(MethodKind) {
         "Kanitsar and Gröller 2004)"},
        {MethodKind::ClearView, "clearview", "ClearView",
         "A lens over the focus through which it shows, while what hides it fades towards the lens's middle and stays "
-        "where it bends (Krüger, Schneider and Westermann 2006)"}});
+        "where it bends (Krüger, Schneider and Westermann 2006)"},
+       {MethodKind::ContextPreserving, "context-preserving", "Context-preserving",
+        "Nothing is cut away: what is flat, brightly lit and near to you fades, while edges stay, so that the inside "
+        "shows; what is in focus stays as it is (Bruckner, Grimm, Kanitsar and Gröller 2006)"}});
 }
 constexpr auto wordsOf(LensFade) {
   return std::to_array<Word<LensFade>>(
@@ -226,7 +229,24 @@ inline constexpr std::tuple settingsOf<Method>{
                                .option = "--lens-rim",
                                .name = "Rim of the lens",
                                .description = "How thin the dark line around ClearView's lens is: more is thinner",
-                               .range = {1.0, 1000.0}})};
+                               .range = {1.0, 1000.0}}),
+    Setting(&Method::fadeReach,
+            {.key = "fade_reach",
+             .option = "--fade-reach",
+             .name = "Fades",
+             .description = "How deep the context-preserving method looks into the volume; 0 fades nothing (κt)",
+             .range = {0.0, 100.0},
+             .slider = {0.0, 10.0},
+             .step = 0.1}),
+    Setting(&Method::fadeSharpness,
+            {.key = "fade_sharpness",
+             .option = "--fade-sharpness",
+             .name = "Sharpness",
+             .description = "How sudden the context-preserving method changes from faded to shown along the line of "
+                            "sight: more looks like a cut (κs)",
+             .range = {0.05, 4.0},
+             .slider = {0.1, 2.0},
+             .step = 0.05})};
 
 template <>
 inline constexpr std::tuple settingsOf<Cutaway>{

@@ -446,7 +446,7 @@ TEST_P(HardCases, withEachMethod) {
   for (const Method& method :
        {Method{.kind = MethodKind::Cone}, Method{.kind = MethodKind::Importance},
         Method{.kind = MethodKind::Importance, .importance = ImportanceMode::Average, .importanceOpacity = 0.3},
-        Method{.kind = MethodKind::ClearView, .lensRadius = 40.0}}) {
+        Method{.kind = MethodKind::ClearView, .lensRadius = 40.0}, Method{.kind = MethodKind::ContextPreserving}}) {
     SCOPED_TRACE(std::string(wordOf(method.kind).word) + ", " + wordOf(method.importance).word);
     shot.scene.look.method = method;
     EXPECT_LE(worstOfOpened(shot), limit);
