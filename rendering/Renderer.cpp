@@ -34,16 +34,39 @@ void Renderer::drop() { chain_->drop(); }
 
 bool Renderer::isDrawing() const { return chain_->frame.has_value(); }
 
-void Renderer::present(std::uint32_t framebuffer, glm::ivec4 rectangle) {
-  PassChain& s = *chain_;
-  if (!s.picture()) return;
-  const bool enlarged = s.picture().size().x < rectangle.z || s.picture().size().y < rectangle.w;
+namespace {
+
+void drawOver(PassChain& s, glm::ivec2 size) {
+  const bool enlarged = s.picture().size().x < size.x || s.picture().size().y < size.y;
   gl::ShaderProgram& program = s.gpu->presentation(enlarged);
-  const gl::DrawTarget target(framebuffer, rectangle);
   program.bind("picture", s.picture());
   program.set("background", s.background);
   program.set("backgroundRise", s.backgroundRise);
   program.drawFullScreen();
+}
+
+}  // namespace
+
+void Renderer::present(std::uint32_t framebuffer, glm::ivec4 rectangle) {
+  if (!chain_->picture()) return;
+  const gl::DrawTarget target(framebuffer, rectangle);
+  drawOver(*chain_, {rectangle.z, rectangle.w});
+}
+
+std::vector<std::uint8_t> Renderer::readPresented(glm::ivec2 size) {
+  if (!chain_->picture()) return {};
+  const gl::Texture image = gl::Texture::make2D(gl::Format::BGRA8, size);
+  {
+    const gl::DrawTarget target(image);
+    drawOver(*chain_, size);
+  }
+  std::vector<std::uint8_t> pixels(image.bytes());
+  image.readInto(std::span(pixels));
+  // OpenGL's first row is the lowest.
+  const std::ptrdiff_t row = 4 * static_cast<std::ptrdiff_t>(size.x);
+  for (std::ptrdiff_t top = 0, bottom = (size.y - 1) * row; top < bottom; top += row, bottom -= row)
+    std::swap_ranges(pixels.begin() + top, pixels.begin() + top + row, pixels.begin() + bottom);
+  return pixels;
 }
 
 std::vector<std::uint8_t> Renderer::readPicture() {

@@ -88,6 +88,10 @@ class Renderer {
   /// x, y (from the bottom left), width, height; smoothly where that enlarges it. Restores the state it changes.
   void present(std::uint32_t framebuffer, glm::ivec4 rectangle);
 
+  /// The same, read back: as many pixels as a rectangle of that size has, each blue, green, red, alpha in 8 bits, row by
+  /// row from the top. Empty where there is no picture.
+  std::vector<std::uint8_t> readPresented(glm::ivec2 size);
+
   /// The last picture, 8-bit RGBA, premultiplied, row by row from the top.
   std::vector<std::uint8_t> readPicture();
   /// Every stage of the last picture. Stages that the scene does not use come back empty.

@@ -47,7 +47,6 @@
 #include "viewer/style/Style.h"
 #include "viewer/views/PlacementRenderer.h"
 #include "viewer/views/PreviewRenderer.h"
-#include "viewer/views/RepaintsByRound.h"
 #include "viewer/views/ViewArea.h"
 
 namespace fenestra::viewer {
@@ -97,7 +96,6 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
                         workspace_.brush, workspace_.measuring, gl_,
                         setup.atRest.value_or(workspace_.preferences.atRest()), setup.chooseSchedule);
   views_->warmUp(setup.expected);
-  if (views_->turns()) new RepaintsByRound(*this, views_->turns());
   notices_ = new NoticeBar;
   sessions_ = new Sessions(*this, workspace_, loader_, *notices_,
                            {.describe = [this](io::Session& session) { views_->describe(session); },
@@ -392,11 +390,10 @@ QImage MainWindow::picture(Patient patient) {
     return without;
   }
   QPixmap pixmap = grab();
-  // grab() redirects the QPainters of a 3-D view into the pixmap and then draws the view's picture over them. The
-  // view's framebuffer holds both in the right order.
+  // Of an OpenGL widget grab() paints the marks first and the picture over them.
   QPainter painter(&pixmap);
   for (VolumeView* view : views_->volumeViews())
-    if (view->isVisible()) painter.drawImage(view->mapTo(this, QPoint(0, 0)), view->grabFramebuffer());
+    if (view->isVisible()) painter.drawImage(view->mapTo(this, QPoint(0, 0)), view->grabSurface());
   painter.end();
   return pixmap.toImage();
 }

@@ -7,6 +7,8 @@
 
 #include <epoxy/gl.h>
 
+#include "rendering/gl/Texture.h"
+
 namespace fenestra::gl {
 namespace {
 thread_local std::string firstError;  // the first since takeError()
@@ -25,6 +27,12 @@ DrawTarget::DrawTarget(std::uint32_t framebuffer, glm::ivec4 rectangle)
   for (const GLenum capability : {GL_BLEND, GL_DEPTH_TEST, GL_SCISSOR_TEST, GL_CULL_FACE}) glDisable(capability);
 }
 
+DrawTarget::DrawTarget(const Texture& texture) : DrawTarget(0, {0, 0, texture.size().x, texture.size().y}) {
+  glCreateFramebuffers(1, &own_);
+  glNamedFramebufferTexture(own_, GL_COLOR_ATTACHMENT0, texture.name(), 0);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, own_);
+}
+
 DrawTarget::~DrawTarget() {
   const auto restore = [](GLenum capability, bool on) { on ? glEnable(capability) : glDisable(capability); };
   restore(GL_BLEND, blend_);
@@ -34,6 +42,7 @@ DrawTarget::~DrawTarget() {
   glViewport(viewport_[0], viewport_[1], viewport_[2], viewport_[3]);
   glUseProgram(static_cast<GLuint>(program_));
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(framebuffer_));
+  glDeleteFramebuffers(1, &own_);
 }
 
 TimerQuery::TimerQuery() {

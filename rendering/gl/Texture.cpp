@@ -28,6 +28,8 @@ Traits traits(Format format) {
       return {GL_RG32F, GL_RG, GL_FLOAT, 8};
     case Format::RGB10A2:
       return {GL_RGB10_A2, GL_RGBA, GL_UNSIGNED_INT_2_10_10_10_REV, 4};
+    case Format::BGRA8:
+      return {GL_RGBA8, GL_BGRA, GL_UNSIGNED_BYTE, 4};
     case Format::RGBA32F:
       return {GL_RGBA32F, GL_RGBA, GL_FLOAT, 16};
     case Format::R8UI:

@@ -249,7 +249,9 @@ TEST_F(BrushWindow, RingIsAroundTheMouseAndAsWideAsTheStroke) {
   // The ring is 1.5 device-independent pixels wide; antialiased, its middle is full of its colour.
   const auto isRing = [&](double radius, double angle) {
     const QPointF place = (QPointF(at) - margin + radius * QPointF(std::cos(angle), std::sin(angle))) * ratio;
-    const QColor colour = seen.pixelColor(place.toPoint());
+    // The pixel that holds the place; rounding would take one whose middle is up to a pixel off.
+    const QColor colour =
+        seen.pixelColor(static_cast<int>(std::floor(place.x())), static_cast<int>(std::floor(place.y())));
     const auto [least, most] = std::minmax({colour.red(), colour.green(), colour.blue()});
     return most - least < 30 && least > 120;  // grey: there is nothing to restore
   };

@@ -5,7 +5,6 @@
 #include <QAbstractButton>
 #include <QApplication>
 #include <QDockWidget>
-#include <QOpenGLWidget>
 #include <QTest>
 
 #include "tests/gui/WindowFixture.h"
@@ -48,7 +47,7 @@ class Keyboard : public Window {
   }
   /// As a widget looks on screen, with a rim in which a frame may be drawn.
   QImage look(QWidget* widget) {
-    if (auto* view = qobject_cast<QOpenGLWidget*>(widget)) return view->grabFramebuffer();
+    if (auto* view = qobject_cast<VolumeView*>(widget)) return view->grabSurface();
     const QRect area = QRect(widget->mapTo(window_.get(), QPoint(0, 0)), widget->size()).adjusted(-3, -3, 3, 3);
     return window_->grab(area).toImage();
   }

@@ -67,7 +67,7 @@ TEST_F(PictureWindow, ASavedPictureIsWhatTheWindowShows) {
   for (VolumeView* view : views().volumeViews()) {
     const QRect place(view->mapTo(&views(), QPoint(0, 0)), view->size());
     // QPainter smooths lines in another way on OpenGL than in an image: some hundred pixels of the mark and the cube.
-    EXPECT_LT(meanDifference(saved.copy(place), view->grabFramebuffer()), 0.2);
+    EXPECT_LT(meanDifference(saved.copy(place), view->grabSurface()), 0.2);
   }
   const QRect axial(slice(SlicePlane::Axial)->mapTo(&views(), QPoint(0, 0)), slice(SlicePlane::Axial)->size());
   EXPECT_EQ(meanDifference(saved.copy(axial), slice(SlicePlane::Axial)->grab().toImage()), 0.0);
@@ -118,7 +118,7 @@ TEST_F(PictureWindow, APictureOf4000By3000IsTheWindowOnADenserScreen) {
     const QRect place = placeOf(view);
     const QImage large = saved.copy(QRect(place.topLeft() * scale, place.size() * scale));
     const QImage reduced = large.scaled(place.size(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
-    EXPECT_LT(meanDifference(reduced, view->grabFramebuffer()), 1.5) << view->objectName().toStdString();
+    EXPECT_LT(meanDifference(reduced, view->grabSurface()), 1.5) << view->objectName().toStdString();
   }
 }
 

@@ -130,7 +130,7 @@ class SessionWindow : public Window {
       options().setCrosshair(false);
       waitUntilDrawn();
       VolumeView* view = volume(static_cast<std::size_t>(index));
-      const QImage window = view->grabFramebuffer().convertToFormat(QImage::Format_RGB32);
+      const QImage window = view->grabSurface().convertToFormat(QImage::Format_RGB32);
       ASSERT_EQ(cli.size(), window.size());
       const double ratio = window_->devicePixelRatioF();
       int greatest = 0;

@@ -91,9 +91,9 @@ TEST_F(StudyWindow, OneKeyHidesThePatientAndTheStudy) {
 }
 
 TEST_F(StudyWindow, ThePatientIsInThe3DViewsToo) {
-  const QImage with = volume(0)->grabFramebuffer();
+  const QImage with = volume(0)->grabSurface();
   options().setHidesPatient(true);
-  EXPECT_NE(volume(0)->grabFramebuffer(), with);
+  EXPECT_NE(volume(0)->grabSurface(), with);
 }
 
 TEST_F(StudyWindow, PicturesTitleAndSessionsNameNobody) {

@@ -21,8 +21,6 @@ class DrawingTurns : public QObject {
   /// A view has something to draw. It gets one turn in a round, the leader the first one, so that no view waits for
   /// longer than the others take to draw once.
   void ask(int view);
-  /// Some view waits for its turn.
-  bool isUnderWay() const { return timer_.isActive(); }
 
  Q_SIGNALS:
   /// The view may draw now.

@@ -1,7 +1,8 @@
 #pragma once
-// The OpenGL context that 3-D pictures are drawn in. It shares its objects with the widgets' contexts, which show the
-// pictures. One thread at a time has it: the window's, or for a while another one, for what would block the window
-// (compiling programs, uploading voxels). There is one, because drivers keep what they compile for each context.
+// The OpenGL context that 3-D pictures are drawn in. It shares its objects with the contexts of the widgets that show
+// them (see PictureSurface). One thread at a time has it: the window's, or for a while another one, for what would
+// block the window (compiling programs, uploading voxels). There is one, because drivers keep what they compile for
+// each context.
 
 #include <atomic>
 #include <exception>

@@ -39,8 +39,7 @@ ViewArea::ViewArea(Document& document, SliceCursor& cursor, ViewLink& cameras, V
   };
   if (gl.available) {
     preparation_ = std::make_shared<ScenePreparation>(chooseSchedule);
-    turns_ = std::make_shared<DrawingTurns>(*pacer_);
-    const VolumeView::Shared shared{preparation_, pacer_, turns_};
+    const VolumeView::Shared shared{preparation_, pacer_, std::make_shared<DrawingTurns>(*pacer_), gl.software};
     for (int index = 0; index < ViewLink::count; ++index) {
       auto* view = new VolumeView(index, document, cursor, cameras, options, brush, shared);
       connectView(view);

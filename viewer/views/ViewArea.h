@@ -46,8 +46,6 @@ class ViewArea : public QWidget {
   /// To aim at while something moves.
   void setPicturesPerSecond(int count) { pacer_->setBudget(1000.0 / count); }
   const FramePacer& pacer() const { return *pacer_; }
-  /// Null without OpenGL.
-  const std::shared_ptr<DrawingTurns>& turns() const { return turns_; }
 
   /// Write and restore the pictures' sizes, their sampling and the layout.
   void describe(io::Session& session) const;
@@ -73,7 +71,6 @@ class ViewArea : public QWidget {
   std::vector<std::pair<std::string, QWidget*>> namedViews() const;
 
   std::shared_ptr<FramePacer> pacer_;
-  std::shared_ptr<DrawingTurns> turns_;
   OpeningEdge opening_;
   std::shared_ptr<ScenePreparation> preparation_;  ///< null without OpenGL
   QSplitter *rows_, *upper_, *lower_;

@@ -12,12 +12,12 @@
 #include "rendering/gl/ShaderProgram.h"
 #include "viewer/model/Brush.h"
 #include "viewer/model/Document.h"
-#include "viewer/model/PatientLines.h"
 #include "viewer/model/SliceCursor.h"
 #include "viewer/model/ViewLink.h"
 #include "viewer/model/ViewOptions.h"
 #include "viewer/style/FocusRing.h"
 #include "viewer/style/Overlay.h"
+#include "viewer/views/PictureSurface.h"
 #include "viewer/views/RenderProblem.h"
 
 namespace fenestra::viewer {
@@ -37,7 +37,7 @@ double now() {
 
 VolumeView::VolumeView(int index, Document& document, SliceCursor& cursor, ViewLink& cameras, ViewOptions& options,
                        Brush& brush, Shared shared, QWidget* parent)
-    : QOpenGLWidget(parent),
+    : QWidget(parent),
       index_(index),
       document_(document),
       cursor_(cursor),
@@ -47,7 +47,9 @@ VolumeView::VolumeView(int index, Document& document, SliceCursor& cursor, ViewL
       brushTool_(brush, document, canvas()),
       clipTool_(document, clipCanvas()),
       toleranceWheel_(document),
-      shared_(std::move(shared)) {
+      shared_(std::move(shared)),
+      surface_(
+          PictureSurface::make(shared_.software, *this, {.paint = [this] { paint(); }, .shown = [this] { shown(); }})) {
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
   setProperty(FocusRing::drawnByWidget, true);
@@ -72,18 +74,18 @@ VolumeView::VolumeView(int index, Document& document, SliceCursor& cursor, ViewL
   connect(&brush, &Brush::changed, this, [this] {
     setCursor(brush_.isActive() ? Qt::CrossCursor : Qt::ArrowCursor);
     brushTool_.measure();
-    update();
+    repaintSurface();
   });
   connect(&cameras, &ViewLink::changed, this, [this](int view) {
     if (view == index_) follow();
   });
   connect(&cameras, &ViewLink::released, this, &VolumeView::settleAtOnce);
-  const auto repaint = [this] { update(); };
+  const auto repaint = [this] { repaintSurface(); };
   connect(shared_.turns.get(), &DrawingTurns::turn, this, [this, isAwaited](int view) {
     if (view == index_ && !*isAwaited) draw(shownScene());
   });
   connect(shared_.turns.get(), &DrawingTurns::roundEnded, this, [this] {
-    if (isNew_) update();
+    if (isNew_) repaintSurface();
   });
   connect(&shared_.preparation->context(), &RenderContext::freed, this, [this, isAwaited] {
     // What was prepared is drawn before anything changes the scene again, or a slider that is drawn along would keep
@@ -92,7 +94,7 @@ VolumeView::VolumeView(int index, Document& document, SliceCursor& cursor, ViewL
       *isAwaited = false;
       const Scene scene = shownScene(), held = shared_.preparation->held(scene);
       draw(held);
-      if (isNew_) update();
+      if (isNew_) repaintSurface();
       if (held == scene || !isNew_) return;
       settled_ = false;
       due_ = Due::Motion;
@@ -108,9 +110,6 @@ VolumeView::VolumeView(int index, Document& document, SliceCursor& cursor, ViewL
   });
   connect(&cursor, &SliceCursor::moved, this, repaint);
   connect(&options, &ViewOptions::changed, this, repaint);
-  connect(this, &QOpenGLWidget::frameSwapped, this, [this] {
-    if (picture_ && picture_->isShown()) Q_EMIT drawn(std::exchange(isUnseen_, false));
-  });
 }
 
 VolumeView::~VolumeView() {
@@ -211,6 +210,7 @@ void VolumeView::refine() {
       picture_->refine(shownScene(), viewFor(effort), effort == shared_.pacer->atRest());
     }
     done = picture_->advance(sliceMilliseconds);
+    if (done) surface_->take(picture_->shown());
     compiled_ |= firstRuns != gl::ShaderProgram::firstRuns();
     refinedFor_ += now() - start;
   });
@@ -227,11 +227,12 @@ void VolumeView::refined(Effort effort) {
   } else {
     stopRefining();
     settled_ = true;
+    attemptOnPicture([this] { reportStarts(); });
     // Or else the first frame of a drag would wait for its programs.
     if (const Effort moving = pacer.moving(ViewLink::count); moving != effort)
       shared_.preparation->prepareAhead(shownScene(), viewFor(moving));
   }
-  update();
+  repaintSurface();
 }
 
 void VolumeView::refresh() {
@@ -245,7 +246,8 @@ void VolumeView::refresh() {
 }
 
 void VolumeView::resizeEvent(QResizeEvent* event) {
-  QOpenGLWidget::resizeEvent(event);
+  QWidget::resizeEvent(event);
+  surface_->widget().setGeometry(rect());
   disturb(ViewLink::count);
 }
 
@@ -261,7 +263,7 @@ void VolumeView::attempt(const std::function<void()>& work) {
     shared_.preparation->context().run([this] { picture_.reset(); });
     problem_ = tr("The 3-D views cannot be drawn. %1").arg(describeRenderProblem(error));
     Q_EMIT failed(problem_);
-    update();
+    repaintSurface();
   }
 }
 
@@ -271,11 +273,9 @@ void VolumeView::attemptOnPicture(const std::function<void()>& work) {
   inContext([&](const std::shared_ptr<GpuScene>&) { attempt(work); });
 }
 
-void VolumeView::paintGL() {
-  if (problem_.isEmpty() && document_.hasVolume()) attempt([this] { present(); });
-  if (settled_ && problem_.isEmpty()) attempt([this] { reportStarts(); });
-  drawOverlay();
-  if (isSettled()) Q_EMIT settled();
+void VolumeView::shown() {
+  if (picture_ && picture_->isShown()) Q_EMIT drawn(std::exchange(isUnseen_, false));
+  if (std::exchange(isTimed_, false)) shared_.pacer->end(now());
 }
 
 void VolumeView::forgetStarts() {
@@ -345,79 +345,37 @@ bool VolumeView::drawDue(const Scene& scene) {
   if (due_ == Due::Strokes && !onlyStrokes) rest_.start(restMilliseconds);
   inContext([&](const std::shared_ptr<GpuScene>& gpuScene) {
     if (!picture_) picture_.emplace(gpuScene);
-    if (onlyStrokes) return picture_->draw(scene, view, true);
-    const double start = now();
-    pacer.begin(effort, start);
-    const std::size_t firstRuns = gl::ShaderProgram::firstRuns();
-    const GpuScene::Versions before = gpuScene->versions();
-    picture_->draw(scene, view, effort == rest);
-    gl::finish();
-    // The first picture of a kind also compiles programs or uploads voxels. Tables of the transfer function and colours
-    // are made anew with each move of a drag: they belong to what its next picture will take.
-    GpuScene::Versions after = gpuScene->versions();
-    after.transfer = before.transfer;
-    after.gaps = before.gaps;
-    after.palette = before.palette;
-    const bool usual = firstRuns == gl::ShaderProgram::firstRuns() && before == after;
-    pacer.drew(effort, now() - start, usual);
-    followed_ = pacer.frames();
+    if (onlyStrokes)
+      picture_->draw(scene, view, true);
+    else
+      drawTimed(scene, view, effort, *gpuScene);
+    surface_->take(picture_->shown());
   });
   due_ = Due::Nothing;
   settled_ = effort == rest;
   isNew_ = true;
   isUnpainted_ = true;
+  if (settled_) attemptOnPicture([this] { reportStarts(); });
   return true;
 }
 
-void VolumeView::present() {
-  // Such as a view that was hidden; not one that skips a frame while its last picture comes onto the screen.
-  if (!isNew_ && (due_ != Due::Nothing || !picture_)) askToDraw();
-  if (!picture_ || !picture_->isShown()) return;
-  const double ratio = devicePixelRatioF();
-  const QSize device(static_cast<int>(std::lround(width() * ratio)), static_cast<int>(std::lround(height() * ratio)));
-  if (std::exchange(isNew_, false))
-    connect(
-        this, &QOpenGLWidget::frameSwapped, this, [this] { shared_.pacer->end(now()); }, Qt::SingleShotConnection);
-  isUnseen_ |= std::exchange(isUnpainted_, false);
-  picture_->shown().present(defaultFramebufferObject(), {0, 0, device.width(), device.height()});
-}
-
-void VolumeView::drawOverlay() {
-  QPainter painter(this);
-  const QRectF view = rect();
-  if (!problem_.isEmpty() || !document_.hasVolume() || !picture_ || !picture_->isShown())
-    painter.fillRect(rect(), toColour(document_.scene().look.background));
-  if (!problem_.isEmpty()) {
-    painter.setPen(QColor(220, 222, 226));
-    painter.drawText(view.adjusted(24, 24, -24, -24), Qt::AlignCenter | Qt::TextWordWrap, problem_);
-    return;
-  }
-  if (!document_.hasVolume()) return;
-  drawMarks(painter, shownCamera());
-  // Here and not among the marks: saved pictures name nobody.
-  if (options_.text() && !options_.hidesPatient())
-    drawStudyText(painter, view, patientLines(document_.study().patient, document_.study().series), 0);
-  clipTool_.draw(painter);
-  brushTool_.draw(painter, view);
-  if (hasFocus()) {
-    painter.setPen(QColor(86, 140, 190));
-    painter.drawRect(rect().adjusted(0, 0, -1, -1));
-  }
-}
-
-void VolumeView::drawMarks(QPainter& painter, const Camera& camera) const {
-  const QRectF view = rect();
-  if (options_.crosshair())
-    if (const std::optional<QPointF> at = widgetFromWorld(cursor_.position(), camera)) drawMark(painter, *at);
-  if (options_.text()) {
-    QStringList lines{tr("C%1").arg(index_ + 1)};
-    lines << (camera.projection == Projection::Perspective ? tr("perspective") : tr("parallel"));
-    drawCorner(painter, view, Qt::AlignTop | Qt::AlignLeft, lines, QColor(120, 190, 240));
-  }
-  constexpr double cube = 58.0;
-  drawOrientationCube(painter, {view.left() + overlayMargin, view.bottom() - overlayMargin - cube, cube, cube},
-                      camera.axes());
-  if (camera.projection == Projection::Orthographic) drawScaleBar(painter, view, mmPerPixel(camera));
+void VolumeView::drawTimed(const Scene& scene, const View& view, Effort effort, const GpuScene& gpuScene) {
+  FramePacer& pacer = *shared_.pacer;
+  const double start = now();
+  pacer.begin(effort, start);
+  const std::size_t firstRuns = gl::ShaderProgram::firstRuns();
+  const GpuScene::Versions before = gpuScene.versions();
+  picture_->draw(scene, view, effort == pacer.atRest());
+  gl::finish();
+  // The first picture of a kind also compiles programs or uploads voxels. Tables of the transfer function and colours
+  // are made anew with each move of a drag: they belong to what its next picture will take.
+  GpuScene::Versions after = gpuScene.versions();
+  after.transfer = before.transfer;
+  after.gaps = before.gaps;
+  after.palette = before.palette;
+  const bool usual = firstRuns == gl::ShaderProgram::firstRuns() && before == after;
+  pacer.drew(effort, now() - start, usual);
+  followed_ = pacer.frames();
 }
 
 std::optional<QPointF> VolumeView::widgetFromWorld(glm::dvec3 world) const {
@@ -449,11 +407,12 @@ BrushTool::Canvas VolumeView::canvas() {
         std::vector<std::uint8_t> picture;
         attemptOnPicture([&] {
           picture_->draw(shownScene(), viewFor(shared_.pacer->atRest()), true);
+          surface_->take(picture_->shown());
           picture = picture_->shown().readPicture();
         });
         return picture;
       },
-      .redraw = [this] { update(); },
+      .redraw = [this] { repaintSurface(); },
   };
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// One 3-D view: what a camera of the pair sees, drawn by a Renderer into Qt's framebuffer, with crosshair mark,
-// orientation cube and (parallel projection only) scale bar over it.
+// One 3-D view: what a camera of the pair sees, drawn by a Renderer, with crosshair mark, orientation cube and
+// (parallel projection only) scale bar over it.
 //
 // While something changes it draws as the pacer says, in its turn and not while the window is painted. After a moment
 // of rest it refines the picture up to full quality, in slices of time between which the window answers; a change ends
@@ -13,8 +13,8 @@
 #include <memory>
 #include <optional>
 
-#include <QOpenGLWidget>
 #include <QTimer>
+#include <QWidget>
 
 #include "rendering/gpu/GpuScene.h"
 #include "rendering/scene/Opening.h"
@@ -29,6 +29,7 @@
 namespace fenestra::viewer {
 
 class Document;
+class PictureSurface;
 class SliceCursor;
 class ViewLink;
 class ViewOptions;
@@ -41,15 +42,16 @@ struct FinishedPicture {
   QImage image;                   ///< the same over the scene's background
 };
 
-class VolumeView : public QOpenGLWidget {
+class VolumeView : public QWidget {
   Q_OBJECT
  public:
   /// What all 3-D views of a window share: voxels on the GPU with the context that they are drawn in, the measured
-  /// speed of the machine, and whose turn it is.
+  /// speed of the machine, whose turn it is, and whether the CPU draws.
   struct Shared {
     std::shared_ptr<ScenePreparation> preparation;
     std::shared_ptr<FramePacer> pacer;
     std::shared_ptr<DrawingTurns> turns;
+    bool software = false;
   };
 
   /// `index` is the camera's place in `cameras`.
@@ -73,6 +75,8 @@ class VolumeView : public QOpenGLWidget {
   std::optional<QPointF> widgetFromWorld(glm::dvec3 world) const;
   /// The picture on screen; empty while it is not at full quality.
   std::optional<FinishedPicture> finishedPicture();
+  /// What is on the screen, with the marks over it, in device pixels.
+  QImage grabSurface();
   /// The scene as this view shows it.
   Scene shownScene() const;
   /// Draws what lies over the picture of `camera`: mark of the crosshair, corner text, orientation cube, scale bar.
@@ -103,7 +107,6 @@ class VolumeView : public QOpenGLWidget {
   void maximiseRequested();
 
  protected:
-  void paintGL() override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
@@ -111,6 +114,8 @@ class VolumeView : public QOpenGLWidget {
   void wheelEvent(QWheelEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void leaveEvent(QEvent* event) override;
+  void focusInEvent(QFocusEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
  private:
@@ -149,9 +154,17 @@ class VolumeView : public QOpenGLWidget {
   void draw(const Scene& scene);
   /// False: it is not ready to be drawn, and stays due.
   bool drawDue(const Scene& scene);
-  /// Puts the picture that there is into the widget.
+  /// Draws the scene as something moves in it, and tells the pacer how long that took.
+  void drawTimed(const Scene& scene, const View& view, Effort effort, const GpuScene& gpuScene);
+  /// Has the surface painted again.
+  void repaintSurface();
+  /// Paints it.
+  void paint();
+  /// Puts the picture that there is into it.
   void present();
   void drawOverlay();
+  /// What was painted is on the screen.
+  void shown();
   void zoom(double factor);
   /// Where the ray of a pixel starts to see, world mm, and how many mm of it before that the opening removed.
   struct Hit {
@@ -186,6 +199,7 @@ class VolumeView : public QOpenGLWidget {
   ClipTool clipTool_;
   ToleranceWheel toleranceWheel_;
   Shared shared_;
+  PictureSurface* surface_;
 
   std::optional<RefinedPicture> picture_;  ///< empty before the first picture, and where there is a problem
   QString problem_;
@@ -196,6 +210,7 @@ class VolumeView : public QOpenGLWidget {
   bool isNew_ = false;                ///< the picture has not been painted
   bool isUnpainted_ = false;          ///< as isNew_, also of a refined picture
   bool isUnseen_ = false;             ///< it is painted and has not come onto the screen
+  bool isTimed_ = false;              ///< the pacer waits for a moving picture to come onto the screen
   int moving_ = 0;                    ///< number of views that the motion moves
   long followed_ = 0;                 ///< the pacer's frame that this view last followed in
   std::optional<Effort> refinement_;  ///< of the picture being refined

@@ -169,7 +169,7 @@ void VolumeView::keyPressEvent(QKeyEvent* event) {
       pitch = -arrowTurn;
       break;
     default:
-      QOpenGLWidget::keyPressEvent(event);
+      QWidget::keyPressEvent(event);
       return;
   }
   shared_.pacer->lead(index_);

@@ -1,0 +1,90 @@
+#include "viewer/views/PictureSurface.h"
+
+#include <cmath>
+#include <cstring>
+#include <utility>
+
+#include <QOpenGLWidget>
+#include <QPainter>
+
+#include "rendering/Renderer.h"
+
+namespace fenestra::viewer {
+namespace {
+
+glm::ivec2 devicePixels(const QWidget& widget) {
+  const double ratio = widget.devicePixelRatioF();
+  return glm::max(glm::ivec2(std::lround(widget.width() * ratio), std::lround(widget.height() * ratio)), glm::ivec2(1));
+}
+
+class OpenGlSurface : public QOpenGLWidget, public PictureSurface {
+ public:
+  OpenGlSurface(QWidget& view, Calls calls) : QOpenGLWidget(&view), calls_(std::move(calls)) {
+    connect(this, &QOpenGLWidget::frameSwapped, this, calls_.shown);
+  }
+
+  QWidget& widget() override { return *this; }
+  void take(Renderer&) override {}  // its texture is shared
+  void show(Renderer& picture) override {
+    const glm::ivec2 size = devicePixels(*this);
+    picture.present(defaultFramebufferObject(), {0, 0, size.x, size.y});
+  }
+  QImage grab() override { return grabFramebuffer(); }
+
+ protected:
+  void paintGL() override { calls_.paint(); }
+
+ private:
+  Calls calls_;
+};
+
+class RasterSurface : public QWidget, public PictureSurface {
+ public:
+  RasterSurface(QWidget& view, Calls calls) : QWidget(&view), calls_(std::move(calls)) {}
+
+  QWidget& widget() override { return *this; }
+  void take(Renderer& picture) override {
+    const glm::ivec2 size = devicePixels(*this);
+    const std::vector<std::uint8_t> pixels = picture.readPresented(size);
+    if (pixels.empty()) return;
+    image_ = QImage(size.x, size.y, QImage::Format_RGB32);
+    std::memcpy(image_.bits(), pixels.data(), pixels.size());
+  }
+  void show(Renderer&) override {
+    QPainter painter(this);
+    // Until a picture of the size of a resized view is there, the one before is stretched.
+    const glm::ivec2 size = devicePixels(*this);
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, image_.size() != QSize(size.x, size.y));
+    painter.drawImage(rect(), image_);
+  }
+  QImage grab() override {
+    isGrabbing_ = true;
+    QImage image = QWidget::grab().toImage();
+    isGrabbing_ = false;
+    return image;
+  }
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    calls_.paint();
+    // The window puts what was painted onto the screen before it handles another event.
+    if (!isGrabbing_) QMetaObject::invokeMethod(this, calls_.shown, Qt::QueuedConnection);
+  }
+
+ private:
+  Calls calls_;
+  QImage image_;
+  bool isGrabbing_ = false;
+};
+
+}  // namespace
+
+PictureSurface* PictureSurface::make(bool software, QWidget& view, Calls calls) {
+  PictureSurface* surface = software ? static_cast<PictureSurface*>(new RasterSurface(view, std::move(calls)))
+                                     : new OpenGlSurface(view, std::move(calls));
+  surface->widget().setAttribute(Qt::WA_TransparentForMouseEvents);
+  surface->widget().setGeometry(view.rect());
+  return surface;
+}
+
+}  // namespace fenestra::viewer

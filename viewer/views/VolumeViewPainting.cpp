@@ -1,0 +1,84 @@
+// How a 3-D view looks on the screen: its picture with the marks over it.
+
+#include <utility>
+
+#include <QPainter>
+
+#include "viewer/model/Document.h"
+#include "viewer/model/PatientLines.h"
+#include "viewer/model/SliceCursor.h"
+#include "viewer/model/ViewOptions.h"
+#include "viewer/style/Overlay.h"
+#include "viewer/views/PictureSurface.h"
+#include "viewer/views/VolumeView.h"
+
+namespace fenestra::viewer {
+
+void VolumeView::repaintSurface() { surface_->widget().update(); }
+
+void VolumeView::focusInEvent(QFocusEvent* event) {
+  QWidget::focusInEvent(event);
+  repaintSurface();
+}
+
+void VolumeView::focusOutEvent(QFocusEvent* event) {
+  QWidget::focusOutEvent(event);
+  repaintSurface();
+}
+
+void VolumeView::paint() {
+  if (problem_.isEmpty() && document_.hasVolume()) attempt([this] { present(); });
+  drawOverlay();
+  if (isSettled()) Q_EMIT settled();
+}
+
+QImage VolumeView::grabSurface() { return surface_->grab(); }
+
+void VolumeView::present() {
+  // Such as a view that was hidden; not one that skips a frame while its last picture comes onto the screen.
+  if (!isNew_ && (due_ != Due::Nothing || !picture_)) askToDraw();
+  if (!picture_ || !picture_->isShown()) return;
+  isTimed_ |= std::exchange(isNew_, false);
+  isUnseen_ |= std::exchange(isUnpainted_, false);
+  surface_->show(picture_->shown());
+}
+
+void VolumeView::drawOverlay() {
+  QPainter painter(&surface_->widget());
+  const QRectF view = rect();
+  if (!problem_.isEmpty() || !document_.hasVolume() || !picture_ || !picture_->isShown())
+    painter.fillRect(rect(), toColour(document_.scene().look.background));
+  if (!problem_.isEmpty()) {
+    painter.setPen(QColor(220, 222, 226));
+    painter.drawText(view.adjusted(24, 24, -24, -24), Qt::AlignCenter | Qt::TextWordWrap, problem_);
+    return;
+  }
+  if (!document_.hasVolume()) return;
+  drawMarks(painter, shownCamera());
+  // Here and not among the marks: saved pictures name nobody.
+  if (options_.text() && !options_.hidesPatient())
+    drawStudyText(painter, view, patientLines(document_.study().patient, document_.study().series), 0);
+  clipTool_.draw(painter);
+  brushTool_.draw(painter, view);
+  // Filled, because OpenGL leaves out lines along the rim.
+  if (hasFocus())
+    for (const QRect& side : QRegion(rect()) - rect().adjusted(1, 1, -1, -1))
+      painter.fillRect(side, QColor(86, 140, 190));
+}
+
+void VolumeView::drawMarks(QPainter& painter, const Camera& camera) const {
+  const QRectF view = rect();
+  if (options_.crosshair())
+    if (const std::optional<QPointF> at = widgetFromWorld(cursor_.position(), camera)) drawMark(painter, *at);
+  if (options_.text()) {
+    QStringList lines{tr("C%1").arg(index_ + 1)};
+    lines << (camera.projection == Projection::Perspective ? tr("perspective") : tr("parallel"));
+    drawCorner(painter, view, Qt::AlignTop | Qt::AlignLeft, lines, QColor(120, 190, 240));
+  }
+  constexpr double cube = 58.0;
+  drawOrientationCube(painter, {view.left() + overlayMargin, view.bottom() - overlayMargin - cube, cube, cube},
+                      camera.axes());
+  if (camera.projection == Projection::Orthographic) drawScaleBar(painter, view, mmPerPixel(camera));
+}
+
+}  // namespace fenestra::viewer
