@@ -140,6 +140,8 @@ void bindFading(const GpuScene& scene, gl::ShaderProgram& program, const Camera&
   program.set(FadingBlock{Std140Mat3(glm::mat3(slopeFromIndex)),
                           glm::vec2(-perMillimetre, 1.0 - (distance - range.nearest) * perMillimetre),
                           static_cast<float>(fading->reach), static_cast<float>(fading->sharpness)});
+  // The steepest slope is half of a gate's unit (Lighting.h).
+  program.set("gradientGate", 2.0f * glm::vec2(lighting::gradientGateLow, lighting::gradientGateHigh));
 }
 
 gl::Define fadingDefine(const std::optional<MethodStages::Fading>& fading) { return {"FADING", fading.has_value()}; }

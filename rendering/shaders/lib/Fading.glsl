@@ -26,7 +26,7 @@ float fadeAt(float slope, float intensity, float s) {
   return exponent > 0.0 ? whole : 0.0;
 }
 
-// Gradients along a straight path: `a` and `b` are its ends as bernsteinAlong() has them.
+// Gradients for a straight path: `a` and `b` are its ends as bernsteinAlong() has them.
 #if SPLINE
 // Derivatives of splineWeights().
 vec4 splineSlopes(float t) {
@@ -80,17 +80,26 @@ float differenceAt(float inner[8], ivec3 cell, int i, int axis) {
   return (isUpper ? outer - inner[across] : inner[across] - outer) * (isBorder ? 1.0 : 0.5);
 }
 
-// Between central differences at the corners; what lies beyond the outermost voxels has the gradient of those.
-void slopesAlong(ivec3 cell, vec3 a, vec3 b, out vec3 along[4]) {
+// Central differences at the corners of a cell. What lies beyond the outermost voxels has the gradient of those: there it
+// takes the cell beside, and moves the ends to its face.
+void slopesAround(ivec3 cell, inout vec3 a, inout vec3 b, out vec3 f[8]) {
   ivec3 inside = clamp(cell, ivec3(1), max(volume.dims - 1, ivec3(1)));
   vec3 moved = vec3(cell - inside);
+  a = clamp(a + moved, 0.0, 1.0);
+  b = clamp(b + moved, 0.0, 1.0);
   float inner[8];
   cellCorners(inside, inner);
-  vec3 f[8];
   for (int i = 0; i < 8; ++i)
-    f[i] = vec3(differenceAt(inner, inside, i, 0), differenceAt(inner, inside, i, 1), differenceAt(inner, inside, i, 2));
-  bernsteinAlong(f, clamp(a + moved, 0.0, 1.0), clamp(b + moved, 0.0, 1.0), along);
-  for (int k = 0; k < 4; ++k) along[k] = fading.slopeFromIndex * along[k];
+    f[i] = fading.slopeFromIndex * vec3(differenceAt(inner, inside, i, 0), differenceAt(inner, inside, i, 1),
+                                        differenceAt(inner, inside, i, 2));
+}
+
+// Their gated normals, as lib/light/Lit.glsl has them, but without the texture's rounding: where a context fades, an
+// error of its light early on a ray may grow behind.
+uniform vec2 gradientGate;  // of gradients of which the steepest is 1
+vec3 gatedSlope(vec3 slope) {
+  float size = length(slope);
+  return size > gradientGate.x ? slope * (smoothstep(gradientGate.x, gradientGate.y, size) / size) : vec3(0.0);
 }
 #endif
 #endif

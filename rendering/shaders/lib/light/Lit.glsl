@@ -138,12 +138,15 @@ CellNormals halfOf(NormalsAlong normals, int each) {
 // `a` and `b`: the path's ends within the cell.
 CellNormals normalsAlong(ivec3 cell, vec3 a, vec3 b) {
   vec3 f[8];
-  for (int i = 0; i < 8; ++i) f[i] = gatedAt(cell - 1 + cornerOf(i));
   CellNormals normals;
-  bernsteinAlong(f, a, b, normals.gated);
 #if FADING
-  slopesAlong(cell, a, b, normals.slopes);
+  slopesAround(cell, a, b, f);
+  bernsteinAlong(f, a, b, normals.slopes);
+  for (int i = 0; i < 8; ++i) f[i] = gatedSlope(f[i]);
+#else
+  for (int i = 0; i < 8; ++i) f[i] = gatedAt(cell - 1 + cornerOf(i));
 #endif
+  bernsteinAlong(f, a, b, normals.gated);
   return normals;
 }
 #endif

@@ -44,7 +44,9 @@ CellNormals halfOf(NormalsAlong normals, int each) {
 #else
 CellNormals normalsAlong(ivec3 cell, vec3 a, vec3 b) {
   CellNormals normals;
-  slopesAlong(cell, a, b, normals.slopes);
+  vec3 f[8];
+  slopesAround(cell, a, b, f);
+  bernsteinAlong(f, a, b, normals.slopes);
   return normals;
 }
 #endif
