@@ -10,6 +10,8 @@
 //   NormalsAlong, normalsAlongSpline, halfOf   the same along a path through a spline
 //   openAt, occluded  ambient occlusion and shadow, where OCCLUDED is 1 (lib/light/Occlusion.glsl)
 //   intensityOf       how strongly light other than ambient is given back, 0 to 1 (lib/Fading.glsl)
+//   nextTurn          the first u' > u, at most 1, where the context's normals turn from one side of the light to the
+//                     other, at which that has a kink
 //   piecesOfLight     into how many pieces the light along such a path has to be cut
 #include <focus>
 #include <schedule>
@@ -187,6 +189,29 @@ vec2 lightAlong(CellNormals normals, float u, vec3 rayDirection, bool ofFocus) {
 }
 
 float intensityOf(vec2 light) { return clamp(light.x - lighting.ambient + light.y, 0.0, 1.0); }
+
+float nextTurn(CellNormals normals, float u) {
+  vec4 towards = vec4(dot(normals.gated[0], lighting.direction), dot(normals.gated[1], lighting.direction),
+                      dot(normals.gated[2], lighting.direction), dot(normals.gated[3], lighting.direction));
+  if (all(greaterThan(towards, vec4(0.0))) || all(lessThanEqual(towards, vec4(0.0)))) return 1.0;
+  vec2 turns = turningPoints(towards);
+  float from = u, to = 1.0;
+  bool before = bernstein(towards, u) > 0.0, changes = false;
+  for (int i = 0; i < 3; ++i) {
+    float end = i < 2 ? turns[i] : 1.0;
+    if (changes || end <= from) continue;
+    changes = (bernstein(towards, end) > 0.0) != before;
+    if (changes) to = end;
+    else from = end;
+  }
+  // Bisection in a monotone piece, down to rounding.
+  for (int i = 0; i < 22 && changes; ++i) {
+    float middle = 0.5 * (from + to);
+    if ((bernstein(towards, middle) > 0.0) != before) to = middle;
+    else from = middle;
+  }
+  return to;
+}
 
 // Into how many pieces a part of a path, from u to u', has to be cut for the bends of its light that three points cannot
 // tell. `weight`: how many times what is allowed a light of 1 would be.

@@ -53,6 +53,7 @@ CellNormals normalsAlong(ivec3 cell, vec3 a, vec3 b) {
 void addFocusNormals(inout CellNormals normals, ivec3 cell, vec3 a, vec3 b) {}
 vec2 lightAlong(CellNormals normals, float u, vec3 rayDirection, bool ofFocus) { return UNLIT; }
 float intensityOf(vec2 light) { return 1.0; }
+float nextTurn(CellNormals normals, float u) { return 1.0; }
 float piecesOfLight(CellNormals normals, float from, float to, bool ofFocus, vec3 rayDirection, float weight) {
   return 0.0;
 }
