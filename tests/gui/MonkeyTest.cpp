@@ -314,14 +314,14 @@ TEST_P(Monkey, TheWindowSurvivesAndAnswers) {
     kindsBefore = kinds;
   }
   std::cerr << "longest event: " << longestEvent << '\n';
-  // A click after it all: the cross-hair follows.
+  // A click after it all: the cross-hair follows, unless the mouse draws a measure.
+  while (window_->workspace().measuring.stop()) continue;
   const glm::dvec3 at = cursor().position();
   SliceView* axial = slice(SlicePlane::Axial);
   const QPoint beside = axial->widgetFromWorld(at).toPoint() + QPoint(20, 15);
   QTest::mouseClick(axial, Qt::LeftButton, {}, beside);
   EXPECT_NE(cursor().position(), at) << "click at " << beside.x() << ", " << beside.y() << " of " << axial->width()
-                                     << "×" << axial->height() << ", visible " << axial->isVisible() << ", measuring "
-                                     << window_->workspace().measuring.kind().has_value();
+                                     << "×" << axial->height() << ", visible " << axial->isVisible();
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, Monkey, testing::Values(1u, 2u, 3u, 4u, 5u));
