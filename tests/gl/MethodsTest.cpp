@@ -148,6 +148,19 @@ TEST_F(Methods, FadesOfClearViewMatchAndDiffer) {
   }
 }
 
+/// Where light falls to nothing, the lowest sharpness makes a cusp of what fades, and the greatest a cut.
+TEST_F(Methods, ContextPreservingKeepsItsBoundAtAnySharpness) {
+  for (const bool lit : {true, false})
+    for (const glm::dvec2 parameters : {glm::dvec2(8.0, 0.3), glm::dvec2(10.0, 2.0)}) {
+      SCOPED_TRACE(testing::Message() << lit << ", " << parameters.x << ", " << parameters.y);
+      Scene scene =
+          hazyBody({.kind = MethodKind::ContextPreserving, .fadeReach = parameters.x, .fadeSharpness = parameters.y});
+      scene.look.shading.enabled = lit;
+      for (TransferFunction::Node& node : scene.look.context.function.nodes) node.properties.extinction *= 10.0;
+      expectMatches(scene, viewOf(from(25, 15, scene), 0.5));
+    }
+}
+
 TEST_F(Methods, ValuesSmoothedLabelsAndSplines) {
   for (const auto& [name, method] : fiveMethods()) {
     SCOPED_TRACE(name);
