@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "rendering/scene/EdgeRays.h"
+#include "rendering/scene/Fading.h"
 #include "rendering/scene/Lighting.h"
 
 namespace fenestra {
@@ -108,6 +109,8 @@ void PassChain::begin(const Scene& scene, const View& view) {
   if (hasCutaway(scene) && !onlyStarts)
     cutFor = openingOf(view, scene.look.cutaway, gpu->focus().centre(grid).value_or(grid.centre()));
   Frame& made = frame.emplace(Frame{.scene = scene, .view = view, .sampling = samplingOf(view, grid, *rays)});
+  // Only the integral within a bound knows what of a ray's opacity lies before a point.
+  if (fadingOf(scene.look)) made.sampling.maxError = made.sampling.maxError.value_or(FocusLayerPass::usualBound);
   if (cutFor || gpu->exemptLabels().any()) made.sampling = inParts(made.sampling);
   made.hasCutaway = hasCutaway(scene);
   if (made.hasCutaway) made.method = stagesOf(scene.look.method);
@@ -213,7 +216,7 @@ bool PassChain::advance(std::optional<double> milliseconds) try {
 
 void PassChain::occlude() {
   const Shading& shading = frame->scene.look.shading;
-  if (!hasOcclusion(shading)) {
+  if (!hasOcclusion(frame->scene.look)) {
     occlusionNodes = {};
     occlusionPass.release();
     occlusion.forget();
@@ -256,6 +259,7 @@ void PassChain::drawFocusLayer() {
                           version.gradient,
                           version.palette,
                           look.focusAppearance.extinction,
+                          fadingOf(look),
                           look.shading,
                           view.camera,
                           view.size,

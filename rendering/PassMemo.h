@@ -85,6 +85,7 @@ struct FocusLayerKey {
   std::uint64_t occlusion;  ///< 0 without ambient occlusion and shadows
   std::uint64_t volume, focus, transfer, gradient, palette;
   double focusExtinction;
+  std::optional<MethodStages::Fading> fading;
   Shading shading;
   Camera camera;
   glm::ivec2 size;

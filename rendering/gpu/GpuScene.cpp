@@ -96,7 +96,7 @@ bool GpuScene::holds(const Scene& scene) const {
     return false;
   const bool wantsDerivative = readsContextSurface(scene);
   return (gradient_.texture || !scene.look.shading.enabled) && (derivative_.texture || !wantsDerivative) &&
-         (occluders_.any() || !hasOcclusion(scene.look.shading));
+         (occluders_.any() || !hasOcclusion(scene.look));
 }
 
 gl::ShaderProgram& GpuScene::presentation(bool enlarged) {

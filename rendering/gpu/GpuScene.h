@@ -21,6 +21,7 @@
 #include "rendering/gpu/Schedule.h"
 #include "rendering/gpu/TransferTables.h"
 #include "rendering/gpu/VolumeTexture.h"
+#include "rendering/scene/Fading.h"
 #include "rendering/scene/Scene.h"
 
 namespace fenestra {
@@ -92,6 +93,7 @@ class GpuScene {
   glm::dvec3 drawnCells(glm::dvec3 position) const {
     return static_cast<double>(refinement_) * position - 0.5 * (refinement_ - 1);
   }
+  double steepestSlope() const { return fenestra::steepestSlope(*shown_.volume); }  ///< of Fading.h
   bool lowIsWhite() const { return shown_.volume->lowIsWhite; }
   const VolumeTexture& volume() const { return volumeTexture_; }
   /// Of a spline, in coded values, R32F; the first texel along each axis is that of index -1.

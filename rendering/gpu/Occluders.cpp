@@ -3,7 +3,7 @@
 namespace fenestra {
 
 bool Occluders::update(const Scene& scene, const Key& key) {
-  const bool wanted = hasOcclusion(scene.look.shading);
+  const bool wanted = hasOcclusion(scene.look);
   if (!wanted && !any()) return false;
   if (wanted && any() && key == key_) return false;
   release();

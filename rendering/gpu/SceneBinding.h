@@ -54,6 +54,11 @@ void bindOcclusion(const GpuScene& scene, gl::ShaderProgram& program, const gl::
 gl::Define occlusionDefine(const gl::Buffer* nodes);
 /// The storage block of those nodes.
 inline constexpr unsigned occlusionNodesBinding = 6;
+/// lib/Fading.glsl, where a context fades; `program` was compiled with fadingDefine() of the same. `distance`: of
+/// RayFrame.
+void bindFading(const GpuScene& scene, gl::ShaderProgram& program, const Camera& camera, double distance,
+                const std::optional<MethodStages::Fading>& fading);
+gl::Define fadingDefine(const std::optional<MethodStages::Fading>& fading);
 /// Light as Lighting.h describes it, for a view with these axes.
 LightBlock lightBlock(const Camera::Axes& axes, const Shading& shading);
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "rendering/gpu/SceneBinding.h"
+#include "rendering/scene/Fading.h"
 #include "rendering/scene/Lighting.h"
 
 namespace fenestra {
@@ -86,6 +87,7 @@ gl::ShaderProgram& FocusLayerPass::program(bool listed, const Drawn& drawn) {
                          {"FOCUS_SMOOTH", lit && gpu.focusSmooth()},
                          {"BENT_NORMALS", bendsNormals(gpu, sampling, lit)},
                          occlusionDefine(occlusion),
+                         fadingDefine(fadingOf(look)),
                          {"LISTED", listed},
                          {"APART", opening && opening->hole},
                          rays.clipDefine(),
@@ -132,6 +134,7 @@ gl::ShaderProgram& FocusLayerPass::prepared(bool listed, const Drawn& drawn) {
   }
   if (look.shading.enabled) bindLight(gpu, program, rays.axes(), look.shading);
   bindOcclusion(gpu, program, occlusion);
+  bindFading(gpu, program, rays.camera(), rays.distance(), fadingOf(look));
   if (look.shading.enabled && gpu.focusSmooth()) {
     program.bind("focusSmooth", gpu.focusSmooth());
     program.bind("focusSmoothTexels", gpu.focusSmooth());

@@ -19,8 +19,9 @@ namespace fenestra {
 /// Let v be the trilinearly interpolated value at a point. Outside the focus, colour c and extinction κ are the
 /// context's transfer function of v. In the focus they are one material of the focus, or where it has a function
 /// (focusFunction()), that function of v; of a focus of labels, the nearest voxel tells the label whose material or
-/// function it is. What is focus does not depend on a function: hits and ray starts are those of the same focus of one
-/// material. Both are lit as the focus is.
+/// function it is. Where the context fades, its extinction is multiplied by m of MethodStages::Fading, which needs a
+/// sampling with a bound on the error. What is focus does not depend on a function: hits and ray starts are those of
+/// the same focus of one material. Both are lit as the focus is.
 class FocusLayerPass {
  public:
   explicit FocusLayerPass(const gl::SharedPrograms& programs = std::make_shared<gl::ComputePrograms>())

@@ -3,76 +3,17 @@
 #include <atomic>
 
 #include "rendering/reference/ContextFunctions.h"
+#include "rendering/reference/FadingIntegral.h"
 #include "rendering/reference/Field.h"
+#include "rendering/reference/FocusShows.h"
 #include "rendering/reference/Light.h"
 #include "rendering/reference/Occlusion.h"
+#include "rendering/scene/Fading.h"
 #include "rendering/scene/Lighting.h"
 #include "rendering/scene/Parallel.h"
 
 namespace fenestra::reference {
 namespace {
-
-/// What a point of the focus shows: one material, or a function of the value there.
-struct FocusShow {
-  OpticalProperties material;
-  std::optional<TransferFunction> function;
-  bool operator==(const FocusShow&) const = default;
-};
-
-/// How a focus is shown. In a label focus that is how the nearest voxel is, or where that has no label of the focus,
-/// the first of its neighbours that has one (x fastest, from the lowest index).
-class FocusShows {
- public:
-  explicit FocusShows(const Scene& scene)
-      : labels_(scene.labels.get()),
-        first_{{scene.look.focusAppearance.colour, scene.look.focusAppearance.extinction}, {}} {
-    const auto* focus = std::get_if<LabelFocus>(&scene.look.focus);
-    if (std::holds_alternative<ValueFocus>(scene.look.focus)) first_.function = focusFunction(scene);
-    if (!focus || !labels_ || focus->labels.empty()) {
-      addNodes(first_);
-      return;
-    }
-    entryOf_.resize(std::numeric_limits<std::uint16_t>::max() + 1, none);
-    for (const std::uint16_t value : focus->labels) {
-      entryOf_[value] = static_cast<int>(shows_.size());
-      shows_.push_back({focusMaterial(scene, value), focusFunction(scene, value)});
-      addNodes(shows_.back());
-    }
-    first_ = shows_.front();
-    differ_ = std::any_of(shows_.begin(), shows_.end(), [&](const FocusShow& each) { return !(each == first_); });
-    std::sort(nodes_.begin(), nodes_.end());
-    nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
-  }
-
-  /// Whether there is more than one.
-  bool differ() const { return differ_; }
-  /// Values of all functions' nodes.
-  const std::vector<double>& nodes() const { return nodes_; }
-
-  const FocusShow& at(glm::dvec3 index) const {
-    if (!differ_) return first_;
-    const glm::ivec3 nearest(glm::floor(index + 0.5));
-    int entry = entryAt(nearest);
-    for (int n = 0; entry == none && n < 27; ++n) entry = entryAt(nearest + glm::ivec3(n % 3, n / 3 % 3, n / 9) - 1);
-    return entry == none ? first_ : shows_[static_cast<std::size_t>(entry)];
-  }
-
- private:
-  static constexpr int none = -1;
-
-  int entryAt(glm::ivec3 voxel) const { return labels_->grid.contains(voxel) ? entryOf_[labels_->value(voxel)] : none; }
-  void addNodes(const FocusShow& show) {
-    if (show.function)
-      for (const TransferFunction::Node& node : show.function->nodes) nodes_.push_back(node.value);
-  }
-
-  const LabelMap* labels_;
-  FocusShow first_;
-  bool differ_ = false;
-  std::vector<int> entryOf_;  ///< per label value
-  std::vector<FocusShow> shows_;
-  std::vector<double> nodes_;
-};
 
 /// What all rays of a picture share.
 struct Medium {
@@ -89,9 +30,13 @@ struct Medium {
   std::vector<ValueGap> clear;  ///< values without any extinction
   double wallDepth;             ///< mm
   const Occlusion* occlusion;   ///< null: none
+  std::optional<MethodStages::Fading> fading;
+  EyeRange eyeRange;
+  double steepest;
 
   Medium(const Scene& what, const Camera& camera, const Occlusion* occluded)
       : Medium(what, camera, FocusField(what), occluded) {
+    fading = fadingOf(what.look);
     if (scene.look.shading.enabled && focus.hasLabels()) focusNormals.emplace(scene.volume->grid, focus);
   }
   /// Of labels alone, as part of the context.
@@ -111,7 +56,9 @@ struct Medium {
         normals(*what.volume),
         context(what),
         clear(context.all().front().transparentGaps(0.0)),
-        occlusion(occluded) {
+        occlusion(occluded),
+        eyeRange(eyeRangeOf(camera, what.volume->grid)),
+        steepest(steepestSlope(*what.volume)) {
     const Grid& grid = scene.volume->grid;
     wallDepth = lighting::wallDepthVoxels * std::min({grid.spacing.x, grid.spacing.y, grid.spacing.z});
     if (scene.look.shading.enabled && field.spline())
@@ -198,6 +145,21 @@ class Integrator {
 
   void run() {
     if (ray_.grey && paintGrey()) return;
+    walk();
+    // An error grows where a context fades: the ray is followed again in shorter steps until it fits.
+    for (int again = 0; medium_.fading && state_.error > tolerance_ && again < mostRefinements; ++again) {
+      local_ /= 16.0;
+      state_ = {};
+      isBehindHole_ = false;
+      walk();
+    }
+  }
+
+  glm::dvec4 colour() const { return {state_.colour, -std::expm1(-state_.depth)}; }
+  double error() const { return state_.error; }
+
+ private:
+  void walk() {
     const Span &span = ray_.span, &hole = ray_.hole;
     const double before = std::min(hole.tIn, span.tOut);
     if (span.tIn <= before) walk({span.tIn, before});
@@ -205,10 +167,6 @@ class Integrator {
     if (hole.tOut < span.tOut) walk({std::max(hole.tOut, span.tIn), span.tOut});
   }
 
-  glm::dvec4 colour() const { return {colour_, -std::expm1(-depth_)}; }
-  double error() const { return error_; }
-
- private:
   /// False where the ray starts in the focus, which shows as it is.
   bool paintGrey() {
     const Ray ray = indexRay(ray_.ray, grid_);
@@ -223,8 +181,8 @@ class Integrator {
       const WindowLevel window = ray_.grey->window;
       const double low = window.level - 0.5 * window.width;
       const double grey = std::clamp((value - low) / window.width, 0.0, 1.0);
-      colour_ = glm::dvec3(medium_.scene.volume->lowIsWhite ? 1.0 - grey : grey);
-      depth_ = std::numeric_limits<double>::infinity();
+      state_.colour = glm::dvec3(medium_.scene.volume->lowIsWhite ? 1.0 - grey : grey);
+      state_.depth = std::numeric_limits<double>::infinity();
       painted = true;
       return false;
     });
@@ -236,19 +194,19 @@ class Integrator {
       addCell(piece);
       // The rest of the ray adds at most the transmittance times twice the colour, the most that lighting makes of it.
       if (2.0 * transmittance() > 0.1 * tolerance_) return true;
-      error_ += 2.0 * transmittance();
+      state_.error += 2.0 * transmittance();
       return false;
     });
   }
 
-  double transmittance() const { return std::exp(-depth_); }
+  double transmittance() const { return state_.transmittance(); }
 
   void addCell(const Piece& piece) {
     const bool mayHoldFocus = medium_.focus.mayHold(piece.cell);
     const auto wants = [&](ValueRange range) {
       return mayHoldFocus || (!medium_.onlyFocus && !medium_.isClear(range));
     };
-    bool hasNormals = medium_.field.spline() || !medium_.scene.look.shading.enabled;
+    bool hasNormals = medium_.field.spline() || !(medium_.scene.look.shading.enabled || medium_.fading);
     medium_.field.along(piece, valueAt_, wants, [&](const FieldPiece& part) {
       if (!wants(part.range)) return true;
       if (!hasNormals) findNormals(piece.cell);
@@ -300,7 +258,10 @@ class Integrator {
       part.begin = begin;
       part.end = end;
       part.length = (end - begin) * (piece.tEnd - piece.tBegin);
-      addPart(part, maxHalvings);
+      if (medium_.fading && !inFocus_)
+        addFading(part);
+      else
+        addPart(part, maxHalvings);
     }
   }
 
@@ -308,8 +269,10 @@ class Integrator {
   void findNormals(glm::ivec3 cell) {
     for (int i = 0; i < 8; ++i) {
       const glm::ivec3 corner = cell + glm::ivec3(i & 1, (i >> 1) & 1, i >> 2);
-      normals_[static_cast<std::size_t>(i)] =
-          medium_.normals.at(glm::clamp(corner, glm::ivec3(0), grid_.dims - 1), valueAt_);
+      const glm::dvec3 difference =
+          medium_.normals.gradient(glm::clamp(corner, glm::ivec3(0), grid_.dims - 1), valueAt_);
+      normals_[static_cast<std::size_t>(i)] = medium_.normals.gated(difference);
+      if (medium_.fading) slopes_[static_cast<std::size_t>(i)] = difference;
     }
   }
 
@@ -354,9 +317,33 @@ class Integrator {
       addPart(part.half(true), halvings - 1);
       return;
     }
-    colour_ += glm::dvec3(fine);
-    depth_ += thickness;
-    error_ += error;
+    state_.colour += glm::dvec3(fine);
+    state_.depth += thickness;
+    state_.error += error + opacity * state_.drift;
+  }
+
+  /// Adds a part of a context that fades.
+  void addFading(const Part& part) {
+    if (!(part.depth(1.0) > 0.0)) return;
+    const double sharpness = medium_.fading->sharpness;
+    const FadingTolerance tolerance{0.5 * local_, 0.4 * local_ * perMillimetre_, 0.05 * tolerance_};
+    integrateFading(state_, sharpness, part.length, tolerance, [&](double u) {
+      const double s = glm::mix(part.begin, part.end, u);
+      const glm::dvec3 at = glm::mix(piece_->begin, piece_->end, s);
+      const double t = glm::mix(piece_->tBegin, piece_->tEnd, s), near = 1.0 - medium_.eyeRange.distance(t);
+      const double intensity =
+          medium_.scene.look.shading.enabled ? medium_.light.intensity(gatedAt(at), ray_.ray.direction) : 1.0;
+      return FadingPoint{part.extinction(u), slopeAt(at), std::pow(medium_.fading->reach * intensity * near, sharpness),
+                         shade(part, u)};
+    });
+  }
+
+  /// Length of the gradient at a place in the cell, 1 for the steepest.
+  double slopeAt(glm::dvec3 at) const {
+    if (!(medium_.steepest > 0.0)) return 0.0;
+    const SplineVolume* spline = medium_.field.spline();
+    const glm::dvec3 slope = spline ? spline->gradient(at + glm::dvec3(piece_->cell)) : interpolate(slopes_, at);
+    return std::min(glm::length(medium_.normals.world(slope)) / medium_.steepest, 1.0);
   }
 
   glm::dvec3 shade(const Part& part, double u) {
@@ -390,6 +377,7 @@ class Integrator {
 
   /// 2^-52 of a part is below the resolution of its ends. An error below one rounding of 1 cannot be reached.
   static constexpr int maxHalvings = 52;
+  static constexpr int mostRefinements = 6;
   static constexpr double rounding = std::numeric_limits<double>::epsilon();
   /// Gradient of the smoothed indicator (1/mm) below which a point lies too deep in the focus to have a normal.
   static constexpr double flatFocus = 1e-3;
@@ -403,12 +391,12 @@ class Integrator {
   // The current cell and the part of it.
   const Piece* piece_ = nullptr;
   std::vector<double> places_;
-  std::array<glm::dvec3, 8> normals_{};
+  std::array<glm::dvec3, 8> normals_{}, slopes_{};
   bool inFocus_ = false;
   bool isBehindHole_ = false;
 
-  glm::dvec3 colour_{0.0};
-  double depth_ = 0.0, error_ = 0.0;
+  FadingState state_;  ///< without a context that fades, too
+  double local_ = 0.25 * tolerance_;
 };
 
 FocusLayer integrated(const Medium& medium, const std::vector<CutRay>& rays, double tolerance) {

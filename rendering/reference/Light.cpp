@@ -18,6 +18,16 @@ double smoothstep(double low, double high, double x) {
 
 Light::Light(const Camera& camera, const Shading& how) : direction(lightDirection(camera.axes(), how)), shading(how) {}
 
+double Light::intensity(glm::dvec3 normal, glm::dvec3 rayDirection) const {
+  const double average = shading.diffuse * lighting::meanIncidence, length = glm::length(normal);
+  const double certainty = smoothstep(0.0, lighting::certainLength, length);
+  if (certainty == 0.0) return std::min(average, 1.0);
+  const glm::dvec3 unit = normal / length, half = glm::normalize(direction - rayDirection);
+  const double lit = shading.diffuse * std::abs(glm::dot(unit, direction)) +
+                     shading.specular * std::pow(std::abs(glm::dot(unit, half)), shading.shininess);
+  return std::min(glm::mix(average, lit, certainty), 1.0);
+}
+
 glm::dvec3 Light::lit(glm::dvec3 colour, glm::dvec3 normal, glm::dvec3 rayDirection, glm::dvec2 open) const {
   const glm::dvec3 half = glm::normalize(direction - rayDirection);
   return colour * incident(std::abs(glm::dot(normal, direction)), open) +
@@ -38,7 +48,7 @@ VoxelNormals::VoxelNormals(const Volume& volume)
 }
 
 glm::dvec3 VoxelNormals::gated(glm::dvec3 indexGradient) const {
-  const glm::dvec3 gradient = worldFromIndexGradient_ * indexGradient;
+  const glm::dvec3 gradient = world(indexGradient);
   const double length = glm::length(gradient);
   if (!(length > 0.0)) return glm::dvec3(0.0);
   return gradient * (smoothstep(lighting::gradientGateLow, lighting::gradientGateHigh, length / gateUnit_) / length);

@@ -18,6 +18,8 @@ struct Light {
   double incident(double cosine, glm::dvec2 open = glm::dvec2(1.0)) const {
     return shading.ambient * open.x + shading.diffuse * cosine * open.y;
   }
+  /// Diffuse and specular light that a point with such a normal gives back, 0 to 1, its length as in shade().
+  double intensity(glm::dvec3 normal, glm::dvec3 rayDirection) const;
   glm::dvec3 lit(glm::dvec3 colour, glm::dvec3 normal, glm::dvec3 rayDirection,
                  glm::dvec2 open = glm::dvec2(1.0)) const;
   /// The length of `normal` says how certain it is; 0 gives the light of a surface of average orientation.
@@ -36,6 +38,12 @@ class VoxelNormals {
   /// Of the voxel at `index` (inside the grid), from the values around it.
   template <class ValueAt>
   glm::dvec3 at(glm::ivec3 index, const ValueAt& valueAt) const {
+    return gated(gradient(index, valueAt));
+  }
+
+  /// The gradient there by central differences, by the index.
+  template <class ValueAt>
+  glm::dvec3 gradient(glm::ivec3 index, const ValueAt& valueAt) const {
     glm::dvec3 difference(0.0);
     for (int axis = 0; axis < 3; ++axis) {
       glm::ivec3 low = index, high = index;
@@ -43,8 +51,10 @@ class VoxelNormals {
       high[axis] = std::min(index[axis] + 1, dims_[axis] - 1);
       if (high[axis] > low[axis]) difference[axis] = (valueAt(high) - valueAt(low)) / (high[axis] - low[axis]);
     }
-    return gated(difference);
+    return difference;
   }
+  /// The world gradient, per mm, of one by the index.
+  glm::dvec3 world(glm::dvec3 indexGradient) const { return worldFromIndexGradient_ * indexGradient; }
 
   /// The gated normal of any gradient by the index.
   glm::dvec3 gated(glm::dvec3 indexGradient) const;

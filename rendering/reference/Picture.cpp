@@ -368,7 +368,7 @@ Picture picture(const Scene& scene, const Camera& camera, glm::ivec2 size, const
     pixels = all.pixels;
   }
   std::optional<Occlusion> occlusion;
-  if (hasOcclusion(scene.look.shading)) occlusion.emplace(scene, camera, size, cutaway ? &stages : nullptr);
+  if (hasOcclusion(scene.look)) occlusion.emplace(scene, camera, size, cutaway ? &stages : nullptr);
   Frame frame{
       scene, camera, size, cutaway ? &stages : nullptr, {}, occlusion ? &*occlusion : nullptr, options.tolerance};
   Image distance;

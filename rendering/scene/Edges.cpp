@@ -5,7 +5,8 @@
 namespace fenestra {
 
 bool hasSmoothEdges(const Look& look, const View& view) {
-  const bool opens = look.cutaway.enabled && !std::holds_alternative<std::monostate>(look.focus);
+  const bool opens = look.cutaway.enabled && !std::holds_alternative<std::monostate>(look.focus) &&
+                     stagesOf(look.method).start != MethodStages::Start::Entry;
   return look.edges == Edges::Smooth && !(opens && look.method.kind != MethodKind::Adaptive) &&
          (view.quality != Quality::Draft || view.maxError);
 }

@@ -38,6 +38,13 @@ MethodStages stagesOf(const Method& method) {
       stages.lens = {method.lensFade, 0.01 * method.lensRadius, method.lensBends, method.lensRim};
       return stages;
     }
+    case MethodKind::ContextPreserving: {
+      MethodStages stages;
+      stages.start = MethodStages::Start::Entry;
+      stages.hasWidth = stages.hasBorder = false;
+      stages.fading = {method.fadeReach, method.fadeSharpness};
+      return stages;
+    }
   }
   return {};
 }

@@ -12,8 +12,10 @@ namespace fenestra {
 /// Adaptive: the paper's own. Cone: M. Burns, A. Finkelstein: Adaptive cutaways for comprehensible rendering of
 /// polygonal scenes, SIGGRAPH Asia 2008. Importance: I. Viola, A. Kanitsar, M. E. Gröller: Importance-driven volume
 /// rendering, IEEE Visualization 2004. ClearView: J. Krüger, J. Schneider, R. Westermann: ClearView: An interactive
-/// context preserving hotspot visualization technique, IEEE Visualization 2006.
-enum class MethodKind : std::uint8_t { Adaptive, Cone, Importance, ClearView };
+/// context preserving hotspot visualization technique, IEEE Visualization 2006. ContextPreserving: S. Bruckner, S.
+/// Grimm, A. Kanitsar, M. E. Gröller: Illustrative context-preserving exploration of volume data, IEEE TVCG 12(6),
+/// 2006.
+enum class MethodKind : std::uint8_t { Adaptive, Cone, Importance, ClearView, ContextPreserving };
 
 /// Maximum importance projection removes what hides the focus, in cones that widen towards the eye. Average importance
 /// compositing keeps it, faintly, on the rays that meet the focus.
@@ -39,6 +41,10 @@ struct Method {
   double lensRadius = 18.2;
   double lensBends = 1.0;  ///< contextScale of ClearView's authors, 0 to 100
   double lensRim = 60.0;   ///< border of ClearView's authors, 1 to 1000
+  /// κt and κs of ContextPreserving. Its authors name no defaults; these are those of CAMPVis, an implementation by TU
+  /// München.
+  double fadeReach = 3.0;      ///< 0 to 100; 0 fades nothing
+  double fadeSharpness = 0.5;  ///< 0.05 to 4
   bool operator==(const Method&) const = default;
 };
 
@@ -56,7 +62,9 @@ struct MethodStages {
   /// Where rays start. Blend: stages 2 to 4 of the adaptive cutaway. Cones: on cones that stand on the focus (stated in
   /// rendering/passes/ConePass.h), which replace the filled focus hits and the distance map to the focus; the border
   /// follows the rim of what the cones open.
-  enum class Start : std::uint8_t { Blend, Cones };
+  /// Entry: where they enter the volume; nothing is opened, and all that belongs to an opening is left out (see
+  /// hasCutaway).
+  enum class Start : std::uint8_t { Blend, Cones, Entry };
   Start start = Start::Blend;
   bool hasWidth = true;       ///< w_open says how wide the opening is; else it counts as 0
   double slope = 0.0;         ///< of cones: depth in mm per mm beside the axis, the cotangent of their half angle
@@ -88,6 +96,30 @@ struct MethodStages {
     bool operator==(const Lens&) const = default;
   };
   std::optional<Lens> lens{};
+  /// Where the context fades. The picture is the volume rendering integral of all of the volume, focus and context as
+  /// everywhere, but for the context's extinction: at t mm along a ray, A the opacity of what lies before,
+  ///
+  ///   A' = (1 - A) κ m,  C' = (1 - A) κ m c shade,   A = C = 0 where the ray enters
+  ///   m = g^((reach · s · (1 - d) · (1 - A))^sharpness)   in the context, x^0 = 1 for any x;   1 in the focus
+  ///
+  /// which is the limit of its authors' α · m for short steps, α the opacity of one. A counts all before, the focus
+  /// too.
+  ///
+  ///   g = min(‖∇f‖ / steepestSlope(), 1)
+  ///   s = min(diffuse |n·l| + specular |n·h|^shininess, 1) as Lighting.h has it for the context, faded towards the
+  ///   light
+  ///       of average orientation where the normal is uncertain, without ambient light, caps and occlusion; 1 without
+  ///       shading
+  ///   d = the distance from the eye, or from the plane of the eye, 0 to 1 over the volume's bounding sphere, or over
+  ///       what of it lies before the eye (EyeRange)
+  ///
+  /// ∇f is the world gradient by central differences at the voxels, one-sided at the border and trilinear between, or
+  /// the spline's own.
+  struct Fading {
+    double reach = 0.0, sharpness = 1.0;
+    bool operator==(const Fading&) const = default;
+  };
+  std::optional<Fading> fading{};
   bool hasBorder = true;  ///< w_border says how wide the line around the opening is; else it counts as 0
 
   /// Something of what the opening removes may show.

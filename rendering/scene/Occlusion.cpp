@@ -4,14 +4,16 @@
 #include <cmath>
 #include <numbers>
 
+#include "rendering/scene/Fading.h"
 #include "rendering/scene/FaintLabels.h"
 #include "rendering/scene/FocusCells.h"
 #include "rendering/scene/Parallel.h"
 
 namespace fenestra {
 
-bool hasOcclusion(const Shading& shading) {
-  return shading.enabled && (shading.occlusion > 0.0 || shading.shadow > 0.0);
+bool hasOcclusion(const Look& look) {
+  const Shading& shading = look.shading;
+  return shading.enabled && (shading.occlusion > 0.0 || shading.shadow > 0.0) && !fadingOf(look);
 }
 
 namespace occlusion {

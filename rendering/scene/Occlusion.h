@@ -38,8 +38,8 @@
 
 namespace fenestra {
 
-/// Whether a picture has either.
-bool hasOcclusion(const Shading& shading);
+/// Whether a look's pictures have either. A context that fades has neither: how much of it shows depends on the ray.
+bool hasOcclusion(const Look& look);
 
 namespace occlusion {
 

@@ -22,7 +22,7 @@ bool isInFocus(const Scene& scene, std::uint16_t label) {
 }  // namespace
 
 bool hasCutaway(const Scene& scene) {
-  return scene.look.cutaway.enabled &&
+  return scene.look.cutaway.enabled && stagesOf(scene.look.method).start != MethodStages::Start::Entry &&
          (std::holds_alternative<LabelFocus>(scene.look.focus) || std::holds_alternative<ValueFocus>(scene.look.focus));
 }
 

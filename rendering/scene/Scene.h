@@ -57,7 +57,7 @@ const std::optional<TransferFunction>& focusFunction(const Scene& scene);
 /// Whether some of the focus is shown by value.
 bool hasFocusFunction(const Scene& scene);
 
-/// A scene has an opening when it has a focus and its cutaway is on.
+/// A scene has an opening when it has a focus, its cutaway is on, and its method opens something.
 bool hasCutaway(const Scene& scene);
 /// Whether a picture needs the shape of the context's first surface: for its edges over the focus, or for a lens.
 bool readsContextSurface(const Scene& scene);

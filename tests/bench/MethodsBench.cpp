@@ -19,6 +19,7 @@
 #include "rendering/egl/EglContext.h"
 #include "rendering/gpu/GpuScene.h"
 #include "rendering/reference/Certificate.h"
+#include "rendering/scene/Fading.h"
 #include "rendering/scene/Framing.h"
 #include "tests/bench/MethodVariants.h"
 #include "tests/bench/Report.h"
@@ -42,9 +43,9 @@ std::vector<glm::dvec2> anglesOfViews() {
   return angles;
 }
 
-/// Unlit, all of the focus in one colour: what a picture shows of the focus is then linear in that colour.
-Scene inOneColour(Scene scene, glm::dvec3 colour) {
-  scene.look.shading.enabled = false;
+/// All of the focus in one colour: what a picture shows of the focus is then linear in that colour.
+Scene inOneColour(Scene scene, glm::dvec3 colour, bool lit) {
+  scene.look.shading.enabled = lit && scene.look.shading.enabled;
   scene.look.focusAppearance.function.reset();
   scene.look.focusAppearance.colour = colour;
   if (const auto* focus = std::get_if<LabelFocus>(&scene.look.focus))
@@ -126,7 +127,10 @@ class MethodMeasurement {
         measured.error =
             reference::certify(renderer.readLayers().final, opened, view, {.pixels = arguments_.compared}).within;
       measured.kept.push_back(keptOf(picture, drawn(plain_, closed, view)));
-      measured.seen.push_back(focusIn(renderer, opened, view) / focusIn(plain_, withoutContext(scene_), view));
+      // How much fades depends on the light.
+      const bool lit = fadingOf(opened.look).has_value();
+      measured.seen.push_back(focusIn(renderer, opened, view, lit) /
+                              focusIn(plain_, withoutContext(scene_), view, lit));
       measured.turned.push_back(
           meanDifference(picture, drawn(renderer, opened, viewFrom(angles + glm::dvec2(1.0, 0.0)))));
     }
@@ -156,9 +160,9 @@ class MethodMeasurement {
     return renderer.readPicture();
   }
   /// Weights of the focus, summed over the picture.
-  static double focusIn(Renderer& renderer, const Scene& scene, const View& view) {
-    const Pixels white = drawn(renderer, inOneColour(scene, glm::dvec3(1.0)), view);
-    const Pixels black = drawn(renderer, inOneColour(scene, glm::dvec3(0.0)), view);
+  static double focusIn(Renderer& renderer, const Scene& scene, const View& view, bool lit) {
+    const Pixels white = drawn(renderer, inOneColour(scene, glm::dvec3(1.0), lit), view);
+    const Pixels black = drawn(renderer, inOneColour(scene, glm::dvec3(0.0), lit), view);
     double sum = 0.0;
     for (std::size_t i = 0; i < white.size(); i += 4) sum += int{white[i + 1]} - int{black[i + 1]};
     return sum;
@@ -189,7 +193,9 @@ const char* const text =
     "wide.\n\n"
     "*Focus seen*: how much of the focus reaches the eye, weighted by what it is seen through, of what would if there "
     "were "
-    "no context; from unlit pictures with the focus once white and once black. Edges and borders over the focus count "
+    "no context; from unlit pictures with the focus once white and once black, or of the context-preserving method, "
+    "whose fading "
+    "depends on the light, from lit ones. Edges and borders over the focus count "
     "as "
     "hiding it. *Least*: the worst view. *Picture kept*: the share of the body's pixels that are within 8/255 of the "
     "picture in which nothing is opened. *Turning*: the largest mean change of a pixel between views 1° apart, in "

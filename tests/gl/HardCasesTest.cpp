@@ -446,10 +446,13 @@ TEST_P(HardCases, withEachMethod) {
   for (const Method& method :
        {Method{.kind = MethodKind::Cone}, Method{.kind = MethodKind::Importance},
         Method{.kind = MethodKind::Importance, .importance = ImportanceMode::Average, .importanceOpacity = 0.3},
-        Method{.kind = MethodKind::ClearView, .lensRadius = 40.0}}) {
+        Method{.kind = MethodKind::ClearView, .lensRadius = 40.0}, Method{.kind = MethodKind::ContextPreserving}}) {
     SCOPED_TRACE(std::string(wordOf(method.kind).word) + ", " + wordOf(method.importance).word);
     shot.scene.look.method = method;
-    EXPECT_LE(worstOfOpened(shot), limit);
+    // Where the context fades, normals lack the rounding of their texture's 10 bits, which turns them by up to 1e-3 and
+    // changes the light, and so the pixels that are off anyway, by up to 0.2.
+    const double rounding = method.kind == MethodKind::ContextPreserving && limit > GetParam().colourLimit ? 0.2 : 0.0;
+    EXPECT_LE(worstOfOpened(shot), limit + rounding);
   }
 }
 

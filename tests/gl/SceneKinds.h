@@ -128,6 +128,7 @@ inline std::vector<std::pair<std::string, Method>> otherMethods() {
           {"maximum importance", {.kind = MethodKind::Importance}},
           {"average importance", average(Sparseness::Opacity)},
           {"ClearView", lens(LensFade::Distance, 45.0)},
+          {"context-preserving", {.kind = MethodKind::ContextPreserving}},
           {"average importance, grey", average(Sparseness::Colour)},
           {"average importance, screen door", average(Sparseness::ScreenDoor)},
           {"ClearView, bends alone", lens(LensFade::Curvature, 25.0)},
@@ -247,6 +248,13 @@ inline std::vector<SceneKind> allSceneKinds() {
     other.name += ", " + name;
     other.scene.look.method = method;
     kinds.push_back(std::move(other));
+  }
+  // A context that fades needs no focus.
+  for (std::size_t i = 0, all = kinds.size(); i < all; i += 5) {
+    const Look& look = kinds[i].scene.look;
+    if (!look.cutaway.enabled || !std::holds_alternative<std::monostate>(look.focus)) continue;
+    kinds.push_back({kinds[i].name + ", context-preserving", kinds[i].scene, kinds[i].view});
+    kinds.back().scene.look.method.kind = MethodKind::ContextPreserving;
   }
   // Smooth edges with whatever else makes a program another one; drafts have none.
   for (std::size_t i = 0, all = kinds.size(); i < all; ++i)

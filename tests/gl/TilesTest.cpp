@@ -77,6 +77,7 @@ const std::vector<Change> changes{
     {"no cutaway", [](Scene& scene, View&) { scene.look.cutaway.enabled = false; }},
     {"draft", [](Scene&, View& view) { view.quality = Quality::Draft; }},
     {"ClearView", [](Scene& scene, View&) { scene.look.method.kind = MethodKind::ClearView; }},
+    {"context-preserving", [](Scene& scene, View&) { scene.look.method.kind = MethodKind::ContextPreserving; }},
     {"smooth edges", [](Scene& scene, View&) { scene.look.edges = Edges::Smooth; }},
 };
 

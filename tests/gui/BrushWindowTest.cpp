@@ -368,6 +368,14 @@ TEST_F(FreshBrush, SaysWhyEdgesDoNotChange) {
   EXPECT_EQ(obstacleAt(onMarker()), std::nullopt);
 }
 
+TEST_F(FreshBrush, SaysThatTheMethodCutsNothing) {
+  edit([](Look& look) { look.method.kind = MethodKind::ContextPreserving; });
+  EXPECT_EQ(obstacleAt(onMarker()), BrushObstacle::NothingIsCut);
+  space();
+  EXPECT_EQ(document().look().method.kind, MethodKind::Adaptive);
+  EXPECT_EQ(obstacleAt(onMarker()), std::nullopt);
+}
+
 TEST_F(FreshBrush, SaysThatNothingIsOpen) {
   edit([](Look& look) { look.cutaway.enabled = false; });
   EXPECT_EQ(obstacleAt(onSkin()), BrushObstacle::CutawayOff);

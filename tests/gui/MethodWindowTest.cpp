@@ -6,6 +6,7 @@
 #include "rendering/scene/Settings.h"
 #include "tests/gui/PseudoLocale.h"
 #include "tests/gui/WindowFixture.h"
+#include "viewer/panels/ContextLayerPanel.h"
 #include "viewer/panels/CutawayPanel.h"
 #include "viewer/panels/SliderSpin.h"
 
@@ -44,7 +45,7 @@ TEST_F(MethodWindow, ListsEachMethodWithAToolTip) {
   for (int row = 0; row < box->count(); ++row)
     EXPECT_GT(box->itemData(row, Qt::ToolTipRole).toString().size(), 40) << row;
   for (const char* key : {"cone_angle", "importance", "sparseness", "importance_angle", "importance_opacity",
-                          "lens_radius", "lens_bends", "lens_fade", "lens_rim"})
+                          "lens_radius", "lens_bends", "lens_fade", "lens_rim", "fade_reach", "fade_sharpness"})
     EXPECT_FALSE(shows(key)) << key;
 }
 
@@ -131,6 +132,46 @@ TEST_F(MethodWindow, ClearViewHasALensInPlaceOfWidthAndBorder) {
   EXPECT_EQ(picture(volume(0)), adaptive) << "to the bit";
 }
 
+TEST_F(MethodWindow, ContextPreservingCutsNothingAway) {
+  const QImage adaptive = picture(volume(0));
+  const int steps = document().undoStack().index(), width = panel<CutawayPanel>().width();
+  const bool hasEdges = panel<ContextLayerPanel>().isEnabled();
+  choose("kind", MethodKind::ContextPreserving);
+  waitUntilDrawn();
+  EXPECT_EQ(panel<CutawayPanel>().width(), width);
+  for (const char* key : {"fade_reach", "fade_sharpness"}) EXPECT_TRUE(shows(key)) << key;
+  for (const char* key : {"cone_angle", "importance", "importance_angle", "lens_radius"})
+    EXPECT_FALSE(shows(key)) << key;
+  for (const char* key : {"open_width", "border_width", "border_colour", "axis_offset", "axis_direction", "unit"})
+    EXPECT_FALSE(control<QWidget>(key)->isEnabled()) << key;
+  for (const char* key : {"open_width", "border_width"})
+    EXPECT_TRUE(control<SliderSpin>(key)->toolTip().contains(QStringLiteral("cuts nothing away"))) << key;
+  EXPECT_TRUE(hasEdges);
+  EXPECT_FALSE(panel<ContextLayerPanel>().isEnabled());
+  QImage before = picture(volume(0));
+  EXPECT_NE(before, adaptive);
+  for (const char* key : {"fade_reach", "fade_sharpness"}) {
+    control<SliderSpin>(key)->box()->setValue(1.5);
+    waitUntilDrawn();
+    EXPECT_NE(picture(volume(0)), before) << key;
+    before = picture(volume(0));
+  }
+  EXPECT_EQ(document().look().method.fadeReach, 1.5);
+  EXPECT_EQ(document().look().method.fadeSharpness, 1.5);
+  // Without a focus there is something to see, too.
+  document().setFocus({});
+  waitUntilDrawn();
+  const QImage faded = picture(volume(0));
+  control<SliderSpin>("fade_reach")->box()->setValue(0.0);
+  waitUntilDrawn();
+  EXPECT_NE(picture(volume(0)), faded);
+  while (document().undoStack().index() > steps) document().undoStack().undo();
+  EXPECT_TRUE(control<SliderSpin>("open_width")->isEnabled() && panel<ContextLayerPanel>().isEnabled());
+  waitUntilDrawn();
+  ASSERT_EQ(picture(volume(0)).size(), adaptive.size());
+  EXPECT_EQ(picture(volume(0)), adaptive) << "to the bit";
+}
+
 TEST_F(MethodWindow, WithoutAnOpeningThereIsNothingToChoose) {
   Look look = document().look();
   look.cutaway.enabled = false;
@@ -152,8 +193,8 @@ TEST_F(MethodWindow, TextsAreTranslated) {
     for (int row = 0; row < box->count(); ++row)
       texts << box->itemText(row) << box->itemData(row, Qt::ToolTipRole).toString();
   }
-  for (const char* key :
-       {"cone_angle", "importance_angle", "importance_opacity", "open_width", "lens_radius", "lens_bends"})
+  for (const char* key : {"cone_angle", "importance_angle", "importance_opacity", "open_width", "lens_radius",
+                          "lens_bends", "fade_reach", "fade_sharpness"})
     texts << shown.findChild<SliderSpin*>(QLatin1String(key))->toolTip();
   look.method.kind = MethodKind::ClearView;
   document().edit(QStringLiteral("lens"), look);
@@ -161,8 +202,12 @@ TEST_F(MethodWindow, TextsAreTranslated) {
   texts << rim->toolTip() << rim->prefix();
   for (const char* key : {"open_width", "border_width"})
     texts << shown.findChild<SliderSpin*>(QLatin1String(key))->toolTip();
+  look.method.kind = MethodKind::ContextPreserving;
+  document().edit(QStringLiteral("fading"), look);
+  for (const char* key : {"open_width", "border_width"})
+    texts << shown.findChild<SliderSpin*>(QLatin1String(key))->toolTip();
   QCoreApplication::removeTranslator(&locale);
-  EXPECT_GE(texts.size(), 34);
+  EXPECT_GE(texts.size(), 40);
   for (const QString& text : texts) EXPECT_TRUE(text.startsWith(opens)) << text.toStdString();
 }
 

@@ -64,7 +64,9 @@ inline io::Session fullSession(const std::filesystem::path& folder) {
                          LensFade::Depth,
                          33.5,
                          2.25,
-                         12.5};
+                         12.5,
+                         4.25,
+                         0.75};
   session.look.cutaway = {false, 31.0, 0.5, WidthUnit::Millimetre, {0.3, 0.2, 0.1}, 22.5, -135.0};
   session.look.contextLayer = {.strength = 0.25,
                                .curvatureWeight = 2.0,

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "rendering/scene/Fading.h"
+#include "rendering/scene/Scene.h"
 #include "rendering/scene/Settings.h"
 
 namespace fenestra::tests {
@@ -17,6 +19,7 @@ TEST(Method, TheAdaptiveCutawayIsTheUsualOneWhateverTheOthersParameters) {
             MethodStages{});
   EXPECT_EQ(stagesOf({.lensFade = LensFade::Curvature, .lensRadius = 90.0, .lensBends = 4.0, .lensRim = 7.0}),
             MethodStages{});
+  EXPECT_EQ(stagesOf({.fadeReach = 9.0, .fadeSharpness = 2.0}), MethodStages{});
   EXPECT_FALSE(stagesOf(Method{}).keepsRemoved());
 }
 
@@ -52,6 +55,58 @@ TEST(Method, ClearViewKeepsAShareByItsLens) {
   grid.dims = {10, 20, 40};
   grid.spacing = {3.0, 2.5, 1.0};
   EXPECT_NEAR(radiusOf(*stages.lens, grid), 0.182 * 50.0, 1e-12);
+}
+
+TEST(Method, ContextPreservingOpensNothing) {
+  const Method method{.kind = MethodKind::ContextPreserving, .fadeReach = 4.5, .fadeSharpness = 0.8};
+  const MethodStages stages = stagesOf(method);
+  EXPECT_EQ(stages.start, MethodStages::Start::Entry);
+  EXPECT_FALSE(stages.hasWidth || stages.hasBorder || stages.keepsRemoved());
+  EXPECT_EQ(stages.fading, (MethodStages::Fading{4.5, 0.8}));
+  Scene scene;
+  scene.look.focus = LabelFocus{{1}};
+  EXPECT_TRUE(hasCutaway(scene));
+  EXPECT_FALSE(fadingOf(scene.look));
+  scene.look.method = method;
+  EXPECT_FALSE(hasCutaway(scene));
+  EXPECT_EQ(fadingOf(scene.look), stages.fading);
+  scene.look.cutaway.enabled = false;
+  EXPECT_FALSE(fadingOf(scene.look));
+}
+
+TEST(Method, DistancesRunOverTheBoundingSphere) {
+  Grid grid;
+  grid.dims = {6, 8, 24};  // 26 mm from corner to corner
+  grid.origin = {100.0, -50.0, 7.0};
+  const glm::dvec3 centre = grid.centre();
+  EXPECT_NEAR(grid.boundingRadius(), 13.0, 1e-12);
+  Camera camera{.eye = centre + glm::dvec3(0.0, -100.0, 0.0), .target = centre + glm::dvec3(20.0, 0.0, 0.0)};
+  const EyeRange range = eyeRangeOf(camera, grid);
+  EXPECT_NEAR(range.nearest, 87.0, 1e-10);
+  EXPECT_NEAR(range.farthest, 113.0, 1e-10);
+  EXPECT_EQ(range.distance(80.0), 0.0);
+  EXPECT_NEAR(range.distance(93.5), 0.25, 1e-10);
+  EXPECT_EQ(range.distance(120.0), 1.0);
+  // Parallel rays: from the plane of the eye.
+  camera.projection = Projection::Orthographic;
+  EXPECT_NEAR(eyeRangeOf(camera, grid).nearest, 100.0 * 100.0 / std::hypot(100.0, 20.0) - 13.0, 1e-10);
+  // An eye inside: from the eye on. One that looks away from all of it.
+  camera = {.eye = centre + glm::dvec3(0.0, -3.0, 0.0), .target = centre};
+  EXPECT_EQ(eyeRangeOf(camera, grid).nearest, 0.0);
+  EXPECT_NEAR(eyeRangeOf(camera, grid).farthest, 16.0, 1e-10);
+  camera = {.projection = Projection::Orthographic,
+            .eye = centre + glm::dvec3(0.0, -30.0, 0.0),
+            .target = centre + glm::dvec3(0.0, -40.0, 0.0)};
+  EXPECT_EQ(eyeRangeOf(camera, grid).distance(5.0), 0.0);
+}
+
+TEST(Method, TheSteepestSlopeIsHalfTheRangeOverTheFinestSpacing) {
+  Volume volume;
+  volume.grid.spacing = {0.5, 2.0, 4.0};
+  volume.range = {-100.0, 300.0};
+  EXPECT_EQ(steepestSlope(volume), 400.0);
+  volume.range = {7.0, 7.0};
+  EXPECT_EQ(steepestSlope(volume), 0.0);
 }
 
 TEST(Method, AScreenDoorShowsItsShareOfEverySquareEvenly) {

@@ -36,6 +36,7 @@ std::optional<BrushObstacle> obstacleTo(const BrushSettings& settings, const Loo
                                         std::span<const std::optional<BrushPoint>> points) {
   if (std::holds_alternative<std::monostate>(look.focus)) return BrushObstacle::NoFocus;
   if (!look.cutaway.enabled) return BrushObstacle::CutawayOff;
+  if (stagesOf(look.method).start == MethodStages::Start::Entry) return BrushObstacle::NothingIsCut;
   std::optional<BrushObstacle> first;
   for (const std::optional<BrushPoint>& point : points) {
     const std::optional<BrushObstacle> obstacle = obstacleAt(settings, look, point);
@@ -51,6 +52,8 @@ QString textOf(BrushObstacle obstacle) {
       return Brush::tr("Nothing is open: choose a focus first");
     case BrushObstacle::CutawayOff:
       return Brush::tr("The opening is switched off");
+    case BrushObstacle::NothingIsCut:
+      return Brush::tr("This method cuts nothing away");
     case BrushObstacle::NothingThere:
       return Brush::tr("Nothing is there");
     case BrushObstacle::NothingRemoved:
@@ -79,6 +82,8 @@ QString remedyOf(BrushObstacle obstacle) {
       return Brush::tr("restore instead");
     case BrushObstacle::EdgesOff:
       return Brush::tr("switch the edges on");
+    case BrushObstacle::NothingIsCut:
+      return Brush::tr("take the adaptive cutaway");
     case BrushObstacle::NoFocus:
     case BrushObstacle::NothingThere:
     case BrushObstacle::OffFocus:
@@ -94,6 +99,9 @@ void applyRemedy(BrushObstacle obstacle, Brush& brush, Document& document) {
     case BrushObstacle::CutawayOff:
       look.cutaway.enabled = true;
       return document.edit(Brush::tr("Open the context"), std::move(look));
+    case BrushObstacle::NothingIsCut:
+      look.method.kind = MethodKind::Adaptive;
+      return document.edit(Brush::tr("Method"), std::move(look));
     case BrushObstacle::EdgesOff:
       look.contextLayer.strength = ContextLayer{}.strength;
       return document.edit(Brush::tr("Context's edges"), std::move(look));

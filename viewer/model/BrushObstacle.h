@@ -17,6 +17,7 @@ class Document;
 enum class BrushObstacle {
   NoFocus,         ///< nothing is cut open without one
   CutawayOff,      ///< the opening is switched off
+  NothingIsCut,    ///< the method opens nothing
   NothingThere,    ///< the background
   NothingRemoved,  ///< Restore: the context is whole there
   SparesFocus,     ///< Restore: the focus lies there and must not be covered

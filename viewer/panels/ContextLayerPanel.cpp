@@ -24,7 +24,8 @@ ContextLayerPanel::ContextLayerPanel(Document& document, QWidget* parent)
 }
 
 void ContextLayerPanel::show() {
-  setEnabled(document_.hasVolume() && document_.look().cutaway.enabled);
+  const bool opens = stagesOf(document_.look().method).start != MethodStages::Start::Entry;
+  setEnabled(document_.hasVolume() && document_.look().cutaway.enabled && opens);
   controls_.show();
   for (QWidget* control : rest_) control->setEnabled(document_.look().contextLayer.strength > 0.0);
 }

@@ -48,6 +48,8 @@ CutawayPanel::CutawayPanel(Document& document, QWidget* parent)
       importanceOpacity_(methodControls_.slider(&Method::importanceOpacity)),
       lensRadius_(methodControls_.slider(&Method::lensRadius)),
       lensBends_(methodControls_.slider(&Method::lensBends)),
+      fadeReach_(methodControls_.slider(&Method::fadeReach)),
+      fadeSharpness_(methodControls_.slider(&Method::fadeSharpness)),
       lensRim_(methodControls_.spin(&Method::lensRim, 5.0)),
       look_(new QComboBox),
       unit_(controls_.choice(&Cutaway::unit)),
@@ -102,6 +104,8 @@ void CutawayPanel::addMethod(QFormLayout& form) {
   lensRim_->setPrefix(tr("rim") + QLatin1Char(' '));
   lens_->addWidget(lensRim_);
   form.addRow(name(settingOf(&Method::lensFade)), lens_);
+  form.addRow(name(settingOf(&Method::fadeReach)), fadeReach_);
+  form.addRow(name(settingOf(&Method::fadeSharpness)), fadeSharpness_);
 }
 
 void CutawayPanel::addFreeze(QAction* freeze) {
@@ -138,24 +142,31 @@ void CutawayPanel::showMethod() {
   form_->setRowVisible(lensRadius_, byLens);
   form_->setRowVisible(lensBends_, byLens);
   form_->setRowVisible(lens_, byLens);
+  const MethodStages stages = stagesOf(method);
+  const bool opens = stages.start != MethodStages::Start::Entry;
+  form_->setRowVisible(fadeReach_, stages.fading.has_value());
+  form_->setRowVisible(fadeSharpness_, stages.fading.has_value());
   QString tip = translated(wordOf(method.kind).description);
-  if (method.kind != MethodKind::Adaptive)
+  if (opens && method.kind != MethodKind::Adaptive)
     tip += QStringLiteral("\n") + tr("Smooth edges, by several rays a pixel, are the adaptive cutaway's alone");
   method_->setToolTip(tip);
-  for (QWidget* widget :
-       std::initializer_list<QWidget*>{method_, coneAngle_, importanceMode_, sparseness_, importanceAngle_,
-                                       importanceOpacity_, lensFade_, lensRadius_, lensBends_, lensRim_})
+  for (QWidget* widget : std::initializer_list<QWidget*>{method_, coneAngle_, importanceMode_, sparseness_,
+                                                         importanceAngle_, importanceOpacity_, lensFade_, lensRadius_,
+                                                         lensBends_, lensRim_, fadeReach_, fadeSharpness_})
     widget->setEnabled(open);
+  for (QWidget* widget : std::initializer_list<QWidget*>{look_, axisOffset_, unit_}) widget->setEnabled(open && opens);
+  axisDirection_->setEnabled(axisDirection_->isEnabled() && opens);
   // A width that the method does not have stays in sight, and says why it cannot be moved.
-  const MethodStages stages = stagesOf(method);
-  const QString decides = byLens ? tr("This method has no width of its own: the focus and the lens decide on it")
-                                 : tr("This method has no width of its own: the focus and the angle decide on it");
+  const QString decides = !opens   ? tr("This method has no width: it cuts nothing away")
+                          : byLens ? tr("This method has no width of its own: the focus and the lens decide on it")
+                                   : tr("This method has no width of its own: the focus and the angle decide on it");
   openWidth_->setEnabled(open && stages.hasWidth);
   openWidth_->setToolTip(stages.hasWidth ? translated(settingOf(&Cutaway::openWidth).description) : decides);
   borderWidth_->setEnabled(open && stages.hasBorder);
   colour_->setEnabled(open && stages.hasBorder);
   borderWidth_->setToolTip(stages.hasBorder ? translated(settingOf(&Cutaway::borderWidth).description)
-                                            : tr("The line of this method is the rim of its lens"));
+                           : byLens         ? tr("The line of this method is the rim of its lens")
+                                            : tr("This method has no line: it cuts nothing away"));
 }
 
 }  // namespace fenestra::viewer

@@ -31,7 +31,8 @@ class CutawayPanel : public QWidget {
   QHBoxLayout *axis_, *importance_, *lens_;
   QFormLayout* form_;
   QComboBox *method_, *importanceMode_, *sparseness_, *lensFade_;
-  SliderSpin *coneAngle_, *importanceAngle_, *importanceOpacity_, *lensRadius_, *lensBends_;
+  SliderSpin *coneAngle_, *importanceAngle_, *importanceOpacity_, *lensRadius_, *lensBends_, *fadeReach_,
+      *fadeSharpness_;
   QDoubleSpinBox* lensRim_;
   QComboBox *look_, *unit_;
   ColourButton* colour_;

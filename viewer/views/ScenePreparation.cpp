@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "rendering/Renderer.h"
+#include "rendering/scene/Fading.h"
 #include "rendering/scene/FaintLabels.h"
 #include "rendering/scene/Occlusion.h"
 
@@ -99,8 +100,8 @@ ScenePreparation::Kind ScenePreparation::kindOf(const Scene& scene, const View& 
           .faint = faintLabels(scene).any(),
           .lit = look.shading.enabled,
           .cutaway = hasCutaway(scene),
-          .method = hasCutaway(scene) ? programsOf(look.method) : Method(),
-          .occluded = hasOcclusion(look.shading),
+          .method = hasCutaway(scene) || fadingOf(look) ? programsOf(look.method) : Method(),
+          .occluded = hasOcclusion(look),
           .contextLayer = look.contextLayer.strength > 0.0,
           .clipped = halfSpaces(look.clipping, scene.volume->grid).empty() ? 0
                      : look.clipping.grey                                  ? 2

@@ -13,6 +13,20 @@ vec4 bernsteinAlong(float f[8], vec3 a, vec3 b) {
   return vec4(mix(xaya.x, xaya.y, a.z), b1 / 3.0, b2 / 3.0, mix(xbyb.x, xbyb.y, b.z));
 }
 
+// The same of vectors. Indices are constants: some drivers mishandle others.
+vec3 bilinear(vec3 f0, vec3 f1, vec3 f2, vec3 f3, vec2 w) { return mix(mix(f0, f1, w.x), mix(f2, f3, w.x), w.y); }
+
+void bernsteinAlong(vec3 f[8], vec3 a, vec3 b, out vec3 along[4]) {
+  vec3 xa[4] = vec3[4](mix(f[0], f[1], a.x), mix(f[2], f[3], a.x), mix(f[4], f[5], a.x), mix(f[6], f[7], a.x));
+  vec3 xb[4] = vec3[4](mix(f[0], f[1], b.x), mix(f[2], f[3], b.x), mix(f[4], f[5], b.x), mix(f[6], f[7], b.x));
+  along[0] = bilinear(xa[0], xa[1], xa[2], xa[3], a.yz);
+  along[1] = (bilinear(xb[0], xb[1], xb[2], xb[3], a.yz) + bilinear(xa[0], xa[1], xa[2], xa[3], vec2(b.y, a.z)) +
+              bilinear(xa[0], xa[1], xa[2], xa[3], vec2(a.y, b.z))) / 3.0;
+  along[2] = (bilinear(xb[0], xb[1], xb[2], xb[3], vec2(b.y, a.z)) +
+              bilinear(xb[0], xb[1], xb[2], xb[3], vec2(a.y, b.z)) + bilinear(xa[0], xa[1], xa[2], xa[3], b.yz)) / 3.0;
+  along[3] = bilinear(xb[0], xb[1], xb[2], xb[3], b.yz);
+}
+
 float bernstein(vec4 b, float u) {
   vec3 c = mix(b.xyz, b.yzw, u);
   vec2 d = mix(c.xy, c.yz, u);

@@ -14,6 +14,7 @@
 #include "lib/TransferSegments.glsl"
 #include "lib/Traversal.glsl"
 #include "lib/Volume.glsl"
+#include "lib/integral/FadingPiece.glsl"
 #include "lib/integral/Piece.glsl"
 #include "lib/integral/Settings.glsl"
 
@@ -249,8 +250,74 @@ vec4 pieceOf(Medium medium, Segment segment, Lights lights) {
          * (medium.depth * relativeOpacity(medium.depth));
 }
 
+#if FADING
+const int MOST_STEPS = 128;  // through a part
+// Of the bound: where the light falls to nothing, how much fades has a cusp, and errors fall more slowly than lengths.
+const float LEAST_SHARE = 0.001;
+
+FadingPoint fadingPointAt(Section section, Ray ray, Cut cut, Part part, float x) {
+  Segment segment = part.segment;
+  float entry = clamp(bernstein(part.entries, x), segment.low, segment.high) - segment.anchor;
+  vec4 material = segment.material + segment.slope * entry;
+  float within = mix(part.from, part.to, x), along = mix(section.uFrom, section.uTo, within);
+  float s = mix(section.sFrom, section.sTo, within);
+  vec2 light = lightAlong(section.normals, along, ray.world, false);
+  FadingPoint point;
+  point.extinction = max(material.a, 0.0);
+  point.fade = fadeAt(length(bernstein(section.normals.slopes, along)), intensityOf(light), s);
+  light = behindCut(light, cut, s);
+  point.colour = material.rgb * light.x + light.y;
+  return point;
+}
+
+// Where in a part, 0 to 1, the next step has to end at the latest.
+float nextStop(Section section, Part part, float x) {
+  vec2 ends = mix(vec2(section.uFrom), vec2(section.uTo), vec2(part.from, part.to));
+  float turn = nextTurn(section.normals, mix(ends.x, ends.y, x));
+  return turn < ends.y ? max((turn - ends.x) / (ends.y - ends.x), x + 1e-6) : 1.0;
+}
+
+// A part of the context that fades, step by step. A step's error is estimated by what two of half its length change; the
+// steps' allowed errors are as integratePart() has the parts'. `transmittance` and `share` as there.
+vec4 integrateFading(Section section, Ray ray, Cut cut, Part part, float transmittance, float share) {
+  float size = (part.to - part.from) * (section.sTo - section.sFrom), from = 0.0, extent = 1.0, seen = transmittance;
+  float stop = nextStop(section, part, 0.0);
+  vec4 result = vec4(0.0);
+  FadingPoint front = fadingPointAt(section, ray, cut, part, 0.0);
+  int left = MOST_STEPS;
+  do {
+    stop = left == 1 ? 1.0 : stop;
+    bool last = extent >= stop - from || left == 1;
+    if (last) extent = stop - from;
+    FadingPoint early = fadingPointAt(section, ray, cut, part, from + 0.25 * extent);
+    FadingPoint middle = fadingPointAt(section, ray, cut, part, from + 0.5 * extent);
+    FadingPoint late = fadingPointAt(section, ray, cut, part, from + 0.75 * extent);
+    FadingPoint back = fadingPointAt(section, ray, cut, part, last ? stop : from + extent);
+    float lengthOfStep = extent * size;
+    vec4 whole = pieceOf(front, middle, back, lengthOfStep, seen);
+    vec4 halves = pieceOf(front, early, middle, 0.5 * lengthOfStep, seen);
+    halves = over(halves, pieceOf(middle, late, back, 0.5 * lengthOfStep, seen * (1.0 - halves.a)));
+    float wrong = seen * highest(abs(whole - halves)), shown = seen * halves.a;
+    float excess = wrong / (integral.maxError * max(max(shown, share * extent), LEAST_SHARE));
+    if (excess <= 1.0 || left == 1) {
+      result = over(result, halves);
+      seen = transmittance * (1.0 - result.a);
+      from = last ? stop : from + extent;
+      front = back;
+      if (last && stop < 1.0) stop = nextStop(section, part, stop);
+    }
+    // The estimate falls with the third power of the length at least.
+    extent *= clamp(0.9 * pow(max(excess, 1e-6), -1.0 / 3.0), 0.2, 4.0);
+  } while (--left > 0 && from < 1.0 && seen >= integral.leastTransmittance);
+  return result;
+}
+#endif
+
 // `transmittance`: in front of the part; `share`: its share of the ray's length.
 vec4 integratePart(Section section, Ray ray, Cut cut, Part part, float transmittance, float share) {
+#if FADING
+  if (!section.inFocus) return integrateFading(section, ray, cut, part, transmittance, share);
+#endif
   float size = (part.to - part.from) * (section.sTo - section.sFrom);
   Medium medium = mediumOf(part, size);
   Lights lights = lightsOf(section, ray, cut, part.from, part.to);

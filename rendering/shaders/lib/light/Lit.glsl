@@ -9,10 +9,14 @@
 //   CellNormals, normalsAlong, addFocusNormals, lightAlong   the same along a path through a cell
 //   NormalsAlong, normalsAlongSpline, halfOf   the same along a path through a spline
 //   openAt, occluded  ambient occlusion and shadow, where OCCLUDED is 1 (lib/light/Occlusion.glsl)
+//   intensityOf       how strongly light other than ambient is given back, 0 to 1 (lib/Fading.glsl)
+//   nextTurn          the first u' > u, at most 1, where the context's normals turn from one side of the light to the
+//                     other, at which that has a kink
 //   piecesOfLight     into how many pieces the light along such a path has to be cut
 #include <focus>
 #include <schedule>
 #include "lib/Crossing.glsl"
+#include "lib/Fading.glsl"
 #include "lib/Volume.glsl"
 #include "lib/light/BlinnPhong.glsl"
 #include "lib/light/Occlusion.glsl"
@@ -77,21 +81,10 @@ struct CellNormals {
 #if FOCUS_SMOOTH
   vec3 focus[4];
 #endif
+#if FADING
+  vec3 slopes[4];  // gradients, of lib/Fading.glsl
+#endif
 };
-
-// bernsteinAlong() of lib/Crossing.glsl for vectors. Indices are constants: some drivers mishandle others.
-vec3 bilinear(vec3 f0, vec3 f1, vec3 f2, vec3 f3, vec2 w) { return mix(mix(f0, f1, w.x), mix(f2, f3, w.x), w.y); }
-
-void bernsteinAlong(vec3 f[8], vec3 a, vec3 b, out vec3 along[4]) {
-  vec3 xa[4] = vec3[4](mix(f[0], f[1], a.x), mix(f[2], f[3], a.x), mix(f[4], f[5], a.x), mix(f[6], f[7], a.x));
-  vec3 xb[4] = vec3[4](mix(f[0], f[1], b.x), mix(f[2], f[3], b.x), mix(f[4], f[5], b.x), mix(f[6], f[7], b.x));
-  along[0] = bilinear(xa[0], xa[1], xa[2], xa[3], a.yz);
-  along[1] = (bilinear(xb[0], xb[1], xb[2], xb[3], a.yz) + bilinear(xa[0], xa[1], xa[2], xa[3], vec2(b.y, a.z)) +
-              bilinear(xa[0], xa[1], xa[2], xa[3], vec2(a.y, b.z))) / 3.0;
-  along[2] = (bilinear(xb[0], xb[1], xb[2], xb[3], vec2(b.y, a.z)) +
-              bilinear(xb[0], xb[1], xb[2], xb[3], vec2(a.y, b.z)) + bilinear(xa[0], xa[1], xa[2], xa[3], b.yz)) / 3.0;
-  along[3] = bilinear(xb[0], xb[1], xb[2], xb[3], b.yz);
-}
 
 #if SPLINE
 TEXELS_3D(rgb10_a2, normalTexels);  // coefficients of the gated normals, as those of the spline
@@ -99,6 +92,9 @@ TEXELS_3D(rgb10_a2, normalTexels);  // coefficients of the gated normals, as tho
 // Gated normals at the points of a path through a spline (lib/Spline.glsl).
 struct NormalsAlong {
   vec3 at[POINTS];
+#if FADING
+  vec3 slopes[POINTS];
+#endif
 };
 
 NormalsAlong normalsAlongSpline(ivec3 cell, vec3 a, vec3 b) {
@@ -121,6 +117,9 @@ NormalsAlong normalsAlongSpline(ivec3 cell, vec3 a, vec3 b) {
         normals.at[i] += (y[i][j] * z[i][k]) * (c0 * x[i].x + c1 * x[i].y + c2 * x[i].z + c3 * x[i].w);
     }
   for (int i = 0; i < POINTS; ++i) normals.at[i] = gatedNormal(normals.at[i]);
+#if FADING
+  slopesAlongSpline(cell, a, b, normals.slopes);
+#endif
   return normals;
 }
 
@@ -132,14 +131,23 @@ CellNormals halfOf(NormalsAlong normals, int each) {
   result.gated[1] = (-5.0 * v0 + 18.0 * v1 - 9.0 * v2 + 2.0 * v3) * (1.0 / 6.0);
   result.gated[2] = (2.0 * v0 - 9.0 * v1 + 18.0 * v2 - 5.0 * v3) * (1.0 / 6.0);
   result.gated[3] = v3;
+#if FADING
+  halfOf(normals.slopes, each, result.slopes);
+#endif
   return result;
 }
 #else
 // `a` and `b`: the path's ends within the cell.
 CellNormals normalsAlong(ivec3 cell, vec3 a, vec3 b) {
   vec3 f[8];
-  for (int i = 0; i < 8; ++i) f[i] = gatedAt(cell - 1 + cornerOf(i));
   CellNormals normals;
+#if FADING
+  slopesAround(cell, a, b, f);
+  bernsteinAlong(f, a, b, normals.slopes);
+  for (int i = 0; i < 8; ++i) f[i] = gatedSlope(f[i]);
+#else
+  for (int i = 0; i < 8; ++i) f[i] = gatedAt(cell - 1 + cornerOf(i));
+#endif
   bernsteinAlong(f, a, b, normals.gated);
   return normals;
 }
@@ -178,6 +186,31 @@ vec2 lightAlong(CellNormals normals, float u, vec3 rayDirection, bool ofFocus) {
   if (ofFocus && dot(smoothed, smoothed) > FLAT_FOCUS) return lightOf(normalize(smoothed), rayDirection);
 #endif
   return lightOfGated(bernstein(normals.gated, u), rayDirection);
+}
+
+float intensityOf(vec2 light) { return clamp(light.x - lighting.ambient + light.y, 0.0, 1.0); }
+
+float nextTurn(CellNormals normals, float u) {
+  vec4 towards = vec4(dot(normals.gated[0], lighting.direction), dot(normals.gated[1], lighting.direction),
+                      dot(normals.gated[2], lighting.direction), dot(normals.gated[3], lighting.direction));
+  if (all(greaterThan(towards, vec4(0.0))) || all(lessThanEqual(towards, vec4(0.0)))) return 1.0;
+  vec2 turns = turningPoints(towards);
+  float from = u, to = 1.0;
+  bool before = bernstein(towards, u) > 0.0, changes = false;
+  for (int i = 0; i < 3; ++i) {
+    float end = i < 2 ? turns[i] : 1.0;
+    if (changes || end <= from) continue;
+    changes = (bernstein(towards, end) > 0.0) != before;
+    if (changes) to = end;
+    else from = end;
+  }
+  // Bisection in a monotone piece, down to rounding.
+  for (int i = 0; i < 22 && changes; ++i) {
+    float middle = 0.5 * (from + to);
+    if ((bernstein(towards, middle) > 0.0) != before) to = middle;
+    else from = middle;
+  }
+  return to;
 }
 
 // Into how many pieces a part of a path, from u to u', has to be cut for the bends of its light that three points cannot

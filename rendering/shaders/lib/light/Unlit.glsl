@@ -1,5 +1,7 @@
 // No lighting: colours are shown as they are. The interface is that of Lit.glsl.
 
+#include "lib/Fading.glsl"
+
 #undef OCCLUDED
 #define OCCLUDED 0
 
@@ -7,21 +9,51 @@ const bool LIT = false;
 const vec2 UNLIT = vec2(1.0, 0.0);  // shaded colour = colour · x + y
 
 struct CellNormals {
+#if FADING
+  vec3 slopes[4];
+#else
   float none;
+#endif
 };
 
 vec2 lightOf(vec3 normal, vec3 rayDirection) { return UNLIT; }
 vec3 gatedAt(ivec3 voxel) { return vec3(0.0); }
 vec2 lightOfGated(vec3 gated, vec3 rayDirection) { return UNLIT; }
 vec2 lightOfFocus(vec3 gated, vec3 position, vec3 rayDirection) { return UNLIT; }
+#if !FADING
 CellNormals normalsAlong(ivec3 cell, vec3 a, vec3 b) { return CellNormals(0.0); }
 struct NormalsAlong {
   float none;
 };
 NormalsAlong normalsAlongSpline(ivec3 cell, vec3 a, vec3 b) { return NormalsAlong(0.0); }
 CellNormals halfOf(NormalsAlong normals, int each) { return CellNormals(0.0); }
+#elif SPLINE
+struct NormalsAlong {
+  vec3 slopes[POINTS];
+};
+NormalsAlong normalsAlongSpline(ivec3 cell, vec3 a, vec3 b) {
+  NormalsAlong normals;
+  slopesAlongSpline(cell, a, b, normals.slopes);
+  return normals;
+}
+CellNormals halfOf(NormalsAlong normals, int each) {
+  CellNormals result;
+  halfOf(normals.slopes, each, result.slopes);
+  return result;
+}
+#else
+CellNormals normalsAlong(ivec3 cell, vec3 a, vec3 b) {
+  CellNormals normals;
+  vec3 f[8];
+  slopesAround(cell, a, b, f);
+  bernsteinAlong(f, a, b, normals.slopes);
+  return normals;
+}
+#endif
 void addFocusNormals(inout CellNormals normals, ivec3 cell, vec3 a, vec3 b) {}
 vec2 lightAlong(CellNormals normals, float u, vec3 rayDirection, bool ofFocus) { return UNLIT; }
+float intensityOf(vec2 light) { return 1.0; }
+float nextTurn(CellNormals normals, float u) { return 1.0; }
 float piecesOfLight(CellNormals normals, float from, float to, bool ofFocus, vec3 rayDirection, float weight) {
   return 0.0;
 }

@@ -1,0 +1,30 @@
+#include "rendering/scene/Fading.h"
+
+#include <algorithm>
+
+#include "rendering/scene/Look.h"
+
+namespace fenestra {
+
+std::optional<MethodStages::Fading> fadingOf(const Look& look) {
+  return look.cutaway.enabled ? stagesOf(look.method).fading : std::nullopt;
+}
+
+double steepestSlope(const Volume& volume) {
+  const glm::dvec3 spacing = volume.grid.spacing;
+  return 0.5 * (volume.range.high - volume.range.low) / std::min({spacing.x, spacing.y, spacing.z});
+}
+
+double EyeRange::distance(double t) const {
+  return farthest > nearest ? std::clamp((t - nearest) / (farthest - nearest), 0.0, 1.0) : 0.0;
+}
+
+EyeRange eyeRangeOf(const Camera& camera, const Grid& grid) {
+  const glm::dvec3 centre = grid.centre() - camera.eye;
+  const double middle =
+      camera.projection == Projection::Perspective ? glm::length(centre) : glm::dot(centre, camera.axes().forward);
+  const double radius = grid.boundingRadius();
+  return {std::max(middle - radius, 0.0), std::max(middle + radius, 0.0)};
+}
+
+}  // namespace fenestra

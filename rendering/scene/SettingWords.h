@@ -1,0 +1,125 @@
+#pragma once
+// The choices among settings (Settings.h): the word of each value in files and on the command line, and its name and
+// meaning in the window.
+
+#include <array>
+
+#include "rendering/scene/Camera.h"
+#include "rendering/scene/Look.h"
+#include "rendering/scene/Quality.h"
+
+namespace fenestra {
+
+/// One value of an enumeration.
+template <class E>
+struct Word {
+  E value;
+  const char* word;              ///< in files and on the command line
+  const char* name = word;       ///< in the window
+  const char* description = "";  ///< as in Declaration (Settings.h)
+};
+
+constexpr auto wordsOf(WidthUnit) {
+  return std::to_array<Word<WidthUnit>>(
+      {{WidthUnit::Pixel, "px", "pixels"}, {WidthUnit::Millimetre, "mm", "millimetres at the focus"}});
+}
+constexpr auto wordsOf(MethodKind) {
+  return std::to_array<Word<MethodKind>>(
+      {{MethodKind::Adaptive, "adaptive", "Adaptive cutaway",
+        "An opening around the focus that rises to the surface over a width that you choose: the method of this "
+        "program"},
+       {MethodKind::Cone, "cone", "Cone cutaway",
+        "A funnel around everything in focus, which widens towards you at one angle: the deeper the focus lies, the "
+        "wider the opening (Burns and Finkelstein 2008)"},
+       {MethodKind::Importance, "importance", "Importance-driven",
+        "What hides the focus gives way to it because the focus is more important: it is removed, or stays faint "
+        "(Viola, "
+        "Kanitsar and Gröller 2004)"},
+       {MethodKind::ClearView, "clearview", "ClearView",
+        "A lens over the focus through which it shows, while what hides it fades towards the lens's middle and stays "
+        "where it bends (Krüger, Schneider and Westermann 2006)"},
+       {MethodKind::ContextPreserving, "context-preserving", "Context-preserving",
+        "Nothing is cut away: what is flat, brightly lit and near to you fades, while edges stay, so that the inside "
+        "shows; what is in focus stays as it is (Bruckner, Grimm, Kanitsar and Gröller 2006)"}});
+}
+constexpr auto wordsOf(LensFade) {
+  return std::to_array<Word<LensFade>>(
+      {{LensFade::Distance, "distance", "To the rim", "The nearer to the lens's rim, the more of what hides the focus"},
+       {LensFade::Curvature, "curvature", "Evenly", "Nothing but the bends of what hides the focus"},
+       {LensFade::Depth, "depth", "With depth", "The more lies in front of the focus, the more of it"}});
+}
+constexpr auto wordsOf(ImportanceMode) {
+  return std::to_array<Word<ImportanceMode>>(
+      {{ImportanceMode::Maximum, "maximum", "Removed",
+        "What hides the focus is removed, in a cone that widens from the focus's outline towards you (maximum "
+        "importance "
+        "projection)"},
+       {ImportanceMode::Average, "average", "Faint",
+        "What hides the focus stays, but faint (average importance compositing)"}});
+}
+constexpr auto wordsOf(Sparseness) {
+  return std::to_array<Word<Sparseness>>(
+      {{Sparseness::Opacity, "opacity", "See-through", "Less opaque, in its own colours"},
+       {Sparseness::Colour, "colour", "Grey", "Less opaque, and grey, so that the colours are the focus's alone"},
+       {Sparseness::ScreenDoor, "screen-door", "Dotted",
+        "As it is on a few pixels in an even pattern, and left out on the others"}});
+}
+constexpr auto wordsOf(BrushMode) {
+  return std::to_array<Word<BrushMode>>(
+      {{BrushMode::Restore, "restore", "Restore", "Brings back what the opening removed"},
+       {BrushMode::Open, "open", "Open", "Opens further, away from the eye"},
+       {BrushMode::Fade, "fade", "Fade", "Shows less of the context's edges over the focus"},
+       {BrushMode::Strengthen, "strengthen", "Strengthen", "Shows more of the context's edges over the focus"}});
+}
+constexpr auto wordsOf(LabelRole) {
+  return std::to_array<Word<LabelRole>>(
+      {{LabelRole::Context, "context", "Context", "Cut away where it hides the focus"},
+       {LabelRole::Hidden, "hidden", "Hidden", "Left out of 3-D pictures; slices show its voxels"},
+       {LabelRole::Protected, "protected", "Protected", "Never cut away, even where it hides the focus"}});
+}
+constexpr auto wordsOf(Reconstruction) {
+  return std::to_array<Word<Reconstruction>>(
+      {{Reconstruction::Linear, "linear", "Straight", "Straight lines between voxels: coarse scans show terraces"},
+       {Reconstruction::Cubic, "cubic", "Curved",
+        "Smooth curves through every voxel, its noise as well: takes more memory and time"},
+       {Reconstruction::Smooth, "smooth", "Smoothed",
+        "Smooth curves near the voxels: fewer terraces and less noise, but softer detail"},
+       {Reconstruction::Smoother, "smoother", "Smoothed more",
+        "Smooth curves near means over five voxels: no terraces in coarse scans, but fine detail is lost"},
+       {Reconstruction::Auto, "auto", "Automatic",
+        "Smoothed where voxels are coarse and not too many, else straight"}});
+}
+constexpr auto wordsOf(Backdrop) {
+  return std::to_array<Word<Backdrop>>({{Backdrop::Plain, "plain", "One colour", "The background's colour everywhere"},
+                                        {Backdrop::Gradient, "gradient", "Gradient",
+                                         "From the background's colour at the bottom to another at the top"}});
+}
+constexpr auto wordsOf(LabelSmoothing) {
+  return std::to_array<Word<LabelSmoothing>>(
+      {{LabelSmoothing::Off, "off", "Exact", "As the labels have it, with the steps of their voxels"},
+       {LabelSmoothing::Light, "light", "Lightly smoothed", "Without the steps of single voxels"},
+       {LabelSmoothing::Strong, "strong", "Strongly smoothed", "Without terraces of several voxels"}});
+}
+constexpr auto wordsOf(Edges) {
+  return std::to_array<Word<Edges>>(
+      {{Edges::Off, "off", "One ray a pixel", "Edges show the steps of the pixels"},
+       {Edges::Smooth, "smooth", "Smooth", "Several rays for each pixel that an edge runs through"}});
+}
+constexpr auto wordsOf(Projection) {
+  return std::to_array<Word<Projection>>(
+      {{Projection::Perspective, "perspective"}, {Projection::Orthographic, "orthographic"}});
+}
+constexpr auto wordsOf(Quality) {
+  return std::to_array<Word<Quality>>(
+      {{Quality::Draft, "draft"}, {Quality::Normal, "normal"}, {Quality::High, "high"}});
+}
+
+/// The entry of wordsOf() for a value.
+template <class E>
+constexpr Word<E> wordOf(E value) {
+  for (const Word<E>& word : wordsOf(value))
+    if (word.value == value) return word;
+  return {value, ""};
+}
+
+}  // namespace fenestra
