@@ -37,7 +37,7 @@ int raysTogether(Schedule schedule, const FocusLayerPass::Sampling& sampling, bo
 }
 
 /// Whether normals in the focus follow the volume's exactly (shaders/lib/integral/FaceToFace.glsl): of a focus of
-/// values, which has none of its own. Draft has no time for that; it is told by its tolerance.
+/// values, which has none of its own. Not in draft quality, whose tolerance is greater: it has no time for that.
 bool bendsNormals(const GpuScene& gpu, const FocusLayerPass::Sampling& sampling, bool lit) {
   const bool isDraft = sampling.tolerance > FocusLayerPass::Sampling().tolerance;
   return lit && !sampling.maxError && !isDraft && gpu.focusKind() == FocusIndex::Kind::Values;

@@ -1,8 +1,9 @@
 #include "viewer/views/PictureSurface.h"
 
 #include <cmath>
-#include <cstring>
+#include <cstdint>
 #include <utility>
+#include <vector>
 
 #include <QOpenGLWidget>
 #include <QPainter>
@@ -45,10 +46,10 @@ class RasterSurface : public QWidget, public PictureSurface {
   QWidget& widget() override { return *this; }
   void take(Renderer& picture) override {
     const glm::ivec2 size = devicePixels(*this);
-    const std::vector<std::uint8_t> pixels = picture.readPresented(size);
+    std::vector<std::uint8_t> pixels = picture.readPresented(size);
     if (pixels.empty()) return;
-    image_ = QImage(size.x, size.y, QImage::Format_RGB32);
-    std::memcpy(image_.bits(), pixels.data(), pixels.size());
+    pixels_ = std::move(pixels);
+    image_ = QImage(pixels_.data(), size.x, size.y, QImage::Format_RGB32);
   }
   void show(Renderer&) override {
     QPainter painter(this);
@@ -73,7 +74,8 @@ class RasterSurface : public QWidget, public PictureSurface {
 
  private:
   Calls calls_;
-  QImage image_;
+  std::vector<std::uint8_t> pixels_;
+  QImage image_;  ///< of pixels_, without a copy
   bool isGrabbing_ = false;
 };
 
