@@ -68,8 +68,13 @@ struct PlaceOptions {
   std::filesystem::path map;  ///< PNG of the quality over the sphere; empty: not written
   /// Beside the paper's three; of evenly spread directions, so that `sampling` is then not refined.
   DescriptorOptions descriptors;
+  std::optional<glm::dvec3> pick;  ///< world mm: LiveSync for the structure there, in place of the focus
+  placement::LiveSyncOptions liveSync;
 };
+/// Needs OpenGL, unless a point is picked.
 void place(const PlaceOptions& options);
+/// For the picked point.
+void placeByPick(const PlaceOptions& options);
 
 struct GrowOptions {
   app::VolumeOptions volume;

@@ -76,6 +76,7 @@ void describe(const PlaceOptions& options, const app::LoadedScene& loaded, const
 }  // namespace
 
 void place(const PlaceOptions& options) {
+  if (options.pick) return placeByPick(options);
   const app::LoadedScene loaded = app::loadScene(options.scene, progressOnTerminal());
   printWarnings(loaded.warnings);
   const Scene& scene = loaded.scene;

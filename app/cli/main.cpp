@@ -1,6 +1,7 @@
 // fenestra-cli: everything that needs no window. Exit codes: 0 done, 1 the input or the machine is at fault, 2 wrong
 // usage.
 
+#include <algorithm>
 #include <array>
 #include <exception>
 #include <functional>
@@ -88,6 +89,37 @@ void addDescriptorOptions(CLI::App& command, PlaceOptions& options) {
       ->needs(descriptors);
 }
 
+void addPickOptions(CLI::App& command, PlaceOptions& options) {
+  CLI::Option* pick = app::addParsed(command, "--pick", "L,P,S",
+                                     "instead of the focus: the structure at a point, mm, by LiveSync: its label, or "
+                                     "the region that grows there",
+                                     [&options](const std::string& text) {
+                                       const auto point = app::parseNumbers<double, 3>(text, ',');
+                                       if (point) options.pick = {(*point)[0], (*point)[1], (*point)[2]};
+                                       return point.has_value();
+                                     });
+  for (const char* other : {"--descriptors", "--refine", "--map", "--joint", "--sequential", "--weights"})
+    pick->excludes(command.get_option(other));
+  const placement::LiveSyncWeights usual;
+  app::addParsed(command, "--pick-weights", "O,S,V",
+                 "of the patient's orientation, the structure's shape and its visibility, 0 or more each, default " +
+                     text(usual.orientation) + "," + text(usual.shape) + "," + text(usual.visibility),
+                 [&options](const std::string& text) {
+                   const auto weights = app::parseNumbers<double, 3>(text, ',');
+                   if (!weights || std::any_of(weights->begin(), weights->end(), [](double w) { return w < 0.0; }))
+                     return false;
+                   options.liveSync.weights.orientation = (*weights)[0];
+                   options.liveSync.weights.shape = (*weights)[1];
+                   options.liveSync.weights.visibility = (*weights)[2];
+                   return true;
+                 })
+      ->needs(pick);
+  app::addNumber(command, "--reach", 1.0, 1000.0, "MM",
+                 "how far from the point its structure counts, default " + text(options.liveSync.reach),
+                 options.liveSync.reach)
+      ->needs(pick);
+}
+
 void addPlacementOptions(CLI::App& command, PlaceOptions& options) {
   command.option_defaults()->group("Placement");
   command
@@ -153,6 +185,7 @@ void addPlacementOptions(CLI::App& command, PlaceOptions& options) {
                        {{"cameras", false}, {"all", true}}, options.everyCandidate);
   command.add_option("--map", options.map, "PNG of the quality over the sphere, the cameras marked")->type_name("FILE");
   addDescriptorOptions(command, options);
+  addPickOptions(command, options);
   app::addScheduleOption(command, options.schedule);
   command.add_option("--repeat", options.repeat, "measurements to make and time")->check(CLI::Range(1, 1000));
   command.option_defaults()->group("Options");

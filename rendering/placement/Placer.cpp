@@ -1,7 +1,6 @@
 #include "rendering/placement/Placer.h"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <stdexcept>
 
@@ -32,10 +31,6 @@ std::vector<std::uint16_t> labelsOf(const FocusSurface& surface, const Scene& sc
   }
   return labels;
 }
-
-/// A, P, L, R, S, I, as directions towards the camera (LPS).
-const std::array<glm::dvec3, 6> standardDirections{glm::dvec3(0, -1, 0), glm::dvec3(0, 1, 0), glm::dvec3(1, 0, 0),
-                                                   glm::dvec3(-1, 0, 0), glm::dvec3(0, 0, 1), glm::dvec3(0, 0, -1)};
 
 }  // namespace
 
@@ -83,7 +78,7 @@ void Placer::begin(GpuScene& gpu, const Scene& scene, const Sampling& sampling, 
     const std::optional<int> nside = sideOf(sampling.count);
     if (!nside) throw std::invalid_argument(std::to_string(sampling.count) + " is not 12·nside²");
     std::vector<glm::dvec3> directions = ringDirections(*nside);
-    directions.insert(directions.end(), standardDirections.begin(), standardDirections.end());
+    directions.insert(directions.end(), standardDirections().begin(), standardDirections().end());
     task.batch = Batch(std::move(directions));
     task.standard = true;
   }
@@ -110,7 +105,7 @@ bool Placer::advance(const GpuScene& gpu, std::size_t count) {
   if (!task_->standard) {
     task_->refinement->add(batch.measured);
     task_->standard = task_->refinement->wanted().empty();
-    batch = Batch(task_->standard ? std::vector(standardDirections.begin(), standardDirections.end())
+    batch = Batch(task_->standard ? std::vector(standardDirections().begin(), standardDirections().end())
                                   : task_->refinement->wanted());
     return false;
   }
@@ -125,7 +120,7 @@ void Placer::finish() {
     task_->measured.coarser = task_->refinement->coarser();
   }
   for (Candidate& candidate : task_->batch.measured) candidates.push_back(std::move(candidate));
-  task_->measured.spread = candidates.size() - standardDirections.size();
+  task_->measured.spread = candidates.size() - standardDirections().size();
   describeTogether(candidates, task_->measured.surfacePoints);
   key_ = task_->key;
   measured_ = std::move(task_->measured);

@@ -32,6 +32,20 @@ struct Options {
   bool operator==(const Options&) const = default;
 };
 
+/// Rating of a view of a picked point (rendering/viewpoints/LiveSync.h) = Σ weight · score / Σ weight. The published
+/// method names no numbers; these are a choice: a radiologist's habits, the shape and what hides it count alike, and
+/// the way from the last view decides between views that are nearly as good.
+struct LiveSyncWeights {
+  double orientation = 1.0, history = 0.5, shape = 1.0, visibility = 1.0;
+  bool operator==(const LiveSyncWeights&) const = default;
+};
+
+struct LiveSyncOptions {
+  LiveSyncWeights weights;
+  double reach = 40.0;  ///< mm: how far from the picked point its structure counts
+  bool operator==(const LiveSyncOptions&) const = default;
+};
+
 /// Whether both cameras are searched at once unless the user asks for the paper's order, first C1 and then C2.
 inline constexpr bool jointByDefault = true;
 

@@ -29,6 +29,12 @@ std::optional<int> sideOf(int count) {
   return count % 12 == 0 && count / 12 == nside * nside ? std::optional(nside) : std::nullopt;
 }
 
+std::span<const glm::dvec3, 6> standardDirections() {
+  static const std::array<glm::dvec3, 6> directions{glm::dvec3(0, -1, 0), glm::dvec3(0, 1, 0), glm::dvec3(1, 0, 0),
+                                                    glm::dvec3(-1, 0, 0), glm::dvec3(0, 0, 1), glm::dvec3(0, 0, -1)};
+  return directions;
+}
+
 std::vector<glm::dvec3> ringDirections(int nside) {
   const Healpix_Base sphere = ring(nside);
   std::vector<glm::dvec3> directions;

@@ -12,6 +12,9 @@ namespace fenestra::placement {
 /// nside of N = 12·nside² directions; empty when N is no such number.
 std::optional<int> sideOf(int count);
 
+/// A, P, L, R, S, I, as directions towards the camera (LPS).
+std::span<const glm::dvec3, 6> standardDirections();
+
 /// All directions of a resolution in RING order, which exists for every nside ≥ 1. Unit vectors in world space (LPS),
 /// from the model's centre towards the camera; the pole is the patient's superior.
 std::vector<glm::dvec3> ringDirections(int nside);

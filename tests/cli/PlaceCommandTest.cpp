@@ -149,5 +149,66 @@ TEST_F(PlaceCommand, PlaceWithoutAFocusFails) {
   EXPECT_FALSE(fs::exists(at("map.png")) || fs::exists(at("x.png")));
 }
 
+// LiveSync: cameras for the structure at a point.
+
+TEST_F(PlaceCommand, PickLooksAtALabel) {
+  const Result result = run(joined(smallTorso, {"--pick", "0,0,0", "--json", "all", "--reach", "60"}));
+  ASSERT_EQ(result.exitCode, 0) << result.error;
+  const Json json = result.json();
+  EXPECT_EQ(json["by"], "livesync");
+  EXPECT_EQ(json["structure"]["name"], "mediastinum");
+  EXPECT_FALSE(json["structure"]["grown"]);
+  EXPECT_EQ(json["candidates"], 48);
+  ASSERT_EQ(json["all"].size(), 48u + 6u);
+  double along = 0.0;
+  for (const char* camera : {"c1", "c2"}) {
+    EXPECT_EQ(json[camera]["camera"]["target"], Json({0.0, 0.0, 0.0}));
+    EXPECT_TRUE(json[camera]["spheres"]["view_history"].is_null());
+  }
+  for (std::size_t i = 0; i < 3; ++i)
+    along += json["c1"]["direction"][i].get<double>() * json["c2"]["direction"][i].get<double>();
+  EXPECT_LE(std::abs(along), 0.5 + 1e-9);
+  for (const Json& each : json["all"]) {
+    const Json& spheres = each["spheres"];
+    const double mean = (spheres["patient_orientation"].get<double>() + spheres["local_shape"].get<double>() +
+                         spheres["visibility"].get<double>()) /
+                        3.0;
+    EXPECT_NEAR(each["rating"].get<double>(), mean, 1e-12);
+    EXPECT_LE(each["rating"].get<double>(), json["c1"]["rating"].get<double>() + 1e-9);
+  }
+  // By orientation alone, from the front.
+  const Json front = run(joined(smallTorso, {"--pick", "0,0,0", "--pick-weights", "1,0,0"})).json();
+  EXPECT_NEAR(front["c1"]["direction"][1].get<double>(), -1.0, 1e-12);
+}
+
+TEST_F(PlaceCommand, PickGrowsARegionWithoutLabels) {
+  const std::string plain = at("plain.mha");
+  ASSERT_EQ(run({"convert", "--phantom", "head", "--phantom-voxels", "64", "-o", plain}).exitCode, 0);
+  const Json whole = run({"place", plain, "--pick", "0,0,0", "--samples", "48"}).json();
+  ASSERT_TRUE(whole.contains("structure"));
+  EXPECT_TRUE(whole["structure"]["grown"]);
+  EXPECT_TRUE(whole["structure"]["label"].is_null());
+  EXPECT_GT(whole["structure"]["voxels_within_reach"].get<int>(), 0);
+  EXPECT_EQ(whole["c1"]["camera"]["target"], Json({0.0, 0.0, 0.0}));
+}
+
+TEST_F(PlaceCommand, PickOutsideOrInAirFails) {
+  const auto fails = [&](const std::string& pick, const std::string& why) {
+    const Result result = run(joined(smallTorso, {"--pick", pick}));
+    expectFailure(result, "phantom torso");
+    EXPECT_NE(result.error.find(why), std::string::npos) << result.error;
+    EXPECT_TRUE(result.out.empty());
+  };
+  fails("0,0,5000", "outside of the volume");
+  fails("1e300,0,0", "outside of the volume");
+  fails("190,120,100", "lies in air");
+  for (const std::string pick : {"0,0", "a,b,c", "0,0,nan"})
+    EXPECT_EQ(run(joined(smallTorso, {"--pick", pick})).exitCode, 2) << pick;
+  for (const std::string other : {"--joint", "--sequential", "--refine", "--descriptors"})
+    EXPECT_EQ(run(joined(smallTorso, {"--pick", "0,0,0", other})).exitCode, 2) << other;
+  EXPECT_EQ(run(joined(smallTorso, {"--reach", "20"})).exitCode, 2);
+  EXPECT_EQ(run(joined(smallTorso, {"--pick", "0,0,0", "--pick-weights", "1,-1,0"})).exitCode, 2);
+}
+
 }  // namespace
 }  // namespace fenestra::tests
