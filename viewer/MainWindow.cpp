@@ -172,6 +172,8 @@ void MainWindow::connectViews() {
   connect(&grower_, &RegionGrower::failed, this, &MainWindow::showError);
   connect(views_, &ViewArea::menuRequested, this,
           [this](glm::dvec3 world, QPoint at) { showStructureMenu(workspace_, world, at); });
+  connect(views_, &ViewArea::picked, &workspace_.placement, &PlacementController::pick);
+  connect(views_, &ViewArea::pickTakenBack, &workspace_.placement, &PlacementController::forgetPick);
   connect(views_, &ViewArea::measureMenuRequested, this,
           [this](std::size_t measure, QPoint at) { showMeasureMenu(workspace_, measure, at); });
   connect(views_, &ViewArea::failed, this, &MainWindow::showError, Qt::QueuedConnection);

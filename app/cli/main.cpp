@@ -200,6 +200,7 @@ void useAsDefaults(const io::Session& session, PlaceOptions& options) {
   options.placement.streamHalfWidth = saved.streamHalfWidth;
   options.placement.shareWeight = saved.shareWeight;
   options.joint = saved.joint;
+  options.liveSync = saved.liveSync;
 }
 
 int fail(const std::string& what) {

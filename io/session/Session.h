@@ -69,6 +69,8 @@ struct SessionPlacement {
   bool joint = placement::jointByDefault;
   bool follow = true;
   bool automatic = true;
+  bool byPick = false;  ///< cameras for points clicked on slices, by LiveSync
+  placement::LiveSyncOptions liveSync;
   bool operator==(const SessionPlacement&) const = default;
 };
 

@@ -54,6 +54,14 @@ void members(auto& io, Is<Weights> auto& weights) {
   io("end_face", weights.endFace);
 }
 
+void members(auto& io, Is<LiveSyncWeights> auto& weights) {
+  constexpr double most = 1000.0;
+  io("orientation", weights.orientation, {0.0, most}, {"Of how usual a view is of a patient"});
+  io("history", weights.history, {0.0, most}, {"Of its nearness to the last one"});
+  io("shape", weights.shape, {0.0, most}, {"Of how much it shows of the structure's shape around the point"});
+  io("visibility", weights.visibility, {0.0, most}, {"Of how little hides the structure there"});
+}
+
 }  // namespace placement
 
 namespace io {
@@ -120,6 +128,9 @@ void members(auto& io, Is<SessionPlacement> auto& placement) {
   io("joint", placement.joint, {}, {"Whether both cameras are searched together"});
   io("follow", placement.follow, {}, {"Whether C2 goes to the best of its region when C1 is turned"});
   io("automatic", placement.automatic, {}, {"Whether cameras are placed when a focus is chosen"});
+  io("by_pick", placement.byPick, {}, {"Whether they are placed for points clicked on slices instead (LiveSync)"});
+  io("pick_weights", placement.liveSync.weights);
+  io("pick_reach", placement.liveSync.reach, {1.0, 1000.0}, {"How far from such a point its structure counts", "mm"});
 }
 
 void members(auto& io, Is<SessionOverlays> auto& overlays) {

@@ -198,5 +198,30 @@ TEST_F(PlacedWindow, ThumbnailsAndMapTakeC1There) {
   EXPECT_TRUE(placement::inRegion(direction(0), direction(1), placement().settings().options));
 }
 
+TEST_F(PlacedWindow, AClickOnASlicePlacesTheCamerasForItsPoint) {
+  const auto choose = [&](int index) {
+    form().subject()->setCurrentIndex(index);
+    Q_EMIT form().subject()->activated(index);
+  };
+  choose(1);
+  EXPECT_TRUE(placement().settings().byPick);
+  const ViewLink::Pose before = cameras().pose();
+  SliceView* axial = slice(SlicePlane::Axial);
+  const QPoint place = axial->widgetFromWorld(markerCentre).toPoint();
+  QTest::mouseClick(axial, Qt::LeftButton, {}, place);
+  ASSERT_TRUE(placement().isBusy());
+  waitUntilDrawn();
+  const glm::dvec3 clicked = axial->worldFromWidget(QPointF(place));
+  EXPECT_TRUE(placement().note().isEmpty()) << placement().note().toStdString();
+  for (const int view : {0, 1}) {
+    EXPECT_LT(glm::distance(cameras().camera(view).target, clicked), 1e-6) << view;
+    EXPECT_GT(glm::distance(cameras().camera(view).target, before.cameras[0].target), 1.0) << view;
+  }
+  document().undoStack().undo();
+  EXPECT_EQ(cameras().pose().cameras, before.cameras);
+  choose(0);
+  EXPECT_FALSE(placement().settings().byPick);
+}
+
 }  // namespace
 }  // namespace fenestra::viewer

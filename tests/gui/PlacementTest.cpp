@@ -1,5 +1,6 @@
 // Placing the cameras, behind the window: without widgets and without OpenGL.
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <stdexcept>
@@ -9,6 +10,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "rendering/viewpoints/LiveSync.h"
 #include "rendering/viewpoints/Sphere.h"
 #include "tests/support/TestData.h"
 #include "viewer/model/Document.h"
@@ -72,6 +74,8 @@ Study study() {
   volume->grid = labels->grid = {.dims = glm::ivec3(8), .spacing = glm::dvec3(2.0)};
   volume->voxels = Voxels(ScalarType::UInt8, volume->grid.voxelCount());
   labels->voxels = Voxels(ScalarType::UInt8, volume->grid.voxelCount());
+  for (Voxels* voxels : {&volume->voxels, &labels->voxels})
+    std::ranges::fill(voxels->as<std::uint8_t>(), std::uint8_t{0});
   labels->voxels.as<std::uint8_t>()[0] = 1;
   labels->voxels.as<std::uint8_t>()[1] = 2;
   volume->computeRange();
@@ -273,6 +277,8 @@ TEST(PlacementPreferences, KeepTheSettingsAndDropNonsense) {
   settings.options.weights = {-0.5, 2.0, 0.125, 0.1, 0.2, 0.3, 0.4, -0.6};
   settings.joint = false;
   settings.follow = settings.automatic = false;
+  settings.byPick = true;
+  settings.liveSync = {{0.5, 0.25, 1.5, 2.5}, 75.0};
   preferences.setPlacement(settings);
   EXPECT_EQ(Preferences().placement(), settings);
 
@@ -367,6 +373,88 @@ TEST(Mollweide, ShowsDirectionsWhereTheyAreReadBack) {
   expectAt({1, 0, 0}, {1, 0});   // left on the right
   expectAt({0, 0, 1}, {0, 1});   // superior on top
   EXPECT_FALSE(directionFromMap({1.5, 0.9}));
+}
+
+/// Cameras for points clicked on slices.
+class Picking : public Placement {
+ protected:
+  void SetUp() override {
+    Placement::SetUp();
+    change([](PlacementSettings& settings) { settings.byPick = true; });
+  }
+  /// What a pick on the first label, at the corner of the volume, leads to.
+  placement::RatedViews rated(glm::dvec3 last) {
+    return placement::rateViews(document_.scene(), {document_.scene().labels, {1}}, corner, 4,
+                                placement_.settings().liveSync, placement_.settings().options, last);
+  }
+
+  static constexpr glm::dvec3 corner{0.0, 0.0, 0.0};
+};
+
+TEST_F(Picking, APickTurnsBothCamerasToItsStructure) {
+  cameras_.setPose({{facing(cameras_.camera(0), bestDirection), cameras_.camera(1)}, cameras_.pose().home});
+  const placement::RatedViews expected = rated(bestDirection);
+  ASSERT_TRUE(expected.c1 && expected.c2);
+  QSignalSpy leaving(&placement_, &PlacementController::leaving);
+  placement_.pick(corner);
+  EXPECT_TRUE(placement_.isBusy());
+  ASSERT_TRUE(arrive());
+  EXPECT_EQ(leaving.count(), 1);
+  EXPECT_TRUE(placement_.note().isEmpty()) << placement_.note().toStdString();
+  EXPECT_LT(glm::distance(direction(0), expected.directions[*expected.c1]), tolerance);
+  EXPECT_LT(glm::distance(direction(1), expected.directions[*expected.c2]), tolerance);
+  for (const int view : {0, 1}) EXPECT_EQ(cameras_.camera(view).target, corner);
+  EXPECT_EQ(log_->begun, 0) << "nothing is measured for it";
+  // With the history alone, the camera stays where it is, but for the nearest candidate.
+  change([](PlacementSettings& settings) { settings.liveSync.weights = {0.0, 1.0, 0.0, 0.0}; });
+  const glm::dvec3 before = direction(0);
+  placement_.pick(corner);
+  ASSERT_TRUE(arrive());
+  EXPECT_LT(glm::distance(direction(0), before), tolerance);
+}
+
+TEST_F(Picking, OfSeveralPicksTheLastCountsAndADoubleClickIsNone) {
+  const glm::dvec3 before = direction(0);
+  placement_.pick(corner);
+  placement_.forgetPick();
+  EXPECT_FALSE(placement_.isBusy());
+  QTest::qWait(400);  // twice the delay of a pick
+  EXPECT_EQ(direction(0), before);
+  placement_.pick({2.0, 0.0, 0.0});  // the second label
+  placement_.pick(corner);
+  ASSERT_TRUE(arrive());
+  EXPECT_EQ(cameras_.camera(0).target, corner);
+}
+
+TEST_F(Picking, APickWithoutAStructureSaysSoAndMovesNothing) {
+  const ViewLink::Pose before = cameras_.pose();
+  for (const glm::dvec3 nothing : {glm::dvec3(8.0), glm::dvec3(500.0)}) {  // in air, and outside
+    placement_.pick(nothing);
+    ASSERT_TRUE(arrive());
+    EXPECT_FALSE(placement_.note().isEmpty());
+    EXPECT_EQ(cameras_.pose(), before);
+  }
+  placement_.pick(corner);
+  ASSERT_TRUE(arrive());
+  EXPECT_TRUE(placement_.note().isEmpty());
+}
+
+TEST_F(Picking, AFocusIsNotPlacedForMeanwhile) {
+  document_.focusOn(1);
+  QTest::qWait(400);  // twice the delay after which it would be
+  ASSERT_TRUE(arrive());
+  EXPECT_EQ(log_->begun, 0);
+  placement_.place();  // but on request
+  ASSERT_TRUE(arrive());
+  EXPECT_EQ(log_->begun, 1);
+}
+
+TEST_F(Picking, WithoutTheModeAPickDoesNothing) {
+  change([](PlacementSettings& settings) { settings.byPick = false; });
+  const ViewLink::Pose before = cameras_.pose();
+  placement_.pick(corner);
+  EXPECT_FALSE(placement_.isBusy());
+  EXPECT_EQ(cameras_.pose(), before);
 }
 
 }  // namespace

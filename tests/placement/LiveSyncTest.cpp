@@ -92,13 +92,13 @@ TEST(LiveSync, ShapesFollowThePatientNotTheLattice) {
 }
 
 TEST(LiveSync, AWallHidesWhatItsOpacitySays) {
-  const Grid grid = gridOf(glm::ivec3(41));
+  const Grid grid = gridOf(glm::ivec3(41), glm::dvec3(0.5));
   const auto inBall = [](glm::ivec3 i) { return glm::length(glm::dvec3(i) - 20.0) < 4.0; };
-  // A wall of 5 mm on the left, of 0.2 / mm.
-  const Scene scene = sceneOf(grid, 0.2, [](glm::ivec3 i) { return i.x >= 30 && i.x < 35; });
+  // A wall of 5 voxels, 2.5 mm, on the left, of 0.4 / mm.
+  const Scene scene = sceneOf(grid, 0.4, [](glm::ivec3 i) { return i.x >= 30 && i.x < 35; });
   const Structure ball = structureOf(grid, inBall);
   const std::vector<glm::dvec3> directions{left, right, anterior, superior};
-  const std::vector<double> seen = visibilityScores(scene, ball, localShape(ball, glm::dvec3(20.0), 10.0), directions);
+  const std::vector<double> seen = visibilityScores(scene, ball, localShape(ball, glm::dvec3(10.0), 5.0), directions);
   EXPECT_NEAR(seen[0], std::exp(-1.0), 1e-6);  // extinctions are exact; values are stored as float
   for (std::size_t i = 1; i < 4; ++i) EXPECT_NEAR(seen[i], 1.0, rounding);
 }
@@ -111,6 +111,33 @@ TEST(LiveSync, AStructureHidesItsOwnFarPart) {
   const LocalShape shape = localShape(plates, {30.0, 20.0, 20.0}, 8.0);
   const std::vector<glm::dvec3> directions{left, right};
   EXPECT_EQ(visibilityScores(scene, plates, shape, directions), (std::vector<double>{1.0, 0.0}));
+}
+
+TEST(LiveSync, ASmallGapIsNoEndOfTheStructure) {
+  // A bar along L with a gap of one voxel, which holds something opaque: the camera sees the bar's end.
+  const Grid grid = gridOf(glm::ivec3(41));
+  const auto inBar = [](glm::ivec3 i) { return i.x != 24 && i.x >= 16 && i.x < 30; };
+  const Structure bar = structureOf(grid, inBar);
+  const Scene scene = sceneOf(grid, 10.0, [](glm::ivec3 i) { return i.x == 24; });
+  const std::vector<glm::dvec3> directions{left};
+  EXPECT_EQ(visibilityScores(scene, bar, localShape(bar, glm::dvec3(20.0), 4.0), directions)[0], 1.0);
+}
+
+TEST(LiveSync, WhatIsNearThePickCountsMore) {
+  // A bar along L, whose end beyond 8 mm is hidden from the front.
+  const Grid grid = gridOf(glm::ivec3(41));
+  const Structure bar = structureOf(grid, [](glm::ivec3 i) { return i.y == 20 && i.z == 20; });
+  const Scene scene = sceneOf(grid, 10.0, [](glm::ivec3 i) { return i.y < 10 && i.x >= 28; });
+  double near = 0.0, all = 0.0;
+  for (int x = -14; x <= 14; ++x) {
+    const double weight = std::pow(1.0 - x * x / 225.0, 2);
+    all += weight;
+    if (x < 8) near += weight;
+  }
+  const std::vector<glm::dvec3> directions{anterior};
+  // Of 96 even samples of the weights, one may lie on either side of the border.
+  EXPECT_NEAR(visibilityScores(scene, bar, localShape(bar, glm::dvec3(20.0), 15.0), directions)[0], near / all,
+              1.0 / 96.0);
 }
 
 TEST(LiveSync, ClippedMaterialHidesNothing) {
@@ -141,7 +168,7 @@ TEST(LiveSync, AnotherStructureInFocusHides) {
 TEST(LiveSync, RatingsAreTheWeightedMeansOfWhatIsComputedAnew) {
   const Grid grid = obliqueGrid({24, 20, 16});
   const glm::dmat4 worldFromIndex = grid.worldFromIndex();
-  const glm::dvec3 pick(worldFromIndex * glm::dvec4(11.0, 9.0, 8.0, 1.0));
+  const glm::dvec3 pick(worldFromIndex * glm::dvec4(8.3, 10.0, 7.4, 1.0));  // off the structure's middle
   const auto isInside = [](glm::ivec3 i) {
     const glm::dvec3 offset = (glm::dvec3(i) - glm::dvec3(11, 9, 8)) / glm::dvec3(8, 3, 2);
     return glm::dot(offset, offset) < 1.0;

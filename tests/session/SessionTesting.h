@@ -113,7 +113,9 @@ inline io::Session fullSession(const std::filesystem::path& folder) {
                        .shareWeight = 0.4,
                        .joint = false,
                        .follow = false,
-                       .automatic = false};
+                       .automatic = false,
+                       .byPick = true,
+                       .liveSync = {.weights = {0.25, 0.75, 1.25, 1.75}, .reach = 25.0}};
   session.autosaveOf = folder / "kept.fenestra";
   return session;
 }

@@ -3,7 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include <QtConcurrentRun>
+
+#include "rendering/segmentation/PickedStructure.h"
+#include "rendering/viewpoints/LiveSync.h"
+#include "rendering/viewpoints/Sphere.h"
 #include "viewer/model/Document.h"
+#include "viewer/model/Translation.h"
 
 namespace fenestra::viewer {
 namespace {
@@ -34,6 +40,10 @@ PlacementController::PlacementController(Document& document, ViewLink& cameras, 
   connect(&document, &Document::focusChanged, this, &PlacementController::focusChanged);
   connect(&document, &Document::volumeChanged, this, [this] { visible_.reset(); });
   connect(&document, &Document::transferFunctionChanged, this, [this] { visible_.reset(); });
+  picked_.setSingleShot(true);
+  picked_.setInterval(settleMilliseconds);
+  connect(&picked_, &QTimer::timeout, this, &PlacementController::rate);
+  connect(&rating_, &QFutureWatcherBase::finished, this, &PlacementController::showRated);
   turned_.setSingleShot(true);
   turned_.setInterval(followMilliseconds);
   connect(&turned_, &QTimer::timeout, this, [this] {
@@ -48,7 +58,7 @@ PlacementController::PlacementController(Document& document, ViewLink& cameras, 
   });
 }
 
-PlacementController::~PlacementController() = default;
+PlacementController::~PlacementController() { forgetPick(); }
 
 void PlacementController::setBackend(std::unique_ptr<PlacementBackend> backend) {
   backend_ = std::move(backend);
@@ -95,7 +105,8 @@ void PlacementController::focusChanged() {
   const RegionFocus* region = document_.region();
   const bool refined = region && placedClick_ == region->inside.front() && !wasBusy;
   if (!waits) placedClick_ = region ? std::optional(region->inside.front()) : std::nullopt;
-  if (!arrived && !waits && !refined && settings_.automatic && canPlace() && !measured()) chosen_.start();
+  if (!arrived && !waits && !refined && settings_.automatic && !settings_.byPick && canPlace() && !measured())
+    chosen_.start();
   Q_EMIT changed();
 }
 
@@ -202,6 +213,62 @@ Camera PlacementController::framing(glm::dvec3 direction) {
   if (!visible_ || visibleOf_ != shown) visible_ = visibleFraming(shown, document_.scene().look.context.shifted());
   visibleOf_ = shown;
   return Camera::fromDirection(direction, *visible_, cameras_.projection());
+}
+
+void PlacementController::pick(glm::dvec3 world) {
+  if (!settings_.byPick || !document_.hasVolume()) return;
+  forgetPick();
+  pick_ = world;
+  picked_.start();
+  Q_EMIT changed();
+}
+
+void PlacementController::forgetPick() {
+  picked_.stop();
+  if (goesOn_) *goesOn_ = false;
+  rating_.setFuture({});
+}
+
+void PlacementController::rate() {
+  if (!document_.hasVolume()) return;
+  goesOn_ = std::make_shared<std::atomic<bool>>(true);
+  const auto nside = placement::sideOf(settings_.sampling.count);
+  const glm::dvec3 last = directionOf(cameras_.pose().cameras[0]);
+  rating_.setFuture(QtConcurrent::run([pick = pick_, scene = document_.scene(), settings = settings_, last,
+                                       nside = nside.value_or(4), goesOn = goesOn_] {
+    PickAnswer answer{.pick = pick, .volume = scene.volume, .c1 = {}, .c2 = {}, .problem = {}};
+    try {
+      const segmentation::PickedStructure picked =
+          segmentation::pickedStructure(scene, pick, [&](double) { return goesOn->load(); });
+      answer.problem = picked.problem;
+      if (!picked.labels || !*goesOn) return answer;
+      const placement::RatedViews views = placement::rateViews(scene, {picked.labels, picked.values}, pick, nside,
+                                                               settings.liveSync, settings.options, last);
+      if (views.c1) answer.c1 = views.directions[*views.c1];
+      if (views.c2) answer.c2 = views.directions[*views.c2];
+    } catch (const std::exception& error) {
+      answer.problem = error.what();
+    }
+    return answer;
+  }));
+}
+
+void PlacementController::showRated() {
+  if (rating_.future().resultCount() == 0) return;
+  const PickAnswer answer = rating_.result();
+  if (answer.volume != document_.scene().volume) return;
+  note_ = answer.problem.empty() ? QString() : tr("No view of that point: %1").arg(translated(answer.problem));
+  if (answer.c1) {
+    turned_.stop();
+    const ViewLink::Pair home{framing(*answer.c1), framing(answer.c2.value_or(directionOf(cameras_.camera(1))))};
+    const auto at = [&](glm::dvec3 direction) {
+      return placement::cameraAt(answer.pick, direction, *visible_, cameras_.projection());
+    };
+    const ViewLink::Pair there{at(*answer.c1), answer.c2 ? at(*answer.c2) : cameras_.camera(1)};
+    if (there != cameras_.pose().cameras) Q_EMIT leaving();
+    cameras_.flyTo(there, home);
+  }
+  Q_EMIT changed();
 }
 
 std::optional<double> PlacementController::share() const {

@@ -2,10 +2,13 @@
 // Places the two cameras for the focus: measures candidates through a PlacementBackend, chooses two, flies the cameras
 // there, and lets C2 follow C1. ViewLink holds the cameras; this holds the measurements and how to choose.
 
+#include <atomic>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
+#include <QFutureWatcher>
 #include <QImage>
 #include <QObject>
 #include <QSize>
@@ -25,7 +28,9 @@ struct PlacementSettings {
   placement::Options options;
   bool joint = placement::jointByDefault;  ///< choose both cameras at once, by what the pair sees together
   bool follow = true;                      ///< C2 goes to the best of its region when C1 is turned
-  bool automatic = true;                   ///< place when a focus is chosen
+  bool automatic = true;                   ///< place when a focus is chosen, unless byPick
+  bool byPick = false;                     ///< a click on a slice places the cameras for what is there, by LiveSync
+  placement::LiveSyncOptions liveSync;
   bool operator==(const PlacementSettings&) const = default;
 };
 
@@ -70,11 +75,19 @@ class PlacementController : public QObject {
   void cancel();
   bool isMeasuring() const { return slice_.isActive(); }
   /// Measuring, or about to measure.
-  bool isBusy() const { return slice_.isActive() || chosen_.isActive() || turned_.isActive(); }
+  bool isBusy() const { return slice_.isActive() || chosen_.isActive() || turned_.isActive() || isRating(); }
   double progress() const;
 
   /// Turns C1 to look from a direction (a unit vector towards the eye). C2 follows, or turns along with a linked C1.
   void goTo(glm::dvec3 direction);
+
+  /// A click on a slice at a world position. With `byPick`, both cameras fly to the best views of the structure there,
+  /// which is rated on another thread after a moment; of several clicks the last counts. A problem becomes the note and
+  /// moves nothing. Needs no backend.
+  void pick(glm::dvec3 world);
+  /// That click was the first half of a double click.
+  void forgetPick();
+  bool isRating() const { return picked_.isActive() || rating_.isRunning(); }
 
   /// The measurements of the present focus; null until it is measured.
   const placement::Measured* measured() const;
@@ -123,6 +136,16 @@ class PlacementController : public QObject {
   Camera framing(glm::dvec3 direction);
   void fail(const std::exception& error);
 
+  /// What a pick leads to: two directions, or why there are none.
+  struct PickAnswer {
+    glm::dvec3 pick{0.0};
+    std::shared_ptr<const Volume> volume;  ///< that it is about
+    std::optional<glm::dvec3> c1, c2;
+    std::string problem;
+  };
+  void rate();
+  void showRated();
+
   Document& document_;
   ViewLink& cameras_;
   std::unique_ptr<PlacementBackend> backend_;
@@ -137,8 +160,12 @@ class PlacementController : public QObject {
   QTimer chosen_;  ///< fires a moment after a focus was chosen
   QTimer turned_;  ///< fires a moment after C1 was last turned
   QTimer slice_;
-  bool moves_ = true;   ///< the cameras fly to the answer of the measurement under way
-  bool asked_ = false;  ///< the measurement under way was asked for by place()
+  QTimer picked_;  ///< fires a moment after a pick
+  glm::dvec3 pick_{0.0};
+  QFutureWatcher<PickAnswer> rating_;
+  std::shared_ptr<std::atomic<bool>> goesOn_;  ///< for the rating under way
+  bool moves_ = true;                          ///< the cameras fly to the answer of the measurement under way
+  bool asked_ = false;                         ///< the measurement under way was asked for by place()
 };
 
 }  // namespace fenestra::viewer

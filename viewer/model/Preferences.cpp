@@ -19,11 +19,21 @@ const QString maxErrorKey = QStringLiteral("picture/maxError");
 const QString viewsKey = QStringLiteral("layout/views");
 const QString placementKey = QStringLiteral("placement/%1");
 
+struct NamedPickWeight {
+  const char* name;
+  double placement::LiveSyncWeights::*member;
+};
+const std::array<NamedPickWeight, 4> namedPickWeights{{{"pickOrientation", &placement::LiveSyncWeights::orientation},
+                                                       {"pickHistory", &placement::LiveSyncWeights::history},
+                                                       {"pickShape", &placement::LiveSyncWeights::shape},
+                                                       {"pickVisibility", &placement::LiveSyncWeights::visibility}}};
+
 struct NamedSwitch {
   const char* name;
   bool PlacementSettings::*member;
 };
-const std::array<NamedSwitch, 3> namedSwitches{{{"joint", &PlacementSettings::joint},
+const std::array<NamedSwitch, 4> namedSwitches{{{"byPick", &PlacementSettings::byPick},
+                                                {"joint", &PlacementSettings::joint},
                                                 {"follow", &PlacementSettings::follow},
                                                 {"automatic", &PlacementSettings::automatic}}};
 
@@ -209,6 +219,9 @@ PlacementSettings Preferences::placement() const {
   constexpr double mostWeight = 1e3;
   for (const PlacementWeight& weight : placementWeights)
     read(weight.key, placement.options.weights.*weight.member, -mostWeight, mostWeight);
+  for (const NamedPickWeight& named : namedPickWeights)
+    read(named.name, placement.liveSync.weights.*named.member, 0.0, mostWeight);
+  read("pickReach", placement.liveSync.reach, 1.0, 1000.0);
   for (const NamedSwitch& named : namedSwitches)
     if (const QVariant value = stored(named.name); value.isValid()) placement.*named.member = value.toBool();
   return placement;
@@ -226,6 +239,8 @@ void Preferences::setPlacement(const PlacementSettings& placement) {
   keep("streamHalfWidth", options.streamHalfWidth);
   keep("shareWeight", options.shareWeight);
   for (const PlacementWeight& weight : placementWeights) keep(weight.key, options.weights.*weight.member);
+  for (const NamedPickWeight& named : namedPickWeights) keep(named.name, placement.liveSync.weights.*named.member);
+  keep("pickReach", placement.liveSync.reach);
   for (const NamedSwitch& named : namedSwitches) keep(named.name, placement.*named.member);
 }
 

@@ -32,7 +32,9 @@ io::SessionPlacement sessionFrom(const PlacementSettings& settings) {
           .shareWeight = settings.options.shareWeight,
           .joint = settings.joint,
           .follow = settings.follow,
-          .automatic = settings.automatic};
+          .automatic = settings.automatic,
+          .byPick = settings.byPick,
+          .liveSync = settings.liveSync};
 }
 
 PlacementSettings settingsFrom(const io::SessionPlacement& saved, PlacementSettings settings) {
@@ -45,6 +47,8 @@ PlacementSettings settingsFrom(const io::SessionPlacement& saved, PlacementSetti
   settings.joint = saved.joint;
   settings.follow = saved.follow;
   settings.automatic = saved.automatic;
+  settings.byPick = saved.byPick;
+  settings.liveSync = saved.liveSync;
   return settings;
 }
 

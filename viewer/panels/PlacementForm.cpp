@@ -8,14 +8,45 @@
 #include "viewer/panels/SliderSpin.h"
 
 namespace fenestra::viewer {
+namespace {
+
+/// The weights of a view of a picked point.
+struct PickWeight {
+  const char *name, *meaning;
+  double placement::LiveSyncWeights::*member;
+};
+constexpr std::array<PickWeight, 4> pickWeights{{
+    {QT_TRANSLATE_NOOP("PlacementForm", "Usual side"),
+     QT_TRANSLATE_NOOP("PlacementForm",
+                       "How usual the view is: from the front rather than from the side, from behind, from above or "
+                       "below"),
+     &placement::LiveSyncWeights::orientation},
+    {QT_TRANSLATE_NOOP("PlacementForm", "Last view"),
+     QT_TRANSLATE_NOOP("PlacementForm", "How near the view is to the present one, so that it does not jump"),
+     &placement::LiveSyncWeights::history},
+    {QT_TRANSLATE_NOOP("PlacementForm", "Shape"),
+     QT_TRANSLATE_NOOP("PlacementForm",
+                       "How well the view shows the structure's shape around the point: onto what is flat, across what "
+                       "is long"),
+     &placement::LiveSyncWeights::shape},
+    {QT_TRANSLATE_NOOP("PlacementForm", "Unhidden"),
+     QT_TRANSLATE_NOOP("PlacementForm", "How little hides the structure around the point, before anything is cut away"),
+     &placement::LiveSyncWeights::visibility},
+}};
+
+}  // namespace
+
 PlacementForm::PlacementForm(PlacementController& placement, QWidget* parent)
     : QWidget(parent),
       placement_(placement),
       automatic_(new QCheckBox(tr("Place the cameras when a focus is chosen"))),
       follow_(new QCheckBox(tr("Second view follows the first"))),
       joint_(new QCheckBox(tr("Find both views together"))),
+      subject_(new QComboBox),
       sampling_(new QComboBox),
       region_(new QComboBox),
+      pickRows_(nullptr),
+      reach_(new SliderSpin(5.0, 150.0, 5.0)),
       streamHalfWidth_(new SliderSpin(1.0, 30.0, 1.0)),
       shareWeight_(new SliderSpin(0.0, 1.0, 0.05)) {
   makeChoices();
@@ -26,6 +57,14 @@ PlacementForm::PlacementForm(PlacementController& placement, QWidget* parent)
 }
 
 void PlacementForm::makeChoices() {
+  subject_->addItem(tr("The focus"), false);
+  subject_->addItem(tr("A point clicked on a slice"), true);
+  subject_->setToolTip(tr(
+      "What the cameras look at.\nThe focus: its best view and one that complements it.\nA point clicked on a slice: "
+      "a click there turns both views to the structure at that point, which needs no label (LiveSync, Kohlmann et "
+      "al. 2007)"));
+  reach_->setSuffix(tr(" mm"));
+  reach_->setToolTip(tr("How far from the point its structure counts"));
   for (const int count : {48, 108, 192, 300, 588, 1200}) sampling_->addItem(tr("%n views", nullptr, count), count);
   sampling_->addItem(tr("Finer near the best"), 0);
   sampling_->setToolTip(
@@ -53,6 +92,9 @@ void PlacementForm::makeRows() {
   column->addWidget(follow_);
   auto* form = new QFormLayout;
   column->addLayout(form);
+  form->addRow(tr("Cameras for"), subject_);
+  pickRows_ = makePickRows();
+  form->addRow(pickRows_);
   form->addRow(tr("Sides tried"), sampling_);
   form->addRow(tr("Second view"), region_);
   form->addRow(tr("Off right angle"), streamHalfWidth_);
@@ -89,7 +131,28 @@ void PlacementForm::addWeights(QFormLayout& form) {
   form.addRow(further);
 }
 
+QWidget* PlacementForm::makePickRows() {
+  auto* rows = new QWidget;
+  auto* form = new QFormLayout(rows);
+  form->setContentsMargins(0, 0, 0, 0);
+  for (std::size_t i = 0; i < pickWeights.size(); ++i) {
+    pickWeights_[i] = new SliderSpin(0.0, 4.0, 0.05);
+    pickWeights_[i]->setToolTip(tr(pickWeights[i].meaning));
+    form->addRow(tr(pickWeights[i].name), pickWeights_[i]);
+    connect(pickWeights_[i], &SliderSpin::edited, this, [this, member = pickWeights[i].member](double value) {
+      edit([=](PlacementSettings& settings) { settings.liveSync.weights.*member = value; });
+    });
+  }
+  form->addRow(tr("Reach"), reach_);
+  return rows;
+}
+
 void PlacementForm::connectChoices() {
+  connect(subject_, &QComboBox::activated, this, [this] {
+    edit([byPick = subject_->currentData().toBool()](PlacementSettings& settings) { settings.byPick = byPick; });
+  });
+  connect(reach_, &SliderSpin::edited, this,
+          [this](double value) { edit([=](PlacementSettings& settings) { settings.liveSync.reach = value; }); });
   connect(sampling_, &QComboBox::activated, this, [this] {
     edit([count = sampling_->currentData().toInt()](PlacementSettings& settings) {
       settings.sampling.refined = count == 0;
@@ -134,6 +197,11 @@ void PlacementForm::show() {
   shareWeight_->setValue(settings.options.shareWeight);
   shareWeight_->setEnabled(settings.joint);
   follow_->setChecked(settings.follow);
+  subject_->setCurrentIndex(settings.byPick ? 1 : 0);
+  pickRows_->setVisible(settings.byPick);
+  for (std::size_t i = 0; i < pickWeights.size(); ++i)
+    pickWeights_[i]->setValue(settings.liveSync.weights.*pickWeights[i].member);
+  reach_->setValue(settings.liveSync.reach);
   automatic_->setChecked(settings.automatic);
   for (std::size_t i = 0; i < placementWeights.size(); ++i)
     weights_[i]->setValue(settings.options.weights.*placementWeights[i].member);

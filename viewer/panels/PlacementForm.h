@@ -25,6 +25,8 @@ class PlacementForm : public QWidget {
 
   QComboBox* sampling() const { return sampling_; }
   QComboBox* region() const { return region_; }
+  /// Whether cameras are placed for the focus or for a point clicked on a slice.
+  QComboBox* subject() const { return subject_; }
   QCheckBox* joint() const { return joint_; }
   QCheckBox* follow() const { return follow_; }
   /// Depth, size, centring, cut ends; then the further ones.
@@ -38,13 +40,17 @@ class PlacementForm : public QWidget {
   void makeChoices();
   void makeRows();
   void addWeights(QFormLayout& form);
+  QWidget* makePickRows();
   void connectChoices();
   void edit(const std::function<void(PlacementSettings&)>& change);
   void show();
 
   PlacementController& placement_;
   QCheckBox *automatic_, *follow_, *joint_;
-  QComboBox *sampling_, *region_;
+  QComboBox *subject_, *sampling_, *region_;
+  QWidget* pickRows_;
+  std::array<SliderSpin*, 4> pickWeights_{};
+  SliderSpin* reach_;
   SliderSpin *streamHalfWidth_, *shareWeight_;
   std::array<SliderSpin*, placementWeights.size()> weights_{};
 };

@@ -66,6 +66,9 @@ class SliceView : public QWidget {
   /// `measure` is its place in Document::measures().
   void measureMenuRequested(std::size_t measure, QPoint globalPosition);
   void maximiseRequested();
+  /// A plain click at a world position; then, where it was half of a double click, that it was none.
+  void picked(glm::dvec3 world);
+  void pickTakenBack();
 
  protected:
   void paintEvent(QPaintEvent* event) override;

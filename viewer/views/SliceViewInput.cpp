@@ -80,6 +80,7 @@ void SliceView::click(QPointF position, Qt::KeyboardModifiers modifiers) {
   beforeClick_ = BeforeClick{document_.focus(), cursor_.position()};
   cursor_.moveTo(world);
   clickStructure(document_, world, modifiers, options_.grows());
+  if (modifiers == Qt::NoModifier) Q_EMIT picked(world);
 }
 
 void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
@@ -89,6 +90,7 @@ void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
     return;
   }
   dragging_ = true;  // so that the release that follows is no click
+  Q_EMIT pickTakenBack();
   if (beforeClick_) {
     if (beforeClick_->focus != document_.focus()) document_.history().takeBack();
     cursor_.moveTo(beforeClick_->cursor);

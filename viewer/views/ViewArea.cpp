@@ -64,6 +64,8 @@ ViewArea::ViewArea(Document& document, SliceCursor& cursor, ViewLink& cameras, V
     auto* view = new SliceView(plane, document, cursor, options, measuring, opening_);
     connectView(view);
     connect(view, &SliceView::measureMenuRequested, this, &ViewArea::measureMenuRequested);
+    connect(view, &SliceView::picked, this, &ViewArea::picked);
+    connect(view, &SliceView::pickTakenBack, this, &ViewArea::pickTakenBack);
     lower_->addWidget(view);
     slices_.push_back(view);
   }

@@ -59,6 +59,9 @@ class ViewArea : public QWidget {
   void left();
   void menuRequested(glm::dvec3 world, QPoint globalPosition);
   void measureMenuRequested(std::size_t measure, QPoint globalPosition);
+  /// See SliceView.
+  void picked(glm::dvec3 world);
+  void pickTakenBack();
   void failed(const QString& problem);
   /// See VolumeView.
   void reduced(const QString& notice);
