@@ -219,8 +219,11 @@ TEST_F(PlacedWindow, AClickOnASlicePlacesTheCamerasForItsPoint) {
   }
   document().undoStack().undo();
   EXPECT_EQ(cameras().pose().cameras, before.cameras);
+  document().setFocus({});
+  const QString asksForAClick = panel<CamerasPanel>().share()->text();
   choose(0);
   EXPECT_FALSE(placement().settings().byPick);
+  EXPECT_NE(panel<CamerasPanel>().share()->text(), asksForAClick);
 }
 
 }  // namespace

@@ -73,6 +73,8 @@ void CamerasPanel::showShare() {
     share_->setText(tr("Needs the 3-D views"));
   else if (placement_.isBusy())
     share_->setText(tr("Looking at the focus from all sides…"));
+  else if (placement_.settings().byPick)
+    share_->setText(tr("Click a structure on a slice"));
   else
     share_->setText(placement_.canPlace() ? tr("Not placed yet for this focus") : tr("Choose a focus first"));
 }

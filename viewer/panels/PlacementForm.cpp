@@ -199,6 +199,7 @@ void PlacementForm::show() {
   follow_->setChecked(settings.follow);
   subject_->setCurrentIndex(settings.byPick ? 1 : 0);
   pickRows_->setVisible(settings.byPick);
+  automatic_->setEnabled(!settings.byPick);
   for (std::size_t i = 0; i < pickWeights.size(); ++i)
     pickWeights_[i]->setValue(settings.liveSync.weights.*pickWeights[i].member);
   reach_->setValue(settings.liveSync.reach);
