@@ -108,6 +108,14 @@ struct alignas(16) FadingBlock {
   float reach, sharpness;
 };
 
+/// shaders/lib/FocalRegion.glsl.
+struct alignas(16) FocalBlock {
+  static constexpr const char* name = "FocalBlock";
+  glm::vec3 middle;
+  float size, perFallOff;
+  int isBox;
+};
+
 /// shaders/lib/integral/Settings.glsl.
 struct alignas(16) IntegralBlock {
   static constexpr const char* name = "IntegralBlock";

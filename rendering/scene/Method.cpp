@@ -45,6 +45,13 @@ MethodStages stagesOf(const Method& method) {
       stages.fading = {method.fadeReach, method.fadeSharpness};
       return stages;
     }
+    case MethodKind::FocalRegion: {
+      MethodStages stages;
+      stages.start = MethodStages::Start::Entry;
+      stages.hasWidth = stages.hasBorder = false;
+      stages.fading.emplace().region = {method.focalShape, method.focalSize, method.focalFallOff};
+      return stages;
+    }
   }
   return {};
 }

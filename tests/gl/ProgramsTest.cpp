@@ -35,7 +35,7 @@ const std::vector<std::string> blockNames{RayBlock::name,       VolumeBlock::nam
                                           CutawayBlock::name,   ContextLayerBlock::name,   CandidateBlock::name,
                                           ClipBlock::name,      FaintBlock::name,          OccludersBlock::name,
                                           OcclusionBlock::name, OcclusionNodesBlock::name, ConeBlock::name,
-                                          FadingBlock::name};
+                                          FadingBlock::name,    FocalBlock::name};
 
 constexpr std::array schedules{Schedule::Plain, Schedule::Llvmpipe};
 
@@ -240,6 +240,9 @@ TEST_F(ProgramsTest, BlocksHaveTheLayoutOfTheirStructs) {
       {FadingBlock::name,
        {OFFSET(FadingBlock, slopeFromIndex), OFFSET(FadingBlock, nearness), OFFSET(FadingBlock, reach),
         OFFSET(FadingBlock, sharpness)}},
+      {FocalBlock::name,
+       {OFFSET(FocalBlock, middle), OFFSET(FocalBlock, size), OFFSET(FocalBlock, perFallOff),
+        OFFSET(FocalBlock, isBox)}},
       {IntegralBlock::name, {OFFSET(IntegralBlock, leastTransmittance), OFFSET(IntegralBlock, maxError)}},
       {CutFaceBlock::name, {OFFSET(CutFaceBlock, depth), OFFSET(CutFaceBlock, share)}},
       {OpeningCameraBlock::name,
