@@ -1,7 +1,6 @@
 // A region that shows as it is while the context around it fades (MethodStages::Fading::Region in
-// rendering/scene/Method.h). Places are as worldPosition() of lib/Ray.glsl has them.
-#include <schedule>
-#include "lib/Ray.glsl"
+// rendering/scene/Method.h). Places are as worldPosition() of lib/Ray.glsl has them. No file is included here that others
+// include: those would lack it where FADING is not 2.
 
 struct FocalSettings {
   vec3 middle;
