@@ -132,21 +132,25 @@ void bindFading(const GpuScene& scene, gl::ShaderProgram& program, const Camera&
                 const std::optional<MethodStages::Fading>& fading) {
   if (!fading) return;
   const double unit = scene.steepestSlope();
-  const glm::dmat3 slopeFromIndex =
-      glm::transpose(glm::dmat3(scene.grid().indexFromWorld())) * (unit > 0.0 ? scene.volume().slope / unit : 0.0);
+  const glm::mat3 slopeFromIndex(glm::transpose(glm::dmat3(scene.grid().indexFromWorld())) *
+                                 (unit > 0.0 ? scene.volume().slope / unit : 0.0));
   const EyeRange range = eyeRangeOf(camera, scene.grid());
   // 1 - d at s = t - distance: 1 everywhere where the whole volume lies behind the eye.
   const double extent = range.farthest - range.nearest, perMillimetre = extent > 0.0 ? 1.0 / extent : 0.0;
-  program.set(FadingBlock{Std140Mat3(glm::mat3(slopeFromIndex)),
-                          glm::vec2(-perMillimetre, 1.0 - (distance - range.nearest) * perMillimetre),
-                          static_cast<float>(fading->reach), static_cast<float>(fading->sharpness)});
+  program.set("slopeFromIndexX", slopeFromIndex[0]);
+  program.set("slopeFromIndexY", slopeFromIndex[1]);
+  program.set("slopeFromIndexZ", slopeFromIndex[2]);
+  program.set("fadingNearness", glm::vec2(-perMillimetre, 1.0 - (distance - range.nearest) * perMillimetre));
+  program.set("fadingReach", static_cast<float>(fading->reach));
+  program.set("fadingSharpness", static_cast<float>(fading->sharpness));
   // The steepest slope is half of a gate's unit (Lighting.h).
   program.set("gradientGate", 2.0f * glm::vec2(lighting::gradientGateLow, lighting::gradientGateHigh));
   if (!fading->region) return;
   const glm::dvec3 middle = scene.focus().centre(scene.grid()).value_or(scene.grid().centre());
-  program.set(FocalBlock{glm::vec3(middle - (camera.eye + distance * camera.axes().forward)),
-                         static_cast<float>(fading->region->size), static_cast<float>(1.0 / fading->region->fallOff),
-                         fading->region->shape == FocalShape::Box});
+  program.set("focalMiddle", glm::vec3(middle - (camera.eye + distance * camera.axes().forward)));
+  program.set("focalSize", static_cast<float>(fading->region->size));
+  program.set("focalPerFallOff", static_cast<float>(1.0 / fading->region->fallOff));
+  program.set("focalIsBox", fading->region->shape == FocalShape::Box ? 1 : 0);
 }
 
 gl::Define fadingDefine(const std::optional<MethodStages::Fading>& fading) {

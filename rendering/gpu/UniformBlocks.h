@@ -100,22 +100,6 @@ struct alignas(16) OcclusionNodesBlock {
   alignas(16) glm::vec3 perVoxel;
 };
 
-/// shaders/lib/Fading.glsl.
-struct alignas(16) FadingBlock {
-  static constexpr const char* name = "FadingBlock";
-  Std140Mat3 slopeFromIndex;
-  glm::vec2 nearness;
-  float reach, sharpness;
-};
-
-/// shaders/lib/FocalRegion.glsl.
-struct alignas(16) FocalBlock {
-  static constexpr const char* name = "FocalBlock";
-  glm::vec3 middle;
-  float size, perFallOff;
-  int isBox;
-};
-
 /// shaders/lib/integral/Settings.glsl.
 struct alignas(16) IntegralBlock {
   static constexpr const char* name = "IntegralBlock";

@@ -34,8 +34,7 @@ const std::vector<std::string> blockNames{RayBlock::name,       VolumeBlock::nam
                                           CutFaceBlock::name,   OpeningCameraBlock::name,  DerivativeBlock::name,
                                           CutawayBlock::name,   ContextLayerBlock::name,   CandidateBlock::name,
                                           ClipBlock::name,      FaintBlock::name,          OccludersBlock::name,
-                                          OcclusionBlock::name, OcclusionNodesBlock::name, ConeBlock::name,
-                                          FadingBlock::name,    FocalBlock::name};
+                                          OcclusionBlock::name, OcclusionNodesBlock::name, ConeBlock::name};
 
 constexpr std::array schedules{Schedule::Plain, Schedule::Llvmpipe};
 
@@ -237,12 +236,6 @@ TEST_F(ProgramsTest, BlocksHaveTheLayoutOfTheirStructs) {
        {OFFSET(OcclusionBlock, dims), OFFSET(OcclusionBlock, around), OFFSET(OcclusionBlock, ramp),
         OFFSET(OcclusionBlock, fade), OFFSET(OcclusionBlock, strength), OFFSET(OcclusionBlock, towardsLight)}},
       {OcclusionNodesBlock::name, {OFFSET(OcclusionNodesBlock, last), OFFSET(OcclusionNodesBlock, perVoxel)}},
-      {FadingBlock::name,
-       {OFFSET(FadingBlock, slopeFromIndex), OFFSET(FadingBlock, nearness), OFFSET(FadingBlock, reach),
-        OFFSET(FadingBlock, sharpness)}},
-      {FocalBlock::name,
-       {OFFSET(FocalBlock, middle), OFFSET(FocalBlock, size), OFFSET(FocalBlock, perFallOff),
-        OFFSET(FocalBlock, isBox)}},
       {IntegralBlock::name, {OFFSET(IntegralBlock, leastTransmittance), OFFSET(IntegralBlock, maxError)}},
       {CutFaceBlock::name, {OFFSET(CutFaceBlock, depth), OFFSET(CutFaceBlock, share)}},
       {OpeningCameraBlock::name,

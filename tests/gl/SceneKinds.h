@@ -155,6 +155,12 @@ inline Scene clipped(Scene scene, bool grey) {
 /// lavapipe of Mesa 22.3 crashes while it prepares most programs of pictures that have no bound on their error and are
 /// clipped, or lit with faint labels: its search for uniforms to inline reads a buffer that is not there. llvmpipe
 /// draws them all.
+///
+/// That search notes the uniforms that a program's branches depend on in an array of 128 words, those of uniform buffer
+/// b from word 32 b on, counted from 1. What it notes of buffer 4 overwrites the numbers of uniforms that it has found
+/// of each buffer; of buffers 5 to 7, memory that compute programs were seen to run without; from buffer 8 on, memory
+/// of others, and a crash follows anywhere later. A program whose branches depend on an eighth buffer is therefore not
+/// to be written: plain uniforms share one buffer.
 inline bool crashesTheDriver(const SceneKind& kind) {
   const Look& look = kind.scene.look;
   const bool clipped = look.clipping.cropped || !look.clipping.planes.empty();

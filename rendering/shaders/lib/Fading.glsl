@@ -19,7 +19,13 @@ struct FadingSettings {
   float reach;
   float sharpness;
 };
-UNIFORM_BLOCK(FadingBlock, storedFading, FadingSettings, fading);
+// Uniforms of their own and no block: while lavapipe of Mesa 22.3 prepares a program whose branches depend on an eighth
+// uniform buffer, it writes beyond its own memory (crashesTheDriver() in tests/gl/SceneKinds.h).
+uniform vec3 slopeFromIndexX, slopeFromIndexY, slopeFromIndexZ;  // columns
+uniform vec2 fadingNearness;
+uniform float fadingReach, fadingSharpness;
+FadingSettings fading = FadingSettings(mat3(slopeFromIndexX, slopeFromIndexY, slopeFromIndexZ), fadingNearness,
+                                       fadingReach, fadingSharpness);
 
 // At a point with a gradient of this length (steepest: 1), light and place: the binary logarithm of the factor behind
 // nothing. Behind the transmittance T it is T^sharpness of that.

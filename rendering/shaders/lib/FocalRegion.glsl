@@ -8,7 +8,11 @@ struct FocalSettings {
   float perFallOff;  // 1/mm
   int isBox;
 };
-UNIFORM_BLOCK(FocalBlock, storedFocal, FocalSettings, focal);
+// Uniforms of their own, as those of lib/Fading.glsl.
+uniform vec3 focalMiddle;
+uniform float focalSize, focalPerFallOff;
+uniform int focalIsBox;
+FocalSettings focal = FocalSettings(focalMiddle, focalSize, focalPerFallOff, focalIsBox);
 
 // δ: mm outside of the region.
 float outsideOf(vec3 place) {
