@@ -49,7 +49,9 @@ MethodStages stagesOf(const Method& method) {
       MethodStages stages;
       stages.start = MethodStages::Start::Entry;
       stages.hasWidth = stages.hasBorder = false;
-      stages.fading.emplace().region = {method.focalShape, method.focalSize, method.focalFallOff};
+      MethodStages::Fading around;
+      around.region = {method.focalShape, method.focalSize, method.focalFallOff};
+      stages.fading = around;
       return stages;
     }
   }
