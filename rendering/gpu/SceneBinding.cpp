@@ -145,9 +145,17 @@ void bindFading(const GpuScene& scene, gl::ShaderProgram& program, const Camera&
   program.set("fadingSharpness", static_cast<float>(fading->sharpness));
   // The steepest slope is half of a gate's unit (Lighting.h).
   program.set("gradientGate", 2.0f * glm::vec2(lighting::gradientGateLow, lighting::gradientGateHigh));
+  if (!fading->region) return;
+  const glm::dvec3 middle = scene.focus().centre(scene.grid()).value_or(scene.grid().centre());
+  program.set("focalMiddle", glm::vec3(middle - (camera.eye + distance * camera.axes().forward)));
+  program.set("focalSize", static_cast<float>(fading->region->size));
+  program.set("focalPerFallOff", static_cast<float>(1.0 / fading->region->fallOff));
+  program.set("focalIsBox", fading->region->shape == FocalShape::Box ? 1 : 0);
 }
 
-gl::Define fadingDefine(const std::optional<MethodStages::Fading>& fading) { return {"FADING", fading.has_value()}; }
+gl::Define fadingDefine(const std::optional<MethodStages::Fading>& fading) {
+  return {"FADING", !fading ? 0 : fading->region ? 2 : 1};
+}
 
 LightBlock lightBlock(const Camera::Axes& axes, const Shading& shading) {
   return {glm::vec3(lightDirection(axes, shading)),

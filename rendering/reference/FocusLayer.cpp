@@ -5,6 +5,7 @@
 #include "rendering/reference/ContextFunctions.h"
 #include "rendering/reference/FadingIntegral.h"
 #include "rendering/reference/Field.h"
+#include "rendering/reference/FocalRegion.h"
 #include "rendering/reference/FocusShows.h"
 #include "rendering/reference/Light.h"
 #include "rendering/reference/Occlusion.h"
@@ -31,12 +32,14 @@ struct Medium {
   double wallDepth;             ///< mm
   const Occlusion* occlusion;   ///< null: none
   std::optional<MethodStages::Fading> fading;
+  std::optional<FocalRegion> region;  ///< around which it fades
   EyeRange eyeRange;
   double steepest;
 
   Medium(const Scene& what, const Camera& camera, const Occlusion* occluded)
       : Medium(what, camera, FocusField(what), occluded) {
     fading = fadingOf(what.look);
+    if (fading && fading->region) region.emplace(*fading->region, focusCentre(what));
     if (scene.look.shading.enabled && focus.hasLabels()) focusNormals.emplace(scene.volume->grid, focus);
   }
   /// Of labels alone, as part of the context.
@@ -235,6 +238,7 @@ class Integrator {
     if (medium_.context.differ() || (field && medium_.focusShows.differ())) appendMiddles(piece, places_);
     if (medium_.scene.look.shading.enabled) appendTurns(piece);
     if (medium_.occlusion) medium_.occlusion->appendCrossings(piece, places_);
+    if (medium_.region) medium_.region->appendCrossings(worldAt(piece.tBegin), worldAt(piece.tEnd), places_);
     std::sort(places_.begin(), places_.end());
 
     for (std::size_t k = 0; k + 1 < places_.size(); ++k) {
@@ -259,7 +263,7 @@ class Integrator {
       part.end = end;
       part.length = (end - begin) * (piece.tEnd - piece.tBegin);
       if (medium_.fading && !inFocus_)
-        addFading(part);
+        medium_.region ? addAround(part) : addFading(part);
       else
         addPart(part, maxHalvings);
     }
@@ -337,6 +341,24 @@ class Integrator {
                          shade(part, u)};
     });
   }
+
+  /// Adds a part of the context, which lies inside or outside of a focal region.
+  void addAround(const Part& part) {
+    if (!(part.depth(1.0) > 0.0)) return;
+    const auto distanceAt = [&](double u) {
+      return medium_.region->distance(
+          worldAt(glm::mix(piece_->tBegin, piece_->tEnd, glm::mix(part.begin, part.end, u))));
+    };
+    const bool inside = !(distanceAt(0.5) > 0.0);
+    if (inside) return addPart(part, maxHalvings);
+    const FadingTolerance tolerance{0.5 * local_, 0.4 * local_ * perMillimetre_, 0.05 * tolerance_};
+    integrateFading(state_, 0.0, part.length, tolerance, [&](double u) {
+      const glm::dvec3 at = glm::mix(piece_->begin, piece_->end, glm::mix(part.begin, part.end, u));
+      return FadingPoint{part.extinction(u) * medium_.region->shareAt(distanceAt(u)), slopeAt(at), 1.0, shade(part, u)};
+    });
+  }
+
+  glm::dvec3 worldAt(double t) const { return ray_.ray.origin + t * ray_.ray.direction; }
 
   /// Length of the gradient at a place in the cell, 1 for the steepest.
   double slopeAt(glm::dvec3 at) const {

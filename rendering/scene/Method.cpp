@@ -45,6 +45,15 @@ MethodStages stagesOf(const Method& method) {
       stages.fading = {method.fadeReach, method.fadeSharpness};
       return stages;
     }
+    case MethodKind::FocalRegion: {
+      MethodStages stages;
+      stages.start = MethodStages::Start::Entry;
+      stages.hasWidth = stages.hasBorder = false;
+      MethodStages::Fading around;
+      around.region = {method.focalShape, method.focalSize, method.focalFallOff};
+      stages.fading = around;
+      return stages;
+    }
   }
   return {};
 }

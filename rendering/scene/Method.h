@@ -14,8 +14,9 @@ namespace fenestra {
 /// rendering, IEEE Visualization 2004. ClearView: J. Krüger, J. Schneider, R. Westermann: ClearView: An interactive
 /// context preserving hotspot visualization technique, IEEE Visualization 2006. ContextPreserving: S. Bruckner, S.
 /// Grimm, A. Kanitsar, M. E. Gröller: Illustrative context-preserving exploration of volume data, IEEE TVCG 12(6),
-/// 2006.
-enum class MethodKind : std::uint8_t { Adaptive, Cone, Importance, ClearView, ContextPreserving };
+/// 2006. FocalRegion: J. Zhou, M. Hinz, K. D. Tönnies: Focal region-guided feature-based volume rendering, 3D Data
+/// Processing, Visualization and Transmission 2002.
+enum class MethodKind : std::uint8_t { Adaptive, Cone, Importance, ClearView, ContextPreserving, FocalRegion };
 
 /// Maximum importance projection removes what hides the focus, in cones that widen towards the eye. Average importance
 /// compositing keeps it, faintly, on the rays that meet the focus.
@@ -27,6 +28,9 @@ enum class Sparseness : std::uint8_t { Opacity, Colour, ScreenDoor };
 /// What decides within ClearView's lens, beside the context's bends, how much of the context stays: how far it lies
 /// from the lens's middle; nothing else; how much of it lies in front of the focus.
 enum class LensFade : std::uint8_t { Distance, Curvature, Depth };
+
+/// Of a focal region. The box is a cube along the patient's axes.
+enum class FocalShape : std::uint8_t { Sphere, Box };
 
 struct Method {
   MethodKind kind = MethodKind::Adaptive;
@@ -43,8 +47,11 @@ struct Method {
   double lensRim = 60.0;   ///< border of ClearView's authors, 1 to 1000
   /// κt and κs of ContextPreserving. Its authors name no defaults; these are those of CAMPVis, an implementation by TU
   /// München.
-  double fadeReach = 3.0;      ///< 0 to 100; 0 fades nothing
-  double fadeSharpness = 0.5;  ///< 0.05 to 4
+  double fadeReach = 3.0;                      ///< 0 to 100; 0 fades nothing
+  double fadeSharpness = 0.5;                  ///< 0.05 to 4
+  FocalShape focalShape = FocalShape::Sphere;  ///< of FocalRegion
+  double focalSize = 50.0;                     ///< mm, 0.1 to 1e5: the radius of the sphere, half the side of the box
+  double focalFallOff = 50.0;  ///< mm, 0.1 to 1e5: the distance over which what lies outside fades to a half
   bool operator==(const Method&) const = default;
 };
 
@@ -115,8 +122,25 @@ struct MethodStages {
   ///
   /// ∇f is the world gradient by central differences at the voxels, one-sided at the border and trilinear between, or
   /// the spline's own.
+  ///
+  /// Around a focal region, m depends on the place alone, in place of light, d and A. c is its middle, that of the box
+  /// around the focus (FocusIndex::centre), or of the volume without a focus; δ is how many mm a place p lies outside,
+  /// components along the world's axes:
+  ///
+  ///   δ = max(‖p - c‖ - size, 0)       Sphere
+  ///       ‖max(|p - c| - size, 0)‖     Box
+  ///   m = 1 where δ = 0, else g · 2^(-δ / fallOff)   in the context;   1 in the focus
+  ///
+  /// So the region shows as it is, and around it the contours, in proportion to the gradient, the fainter the farther
+  /// outside. Its authors, too, draw contours by the gradient outside of the region; this formula is the program's own.
   struct Fading {
-    double reach = 0.0, sharpness = 1.0;
+    double reach = 0.0, sharpness = 1.0;  ///< not around a region
+    struct Region {
+      FocalShape shape = FocalShape::Sphere;
+      double size = 0.0, fallOff = 1.0;  ///< mm
+      bool operator==(const Region&) const = default;
+    };
+    std::optional<Region> region{};
     bool operator==(const Fading&) const = default;
   };
   std::optional<Fading> fading{};

@@ -40,7 +40,14 @@ constexpr auto wordsOf(MethodKind) {
         "where it bends (Krüger, Schneider and Westermann 2006)"},
        {MethodKind::ContextPreserving, "context-preserving", "Context-preserving",
         "Nothing is cut away: what is flat, brightly lit and near to you fades, while edges stay, so that the inside "
-        "shows; what is in focus stays as it is (Bruckner, Grimm, Kanitsar and Gröller 2006)"}});
+        "shows; what is in focus stays as it is (Bruckner, Grimm, Kanitsar and Gröller 2006)"},
+       {MethodKind::FocalRegion, "focal-region", "Focal region",
+        "A region around the focus shows as it is; around it only the edges of what is there stay, the fainter the "
+        "farther away; what is in focus stays as it is (Zhou, Hinz and Tönnies 2002)"}});
+}
+constexpr auto wordsOf(FocalShape) {
+  return std::to_array<Word<FocalShape>>({{FocalShape::Sphere, "sphere", "Sphere", "All around the focus alike"},
+                                          {FocalShape::Box, "box", "Box", "A cube along the patient's axes"}});
 }
 constexpr auto wordsOf(LensFade) {
   return std::to_array<Word<LensFade>>(

@@ -131,7 +131,30 @@ inline constexpr std::tuple settingsOf<Method>{
                             "sight: more looks like a cut (κs)",
              .range = {0.05, 4.0},
              .slider = {0.1, 2.0},
-             .step = 0.05})};
+             .step = 0.05}),
+    Setting(&Method::focalShape, {.key = "focal_shape",
+                                  .option = "--focal-shape",
+                                  .name = "Region",
+                                  .description = "Shape of the focal region, around the middle of the focus, or of the "
+                                                 "volume without a focus"}),
+    Setting(&Method::focalSize, {.key = "focal_size",
+                                 .option = "--focal-size",
+                                 .name = "Size of region",
+                                 .description = "Radius of the focal region's sphere, or half the side of its box",
+                                 .unit = "mm",
+                                 .range = {0.1, 1e5},
+                                 .slider = {5.0, 150.0},
+                                 .step = 1.0}),
+    Setting(&Method::focalFallOff,
+            {.key = "focal_fall_off",
+             .option = "--focal-fall-off",
+             .name = "Fall-off",
+             .description = "How far outside of the focal region edges are half as strong as at its border: more shows "
+                            "more of what is around it",
+             .unit = "mm",
+             .range = {0.1, 1e5},
+             .slider = {1.0, 200.0},
+             .step = 1.0})};
 
 template <>
 inline constexpr std::tuple settingsOf<Cutaway>{

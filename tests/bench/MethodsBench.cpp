@@ -128,7 +128,8 @@ class MethodMeasurement {
             reference::certify(renderer.readLayers().final, opened, view, {.pixels = arguments_.compared}).within;
       measured.kept.push_back(keptOf(picture, drawn(plain_, closed, view)));
       // How much fades depends on the light.
-      const bool lit = fadingOf(opened.look).has_value();
+      const auto fading = fadingOf(opened.look);
+      const bool lit = fading && !fading->region;
       measured.seen.push_back(focusIn(renderer, opened, view, lit) /
                               focusIn(plain_, withoutContext(scene_), view, lit));
       measured.turned.push_back(

@@ -15,6 +15,8 @@ const std::vector<std::string> methods{"--method cone --cone-angle 50",
                                        "--importance-sparseness screen-door",
                                        "--method clearview --lens-radius 35 --lens-bends 0.5 --lens-rim 20",
                                        "--method context-preserving --fade-reach 4 --fade-sharpness 0.7",
+                                       "--method focal-region --focal-size 25 --focal-fall-off 30",
+                                       "--method focal-region --focal-shape box --focal-size 20 --focal-fall-off 15",
                                        "--method clearview --lens-radius 50 --lens-fade depth"};
 
 TEST_F(MethodCommand, PicturesAreTheReferences) {
@@ -33,7 +35,8 @@ TEST_F(MethodCommand, ParametersOfOtherMethodsLeaveThePictureAsItIs) {
   ASSERT_EQ(render("plain.png", ""), 0);
   ASSERT_EQ(render("same.png",
                    "--method adaptive --cone-angle 70 --importance average --importance-opacity 0.9 "
-                   "--lens-radius 60 --lens-fade depth --lens-bends 3 --lens-rim 5 --fade-reach 9 --fade-sharpness 2"),
+                   "--lens-radius 60 --lens-fade depth --lens-bends 3 --lens-rim 5 --fade-reach 9 --fade-sharpness 2 "
+                   "--focal-shape box --focal-size 9 --focal-fall-off 3"),
             0);
   EXPECT_EQ(bytes("plain.png"), bytes("same.png"));
 }
@@ -53,7 +56,7 @@ TEST_F(MethodCommand, RefusesWhatIsNoAngleAndNoShare) {
   for (const std::string wrong :
        {"--cone-angle 0", "--cone-angle 90", "--cone-angle nan", "--importance-angle 0", "--importance-opacity 1.1",
         "--importance some", "--lens-radius 0", "--lens-bends -1", "--lens-rim 0.5", "--lens-fade away",
-        "--fade-reach -1", "--fade-sharpness 0"})
+        "--fade-reach -1", "--fade-sharpness 0", "--focal-size 0", "--focal-fall-off 0", "--focal-shape ball"})
     EXPECT_EQ(render("x.png", wrong), 2) << wrong;
   EXPECT_FALSE(std::filesystem::exists(at("x.png")));
 }

@@ -446,14 +446,18 @@ TEST_P(HardCases, withEachMethod) {
   for (const Method& method :
        {Method{.kind = MethodKind::Cone}, Method{.kind = MethodKind::Importance},
         Method{.kind = MethodKind::Importance, .importance = ImportanceMode::Average, .importanceOpacity = 0.3},
-        Method{.kind = MethodKind::ClearView, .lensRadius = 40.0}, Method{.kind = MethodKind::ContextPreserving}}) {
+        Method{.kind = MethodKind::ClearView, .lensRadius = 40.0}, Method{.kind = MethodKind::ContextPreserving},
+        Method{.kind = MethodKind::FocalRegion, .focalSize = 4.0, .focalFallOff = 3.0},
+        Method{
+            .kind = MethodKind::FocalRegion, .focalShape = FocalShape::Box, .focalSize = 1.5, .focalFallOff = 9.0}}) {
     SCOPED_TRACE(std::string(wordOf(method.kind).word) + ", " + wordOf(method.importance).word);
     shot.scene.look.method = method;
     // Where the context fades, normals lack the rounding of their texture, so the pixels that are off anyway are off by
     // another error: by that where next to nothing fades.
     double least = limit;
-    if (method.kind == MethodKind::ContextPreserving) {
+    if (stagesOf(method).fading) {
       shot.scene.look.method.fadeReach = 1e-12;
+      shot.scene.look.method.focalSize = 1e5;
       least = std::max(GetParam().colourLimit, worstOfOpened(shot));
       shot.scene.look.method = method;
     }

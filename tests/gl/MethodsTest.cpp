@@ -128,9 +128,9 @@ TEST_F(Methods, EachMatchesTheReferenceAndIsAnotherPicture) {
 }
 
 /// One of each kind; the others differ in the composite alone.
-std::vector<std::pair<std::string, Method>> fiveMethods() {
+std::vector<std::pair<std::string, Method>> sixMethods() {
   auto methods = otherMethods();
-  methods.resize(5);
+  methods.resize(6);
   return methods;
 }
 
@@ -161,8 +161,29 @@ TEST_F(Methods, ContextPreservingKeepsItsBoundAtAnySharpness) {
     }
 }
 
+/// Regions of less than a voxel, that end between voxels or hold the eye; contours that fall off within a voxel or
+/// reach through the whole body.
+TEST_F(Methods, FocalRegionsKeepTheirBoundAtAnySize) {
+  for (const bool lit : {true, false})
+    for (const FocalShape shape : {FocalShape::Sphere, FocalShape::Box})
+      for (const glm::dvec2 parameters : {glm::dvec2(0.3, 1e5), glm::dvec2(7.3, 0.4), glm::dvec2(60.0, 4.0)}) {
+        SCOPED_TRACE(testing::Message() << lit << ", " << wordOf(shape).word << ", " << parameters.x << ", "
+                                        << parameters.y);
+        Scene scene = hazyBody({.kind = MethodKind::FocalRegion,
+                                .focalShape = shape,
+                                .focalSize = parameters.x,
+                                .focalFallOff = parameters.y});
+        scene.look.shading.enabled = lit;
+        for (TransferFunction::Node& node : scene.look.context.function.nodes) node.properties.extinction *= 10.0;
+        expectMatches(scene, viewOf(from(25, 15, scene), 0.5));
+      }
+  Scene unfocused = hazyBody({.kind = MethodKind::FocalRegion, .focalSize = 7.0, .focalFallOff = 12.0});
+  unfocused.look.focus = {};
+  expectMatches(unfocused, viewOf(from(25, 15, unfocused), 0.5));
+}
+
 TEST_F(Methods, ValuesSmoothedLabelsAndSplines) {
-  for (const auto& [name, method] : fiveMethods()) {
+  for (const auto& [name, method] : sixMethods()) {
     SCOPED_TRACE(name);
     Scene values = hazyBody(method);
     values.look.focus = ValueFocus{{95.0, 1000.0}, 0.0};
@@ -177,7 +198,7 @@ TEST_F(Methods, ValuesSmoothedLabelsAndSplines) {
 }
 
 TEST_F(Methods, BrushProtectedLabelsAndClipping) {
-  for (const auto& [name, method] : fiveMethods()) {
+  for (const auto& [name, method] : sixMethods()) {
     SCOPED_TRACE(name);
     const Scene scene = hazyBody(method);
     const View view = viewOf(from(25, 15, scene));
@@ -192,7 +213,7 @@ TEST_F(Methods, BrushProtectedLabelsAndClipping) {
 }
 
 TEST_F(Methods, FrozenAndWithAnAxisOffset) {
-  for (const auto& [name, method] : fiveMethods()) {
+  for (const auto& [name, method] : sixMethods()) {
     SCOPED_TRACE(name);
     Scene scene = hazyBody(method);
     View view = viewOf(from(50, 15, scene));
@@ -307,6 +328,15 @@ TEST_F(Methods, ReRunOnlyWhatAChangeReaches) {
     EXPECT_EQ(after(faded, [=](Scene& s) { s.look.method.*number *= 1.5; }), std::set<std::string>{"focus layer"});
     EXPECT_EQ(after(scene, [=](Scene& s) { s.look.method.*number *= 1.5; }), std::set<std::string>());
   }
+  const Scene around = hazyBody({.kind = MethodKind::FocalRegion, .focalSize = 7.0, .focalFallOff = 12.0});
+  for (double Method::*number : {&Method::focalSize, &Method::focalFallOff}) {
+    EXPECT_EQ(after(around, [=](Scene& s) { s.look.method.*number *= 1.5; }), std::set<std::string>{"focus layer"});
+    EXPECT_EQ(after(faded, [=](Scene& s) { s.look.method.*number *= 1.5; }), std::set<std::string>());
+    EXPECT_EQ(after(scene, [=](Scene& s) { s.look.method.*number *= 1.5; }), std::set<std::string>());
+  }
+  EXPECT_EQ(after(around, [](Scene& s) { s.look.method.focalShape = FocalShape::Box; }),
+            std::set<std::string>{"focus layer"});
+  EXPECT_EQ(after(around, [](Scene& s) { s.look.method.fadeReach *= 2.0; }), std::set<std::string>());
   EXPECT_EQ(after(faded, [](Scene& s) { s.look.cutaway.openWidth = s.look.cutaway.borderWidth = 9.0; }),
             std::set<std::string>());
 }
@@ -325,7 +355,10 @@ TEST_F(Methods, AMethodThatIsNotInUseCostsNothing) {
                         .lensBends = 3.0,
                         .lensRim = 9.0,
                         .fadeReach = 7.0,
-                        .fadeSharpness = 1.5};
+                        .fadeSharpness = 1.5,
+                        .focalShape = FocalShape::Box,
+                        .focalSize = 4.0,
+                        .focalFallOff = 3.0};
   Renderer renderer(gpuWith(Schedule::Plain)), fresh(gpuWith(Schedule::Plain));
   fresh.render(scene, view);
   for (const Pass pass : {Pass::Cones, Pass::FaintLayer, Pass::Lens})
@@ -366,6 +399,7 @@ TEST_F(Methods, ChangesLeaveNothingBehind) {
     scene.look.method.importanceOpacity = 0.6;
     scene.look.method.lensRadius = 30.0;
     scene.look.method.fadeReach = 5.0;
+    scene.look.method.focalSize = 9.0;
     expectFresh(scene, view, name + ", other parameters");
     expectFresh(withProtected(scene), view, name + ", a protected label");
     scene.look.cutaway.openWidth = 20.0;

@@ -129,10 +129,13 @@ inline std::vector<std::pair<std::string, Method>> otherMethods() {
           {"average importance", average(Sparseness::Opacity)},
           {"ClearView", lens(LensFade::Distance, 45.0)},
           {"context-preserving", {.kind = MethodKind::ContextPreserving}},
+          {"focal sphere", {.kind = MethodKind::FocalRegion, .focalSize = 7.0, .focalFallOff = 12.0}},
           {"average importance, grey", average(Sparseness::Colour)},
           {"average importance, screen door", average(Sparseness::ScreenDoor)},
           {"ClearView, bends alone", lens(LensFade::Curvature, 25.0)},
-          {"ClearView, with depth", lens(LensFade::Depth, 35.0)}};
+          {"ClearView, with depth", lens(LensFade::Depth, 35.0)},
+          {"focal box",
+           {.kind = MethodKind::FocalRegion, .focalShape = FocalShape::Box, .focalSize = 6.0, .focalFallOff = 9.0}}};
 }
 
 /// A body cut by a box and two planes, with faces in grey or as the transfer function shows them.
@@ -259,8 +262,11 @@ inline std::vector<SceneKind> allSceneKinds() {
   for (std::size_t i = 0, all = kinds.size(); i < all; i += 5) {
     const Look& look = kinds[i].scene.look;
     if (!look.cutaway.enabled || !std::holds_alternative<std::monostate>(look.focus)) continue;
-    kinds.push_back({kinds[i].name + ", context-preserving", kinds[i].scene, kinds[i].view});
-    kinds.back().scene.look.method.kind = MethodKind::ContextPreserving;
+    const bool around = i % 2 == 1;
+    kinds.push_back(
+        {kinds[i].name + (around ? ", focal region" : ", context-preserving"), kinds[i].scene, kinds[i].view});
+    kinds.back().scene.look.method = {.kind = around ? MethodKind::FocalRegion : MethodKind::ContextPreserving,
+                                      .focalSize = 8.0};
   }
   // Smooth edges with whatever else makes a program another one; drafts have none.
   for (std::size_t i = 0, all = kinds.size(); i < all; ++i)

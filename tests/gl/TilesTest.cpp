@@ -78,6 +78,10 @@ const std::vector<Change> changes{
     {"draft", [](Scene&, View& view) { view.quality = Quality::Draft; }},
     {"ClearView", [](Scene& scene, View&) { scene.look.method.kind = MethodKind::ClearView; }},
     {"context-preserving", [](Scene& scene, View&) { scene.look.method.kind = MethodKind::ContextPreserving; }},
+    {"focal region",
+     [](Scene& scene, View&) {
+       scene.look.method = {.kind = MethodKind::FocalRegion, .focalSize = 5.0, .focalFallOff = 5.0};
+     }},
     {"smooth edges", [](Scene& scene, View&) { scene.look.edges = Edges::Smooth; }},
 };
 

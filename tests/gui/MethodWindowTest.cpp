@@ -44,8 +44,9 @@ TEST_F(MethodWindow, ListsEachMethodWithAToolTip) {
   ASSERT_EQ(box->count(), static_cast<int>(wordsOf(MethodKind{}).size()));
   for (int row = 0; row < box->count(); ++row)
     EXPECT_GT(box->itemData(row, Qt::ToolTipRole).toString().size(), 40) << row;
-  for (const char* key : {"cone_angle", "importance", "sparseness", "importance_angle", "importance_opacity",
-                          "lens_radius", "lens_bends", "lens_fade", "lens_rim", "fade_reach", "fade_sharpness"})
+  for (const char* key :
+       {"cone_angle", "importance", "sparseness", "importance_angle", "importance_opacity", "lens_radius", "lens_bends",
+        "lens_fade", "lens_rim", "fade_reach", "fade_sharpness", "focal_shape", "focal_size", "focal_fall_off"})
     EXPECT_FALSE(shows(key)) << key;
 }
 
@@ -140,7 +141,7 @@ TEST_F(MethodWindow, ContextPreservingCutsNothingAway) {
   waitUntilDrawn();
   EXPECT_EQ(panel<CutawayPanel>().width(), width);
   for (const char* key : {"fade_reach", "fade_sharpness"}) EXPECT_TRUE(shows(key)) << key;
-  for (const char* key : {"cone_angle", "importance", "importance_angle", "lens_radius"})
+  for (const char* key : {"cone_angle", "importance", "importance_angle", "lens_radius", "focal_size"})
     EXPECT_FALSE(shows(key)) << key;
   for (const char* key : {"open_width", "border_width", "border_colour", "axis_offset", "axis_direction", "unit"})
     EXPECT_FALSE(control<QWidget>(key)->isEnabled()) << key;
@@ -172,6 +173,41 @@ TEST_F(MethodWindow, ContextPreservingCutsNothingAway) {
   EXPECT_EQ(picture(volume(0)), adaptive) << "to the bit";
 }
 
+TEST_F(MethodWindow, AFocalRegionHasAShapeASizeAndAFallOff) {
+  const QImage adaptive = picture(volume(0));
+  const int steps = document().undoStack().index(), width = panel<CutawayPanel>().width();
+  choose("kind", MethodKind::FocalRegion);
+  waitUntilDrawn();
+  EXPECT_EQ(panel<CutawayPanel>().width(), width);
+  for (const char* key : {"focal_shape", "focal_size", "focal_fall_off"}) EXPECT_TRUE(shows(key)) << key;
+  for (const char* key : {"fade_reach", "fade_sharpness", "lens_radius"}) EXPECT_FALSE(shows(key)) << key;
+  EXPECT_FALSE(control<SliderSpin>("open_width")->isEnabled() || panel<ContextLayerPanel>().isEnabled());
+  QImage before = picture(volume(0));
+  EXPECT_NE(before, adaptive);
+  const auto expectChange = [&](const char* key) {
+    waitUntilDrawn();
+    EXPECT_NE(picture(volume(0)), before) << key;
+    before = picture(volume(0));
+  };
+  control<SliderSpin>("focal_size")->box()->setValue(12.0);
+  expectChange("focal_size");
+  control<SliderSpin>("focal_fall_off")->box()->setValue(9.0);
+  expectChange("focal_fall_off");
+  choose("focal_shape", FocalShape::Box);
+  expectChange("focal_shape");
+  const Method& method = document().look().method;
+  EXPECT_TRUE(method.focalSize == 12.0 && method.focalFallOff == 9.0 && method.focalShape == FocalShape::Box);
+  // Without a focus, the region lies in the middle of the volume.
+  document().setFocus({});
+  expectChange("focus");
+  control<SliderSpin>("focal_size")->box()->setValue(30.0);
+  expectChange("focal_size, without a focus");
+  while (document().undoStack().index() > steps) document().undoStack().undo();
+  waitUntilDrawn();
+  ASSERT_EQ(picture(volume(0)).size(), adaptive.size());
+  EXPECT_EQ(picture(volume(0)), adaptive) << "to the bit";
+}
+
 TEST_F(MethodWindow, WithoutAnOpeningThereIsNothingToChoose) {
   Look look = document().look();
   look.cutaway.enabled = false;
@@ -187,14 +223,14 @@ TEST_F(MethodWindow, TextsAreTranslated) {
   look.method.kind = MethodKind::Cone;
   document().edit(QStringLiteral("cone"), look);
   QStringList texts;
-  for (const char* key : {"kind", "importance", "sparseness", "lens_fade"}) {
+  for (const char* key : {"kind", "importance", "sparseness", "lens_fade", "focal_shape"}) {
     const auto* box = shown.findChild<QComboBox*>(QLatin1String(key));
     texts << box->toolTip();
     for (int row = 0; row < box->count(); ++row)
       texts << box->itemText(row) << box->itemData(row, Qt::ToolTipRole).toString();
   }
   for (const char* key : {"cone_angle", "importance_angle", "importance_opacity", "open_width", "lens_radius",
-                          "lens_bends", "fade_reach", "fade_sharpness"})
+                          "lens_bends", "fade_reach", "fade_sharpness", "focal_size", "focal_fall_off"})
     texts << shown.findChild<SliderSpin*>(QLatin1String(key))->toolTip();
   look.method.kind = MethodKind::ClearView;
   document().edit(QStringLiteral("lens"), look);
@@ -207,7 +243,7 @@ TEST_F(MethodWindow, TextsAreTranslated) {
   for (const char* key : {"open_width", "border_width"})
     texts << shown.findChild<SliderSpin*>(QLatin1String(key))->toolTip();
   QCoreApplication::removeTranslator(&locale);
-  EXPECT_GE(texts.size(), 40);
+  EXPECT_GE(texts.size(), 48);
   for (const QString& text : texts) EXPECT_TRUE(text.startsWith(opens)) << text.toStdString();
 }
 

@@ -20,6 +20,7 @@ TEST(Method, TheAdaptiveCutawayIsTheUsualOneWhateverTheOthersParameters) {
   EXPECT_EQ(stagesOf({.lensFade = LensFade::Curvature, .lensRadius = 90.0, .lensBends = 4.0, .lensRim = 7.0}),
             MethodStages{});
   EXPECT_EQ(stagesOf({.fadeReach = 9.0, .fadeSharpness = 2.0}), MethodStages{});
+  EXPECT_EQ(stagesOf({.focalShape = FocalShape::Box, .focalSize = 9.0, .focalFallOff = 2.0}), MethodStages{});
   EXPECT_FALSE(stagesOf(Method{}).keepsRemoved());
 }
 
@@ -67,6 +68,27 @@ TEST(Method, ContextPreservingOpensNothing) {
   scene.look.focus = LabelFocus{{1}};
   EXPECT_TRUE(hasCutaway(scene));
   EXPECT_FALSE(fadingOf(scene.look));
+  scene.look.method = method;
+  EXPECT_FALSE(hasCutaway(scene));
+  EXPECT_EQ(fadingOf(scene.look), stages.fading);
+  scene.look.cutaway.enabled = false;
+  EXPECT_FALSE(fadingOf(scene.look));
+}
+
+TEST(Method, AFocalRegionOpensNothing) {
+  const Method method{.kind = MethodKind::FocalRegion,
+                      .fadeReach = 9.0,
+                      .focalShape = FocalShape::Box,
+                      .focalSize = 20.0,
+                      .focalFallOff = 7.0};
+  const MethodStages stages = stagesOf(method);
+  EXPECT_EQ(stages.start, MethodStages::Start::Entry);
+  EXPECT_FALSE(stages.hasWidth || stages.hasBorder || stages.keepsRemoved());
+  ASSERT_TRUE(stages.fading && stages.fading->region);
+  EXPECT_EQ(*stages.fading->region, (MethodStages::Fading::Region{FocalShape::Box, 20.0, 7.0}));
+  EXPECT_FALSE(stagesOf({.kind = MethodKind::ContextPreserving}).fading->region);
+  Scene scene;
+  scene.look.focus = LabelFocus{{1}};
   scene.look.method = method;
   EXPECT_FALSE(hasCutaway(scene));
   EXPECT_EQ(fadingOf(scene.look), stages.fading);

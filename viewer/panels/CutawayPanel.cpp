@@ -43,6 +43,7 @@ CutawayPanel::CutawayPanel(Document& document, QWidget* parent)
       importanceMode_(methodControls_.choice(&Method::importance)),
       sparseness_(methodControls_.choice(&Method::sparseness)),
       lensFade_(methodControls_.choice(&Method::lensFade)),
+      focalShape_(methodControls_.choice(&Method::focalShape)),
       coneAngle_(methodControls_.slider(&Method::coneAngle)),
       importanceAngle_(methodControls_.slider(&Method::importanceAngle)),
       importanceOpacity_(methodControls_.slider(&Method::importanceOpacity)),
@@ -50,6 +51,8 @@ CutawayPanel::CutawayPanel(Document& document, QWidget* parent)
       lensBends_(methodControls_.slider(&Method::lensBends)),
       fadeReach_(methodControls_.slider(&Method::fadeReach)),
       fadeSharpness_(methodControls_.slider(&Method::fadeSharpness)),
+      focalSize_(methodControls_.slider(&Method::focalSize)),
+      focalFallOff_(methodControls_.slider(&Method::focalFallOff)),
       lensRim_(methodControls_.spin(&Method::lensRim, 5.0)),
       look_(new QComboBox),
       unit_(controls_.choice(&Cutaway::unit)),
@@ -88,11 +91,13 @@ void CutawayPanel::addMethod(QFormLayout& form) {
   form.addRow(name(settingOf(&Method::kind)), method_);
   form.addRow(name(settingOf(&Method::coneAngle)), coneAngle_);
   // A row that appears must not widen the panel and so push the views aside.
-  for (QComboBox* box : {importanceMode_, sparseness_, lensFade_}) {
+  for (QComboBox* box : {importanceMode_, sparseness_, lensFade_, focalShape_}) {
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     box->setMinimumContentsLength(5);
-    (box == lensFade_ ? lens_ : importance_)->addWidget(box, 1);
   }
+  importance_->addWidget(importanceMode_, 1);
+  importance_->addWidget(sparseness_, 1);
+  lens_->addWidget(lensFade_, 1);
   auto* label = new QLabel(name(settingOf(&Method::importance)));
   label->setWordWrap(true);
   form.addRow(label, importance_);
@@ -106,6 +111,9 @@ void CutawayPanel::addMethod(QFormLayout& form) {
   form.addRow(name(settingOf(&Method::lensFade)), lens_);
   form.addRow(name(settingOf(&Method::fadeReach)), fadeReach_);
   form.addRow(name(settingOf(&Method::fadeSharpness)), fadeSharpness_);
+  form.addRow(name(settingOf(&Method::focalShape)), focalShape_);
+  form.addRow(name(settingOf(&Method::focalSize)), focalSize_);
+  form.addRow(name(settingOf(&Method::focalFallOff)), focalFallOff_);
 }
 
 void CutawayPanel::addFreeze(QAction* freeze) {
@@ -144,15 +152,19 @@ void CutawayPanel::showMethod() {
   form_->setRowVisible(lens_, byLens);
   const MethodStages stages = stagesOf(method);
   const bool opens = stages.start != MethodStages::Start::Entry;
-  form_->setRowVisible(fadeReach_, stages.fading.has_value());
-  form_->setRowVisible(fadeSharpness_, stages.fading.has_value());
+  const bool byRegion = stages.fading && stages.fading->region, byView = stages.fading && !byRegion;
+  form_->setRowVisible(fadeReach_, byView);
+  form_->setRowVisible(fadeSharpness_, byView);
+  form_->setRowVisible(focalShape_, byRegion);
+  form_->setRowVisible(focalSize_, byRegion);
+  form_->setRowVisible(focalFallOff_, byRegion);
   QString tip = translated(wordOf(method.kind).description);
   if (opens && method.kind != MethodKind::Adaptive)
     tip += QStringLiteral("\n") + tr("Smooth edges, by several rays a pixel, are the adaptive cutaway's alone");
   method_->setToolTip(tip);
-  for (QWidget* widget : std::initializer_list<QWidget*>{method_, coneAngle_, importanceMode_, sparseness_,
-                                                         importanceAngle_, importanceOpacity_, lensFade_, lensRadius_,
-                                                         lensBends_, lensRim_, fadeReach_, fadeSharpness_})
+  for (QWidget* widget : std::initializer_list<QWidget*>{
+           method_, coneAngle_, importanceMode_, sparseness_, importanceAngle_, importanceOpacity_, lensFade_,
+           lensRadius_, lensBends_, lensRim_, fadeReach_, fadeSharpness_, focalShape_, focalSize_, focalFallOff_})
     widget->setEnabled(open);
   for (QWidget* widget : std::initializer_list<QWidget*>{look_, axisOffset_, unit_}) widget->setEnabled(open && opens);
   axisDirection_->setEnabled(axisDirection_->isEnabled() && opens);

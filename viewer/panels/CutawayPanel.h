@@ -30,9 +30,9 @@ class CutawayPanel : public QWidget {
   QDoubleSpinBox* axisDirection_;
   QHBoxLayout *axis_, *importance_, *lens_;
   QFormLayout* form_;
-  QComboBox *method_, *importanceMode_, *sparseness_, *lensFade_;
+  QComboBox *method_, *importanceMode_, *sparseness_, *lensFade_, *focalShape_;
   SliderSpin *coneAngle_, *importanceAngle_, *importanceOpacity_, *lensRadius_, *lensBends_, *fadeReach_,
-      *fadeSharpness_;
+      *fadeSharpness_, *focalSize_, *focalFallOff_;
   QDoubleSpinBox* lensRim_;
   QComboBox *look_, *unit_;
   ColourButton* colour_;

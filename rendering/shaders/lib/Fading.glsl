@@ -1,11 +1,15 @@
 // A context that fades (MethodStages::Fading in rendering/scene/Method.h): what its extinction is multiplied by.
 //
-// FADING is 0 in pictures in which nothing fades: nothing of this file is compiled then.
+// FADING is 0 in pictures in which nothing fades: nothing of this file is compiled then. It is 1 where light, nearness and
+// what lies before decide, and 2 around a focal region.
 #include <schedule>
 #include "lib/Crossing.glsl"
 #include "lib/Volume.glsl"
 #ifndef FADING
 #define FADING 0
+#endif
+#if FADING == 2
+#include "lib/FocalRegion.glsl"
 #endif
 #if FADING
 
@@ -31,6 +35,13 @@ float fadeAt(float slope, float intensity, float s) {
   float whole = slope > 0.0 ? exponent * log2(min(slope, 1.0)) : -1e30;
   return exponent > 0.0 ? whole : 0.0;
 }
+
+#if FADING == 2
+// The same outside of a focal region, behind anything.
+float fadeAround(float slope, vec3 place) {
+  return slope > 0.0 ? log2(min(slope, 1.0)) - focal.perFallOff * outsideOf(place) : -1e30;
+}
+#endif
 
 // Gradients for a straight path: `a` and `b` are its ends as bernsteinAlong() has them.
 #if SPLINE

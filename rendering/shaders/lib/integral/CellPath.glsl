@@ -264,24 +264,44 @@ FadingPoint fadingPointAt(Section section, Ray ray, Cut cut, Part part, float x)
   vec2 light = lightAlong(section.normals, along, ray.world, false);
   FadingPoint point;
   point.extinction = max(material.a, 0.0);
-  point.fade = fadeAt(length(bernstein(section.normals.slopes, along)), intensityOf(light), s);
+  float slope = length(bernstein(section.normals.slopes, along));
+#if FADING == 2
+  point.fade = fadeAround(slope, worldPosition(ray, s));
+#else
+  point.fade = fadeAt(slope, intensityOf(light), s);
+#endif
   light = behindCut(light, cut, s);
   point.colour = material.rgb * light.x + light.y;
   return point;
 }
 
-// Where in a part, 0 to 1, the next step has to end at the latest.
-float nextStop(Section section, Part part, float x) {
+// Where in a part, 0 to 1, the next step has to end at the latest. `region`: where the part enters and leaves a focal
+// region.
+float nextStop(Section section, Part part, vec2 region, float x) {
   vec2 ends = mix(vec2(section.uFrom), vec2(section.uTo), vec2(part.from, part.to));
   float turn = nextTurn(section.normals, mix(ends.x, ends.y, x));
-  return turn < ends.y ? max((turn - ends.x) / (ends.y - ends.x), x + 1e-6) : 1.0;
+  float stop = turn < ends.y ? max((turn - ends.x) / (ends.y - ends.x), x + 1e-6) : 1.0;
+  float border = region.x > x + 1e-6 ? region.x : region.y > x + 1e-6 ? region.y : 1.0;
+  return min(stop, border);
+}
+
+// Whether the context fades, 1, or a focal region holds the middle of a step, 0.
+float fadesBetween(vec2 region, float from, float to) {
+  float middle = 0.5 * (from + to);
+  return region.x <= middle && middle <= region.y ? 0.0 : 1.0;
 }
 
 // A part of the context that fades, step by step. A step's error is estimated by what two of half its length change; the
 // steps' allowed errors are as integratePart() has the parts'. `transmittance` and `share` as there.
 vec4 integrateFading(Section section, Ray ray, Cut cut, Part part, float transmittance, float share) {
   float size = (part.to - part.from) * (section.sTo - section.sFrom), from = 0.0, extent = 1.0, seen = transmittance;
-  float stop = nextStop(section, part, 0.0);
+  vec2 region = vec2(3e38, -3e38);
+#if FADING == 2
+  float sFrom = mix(section.sFrom, section.sTo, part.from);
+  region = regionAlong(worldPosition(ray, sFrom), ray.world, size);
+  if (region.x > region.y) region = vec2(3e38, -3e38);
+#endif
+  float stop = nextStop(section, part, region, 0.0);
   vec4 result = vec4(0.0);
   FadingPoint front = fadingPointAt(section, ray, cut, part, 0.0);
   int left = MOST_STEPS;
@@ -293,10 +313,10 @@ vec4 integrateFading(Section section, Ray ray, Cut cut, Part part, float transmi
     FadingPoint middle = fadingPointAt(section, ray, cut, part, from + 0.5 * extent);
     FadingPoint late = fadingPointAt(section, ray, cut, part, from + 0.75 * extent);
     FadingPoint back = fadingPointAt(section, ray, cut, part, last ? stop : from + extent);
-    float lengthOfStep = extent * size;
-    vec4 whole = pieceOf(front, middle, back, lengthOfStep, seen);
-    vec4 halves = pieceOf(front, early, middle, 0.5 * lengthOfStep, seen);
-    halves = over(halves, pieceOf(middle, late, back, 0.5 * lengthOfStep, seen * (1.0 - halves.a)));
+    float lengthOfStep = extent * size, fades = fadesBetween(region, from, from + extent);
+    vec4 whole = pieceOf(front, middle, back, lengthOfStep, seen, fades);
+    vec4 halves = pieceOf(front, early, middle, 0.5 * lengthOfStep, seen, fades);
+    halves = over(halves, pieceOf(middle, late, back, 0.5 * lengthOfStep, seen * (1.0 - halves.a), fades));
     float wrong = seen * highest(abs(whole - halves)), shown = seen * halves.a;
     float excess = wrong / (integral.maxError * max(max(shown, share * extent), LEAST_SHARE));
     if (excess <= 1.0 || left == 1) {
@@ -304,7 +324,7 @@ vec4 integrateFading(Section section, Ray ray, Cut cut, Part part, float transmi
       seen = transmittance * (1.0 - result.a);
       from = last ? stop : from + extent;
       front = back;
-      if (last && stop < 1.0) stop = nextStop(section, part, stop);
+      if (last && stop < 1.0) stop = nextStop(section, part, region, stop);
     }
     // The estimate falls with the third power of the length at least.
     extent *= clamp(0.9 * pow(max(excess, 1e-6), -1.0 / 3.0), 0.2, 4.0);

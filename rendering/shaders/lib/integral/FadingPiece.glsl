@@ -8,6 +8,9 @@
 // middle. The colour c is a parabola through three points, weighted by what is seen of it: by the mean and the variance
 // of an extinction that changes evenly from front to back, of the same depth (lib/integral/Piece.glsl). Where f, κ and c
 // do not change, and the piece is thin or f is 0, that is exact.
+//
+// Around a focal region the factor is 2^f outside and 1 inside, whatever τ is: the method is Simpson's rule then. A piece
+// lies on one side of the region's border.
 #include "lib/Fading.glsl"
 #include "lib/integral/Piece.glsl"
 #if FADING
@@ -21,15 +24,21 @@ struct FadingPoint {
 // `passed`: T^sharpness in front of the piece.
 float fadedExtinction(FadingPoint point, float passed) { return point.extinction * exp2(point.fade * passed); }
 
-// Premultiplied; `transmittance`: in front of the piece.
-vec4 pieceOf(FadingPoint front, FadingPoint middle, FadingPoint back, float lengthOfPiece, float transmittance) {
-  float passed = pow(transmittance, fading.sharpness);
+// Premultiplied; `transmittance`: in front of the piece; `fades`: 0 inside a focal region, else 1.
+vec4 pieceOf(FadingPoint front, FadingPoint middle, FadingPoint back, float lengthOfPiece, float transmittance,
+             float fades) {
+#if FADING == 2
+  const float sharpness = 0.0;
+  float passed = fades;
+#else
+  float sharpness = fading.sharpness, passed = pow(transmittance, sharpness);
+#endif
   float first = lengthOfPiece * fadedExtinction(front, passed);
-  float second = lengthOfPiece * fadedExtinction(middle, passed * exp(-0.5 * fading.sharpness * first));
-  float third = lengthOfPiece * fadedExtinction(middle, passed * exp(-0.5 * fading.sharpness * second));
-  float fourth = lengthOfPiece * fadedExtinction(back, passed * exp(-fading.sharpness * third));
+  float second = lengthOfPiece * fadedExtinction(middle, passed * exp(-0.5 * sharpness * first));
+  float third = lengthOfPiece * fadedExtinction(middle, passed * exp(-0.5 * sharpness * second));
+  float fourth = lengthOfPiece * fadedExtinction(back, passed * exp(-sharpness * third));
   float depth = min((first + 2.0 * (second + third) + fourth) * (1.0 / 6.0), 1e6);
-  float last = lengthOfPiece * fadedExtinction(back, passed * exp(-fading.sharpness * depth));
+  float last = lengthOfPiece * fadedExtinction(back, passed * exp(-sharpness * depth));
   float growth = clamp((last - first) / max(depth, 1e-30), -2.0, 2.0);
   vec2 moments = momentsOfEmission(depth, growth);
   float x = moments.x, square = moments.y + x * x;
