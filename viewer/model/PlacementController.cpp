@@ -226,6 +226,7 @@ void PlacementController::pick(glm::dvec3 world) {
 void PlacementController::forgetPick() {
   picked_.stop();
   if (goesOn_) *goesOn_ = false;
+  goesOn_.reset();
   rating_.setFuture({});
 }
 
@@ -254,6 +255,7 @@ void PlacementController::rate() {
 }
 
 void PlacementController::showRated() {
+  goesOn_.reset();
   if (rating_.future().resultCount() == 0) return;
   const PickAnswer answer = rating_.result();
   if (answer.volume != document_.scene().volume) return;

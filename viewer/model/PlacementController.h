@@ -87,7 +87,7 @@ class PlacementController : public QObject {
   void pick(glm::dvec3 world);
   /// That click was the first half of a double click.
   void forgetPick();
-  bool isRating() const { return picked_.isActive() || rating_.isRunning(); }
+  bool isRating() const { return picked_.isActive() || goesOn_; }
 
   /// The measurements of the present focus; null until it is measured.
   const placement::Measured* measured() const;
@@ -163,7 +163,7 @@ class PlacementController : public QObject {
   QTimer picked_;  ///< fires a moment after a pick
   glm::dvec3 pick_{0.0};
   QFutureWatcher<PickAnswer> rating_;
-  std::shared_ptr<std::atomic<bool>> goesOn_;  ///< for the rating under way
+  std::shared_ptr<std::atomic<bool>> goesOn_;  ///< of the rating under way, until its answer is shown
   bool moves_ = true;                          ///< the cameras fly to the answer of the measurement under way
   bool asked_ = false;                         ///< the measurement under way was asked for by place()
 };
