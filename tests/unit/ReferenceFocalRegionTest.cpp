@@ -12,6 +12,7 @@
 #include "rendering/scene/Fading.h"
 #include "rendering/scene/SettingWords.h"
 #include "tests/support/Scenes.h"
+#include "tests/unit/FadingContexts.h"
 
 namespace fenestra::reference {
 namespace {
@@ -114,21 +115,13 @@ glm::dvec4 summed(const Scene& scene, const Camera& camera, glm::ivec2 pixel, gl
   for (int i = 0; i < count; ++i) {
     const double t = span->tIn + (i + 0.5) * step;
     const glm::dvec3 at = inIndex.origin + t * inIndex.direction;
-    glm::dvec3 gradient;
-    for (int axis = 0; axis < 3; ++axis)
-      gradient[axis] = interpolated(grid, at, [&](glm::ivec3 voxel) {
-        glm::ivec3 low = voxel, high = voxel;
-        low[axis] = std::max(low[axis] - 1, 0);
-        high[axis] = std::min(high[axis] + 1, grid.dims[axis] - 1);
-        return (scene.volume->value(high) - scene.volume->value(low)) / (high[axis] - low[axis]);
-      });
     const glm::dvec3 from = ray.origin + t * ray.direction - middle;
     double outside = glm::length(from) - method.focalSize;
     if (method.focalShape == FocalShape::Box)
       outside = glm::length(glm::max(glm::abs(from) - method.focalSize, glm::dvec3(0.0)));
     double share = 1.0;
     if (outside > 0.0)
-      share = std::min(glm::length(gradient) / steepestSlope(*scene.volume), 1.0) *
+      share = std::min(glm::length(gradientAt(*scene.volume, at)) / steepestSlope(*scene.volume), 1.0) *
               std::pow(0.5, outside / method.focalFallOff);
     const double value = interpolated(grid, at, [&](glm::ivec3 voxel) { return scene.volume->value(voxel); });
     const OpticalProperties shown = scene.look.context.function.evaluate(value);
@@ -203,18 +196,7 @@ TEST(ReferenceFocalRegion, TheFocusKeepsItsOpacity) {
   scene.volume = volumeOf<float>(scene.volume->grid, [](glm::ivec3 i) { return i == glm::ivec3(0) ? 1.0 : 0.0; });
   scene.look.focus = LabelFocus{{1}};
   const Camera camera = Camera::fromAngles(20.0, 15.0, scene.volume->grid);
-  const Picture here = picture(scene, camera, size);
-  Scene alone = scene;
-  alone.look.context.function.nodes = {{-10.0, {glm::dvec3(1.0), 0.0}}, {2000.0, {glm::dvec3(1.0), 0.0}}};
-  alone.look.cutaway.enabled = false;
-  const Picture focus = picture(alone, camera, size);
-  double greatest = 0.0;
-  for (std::size_t i = 0; i < here.final.size(); ++i) {
-    EXPECT_LT(glm::distance(here.final[i], focus.final[i]), 4e-5) << i;
-    greatest = std::max(greatest, here.final[i].a);
-  }
-  EXPECT_GT(greatest, 0.5);
-  EXPECT_TRUE(here.contextLayer.empty()) << "nothing is cut away";
+  expectTheFocusAlone(scene, camera, size, 0.5);
 }
 
 TEST(ReferenceFocalRegion, TheEstimatedErrorKeepsToTheTolerance) {
@@ -225,15 +207,7 @@ TEST(ReferenceFocalRegion, TheEstimatedErrorKeepsToTheTolerance) {
     scene.look.shading.enabled = true;
     scene.look.focus = LabelFocus{{1}};
     const Camera camera = Camera::fromAngles(20.0, 15.0, scene.volume->grid);
-    const Picture truth = picture(scene, camera, size, {.tolerance = 1e-9, .pixels = {}});
-    for (const double tolerance : {1e-3, 1e-5, 1e-7}) {
-      const Picture here = picture(scene, camera, size, {.tolerance = tolerance, .pixels = {}});
-      for (std::size_t i = 0; i < here.final.size(); ++i) {
-        EXPECT_LE(here.error[i], tolerance);
-        const glm::dvec4 off = glm::abs(here.final[i] - truth.final[i]);
-        EXPECT_LE(std::max({off.r, off.g, off.b, off.a}), tolerance) << i;
-      }
-    }
+    expectErrorsWithinTheTolerance(scene, camera, size);
   }
 }
 
