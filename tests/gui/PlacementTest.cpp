@@ -416,7 +416,11 @@ TEST_F(Picking, APickTurnsBothCamerasToItsStructure) {
 TEST_F(Picking, OfSeveralPicksTheLastCountsAndADoubleClickIsNone) {
   const glm::dvec3 before = direction(0);
   placement_.pick(corner);
+  EXPECT_TRUE(placement_.isBusy());
+  QSignalSpy changes(&placement_, &PlacementController::changed);
   placement_.forgetPick();
+  EXPECT_FALSE(placement_.isBusy());
+  EXPECT_EQ(changes.count(), 1) << "whoever waits for the answer goes on";
   EXPECT_FALSE(placement_.isBusy());
   QTest::qWait(400);  // twice the delay of a pick
   EXPECT_EQ(direction(0), before);

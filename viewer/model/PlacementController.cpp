@@ -58,7 +58,7 @@ PlacementController::PlacementController(Document& document, ViewLink& cameras, 
   });
 }
 
-PlacementController::~PlacementController() { forgetPick(); }
+PlacementController::~PlacementController() { stopRating(); }
 
 void PlacementController::setBackend(std::unique_ptr<PlacementBackend> backend) {
   backend_ = std::move(backend);
@@ -217,13 +217,19 @@ Camera PlacementController::framing(glm::dvec3 direction) {
 
 void PlacementController::pick(glm::dvec3 world) {
   if (!settings_.byPick || !document_.hasVolume()) return;
-  forgetPick();
+  stopRating();
   pick_ = world;
   picked_.start();
   Q_EMIT changed();
 }
 
 void PlacementController::forgetPick() {
+  if (!isRating()) return;
+  stopRating();
+  Q_EMIT changed();
+}
+
+void PlacementController::stopRating() {
   picked_.stop();
   if (goesOn_) *goesOn_ = false;
   goesOn_.reset();
@@ -256,8 +262,11 @@ void PlacementController::rate() {
 
 void PlacementController::showRated() {
   goesOn_.reset();
-  if (rating_.future().resultCount() == 0) return;
-  const PickAnswer answer = rating_.result();
+  if (rating_.future().resultCount() > 0) show(rating_.result());
+  Q_EMIT changed();
+}
+
+void PlacementController::show(const PickAnswer& answer) {
   if (answer.volume != document_.scene().volume) return;
   note_ = answer.problem.empty() ? QString() : tr("No view of that point: %1").arg(translated(answer.problem));
   if (answer.c1) {
@@ -270,7 +279,6 @@ void PlacementController::showRated() {
     if (there != cameras_.pose().cameras) Q_EMIT leaving();
     cameras_.flyTo(there, home);
   }
-  Q_EMIT changed();
 }
 
 std::optional<double> PlacementController::share() const {

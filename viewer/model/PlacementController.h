@@ -144,7 +144,9 @@ class PlacementController : public QObject {
     std::string problem;
   };
   void rate();
+  void stopRating();
   void showRated();
+  void show(const PickAnswer& answer);
 
   Document& document_;
   ViewLink& cameras_;

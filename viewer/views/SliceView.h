@@ -66,8 +66,9 @@ class SliceView : public QWidget {
   /// `measure` is its place in Document::measures().
   void measureMenuRequested(std::size_t measure, QPoint globalPosition);
   void maximiseRequested();
-  /// A plain click at a world position; then, where it was half of a double click, that it was none.
+  /// A click without a modifier, at a world position.
   void picked(glm::dvec3 world);
+  /// The click that was reported last was the first half of a double click.
   void pickTakenBack();
 
  protected:
