@@ -29,7 +29,7 @@ namespace fenestra {
 /// of 2, evenly spaced within it, each the middle of those that take it.
 struct PreIntegration {
   static constexpr int spacing = 4;  ///< entries from one row to the next
-  static constexpr int mantissaBits = 2, perOctave = 1 << mantissaBits, octaves = 16, levels = perOctave * octaves;
+  static constexpr int mantissaBits = 1, perOctave = 1 << mantissaBits, octaves = 16, levels = perOctave * octaves;
 
   /// `size`: entries of the table over `span` (real values). `longest` (mm): the longest segment of a ray; as two
   /// values of a segment are a row apart at least, it says what the greatest a is.

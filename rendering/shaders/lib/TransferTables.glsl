@@ -47,6 +47,9 @@ float entryNear(float entry, float phase) {
   return 2.0 * LEAST_SPAN * floor(entry / (2.0 * LEAST_SPAN) + (0.5 - phase / (2.0 * LEAST_SPAN))) + phase;
 }
 
+// The nearest entry half way between two of those.
+float entryBetween(float entry) { return LEAST_SPAN * floor(entry / LEAST_SPAN) + 0.5 * LEAST_SPAN; }
+
 // Mean material where values run evenly from one bound to another, at least LEAST_SPAN away (pre-integrated
 // classification: Engel, Kraus, Ertl 2001, without attenuation inside).
 vec4 meanOverSpan(Table table, Bound a, Bound b) {

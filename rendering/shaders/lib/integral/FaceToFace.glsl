@@ -20,6 +20,9 @@
 #ifndef BENT_NORMALS
 #define BENT_NORMALS 0
 #endif
+#ifndef EXACT_MIDDLES
+#define EXACT_MIDDLES 0
+#endif
 
 // Where a ray is, and what the volume holds there.
 struct RayPoint {
@@ -138,6 +141,7 @@ vec4 pieceBetween(Walk walk, RayPoint front, RayPoint back, vec4 material, bool 
 
 // A piece of the context, lit as at the centre of its emission.
 vec4 litPiece(Walk walk, RayPoint front, RayPoint back, Segment segment) {
+  if (!LIT) return segment.piece;
   float u = centreOfEmission(segment.depth), s = mix(front.s, back.s, u);
   vec2 light = behindCut(lightOfGated(mix(front.gated, back.gated, u), walk.ray.world), walk.cut, s);
 #if OCCLUDED
@@ -146,26 +150,42 @@ vec4 litPiece(Walk walk, RayPoint front, RayPoint back, Segment segment) {
   return vec4(segment.piece.rgb * light.x + segment.piece.a * light.y, segment.piece.a);
 }
 
-// Of the context, over the last segment. Lit, in two halves: a segment is opaque mostly where its values are greatest, and
-// the light has to be taken there. Segments of a refined grid are short enough for one light each.
-vec4 contextPiece(Walk walk) {
-  RayPoint front = walk.front, back = walk.back;
+// The same from one point to another, at different entries of lib/PreIntegration.glsl.
+vec4 litBetween(Walk walk, RayPoint front, RayPoint back) {
   bool rises = back.entry > front.entry;
   float perEntry = (back.s - front.s) / abs(back.entry - front.entry);
   Level level = levelOf(perEntry);
   vec4 seenInFront = seenFrom(front.entry, rises, level), seenBehind = seenFrom(back.entry, rises, level);
+  return litPiece(walk, front, back, segmentOver(front.entry, seenInFront, back.entry, seenBehind, perEntry, level));
+}
+
+// Of the context, over the last segment, which is in `cell`. Lit, in two halves: a segment is opaque mostly where its
+// values are greatest, and the light has to be taken there. Segments of a refined grid are short enough for one light each.
+//
+// EXACT_MIDDLES: the halves meet in what the volume holds there, not in the mean of the ends. Its field bends within a cell.
+vec4 contextPiece(Walk walk, ivec3 cell) {
+  RayPoint front = walk.front, back = walk.back;
+#if EXACT_MIDDLES
+  RayPoint middle = pointInside(walk.ray, cell, 0.5 * (front.s + back.s));
+  middle.entry = entryBetween(entryOf(middle.stored));
+  return over(litBetween(walk, front, middle), litBetween(walk, middle, back));
+#else
 #if REFINEMENT == 1
   if (LIT) {
+    bool rises = back.entry > front.entry;
+    float perEntry = (back.s - front.s) / abs(back.entry - front.entry);
+    Level level = levelOf(perEntry);
     RayPoint middle = between(front, back, 0.5);
     middle.entry = 0.5 * (front.entry + back.entry);
-    vec4 seenBetween = seenFrom(middle.entry, rises, level);
+    vec4 seenInFront = seenFrom(front.entry, rises, level), seenBetween = seenFrom(middle.entry, rises, level),
+         seenBehind = seenFrom(back.entry, rises, level);
     Segment first = segmentOver(front.entry, seenInFront, middle.entry, seenBetween, perEntry, level);
     Segment second = segmentOver(middle.entry, seenBetween, back.entry, seenBehind, perEntry, level);
     return over(litPiece(walk, front, middle, first), litPiece(walk, middle, back, second));
   }
 #endif
-  Segment segment = segmentOver(front.entry, seenInFront, back.entry, seenBehind, perEntry, level);
-  return LIT ? litPiece(walk, front, back, segment) : segment.piece;
+  return litBetween(walk, front, back);
+#endif
 }
 
 // Where the parabola of these values at 0, 1/2 and 1 is `level` or more, from and to 0 … 1; empty where from ≥ to. Of two
@@ -389,7 +409,7 @@ void takeStep(inout Walk walks[RAYS], const bool parts) {
     if (parts && isOne[i] == 0u)
       piece = focusPiece(walks[i], crossed[i].cell, focusPart(walks[i], slots[i], crossed[i].cell));
     else
-      piece = contextPiece(walks[i]);
+      piece = contextPiece(walks[i], crossed[i].cell);
     composite(walks[i], crossed[i], piece);
   }
 }
