@@ -14,6 +14,7 @@
 #include "app/LightOptions.h"
 #include "app/SceneSession.h"
 #include "app/SettingOptions.h"
+#include "app/WallOptions.h"
 #include "io/PhantomFile.h"
 #include "io/TransferFunctionFile.h"
 #include "io/base/ModalityWords.h"
@@ -480,6 +481,7 @@ LoadedScene loadScene(const SceneOptions& options, const io::Progress& progress)
   growFocus(options, loaded, progress);
   setView(options, loaded);
   freezeView(options, loaded);
+  loaded.view.slices = slicesOf(options, *scene.volume);
   return loaded;
 }
 

@@ -83,8 +83,10 @@ struct SceneOptions : VolumeOptions {
   std::optional<io::LookPreset> preset;  ///< `look` is in its style, and its transfer function stays
   Look look;  ///< starts as the session's; the members above override its focus, context, clipping and strokes
   Quality quality = Quality::Normal;
-  std::optional<double> maxError;  ///< in 1/255; see View
-  int viewOfSession = 0;           ///< whose camera and picture size are taken from a session: 0 is C1, 1 is C2
+  std::optional<double> maxError;                  ///< in 1/255; see View
+  ShownSlices slices;                              ///< of walls: those of a session, then of the options
+  std::optional<double> windowWidth, windowLevel;  ///< in place of those of slices.window
+  int viewOfSession = 0;  ///< whose camera and picture size are taken from a session: 0 is C1, 1 is C2
 };
 
 /// Adds PATH, --phantom, --series, --raw, --spacing, --regularise, --modality and --data. Values are checked while

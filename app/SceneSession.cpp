@@ -8,6 +8,7 @@ void useAsDefaults(const io::Session& session, SceneOptions& options) {
   options.look = session.look;
   options.quality = session.quality;
   options.maxError = session.maxError;
+  options.slices = {session.crosshair, session.window, session.inverted};
 }
 
 io::Session sessionOf(const SceneOptions& options, const LoadedScene& loaded) {
@@ -27,6 +28,9 @@ io::Session sessionOf(const SceneOptions& options, const LoadedScene& loaded) {
   session.look = loaded.asSet.look;
   session.quality = loaded.view.quality;
   session.maxError = loaded.view.maxError;
+  session.crosshair = loaded.view.slices.crosshair;
+  session.window = loaded.view.slices.window;
+  session.inverted = loaded.view.slices.inverted;
 
   io::SessionView& view = session.views[static_cast<std::size_t>(options.viewOfSession)];
   if (loaded.view.camera != io::shownCamera(view, loaded.view.size))

@@ -13,9 +13,6 @@
 namespace fenestra {
 namespace {
 
-/// Of images that may be presented: a draft is smaller than the rectangle it fills.
-constexpr gl::Filter presented = gl::Filter::Linear;
-
 /// Pixels from one ray that has to be followed to the next: a power of two, no more than a voxel is wide, so that what
 /// the volume holds does not slip through; or else `least`.
 int pitchOf(const Grid& grid, const RayFrame& rays, double least) {
@@ -174,7 +171,8 @@ void PassChain::beginStage() {
                               &PassChain::occlude,          &PassChain::drawFocusLayer,
                               &PassChain::drawFaintLayer,   &PassChain::drawProtectedLayer,
                               &PassChain::drawContextLayer, &PassChain::findLens,
-                              &PassChain::compose,          &PassChain::addExempt,
+                              &PassChain::standWallsInside, &PassChain::compose,
+                              &PassChain::addExempt,        &PassChain::standWallsAround,
                               &PassChain::findEdges,        &PassChain::drawEdges};
   if (frame->stagesBegun == 0 && !frame->hasCutaway) dropCutaway();
   constexpr std::size_t ofCutaway = 4;  // the first stages, which only a cutaway has
@@ -382,6 +380,7 @@ void PassChain::compose() {
                          protectedLayer ? std::optional(guard.version()) : std::nullopt,
                          faintLayer ? std::optional(faint.version()) : std::nullopt,
                          lensSurface ? std::optional(lens.version()) : std::nullopt,
+                         walledLayer ? std::optional(walls.version()) : std::nullopt,
                          frame->method,
                          widths,
                          look.cutaway.borderColour,
@@ -397,8 +396,8 @@ void PassChain::compose() {
       Pass::Composite, composite, key, frame->changed,
       [&](Regions regions) {
         gl::Texture& picture = sized(composed, gl::Format::RGBA32F, frame->view.size, presented);
-        if (stale && !sameBelow && part) picture.copy(focusLayer);
-        CompositePass::Inputs inputs{focusLayer, hitPoints, distances, widths};
+        if (stale && !sameBelow && part) picture.copy(composedOver());
+        CompositePass::Inputs inputs{composedOver(), hitPoints, distances, widths};
         if (editMap) inputs.editMap = &editMap;
         if (opening) inputs.rayStart = &rayStart;
         if (faintLayer) inputs.faintLayer = &faintLayer;

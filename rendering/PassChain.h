@@ -27,6 +27,7 @@
 #include "rendering/passes/RayStartPass.h"
 #include "rendering/passes/RemovedPass.h"
 #include "rendering/passes/Steps.h"
+#include "rendering/passes/WallPass.h"
 
 namespace fenestra {
 
@@ -36,6 +37,9 @@ inline gl::Texture& sized(gl::Texture& texture, gl::Format format, glm::ivec2 si
   if (!texture || glm::ivec2(texture.size()) != size) texture = gl::Texture::make2D(format, size, filter);
   return texture;
 }
+
+/// Of images that may be presented: a draft is smaller than the rectangle it fills.
+inline constexpr gl::Filter presented = gl::Filter::Linear;
 
 /// Keeps each stage's images from one picture to the next. Needs a current context.
 struct PassChain {
@@ -55,11 +59,13 @@ struct PassChain {
   ProtectedLayerPass protectedLayerPass{gpu->programs()};
   ContextLayerPass contextLayerPass{gpu->programs()};
   LensPass lensPass{gpu->programs()};
+  WallPass wallPass{gpu->programs()};
   CompositePass compositePass{gpu->programs()};
   ExemptPass exemptPass{gpu->programs()};
 
   gl::Texture hitPoints, focusFilled, coneStart, distances, editMap, rayStart, focusLayer, faintLayer, protectedLayer,
       contextLayer, silhouette, lensSurface, composed, exempted;
+  gl::Texture wallLayer, walledLayer, walledPicture;  ///< of WallPass; the last two inside the opening, and around it
   gl::Texture pickedHit;
   gl::Texture faces, hole;                   ///< of RemovedPass
   gl::Buffer occlusionNodes;                 ///< of OcclusionPass; empty without ambient occlusion and shadows
@@ -80,6 +86,7 @@ struct PassChain {
   Memo<ProtectedLayerKey> faint, guard;
   Memo<ContextLayerKey> context;
   Memo<LensKey> lens;
+  Memo<WallKey> walls;
   Memo<CompositeKey> composite;
   Memo<ExemptKey> exempt;
   Memo<EdgeKey> edgePixels;
@@ -138,6 +145,12 @@ struct PassChain {
                    ProtectedLayerPass::Shown shown);
   void drawContextLayer();
   void findLens();
+  /// Walls inside the opening, and around the volume.
+  void standWallsInside();
+  void standWallsAround();
+  void standWalls(WallKey key, const std::optional<WallPass::Opening>& opening, const gl::Texture& below,
+                  gl::Texture& picture);
+  void dropWalls();
   void compose();
   void addExempt();
   // Smooth edges: which pixels they run through, and what their rays see.
@@ -205,6 +218,7 @@ struct PassChain {
     focus.forget();
     faint.forget();
     guard.forget();
+    walls.forget();
     composite.forget();
     exempt.forget();
     edgePixels.forget();
@@ -217,7 +231,11 @@ struct PassChain {
   glm::dvec2 widthsInPixels(const Scene& scene) const;
   /// What the rays through the pixels' centres see, without the background; a plain volume rendering has nothing laid
   /// over it.
-  const gl::Texture& unsmoothed() const { return exempted ? exempted : composed ? composed : focusLayer; }
+  const gl::Texture& unsmoothed() const { return walledPicture ? walledPicture : unwalled(); }
+  /// The same without walls around the volume.
+  const gl::Texture& unwalled() const { return exempted ? exempted : composed ? composed : focusLayer; }
+  /// What stage 7 lays its layers over.
+  const gl::Texture& composedOver() const { return walledLayer ? walledLayer : focusLayer; }
   const gl::Texture& picture() const {
     return edgeSamples && edgeSamples->picture() ? edgeSamples->picture() : unsmoothed();
   }

@@ -121,6 +121,19 @@ struct ExemptKey {
   Clip clip;
   bool operator==(const ExemptKey&) const = default;
 };
+/// Around the volume, the parts below are those of the picture; inside the opening, those of the focus layer.
+struct WallKey {
+  std::uint64_t focusLayer = 0, start = 0, removed = 0;  ///< the last two inside the opening, 0 else
+  std::optional<std::uint64_t> composite{}, exempt{};
+  MethodStages::Walls walls{};
+  ShownSlices slices{};
+  std::shared_ptr<const Volume> volume{};
+  std::shared_ptr<const LabelMap> labels{}, structures{};  ///< null without outlines
+  LabelSettings settings{};
+  Camera camera{};
+  glm::ivec2 size{0};
+  bool operator==(const WallKey&) const = default;
+};
 /// Smooth edges, of the picture that the rays through pixel centres make.
 struct EdgeKey {
   std::uint64_t focusLayer;
@@ -134,7 +147,7 @@ struct EdgeSampleKey {
 struct CompositeKey {
   std::uint64_t focusLayer;
   std::uint64_t distance;
-  std::optional<std::uint64_t> contextLayer, ownColours, protectedLayer, faintLayer, lens;
+  std::optional<std::uint64_t> contextLayer, ownColours, protectedLayer, faintLayer, lens, walls;
   MethodStages method;
   glm::dvec2 widths;
   glm::dvec3 borderColour;
@@ -144,7 +157,7 @@ struct CompositeKey {
   bool sameBelow(const CompositeKey& other) const {
     return focusLayer == other.focusLayer && distance == other.distance && contextLayer == other.contextLayer &&
            protectedLayer == other.protectedLayer && faintLayer == other.faintLayer && lens == other.lens &&
-           method == other.method;
+           walls == other.walls && method == other.method;
   }
   double reach() const { return widths.x + widths.y + 1.0; }  ///< rendered pixels around the focus, its rim included
 };

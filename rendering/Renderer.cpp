@@ -10,9 +10,9 @@ namespace fenestra {
 
 std::string_view nameOf(Pass pass) {
   constexpr std::array<std::string_view, passCount> names{
-      "hit points", "pull-push",     "cones",       "distance map",    "edit map",      "ray start",
-      "occlusion",  "focus layer",   "faint layer", "protected layer", "context layer", "lens",
-      "composite",  "exempt labels", "edges",       "edge rays"};
+      "hit points", "pull-push",   "cones",         "distance map",    "edit map",      "ray start",
+      "occlusion",  "focus layer", "faint layer",   "protected layer", "context layer", "lens",
+      "walls",      "composite",   "exempt labels", "edges",           "edge rays"};
   return names[static_cast<std::size_t>(pass)];
 }
 
@@ -177,6 +177,10 @@ Layers Renderer::readLayers() {
     layers.protectedLayer.resize(count);
     s.protectedLayer.readInto(std::span(layers.protectedLayer));
   }
+  if (s.wallLayer) {
+    layers.walls.resize(count);
+    s.wallLayer.readInto(std::span(layers.walls));
+  }
   layers.final = layers.focusLayer;
   if (&s.picture() != &s.focusLayer) s.picture().readInto(std::span(layers.final));
   return layers;
@@ -230,10 +234,12 @@ namespace {
 
 std::size_t imageBytesOf(const PassChain& s) {
   std::size_t sum = s.pullPushPass.bytes() + s.conePass.bytes() + s.distanceMapPass.bytes() + s.editMapPass.bytes() +
-                    s.focusLayerPass.bytes() + s.lensPass.bytes() + s.occlusionPass.bytes() + s.occlusionNodes.bytes();
-  for (const gl::Texture* texture : {&s.hitPoints, &s.focusFilled, &s.coneStart, &s.distances, &s.editMap, &s.rayStart,
-                                     &s.focusLayer, &s.faintLayer, &s.protectedLayer, &s.contextLayer, &s.silhouette,
-                                     &s.lensSurface, &s.composed, &s.exempted, &s.pickedHit, &s.faces, &s.hole})
+                    s.focusLayerPass.bytes() + s.lensPass.bytes() + s.wallPass.bytes() + s.occlusionPass.bytes() +
+                    s.occlusionNodes.bytes();
+  for (const gl::Texture* texture : {&s.hitPoints,  &s.focusFilled, &s.coneStart,  &s.distances,      &s.editMap,
+                                     &s.rayStart,   &s.focusLayer,  &s.faintLayer, &s.protectedLayer, &s.contextLayer,
+                                     &s.silhouette, &s.lensSurface, &s.wallLayer,  &s.walledLayer,    &s.walledPicture,
+                                     &s.composed,   &s.exempted,    &s.pickedHit,  &s.faces,          &s.hole})
     if (*texture) sum += texture->bytes();
   if (s.edgeSamples) sum += s.edgeSamples->bytes();
   return s.opening ? sum + imageBytesOf(*s.opening) : sum;

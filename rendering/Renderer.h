@@ -30,12 +30,13 @@ enum class Pass : std::uint8_t {
   ProtectedLayer,
   ContextLayer,
   Lens,
+  Walls,
   Composite,
   Exempt,
   Edges,
   EdgeRays
 };
-inline constexpr std::size_t passCount = 16;
+inline constexpr std::size_t passCount = 17;
 std::string_view nameOf(Pass pass);
 
 /// Row-major from the top of the picture; t in mm along the pixel's ray (see Camera), NaN where there is nothing.
@@ -52,6 +53,7 @@ struct Layers {
   /// Of the context's first surface, where a lens reads it: its normal along the view's right, up and forward, 0 where
   /// there is none; mm to the lens's middle, NaN where there is no surface before the focus.
   std::vector<glm::vec4> lens;
+  std::vector<glm::vec4> walls;  ///< premultiplied RGBA of slices that stand as walls, before they are laid
   std::vector<glm::vec4> final;  ///< premultiplied RGBA
 };
 
@@ -88,8 +90,8 @@ class Renderer {
   /// x, y (from the bottom left), width, height; smoothly where that enlarges it. Restores the state it changes.
   void present(std::uint32_t framebuffer, glm::ivec4 rectangle);
 
-  /// The same, read back: as many pixels as a rectangle of that size has, each blue, green, red, alpha in 8 bits, row by
-  /// row from the top. Empty where there is no picture.
+  /// The same, read back: as many pixels as a rectangle of that size has, each blue, green, red, alpha in 8 bits, row
+  /// by row from the top. Empty where there is no picture.
   std::vector<std::uint8_t> readPresented(glm::ivec2 size);
 
   /// The last picture, 8-bit RGBA, premultiplied, row by row from the top.

@@ -36,6 +36,8 @@ inline constexpr auto gestures = std::to_array<Gesture>({
      QT_TRANSLATE_NOOP("Dialogs", "move a face of the box, or a plane")},
     {"Clipping, while its tab is in sight", QT_TRANSLATE_NOOP("Dialogs", "Drag the ball at an arrow"),
      QT_TRANSLATE_NOOP("Dialogs", "tilt the plane")},
+    {QT_TRANSLATE_NOOP("Dialogs", "Walls of slices, in the 3-D views"), QT_TRANSLATE_NOOP("Dialogs", "Drag a square"),
+     QT_TRANSLATE_NOOP("Dialogs", "move the slice of that colour")},
     {QT_TRANSLATE_NOOP("Dialogs", "3-D views"), QT_TRANSLATE_NOOP("Dialogs", "Drag, arrows"),
      QT_TRANSLATE_NOOP("Dialogs", "rotate; the linked view follows")},
     {"3-D views", QT_TRANSLATE_NOOP("Dialogs", "Click"),

@@ -61,6 +61,7 @@ void writeLayers(const fs::path& folder, const Layers& layers, const View& view,
   writeLayer(folder, "protected_layer", layers.size, layers.protectedLayer);
   writeLayer(folder, "context_layer", layers.size, layers.contextLayer);
   writeLayer(folder, "lens", layers.size, layers.lens);
+  writeLayer(folder, "walls", layers.size, layers.walls);
   writeLayer(folder, "final", layers.size, layers.final);
 }
 
@@ -71,6 +72,7 @@ Layers referenceLayers(const Scene& scene, const View& view) {
   };
   reference::PictureOptions options;
   options.pixelScale = view.pixelScale;
+  options.slices = view.slices;
   reference::Stages stages;
   if (hasCutaway(scene)) stages = reference::geometricStages(scene, view);
   const reference::Picture picture =
@@ -89,6 +91,7 @@ Layers referenceLayers(const Scene& scene, const View& view) {
   layers.protectedLayer = colours(picture.protectedLayer);
   layers.contextLayer = colours(picture.contextLayer);
   layers.lens = colours(picture.lens);
+  layers.walls = colours(picture.walls);
   layers.final = colours(picture.final);
   return layers;
 }

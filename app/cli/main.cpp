@@ -18,6 +18,7 @@
 #include "app/OptionHelpers.h"
 #include "app/SceneOptions.h"
 #include "app/ScheduleChoice.h"
+#include "app/WallOptions.h"
 #include "app/cli/Commands.h"
 #include "app/cli/Report.h"
 #include "rendering/egl/EglContext.h"
@@ -284,6 +285,9 @@ Command addSlice(CLI::App& program, SliceOptions& options) {
 Command addRender(CLI::App& program, RenderOptions& options) {
   CLI::App* command = program.add_subcommand("render", "a picture with the adaptive cutaway");
   app::addSceneOptions(*command, options.scene);
+  command->option_defaults()->group("Picture");
+  app::addWallOptions(*command, options.scene);
+  command->option_defaults()->group("Options");
   CLI::Option* output = command->add_option("-o,--output", options.output, "PNG to write")->type_name("FILE");
   CLI::Option* layers =
       command->add_option("--layers", options.layers, "folder for every stage, as .mha")->type_name("FOLDER");

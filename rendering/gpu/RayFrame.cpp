@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include <glm/gtc/matrix_transform.hpp>
+
 #include "rendering/gpu/RefinedVolume.h"
 
 namespace fenestra {
@@ -50,6 +52,11 @@ void RayFrame::setBlocks(gl::ShaderProgram& program) const {
   program.set(VolumeBlock{grid.dims});
   if (isClipped()) program.set(clip_.block(grid));
   if (scatter_) scatter_->bind(program);
+}
+
+glm::dmat4 RayFrame::worldFromCells() const {
+  const Grid grid = refinement_ > 1 ? refined(grid_, refinement_) : grid_;
+  return glm::translate(grid.worldFromIndex(), glm::dvec3(-1.0));
 }
 
 void Scatter::bind(gl::ShaderProgram& program) const {

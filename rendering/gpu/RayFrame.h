@@ -58,6 +58,8 @@ class RayFrame {
   const Camera& camera() const { return camera_; }
   const Camera::Axes& axes() const { return axes_; }
   double distance() const { return distance_; }
+  /// World from the cell frame of shaders (shaders/lib/Ray.glsl).
+  glm::dmat4 worldFromCells() const;
   /// For shaders/RemovedParts.comp: how rays of `other`, of a camera on the same volume, run through this picture.
   OpeningCameraBlock seenFrom(const RayFrame& other) const;
   bool perspective() const { return camera_.projection == Projection::Perspective; }

@@ -151,6 +151,12 @@ struct alignas(16) ContextLayerBlock {
   float strength, curvatureWeight, silhouetteWeight, illuminationWeight, valueWeight, curvatureScale;
 };
 
+/// shaders/Walls.comp.
+struct alignas(16) WallsBlock {
+  static constexpr const char* name = "WallsBlock";
+  std::array<glm::vec4, 3> plane, across, down, extent, metric;
+};
+
 /// shaders/lib/Candidate.glsl.
 struct alignas(16) CandidateBlock {
   static constexpr const char* name = "CandidateBlock";

@@ -95,7 +95,7 @@ Certificate certify(std::span<const glm::vec4> picture, const Scene& scene, cons
   certificate.seed = options.seed;
   if (pixels.empty()) return certificate;
 
-  const PictureOptions exactly{.pixelScale = view.pixelScale, .pixels = pixels};
+  const PictureOptions exactly{.pixelScale = view.pixelScale, .pixels = pixels, .slices = view.slices};
   const Stages stages = hasCutaway(scene) ? geometricStages(scene, view) : Stages{};
   const std::vector<glm::dvec4> exact =
       reference::picture(asDrawn(scene, view), view.camera, size, stages, exactly).final;

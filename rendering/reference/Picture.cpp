@@ -6,9 +6,11 @@
 #include "rendering/reference/Light.h"
 #include "rendering/reference/Occlusion.h"
 #include "rendering/reference/Strokes.h"
+#include "rendering/reference/Walls.h"
 #include "rendering/scene/EdgeRays.h"
 #include "rendering/scene/Lighting.h"
 #include "rendering/scene/Parallel.h"
+#include "rendering/scene/Walls.h"
 
 namespace fenestra::reference {
 namespace {
@@ -36,6 +38,7 @@ struct Frame {
   Widths widths;         ///< of the opening
   const Occlusion* occlusion;
   double tolerance;
+  const ShownSlices& slices;
   bool hasBorder() const {
     return pixels && scene.look.cutaway.borderWidth > 0.0 && stagesOf(scene.look.method).hasBorder;
   }
@@ -155,6 +158,23 @@ void layOver(FocusLayer front, std::vector<glm::dvec4>& kept, Image& error, std:
   kept = std::move(front.colour);
 }
 
+/// The walls on some rays; empty where the picture has none of that placement.
+std::vector<glm::dvec4> wallsOn(const Frame& frame, const Rays& rays, WallPlacement placement) {
+  const auto walls = wallsOf(frame.scene.look);
+  if (!walls || walls->placement != placement) return {};
+  const bool inside = placement == WallPlacement::Inside;
+  if (inside && !frame.pixels) return {};
+  std::vector<WallRay> seen;
+  for (std::size_t i = 0; i < rays.places.size(); ++i) {
+    WallRay& ray = seen.emplace_back(WallRay{rayThrough(frame.camera, frame.size, rays.places[i]), {}});
+    if (!inside) continue;
+    // Comparisons with a start that is not there are false.
+    const bool opened = std::isnan(rays.tFocus(i)) && rays.start(i) > rays.tContext(i);
+    ray.shown = opened ? Span{rays.tContext(i), rays.start(i)} : Span{1.0, 0.0};
+  }
+  return wallColours(frame.scene, frame.camera, frame.size, frame.slices, seen);
+}
+
 /// Opacity of the context layer: both terms rise steeply, so that edges come out as lines. `factor` is the brush's.
 double contextOpacity(const ContextLayer& look, const ContextPoint& point, double scale, double factor) {
   const double bend = std::sqrt(0.5 * (point.k1 * point.k1 + point.k2 * point.k2)) * scale;
@@ -216,6 +236,10 @@ Picture drawn(const Frame& frame, const Rays& rays) {
   FocusLayer layer = focusLayer(scene, frame.camera, cut, tolerance, frame.occlusion);
   Picture result;
   result.final = layer.colour;
+  if (const std::vector<glm::dvec4> inside = wallsOn(frame, rays, WallPlacement::Inside); !inside.empty()) {
+    for (std::size_t i = 0; i < cut.size(); ++i) result.final[i] = over(inside[i], result.final[i]);
+    result.walls = inside;
+  }
   const std::vector<LensPoint> lens = lensOf(frame, rays, result);
   Image firstHits;
   for (std::size_t i = 0; (guarded || hasFaint) && i < cut.size(); ++i) firstHits.push_back(rays.tContext(i));
@@ -246,6 +270,10 @@ Picture drawn(const Frame& frame, const Rays& rays) {
       result.final[i] = over(over(exempt.before.colour[i], result.final[i]), exempt.behind.colour[i]);
       layer.error[i] += exempt.before.error[i] + exempt.behind.error[i];
     }
+  }
+  if (const std::vector<glm::dvec4> around = wallsOn(frame, rays, WallPlacement::Around); !around.empty()) {
+    for (std::size_t i = 0; i < cut.size(); ++i) result.final[i] = over(result.final[i], around[i]);
+    result.walls = around;
   }
   result.focusLayer = std::move(layer.colour);
   result.error = std::move(layer.error);
@@ -349,7 +377,7 @@ Picture picture(const Scene& scene, const Camera& camera, glm::ivec2 size, const
 Picture picture(const Scene& scene, const View& view, double tolerance) {
   return picture(asDrawn(scene, view), view.camera, view.size,
                  hasCutaway(scene) ? geometricStages(scene, view) : Stages{},
-                 {.pixelScale = view.pixelScale, .tolerance = tolerance, .pixels = {}});
+                 {.pixelScale = view.pixelScale, .tolerance = tolerance, .pixels = {}, .slices = view.slices});
 }
 
 Scene asDrawn(Scene scene, const View& view) {
@@ -369,8 +397,14 @@ Picture picture(const Scene& scene, const Camera& camera, glm::ivec2 size, const
   }
   std::optional<Occlusion> occlusion;
   if (hasOcclusion(scene.look)) occlusion.emplace(scene, camera, size, cutaway ? &stages : nullptr);
-  Frame frame{
-      scene, camera, size, cutaway ? &stages : nullptr, {}, occlusion ? &*occlusion : nullptr, options.tolerance};
+  Frame frame{scene,
+              camera,
+              size,
+              cutaway ? &stages : nullptr,
+              {},
+              occlusion ? &*occlusion : nullptr,
+              options.tolerance,
+              options.slices};
   Image distance;
   if (frame.hasBorder()) {
     frame.widths = stages.apart ? stages.apart->widths : widthsInPixels(scene, camera, size, options.pixelScale);
@@ -386,7 +420,7 @@ Picture picture(const Scene& scene, const Camera& camera, glm::ivec2 size, const
   Picture result = drawn(frame, rays);
   if (smooth) smoothEdges(frame, rays, options.pixelScale, all, count, result);
   for (auto* layer : {&result.focusLayer, &result.faintLayer, &result.protectedLayer, &result.contextLayer,
-                      &result.lens, &result.final})
+                      &result.lens, &result.walls, &result.final})
     if (layer->size() > count) layer->resize(count);
   for (Image* image : {&result.silhouette, &result.error})
     if (image->size() > count) image->resize(count);

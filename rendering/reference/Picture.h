@@ -26,6 +26,7 @@ struct PictureOptions {
   /// The pixels to make, (i, j) from the top left; empty: all of them, row by row. Stages 1 to 4 are always whole: the
   /// opening around a pixel depends on the others.
   std::vector<glm::ivec2> pixels;
+  ShownSlices slices{};  ///< of walls
 };
 
 /// One element a pixel, in the order of PictureOptions::pixels.
@@ -39,6 +40,7 @@ struct Picture {
   /// Where a lens shows a part of what is removed: the surface's normal along the view's axes, 0 where it has none, and
   /// its distance in mm from the lens's middle, NaN where there is no surface. Empty without a lens.
   std::vector<glm::dvec4> lens;
+  std::vector<glm::dvec4> walls;  ///< premultiplied RGBA of slices that stand as walls; empty without any
   Image silhouette;               ///< 1 - |n·v| of the context layer, NaN and empty as that is
   std::vector<glm::dvec4> final;  ///< premultiplied RGBA, without background
   /// Estimated error of the worst channel of the focus layer, at most the tolerance; the final picture's is no greater.

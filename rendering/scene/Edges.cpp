@@ -1,13 +1,14 @@
 #include "rendering/scene/Edges.h"
 
 #include "rendering/scene/Look.h"
+#include "rendering/scene/Walls.h"
 
 namespace fenestra {
 
 bool hasSmoothEdges(const Look& look, const View& view) {
   const bool opens = look.cutaway.enabled && !std::holds_alternative<std::monostate>(look.focus) &&
                      stagesOf(look.method).start != MethodStages::Start::Entry;
-  return look.edges == Edges::Smooth && !(opens && look.method.kind != MethodKind::Adaptive) &&
+  return look.edges == Edges::Smooth && !(opens && look.method.kind != MethodKind::Adaptive) && !wallsOf(look) &&
          (view.quality != Quality::Draft || view.maxError);
 }
 

@@ -54,6 +54,12 @@ MethodStages stagesOf(const Method& method) {
       stages.fading = around;
       return stages;
     }
+    case MethodKind::Walls: {
+      MethodStages stages;
+      stages.walls = {method.wallPlacement, method.wallAxial, method.wallSagittal, method.wallCoronal,
+                      method.wallOutlines};
+      return stages;
+    }
   }
   return {};
 }

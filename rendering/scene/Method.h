@@ -15,8 +15,9 @@ namespace fenestra {
 /// context preserving hotspot visualization technique, IEEE Visualization 2006. ContextPreserving: S. Bruckner, S.
 /// Grimm, A. Kanitsar, M. E. Gröller: Illustrative context-preserving exploration of volume data, IEEE TVCG 12(6),
 /// 2006. FocalRegion: J. Zhou, M. Hinz, K. D. Tönnies: Focal region-guided feature-based volume rendering, 3D Data
-/// Processing, Visualization and Transmission 2002.
-enum class MethodKind : std::uint8_t { Adaptive, Cone, Importance, ClearView, ContextPreserving, FocalRegion };
+/// Processing, Visualization and Transmission 2002. Walls: M. Tory, C. Swindells: Comparing ExoVis, orientation icon,
+/// and in-place 3D visualization techniques, Graphics Interface 2003.
+enum class MethodKind : std::uint8_t { Adaptive, Cone, Importance, ClearView, ContextPreserving, FocalRegion, Walls };
 
 /// Maximum importance projection removes what hides the focus, in cones that widen towards the eye. Average importance
 /// compositing keeps it, faintly, on the rays that meet the focus.
@@ -31,6 +32,10 @@ enum class LensFade : std::uint8_t { Distance, Curvature, Depth };
 
 /// Of a focal region. The box is a cube along the patient's axes.
 enum class FocalShape : std::uint8_t { Sphere, Box };
+
+/// Where the slices of Walls stand: around the volume (ExoVis of its authors), or where they lie in the patient, inside
+/// the opening (in-place).
+enum class WallPlacement : std::uint8_t { Around, Inside };
 
 struct Method {
   MethodKind kind = MethodKind::Adaptive;
@@ -52,6 +57,9 @@ struct Method {
   FocalShape focalShape = FocalShape::Sphere;  ///< of FocalRegion
   double focalSize = 50.0;                     ///< mm, 0.1 to 1e5: the radius of the sphere, half the side of the box
   double focalFallOff = 50.0;  ///< mm, 0.1 to 1e5: the distance over which what lies outside fades to a half
+  WallPlacement wallPlacement = WallPlacement::Around;  ///< of Walls
+  bool wallAxial = true, wallSagittal = true, wallCoronal = true;
+  bool wallOutlines = true;  ///< the labels' outlines on the walls
   bool operator==(const Method&) const = default;
 };
 
@@ -144,6 +152,22 @@ struct MethodStages {
     bool operator==(const Fading&) const = default;
   };
   std::optional<Fading> fading{};
+  /// Slices that stand in the picture of the adaptive cutaway as walls; rendering/scene/Walls.h has where, and what
+  /// they show. W is the premultiplied colour of the nearest wall on a pixel's ray, of opacity a; P, of opacity A, the
+  /// picture, or the focus layer.
+  ///
+  ///   P + (1 - A) W     Around: behind the finished picture
+  ///   W + (1 - a) P     Inside: before the focus layer, beneath what is laid over that
+  ///
+  /// Inside, walls show only at t_context ≤ t < t_start, in the space that the opening removed, and only on rays that
+  /// do not meet the focus: like everything else that is not in focus, they give way to it. Where another camera cuts
+  /// the opening, that space is what lies before the ray's start; holes behind it hold no walls.
+  struct Walls {
+    WallPlacement placement = WallPlacement::Around;
+    bool axial = true, sagittal = true, coronal = true, outlines = true;
+    bool operator==(const Walls&) const = default;
+  };
+  std::optional<Walls> walls{};
   bool hasBorder = true;  ///< w_border says how wide the line around the opening is; else it counts as 0
 
   /// Something of what the opening removes may show.

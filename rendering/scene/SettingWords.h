@@ -43,7 +43,17 @@ constexpr auto wordsOf(MethodKind) {
         "shows; what is in focus stays as it is (Bruckner, Grimm, Kanitsar and Gröller 2006)"},
        {MethodKind::FocalRegion, "focal-region", "Focal region",
         "A region around the focus shows as it is; around it only the edges of what is there stay, the fainter the "
-        "farther away; what is in focus stays as it is (Zhou, Hinz and Tönnies 2002)"}});
+        "farther away; what is in focus stays as it is (Zhou, Hinz and Tönnies 2002)"},
+       {MethodKind::Walls, "walls", "Walls of slices",
+        "The adaptive cutaway with the slices at the crosshair as walls: behind the volume, or inside the opening "
+        "(Tory "
+        "and Swindells 2003)"}});
+}
+constexpr auto wordsOf(WallPlacement) {
+  return std::to_array<Word<WallPlacement>>(
+      {{WallPlacement::Around, "around", "Around the volume", "Behind the volume, like the walls of a room"},
+       {WallPlacement::Inside, "inside", "Inside the opening",
+        "Where the slices lie, in the space that the opening removed; before the focus there is none"}});
 }
 constexpr auto wordsOf(FocalShape) {
   return std::to_array<Word<FocalShape>>({{FocalShape::Sphere, "sphere", "Sphere", "All around the focus alike"},

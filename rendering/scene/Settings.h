@@ -154,7 +154,27 @@ inline constexpr std::tuple settingsOf<Method>{
              .unit = "mm",
              .range = {0.1, 1e5},
              .slider = {1.0, 200.0},
-             .step = 1.0})};
+             .step = 1.0}),
+    Setting(&Method::wallPlacement, {.key = "wall_placement",
+                                     .option = "--wall-placement",
+                                     .name = "Walls",
+                                     .description = "Where the walls of slices stand"}),
+    Setting(&Method::wallAxial, {.key = "wall_axial",
+                                 .option = "--wall-axial",
+                                 .name = "Axial",
+                                 .description = "Whether the axial slice at the crosshair is a wall"}),
+    Setting(&Method::wallSagittal, {.key = "wall_sagittal",
+                                    .option = "--wall-sagittal",
+                                    .name = "Sagittal",
+                                    .description = "Whether the sagittal slice at the crosshair is a wall"}),
+    Setting(&Method::wallCoronal, {.key = "wall_coronal",
+                                   .option = "--wall-coronal",
+                                   .name = "Coronal",
+                                   .description = "Whether the coronal slice at the crosshair is a wall"}),
+    Setting(&Method::wallOutlines, {.key = "wall_outlines",
+                                    .option = "--wall-outlines",
+                                    .name = "Outlines",
+                                    .description = "Whether the labels' outlines are drawn on the walls"})};
 
 template <>
 inline constexpr std::tuple settingsOf<Cutaway>{

@@ -8,6 +8,7 @@
 #include "rendering/scene/Camera.h"
 #include "rendering/scene/Cutaway.h"
 #include "rendering/scene/Quality.h"
+#include "rendering/scene/Volume.h"
 
 namespace fenestra {
 
@@ -17,6 +18,14 @@ struct OpeningView {
   glm::ivec2 size{0};       ///< pixels, at least 1×1
   double pixelScale = 1.0;  ///< pixels per device-independent pixel
   bool operator==(const OpeningView&) const = default;
+};
+
+/// Which slices walls show (rendering/scene/Walls.h), and how. Only pictures with walls depend on it.
+struct ShownSlices {
+  std::optional<glm::dvec3> crosshair = std::nullopt;  ///< world, mm; unset: the volume's centre
+  std::optional<WindowLevel> window = std::nullopt;    ///< unset: Volume::defaultWindow
+  bool inverted = false;                               ///< low values bright, where the volume has them dark
+  bool operator==(const ShownSlices&) const = default;
 };
 
 /// One picture to make.
@@ -30,6 +39,7 @@ struct View {
   std::optional<double> maxError = std::nullopt;
   /// A frozen opening: it stays cut for that picture while the camera moves. Empty: the opening follows the camera.
   std::optional<OpeningView> frozen = std::nullopt;
+  ShownSlices slices{};
   bool operator==(const View&) const = default;
 };
 

@@ -17,6 +17,8 @@ const std::vector<std::string> methods{"--method cone --cone-angle 50",
                                        "--method context-preserving --fade-reach 4 --fade-sharpness 0.7",
                                        "--method focal-region --focal-size 25 --focal-fall-off 30",
                                        "--method focal-region --focal-shape box --focal-size 20 --focal-fall-off 15",
+                                       "--method walls --crosshair 20,-10,30 --window 300 --level 40",
+                                       "--method walls --wall-placement inside --wall-axial off --wall-outlines off",
                                        "--method clearview --lens-radius 50 --lens-fade depth"};
 
 TEST_F(MethodCommand, PicturesAreTheReferences) {
@@ -36,7 +38,8 @@ TEST_F(MethodCommand, ParametersOfOtherMethodsLeaveThePictureAsItIs) {
   ASSERT_EQ(render("same.png",
                    "--method adaptive --cone-angle 70 --importance average --importance-opacity 0.9 "
                    "--lens-radius 60 --lens-fade depth --lens-bends 3 --lens-rim 5 --fade-reach 9 --fade-sharpness 2 "
-                   "--focal-shape box --focal-size 9 --focal-fall-off 3"),
+                   "--focal-shape box --focal-size 9 --focal-fall-off 3 --wall-placement inside --wall-coronal off "
+                   "--crosshair 1,2,3 --window 10 --level 5"),
             0);
   EXPECT_EQ(bytes("plain.png"), bytes("same.png"));
 }
@@ -52,11 +55,47 @@ TEST_F(MethodCommand, ASessionKeepsEach) {
   EXPECT_EQ(kept, (Method{.kind = MethodKind::ClearView, .lensFade = LensFade::Depth, .lensRadius = 50.0}));
 }
 
+TEST_F(MethodCommand, WallsShowTheSlicesOfASession) {
+  ASSERT_EQ(render("a.png", "--method walls --crosshair 20,-10,30 --window 300 --level 40 --save-session " +
+                                quoted("work.fenestra")),
+            0);
+  const io::Session session = io::readSession(at("work.fenestra"));
+  EXPECT_EQ(session.crosshair, glm::dvec3(20.0, -10.0, 30.0));
+  EXPECT_EQ(session.window, (WindowLevel{300.0, 40.0}));
+  const std::string from = "render " + quoted("work.fenestra");
+  ASSERT_EQ(run(from + " -o " + quoted("b.png")), 0);
+  EXPECT_EQ(bytes("a.png"), bytes("b.png"));
+  // An option overrides the session's.
+  for (const std::string other : {" --crosshair 0,-10,30", " --window 900", " --level 100"}) {
+    ASSERT_EQ(run(from + other + " -o " + quoted("b.png")), 0);
+    EXPECT_GT(shareBeyond(2.0, "a.png", "b.png"), 0.005) << other;
+  }
+}
+
 TEST_F(MethodCommand, RefusesWhatIsNoAngleAndNoShare) {
-  for (const std::string wrong :
-       {"--cone-angle 0", "--cone-angle 90", "--cone-angle nan", "--importance-angle 0", "--importance-opacity 1.1",
-        "--importance some", "--lens-radius 0", "--lens-bends -1", "--lens-rim 0.5", "--lens-fade away",
-        "--fade-reach -1", "--fade-sharpness 0", "--focal-size 0", "--focal-fall-off 0", "--focal-shape ball"})
+  for (const std::string wrong : {"--cone-angle 0",
+                                  "--cone-angle 90",
+                                  "--cone-angle nan",
+                                  "--importance-angle 0",
+                                  "--importance-opacity 1.1",
+                                  "--importance some",
+                                  "--lens-radius 0",
+                                  "--lens-bends -1",
+                                  "--lens-rim 0.5",
+                                  "--lens-fade away",
+                                  "--fade-reach -1",
+                                  "--fade-sharpness 0",
+                                  "--focal-size 0",
+                                  "--focal-fall-off 0",
+                                  "--focal-shape ball",
+                                  "--wall-placement beside",
+                                  "--wall-axial maybe",
+                                  "--crosshair 1,2",
+                                  "--crosshair 1,2,nan",
+                                  "--crosshair 1,2,1e300",
+                                  "--window 0",
+                                  "--window -5",
+                                  "--level wide"})
     EXPECT_EQ(render("x.png", wrong), 2) << wrong;
   EXPECT_FALSE(std::filesystem::exists(at("x.png")));
 }

@@ -109,6 +109,10 @@ void Methods::expectMatches(const Scene& scene, const View& view) {
       EXPECT_LE(perMilleBeyond(*view.maxError, layers.faintLayer, truth.faintLayer), 4.0);
     }
     expectLensMatches(layers.lens, truth.lens);
+    EXPECT_EQ(layers.walls.empty(), truth.walls.empty());
+    if (!truth.walls.empty()) {
+      EXPECT_LE(perMilleBeyond(0.5, layers.walls, truth.walls), 4.0) << "the walls";
+    }
   }
 }
 
@@ -128,9 +132,9 @@ TEST_F(Methods, EachMatchesTheReferenceAndIsAnotherPicture) {
 }
 
 /// One of each kind; the others differ in the composite alone.
-std::vector<std::pair<std::string, Method>> sixMethods() {
+std::vector<std::pair<std::string, Method>> eachMethod() {
   auto methods = otherMethods();
-  methods.resize(6);
+  methods.resize(8);
   return methods;
 }
 
@@ -183,7 +187,7 @@ TEST_F(Methods, FocalRegionsKeepTheirBoundAtAnySize) {
 }
 
 TEST_F(Methods, ValuesSmoothedLabelsAndSplines) {
-  for (const auto& [name, method] : sixMethods()) {
+  for (const auto& [name, method] : eachMethod()) {
     SCOPED_TRACE(name);
     Scene values = hazyBody(method);
     values.look.focus = ValueFocus{{95.0, 1000.0}, 0.0};
@@ -198,7 +202,7 @@ TEST_F(Methods, ValuesSmoothedLabelsAndSplines) {
 }
 
 TEST_F(Methods, BrushProtectedLabelsAndClipping) {
-  for (const auto& [name, method] : sixMethods()) {
+  for (const auto& [name, method] : eachMethod()) {
     SCOPED_TRACE(name);
     const Scene scene = hazyBody(method);
     const View view = viewOf(from(25, 15, scene));
@@ -213,7 +217,7 @@ TEST_F(Methods, BrushProtectedLabelsAndClipping) {
 }
 
 TEST_F(Methods, FrozenAndWithAnAxisOffset) {
-  for (const auto& [name, method] : sixMethods()) {
+  for (const auto& [name, method] : eachMethod()) {
     SCOPED_TRACE(name);
     Scene scene = hazyBody(method);
     View view = viewOf(from(50, 15, scene));
@@ -341,6 +345,39 @@ TEST_F(Methods, ReRunOnlyWhatAChangeReaches) {
             std::set<std::string>());
 }
 
+TEST_F(Methods, WallsReRunAlone) {
+  using Names = std::set<std::string>;
+  const auto after = [](const Scene& scene, auto&& change) {
+    const View view = viewOf(from(25, 15, scene));
+    Scene changed = scene;
+    View changedView = view;
+    change(changed, changedView);
+    Renderer renderer(gpuWith(Schedule::Plain));
+    renderer.render(scene, view);
+    const auto before = renderer.stats();
+    renderer.render(changed, changedView);
+    Names names;
+    for (std::size_t pass = 0; pass < passCount; ++pass)
+      if (renderer.stats()[pass].runs > before[pass].runs) names.emplace(nameOf(static_cast<Pass>(pass)));
+    return names;
+  };
+  const Scene around = hazyBody({.kind = MethodKind::Walls});
+  const Scene inside = hazyBody({.kind = MethodKind::Walls, .wallPlacement = WallPlacement::Inside});
+  const auto move = [](Scene& scene, View& view) { view.slices.crosshair = scene.volume->grid.centre() + 3.0; };
+  const auto widen = [](Scene&, View& view) { view.slices.window = WindowLevel{70.0, 50.0}; };
+  EXPECT_EQ(after(around, move), Names{"walls"});
+  EXPECT_EQ(after(around, widen), Names{"walls"});
+  EXPECT_EQ(after(inside, move), (Names{"walls", "composite"}));
+  EXPECT_EQ(after(inside, widen), (Names{"walls", "composite"}));
+  for (bool Method::*which : {&Method::wallAxial, &Method::wallSagittal, &Method::wallCoronal, &Method::wallOutlines})
+    EXPECT_TRUE(after(around, [=](Scene& scene, View&) { scene.look.method.*which = false; }).contains("walls"));
+  EXPECT_EQ(
+      after(around, [](Scene& scene, View&) { put(scene.look.labels, {.label = 1, .visible = false}); }).count("walls"),
+      1u);
+  EXPECT_EQ(after(hazyBody({}), move), Names());
+  EXPECT_EQ(after(around, [](Scene&, View&) {}), Names());
+}
+
 TEST_F(Methods, AMethodThatIsNotInUseCostsNothing) {
   const Scene scene = hazyBody({});
   const View view = viewOf(from(25, 15, scene));
@@ -358,19 +395,24 @@ TEST_F(Methods, AMethodThatIsNotInUseCostsNothing) {
                         .fadeSharpness = 1.5,
                         .focalShape = FocalShape::Box,
                         .focalSize = 4.0,
-                        .focalFallOff = 3.0};
+                        .focalFallOff = 3.0,
+                        .wallPlacement = WallPlacement::Inside,
+                        .wallAxial = false,
+                        .wallOutlines = false};
+  View other = view;
+  other.slices = {scene.volume->grid.centre() + 5.0, WindowLevel{9.0, 8.0}, true};
   Renderer renderer(gpuWith(Schedule::Plain)), fresh(gpuWith(Schedule::Plain));
   fresh.render(scene, view);
-  for (const Pass pass : {Pass::Cones, Pass::FaintLayer, Pass::Lens})
+  for (const Pass pass : {Pass::Cones, Pass::FaintLayer, Pass::Lens, Pass::Walls})
     EXPECT_EQ(fresh.stats()[static_cast<std::size_t>(pass)].runs, 0u) << nameOf(pass);
-  renderer.render(others, view);
+  renderer.render(others, other);
   EXPECT_EQ(renderer.readPicture(), fresh.readPicture());
   EXPECT_EQ(renderer.imageBytes(), fresh.imageBytes());
   // A method gives back what it took.
   for (const auto& [name, method] : otherMethods()) {
-    Scene other = scene;
-    other.look.method = method;
-    renderer.render(other, view);
+    Scene byIt = scene;
+    byIt.look.method = method;
+    renderer.render(byIt, view);
     renderer.render(scene, view);
     EXPECT_EQ(renderer.readPicture(), fresh.readPicture()) << name;
     EXPECT_EQ(renderer.imageBytes(), fresh.imageBytes()) << name;
@@ -400,7 +442,11 @@ TEST_F(Methods, ChangesLeaveNothingBehind) {
     scene.look.method.lensRadius = 30.0;
     scene.look.method.fadeReach = 5.0;
     scene.look.method.focalSize = 9.0;
+    scene.look.method.wallSagittal = false;
     expectFresh(scene, view, name + ", other parameters");
+    View moved = view;
+    moved.slices.crosshair = scene.volume->grid.centre() - 4.0;
+    expectFresh(scene, moved, name + ", another crosshair");
     expectFresh(withProtected(scene), view, name + ", a protected label");
     scene.look.cutaway.openWidth = 20.0;
     scene.look.method.kind = MethodKind::Adaptive;

@@ -34,7 +34,8 @@ const std::vector<std::string> blockNames{RayBlock::name,       VolumeBlock::nam
                                           CutFaceBlock::name,   OpeningCameraBlock::name,  DerivativeBlock::name,
                                           CutawayBlock::name,   ContextLayerBlock::name,   CandidateBlock::name,
                                           ClipBlock::name,      FaintBlock::name,          OccludersBlock::name,
-                                          OcclusionBlock::name, OcclusionNodesBlock::name, ConeBlock::name};
+                                          OcclusionBlock::name, OcclusionNodesBlock::name, ConeBlock::name,
+                                          WallsBlock::name};
 
 constexpr std::array schedules{Schedule::Plain, Schedule::Llvmpipe};
 
@@ -107,14 +108,29 @@ int sharedBytes(const std::string& source) {
 TEST_F(ProgramsTest, EveryShaderIsLinkedInSeveralVariants) {
   std::map<std::string, int> variants;
   for (const auto& [source, linked] : programs()) ++variants[linked.path];
-  for (const char* path : {"HitPoints.comp",       "PullPushAnalysis.comp",  "PullPushSynthesis.comp",
-                           "FocusMask.comp",       "FocusTiles.comp",        "DistanceRows.comp",
-                           "DistanceColumns.comp", "RayStart.comp",          "EditMap.comp",
-                           "ProtectedLayer.comp",  "ContextLayer.comp",      "Composite.comp",
-                           "ConeDepths.comp",      "ConeStart.comp",         "Occluders.comp",
-                           "Occlusion.comp",       "EdgePixels.comp",        "EdgeMeans.comp",
-                           "CandidateHits.comp",   "CandidateOutlines.comp", "CandidateVisibility.comp",
-                           "CandidateEnds.comp"})
+  for (const char* path : {"HitPoints.comp",
+                           "PullPushAnalysis.comp",
+                           "PullPushSynthesis.comp",
+                           "FocusMask.comp",
+                           "FocusTiles.comp",
+                           "DistanceRows.comp",
+                           "DistanceColumns.comp",
+                           "RayStart.comp",
+                           "EditMap.comp",
+                           "ProtectedLayer.comp",
+                           "ContextLayer.comp",
+                           "Composite.comp",
+                           "ConeDepths.comp",
+                           "ConeStart.comp",
+                           "Occluders.comp",
+                           "Occlusion.comp",
+                           "EdgePixels.comp",
+                           "EdgeMeans.comp",
+                           "CandidateHits.comp",
+                           "CandidateOutlines.comp",
+                           "CandidateVisibility.comp",
+                           "CandidateEnds.comp",
+                           "Walls.comp"})
     EXPECT_GE(variants[path], 2) << path << ": one for each schedule at least";
   for (const char* path : {"PixelsBetween.comp", "CandidateEdges.comp"}) EXPECT_GE(variants[path], 1) << path;
   for (const char* path : {"CandidateAreas.comp", "CandidateSums.comp"})
@@ -252,6 +268,9 @@ TEST_F(ProgramsTest, BlocksHaveTheLayoutOfTheirStructs) {
         OFFSET(ContextLayerBlock, curvatureWeight), OFFSET(ContextLayerBlock, silhouetteWeight),
         OFFSET(ContextLayerBlock, illuminationWeight), OFFSET(ContextLayerBlock, valueWeight),
         OFFSET(ContextLayerBlock, curvatureScale)}},
+      {WallsBlock::name,
+       {OFFSET(WallsBlock, plane), OFFSET(WallsBlock, across), OFFSET(WallsBlock, down), OFFSET(WallsBlock, extent),
+        OFFSET(WallsBlock, metric)}},
       {CandidateBlock::name,
        {OFFSET(CandidateBlock, sphereCentre), OFFSET(CandidateBlock, sphereRadius), OFFSET(CandidateBlock, focusLower),
         OFFSET(CandidateBlock, focusUpper)}}};

@@ -130,6 +130,8 @@ inline std::vector<std::pair<std::string, Method>> otherMethods() {
           {"ClearView", lens(LensFade::Distance, 45.0)},
           {"context-preserving", {.kind = MethodKind::ContextPreserving}},
           {"focal sphere", {.kind = MethodKind::FocalRegion, .focalSize = 7.0, .focalFallOff = 12.0}},
+          {"walls around", {.kind = MethodKind::Walls}},
+          {"walls inside", {.kind = MethodKind::Walls, .wallPlacement = WallPlacement::Inside}},
           {"average importance, grey", average(Sparseness::Colour)},
           {"average importance, screen door", average(Sparseness::ScreenDoor)},
           {"ClearView, bends alone", lens(LensFade::Curvature, 25.0)},
@@ -257,6 +259,13 @@ inline std::vector<SceneKind> allSceneKinds() {
     other.name += ", " + name;
     other.scene.look.method = method;
     kinds.push_back(std::move(other));
+  }
+  // Walls need no focus, where they stand around the volume.
+  for (std::size_t i = 0, all = kinds.size(); i < all; i += 11) {
+    if (!kinds[i].scene.look.cutaway.enabled || hasCutaway(kinds[i].scene)) continue;
+    kinds.push_back({kinds[i].name + ", walls around", kinds[i].scene, kinds[i].view});
+    kinds.back().scene.look.method = {.kind = MethodKind::Walls};
+    kinds.back().view.slices = {.crosshair = glm::dvec3(5.0, 9.0, 14.0), .window = WindowLevel{90.0, 80.0}};
   }
   // A context that fades needs no focus.
   for (std::size_t i = 0, all = kinds.size(); i < all; i += 5) {

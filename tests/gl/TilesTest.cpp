@@ -29,6 +29,7 @@ void expectSameStages(const Layers& a, const Layers& b) {
   EXPECT_TRUE(sameBits(a.focusLayer, b.focusLayer)) << "focus layer";
   EXPECT_TRUE(sameBits(a.contextLayer, b.contextLayer)) << "context layer";
   EXPECT_TRUE(sameBits(a.lens, b.lens)) << "lens";
+  EXPECT_TRUE(sameBits(a.walls, b.walls)) << "walls";
   EXPECT_TRUE(sameBits(a.final, b.final)) << "picture";
 }
 
@@ -81,6 +82,11 @@ const std::vector<Change> changes{
     {"focal region",
      [](Scene& scene, View&) {
        scene.look.method = {.kind = MethodKind::FocalRegion, .focalSize = 5.0, .focalFallOff = 5.0};
+     }},
+    {"walls around", [](Scene& scene, View&) { scene.look.method.kind = MethodKind::Walls; }},
+    {"walls inside",
+     [](Scene& scene, View&) {
+       scene.look.method = {.kind = MethodKind::Walls, .wallPlacement = WallPlacement::Inside};
      }},
     {"smooth edges", [](Scene& scene, View&) { scene.look.edges = Edges::Smooth; }},
 };

@@ -332,6 +332,24 @@ Conventions::Cases Conventions::sliceGestures() {
 }
 
 void Conventions::addVolumeGestures(Cases& cases) {
+  cases["Walls of slices, in the 3-D views: Drag a square"] = [this] {
+    Look look = document().look();
+    look.method.kind = MethodKind::Walls;
+    document().edit({}, look);
+    waitUntilDrawn();
+    const WallTool::Handle handle = volume(0)->wallTool().handles().at(0);
+    ASSERT_EQ(handle.plane, SlicePlane::Axial);
+    const glm::dvec3 before = cursor().position();
+    const QPoint from = volume(0)->widgetFromWorld(handle.at)->toPoint();
+    drag(volume(0), from, from + QPoint(0, 20));
+    const glm::dvec3 moved = cursor().position() - before;
+    EXPECT_LT(moved.z, -1.0) << "down";
+    EXPECT_EQ(glm::dvec2(moved), glm::dvec2(0.0));
+    look.method = {};
+    document().edit({}, look);
+    cursor().moveTo(before);
+    waitUntilDrawn();
+  };
   cases["3-D views: Drag, arrows"] = [this] {
     const Camera before = cameras().camera(0);
     drag(volume(0), {200, 150}, {240, 150});

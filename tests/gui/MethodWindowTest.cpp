@@ -46,7 +46,8 @@ TEST_F(MethodWindow, ListsEachMethodWithAToolTip) {
     EXPECT_GT(box->itemData(row, Qt::ToolTipRole).toString().size(), 40) << row;
   for (const char* key :
        {"cone_angle", "importance", "sparseness", "importance_angle", "importance_opacity", "lens_radius", "lens_bends",
-        "lens_fade", "lens_rim", "fade_reach", "fade_sharpness", "focal_shape", "focal_size", "focal_fall_off"})
+        "lens_fade", "lens_rim", "fade_reach", "fade_sharpness", "focal_shape", "focal_size", "focal_fall_off",
+        "wall_placement", "wall_axial", "wall_sagittal", "wall_coronal", "wall_outlines"})
     EXPECT_FALSE(shows(key)) << key;
 }
 
@@ -208,6 +209,56 @@ TEST_F(MethodWindow, AFocalRegionHasAShapeASizeAndAFallOff) {
   EXPECT_EQ(picture(volume(0)), adaptive) << "to the bit";
 }
 
+TEST_F(MethodWindow, WallsFollowTheSlices) {
+  const QImage adaptive = picture(volume(0));
+  const int steps = document().undoStack().index(), width = panel<CutawayPanel>().width();
+  const glm::dvec3 crosshair = cursor().position();
+  const WindowLevel window = document().window();
+  choose("kind", MethodKind::Walls);
+  waitUntilDrawn();
+  EXPECT_EQ(panel<CutawayPanel>().width(), width);
+  for (const char* key : {"wall_placement", "wall_axial", "wall_sagittal", "wall_coronal", "wall_outlines"})
+    EXPECT_TRUE(shows(key)) << key;
+  EXPECT_TRUE(control<SliderSpin>("open_width")->isEnabled());
+  std::array<QImage, 2> before{picture(volume(0)), picture(volume(1))};
+  EXPECT_NE(before[0], adaptive);
+  const auto expectChange = [&](const char* what) {
+    waitUntilDrawn();
+    for (const int view : {0, 1}) {
+      EXPECT_NE(picture(volume(view)), before[static_cast<std::size_t>(view)]) << what << ", C" << view + 1;
+      before[static_cast<std::size_t>(view)] = picture(volume(view));
+    }
+  };
+  cursor().step(sliceGeometry(document().scene().volume->grid, SlicePlane::Axial), 3);
+  expectChange("another slice");
+  document().setWindow({0.5 * window.width, window.level});
+  expectChange("another window");
+  document().setInverted(true);
+  expectChange("inverted");
+  const WallTool::Handle handle = volume(0)->wallTool().handles().at(1);
+  EXPECT_EQ(handle.plane, SlicePlane::Sagittal);
+  EXPECT_EQ(volume(0)->wallTool().handles().size(), 3u);
+  const QPoint from = volume(0)->widgetFromWorld(handle.at)->toPoint();
+  const QPoint to = volume(0)->widgetFromWorld(handle.at + 6.0 * handle.along)->toPoint();
+  const glm::dvec3 start = cursor().position();
+  drag(volume(0), from, to);
+  EXPECT_NEAR(cursor().position().x - start.x, 6.0, 1.0) << "to the pixel";
+  expectChange("dragged");
+  control<QCheckBox>("wall_axial")->click();
+  EXPECT_FALSE(document().look().method.wallAxial);
+  EXPECT_EQ(volume(0)->wallTool().handles().size(), 2u);
+  expectChange("without the axial wall");
+  choose("wall_placement", WallPlacement::Inside);
+  waitUntilDrawn();
+  EXPECT_NE(picture(volume(0)), before[0]);
+  while (document().undoStack().index() > steps) document().undoStack().undo();
+  EXPECT_TRUE(volume(0)->wallTool().handles().empty());
+  cursor().moveTo(crosshair);
+  waitUntilDrawn();
+  ASSERT_EQ(picture(volume(0)).size(), adaptive.size());
+  EXPECT_EQ(picture(volume(0)), adaptive) << "to the bit";
+}
+
 TEST_F(MethodWindow, WithoutAnOpeningThereIsNothingToChoose) {
   Look look = document().look();
   look.cutaway.enabled = false;
@@ -223,7 +274,7 @@ TEST_F(MethodWindow, TextsAreTranslated) {
   look.method.kind = MethodKind::Cone;
   document().edit(QStringLiteral("cone"), look);
   QStringList texts;
-  for (const char* key : {"kind", "importance", "sparseness", "lens_fade", "focal_shape"}) {
+  for (const char* key : {"kind", "importance", "sparseness", "lens_fade", "focal_shape", "wall_placement"}) {
     const auto* box = shown.findChild<QComboBox*>(QLatin1String(key));
     texts << box->toolTip();
     for (int row = 0; row < box->count(); ++row)

@@ -21,6 +21,7 @@ TEST(Method, TheAdaptiveCutawayIsTheUsualOneWhateverTheOthersParameters) {
             MethodStages{});
   EXPECT_EQ(stagesOf({.fadeReach = 9.0, .fadeSharpness = 2.0}), MethodStages{});
   EXPECT_EQ(stagesOf({.focalShape = FocalShape::Box, .focalSize = 9.0, .focalFallOff = 2.0}), MethodStages{});
+  EXPECT_EQ(stagesOf({.wallPlacement = WallPlacement::Inside, .wallAxial = false}), MethodStages{});
   EXPECT_FALSE(stagesOf(Method{}).keepsRemoved());
 }
 
@@ -94,6 +95,19 @@ TEST(Method, AFocalRegionOpensNothing) {
   EXPECT_EQ(fadingOf(scene.look), stages.fading);
   scene.look.cutaway.enabled = false;
   EXPECT_FALSE(fadingOf(scene.look));
+}
+
+TEST(Method, WallsAreTheAdaptiveCutawayWithSlices) {
+  const Method method{
+      .kind = MethodKind::Walls, .wallPlacement = WallPlacement::Inside, .wallSagittal = false, .wallOutlines = false};
+  MethodStages stages = stagesOf(method);
+  EXPECT_EQ(stages.walls, (MethodStages::Walls{WallPlacement::Inside, true, false, true, false}));
+  stages.walls.reset();
+  EXPECT_EQ(stages, MethodStages{});
+  Scene scene;
+  scene.look.focus = LabelFocus{{1}};
+  scene.look.method = method;
+  EXPECT_TRUE(hasCutaway(scene));
 }
 
 TEST(Method, DistancesRunOverTheBoundingSphere) {

@@ -38,12 +38,14 @@ CutawayPanel::CutawayPanel(Document& document, QWidget* parent)
       axis_(new QHBoxLayout),
       importance_(new QHBoxLayout),
       lens_(new QHBoxLayout),
+      wallPlanes_(new QHBoxLayout),
       form_(new QFormLayout(this)),
       method_(methodControls_.choice(&Method::kind)),
       importanceMode_(methodControls_.choice(&Method::importance)),
       sparseness_(methodControls_.choice(&Method::sparseness)),
       lensFade_(methodControls_.choice(&Method::lensFade)),
       focalShape_(methodControls_.choice(&Method::focalShape)),
+      wallPlacement_(methodControls_.choice(&Method::wallPlacement)),
       coneAngle_(methodControls_.slider(&Method::coneAngle)),
       importanceAngle_(methodControls_.slider(&Method::importanceAngle)),
       importanceOpacity_(methodControls_.slider(&Method::importanceOpacity)),
@@ -54,6 +56,10 @@ CutawayPanel::CutawayPanel(Document& document, QWidget* parent)
       focalSize_(methodControls_.slider(&Method::focalSize)),
       focalFallOff_(methodControls_.slider(&Method::focalFallOff)),
       lensRim_(methodControls_.spin(&Method::lensRim, 5.0)),
+      wallAxial_(methodControls_.box(&Method::wallAxial)),
+      wallSagittal_(methodControls_.box(&Method::wallSagittal)),
+      wallCoronal_(methodControls_.box(&Method::wallCoronal)),
+      wallOutlines_(methodControls_.box(&Method::wallOutlines)),
       look_(new QComboBox),
       unit_(controls_.choice(&Cutaway::unit)),
       colour_(controls_.colour(&Cutaway::borderColour)) {
@@ -91,7 +97,7 @@ void CutawayPanel::addMethod(QFormLayout& form) {
   form.addRow(name(settingOf(&Method::kind)), method_);
   form.addRow(name(settingOf(&Method::coneAngle)), coneAngle_);
   // A row that appears must not widen the panel and so push the views aside.
-  for (QComboBox* box : {importanceMode_, sparseness_, lensFade_, focalShape_}) {
+  for (QComboBox* box : {importanceMode_, sparseness_, lensFade_, focalShape_, wallPlacement_}) {
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     box->setMinimumContentsLength(5);
   }
@@ -114,6 +120,14 @@ void CutawayPanel::addMethod(QFormLayout& form) {
   form.addRow(name(settingOf(&Method::focalShape)), focalShape_);
   form.addRow(name(settingOf(&Method::focalSize)), focalSize_);
   form.addRow(name(settingOf(&Method::focalFallOff)), focalFallOff_);
+  form.addRow(name(settingOf(&Method::wallPlacement)), wallPlacement_);
+  // One letter a plane, as in the titles of other programs' views: three names are wider than the panel.
+  wallAxial_->setText(tr("A", "axial"));
+  wallSagittal_->setText(tr("S", "sagittal"));
+  wallCoronal_->setText(tr("C", "coronal"));
+  for (QCheckBox* box : {wallAxial_, wallSagittal_, wallCoronal_, wallOutlines_}) wallPlanes_->addWidget(box);
+  wallPlanes_->addStretch(1);
+  form.addRow(tr("Slices"), wallPlanes_);
 }
 
 void CutawayPanel::addFreeze(QAction* freeze) {
@@ -158,13 +172,17 @@ void CutawayPanel::showMethod() {
   form_->setRowVisible(focalShape_, byRegion);
   form_->setRowVisible(focalSize_, byRegion);
   form_->setRowVisible(focalFallOff_, byRegion);
+  form_->setRowVisible(wallPlacement_, stages.walls.has_value());
+  form_->setRowVisible(wallPlanes_, stages.walls.has_value());
   QString tip = translated(wordOf(method.kind).description);
   if (opens && method.kind != MethodKind::Adaptive)
     tip += QStringLiteral("\n") + tr("Smooth edges, by several rays a pixel, are the adaptive cutaway's alone");
   method_->setToolTip(tip);
   for (QWidget* widget : std::initializer_list<QWidget*>{
-           method_, coneAngle_, importanceMode_, sparseness_, importanceAngle_, importanceOpacity_, lensFade_,
-           lensRadius_, lensBends_, lensRim_, fadeReach_, fadeSharpness_, focalShape_, focalSize_, focalFallOff_})
+           method_,      coneAngle_,   importanceMode_, sparseness_,    importanceAngle_, importanceOpacity_,
+           lensFade_,    lensRadius_,  lensBends_,      lensRim_,       fadeReach_,       fadeSharpness_,
+           focalShape_,  focalSize_,   focalFallOff_,   wallPlacement_, wallAxial_,       wallSagittal_,
+           wallCoronal_, wallOutlines_})
     widget->setEnabled(open);
   for (QWidget* widget : std::initializer_list<QWidget*>{look_, axisOffset_, unit_}) widget->setEnabled(open && opens);
   axisDirection_->setEnabled(axisDirection_->isEnabled() && opens);

@@ -28,12 +28,13 @@ class CutawayPanel : public QWidget {
   QCheckBox* enabled_;
   SliderSpin *openWidth_, *borderWidth_, *axisOffset_;
   QDoubleSpinBox* axisDirection_;
-  QHBoxLayout *axis_, *importance_, *lens_;
+  QHBoxLayout *axis_, *importance_, *lens_, *wallPlanes_;
   QFormLayout* form_;
-  QComboBox *method_, *importanceMode_, *sparseness_, *lensFade_, *focalShape_;
+  QComboBox *method_, *importanceMode_, *sparseness_, *lensFade_, *focalShape_, *wallPlacement_;
   SliderSpin *coneAngle_, *importanceAngle_, *importanceOpacity_, *lensRadius_, *lensBends_, *fadeReach_,
       *fadeSharpness_, *focalSize_, *focalFallOff_;
   QDoubleSpinBox* lensRim_;
+  QCheckBox *wallAxial_, *wallSagittal_, *wallCoronal_, *wallOutlines_;
   QComboBox *look_, *unit_;
   ColourButton* colour_;
 };

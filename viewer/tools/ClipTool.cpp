@@ -10,6 +10,7 @@
 #include <QMouseEvent>
 
 #include "viewer/model/Document.h"
+#include "viewer/tools/HandleDrag.h"
 
 namespace fenestra::viewer {
 namespace {
@@ -164,13 +165,7 @@ QPointF ClipTool::pixelsPerMm(glm::dvec3 at, glm::dvec3 along) const {
 }
 
 double ClipTool::draggedBy(QPointF moved) const {
-  const QPointF along = pixelsPerMm(grip_->at, grip_->along);
-  const QPointF across = pixelsPerMm(grip_->at, canvas_.axes()[0]);
-  const double square = QPointF::dotProduct(along, along), most = QPointF::dotProduct(across, across);
-  if (!(most > 0.0)) return 0.0;
-  // Seen along its way, a handle follows the mouse up and down the picture.
-  if (square < leastAngle * leastAngle * most) return -moved.y() / std::sqrt(most);
-  return QPointF::dotProduct(moved, along) / square;
+  return draggedAlong(canvas_.widgetFromWorld, canvas_.axes()[0], grip_->at, grip_->along, moved);
 }
 
 void ClipTool::dragFace(QPointF moved) {

@@ -8,6 +8,7 @@
 #include "rendering/scene/Fading.h"
 #include "rendering/scene/FaintLabels.h"
 #include "rendering/scene/Occlusion.h"
+#include "rendering/scene/Walls.h"
 
 namespace fenestra::viewer {
 namespace {
@@ -25,6 +26,7 @@ Method programsOf(const Method& method) {
   result.kind = method.kind;
   result.importance = method.importance;
   result.sparseness = method.sparseness;
+  result.wallPlacement = method.wallPlacement;
   return result;
 }
 
@@ -100,7 +102,7 @@ ScenePreparation::Kind ScenePreparation::kindOf(const Scene& scene, const View& 
           .faint = faintLabels(scene).any(),
           .lit = look.shading.enabled,
           .cutaway = hasCutaway(scene),
-          .method = hasCutaway(scene) || fadingOf(look) ? programsOf(look.method) : Method(),
+          .method = hasCutaway(scene) || fadingOf(look) || wallsOf(look) ? programsOf(look.method) : Method(),
           .occluded = hasOcclusion(look),
           .contextLayer = look.contextLayer.strength > 0.0,
           .clipped = halfSpaces(look.clipping, scene.volume->grid).empty() ? 0

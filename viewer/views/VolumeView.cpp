@@ -10,6 +10,7 @@
 
 #include "rendering/gl/Context.h"
 #include "rendering/gl/ShaderProgram.h"
+#include "rendering/scene/Walls.h"
 #include "viewer/model/Brush.h"
 #include "viewer/model/Document.h"
 #include "viewer/model/SliceCursor.h"
@@ -46,6 +47,7 @@ VolumeView::VolumeView(int index, Document& document, SliceCursor& cursor, ViewL
       brush_(brush),
       brushTool_(brush, document, canvas()),
       clipTool_(document, clipCanvas()),
+      wallTool_(document, cursor, wallCanvas()),
       toleranceWheel_(document),
       shared_(std::move(shared)),
       surface_(
@@ -109,6 +111,8 @@ VolumeView::VolumeView(int index, Document& document, SliceCursor& cursor, ViewL
     }
   });
   connect(&cursor, &SliceCursor::moved, this, repaint);
+  connect(&cursor, &SliceCursor::moved, this, &VolumeView::moveWalls);
+  connect(&document, &Document::windowChanged, this, &VolumeView::moveWalls);
   connect(&options, &ViewOptions::changed, this, repaint);
 }
 
@@ -245,6 +249,15 @@ void VolumeView::refresh() {
   askToDraw();
 }
 
+void VolumeView::moveWalls() {
+  if (!document_.hasVolume() || !wallsOf(document_.look())) return;
+  // While something else moves, its pictures show the slices, too.
+  if (due_ == Due::Motion || rest_.isActive())
+    disturb(ViewLink::count);
+  else
+    refresh();
+}
+
 void VolumeView::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   surface_->widget().setGeometry(rect());
@@ -322,6 +335,9 @@ View VolumeView::viewFor(Effort effort) const {
       .quality = effort.quality,
       .maxError = effort.maxError,
       .frozen = cameras_.frozen()[static_cast<std::size_t>(index_)],
+      // Other pictures do not depend on them, and need not be drawn again when they change.
+      .slices = wallsOf(document_.look()) ? ShownSlices{cursor_.position(), document_.window(), document_.isInverted()}
+                                          : ShownSlices{},
   };
 }
 
@@ -338,7 +354,9 @@ void VolumeView::draw(const Scene& scene) {
 bool VolumeView::drawDue(const Scene& scene) {
   FramePacer& pacer = *shared_.pacer;
   const Effort rest = pacer.atRest();
-  const bool onlyStrokes = due_ == Due::Strokes && picture_ && picture_->showsFull(viewFor(rest));
+  View full = viewFor(rest);
+  if (picture_) full.slices = picture_->shownView().slices;
+  const bool onlyStrokes = due_ == Due::Strokes && picture_ && picture_->showsFull(full);
   const Effort effort = onlyStrokes ? rest : motion();
   const View view = viewFor(effort);
   if (!shared_.preparation->isReady(scene, view)) return false;
@@ -425,6 +443,16 @@ ClipTool::Canvas VolumeView::clipCanvas() {
               },
           .section = []() -> std::optional<ClipTool::Canvas::Section> { return std::nullopt; },
           .shows = [this] { return options_.clipHandles() && !brush_.isActive(); }};
+}
+
+WallTool::Canvas VolumeView::wallCanvas() {
+  return {.widgetFromWorld = [this](glm::dvec3 world) { return widgetFromWorld(world); },
+          .axes =
+              [this] {
+                const Camera::Axes axes = shownCamera().axes();
+                return std::array{axes.right, axes.forward};
+              },
+          .shows = [this] { return options_.crosshair() && !brush_.isActive(); }};
 }
 
 std::optional<VolumeView::Hit> VolumeView::pick(QPointF position) {

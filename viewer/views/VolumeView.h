@@ -23,6 +23,7 @@
 #include "viewer/tools/BrushTool.h"
 #include "viewer/tools/ClipTool.h"
 #include "viewer/tools/ToleranceWheel.h"
+#include "viewer/tools/WallTool.h"
 #include "viewer/views/RefinedPicture.h"
 #include "viewer/views/ScenePreparation.h"
 
@@ -83,6 +84,7 @@ class VolumeView : public QWidget {
   void drawMarks(QPainter& painter, const Camera& camera) const;
   const BrushTool& brushTool() const { return brushTool_; }
   const ClipTool& clipTool() const { return clipTool_; }
+  const WallTool& wallTool() const { return wallTool_; }
   /// What draws the scene's pictures, for others that need its context.
   ScenePreparation& preparation() { return *shared_.preparation; }
   /// Runs `work` with the pictures' OpenGL context current. Returns false without running it where the driver has lost
@@ -139,7 +141,7 @@ class VolumeView : public QWidget {
   /// A refined picture is done.
   void refined(Effort effort);
   void stopRefining();
-  /// Draws changed strokes: at once where the picture shown is at full quality.
+  /// Draws changed strokes, or other slices on walls: at once where the picture shown is at full quality.
   void refresh();
   /// Runs `work`, which needs the renderer and its context. When it throws, the view shows the problem and draws
   /// nothing until another volume is opened.
@@ -185,6 +187,9 @@ class VolumeView : public QWidget {
   glm::dvec2 pixelAt(QPointF position) const;
   BrushTool::Canvas canvas();
   ClipTool::Canvas clipCanvas();
+  WallTool::Canvas wallCanvas();
+  /// Draws other slices, where there are walls.
+  void moveWalls();
   double mmPerPixel(const Camera& camera) const;
   std::optional<QPointF> widgetFromWorld(glm::dvec3 world, const Camera& camera) const;
   double halfVoxel() const;  ///< mm, of the shortest side
@@ -197,6 +202,7 @@ class VolumeView : public QWidget {
   Brush& brush_;
   BrushTool brushTool_;
   ClipTool clipTool_;
+  WallTool wallTool_;
   ToleranceWheel toleranceWheel_;
   Shared shared_;
   PictureSurface* surface_;
@@ -205,7 +211,7 @@ class VolumeView : public QWidget {
   QString problem_;
   QString reduction_;  ///< the last notice of reduced()
   /// What the view draws in its next turn: nothing, the picture that there is stays; the scene as something moves in
-  /// it; changed strokes.
+  /// it; changed strokes or slices of walls.
   enum class Due : std::uint8_t { Nothing, Motion, Strokes } due_ = Due::Motion;
   bool isNew_ = false;                ///< the picture has not been painted
   bool isUnpainted_ = false;          ///< as isNew_, also of a refined picture

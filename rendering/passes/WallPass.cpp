@@ -1,0 +1,65 @@
+#include "rendering/passes/WallPass.h"
+
+#include <algorithm>
+
+#include "rendering/gpu/UniformBlocks.h"
+
+namespace fenestra {
+namespace {
+
+glm::vec4 rowOf(const glm::dmat4& matrix, int row) {
+  return {matrix[0][row], matrix[1][row], matrix[2][row], matrix[3][row]};
+}
+
+WallsBlock blockOf(const std::vector<Wall>& walls, const Grid& grid, const RayFrame& rays) {
+  WallsBlock block;
+  for (auto* rows : {&block.plane, &block.across, &block.down}) rows->fill(glm::vec4(0.0f));
+  block.extent.fill(glm::vec4(0.0f));
+  block.metric.fill(glm::vec4(1.0f));
+  const glm::dmat4 worldFromCells = rays.worldFromCells();
+  const std::vector<int> rows = WallImages::firstRows(walls);
+  for (std::size_t i = 0; i < walls.size(); ++i) {
+    const Wall& wall = walls[i];
+    const glm::dmat3 linear =
+        glm::inverse(glm::dmat3(wall.right, wall.down, glm::normalize(glm::cross(wall.right, wall.down))));
+    glm::dmat4 placeFromCells(linear * glm::dmat3(worldFromCells));
+    // Subtracting the origins first keeps the precision where both are metres away.
+    placeFromCells[3] = glm::dvec4(linear * (glm::dvec3(worldFromCells[3]) - wall.origin), 1.0);
+    block.across[i] = rowOf(placeFromCells, 0);
+    block.down[i] = rowOf(placeFromCells, 1);
+    block.plane[i] = rowOf(placeFromCells, 2);
+    const glm::dmat2 mm = wall.mmFromPlace();
+    block.extent[i] = glm::vec4(wall.size, rows[i], 0.0f);
+    block.metric[i] = glm::vec4(mm[0].x, mm[1].x, mm[1].y, lineWidth(wall, grid));
+  }
+  return block;
+}
+
+}  // namespace
+
+void WallPass::run(Steps& steps, const GpuScene& gpu, const Scene& scene, const ShownSlices& slices,
+                   const RayFrame& rays, const std::optional<Opening>& opening, const gl::Texture& picture,
+                   Regions regions, const Outputs& outputs) {
+  const MethodStages::Walls which = *wallsOf(scene.look);
+  const Grid& grid = scene.volume->grid;
+  const std::vector<Wall> walls = wallsAt(which, grid, slices, rays.camera());
+  images_.update(scene, walls, which, slices);
+  const WallsBlock block = blockOf(walls, grid, rays);
+  steps.add(regions, [this, &gpu, block, &rays, opening, &picture, outputs](Regions tile) {
+    gl::ShaderProgram& program = programs_.get({{{"INSIDE", opening.has_value()}}, {scheduleChoice(gpu.schedule())}});
+    rays.setBlocks(program);
+    program.set(block);
+    images_.bindLines();
+    program.bind("greys", images_.greys());
+    program.bind("picture", picture);
+    if (opening) {
+      program.bind("hitPoints", opening->hitPoints);
+      program.bind("rayStart", opening->rayStart);
+    }
+    program.bind("wallLayer", outputs.layer, gl::Access::Write);
+    program.bind("walled", outputs.picture, gl::Access::Write);
+    program.dispatch(tile);
+  });
+}
+
+}  // namespace fenestra

@@ -1,0 +1,107 @@
+#include "viewer/tools/WallTool.h"
+
+#include <limits>
+#include <utility>
+
+#include <QLineF>
+#include <QMouseEvent>
+
+#include "rendering/scene/Walls.h"
+#include "viewer/model/Document.h"
+#include "viewer/model/SliceCursor.h"
+#include "viewer/style/Overlay.h"
+#include "viewer/tools/HandleDrag.h"
+
+namespace fenestra::viewer {
+namespace {
+
+constexpr double handleReach = 9.0, handleRadius = 5.0;  ///< device-independent pixels
+
+}  // namespace
+
+WallTool::WallTool(const Document& document, SliceCursor& cursor, Canvas canvas)
+    : document_(document), cursor_(cursor), canvas_(std::move(canvas)) {}
+
+std::vector<WallTool::Handle> WallTool::handles() const {
+  std::vector<Handle> handles;
+  if (!document_.hasVolume() || !canvas_.shows()) return handles;
+  std::optional<MethodStages::Walls> walls = wallsOf(document_.look());
+  if (!walls) return handles;
+  walls->placement = WallPlacement::Inside;  // where the slices lie, which does not depend on the camera
+  const Grid& grid = document_.scene().volume->grid;
+  const glm::dvec3 away = canvas_.axes()[1];
+  for (const Wall& wall : wallsAt(*walls, grid, {.crosshair = cursor_.position()}, Camera())) {
+    const glm::dvec2 last = glm::dvec2(wall.size) - 0.5, middle = 0.5 * (last - 0.5);
+    Handle handle{wall.plane, {}, grid.direction[wall.axis]};
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const glm::dvec2 place : {glm::dvec2(-0.5, middle.y), glm::dvec2(last.x, middle.y), glm::dvec2(middle.x, -0.5),
+                                   glm::dvec2(middle.x, last.y)}) {
+      const glm::dvec3 world = wall.worldFromPlace(place);
+      const double depth = glm::dot(world, away);
+      if (depth < nearest) {
+        nearest = depth;
+        handle.at = world;
+      }
+    }
+    handles.push_back(handle);
+  }
+  return handles;
+}
+
+std::optional<WallTool::Handle> WallTool::handleAt(QPointF position) const {
+  std::optional<Handle> nearest;
+  double least = handleReach;
+  for (const Handle& handle : handles())
+    if (const auto at = canvas_.widgetFromWorld(handle.at))
+      if (const double distance = QLineF(*at, position).length(); distance <= least) {
+        least = distance;
+        nearest = handle;
+      }
+  return nearest;
+}
+
+std::optional<Qt::CursorShape> WallTool::pointer(QPointF position) const {
+  if (grip_) return Qt::ClosedHandCursor;
+  return handleAt(position) ? std::optional(Qt::OpenHandCursor) : std::nullopt;
+}
+
+bool WallTool::press(const QMouseEvent& event) {
+  if (event.button() != Qt::LeftButton || event.modifiers() != Qt::NoModifier) return false;
+  grip_ = handleAt(event.position());
+  if (!grip_) return false;
+  before_ = cursor_.position();
+  pressed_ = event.position();
+  return true;
+}
+
+bool WallTool::move(const QMouseEvent& event) {
+  if (!grip_) return false;
+  if (!document_.hasVolume()) return true;
+  const double mm =
+      draggedAlong(canvas_.widgetFromWorld, canvas_.axes()[0], grip_->at, grip_->along, event.position() - pressed_);
+  cursor_.moveTo(before_ + mm * grip_->along);
+  return true;
+}
+
+bool WallTool::release(const QMouseEvent& event) {
+  if (!grip_ || event.button() != Qt::LeftButton) return false;
+  grip_.reset();
+  return true;
+}
+
+void WallTool::draw(QPainter& painter) const {
+  const std::vector<Handle> all = handles();
+  if (all.empty()) return;
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  for (const Handle& handle : all) {
+    const auto at = canvas_.widgetFromWorld(handle.at);
+    if (!at) continue;
+    painter.setPen(QPen(QColor(0, 0, 0, 190), 1.5));
+    painter.setBrush(planeColour(handle.plane));
+    painter.drawRect(QRectF(*at - QPointF(handleRadius, handleRadius), QSizeF(2.0 * handleRadius, 2.0 * handleRadius)));
+  }
+  painter.restore();
+}
+
+}  // namespace fenestra::viewer
