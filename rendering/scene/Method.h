@@ -15,8 +15,9 @@ namespace fenestra {
 /// context preserving hotspot visualization technique, IEEE Visualization 2006. ContextPreserving: S. Bruckner, S.
 /// Grimm, A. Kanitsar, M. E. Gröller: Illustrative context-preserving exploration of volume data, IEEE TVCG 12(6),
 /// 2006. FocalRegion: J. Zhou, M. Hinz, K. D. Tönnies: Focal region-guided feature-based volume rendering, 3D Data
-/// Processing, Visualization and Transmission 2002.
-enum class MethodKind : std::uint8_t { Adaptive, Cone, Importance, ClearView, ContextPreserving, FocalRegion };
+/// Processing, Visualization and Transmission 2002. Explode: S. Bruckner, M. E. Gröller: Exploded views for volume
+/// data, IEEE TVCG 12(5) (IEEE Visualization), 2006.
+enum class MethodKind : std::uint8_t { Adaptive, Cone, Importance, ClearView, ContextPreserving, FocalRegion, Explode };
 
 /// Maximum importance projection removes what hides the focus, in cones that widen towards the eye. Average importance
 /// compositing keeps it, faintly, on the rays that meet the focus.
@@ -31,6 +32,10 @@ enum class LensFade : std::uint8_t { Distance, Curvature, Depth };
 
 /// Of a focal region. The box is a cube along the patient's axes.
 enum class FocalShape : std::uint8_t { Sphere, Box };
+
+/// Of an exploded view: how many planes cut the volume into parts, and along what the planes lie.
+enum class ExplosionPlanes : std::uint8_t { One, Two, Three };
+enum class ExplosionAxes : std::uint8_t { Patient, View };
 
 struct Method {
   MethodKind kind = MethodKind::Adaptive;
@@ -52,6 +57,9 @@ struct Method {
   FocalShape focalShape = FocalShape::Sphere;  ///< of FocalRegion
   double focalSize = 50.0;                     ///< mm, 0.1 to 1e5: the radius of the sphere, half the side of the box
   double focalFallOff = 50.0;  ///< mm, 0.1 to 1e5: the distance over which what lies outside fades to a half
+  double explosion = 0.5;      ///< of Explode, the degree of explosion: 0, all parts in their places, to 1
+  ExplosionPlanes explosionPlanes = ExplosionPlanes::Two;
+  ExplosionAxes explosionAxes = ExplosionAxes::Patient;
   bool operator==(const Method&) const = default;
 };
 
@@ -144,6 +152,14 @@ struct MethodStages {
     bool operator==(const Fading&) const = default;
   };
   std::optional<Fading> fading{};
+  /// Where the context is drawn in parts that are moved apart; rendering/scene/Explosion.h defines the picture.
+  struct Explosion {
+    double degree = 0.0;  ///< above 0, at most 1
+    int planes = 1;       ///< 1 to 3
+    ExplosionAxes axes = ExplosionAxes::Patient;
+    bool operator==(const Explosion&) const = default;
+  };
+  std::optional<Explosion> explosion{};
   bool hasBorder = true;  ///< w_border says how wide the line around the opening is; else it counts as 0
 
   /// Something of what the opening removes may show.

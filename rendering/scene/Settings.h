@@ -154,7 +154,25 @@ inline constexpr std::tuple settingsOf<Method>{
              .unit = "mm",
              .range = {0.1, 1e5},
              .slider = {1.0, 200.0},
-             .step = 1.0})};
+             .step = 1.0}),
+    Setting(&Method::explosion, {.key = "explosion",
+                                 .option = "--explosion",
+                                 .name = "Explosion",
+                                 .description = "How far the parts of an exploded view are moved apart (its degree of "
+                                                "explosion): at 0 all are in their places",
+                                 .range = fraction,
+                                 .step = 0.05}),
+    Setting(&Method::explosionPlanes,
+            {.key = "explosion_planes",
+             .option = "--explosion-planes",
+             .name = "Parts",
+             .description = "How many planes through the middle of the focus, or of the volume without a focus, cut "
+                            "it into the parts of an exploded view"}),
+    Setting(&Method::explosionAxes, {.key = "explosion_axes",
+                                     .option = "--explosion-axes",
+                                     .name = "Cut along",
+                                     .description = "Whether the planes of an exploded view lie along the patient's "
+                                                    "axes or the view's"})};
 
 template <>
 inline constexpr std::tuple settingsOf<Cutaway>{

@@ -17,6 +17,8 @@ const std::vector<std::string> methods{"--method cone --cone-angle 50",
                                        "--method context-preserving --fade-reach 4 --fade-sharpness 0.7",
                                        "--method focal-region --focal-size 25 --focal-fall-off 30",
                                        "--method focal-region --focal-shape box --focal-size 20 --focal-fall-off 15",
+                                       "--method explode --explosion 0.6 --explosion-planes three",
+                                       "--method explode --explosion 0.3 --explosion-planes one --explosion-axes view",
                                        "--method clearview --lens-radius 50 --lens-fade depth"};
 
 TEST_F(MethodCommand, PicturesAreTheReferences) {
@@ -36,9 +38,16 @@ TEST_F(MethodCommand, ParametersOfOtherMethodsLeaveThePictureAsItIs) {
   ASSERT_EQ(render("same.png",
                    "--method adaptive --cone-angle 70 --importance average --importance-opacity 0.9 "
                    "--lens-radius 60 --lens-fade depth --lens-bends 3 --lens-rim 5 --fade-reach 9 --fade-sharpness 2 "
-                   "--focal-shape box --focal-size 9 --focal-fall-off 3"),
+                   "--focal-shape box --focal-size 9 --focal-fall-off 3 --explosion 0.9 --explosion-planes three "
+                   "--explosion-axes view"),
             0);
   EXPECT_EQ(bytes("plain.png"), bytes("same.png"));
+}
+
+TEST_F(MethodCommand, AnExplodedViewOfNoDegreesIsThePlainPicture) {
+  ASSERT_EQ(render("plain.png", "--cutaway off"), 0);
+  ASSERT_EQ(render("together.png", "--method explode --explosion 0"), 0);
+  EXPECT_EQ(bytes("plain.png"), bytes("together.png"));
 }
 
 TEST_F(MethodCommand, ASessionKeepsEach) {
@@ -56,7 +65,8 @@ TEST_F(MethodCommand, RefusesWhatIsNoAngleAndNoShare) {
   for (const std::string wrong :
        {"--cone-angle 0", "--cone-angle 90", "--cone-angle nan", "--importance-angle 0", "--importance-opacity 1.1",
         "--importance some", "--lens-radius 0", "--lens-bends -1", "--lens-rim 0.5", "--lens-fade away",
-        "--fade-reach -1", "--fade-sharpness 0", "--focal-size 0", "--focal-fall-off 0", "--focal-shape ball"})
+        "--fade-reach -1", "--fade-sharpness 0", "--focal-size 0", "--focal-fall-off 0", "--focal-shape ball",
+        "--explosion -0.1", "--explosion 1.1", "--explosion-planes 4", "--explosion-axes up"})
     EXPECT_EQ(render("x.png", wrong), 2) << wrong;
   EXPECT_FALSE(std::filesystem::exists(at("x.png")));
 }

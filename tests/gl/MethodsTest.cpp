@@ -128,9 +128,9 @@ TEST_F(Methods, EachMatchesTheReferenceAndIsAnotherPicture) {
 }
 
 /// One of each kind; the others differ in the composite alone.
-std::vector<std::pair<std::string, Method>> sixMethods() {
+std::vector<std::pair<std::string, Method>> eachMethod() {
   auto methods = otherMethods();
-  methods.resize(6);
+  methods.resize(7);
   return methods;
 }
 
@@ -183,7 +183,7 @@ TEST_F(Methods, FocalRegionsKeepTheirBoundAtAnySize) {
 }
 
 TEST_F(Methods, ValuesSmoothedLabelsAndSplines) {
-  for (const auto& [name, method] : sixMethods()) {
+  for (const auto& [name, method] : eachMethod()) {
     SCOPED_TRACE(name);
     Scene values = hazyBody(method);
     values.look.focus = ValueFocus{{95.0, 1000.0}, 0.0};
@@ -198,7 +198,7 @@ TEST_F(Methods, ValuesSmoothedLabelsAndSplines) {
 }
 
 TEST_F(Methods, BrushProtectedLabelsAndClipping) {
-  for (const auto& [name, method] : sixMethods()) {
+  for (const auto& [name, method] : eachMethod()) {
     SCOPED_TRACE(name);
     const Scene scene = hazyBody(method);
     const View view = viewOf(from(25, 15, scene));
@@ -213,7 +213,7 @@ TEST_F(Methods, BrushProtectedLabelsAndClipping) {
 }
 
 TEST_F(Methods, FrozenAndWithAnAxisOffset) {
-  for (const auto& [name, method] : sixMethods()) {
+  for (const auto& [name, method] : eachMethod()) {
     SCOPED_TRACE(name);
     Scene scene = hazyBody(method);
     View view = viewOf(from(50, 15, scene));
@@ -337,6 +337,16 @@ TEST_F(Methods, ReRunOnlyWhatAChangeReaches) {
   EXPECT_EQ(after(around, [](Scene& s) { s.look.method.focalShape = FocalShape::Box; }),
             std::set<std::string>{"focus layer"});
   EXPECT_EQ(after(around, [](Scene& s) { s.look.method.fadeReach *= 2.0; }), std::set<std::string>());
+  const Scene exploded = hazyBody({.kind = MethodKind::Explode});
+  for (const Scene& first : {exploded, faded, scene}) {
+    const std::set<std::string> reached =
+        first.look.method.kind == MethodKind::Explode ? std::set<std::string>{"focus layer"} : std::set<std::string>();
+    EXPECT_EQ(after(first, [](Scene& s) { s.look.method.explosion = 0.2; }), reached);
+    EXPECT_EQ(after(first, [](Scene& s) { s.look.method.explosionPlanes = ExplosionPlanes::One; }), reached);
+    EXPECT_EQ(after(first, [](Scene& s) { s.look.method.explosionAxes = ExplosionAxes::View; }), reached);
+  }
+  EXPECT_EQ(after(exploded, [](Scene& s) { s.look.cutaway.openWidth = s.look.method.fadeReach = 9.0; }),
+            std::set<std::string>());
   EXPECT_EQ(after(faded, [](Scene& s) { s.look.cutaway.openWidth = s.look.cutaway.borderWidth = 9.0; }),
             std::set<std::string>());
 }
@@ -358,7 +368,10 @@ TEST_F(Methods, AMethodThatIsNotInUseCostsNothing) {
                         .fadeSharpness = 1.5,
                         .focalShape = FocalShape::Box,
                         .focalSize = 4.0,
-                        .focalFallOff = 3.0};
+                        .focalFallOff = 3.0,
+                        .explosion = 0.9,
+                        .explosionPlanes = ExplosionPlanes::Three,
+                        .explosionAxes = ExplosionAxes::View};
   Renderer renderer(gpuWith(Schedule::Plain)), fresh(gpuWith(Schedule::Plain));
   fresh.render(scene, view);
   for (const Pass pass : {Pass::Cones, Pass::FaintLayer, Pass::Lens})
@@ -400,6 +413,7 @@ TEST_F(Methods, ChangesLeaveNothingBehind) {
     scene.look.method.lensRadius = 30.0;
     scene.look.method.fadeReach = 5.0;
     scene.look.method.focalSize = 9.0;
+    scene.look.method.explosion = 0.8;
     expectFresh(scene, view, name + ", other parameters");
     expectFresh(withProtected(scene), view, name + ", a protected label");
     scene.look.cutaway.openWidth = 20.0;

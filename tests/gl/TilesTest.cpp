@@ -82,6 +82,7 @@ const std::vector<Change> changes{
      [](Scene& scene, View&) {
        scene.look.method = {.kind = MethodKind::FocalRegion, .focalSize = 5.0, .focalFallOff = 5.0};
      }},
+    {"exploded", [](Scene& scene, View&) { scene.look.method.kind = MethodKind::Explode; }},
     {"smooth edges", [](Scene& scene, View&) { scene.look.edges = Edges::Smooth; }},
 };
 

@@ -44,6 +44,8 @@ CutawayPanel::CutawayPanel(Document& document, QWidget* parent)
       sparseness_(methodControls_.choice(&Method::sparseness)),
       lensFade_(methodControls_.choice(&Method::lensFade)),
       focalShape_(methodControls_.choice(&Method::focalShape)),
+      explosionPlanes_(methodControls_.choice(&Method::explosionPlanes)),
+      explosionAxes_(methodControls_.choice(&Method::explosionAxes)),
       coneAngle_(methodControls_.slider(&Method::coneAngle)),
       importanceAngle_(methodControls_.slider(&Method::importanceAngle)),
       importanceOpacity_(methodControls_.slider(&Method::importanceOpacity)),
@@ -53,6 +55,7 @@ CutawayPanel::CutawayPanel(Document& document, QWidget* parent)
       fadeSharpness_(methodControls_.slider(&Method::fadeSharpness)),
       focalSize_(methodControls_.slider(&Method::focalSize)),
       focalFallOff_(methodControls_.slider(&Method::focalFallOff)),
+      explosion_(methodControls_.slider(&Method::explosion)),
       lensRim_(methodControls_.spin(&Method::lensRim, 5.0)),
       look_(new QComboBox),
       unit_(controls_.choice(&Cutaway::unit)),
@@ -91,7 +94,7 @@ void CutawayPanel::addMethod(QFormLayout& form) {
   form.addRow(name(settingOf(&Method::kind)), method_);
   form.addRow(name(settingOf(&Method::coneAngle)), coneAngle_);
   // A row that appears must not widen the panel and so push the views aside.
-  for (QComboBox* box : {importanceMode_, sparseness_, lensFade_, focalShape_}) {
+  for (QComboBox* box : {importanceMode_, sparseness_, lensFade_, focalShape_, explosionPlanes_, explosionAxes_}) {
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     box->setMinimumContentsLength(5);
   }
@@ -114,6 +117,9 @@ void CutawayPanel::addMethod(QFormLayout& form) {
   form.addRow(name(settingOf(&Method::focalShape)), focalShape_);
   form.addRow(name(settingOf(&Method::focalSize)), focalSize_);
   form.addRow(name(settingOf(&Method::focalFallOff)), focalFallOff_);
+  form.addRow(name(settingOf(&Method::explosion)), explosion_);
+  form.addRow(name(settingOf(&Method::explosionPlanes)), explosionPlanes_);
+  form.addRow(name(settingOf(&Method::explosionAxes)), explosionAxes_);
 }
 
 void CutawayPanel::addFreeze(QAction* freeze) {
@@ -158,13 +164,18 @@ void CutawayPanel::showMethod() {
   form_->setRowVisible(focalShape_, byRegion);
   form_->setRowVisible(focalSize_, byRegion);
   form_->setRowVisible(focalFallOff_, byRegion);
+  const bool explodes = method.kind == MethodKind::Explode;
+  form_->setRowVisible(explosion_, explodes);
+  form_->setRowVisible(explosionPlanes_, explodes);
+  form_->setRowVisible(explosionAxes_, explodes);
   QString tip = translated(wordOf(method.kind).description);
   if (opens && method.kind != MethodKind::Adaptive)
     tip += QStringLiteral("\n") + tr("Smooth edges, by several rays a pixel, are the adaptive cutaway's alone");
   method_->setToolTip(tip);
   for (QWidget* widget : std::initializer_list<QWidget*>{
            method_, coneAngle_, importanceMode_, sparseness_, importanceAngle_, importanceOpacity_, lensFade_,
-           lensRadius_, lensBends_, lensRim_, fadeReach_, fadeSharpness_, focalShape_, focalSize_, focalFallOff_})
+           lensRadius_, lensBends_, lensRim_, fadeReach_, fadeSharpness_, focalShape_, focalSize_, focalFallOff_,
+           explosion_, explosionPlanes_, explosionAxes_})
     widget->setEnabled(open);
   for (QWidget* widget : std::initializer_list<QWidget*>{look_, axisOffset_, unit_}) widget->setEnabled(open && opens);
   axisDirection_->setEnabled(axisDirection_->isEnabled() && opens);

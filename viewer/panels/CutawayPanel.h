@@ -30,9 +30,9 @@ class CutawayPanel : public QWidget {
   QDoubleSpinBox* axisDirection_;
   QHBoxLayout *axis_, *importance_, *lens_;
   QFormLayout* form_;
-  QComboBox *method_, *importanceMode_, *sparseness_, *lensFade_, *focalShape_;
+  QComboBox *method_, *importanceMode_, *sparseness_, *lensFade_, *focalShape_, *explosionPlanes_, *explosionAxes_;
   SliderSpin *coneAngle_, *importanceAngle_, *importanceOpacity_, *lensRadius_, *lensBends_, *fadeReach_,
-      *fadeSharpness_, *focalSize_, *focalFallOff_;
+      *fadeSharpness_, *focalSize_, *focalFallOff_, *explosion_;
   QDoubleSpinBox* lensRim_;
   QComboBox *look_, *unit_;
   ColourButton* colour_;
