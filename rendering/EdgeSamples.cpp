@@ -33,6 +33,7 @@ void EdgeSamples::find(PassChain& chain, Regions regions) {
 
 void EdgeSamples::draw(PassChain& chain) {
   rays_.clear();
+  stretches_.clear();
   // At least one, which may have no weight: that compiles the programs ahead of the first edge.
   const int count = std::max(edgePass_.count(), 1);
   const glm::ivec2 size = 2 * Scatter{&edgePass_.list(), 0, std::min(count, mostPixels)}.blocks();
@@ -51,7 +52,10 @@ void EdgeSamples::addBatch(PassChain& chain, const Scatter& batch, glm::ivec2 si
     else
       addStarts(chain, rays, region, size);
   }
-  const gl::Texture& drawn = addLayers(chain, rays, region, size);
+  if (chain.explodesAroundFocus())
+    chain.hitPointPass.run(chain.steps, *chain.gpu, rays, region, sized(batch_.hitPoints, gl::Format::RG32F, size));
+  const gl::Texture& drawn =
+      chain.exploded ? addExploded(chain, batch, region, size) : addLayers(chain, rays, region, size);
   edgePass_.blend(chain.steps, chain.gpu->schedule(), batch, chain.unsmoothed(), drawn, smoothed_);
 }
 
@@ -120,6 +124,19 @@ const gl::Texture& EdgeSamples::addLayers(PassChain& chain, const RayFrame& rays
   chain.exemptPass.run(chain.steps, gpu, look, rays, *picture, sampling, regions,
                        sized(batch_.exempted, gl::Format::RGBA32F, size), occlusion);
   return batch_.exempted;
+}
+
+const gl::Texture& EdgeSamples::addExploded(PassChain& chain, const Scatter& batch, const gl::Region& region,
+                                            glm::ivec2 size) {
+  auto& stretches = stretches_.emplace_back();
+  for (const FocusLayerPass::ExplodedStretch& stretch : chain.stretches)
+    stretches.push_back({stretch.shown, stretch.rays.scattered(batch), stretch.fromPicture});
+  FocusLayerPass::Sampling sampling = chain.frame->sampling;
+  sampling.pitch = 1;
+  focusLayerPass_.runExploded(chain.steps, *chain.gpu, chain.frame->scene.look, stretches,
+                              chain.explodesAroundFocus() ? &batch_.hitPoints : nullptr, sampling, Regions(&region, 1),
+                              sized(batch_.focusLayer, gl::Format::RGBA32F, size));
+  return batch_.focusLayer;
 }
 
 void PassChain::findEdges() {

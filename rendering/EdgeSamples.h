@@ -33,12 +33,15 @@ class EdgeSamples {
   void addBatch(PassChain& chain, const Scatter& batch, glm::ivec2 size);
   void addStarts(PassChain& chain, const RayFrame& rays, const gl::Region& region, glm::ivec2 size);
   void addStartsApart(PassChain& chain, const RayFrame& rays, const gl::Region& region, glm::ivec2 size);
+  /// The same of an exploded view, instead of addLayers().
+  const gl::Texture& addExploded(PassChain& chain, const Scatter& batch, const gl::Region& region, glm::ivec2 size);
   /// The image that stage 7 leaves.
   const gl::Texture& addLayers(PassChain& chain, const RayFrame& rays, const gl::Region& region, glm::ivec2 size);
 
   EdgePass edgePass_;
   FocusLayerPass focusLayerPass_;
-  std::deque<RayFrame> rays_;  ///< of each batch
+  std::deque<RayFrame> rays_;                                           ///< of each batch
+  std::deque<std::vector<FocusLayerPass::ExplodedStretch>> stretches_;  ///< the same of an exploded view
   gl::Texture smoothed_;
   /// Images of the rays of a batch, while it is drawn; those that the scene does not use stay empty.
   struct Batch {

@@ -48,9 +48,10 @@ void clearAround(const gl::Region& region, gl::Texture& picture) {
   picture.clear({end.x, first.y}, {size.x - end.x, region.size.y});
 }
 
-Clip clipOf(const Clipping& clipping, const GpuScene& gpu) {
+Clip clipOf(const Look& look, const GpuScene& gpu) {
+  const Clipping& clipping = look.clipping;
   Clip clip{halfSpaces(clipping, gpu.grid())};
-  if (!clipping.grey || clip.kept.empty()) return clip;
+  if (!clipping.grey || (clip.kept.empty() && !explosionOf(look))) return clip;
   // 0 to 1 over the window of real values, as windowed() has it.
   const double perReal = 1.0 / clipping.grey->width, low = clipping.grey->level - 0.5 * clipping.grey->width;
   const VolumeTexture& volume = gpu.volume();
@@ -96,7 +97,7 @@ std::optional<gl::Region> PassChain::nearFocus(double reach) const {
 void PassChain::begin(const Scene& scene, const View& view) {
   drop();
   gpu->update(scene);
-  rays.emplace(view.camera, view.size, gpu->grid(), clipOf(scene.look.clipping, *gpu), gpu->refinement());
+  rays.emplace(view.camera, view.size, gpu->grid(), clipOf(scene.look, *gpu), gpu->refinement());
   pixelScale = view.pixelScale;
   background = glm::vec3(scene.look.background);
   backgroundRise = glm::vec3(fenestra::backgroundRise(scene.look));
@@ -109,6 +110,7 @@ void PassChain::begin(const Scene& scene, const View& view) {
   // Only the integral within a bound knows what of a ray's opacity lies before a point.
   if (fadingOf(scene.look)) made.sampling.maxError = made.sampling.maxError.value_or(FocusLayerPass::usualBound);
   if (cutFor || gpu->exemptLabels().any()) made.sampling = inParts(made.sampling);
+  explode();
   made.hasCutaway = hasCutaway(scene);
   if (made.hasCutaway) made.method = stagesOf(scene.look.method);
   made.opening = cutFor;
@@ -175,8 +177,10 @@ void PassChain::beginStage() {
                               &PassChain::addExempt,        &PassChain::standWallsAround,
                               &PassChain::findEdges,        &PassChain::drawEdges};
   if (frame->stagesBegun == 0 && !frame->hasCutaway) dropCutaway();
-  constexpr std::size_t ofCutaway = 4;  // the first stages, which only a cutaway has
-  if (!frame->hasCutaway) frame->stagesBegun = std::max(frame->stagesBegun, ofCutaway);
+  // The first stages, which only a cutaway has; but an exploded view needs the hits of its focus.
+  constexpr std::size_t ofCutaway = 4;
+  const bool findsHits = frame->hasCutaway || (frame->stagesBegun == 0 && explodesAroundFocus());
+  if (!frame->hasCutaway && !findsHits) frame->stagesBegun = std::max(frame->stagesBegun, ofCutaway);
   if (frame->stagesBegun < (onlyStarts ? ofCutaway : stages.size())) {
     (this->*stages[frame->stagesBegun++])();
     return;
@@ -248,7 +252,9 @@ void PassChain::drawFocusLayer() {
   const Look& look = frame->scene.look;
   const View& view = frame->view;
   const int reach = FocusLayerPass::reach(frame->sampling);
-  const FocusLayerKey key{frame->hasCutaway ? start.version() : 0,
+  const FocusLayerKey key{frame->hasCutaway       ? start.version()
+                          : explodesAroundFocus() ? hits.version()
+                                                  : 0,
                           opening ? removed.version() : 0,
                           occlusionVersion(),
                           version.volume,
@@ -258,6 +264,7 @@ void PassChain::drawFocusLayer() {
                           version.palette,
                           look.focusAppearance.extinction,
                           fadingOf(look),
+                          explosionOf(look),
                           look.shading,
                           view.camera,
                           view.size,
@@ -266,18 +273,21 @@ void PassChain::drawFocusLayer() {
   FocusLayerKey keyBefore = key;
   keyBefore.rayStart = frame->startBefore;
   const bool onlyMoved = frame->moved && !focus.isStale(keyBefore), anew = !onlyMoved && focus.isStale(key);
-  // Rays outside of this miss the volume.
-  const gl::Region nearVolume = rays->around({glm::ivec3(0), gpu->grid().dims - 1}, reach);
+  const gl::Region seen = nearVolume(reach);
   addIfStale(
       Pass::FocusLayer, focus, key, anew ? Regions() : Regions(frame->changed),
       [&](Regions regions) {
         std::optional<FocusLayerPass::Opening> cut;
         if (frame->hasCutaway) cut.emplace(FocusLayerPass::Opening{hitPoints, rayStart, opening ? &hole : nullptr});
         gl::Texture& layer = sized(focusLayer, gl::Format::RGBA32F, view.size, presented);
-        if (anew) clearAround(nearVolume, layer);
-        focusLayerPass.run(steps, *gpu, look, *rays, cut, frame->sampling, regions, layer, occlusionOfFrame());
+        if (anew) clearAround(seen, layer);
+        if (exploded)
+          focusLayerPass.runExploded(steps, *gpu, look, stretches, explodesAroundFocus() ? &hitPoints : nullptr,
+                                     frame->sampling, regions, layer);
+        else
+          focusLayerPass.run(steps, *gpu, look, *rays, cut, frame->sampling, regions, layer, occlusionOfFrame());
       },
-      onlyMoved ? nearFocus(*frame->moved + reach) : nearVolume);
+      onlyMoved ? nearFocus(*frame->moved + reach) : seen);
 }
 
 void PassChain::drawFaintLayer() {
@@ -413,7 +423,7 @@ void PassChain::compose() {
 }
 
 void PassChain::addExempt() {
-  if (!gpu->exemptLabels().any()) {
+  if (!gpu->exemptLabels().any() || exploded) {
     exempted = {};
     exempt.forget();
     return;

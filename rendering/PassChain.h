@@ -28,6 +28,7 @@
 #include "rendering/passes/RemovedPass.h"
 #include "rendering/passes/Steps.h"
 #include "rendering/passes/WallPass.h"
+#include "rendering/scene/Explosion.h"
 
 namespace fenestra {
 
@@ -95,7 +96,9 @@ struct PassChain {
   /// What the images were last edited by, in the last picture's view; unknown after an error stopped a picture.
   std::optional<ProjectedStrokes> strokes{std::in_place};
 
-  std::optional<RayFrame> rays;  ///< of the last picture
+  std::optional<RayFrame> rays;                            ///< of the last picture
+  std::optional<ExplodedView> exploded;                    ///< the same, where it is an exploded view
+  std::vector<FocusLayerPass::ExplodedStretch> stretches;  ///< of its rays, from the front to the back
   double pixelScale = 1.0;
   glm::dvec2 widths{0.0};
   glm::vec3 background{0.0f}, backgroundRise{0.0f};
@@ -151,6 +154,16 @@ struct PassChain {
   void standWalls(WallKey key, const std::optional<WallPass::Opening>& opening, const gl::Texture& below,
                   gl::Texture& picture);
   void dropWalls();
+  // Of an exploded view (PassChainExploded.cpp).
+  void explode();
+  bool explodesAroundFocus() const { return exploded && gpu->focusKind() != FocusIndex::Kind::None; }
+  /// What of the picture shows the volume, and so many pixels around it.
+  gl::Region nearVolume(double reach) const;
+  /// World position in the volume of what a pixel shows first; empty for the background, and in the hollow that the
+  /// focus leaves in the parts.
+  std::optional<glm::dvec3> pickExploded(glm::ivec2 pixel);
+  /// Where a point of the volume is in the picture: with its part, or within a voxel of the focus, in its place.
+  glm::dvec3 explodedPosition(glm::dvec3 world) const;
   void compose();
   void addExempt();
   // Smooth edges: which pixels they run through, and what their rays see.

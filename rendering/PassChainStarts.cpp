@@ -124,16 +124,18 @@ void PassChain::startRaysApart() {
              });
 }
 
-/// A plain volume rendering keeps none of the cutaway's images.
+/// A plain volume rendering keeps none of the cutaway's images, an exploded view the hits of its focus.
 void PassChain::dropCutaway() {
-  for (gl::Texture* texture : {&hitPoints, &distances, &rayStart}) *texture = {};
+  for (gl::Texture* texture : {&distances, &rayStart}) *texture = {};
   dropFill();
   dropCones();
   distanceMapPass.release();
   releaseEdits();
-  hits.forget();
   distance.forget();
   start.forget();
+  if (explodesAroundFocus()) return;
+  hitPoints = {};
+  hits.forget();
 }
 
 }  // namespace fenestra

@@ -80,12 +80,13 @@ struct OcclusionKey {
   bool operator==(const OcclusionKey&) const = default;
 };
 struct FocusLayerKey {
-  std::uint64_t rayStart;   ///< 0 without a cutaway
+  std::uint64_t rayStart;   ///< 0 without a cutaway; of the hits, where an exploded view has a focus
   std::uint64_t removed;    ///< 0 where the picture's own camera cuts the opening
   std::uint64_t occlusion;  ///< 0 without ambient occlusion and shadows
   std::uint64_t volume, focus, transfer, gradient, palette;
   double focusExtinction;
   std::optional<MethodStages::Fading> fading;
+  std::optional<MethodStages::Explosion> explosion;
   Shading shading;
   Camera camera;
   glm::ivec2 size;

@@ -112,7 +112,7 @@ void readTimes(const PassChain& chain, const gl::Texture& texture, std::vector<f
 Layers rayStartsOf(PassChain& s) {
   Layers layers;
   layers.size = s.rays->size();
-  if (!s.hitPoints) return layers;
+  if (!s.hitPoints || s.exploded) return layers;
   const std::size_t count = pixelCount(layers);
   std::vector<glm::vec2> hits(count);
   s.hitPoints.readInto(std::span(hits));
@@ -139,7 +139,7 @@ Layers Renderer::readLayers() {
   Layers layers = rayStartsOf(s);
   const std::size_t count = pixelCount(layers);
   if (s.focusFilled) readTimes(s, s.focusFilled, layers.tFocusFilled, count);
-  if (s.hitPoints) {
+  if (s.distances) {
     layers.distance.resize(count);
     s.distances.readInto(std::span(layers.distance));
     for (float& distance : layers.distance)
@@ -190,15 +190,20 @@ std::optional<glm::dvec3> Renderer::pick(glm::dvec2 pixel) {
   PassChain& s = *chain_;
   const glm::ivec2 at(glm::floor(pixel));
   if (!s.shows(at)) return std::nullopt;
+  if (s.exploded) return s.pickExploded(at);
   const float position = s.startAt(at);
   if (!isSomething(position)) return std::nullopt;
   return s.rays->worldPosition(glm::dvec2(at) + 0.5, position);
 }
 
+bool Renderer::isExploded() const { return chain_->exploded.has_value(); }
+
+glm::dvec3 Renderer::shownAt(glm::dvec3 world) const { return chain_->explodedPosition(world); }
+
 std::optional<BrushPoint> Renderer::pickBrush(glm::dvec2 pixel, BrushMode mode, std::optional<glm::dvec3> before) {
   PassChain& s = *chain_;
   const glm::ivec2 at(glm::floor(pixel));
-  if (!s.shows(at)) return std::nullopt;
+  if (!s.shows(at) || s.exploded) return std::nullopt;
   const glm::vec2 hit = s.hitAt(at);
   const float context = hit.x, start = s.startAt(at);
   float position = context;

@@ -109,14 +109,20 @@ class Renderer {
 
   /// World position of what pixel (i, j from the top, in rendered pixels) of the last picture shows: where its ray
   /// starts to see. Empty where it shows the background.
+  /// In an exploded view, the position is that in the volume; empty also in the hollow that the focus leaves.
   std::optional<glm::dvec3> pick(glm::dvec2 pixel);
+  bool isExploded() const;  ///< the last picture is an exploded view
+  /// Where the last picture shows a world position: in an exploded view where its part is, but for what is in focus or
+  /// within a voxel of it.
+  glm::dvec3 shownAt(glm::dvec3 world) const;
 
   /// Where a brush at pixel (i, j), in rendered pixels as for pick(), touches. Open cuts into what is seen: its anchor
   /// is where the ray starts to see, or did before strokes opened it further, so that a stroke being painted does not
   /// dig itself in. The other modes are about the context that lies, or lay, before it: theirs is the context's first
   /// surface, even where the cutaway removed it; a point of that surface is the same from every side, which one of the
   /// cut face is not. Where the ray meets nothing, the point of the ray as deep in the view as `before`, a stroke's
-  /// last anchor, so that a stroke can leave the body and come back; empty without one.
+  /// last anchor, so that a stroke can leave the body and come back; empty without one. An exploded view has no place
+  /// for a brush: empty.
   std::optional<BrushPoint> pickBrush(glm::dvec2 pixel, BrushMode mode, std::optional<glm::dvec3> before = {});
 
   /// Measures each pass with timer queries; waits for the GPU, so off by default.

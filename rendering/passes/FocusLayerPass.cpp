@@ -82,13 +82,23 @@ std::size_t bytesOfList(std::span<const gl::Region> squares) {
 
 }  // namespace
 
+namespace {
+
+/// What shaders/lib/integral/CellPath.glsl calls SHOWN.
+int shownOf(const FocusLayerPass::ExplodedStretch* stretch, const gl::Texture* focusHits) {
+  if (!stretch || !focusHits) return 0;
+  return stretch->shown == FocusLayerPass::Stretch::InFocus ? 2 : 1;
+}
+
+}  // namespace
+
 IntegralBlock FocusLayerPass::integralBlock(const Sampling& sampling) {
   return {static_cast<float>(leastTransmittance(sampling)),
           static_cast<float>(shareOfBound * sampling.maxError.value_or(0.0))};
 }
 
 gl::ShaderProgram& FocusLayerPass::program(bool listed, const Drawn& drawn) {
-  const auto& [gpu, look, rays, opening, sampling, occlusion] = drawn;
+  const auto& [gpu, look, rays, opening, sampling, occlusion, stretch, focusHits, resumes] = drawn;
   const bool lit = look.shading.enabled, bounded = sampling.maxError.has_value();
   gl::Variant variant{{volumeDefine(gpu),
                        refinementDefine(gpu),
@@ -103,6 +113,10 @@ gl::ShaderProgram& FocusLayerPass::program(bool listed, const Drawn& drawn) {
                        {"EXACT_MIDDLES", takesMiddles(gpu, sampling, lit)},
                        occlusionDefine(occlusion),
                        fadingDefine(fadingOf(look)),
+                       {"EXPLODED", !stretch    ? 0
+                                    : focusHits ? 2
+                                                : 1},
+                       {"SHOWN", shownOf(stretch, focusHits)},
                        {"LISTED", listed},
                        {"APART", opening && opening->hole},
                        rays.clipDefine(),
@@ -120,7 +134,7 @@ gl::ShaderProgram& FocusLayerPass::program(bool listed, const Drawn& drawn) {
 }
 
 gl::ShaderProgram& FocusLayerPass::prepared(bool listed, const Drawn& drawn) {
-  const auto& [gpu, look, rays, opening, sampling, occlusion] = drawn;
+  const auto& [gpu, look, rays, opening, sampling, occlusion, stretch, focusHits, resumes] = drawn;
   gl::ShaderProgram& program = this->program(listed, drawn);
   rays.setBlocks(program);
   bindVolume(gpu, program);
@@ -142,6 +156,14 @@ gl::ShaderProgram& FocusLayerPass::prepared(bool listed, const Drawn& drawn) {
     program.set(
         CutFaceBlock{static_cast<float>(lighting::wallDepthVoxels * std::min({spacing.x, spacing.y, spacing.z})),
                      static_cast<float>(lighting::wallShare)});
+  }
+  if (stretch) {
+    program.set("resumes", resumes ? 1 : 0);
+    if (focusHits) {
+      program.bind("hitPoints", *focusHits);
+      program.set("fromHit", stretch->shown == Stretch::Before ? 0 : 1);
+      program.set("fromPicture", static_cast<float>(stretch->fromPicture));
+    }
   }
   FocusBlock focus{
       .material = glm::vec4(glm::vec3(gpu.focusMaterial()), look.focusAppearance.extinction * gpu.focusMaterial().a),
@@ -166,8 +188,9 @@ gl::ShaderProgram& FocusLayerPass::prepared(bool listed, const Drawn& drawn) {
   return program;
 }
 
-void FocusLayerPass::drawBetween(const Drawn& drawn, int halfSide, bool centres, Regions squares,
+void FocusLayerPass::drawBetween(const Layers& layers, int halfSide, bool centres, Regions squares,
                                  gl::Texture& focusLayer) {
+  const Drawn& drawn = layers.front();
   const bool lit = drawn.look.shading.enabled;
   const std::size_t needed = bytesOfList(squares);
   if (list_.bytes() < needed) list_ = gl::Buffer::zeroed(needed);
@@ -180,28 +203,46 @@ void FocusLayerPass::drawBetween(const Drawn& drawn, int halfSide, bool centres,
   between.set("tolerance", static_cast<float>(toleranceOf(drawn.sampling, lit, halfSide)));
   between.bind("focusLayer", focusLayer, gl::Access::ReadWrite);
   between.dispatch(squares);
-  gl::ShaderProgram& rest = prepared(true, drawn);
-  rest.bind("focusLayer", focusLayer, gl::Access::Write);
-  rest.dispatchIndirect(list_);
+  for (const Drawn& each : layers) {
+    gl::ShaderProgram& rest = prepared(true, each);
+    rest.bind("focusLayer", focusLayer, each.stretch ? gl::Access::ReadWrite : gl::Access::Write);
+    rest.dispatchIndirect(list_);
+  }
 }
 
 void FocusLayerPass::run(Steps& steps, const GpuScene& gpu, const Look& look, const RayFrame& rays,
                          const std::optional<Opening>& opening, const Sampling& sampling, Regions regions,
                          gl::Texture& focusLayer, const gl::Buffer* occlusion) {
-  const Drawn drawn{gpu, look, rays, opening, sampling, occlusion};
-  const int together = raysTogether(gpu.schedule(), sampling, look.shading.enabled);
-  steps.add(inBoxes(regions, sampling.pitch * glm::ivec2(1, together)), [this, drawn, &focusLayer](Regions tile) {
-    gl::ShaderProgram& lattice = prepared(false, drawn);
-    lattice.set("pitch", drawn.sampling.pitch);
-    lattice.bind("focusLayer", focusLayer, gl::Access::Write);
-    lattice.dispatch(tile);
+  add(steps, {Drawn{gpu, look, rays, opening, sampling, occlusion}}, regions, focusLayer);
+}
+
+void FocusLayerPass::runExploded(Steps& steps, const GpuScene& gpu, const Look& look,
+                                 const std::vector<ExplodedStretch>& stretches, const gl::Texture* focusHits,
+                                 const Sampling& sampling, Regions regions, gl::Texture& focusLayer) {
+  Layers layers;
+  for (const ExplodedStretch& stretch : stretches)
+    layers.push_back(Drawn{gpu, look, stretch.rays, {}, sampling, nullptr, &stretch, focusHits, !layers.empty()});
+  add(steps, layers, regions, focusLayer);
+}
+
+void FocusLayerPass::add(Steps& steps, const Layers& layers, Regions regions, gl::Texture& focusLayer) {
+  const Drawn& first = layers.front();
+  const Sampling& sampling = first.sampling;
+  const int together = raysTogether(first.gpu.schedule(), sampling, first.look.shading.enabled);
+  steps.add(inBoxes(regions, sampling.pitch * glm::ivec2(1, together)), [this, layers, &focusLayer](Regions tile) {
+    for (const Drawn& drawn : layers) {
+      gl::ShaderProgram& lattice = prepared(false, drawn);
+      lattice.set("pitch", drawn.sampling.pitch);
+      lattice.bind("focusLayer", focusLayer, drawn.stretch ? gl::Access::ReadWrite : gl::Access::Write);
+      lattice.dispatch(tile);
+    }
   });
   if (sampling.pitch == 1) list_ = {};
   for (int halfSide = sampling.pitch / 2; halfSide > 0; halfSide /= 2)
     for (const bool centres : {true, false})
       steps.add(inBoxes(regions, glm::ivec2(2 * halfSide)),
-                [this, drawn, halfSide, centres, &focusLayer](Regions tile) {
-                  drawBetween(drawn, halfSide, centres, tile, focusLayer);
+                [this, layers, halfSide, centres, &focusLayer](Regions tile) {
+                  drawBetween(layers, halfSide, centres, tile, focusLayer);
                 });
 }
 

@@ -2,6 +2,7 @@
 // Stage 5: the volume rendering integral from the ray start on, focus and context each with their own properties.
 
 #include <optional>
+#include <vector>
 
 #include "rendering/gl/ShaderProgram.h"
 #include "rendering/gl/Texture.h"
@@ -60,6 +61,21 @@ class FocusLayerPass {
   void run(Steps& steps, const GpuScene& gpu, const Look& look, const RayFrame& rays,
            const std::optional<Opening>& opening, const Sampling& sampling, Regions regions, gl::Texture& focusLayer,
            const gl::Buffer* occlusion = nullptr);
+
+  /// What a stretch of the rays of an exploded view shows: a part of the context, up to the focus's first hit or from
+  /// there on, or the focus.
+  enum class Stretch : std::uint8_t { Before, InFocus, Behind };
+  struct ExplodedStretch {
+    Stretch shown = Stretch::Before;
+    /// Of the picture's camera, moved back by the part's translation, and clipped to the part.
+    RayFrame rays;
+    double fromPicture = 0.0;  ///< s on these rays less s on the picture's rays, where both see the same place
+  };
+  /// The layer of an exploded view (Explosion.h): these stretches, each behind those before it in the list. Needs a
+  /// sampling with a bound on the error, of each of them. `focusHits`: hit points of the picture's rays; null without a
+  /// focus.
+  void runExploded(Steps& steps, const GpuScene& gpu, const Look& look, const std::vector<ExplodedStretch>& stretches,
+                   const gl::Texture* focusHits, const Sampling& sampling, Regions regions, gl::Texture& focusLayer);
   std::size_t bytes() const { return list_.bytes(); }
 
  private:
@@ -70,14 +86,20 @@ class FocusLayerPass {
     std::optional<Opening> opening;
     Sampling sampling;
     const gl::Buffer* occlusion;
+    const ExplodedStretch* stretch = nullptr;  ///< of an exploded view
+    const gl::Texture* focusHits = nullptr;
+    bool resumes = false;  ///< other stretches lie before it
   };
   /// The variant that such a picture takes, for pixels of the lattice or listed ones, and the same with all that it
   /// reads.
   gl::ShaderProgram& program(bool listed, const Drawn& drawn);
   gl::ShaderProgram& prepared(bool listed, const Drawn& drawn);
+  /// All that lies on the rays, from the front to the back.
+  using Layers = std::vector<Drawn>;
+  void add(Steps& steps, const Layers& layers, Regions regions, gl::Texture& focusLayer);
   /// Pixels between those of a lattice whose squares have sides of 2·halfSide: the squares' centres, or the middles of
   /// their sides, which need all centres.
-  void drawBetween(const Drawn& drawn, int halfSide, bool centres, Regions squares, gl::Texture& focusLayer);
+  void drawBetween(const Layers& layers, int halfSide, bool centres, Regions squares, gl::Texture& focusLayer);
 
   gl::ShaderVariants programs_, between_;
   gl::Buffer list_;  // pixels between those of the lattice that get a ray; empty when every pixel has one

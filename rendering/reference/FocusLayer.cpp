@@ -7,6 +7,7 @@
 #include "rendering/reference/Field.h"
 #include "rendering/reference/FocalRegion.h"
 #include "rendering/reference/FocusShows.h"
+#include "rendering/reference/Kronrod.h"
 #include "rendering/reference/Light.h"
 #include "rendering/reference/Occlusion.h"
 #include "rendering/scene/Fading.h"
@@ -22,6 +23,7 @@ struct Medium {
   Field field;
   FocusField focus;        ///< or the protected labels, of which the context shows
   bool onlyFocus = false;  ///< nothing else shows
+  std::optional<Alone> alone{};
   FocusShows focusShows;
   Light light;
   VoxelNormals normals;
@@ -69,6 +71,7 @@ struct Medium {
           grid.dims, [&](glm::ivec3 voxel) { return normals.gated(field.spline()->gradient(glm::dvec3(voxel))); });
   }
 
+  bool leavesOut(bool held) const { return alone && (*alone == Alone::InFocus) != held; }
   bool isClear(ValueRange range) const {
     return std::any_of(clear.begin(), clear.end(),
                        [&](const ValueGap& gap) { return gap.low < range.low && range.high < gap.high; });
@@ -124,16 +127,6 @@ Part functionPart(const TransferFunction& transfer, const Cubic& value, double b
   part.x = through(share(0.0), share(1.0 / 3.0), share(2.0 / 3.0), share(1.0));
   return part;
 }
-
-/// Kronrod's extension of the three-point Gauss rule, exact for polynomials up to degree 11 (Kronrod, Nodes and Weights
-/// of Quadrature Formulas, 1965): places on 0..1 from the middle outwards, and the weights of both rules.
-struct Node {
-  double offset, kronrod, gauss;
-};
-constexpr Node rule[] = {{0.0, 0.450916538658474142345, 8.0 / 9.0},
-                         {0.434243749346802558002, 0.401397414775962222905, 0.0},
-                         {0.774596669241483377036, 0.268488089868333440729, 5.0 / 9.0},
-                         {0.960491268708020283424, 0.104656226026467265194, 0.0}};
 
 template <class ValueAt>
 class Integrator {
@@ -246,7 +239,7 @@ class Integrator {
       if (!(begin < end)) continue;
       const double inField = evaluate(focusValue, middle);
       const bool held = field && inField >= focusRange.low && inField <= focusRange.high;
-      if (medium_.onlyFocus && !held) continue;
+      if ((medium_.onlyFocus && !held) || medium_.leavesOut(held)) continue;
       inFocus_ = held && !medium_.onlyFocus;
       const glm::dvec3 at = glm::mix(piece.begin, piece.end, middle) + glm::dvec3(piece.cell);
       Part part;
@@ -459,6 +452,13 @@ std::vector<CutRay> removedOf(std::vector<CutRay> rays, const Image& tContext) {
 FocusLayer focusLayer(const Scene& scene, const Camera& camera, const std::vector<CutRay>& rays, double tolerance,
                       const Occlusion* occlusion) {
   return integrated(Medium(scene, camera, occlusion), rays, tolerance);
+}
+
+FocusLayer layerOf(Alone shown, const Scene& scene, const Camera& camera, const std::vector<CutRay>& rays,
+                   double tolerance) {
+  Medium medium(scene, camera, nullptr);
+  medium.alone = shown;
+  return integrated(medium, rays, tolerance);
 }
 
 FocusLayer protectedLayer(const Scene& scene, const Camera& camera, const std::vector<CutRay>& rays,

@@ -48,6 +48,11 @@ struct ExemptLayers {
 ExemptLayers exemptLayers(const Scene& scene, const Camera& camera, const std::vector<CutRay>& rays, double tolerance,
                           const Occlusion* occlusion = nullptr);
 
+/// The context with the focus left out of it, or the focus alone: of the stretches of rays in an exploded view.
+enum class Alone : std::uint8_t { OutsideFocus, InFocus };
+FocusLayer layerOf(Alone shown, const Scene& scene, const Camera& camera, const std::vector<CutRay>& rays,
+                   double tolerance);
+
 /// One element a ray. `occlusion`, here and above: null without ambient occlusion and shadows.
 FocusLayer focusLayer(const Scene& scene, const Camera& camera, const std::vector<CutRay>& rays, double tolerance,
                       const Occlusion* occlusion = nullptr);

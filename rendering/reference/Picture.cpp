@@ -1,6 +1,7 @@
 #include "rendering/reference/Picture.h"
 
 #include "rendering/reference/ContextLayer.h"
+#include "rendering/reference/Exploded.h"
 #include "rendering/reference/FocusLayer.h"
 #include "rendering/reference/Lens.h"
 #include "rendering/reference/Light.h"
@@ -8,6 +9,7 @@
 #include "rendering/reference/Strokes.h"
 #include "rendering/reference/Walls.h"
 #include "rendering/scene/EdgeRays.h"
+#include "rendering/scene/Explosion.h"
 #include "rendering/scene/Lighting.h"
 #include "rendering/scene/Parallel.h"
 #include "rendering/scene/Walls.h"
@@ -226,6 +228,14 @@ void addContextLayer(const Frame& frame, const Rays& rays, const std::vector<Cut
 /// Stages 5 to 7 of some rays.
 Picture drawn(const Frame& frame, const Rays& rays) {
   const Scene& scene = frame.scene;
+  if (explosionOf(scene.look)) {
+    FocusLayer layer = explodedLayer(scene, frame.camera, frame.size, rays.places, frame.tolerance);
+    Picture result;
+    result.final = layer.colour;
+    result.focusLayer = std::move(layer.colour);
+    result.error = std::move(layer.error);
+    return result;
+  }
   const std::vector<CutRay> cut = cutRays(frame, rays);
   const bool guarded = frame.pixels && !labelsWith(LabelRole::Protected, scene).empty();
   const MethodStages method = stagesOf(scene.look.method);

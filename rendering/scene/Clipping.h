@@ -59,8 +59,8 @@ struct Clipping {
   bool operator==(const Clipping&) const = default;
 };
 
-/// Six of a box and the planes.
-inline constexpr std::size_t mostHalfSpaces = 6 + Clipping::mostPlanes;
+/// Six of a box, the planes, and those of a part of an exploded view (Explosion.h).
+inline constexpr std::size_t mostHalfSpaces = 6 + Clipping::mostPlanes + 3;
 /// What clips a volume: the planes, and those faces of the box that lie inside it. Empty where nothing is clipped.
 std::vector<HalfSpace> halfSpaces(const Clipping& clipping, const Grid& grid);
 /// Whether all of them keep a world position.

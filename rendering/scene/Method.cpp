@@ -60,6 +60,14 @@ MethodStages stagesOf(const Method& method) {
                       method.wallOutlines};
       return stages;
     }
+    case MethodKind::Explode: {
+      MethodStages stages;
+      stages.start = MethodStages::Start::Entry;
+      stages.hasWidth = stages.hasBorder = false;
+      if (method.explosion > 0.0)
+        stages.explosion = {method.explosion, 1 + static_cast<int>(method.explosionPlanes), method.explosionAxes};
+      return stages;
+    }
   }
   return {};
 }

@@ -16,8 +16,18 @@ namespace fenestra {
 /// Grimm, A. Kanitsar, M. E. Gröller: Illustrative context-preserving exploration of volume data, IEEE TVCG 12(6),
 /// 2006. FocalRegion: J. Zhou, M. Hinz, K. D. Tönnies: Focal region-guided feature-based volume rendering, 3D Data
 /// Processing, Visualization and Transmission 2002. Walls: M. Tory, C. Swindells: Comparing ExoVis, orientation icon,
-/// and in-place 3D visualization techniques, Graphics Interface 2003.
-enum class MethodKind : std::uint8_t { Adaptive, Cone, Importance, ClearView, ContextPreserving, FocalRegion, Walls };
+/// and in-place 3D visualization techniques, Graphics Interface 2003. Explode: S. Bruckner, M. E. Gröller: Exploded
+/// views for volume data, IEEE TVCG 12(5) (IEEE Visualization), 2006.
+enum class MethodKind : std::uint8_t {
+  Adaptive,
+  Cone,
+  Importance,
+  ClearView,
+  ContextPreserving,
+  FocalRegion,
+  Walls,
+  Explode
+};
 
 /// Maximum importance projection removes what hides the focus, in cones that widen towards the eye. Average importance
 /// compositing keeps it, faintly, on the rays that meet the focus.
@@ -36,6 +46,9 @@ enum class FocalShape : std::uint8_t { Sphere, Box };
 /// Where the slices of Walls stand: around the volume (ExoVis of its authors), or where they lie in the patient, inside
 /// the opening (in-place).
 enum class WallPlacement : std::uint8_t { Around, Inside };
+/// Of an exploded view: how many planes cut the volume into parts, and along what the planes lie.
+enum class ExplosionPlanes : std::uint8_t { One, Two, Three };
+enum class ExplosionAxes : std::uint8_t { Patient, View };
 
 struct Method {
   MethodKind kind = MethodKind::Adaptive;
@@ -60,6 +73,9 @@ struct Method {
   WallPlacement wallPlacement = WallPlacement::Around;  ///< of Walls
   bool wallAxial = true, wallSagittal = true, wallCoronal = true;
   bool wallOutlines = true;  ///< the labels' outlines on the walls
+  double explosion = 0.5;    ///< of Explode, the degree of explosion: 0, all parts in their places, to 1
+  ExplosionPlanes explosionPlanes = ExplosionPlanes::Two;
+  ExplosionAxes explosionAxes = ExplosionAxes::Patient;
   bool operator==(const Method&) const = default;
 };
 
@@ -168,6 +184,14 @@ struct MethodStages {
     bool operator==(const Walls&) const = default;
   };
   std::optional<Walls> walls{};
+  /// Where the context is drawn in parts that are moved apart; rendering/scene/Explosion.h defines the picture.
+  struct Explosion {
+    double degree = 0.0;  ///< above 0, at most 1
+    int planes = 1;       ///< 1 to 3
+    ExplosionAxes axes = ExplosionAxes::Patient;
+    bool operator==(const Explosion&) const = default;
+  };
+  std::optional<Explosion> explosion{};
   bool hasBorder = true;  ///< w_border says how wide the line around the opening is; else it counts as 0
 
   /// Something of what the opening removes may show.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "rendering/scene/Explosion.h"
 #include "rendering/scene/Fading.h"
 #include "rendering/scene/FaintLabels.h"
 #include "rendering/scene/FocusCells.h"
@@ -13,7 +14,7 @@ namespace fenestra {
 
 bool hasOcclusion(const Look& look) {
   const Shading& shading = look.shading;
-  return shading.enabled && (shading.occlusion > 0.0 || shading.shadow > 0.0) && !fadingOf(look);
+  return shading.enabled && (shading.occlusion > 0.0 || shading.shadow > 0.0) && !fadingOf(look) && !explosionOf(look);
 }
 
 namespace occlusion {

@@ -39,6 +39,7 @@
 namespace fenestra {
 
 /// Whether a look's pictures have either. A context that fades has neither: how much of it shows depends on the ray.
+/// Nor has an exploded view, whose parts would bring along the shade of their old places.
 bool hasOcclusion(const Look& look);
 
 namespace occlusion {

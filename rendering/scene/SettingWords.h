@@ -46,14 +46,29 @@ constexpr auto wordsOf(MethodKind) {
         "farther away; what is in focus stays as it is (Zhou, Hinz and Tönnies 2002)"},
        {MethodKind::Walls, "walls", "Walls of slices",
         "The adaptive cutaway with the slices at the crosshair as walls: behind the volume, or inside the opening "
-        "(Tory "
-        "and Swindells 2003)"}});
+        "(Tory and Swindells 2003)"},
+       {MethodKind::Explode, "explode", "Exploded view",
+        "What is around the focus is cut into parts, which move apart and out of your line of sight to it; what is in "
+        "focus stays in its place (Bruckner and Gröller 2006)"}});
 }
 constexpr auto wordsOf(WallPlacement) {
   return std::to_array<Word<WallPlacement>>(
       {{WallPlacement::Around, "around", "Around the volume", "Behind the volume, like the walls of a room"},
        {WallPlacement::Inside, "inside", "Inside the opening",
         "Where the slices lie, in the space that the opening removed; before the focus there is none"}});
+}
+constexpr auto wordsOf(ExplosionPlanes) {
+  return std::to_array<Word<ExplosionPlanes>>(
+      {{ExplosionPlanes::One, "one", "Two halves", "One plane cuts the volume into left and right"},
+       {ExplosionPlanes::Two, "two", "Four quarters", "Two planes: left and right, above and below"},
+       {ExplosionPlanes::Three, "three", "Eight parts",
+        "Three planes: left and right, above and below, front and back"}});
+}
+constexpr auto wordsOf(ExplosionAxes) {
+  return std::to_array<Word<ExplosionAxes>>(
+      {{ExplosionAxes::Patient, "patient", "The patient",
+        "Planes along the patient's axes: left and right are the patient's"},
+       {ExplosionAxes::View, "view", "The view", "Planes along the picture's axes, which turn with the camera"}});
 }
 constexpr auto wordsOf(FocalShape) {
   return std::to_array<Word<FocalShape>>({{FocalShape::Sphere, "sphere", "Sphere", "All around the focus alike"},

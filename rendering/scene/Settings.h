@@ -174,7 +174,25 @@ inline constexpr std::tuple settingsOf<Method>{
     Setting(&Method::wallOutlines, {.key = "wall_outlines",
                                     .option = "--wall-outlines",
                                     .name = "Outlines",
-                                    .description = "Whether the labels' outlines are drawn on the walls"})};
+                                    .description = "Whether the labels' outlines are drawn on the walls"}),
+    Setting(&Method::explosion, {.key = "explosion",
+                                 .option = "--explosion",
+                                 .name = "Explosion",
+                                 .description = "How far the parts of an exploded view are moved apart (its degree of "
+                                                "explosion): at 0 all are in their places",
+                                 .range = fraction,
+                                 .step = 0.05}),
+    Setting(&Method::explosionPlanes,
+            {.key = "explosion_planes",
+             .option = "--explosion-planes",
+             .name = "Parts",
+             .description = "How many planes through the middle of the focus, or of the volume without a focus, cut "
+                            "it into the parts of an exploded view"}),
+    Setting(&Method::explosionAxes, {.key = "explosion_axes",
+                                     .option = "--explosion-axes",
+                                     .name = "Cut along",
+                                     .description = "Whether the planes of an exploded view lie along the patient's "
+                                                    "axes or the view's"})};
 
 template <>
 inline constexpr std::tuple settingsOf<Cutaway>{

@@ -8,9 +8,14 @@
 #else
 #include "lib/Region.glsl"
 #endif
+#include "lib/Stretch.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
+#if EXPLODED
+layout(rgba32f) uniform image2D focusLayer;
+#else
 layout(rgba32f) uniform writeonly image2D focusLayer;
+#endif
 
 #if LISTED
 ivec2 pixelOf(int i) { return listedPixel(i); }
@@ -32,7 +37,32 @@ bool showsVolume(Cut cut, Ray ray) { return startsHere(cut, ray); }
 vec4 seenOn(Walk walk) { return colourOf(walk); }
 #endif
 
-#if APART
+#if EXPLODED
+// One stretch of a ray of an exploded view, behind those that the layer holds already; RAYS is 1.
+void main() {
+  ivec2 pixel = pixelOf(0);
+  vec4 before = mix(vec4(0.0), imageLoad(focusLayer, pixel), bvec4(resumes == 1));
+  Ray ray = pixelRay(pixel);
+  vec2 stretch = stretchOf(pixel);
+  Cut cut = cutOf(ray, stretch.x);
+  ray.sOut = min(ray.sOut, stretch.y);
+  bool goesOn = hasRay(pixel) && cut.start <= ray.sOut && 1.0 - before.a >= integral.leastTransmittance;
+  if (!goesOn) cut.start = ray.sIn;
+#if CLIPPED == 2
+  bool grey = goesOn && startsGrey(cut, ray);
+#else
+  const bool grey = false;
+#endif
+  Walk walks[RAYS];
+  walks[0] = walkFrom(ray, cut, goesOn && !grey);
+  integrate(walks);
+  vec4 seen = colourOf(walks[0]);
+#if CLIPPED == 2
+  if (grey) seen = greyOf(ray);
+#endif
+  imageStore(focusLayer, pixel, over(before, seen));
+}
+#elif APART
 // A ray may see nothing on a part of its way; RAYS is 1.
 void main() {
   ivec2 pixel = pixelOf(0);

@@ -19,6 +19,8 @@ const std::vector<std::string> methods{"--method cone --cone-angle 50",
                                        "--method focal-region --focal-shape box --focal-size 20 --focal-fall-off 15",
                                        "--method walls --crosshair 20,-10,30 --window 300 --level 40",
                                        "--method walls --wall-placement inside --wall-axial off --wall-outlines off",
+                                       "--method explode --explosion 0.6 --explosion-planes three",
+                                       "--method explode --explosion 0.3 --explosion-planes one --explosion-axes view",
                                        "--method clearview --lens-radius 50 --lens-fade depth"};
 
 TEST_F(MethodCommand, PicturesAreTheReferences) {
@@ -39,9 +41,16 @@ TEST_F(MethodCommand, ParametersOfOtherMethodsLeaveThePictureAsItIs) {
                    "--method adaptive --cone-angle 70 --importance average --importance-opacity 0.9 "
                    "--lens-radius 60 --lens-fade depth --lens-bends 3 --lens-rim 5 --fade-reach 9 --fade-sharpness 2 "
                    "--focal-shape box --focal-size 9 --focal-fall-off 3 --wall-placement inside --wall-coronal off "
-                   "--crosshair 1,2,3 --window 10 --level 5"),
+                   "--crosshair 1,2,3 --window 10 --level 5 --explosion 0.9 --explosion-planes three "
+                   "--explosion-axes view"),
             0);
   EXPECT_EQ(bytes("plain.png"), bytes("same.png"));
+}
+
+TEST_F(MethodCommand, AnExplodedViewOfNoDegreesIsThePlainPicture) {
+  ASSERT_EQ(render("plain.png", "--cutaway off"), 0);
+  ASSERT_EQ(render("together.png", "--method explode --explosion 0"), 0);
+  EXPECT_EQ(bytes("plain.png"), bytes("together.png"));
 }
 
 TEST_F(MethodCommand, ASessionKeepsEach) {
@@ -95,7 +104,11 @@ TEST_F(MethodCommand, RefusesWhatIsNoAngleAndNoShare) {
                                   "--crosshair 1,2,1e300",
                                   "--window 0",
                                   "--window -5",
-                                  "--level wide"})
+                                  "--level wide",
+                                  "--explosion -0.1",
+                                  "--explosion 1.1",
+                                  "--explosion-planes 4",
+                                  "--explosion-axes up"})
     EXPECT_EQ(render("x.png", wrong), 2) << wrong;
   EXPECT_FALSE(std::filesystem::exists(at("x.png")));
 }

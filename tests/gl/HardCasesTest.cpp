@@ -449,7 +449,9 @@ TEST_P(HardCases, withEachMethod) {
         Method{.kind = MethodKind::ClearView, .lensRadius = 40.0}, Method{.kind = MethodKind::ContextPreserving},
         Method{.kind = MethodKind::FocalRegion, .focalSize = 4.0, .focalFallOff = 3.0},
         Method{.kind = MethodKind::FocalRegion, .focalShape = FocalShape::Box, .focalSize = 1.5, .focalFallOff = 9.0},
-        Method{.kind = MethodKind::Walls}, Method{.kind = MethodKind::Walls, .wallPlacement = WallPlacement::Inside}}) {
+        Method{.kind = MethodKind::Walls}, Method{.kind = MethodKind::Walls, .wallPlacement = WallPlacement::Inside},
+        Method{.kind = MethodKind::Explode, .explosionPlanes = ExplosionPlanes::Three},
+        Method{.kind = MethodKind::Explode, .explosion = 1.0, .explosionAxes = ExplosionAxes::View}}) {
     SCOPED_TRACE(std::string(wordOf(method.kind).word) + ", " + wordOf(method.importance).word);
     shot.scene.look.method = method;
     // Where the context fades, normals lack the rounding of their texture, so the pixels that are off anyway are off by

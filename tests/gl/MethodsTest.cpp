@@ -341,6 +341,16 @@ TEST_F(Methods, ReRunOnlyWhatAChangeReaches) {
   EXPECT_EQ(after(around, [](Scene& s) { s.look.method.focalShape = FocalShape::Box; }),
             std::set<std::string>{"focus layer"});
   EXPECT_EQ(after(around, [](Scene& s) { s.look.method.fadeReach *= 2.0; }), std::set<std::string>());
+  const Scene exploded = hazyBody({.kind = MethodKind::Explode});
+  for (const Scene& first : {exploded, faded, scene}) {
+    const std::set<std::string> reached =
+        first.look.method.kind == MethodKind::Explode ? std::set<std::string>{"focus layer"} : std::set<std::string>();
+    EXPECT_EQ(after(first, [](Scene& s) { s.look.method.explosion = 0.2; }), reached);
+    EXPECT_EQ(after(first, [](Scene& s) { s.look.method.explosionPlanes = ExplosionPlanes::One; }), reached);
+    EXPECT_EQ(after(first, [](Scene& s) { s.look.method.explosionAxes = ExplosionAxes::View; }), reached);
+  }
+  EXPECT_EQ(after(exploded, [](Scene& s) { s.look.cutaway.openWidth = s.look.method.fadeReach = 9.0; }),
+            std::set<std::string>());
   EXPECT_EQ(after(faded, [](Scene& s) { s.look.cutaway.openWidth = s.look.cutaway.borderWidth = 9.0; }),
             std::set<std::string>());
 }
@@ -398,7 +408,10 @@ TEST_F(Methods, AMethodThatIsNotInUseCostsNothing) {
                         .focalFallOff = 3.0,
                         .wallPlacement = WallPlacement::Inside,
                         .wallAxial = false,
-                        .wallOutlines = false};
+                        .wallOutlines = false,
+                        .explosion = 0.9,
+                        .explosionPlanes = ExplosionPlanes::Three,
+                        .explosionAxes = ExplosionAxes::View};
   View other = view;
   other.slices = {scene.volume->grid.centre() + 5.0, WindowLevel{9.0, 8.0}, true};
   Renderer renderer(gpuWith(Schedule::Plain)), fresh(gpuWith(Schedule::Plain));
@@ -443,6 +456,7 @@ TEST_F(Methods, ChangesLeaveNothingBehind) {
     scene.look.method.fadeReach = 5.0;
     scene.look.method.focalSize = 9.0;
     scene.look.method.wallSagittal = false;
+    scene.look.method.explosion = 0.8;
     expectFresh(scene, view, name + ", other parameters");
     View moved = view;
     moved.slices.crosshair = scene.volume->grid.centre() - 4.0;

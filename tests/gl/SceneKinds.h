@@ -1,12 +1,14 @@
 #pragma once
 // Small scenes that between them use every variant of every shader.
 
+#include <array>
 #include <string>
 #include <vector>
 
 #include "rendering/Renderer.h"
 #include "rendering/gl/Context.h"
 #include "rendering/scene/FaintLabels.h"
+#include "rendering/scene/SettingWords.h"
 #include "tests/support/Scenes.h"
 
 namespace fenestra::tests {
@@ -132,12 +134,15 @@ inline std::vector<std::pair<std::string, Method>> otherMethods() {
           {"focal sphere", {.kind = MethodKind::FocalRegion, .focalSize = 7.0, .focalFallOff = 12.0}},
           {"walls around", {.kind = MethodKind::Walls}},
           {"walls inside", {.kind = MethodKind::Walls, .wallPlacement = WallPlacement::Inside}},
+          {"exploded", {.kind = MethodKind::Explode, .explosion = 0.6, .explosionPlanes = ExplosionPlanes::Three}},
           {"average importance, grey", average(Sparseness::Colour)},
           {"average importance, screen door", average(Sparseness::ScreenDoor)},
           {"ClearView, bends alone", lens(LensFade::Curvature, 25.0)},
           {"ClearView, with depth", lens(LensFade::Depth, 35.0)},
           {"focal box",
-           {.kind = MethodKind::FocalRegion, .focalShape = FocalShape::Box, .focalSize = 6.0, .focalFallOff = 9.0}}};
+           {.kind = MethodKind::FocalRegion, .focalShape = FocalShape::Box, .focalSize = 6.0, .focalFallOff = 9.0}},
+          {"exploded along the view",
+           {.kind = MethodKind::Explode, .explosion = 0.4, .explosionAxes = ExplosionAxes::View}}};
 }
 
 /// A body cut by a box and two planes, with faces in grey or as the transfer function shows them.
@@ -267,15 +272,14 @@ inline std::vector<SceneKind> allSceneKinds() {
     kinds.back().scene.look.method = {.kind = MethodKind::Walls};
     kinds.back().view.slices = {.crosshair = glm::dvec3(5.0, 9.0, 14.0), .window = WindowLevel{90.0, 80.0}};
   }
-  // A context that fades needs no focus.
+  // A context that fades or is exploded needs no focus.
   for (std::size_t i = 0, all = kinds.size(); i < all; i += 5) {
     const Look& look = kinds[i].scene.look;
     if (!look.cutaway.enabled || !std::holds_alternative<std::monostate>(look.focus)) continue;
-    const bool around = i % 2 == 1;
-    kinds.push_back(
-        {kinds[i].name + (around ? ", focal region" : ", context-preserving"), kinds[i].scene, kinds[i].view});
-    kinds.back().scene.look.method = {.kind = around ? MethodKind::FocalRegion : MethodKind::ContextPreserving,
-                                      .focalSize = 8.0};
+    const MethodKind kind =
+        std::array{MethodKind::ContextPreserving, MethodKind::FocalRegion, MethodKind::Explode}[i % 3];
+    kinds.push_back({kinds[i].name + ", " + wordOf(kind).word, kinds[i].scene, kinds[i].view});
+    kinds.back().scene.look.method = {.kind = kind, .focalSize = 8.0};
   }
   // Smooth edges with whatever else makes a program another one; drafts have none.
   for (std::size_t i = 0, all = kinds.size(); i < all; ++i)

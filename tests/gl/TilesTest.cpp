@@ -88,6 +88,7 @@ const std::vector<Change> changes{
      [](Scene& scene, View&) {
        scene.look.method = {.kind = MethodKind::Walls, .wallPlacement = WallPlacement::Inside};
      }},
+    {"exploded", [](Scene& scene, View&) { scene.look.method.kind = MethodKind::Explode; }},
     {"smooth edges", [](Scene& scene, View&) { scene.look.edges = Edges::Smooth; }},
 };
 

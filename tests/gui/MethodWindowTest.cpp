@@ -45,9 +45,10 @@ TEST_F(MethodWindow, ListsEachMethodWithAToolTip) {
   for (int row = 0; row < box->count(); ++row)
     EXPECT_GT(box->itemData(row, Qt::ToolTipRole).toString().size(), 40) << row;
   for (const char* key :
-       {"cone_angle", "importance", "sparseness", "importance_angle", "importance_opacity", "lens_radius", "lens_bends",
-        "lens_fade", "lens_rim", "fade_reach", "fade_sharpness", "focal_shape", "focal_size", "focal_fall_off",
-        "wall_placement", "wall_axial", "wall_sagittal", "wall_coronal", "wall_outlines"})
+       {"cone_angle",    "importance",     "sparseness",       "importance_angle", "importance_opacity", "lens_radius",
+        "lens_bends",    "lens_fade",      "lens_rim",         "fade_reach",       "fade_sharpness",     "focal_shape",
+        "focal_size",    "focal_fall_off", "wall_placement",   "wall_axial",       "wall_sagittal",      "wall_coronal",
+        "wall_outlines", "explosion",      "explosion_planes", "explosion_axes"})
     EXPECT_FALSE(shows(key)) << key;
 }
 
@@ -254,9 +255,66 @@ TEST_F(MethodWindow, WallsFollowTheSlices) {
   while (document().undoStack().index() > steps) document().undoStack().undo();
   EXPECT_TRUE(volume(0)->wallTool().handles().empty());
   cursor().moveTo(crosshair);
+}
+
+TEST_F(MethodWindow, AnExplodedViewHasADegreeAndPlanes) {
+  cameras().setAnimated(false);
+  const QImage adaptive = picture(volume(0));
+  const int steps = document().undoStack().index(), width = panel<CutawayPanel>().width();
+  choose("kind", MethodKind::Explode);
+  waitUntilDrawn();
+  EXPECT_EQ(panel<CutawayPanel>().width(), width);
+  for (const char* key : {"explosion", "explosion_planes", "explosion_axes"}) EXPECT_TRUE(shows(key)) << key;
+  for (const char* key : {"focal_size", "fade_reach", "lens_radius"}) EXPECT_FALSE(shows(key)) << key;
+  EXPECT_FALSE(control<SliderSpin>("open_width")->isEnabled() || panel<ContextLayerPanel>().isEnabled());
+  QImage before = picture(volume(0));
+  EXPECT_NE(before, adaptive);
+  const auto expectChange = [&](const char* key) {
+    waitUntilDrawn();
+    EXPECT_NE(picture(volume(0)), before) << key;
+    before = picture(volume(0));
+  };
+  control<SliderSpin>("explosion")->box()->setValue(0.9);
+  expectChange("explosion");
+  choose("explosion_planes", ExplosionPlanes::Three);
+  expectChange("explosion_planes");
+  choose("explosion_axes", ExplosionAxes::View);
+  expectChange("explosion_axes");
+  const Method& method = document().look().method;
+  EXPECT_TRUE(method.explosion == 0.9 && method.explosionPlanes == ExplosionPlanes::Three &&
+              method.explosionAxes == ExplosionAxes::View);
+  document().setFocus({});
+  expectChange("focus");
+  while (document().undoStack().index() > steps) document().undoStack().undo();
   waitUntilDrawn();
   ASSERT_EQ(picture(volume(0)).size(), adaptive.size());
   EXPECT_EQ(picture(volume(0)), adaptive) << "to the bit";
+}
+
+TEST_F(MethodWindow, PartsMoveOutWhenTheMethodIsChosenAndBackWhenItIsLeft) {
+  const auto shown = [&] { return volume(0)->shownScene().look.method; };
+  cameras().setAnimated(true);
+  choose("kind", MethodKind::Explode);
+  const double degree = document().look().method.explosion;
+  EXPECT_LT(shown().explosion, 0.5 * degree);
+  double last = 0.0;
+  const auto arrived = [&] {
+    EXPECT_GE(shown().explosion, last) << "further out";
+    last = shown().explosion;
+    return last == degree;
+  };
+  EXPECT_TRUE(QTest::qWaitFor(arrived, 20000));
+  waitUntilDrawn();
+  choose("kind", MethodKind::Cone);
+  EXPECT_EQ(document().look().method.kind, MethodKind::Cone);
+  EXPECT_EQ(shown().kind, MethodKind::Explode);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return shown() == document().look().method; }, 20000));
+  waitUntilDrawn();
+  cameras().setAnimated(false);
+  choose("kind", MethodKind::Explode);
+  EXPECT_EQ(shown(), document().look().method);
+  choose("kind", MethodKind::Adaptive);
+  EXPECT_EQ(shown(), document().look().method);
 }
 
 TEST_F(MethodWindow, WithoutAnOpeningThereIsNothingToChoose) {
@@ -274,14 +332,15 @@ TEST_F(MethodWindow, TextsAreTranslated) {
   look.method.kind = MethodKind::Cone;
   document().edit(QStringLiteral("cone"), look);
   QStringList texts;
-  for (const char* key : {"kind", "importance", "sparseness", "lens_fade", "focal_shape", "wall_placement"}) {
+  for (const char* key : {"kind", "importance", "sparseness", "lens_fade", "focal_shape", "wall_placement",
+                          "explosion_planes", "explosion_axes"}) {
     const auto* box = shown.findChild<QComboBox*>(QLatin1String(key));
     texts << box->toolTip();
     for (int row = 0; row < box->count(); ++row)
       texts << box->itemText(row) << box->itemData(row, Qt::ToolTipRole).toString();
   }
   for (const char* key : {"cone_angle", "importance_angle", "importance_opacity", "open_width", "lens_radius",
-                          "lens_bends", "fade_reach", "fade_sharpness", "focal_size", "focal_fall_off"})
+                          "lens_bends", "fade_reach", "fade_sharpness", "focal_size", "focal_fall_off", "explosion"})
     texts << shown.findChild<SliderSpin*>(QLatin1String(key))->toolTip();
   look.method.kind = MethodKind::ClearView;
   document().edit(QStringLiteral("lens"), look);
@@ -294,7 +353,7 @@ TEST_F(MethodWindow, TextsAreTranslated) {
   for (const char* key : {"open_width", "border_width"})
     texts << shown.findChild<SliderSpin*>(QLatin1String(key))->toolTip();
   QCoreApplication::removeTranslator(&locale);
-  EXPECT_GE(texts.size(), 48);
+  EXPECT_GE(texts.size(), 63);
   for (const QString& text : texts) EXPECT_TRUE(text.startsWith(opens)) << text.toStdString();
 }
 

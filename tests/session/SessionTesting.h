@@ -74,7 +74,10 @@ inline io::Session fullSession(const std::filesystem::path& folder) {
                          false,
                          false,
                          false,
-                         false};
+                         false,
+                         0.125,
+                         ExplosionPlanes::Three,
+                         ExplosionAxes::View};
   session.look.cutaway = {false, 31.0, 0.5, WidthUnit::Millimetre, {0.3, 0.2, 0.1}, 22.5, -135.0};
   session.look.contextLayer = {.strength = 0.25,
                                .curvatureWeight = 2.0,

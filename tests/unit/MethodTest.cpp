@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "rendering/scene/Explosion.h"
 #include "rendering/scene/Fading.h"
 #include "rendering/scene/Scene.h"
 #include "rendering/scene/Settings.h"
@@ -22,6 +23,9 @@ TEST(Method, TheAdaptiveCutawayIsTheUsualOneWhateverTheOthersParameters) {
   EXPECT_EQ(stagesOf({.fadeReach = 9.0, .fadeSharpness = 2.0}), MethodStages{});
   EXPECT_EQ(stagesOf({.focalShape = FocalShape::Box, .focalSize = 9.0, .focalFallOff = 2.0}), MethodStages{});
   EXPECT_EQ(stagesOf({.wallPlacement = WallPlacement::Inside, .wallAxial = false}), MethodStages{});
+  EXPECT_EQ(
+      stagesOf({.explosion = 0.9, .explosionPlanes = ExplosionPlanes::Three, .explosionAxes = ExplosionAxes::View}),
+      MethodStages{});
   EXPECT_FALSE(stagesOf(Method{}).keepsRemoved());
 }
 
@@ -108,6 +112,26 @@ TEST(Method, WallsAreTheAdaptiveCutawayWithSlices) {
   scene.look.focus = LabelFocus{{1}};
   scene.look.method = method;
   EXPECT_TRUE(hasCutaway(scene));
+}
+
+TEST(Method, AnExplodedViewOpensNothingAndAtDegreeZeroIsPlain) {
+  Method method{.kind = MethodKind::Explode,
+                .explosion = 0.75,
+                .explosionPlanes = ExplosionPlanes::Three,
+                .explosionAxes = ExplosionAxes::View};
+  const MethodStages stages = stagesOf(method);
+  EXPECT_EQ(stages.start, MethodStages::Start::Entry);
+  EXPECT_FALSE(stages.hasWidth || stages.hasBorder || stages.keepsRemoved() || stages.fading);
+  EXPECT_EQ(stages.explosion, (MethodStages::Explosion{0.75, 3, ExplosionAxes::View}));
+  Scene scene;
+  scene.look.focus = LabelFocus{{1}};
+  scene.look.method = method;
+  EXPECT_FALSE(hasCutaway(scene));
+  EXPECT_EQ(explosionOf(scene.look), stages.explosion);
+  scene.look.cutaway.enabled = false;
+  EXPECT_FALSE(explosionOf(scene.look));
+  method.explosion = 0.0;
+  EXPECT_FALSE(stagesOf(method).explosion);
 }
 
 TEST(Method, DistancesRunOverTheBoundingSphere) {

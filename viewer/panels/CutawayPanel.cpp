@@ -46,6 +46,8 @@ CutawayPanel::CutawayPanel(Document& document, QWidget* parent)
       lensFade_(methodControls_.choice(&Method::lensFade)),
       focalShape_(methodControls_.choice(&Method::focalShape)),
       wallPlacement_(methodControls_.choice(&Method::wallPlacement)),
+      explosionPlanes_(methodControls_.choice(&Method::explosionPlanes)),
+      explosionAxes_(methodControls_.choice(&Method::explosionAxes)),
       coneAngle_(methodControls_.slider(&Method::coneAngle)),
       importanceAngle_(methodControls_.slider(&Method::importanceAngle)),
       importanceOpacity_(methodControls_.slider(&Method::importanceOpacity)),
@@ -55,6 +57,7 @@ CutawayPanel::CutawayPanel(Document& document, QWidget* parent)
       fadeSharpness_(methodControls_.slider(&Method::fadeSharpness)),
       focalSize_(methodControls_.slider(&Method::focalSize)),
       focalFallOff_(methodControls_.slider(&Method::focalFallOff)),
+      explosion_(methodControls_.slider(&Method::explosion)),
       lensRim_(methodControls_.spin(&Method::lensRim, 5.0)),
       wallAxial_(methodControls_.box(&Method::wallAxial)),
       wallSagittal_(methodControls_.box(&Method::wallSagittal)),
@@ -97,7 +100,8 @@ void CutawayPanel::addMethod(QFormLayout& form) {
   form.addRow(name(settingOf(&Method::kind)), method_);
   form.addRow(name(settingOf(&Method::coneAngle)), coneAngle_);
   // A row that appears must not widen the panel and so push the views aside.
-  for (QComboBox* box : {importanceMode_, sparseness_, lensFade_, focalShape_, wallPlacement_}) {
+  for (QComboBox* box :
+       {importanceMode_, sparseness_, lensFade_, focalShape_, wallPlacement_, explosionPlanes_, explosionAxes_}) {
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     box->setMinimumContentsLength(5);
   }
@@ -128,6 +132,9 @@ void CutawayPanel::addMethod(QFormLayout& form) {
   for (QCheckBox* box : {wallAxial_, wallSagittal_, wallCoronal_, wallOutlines_}) wallPlanes_->addWidget(box);
   wallPlanes_->addStretch(1);
   form.addRow(tr("Slices"), wallPlanes_);
+  form.addRow(name(settingOf(&Method::explosion)), explosion_);
+  form.addRow(name(settingOf(&Method::explosionPlanes)), explosionPlanes_);
+  form.addRow(name(settingOf(&Method::explosionAxes)), explosionAxes_);
 }
 
 void CutawayPanel::addFreeze(QAction* freeze) {
@@ -174,15 +181,19 @@ void CutawayPanel::showMethod() {
   form_->setRowVisible(focalFallOff_, byRegion);
   form_->setRowVisible(wallPlacement_, stages.walls.has_value());
   form_->setRowVisible(wallPlanes_, stages.walls.has_value());
+  const bool explodes = method.kind == MethodKind::Explode;
+  form_->setRowVisible(explosion_, explodes);
+  form_->setRowVisible(explosionPlanes_, explodes);
+  form_->setRowVisible(explosionAxes_, explodes);
   QString tip = translated(wordOf(method.kind).description);
   if (opens && method.kind != MethodKind::Adaptive)
     tip += QStringLiteral("\n") + tr("Smooth edges, by several rays a pixel, are the adaptive cutaway's alone");
   method_->setToolTip(tip);
   for (QWidget* widget : std::initializer_list<QWidget*>{
-           method_,      coneAngle_,   importanceMode_, sparseness_,    importanceAngle_, importanceOpacity_,
-           lensFade_,    lensRadius_,  lensBends_,      lensRim_,       fadeReach_,       fadeSharpness_,
-           focalShape_,  focalSize_,   focalFallOff_,   wallPlacement_, wallAxial_,       wallSagittal_,
-           wallCoronal_, wallOutlines_})
+           method_,      coneAngle_,    importanceMode_, sparseness_,      importanceAngle_, importanceOpacity_,
+           lensFade_,    lensRadius_,   lensBends_,      lensRim_,         fadeReach_,       fadeSharpness_,
+           focalShape_,  focalSize_,    focalFallOff_,   wallPlacement_,   wallAxial_,       wallSagittal_,
+           wallCoronal_, wallOutlines_, explosion_,      explosionPlanes_, explosionAxes_})
     widget->setEnabled(open);
   for (QWidget* widget : std::initializer_list<QWidget*>{look_, axisOffset_, unit_}) widget->setEnabled(open && opens);
   axisDirection_->setEnabled(axisDirection_->isEnabled() && opens);

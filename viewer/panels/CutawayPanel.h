@@ -30,9 +30,10 @@ class CutawayPanel : public QWidget {
   QDoubleSpinBox* axisDirection_;
   QHBoxLayout *axis_, *importance_, *lens_, *wallPlanes_;
   QFormLayout* form_;
-  QComboBox *method_, *importanceMode_, *sparseness_, *lensFade_, *focalShape_, *wallPlacement_;
+  QComboBox *method_, *importanceMode_, *sparseness_, *lensFade_, *focalShape_, *wallPlacement_, *explosionPlanes_,
+      *explosionAxes_;
   SliderSpin *coneAngle_, *importanceAngle_, *importanceOpacity_, *lensRadius_, *lensBends_, *fadeReach_,
-      *fadeSharpness_, *focalSize_, *focalFallOff_;
+      *fadeSharpness_, *focalSize_, *focalFallOff_, *explosion_;
   QDoubleSpinBox* lensRim_;
   QCheckBox *wallAxial_, *wallSagittal_, *wallCoronal_, *wallOutlines_;
   QComboBox *look_, *unit_;

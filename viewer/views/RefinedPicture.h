@@ -30,6 +30,7 @@ class RefinedPicture {
   bool showsFull(const View& view) const;
   bool isShown() const { return shownView().size.x > 0; }
   Renderer& shown() { return pictures_[shown_].renderer; }
+  const Renderer& shown() const { return pictures_[shown_].renderer; }
   const View& shownView() const { return pictures_[shown_].view; }  ///< size 0 before the first picture
 
  private:

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "rendering/Renderer.h"
+#include "rendering/scene/Explosion.h"
 #include "rendering/scene/Fading.h"
 #include "rendering/scene/FaintLabels.h"
 #include "rendering/scene/Occlusion.h"
@@ -102,12 +103,13 @@ ScenePreparation::Kind ScenePreparation::kindOf(const Scene& scene, const View& 
           .faint = faintLabels(scene).any(),
           .lit = look.shading.enabled,
           .cutaway = hasCutaway(scene),
-          .method = hasCutaway(scene) || fadingOf(look) || wallsOf(look) ? programsOf(look.method) : Method(),
+          .method = hasCutaway(scene) || fadingOf(look) || wallsOf(look) || explosionOf(look) ? programsOf(look.method)
+                                                                                              : Method(),
           .occluded = hasOcclusion(look),
           .contextLayer = look.contextLayer.strength > 0.0,
-          .clipped = halfSpaces(look.clipping, scene.volume->grid).empty() ? 0
-                     : look.clipping.grey                                  ? 2
-                                                                           : 1,
+          .clipped = halfSpaces(look.clipping, scene.volume->grid).empty() && !explosionOf(look) ? 0
+                     : look.clipping.grey                                                        ? 2
+                                                                                                 : 1,
           .exempts = !look.clipping.exempt.empty(),
           .apart = hasCutaway(scene) && (view.frozen || look.cutaway.axisOffset != 0.0),
           .smoothEdges = hasSmoothEdges(look, view),

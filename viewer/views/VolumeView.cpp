@@ -82,6 +82,7 @@ VolumeView::VolumeView(int index, Document& document, SliceCursor& cursor, ViewL
     if (view == index_) follow();
   });
   connect(&cameras, &ViewLink::released, this, &VolumeView::settleAtOnce);
+  connect(shared_.explosion.get(), &ExplosionFlight::moved, this, &VolumeView::redraw);
   const auto repaint = [this] { repaintSurface(); };
   connect(shared_.turns.get(), &DrawingTurns::turn, this, [this, isAwaited](int view) {
     if (view == index_ && !*isAwaited) draw(shownScene());
@@ -127,7 +128,8 @@ bool VolumeView::inContext(const std::function<void(const std::shared_ptr<GpuSce
 
 bool VolumeView::isSettled() const {
   const bool told = index_ != 0 || !startsDue_;  // the slices draw the opening of the first view
-  return (settled_ && !isNew_ && told) || !problem_.isEmpty() || !document_.hasVolume();
+  return (settled_ && !isNew_ && told && !shared_.explosion->isFlying()) || !problem_.isEmpty() ||
+         !document_.hasVolume();
 }
 
 void VolumeView::disturb(int views) {
@@ -322,6 +324,7 @@ std::optional<FinishedPicture> VolumeView::finishedPicture() {
 
 Scene VolumeView::shownScene() const {
   Scene scene = document_.scene();
+  scene.look = shared_.explosion->shown(std::move(scene.look));
   scene.look.strokes = strokesIn(index_, scene.look.strokes);
   return scene;
 }
@@ -408,6 +411,10 @@ std::optional<QPointF> VolumeView::widgetFromWorld(glm::dvec3 world, const Camer
   return QPointF(0.5 * (clip.x / clip.w + 1.0) * width(), 0.5 * (1.0 - clip.y / clip.w) * height());
 }
 
+glm::dvec3 VolumeView::shownAt(glm::dvec3 world) const {
+  return picture_ && picture_->isShown() ? picture_->shown().shownAt(world) : world;
+}
+
 glm::dvec2 VolumeView::pixelAt(QPointF position) const {
   const glm::ivec2 size = picture_->shownView().size;
   return {position.x() / width() * size.x, position.y() / height() * size.y};
@@ -462,7 +469,7 @@ std::optional<VolumeView::Hit> VolumeView::pick(QPointF position) {
     const std::optional<glm::dvec3> start = picture.pick(pixelAt(position));
     if (!start) return;
     const std::optional<BrushPoint> opened = picture.pickBrush(pixelAt(position), BrushMode::Open);
-    hit = Hit{*start, opened ? opened->removed : 0.0};
+    hit = Hit{*start, rayThrough(position), opened ? opened->removed : 0.0, picture.isExploded()};
   });
   return hit;
 }

@@ -19,6 +19,7 @@
 #include "rendering/gpu/GpuScene.h"
 #include "rendering/scene/Opening.h"
 #include "viewer/model/DrawingTurns.h"
+#include "viewer/model/ExplosionFlight.h"
 #include "viewer/model/FramePacer.h"
 #include "viewer/tools/BrushTool.h"
 #include "viewer/tools/ClipTool.h"
@@ -47,11 +48,13 @@ class VolumeView : public QWidget {
   Q_OBJECT
  public:
   /// What all 3-D views of a window share: voxels on the GPU with the context that they are drawn in, the measured
-  /// speed of the machine, whose turn it is, and whether the CPU draws.
+  /// speed of the machine, whose turn it is, how far the parts of an exploded view are moved, and whether the CPU
+  /// draws.
   struct Shared {
     std::shared_ptr<ScenePreparation> preparation;
     std::shared_ptr<FramePacer> pacer;
     std::shared_ptr<DrawingTurns> turns;
+    std::shared_ptr<ExplosionFlight> explosion;
     bool software = false;
   };
 
@@ -74,6 +77,8 @@ class VolumeView : public QWidget {
   /// The camera of the picture. In a view that is taller than wide its field of view is wider, so that the volume fits.
   Camera shownCamera() const;
   std::optional<QPointF> widgetFromWorld(glm::dvec3 world) const;
+  /// Where the picture on screen shows a point of the volume: in an exploded view, where its part is.
+  glm::dvec3 shownAt(glm::dvec3 world) const;
   /// The picture on screen; empty while it is not at full quality.
   std::optional<FinishedPicture> finishedPicture();
   /// What is on the screen, with the marks over it, in device pixels.
@@ -168,17 +173,19 @@ class VolumeView : public QWidget {
   /// What was painted is on the screen.
   void shown();
   void zoom(double factor);
-  /// Where the ray of a pixel starts to see, world mm, and how many mm of it before that the opening removed.
+  /// Where in the volume the ray of a pixel starts to see, world mm, its unit direction, and how many mm of it before
+  /// that the opening removed.
   struct Hit {
-    glm::dvec3 start;
+    glm::dvec3 start, ray;
     double removed = 0.0;
+    bool exploded = false;  ///< the ray sees other parts of the volume elsewhere
   };
   /// What the picture shows at a place in the widget; empty on the background.
   std::optional<Hit> pick(QPointF position);
   /// The voxel that is seen first there: of what is seen from the start on, or of a protected label before it.
   glm::dvec3 surfaceAt(const Hit& hit) const;
-  /// The ray of the last picture through a world position.
-  glm::dvec3 rayThrough(glm::dvec3 world) const;
+  /// Unit direction of the last picture's ray through a place in the widget.
+  glm::dvec3 rayThrough(QPointF position) const;
   /// The point of the structure that shows most on the ray of a hit.
   glm::dvec3 seenAt(const Hit& hit) const;
   /// Reports what the picture shows under the mouse, once it is at full quality.

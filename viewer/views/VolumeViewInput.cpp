@@ -85,15 +85,14 @@ void VolumeView::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 glm::dvec3 VolumeView::seenAt(const Hit& hit) const {
-  const glm::dvec3 ray = rayThrough(hit.start);
-  return seenPoint(shownScene(), hit.start, ray, hit.removed).value_or(hit.start + halfVoxel() * ray);
+  if (hit.exploded) return surfaceAt(hit);  // behind its part, the ray sees other places of the volume
+  return seenPoint(shownScene(), hit.start, hit.ray, hit.removed).value_or(hit.start + halfVoxel() * hit.ray);
 }
 
 glm::dvec3 VolumeView::surfaceAt(const Hit& hit) const {
-  const glm::dvec3 ray = rayThrough(hit.start);
   const glm::dvec3 seen = hit.removed > 0.0 ? seenAt(hit) : hit.start;
   // The start lies on the surface between two voxels. Half a voxel further along the ray is the voxel that is seen.
-  return glm::dot(seen - hit.start, ray) < 0.0 ? seen : hit.start + halfVoxel() * ray;
+  return glm::dot(seen - hit.start, hit.ray) < 0.0 ? seen : hit.start + halfVoxel() * hit.ray;
 }
 
 double VolumeView::halfVoxel() const {
@@ -101,9 +100,13 @@ double VolumeView::halfVoxel() const {
   return 0.5 * std::min({spacing.x, spacing.y, spacing.z});
 }
 
-glm::dvec3 VolumeView::rayThrough(glm::dvec3 world) const {
+glm::dvec3 VolumeView::rayThrough(QPointF position) const {
   const Camera camera = picture_->shownView().camera;
-  return camera.projection == Projection::Perspective ? glm::normalize(world - camera.eye) : camera.axes().forward;
+  const Camera::Axes axes = camera.axes();
+  if (camera.projection == Projection::Orthographic) return axes.forward;
+  const double slope = std::tan(0.5 * glm::radians(camera.verticalFov));
+  const glm::dvec2 offset(position.x() - 0.5 * width(), 0.5 * height() - position.y());
+  return glm::normalize(axes.forward + 2.0 * slope / height() * (offset.x * axes.right + offset.y * axes.up));
 }
 
 void VolumeView::readUnderMouse() {

@@ -70,7 +70,7 @@ void VolumeView::drawOverlay() {
 void VolumeView::drawMarks(QPainter& painter, const Camera& camera) const {
   const QRectF view = rect();
   if (options_.crosshair())
-    if (const std::optional<QPointF> at = widgetFromWorld(cursor_.position(), camera)) drawMark(painter, *at);
+    if (const std::optional<QPointF> at = widgetFromWorld(shownAt(cursor_.position()), camera)) drawMark(painter, *at);
   if (options_.text()) {
     QStringList lines{tr("C%1").arg(index_ + 1)};
     lines << (camera.projection == Projection::Perspective ? tr("perspective") : tr("parallel"));

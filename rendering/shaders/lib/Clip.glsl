@@ -5,7 +5,7 @@
 #include "lib/Ray.glsl"
 
 #if CLIPPED
-const int HALF_SPACES = 9;         // as many as there may be; those not in use keep everything
+const int HALF_SPACES = 12;        // as many as there may be; those not in use keep everything
 const float ALONG_PLANE = 1e-7;    // cosine below which a ray runs along a plane
 
 struct ClipSettings {

@@ -47,7 +47,7 @@ int lookInto(Ray ray, ivec3 cell, float s, float sNext, float f[8], out CellPath
   FocusCell held = focusCellAt(focusSlot(cell), cell);
   setFocus(path, held, stored);
   if (mayHoldFocus(held) && mayMeetFocus(path)) return SECTIONS;
-  if (ONLY_FOCUS) return LEAP;
+  if (!isShown(false)) return LEAP;
   int shown = functionsDiffer(path.functions) ? SECTIONS : CONTEXT;
   return mayShow(path) ? shown : LEAP;
 }

@@ -18,6 +18,13 @@
 #include "lib/integral/Piece.glsl"
 #include "lib/integral/Settings.glsl"
 
+// What shows: 0 focus and context; of an exploded view, whose parts and focus are drawn apart, 1 the context alone, 2 the
+// focus alone.
+#ifndef SHOWN
+#define SHOWN 0
+#endif
+bool isShown(bool held) { return SHOWN == 1 ? !held : held || (SHOWN == 0 && !ONLY_FOCUS); }
+
 const int MOST_PIECES = 64;  // of a part
 const int MOST_PARTS = 256;  // of a cell
 
@@ -445,7 +452,7 @@ vec4 integrateSections(CellPath path, CellNormals normals, Ray ray, Cut cut, flo
     vec3 at = vec3(path.cell) + mix(path.a, path.b, middle);
     section.material = focusMaterial(at);
     findFunction(section, path, at);
-    if (held || !ONLY_FOCUS)
+    if (isShown(held))
       result = over(result, integrateSection(section, ray, cut, transmittance * (1.0 - result.a),
                                              share * (section.uTo - section.uFrom)));
   } while (section.uTo < 1.0 && --left > 0);

@@ -99,7 +99,7 @@ void look(inout Walk walk) {
     meets = meets || mayMeetFocus(path);
   }
   int shown = functionsDiffer(walk.path.functions) ? SECTIONS : CONTEXT;
-  int needed = ONLY_FOCUS || walk.next == HALVES ? walk.after : shown;
+  int needed = !isShown(false) || walk.next == HALVES ? walk.after : shown;
   walk.stage = mayHoldFocus(held) && meets ? SECTIONS : needed;
 }
 
