@@ -54,6 +54,13 @@ MethodStages stagesOf(const Method& method) {
       stages.fading = around;
       return stages;
     }
+    case MethodKind::Sculpt:
+    case MethodKind::Bend: {
+      MethodStages stages;
+      stages.start = MethodStages::Start::Entry;
+      stages.hasWidth = stages.hasBorder = false;
+      return stages;
+    }
   }
   return {};
 }

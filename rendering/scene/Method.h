@@ -15,8 +15,18 @@ namespace fenestra {
 /// context preserving hotspot visualization technique, IEEE Visualization 2006. ContextPreserving: S. Bruckner, S.
 /// Grimm, A. Kanitsar, M. E. Gröller: Illustrative context-preserving exploration of volume data, IEEE TVCG 12(6),
 /// 2006. FocalRegion: J. Zhou, M. Hinz, K. D. Tönnies: Focal region-guided feature-based volume rendering, 3D Data
-/// Processing, Visualization and Transmission 2002.
-enum class MethodKind : std::uint8_t { Adaptive, Cone, Importance, ClearView, ContextPreserving, FocalRegion };
+/// Processing, Visualization and Transmission 2002. Sculpt and Bend open nothing themselves: what the user carves out
+/// of the volume is the opening, by the tools of Wang and Kaufman, or by the plane of Konrad-Verse et al. (Removal.h).
+enum class MethodKind : std::uint8_t {
+  Adaptive,
+  Cone,
+  Importance,
+  ClearView,
+  ContextPreserving,
+  FocalRegion,
+  Sculpt,
+  Bend
+};
 
 /// Maximum importance projection removes what hides the focus, in cones that widen towards the eye. Average importance
 /// compositing keeps it, faintly, on the rays that meet the focus.

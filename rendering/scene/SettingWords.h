@@ -43,7 +43,22 @@ constexpr auto wordsOf(MethodKind) {
         "shows; what is in focus stays as it is (Bruckner, Grimm, Kanitsar and Gröller 2006)"},
        {MethodKind::FocalRegion, "focal-region", "Focal region",
         "A region around the focus shows as it is; around it only the edges of what is there stay, the fainter the "
-        "farther away; what is in focus stays as it is (Zhou, Hinz and Tönnies 2002)"}});
+        "farther away; what is in focus stays as it is (Zhou, Hinz and Tönnies 2002)"},
+       {MethodKind::Sculpt, "sculpt", "Sculpting",
+        "Nothing opens by itself: you carve the volume with a ball, a box or a saw until the focus shows (Wang and "
+        "Kaufman 1995)"},
+       {MethodKind::Bend, "bend", "Deformable cutting plane",
+        "Nothing opens by itself: a plane that you lay through a stroke and bend by dragging removes one side of it "
+        "(Konrad-Verse, Preim and Littmann 2004)"}});
+}
+constexpr auto wordsOf(RemovalShape) {
+  return std::to_array<Word<RemovalShape>>(
+      {{RemovalShape::Ball, "ball", "Ball", "A ball, where the mouse goes"},
+       {RemovalShape::Box, "box", "Box", "A box that faces you, where the mouse goes"},
+       {RemovalShape::Saw, "saw", "Saw",
+        "A blade along the stroke, away from you; a stroke that comes back to its start takes out what it encloses"},
+       {RemovalShape::Plane, "plane", "Plane",
+        "A plane through the stroke that removes what lies to the right of it, and that you bend by dragging"}});
 }
 constexpr auto wordsOf(FocalShape) {
   return std::to_array<Word<FocalShape>>({{FocalShape::Sphere, "sphere", "Sphere", "All around the focus alike"},

@@ -135,7 +135,8 @@ inline std::vector<std::pair<std::string, Method>> otherMethods() {
           {"ClearView, bends alone", lens(LensFade::Curvature, 25.0)},
           {"ClearView, with depth", lens(LensFade::Depth, 35.0)},
           {"focal box",
-           {.kind = MethodKind::FocalRegion, .focalShape = FocalShape::Box, .focalSize = 6.0, .focalFallOff = 9.0}}};
+           {.kind = MethodKind::FocalRegion, .focalShape = FocalShape::Box, .focalSize = 6.0, .focalFallOff = 9.0}},
+          {"sculpting, with nothing carved", {.kind = MethodKind::Sculpt}}};
 }
 
 /// A body cut by a box and two planes, with faces in grey or as the transfer function shows them.

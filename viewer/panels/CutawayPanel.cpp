@@ -7,6 +7,7 @@
 #include <QToolButton>
 
 #include "viewer/model/Translation.h"
+#include "viewer/panels/CarvingRows.h"
 
 namespace fenestra::viewer {
 namespace {
@@ -25,7 +26,7 @@ int lookOf(const Look& shown) {
 
 }  // namespace
 
-CutawayPanel::CutawayPanel(Document& document, QWidget* parent)
+CutawayPanel::CutawayPanel(Document& document, Carving& carving, QWidget* parent)
     : QWidget(parent),
       document_(document),
       controls_(document, &Look::cutaway),
@@ -54,6 +55,7 @@ CutawayPanel::CutawayPanel(Document& document, QWidget* parent)
       focalSize_(methodControls_.slider(&Method::focalSize)),
       focalFallOff_(methodControls_.slider(&Method::focalFallOff)),
       lensRim_(methodControls_.spin(&Method::lensRim, 5.0)),
+      carving_(new CarvingRows(document, carving)),
       look_(new QComboBox),
       unit_(controls_.choice(&Cutaway::unit)),
       colour_(controls_.colour(&Cutaway::borderColour)) {
@@ -114,6 +116,7 @@ void CutawayPanel::addMethod(QFormLayout& form) {
   form.addRow(name(settingOf(&Method::focalShape)), focalShape_);
   form.addRow(name(settingOf(&Method::focalSize)), focalSize_);
   form.addRow(name(settingOf(&Method::focalFallOff)), focalFallOff_);
+  form.addRow(carving_);
 }
 
 void CutawayPanel::addFreeze(QAction* freeze) {
@@ -158,13 +161,15 @@ void CutawayPanel::showMethod() {
   form_->setRowVisible(focalShape_, byRegion);
   form_->setRowVisible(focalSize_, byRegion);
   form_->setRowVisible(focalFallOff_, byRegion);
+  form_->setRowVisible(carving_, method.kind == MethodKind::Sculpt || method.kind == MethodKind::Bend);
   QString tip = translated(wordOf(method.kind).description);
   if (opens && method.kind != MethodKind::Adaptive)
     tip += QStringLiteral("\n") + tr("Smooth edges, by several rays a pixel, are the adaptive cutaway's alone");
   method_->setToolTip(tip);
-  for (QWidget* widget : std::initializer_list<QWidget*>{
-           method_, coneAngle_, importanceMode_, sparseness_, importanceAngle_, importanceOpacity_, lensFade_,
-           lensRadius_, lensBends_, lensRim_, fadeReach_, fadeSharpness_, focalShape_, focalSize_, focalFallOff_})
+  for (QWidget* widget :
+       std::initializer_list<QWidget*>{method_, coneAngle_, importanceMode_, sparseness_, importanceAngle_,
+                                       importanceOpacity_, lensFade_, lensRadius_, lensBends_, lensRim_, fadeReach_,
+                                       fadeSharpness_, focalShape_, focalSize_, focalFallOff_, carving_})
     widget->setEnabled(open);
   for (QWidget* widget : std::initializer_list<QWidget*>{look_, axisOffset_, unit_}) widget->setEnabled(open && opens);
   axisDirection_->setEnabled(axisDirection_->isEnabled() && opens);

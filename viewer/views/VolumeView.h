@@ -6,8 +6,9 @@
 // of rest it refines the picture up to full quality, in slices of time between which the window answers; a change ends
 // that. What takes long besides is prepared on another thread; until then the view keeps the picture that it has. A
 // brush stroke changes little of the picture and is drawn at full quality at once. Left drag: rotate, or paint while
-// the brush is up (see BrushTool); left click: crosshair and focus to what is seen, see clickStructure(); middle: pan;
-// right drag or wheel: zoom; Alt+wheel: tolerance of the region in focus; arrows: turn by steps.
+// the brush is up (see BrushTool), or carve (see CarveTool); left click: crosshair and focus to what is seen, see
+// clickStructure(); middle: pan; right drag or wheel: zoom; Alt+wheel: tolerance of the region in focus; arrows: turn
+// by steps.
 
 #include <functional>
 #include <memory>
@@ -21,6 +22,7 @@
 #include "viewer/model/DrawingTurns.h"
 #include "viewer/model/FramePacer.h"
 #include "viewer/tools/BrushTool.h"
+#include "viewer/tools/CarveTool.h"
 #include "viewer/tools/ClipTool.h"
 #include "viewer/tools/ToleranceWheel.h"
 #include "viewer/views/RefinedPicture.h"
@@ -56,7 +58,7 @@ class VolumeView : public QWidget {
 
   /// `index` is the camera's place in `cameras`.
   VolumeView(int index, Document& document, SliceCursor& cursor, ViewLink& cameras, ViewOptions& options, Brush& brush,
-             Shared shared, QWidget* parent = nullptr);
+             Carving& carving, Shared shared, QWidget* parent = nullptr);
   ~VolumeView() override;
 
   int index() const { return index_; }
@@ -83,6 +85,7 @@ class VolumeView : public QWidget {
   void drawMarks(QPainter& painter, const Camera& camera) const;
   const BrushTool& brushTool() const { return brushTool_; }
   const ClipTool& clipTool() const { return clipTool_; }
+  const CarveTool& carveTool() const { return carveTool_; }
   /// What draws the scene's pictures, for others that need its context.
   ScenePreparation& preparation() { return *shared_.preparation; }
   /// Runs `work` with the pictures' OpenGL context current. Returns false without running it where the driver has lost
@@ -185,6 +188,7 @@ class VolumeView : public QWidget {
   glm::dvec2 pixelAt(QPointF position) const;
   BrushTool::Canvas canvas();
   ClipTool::Canvas clipCanvas();
+  CarveTool::Canvas carveCanvas();
   double mmPerPixel(const Camera& camera) const;
   std::optional<QPointF> widgetFromWorld(glm::dvec3 world, const Camera& camera) const;
   double halfVoxel() const;  ///< mm, of the shortest side
@@ -195,7 +199,9 @@ class VolumeView : public QWidget {
   ViewLink& cameras_;
   ViewOptions& options_;
   Brush& brush_;
+  Carving& carving_;
   BrushTool brushTool_;
+  CarveTool carveTool_;
   ClipTool clipTool_;
   ToleranceWheel toleranceWheel_;
   Shared shared_;

@@ -30,7 +30,7 @@ constexpr double arrowTurn = glm::pi<double>() / 36.0;  ///< 5 degrees
 void VolumeView::mousePressEvent(QMouseEvent* event) {
   hover_.stop();
   shared_.pacer->lead(index_);
-  if (brushTool_.press(*event) || clipTool_.press(*event)) return;
+  if (brushTool_.press(*event) || carveTool_.press(*event) || clipTool_.press(*event)) return;
   pressed_ = last_ = event->position();
   beforeClick_.reset();
   dragging_ = false;
@@ -38,12 +38,12 @@ void VolumeView::mousePressEvent(QMouseEvent* event) {
 
 void VolumeView::mouseMoveEvent(QMouseEvent* event) {
   if (brush_.isActive() && !hasFocus()) setFocus(Qt::MouseFocusReason);  // for the keys that the brush offers
-  if (!document_.hasVolume() || brushTool_.move(*event) || clipTool_.move(*event)) return;
+  if (!document_.hasVolume() || brushTool_.move(*event) || carveTool_.move(*event) || clipTool_.move(*event)) return;
   const QPointF position = event->position(), move = position - last_, total = position - pressed_;
   last_ = position;
   const Qt::MouseButtons buttons = event->buttons();
   if (buttons == Qt::NoButton) {
-    if (!brush_.isActive()) setCursor(clipTool_.pointer(position).value_or(Qt::ArrowCursor));
+    if (!brush_.isActive() && !carving_.isActive()) setCursor(clipTool_.pointer(position).value_or(Qt::ArrowCursor));
     if (event->modifiers() & Qt::ShiftModifier)
       if (const std::optional<Hit> hit = pick(position)) {
         const glm::dvec3 at = surfaceAt(*hit);
@@ -70,7 +70,8 @@ void VolumeView::mouseMoveEvent(QMouseEvent* event) {
 
 void VolumeView::mouseReleaseEvent(QMouseEvent* event) {
   if (dragging_) cameras_.release();
-  if (brushTool_.release(*event) || clipTool_.release(*event) || dragging_ || !document_.hasVolume()) return;
+  if (brushTool_.release(*event) || carveTool_.release(*event) || clipTool_.release(*event)) return;
+  if (dragging_ || !document_.hasVolume()) return;
   const std::optional<Hit> hit = pick(event->position());
   if (!hit) return;
   if (event->button() == Qt::RightButton) {
@@ -102,8 +103,22 @@ glm::dvec3 VolumeView::rayThrough(glm::dvec3 world) const {
   return camera.projection == Projection::Perspective ? glm::normalize(world - camera.eye) : camera.axes().forward;
 }
 
+CarveTool::Canvas VolumeView::carveCanvas() {
+  return {.pick = [this](QPointF position) -> std::optional<glm::dvec3> {
+            const std::optional<Hit> hit = pick(position);
+            return hit ? std::optional(hit->start) : std::nullopt;
+          },
+          .widgetFromWorld = [this](glm::dvec3 world) { return widgetFromWorld(world); },
+          .axes =
+              [this](glm::dvec3 at) {
+                const Camera::Axes axes = shownCamera().axes();
+                return CarvingAxes{axes.right, axes.up, picture_ ? rayThrough(at) : axes.forward};
+              },
+          .redraw = [this] { repaintSurface(); }};
+}
+
 void VolumeView::readUnderMouse() {
-  if (brush_.isActive()) return;
+  if (brush_.isActive() || carving_.isActive()) return;
   if (!isSettled()) {  // reading the picture must not hold up the next one
     hover_.start(hoverMilliseconds);
     return;
@@ -124,7 +139,7 @@ void VolumeView::click(const Hit& hit, Qt::KeyboardModifiers modifiers) {
 
 void VolumeView::mouseDoubleClickEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return;
-  if (brush_.isActive()) {
+  if (brush_.isActive() || carving_.isActive()) {
     mousePressEvent(event);  // two quick dabs
     return;
   }
@@ -179,6 +194,7 @@ void VolumeView::keyPressEvent(QKeyEvent* event) {
 void VolumeView::leaveEvent(QEvent*) {
   hover_.stop();
   brushTool_.leave();
+  carveTool_.leave();
   Q_EMIT left();
 }
 

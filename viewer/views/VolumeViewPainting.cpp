@@ -60,6 +60,7 @@ void VolumeView::drawOverlay() {
     drawStudyText(painter, view, patientLines(document_.study().patient, document_.study().series), 0);
   clipTool_.draw(painter);
   brushTool_.draw(painter, view);
+  carveTool_.draw(painter);
   // Filled, because OpenGL leaves out lines along the rim.
   if (hasFocus())
     for (const QRect& side : QRegion(rect()) - rect().adjusted(1, 1, -1, -1))
