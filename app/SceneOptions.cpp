@@ -12,6 +12,7 @@
 #include "app/Growing.h"
 #include "app/LabelOptions.h"
 #include "app/LightOptions.h"
+#include "app/RemovalOptions.h"
 #include "app/SceneSession.h"
 #include "app/SettingOptions.h"
 #include "app/WallOptions.h"
@@ -110,7 +111,7 @@ void growFocus(const SceneOptions& options, LoadedScene& loaded, const io::Progr
       loaded.growth = grow(*scene.volume, *region, options.source(), progress);
     }
   }
-  loaded.scene = loaded.growth ? segmentation::shownScene(scene, *loaded.growth) : scene;
+  loaded.scene = Sculptor().of(loaded.growth ? segmentation::shownScene(scene, *loaded.growth) : scene);
 }
 
 /// A camera that is not placed; with a size where a file names one.
@@ -394,6 +395,7 @@ void addSceneOptions(CLI::App& command, SceneOptions& options, std::function<voi
   addView(command, options);
   addLook(command, options);
   addClipping(command, options.clipChanges, options.look.clipping);
+  addRemovals(command, options.look.removals);
   addSampling(command, options);
   command.option_defaults()->group("Options");
 }

@@ -26,7 +26,7 @@ Panels makePanels(QMainWindow& window, Workspace& workspace) {
   Document& document = workspace.document;
   Panels panels{.focus = new FocusPanel(document, workspace.placement, workspace.cameras),
                 .appearance = new AppearancePanel(document, workspace.looks),
-                .cutaway = new CutawayPanel(document),
+                .cutaway = new CutawayPanel(document, workspace.carving),
                 .contextLayer = new ContextLayerPanel(document),
                 .cameras = new CamerasPanel(document, workspace.cameras, workspace.placement),
                 .brush = new BrushPanel(document, workspace.brush),

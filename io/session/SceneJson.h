@@ -12,6 +12,9 @@
 // Found by argument-dependent lookup, hence the scene's own namespace.
 namespace fenestra {
 
+/// A user's stroke has a few hundred. Each line of a stroke may lie in all of a volume.
+inline constexpr std::size_t mostRemovalPoints = 100'000;
+
 /// All settings of a struct.
 template <class Object>
 void settings(auto& io, Object& object) {
@@ -29,6 +32,28 @@ void members(auto& io, io::json::Is<Shading> auto& shading) { settings(io, shadi
 void members(auto& io, io::json::Is<BrushStroke> auto& stroke) {
   io("anchors", stroke.anchors, millimetres, {"Points on what was seen, in the patient's mm (LPS); one is a dab"});
   settings(io, stroke);
+}
+
+void members(auto& io, io::json::Is<Bend> auto& bend) {
+  io.required("point", bend.point, millimetres, {"In the patient's mm (LPS)"});
+  io("distance", bend.distance, millimetres, {"Along the plane's normal, towards what it removes", "mm"});
+  io("radius", bend.radius, positiveMillimetres, {"Of the sphere of influence", "mm"});
+}
+
+void members(auto& io, io::json::Is<Removal> auto& removal) {
+  io.required("shape", removal.shape);
+  io("points", removal.points, millimetres,
+     {"In the patient's mm (LPS). Ball: along the lines between them; box: at each; saw: along the lines between them, "
+      "and all that they enclose where the last is the first; plane: the stroke that it is laid through"});
+  io("size", removal.size, positiveMillimetres, {"Ball: radius; saw: thickness of its blade", "mm"});
+  io("sides", removal.sides, positiveMillimetres, {"Of a box: across, along up, along direction", "mm"});
+  io("direction", removal.direction, millimetres,
+     {"Vector (LPS). Saw: where it is pushed; plane: towards what it removes; box: of one of its sides"});
+  io("up", removal.up, millimetres, {"Vector (LPS), of a box: of another side, made square to direction"});
+  io("depth", removal.depth, millimetresFromZero, {"Of saw and plane, from their points; 0: without an end", "mm"});
+  io("extent", removal.extent, millimetresFromZero, {"Of a plane: half its side; 0: without an end", "mm"});
+  io("softness", removal.softness, millimetresFromZero, {"Across which the rim fades", "mm"});
+  io.optional("bends", removal.bends, !removal.bends.empty(), {}, {"Of a plane, in the order they were made"});
 }
 
 void members(auto& io, io::json::Is<Camera> auto& camera) {
@@ -165,7 +190,7 @@ void partMembers(auto& io, io::json::Is<Look> auto& look) {
 
 void members(auto& io, io::json::Is<Look> auto& look) {
   auto& [focus, labels, focusAppearance, context, method, cutaway, contextLayer, shading, background, backdrop,
-         backgroundTop, hideTable, reconstruction, labelSmoothing, edges, clipping, strokes] = look;
+         backgroundTop, hideTable, reconstruction, labelSmoothing, edges, clipping, strokes, removals] = look;
   focusMember(io, focus);
   io.optional("label_settings", labels, !labels.empty(), {},
               {"How labels of the label map are shown, ascending by label; those that are shown as they come are left "
@@ -175,6 +200,12 @@ void members(auto& io, io::json::Is<Look> auto& look) {
   partMembers(io, look);
   io.optional("clipping", clipping, !(clipping == Clipping()), {}, {"What 3-D pictures leave out of the volume"});
   io("strokes", strokes, {}, {"Brush strokes, in the order they were painted"});
+  io.optional("removals", removals, !removals.empty(), {}, {"What is carved out of the volume in 3-D pictures"});
+  if constexpr (requires { io.fail(""); }) {
+    std::size_t points = 0;
+    for (const Removal& removal : removals) points += removal.points.size() + removal.bends.size();
+    if (points > mostRemovalPoints) io.fail("has more points of removals than can be carved in a useful time");
+  }
 }
 
 void members(auto& io, io::json::Is<WindowLevel> auto& window) {

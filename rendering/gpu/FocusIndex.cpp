@@ -39,7 +39,7 @@ bool rowCanMeet(int y, int z, ValueRange values, const BrickRanges& bricks) {
                      [&](const ValueRange& brick) { return brick.low <= values.high && brick.high >= values.low; });
 }
 
-constexpr std::uint8_t below = 1, within = 2, above = 4;
+constexpr std::uint8_t below = 1, within = 2, above = 4, gone = 8;
 
 /// Classes of a row of voxels against `values`, or-ed into `classes`. NaN counts as the volume's least value, ±Inf as
 /// the ends of its range.
@@ -60,6 +60,7 @@ std::vector<Run> runsOf(const std::vector<std::uint8_t>& classes, int cells) {
   for (int x = 0; x < cells; ++x) {
     const std::uint8_t corners =
         classes[static_cast<std::size_t>(x)] | classes[static_cast<std::size_t>(std::min(x + 1, last))];
+    if (corners & gone) continue;
     // Corners below and above the range without one within: the values cross the range inside the cell.
     if (!(corners & within) && corners != (below | above)) continue;
     if (!runs.empty() && runs.back().end == x)
@@ -70,10 +71,12 @@ std::vector<Run> runsOf(const std::vector<std::uint8_t>& classes, int cells) {
   return runs;
 }
 
-/// All cells whose corner values overlap `values`.
+/// All cells whose corner values overlap `values`, as FocusCells have them.
 template <class T>
-CellRuns activeCells(const ShownVoxels& voxels, ValueRange values, const BrickRanges& bricks) {
+CellRuns activeCells(const ShownVoxels& voxels, const ShownVolume& shown, ValueRange values,
+                     const BrickRanges& bricks) {
   const Volume& volume = voxels.volume();
+  const bool avoidsGone = shown.removed && voxels.air() >= values.low && voxels.air() <= values.high;
   const glm::ivec3 dims = volume.grid.dims;
   CellRuns runs(dims);
   parallelFor(static_cast<std::size_t>(runs.cells.z), 1, [&](std::size_t zBegin, std::size_t zEnd) {
@@ -84,8 +87,13 @@ CellRuns activeCells(const ShownVoxels& voxels, ValueRange values, const BrickRa
         if (!rowCanMeet(y, z, values, bricks)) continue;
         std::fill(classes.begin(), classes.end(), std::uint8_t{0});
         for (const int cornerZ : {z, std::min(z + 1, dims.z - 1)})
-          for (const int cornerY : {y, std::min(y + 1, dims.y - 1)})
+          for (const int cornerY : {y, std::min(y + 1, dims.y - 1)}) {
             classifyRow(voxels.row(cornerY, cornerZ, buffer), volume, values, classes);
+            if (avoidsGone)
+              shown.removed->forEachIn(cornerY, cornerZ, [&](int x, std::uint8_t coverage) {
+                if (RemovedVoxels::isGone(coverage)) classes[static_cast<std::size_t>(x)] |= gone;
+              });
+          }
         runs.rows[runs.row(y, z)] = runsOf(classes, runs.cells.x);
       }
   });
@@ -231,7 +239,7 @@ void indexValues(FocusIndex& index, const ShownVolume& shown, const ValueFocus& 
   const Volume& volume = *shown.volume;
   const ShownVoxels voxels(shown);
   volume.voxels.visit([&](auto scalars) {
-    CellRuns runs = activeCells<typename decltype(scalars)::value_type>(voxels, focus.values, bricks);
+    CellRuns runs = activeCells<typename decltype(scalars)::value_type>(voxels, shown, focus.values, bricks);
     const CellRuns active = shown.reconstruction == Reconstruction::Linear ? CellRuns(glm::ivec3(0)) : runs;
     dropSmallComponents(runs, volume.grid.voxelVolume(), focus.minimumComponent);
     if (shown.reconstruction != Reconstruction::Linear) widen(runs, active);

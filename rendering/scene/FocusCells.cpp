@@ -12,19 +12,24 @@ constexpr std::uint8_t inactive = 0, kept = 1, unvisited = 2, dropped = 3;
 std::vector<std::uint8_t> activeCells(const ShownVolume& shown, ValueRange range, const Grid& cells) {
   const glm::ivec3 last = shown.volume->grid.dims - 1;
   std::vector<std::uint8_t> state(cells.voxelCount(), inactive);
+  const ShownVoxels voxels(shown);
+  const bool avoidsGone = shown.removed && voxels.air() >= range.low && voxels.air() <= range.high;
   withValues(shown, [&](auto valueAt) {
     parallelFor(static_cast<std::size_t>(cells.dims.z), 1, [&](std::size_t begin, std::size_t end) {
       for (int z = static_cast<int>(begin); z < static_cast<int>(end); ++z)
         for (int y = 0; y < cells.dims.y; ++y)
           for (int x = 0; x < cells.dims.x; ++x) {
             double least = valueAt({x, y, z}), greatest = least;
-            for (int corner = 1; corner < 8; ++corner) {
+            bool isWhole = true;
+            for (int corner = 0; corner < 8; ++corner) {
               const glm::ivec3 step(corner & 1, (corner >> 1) & 1, corner >> 2);
-              const double value = valueAt(glm::min(glm::ivec3(x, y, z) + step, last));
+              const glm::ivec3 voxel = glm::min(glm::ivec3(x, y, z) + step, last);
+              const double value = valueAt(voxel);
               least = std::min(least, value);
               greatest = std::max(greatest, value);
+              isWhole = isWhole && !(avoidsGone && voxels.isGone(voxel));
             }
-            if (least <= range.high && greatest >= range.low) state[cells.offset({x, y, z})] = unvisited;
+            if (isWhole && least <= range.high && greatest >= range.low) state[cells.offset({x, y, z})] = unvisited;
           }
     });
   });

@@ -19,8 +19,10 @@ struct FocusCells {
 };
 
 /// Cells whose corner values overlap `focus.values`, without 26-connected components smaller than
-/// `focus.minimumComponent` (the number of cells times the voxel's volume). Of a spline also the cells around those whose
-/// own corner values do not overlap: it may reach into the range between the corners.
+/// `focus.minimumComponent` (the number of cells times the voxel's volume). Of a spline also the cells around those
+/// whose own corner values do not overlap: it may reach into the range between the corners. Where air belongs to the
+/// range, without the cells at whose corners something is removed: what is gone is no focus, although its value is that
+/// of air.
 FocusCells focusCells(const ShownVolume& shown, const ValueFocus& focus);
 
 }  // namespace fenestra

@@ -86,7 +86,9 @@ double Framing::radius() const {
   return farthest;
 }
 
-Framing visibleFraming(const ShownVolume& shown, const TransferFunction& context) {
+Framing visibleFraming(const ShownVolume& of, const TransferFunction& context) {
+  ShownVolume shown = of;
+  shown.removed = nullptr;  // cameras do not move with what is carved away
   const Grid box = visibleGrid(shown, context);
   const Volume& volume = *shown.volume;
   const ShownVoxels voxels(shown);

@@ -17,6 +17,7 @@
 #include "rendering/scene/LabelSmoothing.h"
 #include "rendering/scene/Method.h"
 #include "rendering/scene/Reconstruction.h"
+#include "rendering/scene/Removal.h"
 #include "rendering/scene/TransferFunction.h"
 
 namespace fenestra {
@@ -77,6 +78,7 @@ struct Look {
   Edges edges = Edges::Off;                                ///< of pictures at rest; off, no pass runs for them
   Clipping clipping;     ///< with nothing to clip, no pass, no memory and no shader is used for it
   BrushStrokes strokes;  ///< edits of the opening; without any, no pass runs and no memory is used for them
+  Removals removals;     ///< carved out of the volume; without any, no memory and no pass is used for them
   bool operator==(const Look&) const = default;
 };
 

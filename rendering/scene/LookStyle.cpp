@@ -7,6 +7,7 @@ Look styleOf(Look look) {
   look.labels = {};
   look.clipping = {};
   look.strokes = {};
+  look.removals = {};
   look.context.preset.clear();
   look.context.file.clear();
   return look;
@@ -18,6 +19,7 @@ Look restyled(const Look& look, const Look& style) {
   result.labels = look.labels;
   result.clipping = look.clipping;
   result.strokes = look.strokes;
+  result.removals = look.removals;
   return result;
 }
 

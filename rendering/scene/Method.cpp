@@ -68,6 +68,13 @@ MethodStages stagesOf(const Method& method) {
         stages.explosion = {method.explosion, 1 + static_cast<int>(method.explosionPlanes), method.explosionAxes};
       return stages;
     }
+    case MethodKind::Sculpt:
+    case MethodKind::Bend: {
+      MethodStages stages;
+      stages.start = MethodStages::Start::Entry;
+      stages.hasWidth = stages.hasBorder = false;
+      return stages;
+    }
   }
   return {};
 }

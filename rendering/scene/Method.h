@@ -17,7 +17,9 @@ namespace fenestra {
 /// 2006. FocalRegion: J. Zhou, M. Hinz, K. D. Tönnies: Focal region-guided feature-based volume rendering, 3D Data
 /// Processing, Visualization and Transmission 2002. Walls: M. Tory, C. Swindells: Comparing ExoVis, orientation icon,
 /// and in-place 3D visualization techniques, Graphics Interface 2003. Explode: S. Bruckner, M. E. Gröller: Exploded
-/// views for volume data, IEEE TVCG 12(5) (IEEE Visualization), 2006.
+/// views for volume data, IEEE TVCG 12(5) (IEEE Visualization), 2006. Sculpt and Bend open nothing themselves: what the
+/// user carves out of the volume is the opening, by the tools of Wang and Kaufman, or by the plane of Konrad-Verse et
+/// al. (Removal.h).
 enum class MethodKind : std::uint8_t {
   Adaptive,
   Cone,
@@ -26,7 +28,9 @@ enum class MethodKind : std::uint8_t {
   ContextPreserving,
   FocalRegion,
   Walls,
-  Explode
+  Explode,
+  Sculpt,
+  Bend
 };
 
 /// Maximum importance projection removes what hides the focus, in cones that widen towards the eye. Average importance

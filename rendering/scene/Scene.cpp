@@ -36,6 +36,7 @@ ShownVolume shownVolume(const Scene& scene) {
   shown.hidden = labelsWith(LabelRole::Hidden, scene);
   if (!shown.hidden.empty()) shown.labels = structuresOf(scene);
   shown.reconstruction = reconstructionOf(scene);
+  shown.removed = scene.removed;
   return shown;
 }
 
@@ -95,8 +96,10 @@ bool hasFocusFunction(const Scene& scene) {
   });
 }
 
-Grid visibleGrid(const ShownVolume& shown, const TransferFunction& context) {
+Grid visibleGrid(const ShownVolume& of, const TransferFunction& context) {
   constexpr double leastShare = 0.01;  // of the fullest slab
+  ShownVolume shown = of;
+  shown.removed = nullptr;  // cameras do not move with what is carved away
   const Volume& volume = *shown.volume;
   const Grid& grid = volume.grid;
   const ShownVoxels voxels(shown);

@@ -18,12 +18,14 @@ struct Scene {
   std::shared_ptr<const CoarseMask> table = nullptr;
   /// The label map that look.labels is about, where `labels` holds a region in focus instead; null: `labels`.
   std::shared_ptr<const LabelMap> structures = nullptr;
+  /// How much of the voxels look.removals removes, as Sculptor finds it; null: nothing is removed.
+  std::shared_ptr<const RemovedVoxels> removed = nullptr;
 
   bool operator==(const Scene&) const = default;
 };
 
-/// What 3-D pictures show of the volume: neither the table, where the look hides it, nor hidden labels. Slices show
-/// all.
+/// What 3-D pictures show of the volume: neither the table, where the look hides it, nor hidden labels, nor what is
+/// removed. Slices show all.
 ShownVolume shownVolume(const Scene& scene);
 
 /// The look's reconstruction, of Auto what that stands for: Smooth where the voxels are wider than the pixels of a

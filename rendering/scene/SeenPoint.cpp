@@ -67,7 +67,7 @@ class RaySamples {
   bool isFocus(double t) const {
     if (const auto* values = std::get_if<ValueFocus>(&scene_.look.focus)) {
       const double value = valueAt(t);
-      return value >= values->values.low && value <= values->values.high;
+      return value >= values->values.low && value <= values->values.high && !voxels_.isGone(voxelAt(t));
     }
     const auto* labels = std::get_if<LabelFocus>(&scene_.look.focus);
     if (!labels || !scene_.labels || !isInside(t)) return false;
@@ -77,9 +77,9 @@ class RaySamples {
     return structures_ && !protected_.empty() && isInside(t) &&
            std::binary_search(protected_.begin(), protected_.end(), labelAt(t, *structures_));
   }
-  std::uint16_t labelAt(double t, const LabelMap& labels) const {
-    return labels.value(
-        glm::clamp(glm::ivec3(glm::floor(indexAt(t) + 0.5)), glm::ivec3(0), scene_.volume->grid.dims - 1));
+  std::uint16_t labelAt(double t, const LabelMap& labels) const { return labels.value(voxelAt(t)); }
+  glm::ivec3 voxelAt(double t) const {
+    return glm::clamp(glm::ivec3(glm::floor(indexAt(t) + 0.5)), glm::ivec3(0), scene_.volume->grid.dims - 1);
   }
   double focusExtinctionAt(double t) const {
     const bool ofLabels = std::holds_alternative<LabelFocus>(scene_.look.focus);

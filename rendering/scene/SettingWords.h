@@ -49,7 +49,13 @@ constexpr auto wordsOf(MethodKind) {
         "(Tory and Swindells 2003)"},
        {MethodKind::Explode, "explode", "Exploded view",
         "What is around the focus is cut into parts, which move apart and out of your line of sight to it; what is in "
-        "focus stays in its place (Bruckner and Gröller 2006)"}});
+        "focus stays in its place (Bruckner and Gröller 2006)"},
+       {MethodKind::Sculpt, "sculpt", "Sculpting",
+        "Nothing opens by itself: you carve the volume with a ball, a box or a saw until the focus shows (Wang and "
+        "Kaufman 1995)"},
+       {MethodKind::Bend, "bend", "Deformable cutting plane",
+        "Nothing opens by itself: a plane that you lay through a stroke and bend by dragging removes one side of it "
+        "(Konrad-Verse, Preim and Littmann 2004)"}});
 }
 constexpr auto wordsOf(WallPlacement) {
   return std::to_array<Word<WallPlacement>>(
@@ -69,6 +75,15 @@ constexpr auto wordsOf(ExplosionAxes) {
       {{ExplosionAxes::Patient, "patient", "The patient",
         "Planes along the patient's axes: left and right are the patient's"},
        {ExplosionAxes::View, "view", "The view", "Planes along the picture's axes, which turn with the camera"}});
+}
+constexpr auto wordsOf(RemovalShape) {
+  return std::to_array<Word<RemovalShape>>(
+      {{RemovalShape::Ball, "ball", "Ball", "A ball, where the mouse goes"},
+       {RemovalShape::Box, "box", "Box", "A box that faces you, where the mouse goes"},
+       {RemovalShape::Saw, "saw", "Saw",
+        "A blade along the stroke, away from you; a stroke that comes back to its start takes out what it encloses"},
+       {RemovalShape::Plane, "plane", "Plane",
+        "A plane through the stroke that removes what lies to the right of it, and that you bend by dragging"}});
 }
 constexpr auto wordsOf(FocalShape) {
   return std::to_array<Word<FocalShape>>({{FocalShape::Sphere, "sphere", "Sphere", "All around the focus alike"},

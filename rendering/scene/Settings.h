@@ -18,7 +18,7 @@ struct Range {
 };
 inline constexpr Range fraction{0.0, 1.0};
 /// Coordinates and lengths in mm. The limit of 1000 km is far beyond any patient, and its square fits a float.
-inline constexpr Range millimetres{-1e9, 1e9}, positiveMillimetres{1e-9, 1e9};
+inline constexpr Range millimetres{-1e9, 1e9}, positiveMillimetres{1e-9, 1e9}, millimetresFromZero{0.0, 1e9};
 /// Greatest error of a colour that sampling may leave, in 1/255; below the least, rounding of the voxels' float32 sums
 /// dominates.
 inline constexpr Range maxErrors{0.05, 255.0};

@@ -3,6 +3,7 @@
 // second copy of the voxels.
 
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <type_traits>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "rendering/scene/CoarseMask.h"
 #include "rendering/scene/LabelMap.h"
 #include "rendering/scene/Reconstruction.h"
+#include "rendering/scene/RemovedVoxels.h"
 #include "rendering/scene/Volume.h"
 
 namespace fenestra {
@@ -21,12 +23,14 @@ struct ShownVolume {
   std::shared_ptr<const LabelMap> labels = nullptr;        ///< on the same grid; null where no label is hidden
   std::vector<std::uint16_t> hidden = {};                  ///< labels whose voxels are hidden: ascending, each once
   Reconstruction reconstruction = Reconstruction::Linear;  ///< never Auto
+  std::shared_ptr<const RemovedVoxels> removed = nullptr;  ///< on the same grid; null: nothing
 
   bool operator==(const ShownVolume&) const = default;
 };
 
 /// Reads the voxels. A hidden voxel has the value of air, -1000 HU, or the volume's least value where that is more or
-/// there are no Hounsfield units; darker voxels stay as they are. Lasts no longer than the shown volume.
+/// there are no Hounsfield units; darker voxels stay as they are. Of a voxel that is removed in part, the value is the
+/// mix of its own and of that one. Lasts no longer than the shown volume.
 class ShownVoxels {
  public:
   explicit ShownVoxels(const ShownVolume& shown);
@@ -35,13 +39,26 @@ class ShownVoxels {
   /// Real value of one voxel, and at a continuous index position, as Volume has them.
   double value(glm::ivec3 index) const;
   double sample(glm::dvec3 index) const;
-  bool isHidden(glm::ivec3 index) const {
-    return (shown_.table && shown_.table->contains(index)) ||
-           (shown_.labels && isHiddenLabel_[shown_.labels->value(index)]);
+  /// How much of a voxel is air, of 255.
+  std::uint8_t airShare(glm::ivec3 index) const {
+    const bool isHidden = (shown_.table && shown_.table->contains(index)) ||
+                          (shown_.labels && isHiddenLabel_[shown_.labels->value(index)]);
+    return isHidden ? all : shown_.removed ? shown_.removed->at(index) : std::uint8_t{0};
   }
+  /// Whether a voxel has left the focus because it is removed.
+  bool isGone(glm::ivec3 index) const { return shown_.removed && RemovedVoxels::isGone(shown_.removed->at(index)); }
   /// Real value of air.
   double air() const { return volume().slope * air_ + volume().intercept; }
-  bool hidesNothing() const { return !shown_.table && !shown_.labels; }
+  bool hidesNothing() const { return !shown_.table && !shown_.labels && !shown_.removed; }
+
+  /// A value of which a share, of 255, is air.
+  template <class T>
+  static T mixed(T value, T air, std::uint8_t share) {
+    if (share == 0) return value;
+    if (share == all) return air;
+    const double own = static_cast<double>(value), mix = own + (static_cast<double>(air) - own) * (share / 255.0);
+    return static_cast<T>(std::is_floating_point_v<T> ? mix : std::round(mix));
+  }
 
   /// A row of stored scalars, of the volume's type: the volume's own where nothing in it is hidden, or a copy in
   /// `buffer`.
@@ -52,12 +69,14 @@ class ShownVoxels {
     const int width = volume().grid.dims.x;
     const T air = airAs<T>();
     bool copied = false;
-    const auto hide = [&](int x) {
+    const auto hide = [&](int x, std::uint8_t share = all) {
       if (!copied) buffer.assign(own, own + width);
       copied = true;
       T& scalar = buffer[static_cast<std::size_t>(x)];
-      if (isBrighter(scalar, air)) scalar = air;
+      if (isBrighter(scalar, air)) scalar = mixed(own[x], air, share);
     };
+    // First, because what is hidden has more air than what is removed in part.
+    if (shown_.removed) shown_.removed->forEachIn(y, z, hide);
     if (shown_.table)
       shown_.table->forEachCell(y, z, width, [&](int begin, int end) {
         for (int x = begin; x < end; ++x) hide(x);
@@ -75,10 +94,12 @@ class ShownVoxels {
   template <class T>
   T shown(T stored, glm::ivec3 index) const {
     const T air = airAs<T>();
-    return isBrighter(stored, air) && isHidden(index) ? air : stored;
+    return isBrighter(stored, air) ? mixed(stored, air, airShare(index)) : stored;
   }
 
  private:
+  static constexpr std::uint8_t all = 255;
+
   template <class T>
   T airAs() const {
     return static_cast<T>(std::is_floating_point_v<T> ? air_ : std::round(air_));

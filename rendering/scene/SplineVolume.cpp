@@ -170,9 +170,8 @@ void SplineVolume::hide(const ShownVolume& shown) {
       for (int y = -1; y < size_.y - 1; ++y) {
         double* coefficients = const_cast<double*>(row(y, z));
         for (int x = -1; x < size_.x - 1; ++x)
-          if (double& c = coefficients[x + 1];
-              c > air && voxels.isHidden(glm::clamp(glm::ivec3(x, y, z), glm::ivec3(0), dims_ - 1)))
-            c = air;
+          if (double& c = coefficients[x + 1]; c > air)
+            c = ShownVoxels::mixed(c, air, voxels.airShare(glm::clamp(glm::ivec3(x, y, z), glm::ivec3(0), dims_ - 1)));
       }
   });
 }

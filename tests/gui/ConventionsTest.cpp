@@ -382,6 +382,31 @@ void Conventions::addVolumeGestures(Cases& cases) {
     EXPECT_LT(glm::distance(cameras().camera(0).eye, cameras().camera(0).target),
               glm::distance(before.eye, before.target));
   };
+  cases["Carving, in all views: Drag"] = cases["Carving, in all views: Ctrl+drag"] =
+      cases["Carving, in all views: Shift+drag"] = [this] {
+        const Look before = document().look();
+        Look bends = before;
+        bends.method.kind = MethodKind::Bend;
+        document().edit(QStringLiteral("method"), std::move(bends));
+        Carving& carving = window_->workspace().carving;
+        carving.setActive(true);
+        waitUntilDrawn();
+        const QPoint middle = volume(0)->rect().center();
+        const Camera camera = cameras().camera(0);
+        drag(volume(0), middle + QPoint(0, 20), middle - QPoint(0, 20));  // what is gone lies to the right
+        ASSERT_EQ(document().removals().size(), 1u);
+        EXPECT_EQ(cameras().camera(0), camera);
+        waitUntilDrawn();
+        const QPoint kept = middle - QPoint(12, 0);
+        drag(volume(0), kept, kept - QPoint(20, 0), Qt::LeftButton, Qt::ShiftModifier);
+        EXPECT_EQ(document().removals().front().bends.size(), 1u);
+        waitUntilDrawn();
+        drag(volume(0), kept, kept + QPoint(30, 0), Qt::LeftButton, Qt::ControlModifier);
+        EXPECT_NE(cameras().camera(0), camera);
+        carving.setActive(false);
+        document().edit(QStringLiteral("as before"), before);
+        waitUntilDrawn();
+      };
   cases["Brush, in the 3-D views: Drag"] = cases["Brush, in the 3-D views: Ctrl+drag"] =
       cases["Brush, in the 3-D views: Shift+wheel, Shift+drag"] = [this] {
         document().focusOn(marker);

@@ -6,6 +6,7 @@
 #include "rendering/scene/Settings.h"
 #include "tests/gui/PseudoLocale.h"
 #include "tests/gui/WindowFixture.h"
+#include "viewer/panels/CarvingRows.h"
 #include "viewer/panels/ContextLayerPanel.h"
 #include "viewer/panels/CutawayPanel.h"
 #include "viewer/panels/SliderSpin.h"
@@ -327,7 +328,7 @@ TEST_F(MethodWindow, WithoutAnOpeningThereIsNothingToChoose) {
 TEST_F(MethodWindow, TextsAreTranslated) {
   PseudoLocale locale;
   QCoreApplication::installTranslator(&locale);
-  CutawayPanel shown(document());
+  CutawayPanel shown(document(), window_->workspace().carving);
   Look look = document().look();
   look.method.kind = MethodKind::Cone;
   document().edit(QStringLiteral("cone"), look);
@@ -352,8 +353,12 @@ TEST_F(MethodWindow, TextsAreTranslated) {
   document().edit(QStringLiteral("fading"), look);
   for (const char* key : {"open_width", "border_width"})
     texts << shown.findChild<SliderSpin*>(QLatin1String(key))->toolTip();
+  const auto* rows = shown.findChild<CarvingRows*>();
+  for (const QToolButton* button : {rows->carve(), rows->restore()}) texts << button->text() << button->toolTip();
+  for (int row = 0; row < rows->shape()->count(); ++row)
+    texts << rows->shape()->itemText(row) << rows->shape()->itemData(row, Qt::ToolTipRole).toString();
   QCoreApplication::removeTranslator(&locale);
-  EXPECT_GE(texts.size(), 63);
+  EXPECT_GE(texts.size(), 65);
   for (const QString& text : texts) EXPECT_TRUE(text.startsWith(opens)) << text.toStdString();
 }
 

@@ -54,7 +54,8 @@ TEST(LookFile, HoldsNothingOfTheData) {
   const io::LookPreset read = io::readLook(folder / "a.json");
   EXPECT_EQ(read.look, styleOf(look));
   EXPECT_EQ(read.look.focus, Focus());
-  EXPECT_TRUE(read.look.strokes.empty() && read.look.labels.empty() && read.look.context.file.empty());
+  EXPECT_TRUE(read.look.strokes.empty() && read.look.removals.empty() && read.look.labels.empty() &&
+              read.look.context.file.empty());
   EXPECT_EQ(readFile(folder / "a.json").find(folder.string()), std::string::npos) << "no path of the user's";
 }
 
@@ -88,6 +89,7 @@ TEST(LookFile, OnAnotherVolumeTheLookIsTheSame) {
   second.focus = LabelFocus{{4, 9}};
   second.labels = {{.label = 4, .opacity = 0.5}};
   second.strokes = {someStroke(BrushMode::Open)};
+  second.removals = {someRemoval(RemovalShape::Ball)};
   second.context.preset = "mr";
   const Look result = restyled(second, io::readLook(folder / "a.json").look);
   EXPECT_EQ(styleOf(result), styleOf(first));
@@ -95,6 +97,7 @@ TEST(LookFile, OnAnotherVolumeTheLookIsTheSame) {
   EXPECT_EQ(result.focus, second.focus);
   EXPECT_EQ(result.labels, second.labels);
   EXPECT_EQ(result.strokes, second.strokes);
+  EXPECT_EQ(result.removals, second.removals);
 }
 
 TEST(LookFile, IsWhatThePublishedSchemaSays) {

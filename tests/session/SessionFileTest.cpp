@@ -143,6 +143,9 @@ TEST(SessionFile, TheSchemaRefusesWhatTheReaderRefuses) {
       {"/views/1/camera/vertical_fov", 180},
       {"/strokes/0/anchors/1/0", "1"},
       {"/strokes/2/radius", 0},
+      {"/removals/0/size", 0},
+      {"/removals/1/shape", "cone"},
+      {"/removals/2/bends/0/radius", 0},
       {"/context/nodes/0/colour/2", 1.5},
       {"/volume/bytes", -1},
       {"/volume/raw/dims", Json{1, 2, 3, 4}},
@@ -175,7 +178,7 @@ TEST(SessionFile, KeepsWhatItDoesNotKnowAtEveryLevel) {
   const Json extra{{"deep", {1, 2.5, {{"er", nullptr}}}}, {"text", "é\u0001\"\\"}, {"large", 18446744073709551615u}};
   for (const char* place : {"", "/volume", "/volume/raw", "/labels", "/focus", "/context", "/context/nodes/1",
                             "/cutaway", "/context_layer", "/shading", "/views/1", "/views/0/camera", "/home/1",
-                            "/window", "/overlays", "/placement", "/placement/weights", "/strokes/2"})
+                            "/window", "/overlays", "/placement", "/placement/weights", "/strokes/2", "/removals/1"})
     root[Json::json_pointer(place)]["of_tomorrow"] = extra;
   writeFile(file, root.dump());
   const auto unknownPlaces = [](const fs::path& path) {
@@ -188,7 +191,7 @@ TEST(SessionFile, KeepsWhatItDoesNotKnowAtEveryLevel) {
     count(Json::parse(readFile(path)));
     return places;
   };
-  ASSERT_EQ(unknownPlaces(file), 18);
+  ASSERT_EQ(unknownPlaces(file), 19);
 
   io::Session session = io::readSession(file);
   io::writeSession(folder / "b.fenestra", session);
@@ -201,13 +204,13 @@ TEST(SessionFile, KeepsWhatItDoesNotKnowAtEveryLevel) {
   session.views[1].camera.eye.x += 1.0;
   session.look.strokes.erase(session.look.strokes.begin());
   io::writeSession(file, session);
-  EXPECT_EQ(unknownPlaces(file), 18);
+  EXPECT_EQ(unknownPlaces(file), 19);
   root = Json::parse(readFile(file));
   EXPECT_TRUE(root["strokes"][1].contains("of_tomorrow"));
   EXPECT_EQ(root["views"][1]["of_tomorrow"], extra);
   session.look.strokes.pop_back();
   io::writeSession(file, session);
-  EXPECT_EQ(unknownPlaces(file), 17);
+  EXPECT_EQ(unknownPlaces(file), 18);
 }
 
 TEST(SessionFile, OpensAnOlderVersion) {

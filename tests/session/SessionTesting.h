@@ -29,6 +29,21 @@ inline BrushStroke someStroke(BrushMode mode, std::size_t anchors = 3) {
   return stroke;
 }
 
+inline Removal someRemoval(RemovalShape shape) {
+  Removal removal;
+  removal.shape = shape;
+  removal.points = {{0.1, -7.3, 1.0 / 7.0}, {12.5, 0.0, -0.0}};
+  removal.size = 3.3;
+  removal.sides = {1.5, 2.25, 1.0 / 3.0};
+  removal.direction = {0.6, 0.0, -0.8};
+  removal.up = {0.0, -1.0, 0.1};
+  removal.depth = 41.5;
+  removal.extent = 77.7;
+  removal.softness = 0.7;
+  removal.bends = {{{1.0, 2.0, 1.0 / 3.0}, -4.5, 12.25}, {{0.0, 0.1, 0.2}, 1e-3, 5.0}};
+  return removal;
+}
+
 /// Every member differs from its default. `folder` holds the data, by name.
 inline io::Session fullSession(const std::filesystem::path& folder) {
   const io::Contents contents{"sha256:" + std::string(64, 'a'), 1234567890123, 245};
@@ -100,6 +115,8 @@ inline io::Session fullSession(const std::filesystem::path& folder) {
                            {{{0.6, 0.0, -0.8}, -17.0}, {{0.0, 1.0, 0.0}, 0.1}},
                            {3, 65535},
                            WindowLevel{400.0, 40.5}};
+  session.look.removals = {someRemoval(RemovalShape::Saw), someRemoval(RemovalShape::Box),
+                           someRemoval(RemovalShape::Plane)};
   session.quality = Quality::High;
   session.maxError = 1.5;
   session.views = {

@@ -45,8 +45,8 @@ static_assert(declared<FocusAppearance> + 1 == memberCount<FocusAppearance>(), "
 static_assert(declared<ValueFocus> + 1 == memberCount<ValueFocus>(), "all but the range");
 static_assert(declared<ContextFunction> + 3 == memberCount<ContextFunction>(), "all but the function and its source");
 static_assert(declared<BrushStroke> + 1 == memberCount<BrushStroke>(), "all but the anchors");
-static_assert(declared<Look> + 10 == memberCount<Look>(),
-              "all but the parts above, the focus, the labels, clipping and the strokes");
+static_assert(declared<Look> + 11 == memberCount<Look>(),
+              "all but the parts above, the focus, the labels, clipping, the strokes and the removals");
 
 template <class T>
 class SettingsOf : public testing::Test {};

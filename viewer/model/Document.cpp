@@ -70,6 +70,9 @@ class Document::LookChange : public Change {
         look.strokes.capacity() * sizeof(BrushStroke) + look.clipping.planes.capacity() * sizeof(HalfSpace) +
         look.clipping.exempt.capacity() * sizeof(std::uint16_t);
     for (const BrushStroke& stroke : look.strokes) bytes += stroke.anchors.capacity() * sizeof(glm::dvec3);
+    bytes += look.removals.capacity() * sizeof(Removal);
+    for (const Removal& removal : look.removals)
+      bytes += removal.points.capacity() * sizeof(glm::dvec3) + removal.bends.capacity() * sizeof(Bend);
     if (const auto* focus = std::get_if<LabelFocus>(&look.focus))
       bytes += focus->labels.capacity() * sizeof(focus->labels[0]);
     if (const auto* focus = std::get_if<RegionFocus>(&look.focus))
@@ -137,7 +140,7 @@ void Document::open(Study study) {
   window_ = study_.session.window.value_or(study_.scene.volume->defaultWindow());
   inverted_ = study_.session.inverted;
   history_.clear();
-  shown_ = {};
+  whole_ = shown_ = {};
   labelsRevision_ = filedRevision_ = ++lastRevision_;
   preview_ = {};
   grown_.clear();
@@ -152,20 +155,22 @@ void Document::open(Study study) {
   Q_EMIT shadingChanged();
   Q_EMIT clippingChanged();
   Q_EMIT strokesChanged();
+  Q_EMIT removalsChanged();
   Q_EMIT windowChanged();
   Q_EMIT sceneChanged();
 }
 
 void Document::updateShown() {
-  const Scene before = std::exchange(shown_, study_.scene);
+  const Scene before = std::exchange(whole_, study_.scene);
   if (const segmentation::Growth* grown = growth()) {
-    shown_ = segmentation::shownScene(study_.scene, *grown);
+    whole_ = segmentation::shownScene(study_.scene, *grown);
   } else if (region()) {
-    shown_.labels = before.labels;
-    shown_.structures = study_.scene.labels;
-    if (!shown_.structures) shown_.look.labels.clear();
-    shown_.look.focus = before.look.focus;
+    whole_.labels = before.labels;
+    whole_.structures = study_.scene.labels;
+    if (!whole_.structures) whole_.look.labels.clear();
+    whole_.look.focus = before.look.focus;
   }
+  shown_ = sculptor_.of(whole_);
 }
 
 void Document::show(Look look) {
@@ -178,11 +183,12 @@ void Document::show(Look look) {
       now.method != before.method || now.cutaway != before.cutaway || now.contextLayer != before.contextLayer;
   const bool shading = now.shading != before.shading, strokes = now.strokes != before.strokes;
   const bool labels = now.labels != before.labels, clipping = now.clipping != before.clipping;
+  const bool removals = now.removals != before.removals;
   const bool scene = focus || labels || context || cutaway || shading || clipping ||
                      now.background != before.background || now.backdrop != before.backdrop ||
                      now.backgroundTop != before.backgroundTop || now.hideTable != before.hideTable ||
                      now.reconstruction != before.reconstruction || now.labelSmoothing != before.labelSmoothing ||
-                     now.edges != before.edges;
+                     now.edges != before.edges || removals;
   if (focus) Q_EMIT focusChanged();
   if (labels) Q_EMIT labelSettingsChanged();
   if (context) Q_EMIT transferFunctionChanged();
@@ -190,6 +196,7 @@ void Document::show(Look look) {
   if (shading) Q_EMIT shadingChanged();
   if (clipping) Q_EMIT clippingChanged();
   if (strokes) Q_EMIT strokesChanged();
+  if (removals) Q_EMIT removalsChanged();
   if (scene) Q_EMIT sceneChanged();
 }
 
@@ -430,6 +437,13 @@ void Document::setExempt(std::uint16_t label, bool exempt) {
 void Document::setStrokes(BrushStrokes strokes, const QString& name) {
   Look changed = look();
   changed.strokes = std::move(strokes);
+  edit(name, std::move(changed));
+}
+
+void Document::setRemovals(Removals removals, const QString& name) {
+  if (removals == this->removals()) return;
+  Look changed = look();
+  changed.removals = std::move(removals);
   edit(name, std::move(changed));
 }
 

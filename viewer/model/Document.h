@@ -143,6 +143,10 @@ class Document : public QObject {
   const BrushStrokes& strokes() const { return look().strokes; }
   void setStrokes(BrushStrokes strokes, const QString& name);
 
+  /// What is carved out of the volume.
+  const Removals& removals() const { return look().removals; }
+  void setRemovals(Removals removals, const QString& name);
+
   /// Distances, angles and regions drawn on the slices, and what each says.
   const std::vector<Measure>& measures() const { return measures_; }
   const MeasureValues& measured(std::size_t index) const { return measured_.at(index); }
@@ -170,6 +174,8 @@ class Document : public QObject {
   void clippingChanged();
   /// Brush strokes: a small part of a 3-D picture.
   void strokesChanged();
+  /// What is carved out of the volume.
+  void removalsChanged();
   void measuresChanged();
   /// After any of the above, strokes and measures excepted, that changes a 3-D picture.
   void sceneChanged();
@@ -190,7 +196,9 @@ class Document : public QObject {
   void updateShown();
 
   Study study_;
+  Scene whole_;  ///< as it is drawn, but for what is removed
   Scene shown_;
+  Sculptor sculptor_;
   Grown preview_;             ///< a first part
   std::vector<Grown> grown_;  ///< wholes for undo to come back to, the latest last; see mostGrownBytes
   std::uint64_t labelsRevision_ = 0, filedRevision_ = 0, lastRevision_ = 0;

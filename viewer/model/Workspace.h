@@ -2,6 +2,7 @@
 // The models of one window: the open study, and how it is viewed and edited.
 
 #include "viewer/model/Brush.h"
+#include "viewer/model/Carving.h"
 #include "viewer/model/Document.h"
 #include "viewer/model/LookLibrary.h"
 #include "viewer/model/MeasureMode.h"
@@ -22,6 +23,7 @@ struct Workspace {
   PlacementController placement{document, cameras};
   ViewOptions options;
   Brush brush;
+  Carving carving{document};
   MeasureMode measuring{document};
   Preferences preferences;
   LookLibrary looks{preferences.looksFolder()};

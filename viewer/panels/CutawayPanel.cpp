@@ -7,6 +7,7 @@
 #include <QToolButton>
 
 #include "viewer/model/Translation.h"
+#include "viewer/panels/CarvingRows.h"
 
 namespace fenestra::viewer {
 namespace {
@@ -25,7 +26,7 @@ int lookOf(const Look& shown) {
 
 }  // namespace
 
-CutawayPanel::CutawayPanel(Document& document, QWidget* parent)
+CutawayPanel::CutawayPanel(Document& document, Carving& carving, QWidget* parent)
     : QWidget(parent),
       document_(document),
       controls_(document, &Look::cutaway),
@@ -63,6 +64,7 @@ CutawayPanel::CutawayPanel(Document& document, QWidget* parent)
       wallSagittal_(methodControls_.box(&Method::wallSagittal)),
       wallCoronal_(methodControls_.box(&Method::wallCoronal)),
       wallOutlines_(methodControls_.box(&Method::wallOutlines)),
+      carving_(new CarvingRows(document, carving)),
       look_(new QComboBox),
       unit_(controls_.choice(&Cutaway::unit)),
       colour_(controls_.colour(&Cutaway::borderColour)) {
@@ -135,6 +137,7 @@ void CutawayPanel::addMethod(QFormLayout& form) {
   form.addRow(name(settingOf(&Method::explosion)), explosion_);
   form.addRow(name(settingOf(&Method::explosionPlanes)), explosionPlanes_);
   form.addRow(name(settingOf(&Method::explosionAxes)), explosionAxes_);
+  form.addRow(carving_);
 }
 
 void CutawayPanel::addFreeze(QAction* freeze) {
@@ -185,6 +188,7 @@ void CutawayPanel::showMethod() {
   form_->setRowVisible(explosion_, explodes);
   form_->setRowVisible(explosionPlanes_, explodes);
   form_->setRowVisible(explosionAxes_, explodes);
+  form_->setRowVisible(carving_, method.kind == MethodKind::Sculpt || method.kind == MethodKind::Bend);
   QString tip = translated(wordOf(method.kind).description);
   if (opens && method.kind != MethodKind::Adaptive)
     tip += QStringLiteral("\n") + tr("Smooth edges, by several rays a pixel, are the adaptive cutaway's alone");
@@ -193,7 +197,7 @@ void CutawayPanel::showMethod() {
            method_,      coneAngle_,    importanceMode_, sparseness_,      importanceAngle_, importanceOpacity_,
            lensFade_,    lensRadius_,   lensBends_,      lensRim_,         fadeReach_,       fadeSharpness_,
            focalShape_,  focalSize_,    focalFallOff_,   wallPlacement_,   wallAxial_,       wallSagittal_,
-           wallCoronal_, wallOutlines_, explosion_,      explosionPlanes_, explosionAxes_})
+           wallCoronal_, wallOutlines_, explosion_,      explosionPlanes_, explosionAxes_,   carving_})
     widget->setEnabled(open);
   for (QWidget* widget : std::initializer_list<QWidget*>{look_, axisOffset_, unit_}) widget->setEnabled(open && opens);
   axisDirection_->setEnabled(axisDirection_->isEnabled() && opens);

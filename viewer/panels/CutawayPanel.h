@@ -8,10 +8,13 @@
 
 namespace fenestra::viewer {
 
+class Carving;
+class CarvingRows;
+
 class CutawayPanel : public QWidget {
   Q_OBJECT
  public:
-  explicit CutawayPanel(Document& document, QWidget* parent = nullptr);
+  CutawayPanel(Document& document, Carving& carving, QWidget* parent = nullptr);
 
   SliderSpin* openWidth() const { return openWidth_; }
   /// A button for the command that freezes the opening, beside the axis offset.
@@ -36,6 +39,7 @@ class CutawayPanel : public QWidget {
       *fadeSharpness_, *focalSize_, *focalFallOff_, *explosion_;
   QDoubleSpinBox* lensRim_;
   QCheckBox *wallAxial_, *wallSagittal_, *wallCoronal_, *wallOutlines_;
+  CarvingRows* carving_;
   QComboBox *look_, *unit_;
   ColourButton* colour_;
 };

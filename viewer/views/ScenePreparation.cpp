@@ -94,7 +94,9 @@ ScenePreparation::Kind ScenePreparation::kindOf(const Scene& scene, const View& 
   const auto* labels = std::get_if<LabelFocus>(&look.focus);
   const glm::dvec3 spacing = scene.volume->grid.spacing;
   const double pixel = seenHeight(view.camera) / view.size.y;
-  return {.volume = shownVolume(scene),
+  ShownVolume volume = shownVolume(scene);
+  volume.removed = nullptr;  // the same programs draw what is left
+  return {.volume = std::move(volume),
           .focus = look.focus.index(),
           .manyLabels = labels && labels->labels.size() > 1,
           .smoothed = labels && look.labelSmoothing != LabelSmoothing::Off,
@@ -219,10 +221,11 @@ void ScenePreparation::start(const Scene& scene, const View& view, const Kind& k
         if (!error) {
           prepared_ = scene;
           prepared_->volume = nullptr;  // a closed volume takes no memory
+          prepared_->removed = nullptr;
           return;
         }
         failure_ = error;
-        failed_ = kind.volume;
+        failed_ = shownVolume(scene);
       });
 }
 

@@ -42,13 +42,15 @@ QList<QPolygonF> polygonsOf(const std::vector<std::vector<glm::dvec2>>& loops) {
 
 }  // namespace
 
-SliceView::SliceView(SlicePlane plane, Document& document, SliceCursor& cursor, ViewOptions& options,
+SliceView::SliceView(SlicePlane plane, Document& document, SliceCursor& cursor, ViewOptions& options, Carving& carving,
                      MeasureMode& measuring, OpeningEdge& opening, QWidget* parent)
     : QWidget(parent),
       document_(document),
       cursor_(cursor),
       options_(options),
       opening_(opening),
+      carving_(carving),
+      carveTool_(carving, document, carveCanvas()),
       clipTool_(document,
                 {.widgetFromWorld = [this](glm::dvec3 world) { return std::optional(widgetFromWorld(world)); },
                  .axes =
@@ -86,6 +88,11 @@ SliceView::SliceView(SlicePlane plane, Document& document, SliceCursor& cursor, 
   connect(&cursor, &SliceCursor::moved, this, &SliceView::followCursor);
   connect(&document, &Document::measuresChanged, this, [this] { update(); });
   connect(&document, &Document::clippingChanged, this, [this] { update(); });
+  connect(&document, &Document::removalsChanged, this, [this] {
+    removedOutline_.reset();
+    update();
+  });
+  connect(&carving, &Carving::changed, this, [this] { update(); });
   connect(&opening, &OpeningEdge::changed, this, [this] {
     openingOutline_.reset();
     update();
@@ -110,6 +117,7 @@ void SliceView::readGeometry() {
 
 void SliceView::forgetSlice() {
   openingOutline_.reset();
+  removedOutline_.reset();
   values_.clear();
   grey_.clear();
   labels_.clear();
@@ -235,6 +243,24 @@ QPainterPath SliceView::openingEdge() const {
   return widgetFromPixels().map(path);
 }
 
+const QList<QPolygonF>& SliceView::removedOutline() const {
+  if (removedOutline_) return *removedOutline_;
+  removedOutline_.emplace();
+  const std::shared_ptr<const RemovedVoxels>& removed = document_.scene().removed;
+  if (!removed) return *removedOutline_;
+  std::vector<char> gone(static_cast<std::size_t>(geometry_.width) * static_cast<std::size_t>(geometry_.height), 0);
+  const glm::dmat4 indexFromWorld = removed->grid.indexFromWorld();
+  for (int row = 0; row < geometry_.height; ++row)
+    for (int column = 0; column < geometry_.width; ++column) {
+      const glm::dvec4 world(geometry_.worldFromPixel(column, row, slice_), 1.0);
+      const glm::ivec3 voxel(glm::floor(glm::dvec3(indexFromWorld * world) + 0.5));
+      gone[static_cast<std::size_t>(row) * static_cast<std::size_t>(geometry_.width) +
+           static_cast<std::size_t>(column)] = RemovedVoxels::isGone(removed->at(voxel));
+    }
+  *removedOutline_ = polygonsOf(smoothOutlines(gone, geometry_.width, geometry_.height));
+  return *removedOutline_;
+}
+
 double SliceView::pixelsPerMm() const {
   const double fit = std::min(width() / (geometry_.width * glm::length(geometry_.right)),
                               height() / (geometry_.height * glm::length(geometry_.down)));
@@ -292,6 +318,7 @@ void SliceView::drawMarks(QPainter& painter, bool interpolated) const {
   if (options_.crosshair()) drawCrosshair(painter);
   measureTool_.draw(painter, rect());
   clipTool_.draw(painter);
+  carveTool_.draw(painter);
 
   const QRectF view = rect();
   drawEdgeLetters(painter, view, geometry_.right, geometry_.down);
@@ -330,6 +357,10 @@ void SliceView::drawOutlines(QPainter& painter) const {
   drawLines(opening, QPen(QColor(0, 0, 0, 150), 2.4));
   drawLines(opening, dashes);
   const QTransform transform = widgetFromPixels();
+  QList<QPolygonF> removed;
+  for (const QPolygonF& line : removedOutline()) removed << transform.map(line);
+  drawLines(removed, QPen(QColor(0, 0, 0, 150), 2.4));
+  drawLines(removed, QPen(QColor(255, 170, 110), 1.0));
   QList<QPolygonF> outline;
   for (const QPolygonF& line : outline_) outline << transform.map(line);
   drawLines(outline, QPen(QColor(255, 240, 190), 1.0));

@@ -3,7 +3,7 @@
 // Plain QWidget and QImage, so it works where 3-D cannot start.
 //
 // Left click: crosshair and focus, see clickStructure(); left drag: window/level, or a measure, see MeasureTool, or the
-// crop box and clip planes, see ClipTool;
+// crop box and clip planes, see ClipTool, or carving, see CarveTool;
 // middle: pan; right drag or Ctrl+wheel: zoom; wheel and arrows: slices; Alt+wheel: tolerance of the region in focus;
 // Shift+move: crosshair.
 
@@ -19,6 +19,7 @@
 #include "rendering/scene/Focus.h"
 #include "rendering/scene/LabelMap.h"
 #include "rendering/scene/Slice.h"
+#include "viewer/tools/CarveTool.h"
 #include "viewer/tools/ClipTool.h"
 #include "viewer/tools/MeasureTool.h"
 #include "viewer/tools/ToleranceWheel.h"
@@ -34,8 +35,8 @@ class ViewOptions;
 class SliceView : public QWidget {
   Q_OBJECT
  public:
-  SliceView(SlicePlane plane, Document& document, SliceCursor& cursor, ViewOptions& options, MeasureMode& measuring,
-            OpeningEdge& opening, QWidget* parent = nullptr);
+  SliceView(SlicePlane plane, Document& document, SliceCursor& cursor, ViewOptions& options, Carving& carving,
+            MeasureMode& measuring, OpeningEdge& opening, QWidget* parent = nullptr);
 
   SlicePlane plane() const { return geometry_.plane; }
   const SliceGeometry& sliceGeometry() const { return geometry_; }
@@ -99,6 +100,8 @@ class SliceView : public QWidget {
   /// Window and level: one line, or one for each where that would reach the edge's letter.
   QStringList windowText(const QFontMetrics& metrics) const;
   bool inPicture(glm::dvec3 world) const;
+  CarveTool::Canvas carveCanvas();
+  const QList<QPolygonF>& removedOutline() const;
   /// Of the focus, and of the opening.
   void drawOutlines(QPainter& painter) const;
   /// Crosshair, seeds, letters, scale bar and corner text.
@@ -128,6 +131,8 @@ class SliceView : public QWidget {
   QList<QPolygonF> outline_;                 ///< of the focus, in slice pixels from the picture's corner
 
   OpeningEdge& opening_;
+  /// Of what is carved away, in pixels as outline_; empty until it is found.
+  mutable std::optional<QList<QPolygonF>> removedOutline_;
   mutable std::optional<QList<QPolygonF>> openingOutline_;  ///< in pixels as outline_; empty until it is found
 
   double zoom_ = 1.0;  ///< 1: the whole slice fits
@@ -142,6 +147,8 @@ class SliceView : public QWidget {
     glm::dvec3 cursor;
   };
   std::optional<BeforeClick> beforeClick_;
+  Carving& carving_;
+  CarveTool carveTool_;
   ClipTool clipTool_;
   MeasureTool measureTool_;
   bool measured_ = false;  ///< the tool took the last press

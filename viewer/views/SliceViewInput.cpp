@@ -22,7 +22,7 @@ constexpr double clickSlack = 4.0;
 
 void SliceView::mousePressEvent(QMouseEvent* event) {
   pressed_ = last_ = event->position();
-  measured_ = clipTool_.press(*event) || measureTool_.press(*event);
+  measured_ = carveTool_.press(*event) || clipTool_.press(*event) || measureTool_.press(*event);
   beforeClick_.reset();
   windowAtPress_ = document_.window();
   dragging_ = false;
@@ -32,7 +32,7 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
   if (!document_.hasVolume()) return;
   const QPointF position = event->position(), move = position - last_, total = position - pressed_;
   last_ = position;
-  if (clipTool_.move(*event) || measureTool_.move(*event)) return;
+  if (carveTool_.move(*event) || clipTool_.move(*event) || measureTool_.move(*event)) return;
   const Qt::MouseButtons buttons = event->buttons();
   if (buttons == Qt::NoButton) {
     setCursor(clipTool_.pointer(position).value_or(measureTool_.pointer(position)));
@@ -62,7 +62,8 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void SliceView::mouseReleaseEvent(QMouseEvent* event) {
-  if (clipTool_.release(*event) || measureTool_.release(*event) || dragging_ || !document_.hasVolume()) return;
+  if (carveTool_.release(*event) || clipTool_.release(*event) || measureTool_.release(*event)) return;
+  if (dragging_ || !document_.hasVolume()) return;
   const glm::dvec3 world = worldFromWidget(event->position());
   if (const auto measure = measureTool_.measureAt(event->position()); measure && event->button() == Qt::RightButton) {
     Q_EMIT measureMenuRequested(*measure, event->globalPosition().toPoint());
@@ -147,6 +148,24 @@ void SliceView::keyPressEvent(QKeyEvent* event) {
   if (document_.hasVolume()) cursor_.step(geometry_, steps);
 }
 
-void SliceView::leaveEvent(QEvent*) { Q_EMIT left(); }
+void SliceView::leaveEvent(QEvent*) {
+  carveTool_.leave();
+  Q_EMIT left();
+}
+
+CarveTool::Canvas SliceView::carveCanvas() {
+  return {.pick = [this](QPointF position) -> std::optional<glm::dvec3> {
+            if (!document_.hasVolume()) return std::nullopt;
+            const glm::dvec3 world = worldFromWidget(position);
+            return inPicture(world) ? std::optional(world) : std::nullopt;
+          },
+          .widgetFromWorld = [this](glm::dvec3 world) { return std::optional(widgetFromWorld(world)); },
+          .axes =
+              [this](glm::dvec3) {
+                const glm::dvec3 right = glm::normalize(geometry_.right), up = -glm::normalize(geometry_.down);
+                return CarvingAxes{right, up, glm::normalize(glm::cross(up, right))};
+              },
+          .redraw = [this] { update(); }};
+}
 
 }  // namespace fenestra::viewer

@@ -37,7 +37,7 @@ double now() {
 }  // namespace
 
 VolumeView::VolumeView(int index, Document& document, SliceCursor& cursor, ViewLink& cameras, ViewOptions& options,
-                       Brush& brush, Shared shared, QWidget* parent)
+                       Brush& brush, Carving& carving, Shared shared, QWidget* parent)
     : QWidget(parent),
       index_(index),
       document_(document),
@@ -45,7 +45,9 @@ VolumeView::VolumeView(int index, Document& document, SliceCursor& cursor, ViewL
       cameras_(cameras),
       options_(options),
       brush_(brush),
+      carving_(carving),
       brushTool_(brush, document, canvas()),
+      carveTool_(carving, document, carveCanvas()),
       clipTool_(document, clipCanvas()),
       wallTool_(document, cursor, wallCanvas()),
       toleranceWheel_(document),
@@ -73,11 +75,13 @@ VolumeView::VolumeView(int index, Document& document, SliceCursor& cursor, ViewL
     if (!*isAwaited) prepare();
   });
   connect(&document, &Document::strokesChanged, this, &VolumeView::refresh);
-  connect(&brush, &Brush::changed, this, [this] {
-    setCursor(brush_.isActive() ? Qt::CrossCursor : Qt::ArrowCursor);
+  const auto showTool = [this] {
+    setCursor(brush_.isActive() || carving_.isActive() ? Qt::CrossCursor : Qt::ArrowCursor);
     brushTool_.measure();
     repaintSurface();
-  });
+  };
+  connect(&brush, &Brush::changed, this, showTool);
+  connect(&carving, &Carving::changed, this, showTool);
   connect(&cameras, &ViewLink::changed, this, [this](int view) {
     if (view == index_) follow();
   });
@@ -449,7 +453,7 @@ ClipTool::Canvas VolumeView::clipCanvas() {
                 return std::array{axes.right, axes.up};
               },
           .section = []() -> std::optional<ClipTool::Canvas::Section> { return std::nullopt; },
-          .shows = [this] { return options_.clipHandles() && !brush_.isActive(); }};
+          .shows = [this] { return options_.clipHandles() && !brush_.isActive() && !carving_.isActive(); }};
 }
 
 WallTool::Canvas VolumeView::wallCanvas() {

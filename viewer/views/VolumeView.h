@@ -6,8 +6,9 @@
 // of rest it refines the picture up to full quality, in slices of time between which the window answers; a change ends
 // that. What takes long besides is prepared on another thread; until then the view keeps the picture that it has. A
 // brush stroke changes little of the picture and is drawn at full quality at once. Left drag: rotate, or paint while
-// the brush is up (see BrushTool); left click: crosshair and focus to what is seen, see clickStructure(); middle: pan;
-// right drag or wheel: zoom; Alt+wheel: tolerance of the region in focus; arrows: turn by steps.
+// the brush is up (see BrushTool), or carve (see CarveTool); left click: crosshair and focus to what is seen, see
+// clickStructure(); middle: pan; right drag or wheel: zoom; Alt+wheel: tolerance of the region in focus; arrows: turn
+// by steps.
 
 #include <functional>
 #include <memory>
@@ -22,6 +23,7 @@
 #include "viewer/model/ExplosionFlight.h"
 #include "viewer/model/FramePacer.h"
 #include "viewer/tools/BrushTool.h"
+#include "viewer/tools/CarveTool.h"
 #include "viewer/tools/ClipTool.h"
 #include "viewer/tools/ToleranceWheel.h"
 #include "viewer/tools/WallTool.h"
@@ -60,7 +62,7 @@ class VolumeView : public QWidget {
 
   /// `index` is the camera's place in `cameras`.
   VolumeView(int index, Document& document, SliceCursor& cursor, ViewLink& cameras, ViewOptions& options, Brush& brush,
-             Shared shared, QWidget* parent = nullptr);
+             Carving& carving, Shared shared, QWidget* parent = nullptr);
   ~VolumeView() override;
 
   int index() const { return index_; }
@@ -90,6 +92,7 @@ class VolumeView : public QWidget {
   const BrushTool& brushTool() const { return brushTool_; }
   const ClipTool& clipTool() const { return clipTool_; }
   const WallTool& wallTool() const { return wallTool_; }
+  const CarveTool& carveTool() const { return carveTool_; }
   /// What draws the scene's pictures, for others that need its context.
   ScenePreparation& preparation() { return *shared_.preparation; }
   /// Runs `work` with the pictures' OpenGL context current. Returns false without running it where the driver has lost
@@ -197,6 +200,7 @@ class VolumeView : public QWidget {
   WallTool::Canvas wallCanvas();
   /// Draws other slices, where there are walls.
   void moveWalls();
+  CarveTool::Canvas carveCanvas();
   double mmPerPixel(const Camera& camera) const;
   std::optional<QPointF> widgetFromWorld(glm::dvec3 world, const Camera& camera) const;
   double halfVoxel() const;  ///< mm, of the shortest side
@@ -207,7 +211,9 @@ class VolumeView : public QWidget {
   ViewLink& cameras_;
   ViewOptions& options_;
   Brush& brush_;
+  Carving& carving_;
   BrushTool brushTool_;
+  CarveTool carveTool_;
   ClipTool clipTool_;
   WallTool wallTool_;
   ToleranceWheel toleranceWheel_;

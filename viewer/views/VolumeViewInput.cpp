@@ -30,7 +30,8 @@ constexpr double arrowTurn = glm::pi<double>() / 36.0;  ///< 5 degrees
 void VolumeView::mousePressEvent(QMouseEvent* event) {
   hover_.stop();
   shared_.pacer->lead(index_);
-  if (brushTool_.press(*event) || clipTool_.press(*event) || wallTool_.press(*event)) return;
+  if (brushTool_.press(*event) || carveTool_.press(*event) || clipTool_.press(*event) || wallTool_.press(*event))
+    return;
   pressed_ = last_ = event->position();
   beforeClick_.reset();
   dragging_ = false;
@@ -38,12 +39,14 @@ void VolumeView::mousePressEvent(QMouseEvent* event) {
 
 void VolumeView::mouseMoveEvent(QMouseEvent* event) {
   if (brush_.isActive() && !hasFocus()) setFocus(Qt::MouseFocusReason);  // for the keys that the brush offers
-  if (!document_.hasVolume() || brushTool_.move(*event) || clipTool_.move(*event) || wallTool_.move(*event)) return;
+  if (!document_.hasVolume() || brushTool_.move(*event) || carveTool_.move(*event) || clipTool_.move(*event) ||
+      wallTool_.move(*event))
+    return;
   const QPointF position = event->position(), move = position - last_, total = position - pressed_;
   last_ = position;
   const Qt::MouseButtons buttons = event->buttons();
   if (buttons == Qt::NoButton) {
-    if (!brush_.isActive()) {
+    if (!brush_.isActive() && !carving_.isActive()) {
       const auto overClip = clipTool_.pointer(position), over = overClip ? overClip : wallTool_.pointer(position);
       setCursor(over.value_or(Qt::ArrowCursor));
     }
@@ -73,7 +76,9 @@ void VolumeView::mouseMoveEvent(QMouseEvent* event) {
 
 void VolumeView::mouseReleaseEvent(QMouseEvent* event) {
   if (dragging_) cameras_.release();
-  if (brushTool_.release(*event) || clipTool_.release(*event) || wallTool_.release(*event)) return;
+  if (brushTool_.release(*event) || carveTool_.release(*event) || clipTool_.release(*event) ||
+      wallTool_.release(*event))
+    return;
   if (dragging_ || !document_.hasVolume()) return;
   const std::optional<Hit> hit = pick(event->position());
   if (!hit) return;
@@ -109,8 +114,22 @@ glm::dvec3 VolumeView::rayThrough(QPointF position) const {
   return glm::normalize(axes.forward + 2.0 * slope / height() * (offset.x * axes.right + offset.y * axes.up));
 }
 
+CarveTool::Canvas VolumeView::carveCanvas() {
+  return {.pick = [this](QPointF position) -> std::optional<glm::dvec3> {
+            const std::optional<Hit> hit = pick(position);
+            return hit ? std::optional(hit->start) : std::nullopt;
+          },
+          .widgetFromWorld = [this](glm::dvec3 world) { return widgetFromWorld(world); },
+          .axes =
+              [this](glm::dvec3 at) {
+                const Camera::Axes axes = shownCamera().axes();
+                return CarvingAxes{axes.right, axes.up, picture_ ? rayThrough(at) : axes.forward};
+              },
+          .redraw = [this] { repaintSurface(); }};
+}
+
 void VolumeView::readUnderMouse() {
-  if (brush_.isActive()) return;
+  if (brush_.isActive() || carving_.isActive()) return;
   if (!isSettled()) {  // reading the picture must not hold up the next one
     hover_.start(hoverMilliseconds);
     return;
@@ -131,7 +150,7 @@ void VolumeView::click(const Hit& hit, Qt::KeyboardModifiers modifiers) {
 
 void VolumeView::mouseDoubleClickEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return;
-  if (brush_.isActive()) {
+  if (brush_.isActive() || carving_.isActive()) {
     mousePressEvent(event);  // two quick dabs
     return;
   }
@@ -186,6 +205,7 @@ void VolumeView::keyPressEvent(QKeyEvent* event) {
 void VolumeView::leaveEvent(QEvent*) {
   hover_.stop();
   brushTool_.leave();
+  carveTool_.leave();
   Q_EMIT left();
 }
 

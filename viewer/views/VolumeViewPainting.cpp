@@ -61,6 +61,7 @@ void VolumeView::drawOverlay() {
   wallTool_.draw(painter);
   clipTool_.draw(painter);
   brushTool_.draw(painter, view);
+  carveTool_.draw(painter);
   // Filled, because OpenGL leaves out lines along the rim.
   if (hasFocus())
     for (const QRect& side : QRegion(rect()) - rect().adjusted(1, 1, -1, -1))

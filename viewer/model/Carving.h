@@ -1,0 +1,95 @@
+#pragma once
+// How the mouse carves a volume, the same in all views. The document holds what has been removed.
+
+#include <QObject>
+#include <QString>
+
+#include "rendering/scene/Removal.h"
+#include "rendering/scene/Settings.h"
+
+namespace fenestra::viewer {
+
+class Document;
+
+struct CarvingSettings {
+  RemovalShape shape = RemovalShape::Ball;
+  double size = 10.0;     ///< mm: radius of a ball, half the side of a box, thickness of a saw, reach of a bend
+  double softness = 0.0;  ///< mm, of the rim
+  double depth = 0.0;     ///< mm, of saw and plane; 0: without an end
+  bool operator==(const CarvingSettings&) const = default;
+};
+
+}  // namespace fenestra::viewer
+
+namespace fenestra {
+
+template <>
+inline constexpr std::tuple settingsOf<viewer::CarvingSettings>{
+    Setting(&viewer::CarvingSettings::size,
+            {.key = "carving_size",
+             .name = "Size",
+             .description = "Radius of the ball, half the side of the box, thickness of the saw; of the plane, how far "
+                            "around the mouse a drag bends it",
+             .unit = "mm",
+             .range = {0.5, 500.0},
+             .slider = {1.0, 60.0},
+             .step = 0.5}),
+    Setting(&viewer::CarvingSettings::softness, {.key = "carving_softness",
+                                                 .name = "Soft rim",
+                                                 .description = "Width across which what is carved fades",
+                                                 .unit = "mm",
+                                                 .range = {0.0, 100.0},
+                                                 .slider = {0.0, 30.0},
+                                                 .step = 0.5}),
+    Setting(&viewer::CarvingSettings::depth,
+            {.key = "carving_depth",
+             .name = "Depth",
+             .description = "How deep the saw cuts, or how far the plane's side reaches; at 0 through everything",
+             .unit = "mm",
+             .range = {0.0, 2000.0},
+             .slider = {0.0, 200.0},
+             .step = 1.0})};
+
+}  // namespace fenestra
+
+namespace fenestra::viewer {
+
+/// Unit vectors of a view, world, where it is carved.
+struct CarvingAxes {
+  glm::dvec3 right{1.0, 0.0, 0.0}, up{0.0, 1.0, 0.0}, forward{0.0, 0.0, -1.0};
+};
+
+/// What a stroke over those points removes. Between two points a box leaves no gap. A saw's stroke that comes back to
+/// within its thickness of where it began is closed. A plane removes what lies to the right of the stroke.
+Removal carvedAlong(const std::vector<glm::dvec3>& stroke, const CarvingSettings& settings, const CarvingAxes& axes);
+
+/// How a drag bends a plane: by how far `moved` (mm along the view's right and up) goes along its normal on the screen;
+/// where that points to the eye or away from it, up on the screen is towards the eye.
+double bentBy(const Removal& plane, glm::dvec2 moved, const CarvingAxes& axes);
+
+class Carving : public QObject {
+  Q_OBJECT
+ public:
+  /// Carves `document`.
+  explicit Carving(Document& document, QObject* parent = nullptr);
+
+  const CarvingSettings& settings() const { return settings_; }
+  void setSettings(const CarvingSettings& settings);
+
+  /// The left button carves instead of turning the view.
+  bool isActive() const { return active_; }
+  void setActive(bool on);
+  /// The document's method is one of those that nothing but carving opens.
+  bool isOffered() const;
+
+ Q_SIGNALS:
+  void changed();
+  void activeChanged(bool active);
+
+ private:
+  Document& document_;
+  CarvingSettings settings_;
+  bool active_ = false;
+};
+
+}  // namespace fenestra::viewer

@@ -1,0 +1,36 @@
+#pragma once
+// How the mouse carves, and what takes back all that was removed: rows of the Cutaway panel.
+
+#include <QComboBox>
+#include <QToolButton>
+#include <QWidget>
+
+#include "rendering/scene/Method.h"
+
+namespace fenestra::viewer {
+
+class Carving;
+class Document;
+class SliderSpin;
+
+class CarvingRows : public QWidget {
+  Q_OBJECT
+ public:
+  CarvingRows(Document& document, Carving& carving, QWidget* parent = nullptr);
+
+  QToolButton* carve() const { return carve_; }
+  QToolButton* restore() const { return restore_; }
+  QComboBox* shape() const { return shape_; }
+
+ private:
+  void show();
+
+  Document& document_;
+  Carving& carving_;
+  MethodKind method_;  ///< that the shape was last chosen for
+  QToolButton *carve_, *restore_;
+  QComboBox* shape_;
+  SliderSpin *size_, *softness_, *depth_;
+};
+
+}  // namespace fenestra::viewer
