@@ -4,10 +4,12 @@
 
 namespace fenestra {
 
+bool opensBetweenPixels(MethodKind kind) { return kind == MethodKind::Adaptive || kind == MethodKind::Selection; }
+
 bool hasSmoothEdges(const Look& look, const View& view) {
   const bool opens = look.cutaway.enabled && !std::holds_alternative<std::monostate>(look.focus) &&
                      stagesOf(look.method).start != MethodStages::Start::Entry;
-  return look.edges == Edges::Smooth && !(opens && look.method.kind != MethodKind::Adaptive) &&
+  return look.edges == Edges::Smooth && !(opens && !opensBetweenPixels(look.method.kind)) &&
          (view.quality != Quality::Draft || view.maxError);
 }
 

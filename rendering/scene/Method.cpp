@@ -54,6 +54,13 @@ MethodStages stagesOf(const Method& method) {
       stages.fading = around;
       return stages;
     }
+    case MethodKind::Selection: {
+      MethodStages stages;
+      MethodStages::Fading ghosted;
+      ghosted.ghost = {method.ghostStrength, 0.01 * method.ghostEdge, method.ghostOutline};
+      stages.fading = ghosted;
+      return stages;
+    }
   }
   return {};
 }

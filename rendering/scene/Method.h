@@ -15,8 +15,17 @@ namespace fenestra {
 /// context preserving hotspot visualization technique, IEEE Visualization 2006. ContextPreserving: S. Bruckner, S.
 /// Grimm, A. Kanitsar, M. E. Gröller: Illustrative context-preserving exploration of volume data, IEEE TVCG 12(6),
 /// 2006. FocalRegion: J. Zhou, M. Hinz, K. D. Tönnies: Focal region-guided feature-based volume rendering, 3D Data
-/// Processing, Visualization and Transmission 2002.
-enum class MethodKind : std::uint8_t { Adaptive, Cone, Importance, ClearView, ContextPreserving, FocalRegion };
+/// Processing, Visualization and Transmission 2002. Selection: S. Bruckner, M. E. Gröller: VolumeShop: An interactive
+/// system for direct volume illustration, IEEE Visualization 2005.
+enum class MethodKind : std::uint8_t {
+  Adaptive,
+  Cone,
+  Importance,
+  ClearView,
+  ContextPreserving,
+  FocalRegion,
+  Selection
+};
 
 /// Maximum importance projection removes what hides the focus, in cones that widen towards the eye. Average importance
 /// compositing keeps it, faintly, on the rays that meet the focus.
@@ -52,6 +61,9 @@ struct Method {
   FocalShape focalShape = FocalShape::Sphere;  ///< of FocalRegion
   double focalSize = 50.0;                     ///< mm, 0.1 to 1e5: the radius of the sphere, half the side of the box
   double focalFallOff = 50.0;  ///< mm, 0.1 to 1e5: the distance over which what lies outside fades to a half
+  double ghostStrength = 1.0;  ///< of Selection, 0..1: the share of what is flat that gives way; 0 fades nothing
+  double ghostEdge = 10.0;     ///< % of the steepest gradient, 0.01 to 1000: of it half stays
+  double ghostOutline = 0.5;   ///< 0..1: the share of edges that face the eye that gives way, too
   bool operator==(const Method&) const = default;
 };
 
@@ -133,14 +145,35 @@ struct MethodStages {
   ///
   /// So the region shows as it is, and around it the contours, in proportion to the gradient, the fainter the farther
   /// outside. Its authors, too, draw contours by the gradient outside of the region; this formula is the program's own.
+  ///
+  /// Of a ghost, m is less than 1 only where the opening removes something, before the ray's start: on rays that meet
+  /// the focus, and on those that start behind the context's first surface; where another camera cuts the opening, also
+  /// in the hole behind that (rendering/passes/RemovedPass.h). There, with v the ray's direction and ‖∇f‖ not limited
+  /// to 1,
+  ///
+  ///   e = (‖∇f‖² - outline · (∇f·v)²) / (‖∇f‖² + edge²)        0 for a volume of one value
+  ///   m = 1 - strength · (1 - e)   in the context;   1 in the focus
+  ///
+  /// ∇f in units of steepestSlope(). So what is flat gives way, edges stay, and with `outline` those that face the eye
+  /// give way in favour of those seen from the side: 1 - (n·v)² of them stays. A quotient of polynomials along the ray
+  /// has no kink where a gradient is 0, saturates, or is seen edge on. That a selection is kept in sight by ghosting
+  /// what lies before it, and that edges tell what of that stays, is its authors'; this formula is the program's own,
+  /// and so is that the ghost fills the opening that rises from the selection to the surface around it.
   struct Fading {
-    double reach = 0.0, sharpness = 1.0;  ///< not around a region
+    double reach = 0.0, sharpness = 1.0;  ///< neither around a region nor of a ghost
     struct Region {
       FocalShape shape = FocalShape::Sphere;
       double size = 0.0, fallOff = 1.0;  ///< mm
       bool operator==(const Region&) const = default;
     };
     std::optional<Region> region{};
+    struct Ghost {
+      double strength = 0.0, edge = 1.0, outline = 0.0;  ///< edge: of steepestSlope()
+      bool operator==(const Ghost&) const = default;
+    };
+    std::optional<Ghost> ghost{};  ///< instead of a region
+    /// Whether light, nearness and what lies before decide; else m depends on the place and the view alone.
+    bool followsLight() const { return !region && !ghost; }
     bool operator==(const Fading&) const = default;
   };
   std::optional<Fading> fading{};

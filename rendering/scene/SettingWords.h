@@ -43,7 +43,10 @@ constexpr auto wordsOf(MethodKind) {
         "shows; what is in focus stays as it is (Bruckner, Grimm, Kanitsar and Gröller 2006)"},
        {MethodKind::FocalRegion, "focal-region", "Focal region",
         "A region around the focus shows as it is; around it only the edges of what is there stay, the fainter the "
-        "farther away; what is in focus stays as it is (Zhou, Hinz and Tönnies 2002)"}});
+        "farther away; what is in focus stays as it is (Zhou, Hinz and Tönnies 2002)"},
+       {MethodKind::Selection, "selection", "Ghosted selection",
+        "Nothing is cut away: in front of the focus, and in the opening around it, what is flat gives way and edges "
+        "stay, like a ghost of it; what is in focus stays as it is (Bruckner and Gröller 2005)"}});
 }
 constexpr auto wordsOf(FocalShape) {
   return std::to_array<Word<FocalShape>>({{FocalShape::Sphere, "sphere", "Sphere", "All around the focus alike"},

@@ -154,7 +154,32 @@ inline constexpr std::tuple settingsOf<Method>{
              .unit = "mm",
              .range = {0.1, 1e5},
              .slider = {1.0, 200.0},
-             .step = 1.0})};
+             .step = 1.0}),
+    Setting(&Method::ghostStrength,
+            {.key = "ghost_strength",
+             .option = "--ghost-strength",
+             .name = "Ghosting",
+             .description = "How much of what is flat in front of the selection gives way; 0 fades nothing",
+             .range = fraction,
+             .step = 0.05}),
+    Setting(&Method::ghostEdge,
+            {.key = "ghost_edge",
+             .option = "--ghost-edge",
+             .name = "Edges from",
+             .description = "Gradient of which half stays in front of the selection, as a share of the steepest that "
+                            "the volume can have: less keeps fainter edges",
+             .unit = "%",
+             .range = {0.01, 1000.0},
+             .slider = {0.5, 50.0},
+             .step = 0.5}),
+    Setting(&Method::ghostOutline,
+            {.key = "ghost_outline",
+             .option = "--ghost-outline",
+             .name = "Outlines",
+             .description = "How much edges that face you give way, too, so that outlines stay in front of the "
+                            "selection",
+             .range = fraction,
+             .step = 0.05})};
 
 template <>
 inline constexpr std::tuple settingsOf<Cutaway>{

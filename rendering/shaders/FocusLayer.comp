@@ -32,7 +32,7 @@ bool showsVolume(Cut cut, Ray ray) { return startsHere(cut, ray); }
 vec4 seenOn(Walk walk) { return colourOf(walk); }
 #endif
 
-#if APART
+#if APART && FADING != 3
 // A ray may see nothing on a part of its way; RAYS is 1.
 void main() {
   ivec2 pixel = pixelOf(0);

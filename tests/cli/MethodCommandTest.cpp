@@ -17,6 +17,7 @@ const std::vector<std::string> methods{"--method cone --cone-angle 50",
                                        "--method context-preserving --fade-reach 4 --fade-sharpness 0.7",
                                        "--method focal-region --focal-size 25 --focal-fall-off 30",
                                        "--method focal-region --focal-shape box --focal-size 20 --focal-fall-off 15",
+                                       "--method selection --ghost-strength 0.8 --ghost-edge 20 --ghost-outline 0.25",
                                        "--method clearview --lens-radius 50 --lens-fade depth"};
 
 TEST_F(MethodCommand, PicturesAreTheReferences) {
@@ -36,7 +37,8 @@ TEST_F(MethodCommand, ParametersOfOtherMethodsLeaveThePictureAsItIs) {
   ASSERT_EQ(render("same.png",
                    "--method adaptive --cone-angle 70 --importance average --importance-opacity 0.9 "
                    "--lens-radius 60 --lens-fade depth --lens-bends 3 --lens-rim 5 --fade-reach 9 --fade-sharpness 2 "
-                   "--focal-shape box --focal-size 9 --focal-fall-off 3"),
+                   "--focal-shape box --focal-size 9 --focal-fall-off 3 --ghost-strength 0.3 --ghost-edge 40 "
+                   "--ghost-outline 0.9"),
             0);
   EXPECT_EQ(bytes("plain.png"), bytes("same.png"));
 }
@@ -56,7 +58,8 @@ TEST_F(MethodCommand, RefusesWhatIsNoAngleAndNoShare) {
   for (const std::string wrong :
        {"--cone-angle 0", "--cone-angle 90", "--cone-angle nan", "--importance-angle 0", "--importance-opacity 1.1",
         "--importance some", "--lens-radius 0", "--lens-bends -1", "--lens-rim 0.5", "--lens-fade away",
-        "--fade-reach -1", "--fade-sharpness 0", "--focal-size 0", "--focal-fall-off 0", "--focal-shape ball"})
+        "--fade-reach -1", "--fade-sharpness 0", "--focal-size 0", "--focal-fall-off 0", "--focal-shape ball",
+        "--ghost-strength 1.1", "--ghost-edge 0", "--ghost-outline -0.1"})
     EXPECT_EQ(render("x.png", wrong), 2) << wrong;
   EXPECT_FALSE(std::filesystem::exists(at("x.png")));
 }

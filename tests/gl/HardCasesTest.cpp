@@ -426,7 +426,7 @@ double worstOfOpened(const Shot& shot) {
       // From the renderer's own hits, as in expectStagesMatch(): on silhouettes rounding decides where they are.
       stages.hits.tContext = widened(layers.tContext);
       stages.hits.tFocus = widened(layers.tFocus);
-      if (shot.scene.look.method.kind != MethodKind::Adaptive) expectStartsMatch(layers, stages, shot);
+      if (!stagesOf(shot.scene.look.method).hasWidth) expectStartsMatch(layers, stages, shot);
       stages.tStart = widened(layers.tStart);
       if (!stages.tCones.empty()) stages.tCones = stages.tStart;
     }
@@ -448,8 +448,8 @@ TEST_P(HardCases, withEachMethod) {
         Method{.kind = MethodKind::Importance, .importance = ImportanceMode::Average, .importanceOpacity = 0.3},
         Method{.kind = MethodKind::ClearView, .lensRadius = 40.0}, Method{.kind = MethodKind::ContextPreserving},
         Method{.kind = MethodKind::FocalRegion, .focalSize = 4.0, .focalFallOff = 3.0},
-        Method{
-            .kind = MethodKind::FocalRegion, .focalShape = FocalShape::Box, .focalSize = 1.5, .focalFallOff = 9.0}}) {
+        Method{.kind = MethodKind::FocalRegion, .focalShape = FocalShape::Box, .focalSize = 1.5, .focalFallOff = 9.0},
+        Method{.kind = MethodKind::Selection, .ghostEdge = 5.0}}) {
     SCOPED_TRACE(std::string(wordOf(method.kind).word) + ", " + wordOf(method.importance).word);
     shot.scene.look.method = method;
     // Where the context fades, normals lack the rounding of their texture, so the pixels that are off anyway are off by
@@ -458,6 +458,7 @@ TEST_P(HardCases, withEachMethod) {
     if (stagesOf(method).fading) {
       shot.scene.look.method.fadeReach = 1e-12;
       shot.scene.look.method.focalSize = 1e5;
+      shot.scene.look.method.ghostStrength = 1e-12;
       least = std::max(GetParam().colourLimit, worstOfOpened(shot));
       shot.scene.look.method = method;
     }

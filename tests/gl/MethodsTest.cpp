@@ -128,9 +128,9 @@ TEST_F(Methods, EachMatchesTheReferenceAndIsAnotherPicture) {
 }
 
 /// One of each kind; the others differ in the composite alone.
-std::vector<std::pair<std::string, Method>> sixMethods() {
+std::vector<std::pair<std::string, Method>> sevenMethods() {
   auto methods = otherMethods();
-  methods.resize(6);
+  methods.resize(7);
   return methods;
 }
 
@@ -182,8 +182,41 @@ TEST_F(Methods, FocalRegionsKeepTheirBoundAtAnySize) {
   expectMatches(unfocused, viewOf(from(25, 15, unfocused), 0.5));
 }
 
+/// Edges that hardly count or nearly all do; a focus alone, and an opening around it.
+TEST_F(Methods, GhostsKeepTheirBoundAtAnyEdge) {
+  for (const bool lit : {true, false})
+    for (const double width : {0.0, 12.0})
+      for (const glm::dvec3 parameters : {glm::dvec3(1.0, 0.3, 0.0), glm::dvec3(0.7, 60.0, 1.0)}) {
+        SCOPED_TRACE(testing::Message() << lit << ", " << width << ", " << parameters.x << ", " << parameters.y);
+        Scene scene = hazyBody({.kind = MethodKind::Selection,
+                                .ghostStrength = parameters.x,
+                                .ghostEdge = parameters.y,
+                                .ghostOutline = parameters.z});
+        scene.look.shading.enabled = lit;
+        scene.look.cutaway.openWidth = width;
+        for (TransferFunction::Node& node : scene.look.context.function.nodes) node.properties.extinction *= 10.0;
+        expectMatches(scene, viewOf(from(25, 15, scene), 0.5));
+      }
+  Scene unfocused = hazyBody({.kind = MethodKind::Selection}), plain = hazyBody({});
+  unfocused.look.focus = plain.look.focus = {};
+  const View view = viewOf(from(25, 15, plain));
+  EXPECT_EQ(drawn(unfocused, view).final, drawn(plain, view).final) << "to the bit";
+}
+
+TEST_F(Methods, ASelectionHasSmoothEdges) {
+  Scene scene = hazyBody({.kind = MethodKind::Selection});
+  scene.look.edges = Edges::Smooth;
+  const View view = viewOf(from(25, 15, scene));
+  EXPECT_TRUE(hasSmoothEdges(scene.look, view));
+  expectMatches(scene, view);
+  expectMatches(brushed(scene), view);
+  View frozen = view;
+  frozen.frozen = OpeningView{from(0, 5, scene), size, 1.0};
+  expectMatches(scene, frozen);
+}
+
 TEST_F(Methods, ValuesSmoothedLabelsAndSplines) {
-  for (const auto& [name, method] : sixMethods()) {
+  for (const auto& [name, method] : sevenMethods()) {
     SCOPED_TRACE(name);
     Scene values = hazyBody(method);
     values.look.focus = ValueFocus{{95.0, 1000.0}, 0.0};
@@ -198,7 +231,7 @@ TEST_F(Methods, ValuesSmoothedLabelsAndSplines) {
 }
 
 TEST_F(Methods, BrushProtectedLabelsAndClipping) {
-  for (const auto& [name, method] : sixMethods()) {
+  for (const auto& [name, method] : sevenMethods()) {
     SCOPED_TRACE(name);
     const Scene scene = hazyBody(method);
     const View view = viewOf(from(25, 15, scene));
@@ -213,7 +246,7 @@ TEST_F(Methods, BrushProtectedLabelsAndClipping) {
 }
 
 TEST_F(Methods, FrozenAndWithAnAxisOffset) {
-  for (const auto& [name, method] : sixMethods()) {
+  for (const auto& [name, method] : sevenMethods()) {
     SCOPED_TRACE(name);
     Scene scene = hazyBody(method);
     View view = viewOf(from(50, 15, scene));
@@ -337,6 +370,12 @@ TEST_F(Methods, ReRunOnlyWhatAChangeReaches) {
   EXPECT_EQ(after(around, [](Scene& s) { s.look.method.focalShape = FocalShape::Box; }),
             std::set<std::string>{"focus layer"});
   EXPECT_EQ(after(around, [](Scene& s) { s.look.method.fadeReach *= 2.0; }), std::set<std::string>());
+  const Scene ghost = hazyBody({.kind = MethodKind::Selection});
+  for (double Method::*number : {&Method::ghostStrength, &Method::ghostEdge, &Method::ghostOutline}) {
+    EXPECT_EQ(after(ghost, [=](Scene& s) { s.look.method.*number *= 0.5; }),
+              (std::set<std::string>{"focus layer", "composite"}));
+    EXPECT_EQ(after(scene, [=](Scene& s) { s.look.method.*number *= 0.5; }), std::set<std::string>());
+  }
   EXPECT_EQ(after(faded, [](Scene& s) { s.look.cutaway.openWidth = s.look.cutaway.borderWidth = 9.0; }),
             std::set<std::string>());
 }
@@ -358,7 +397,10 @@ TEST_F(Methods, AMethodThatIsNotInUseCostsNothing) {
                         .fadeSharpness = 1.5,
                         .focalShape = FocalShape::Box,
                         .focalSize = 4.0,
-                        .focalFallOff = 3.0};
+                        .focalFallOff = 3.0,
+                        .ghostStrength = 0.3,
+                        .ghostEdge = 40.0,
+                        .ghostOutline = 0.9};
   Renderer renderer(gpuWith(Schedule::Plain)), fresh(gpuWith(Schedule::Plain));
   fresh.render(scene, view);
   for (const Pass pass : {Pass::Cones, Pass::FaintLayer, Pass::Lens})
@@ -400,6 +442,7 @@ TEST_F(Methods, ChangesLeaveNothingBehind) {
     scene.look.method.lensRadius = 30.0;
     scene.look.method.fadeReach = 5.0;
     scene.look.method.focalSize = 9.0;
+    scene.look.method.ghostStrength = 0.4;
     expectFresh(scene, view, name + ", other parameters");
     expectFresh(withProtected(scene), view, name + ", a protected label");
     scene.look.cutaway.openWidth = 20.0;

@@ -130,6 +130,8 @@ inline std::vector<std::pair<std::string, Method>> otherMethods() {
           {"ClearView", lens(LensFade::Distance, 45.0)},
           {"context-preserving", {.kind = MethodKind::ContextPreserving}},
           {"focal sphere", {.kind = MethodKind::FocalRegion, .focalSize = 7.0, .focalFallOff = 12.0}},
+          {"ghosted selection",
+           {.kind = MethodKind::Selection, .ghostStrength = 0.9, .ghostEdge = 8.0, .ghostOutline = 0.6}},
           {"average importance, grey", average(Sparseness::Colour)},
           {"average importance, screen door", average(Sparseness::ScreenDoor)},
           {"ClearView, bends alone", lens(LensFade::Curvature, 25.0)},

@@ -82,6 +82,7 @@ const std::vector<Change> changes{
      [](Scene& scene, View&) {
        scene.look.method = {.kind = MethodKind::FocalRegion, .focalSize = 5.0, .focalFallOff = 5.0};
      }},
+    {"ghosted selection", [](Scene& scene, View&) { scene.look.method.kind = MethodKind::Selection; }},
     {"smooth edges", [](Scene& scene, View&) { scene.look.edges = Edges::Smooth; }},
 };
 

@@ -86,8 +86,8 @@ int expectSlidersAsDeclared(const QWidget& panel) {
 
 TEST_F(Window, SlidersAreThoseOfTheDeclaredSettings) {
   EXPECT_EQ(expectSlidersAsDeclared<Cutaway>(panel<CutawayPanel>()), 3);
-  EXPECT_EQ(expectSlidersAsDeclared<Method>(panel<CutawayPanel>()), 9);
-  EXPECT_EQ(panel<CutawayPanel>().findChildren<SliderSpin*>().size(), 12) << "one each";
+  EXPECT_EQ(expectSlidersAsDeclared<Method>(panel<CutawayPanel>()), 12);
+  EXPECT_EQ(panel<CutawayPanel>().findChildren<SliderSpin*>().size(), 15) << "one each";
   EXPECT_EQ(expectSlidersAsDeclared<ContextLayer>(panel<ContextLayerPanel>()), 5);
   EXPECT_EQ(panel<ContextLayerPanel>().findChildren<SliderSpin*>().size(), 5) << "one each";
 }

@@ -69,7 +69,10 @@ inline io::Session fullSession(const std::filesystem::path& folder) {
                          0.75,
                          FocalShape::Box,
                          12.25,
-                         7.5};
+                         7.5,
+                         0.625,
+                         17.5,
+                         0.875};
   session.look.cutaway = {false, 31.0, 0.5, WidthUnit::Millimetre, {0.3, 0.2, 0.1}, 22.5, -135.0};
   session.look.contextLayer = {.strength = 0.25,
                                .curvatureWeight = 2.0,

@@ -21,6 +21,7 @@ TEST(Method, TheAdaptiveCutawayIsTheUsualOneWhateverTheOthersParameters) {
             MethodStages{});
   EXPECT_EQ(stagesOf({.fadeReach = 9.0, .fadeSharpness = 2.0}), MethodStages{});
   EXPECT_EQ(stagesOf({.focalShape = FocalShape::Box, .focalSize = 9.0, .focalFallOff = 2.0}), MethodStages{});
+  EXPECT_EQ(stagesOf({.ghostStrength = 0.2, .ghostEdge = 3.0, .ghostOutline = 1.0}), MethodStages{});
   EXPECT_FALSE(stagesOf(Method{}).keepsRemoved());
 }
 
@@ -92,6 +93,26 @@ TEST(Method, AFocalRegionOpensNothing) {
   scene.look.method = method;
   EXPECT_FALSE(hasCutaway(scene));
   EXPECT_EQ(fadingOf(scene.look), stages.fading);
+  scene.look.cutaway.enabled = false;
+  EXPECT_FALSE(fadingOf(scene.look));
+}
+
+TEST(Method, AGhostedSelectionOpensAsTheAdaptiveCutawayDoes) {
+  const Method method{.kind = MethodKind::Selection, .ghostStrength = 0.75, .ghostEdge = 20.0, .ghostOutline = 0.25};
+  MethodStages stages = stagesOf(method);
+  ASSERT_TRUE(stages.fading && stages.fading->ghost);
+  EXPECT_EQ(*stages.fading->ghost, (MethodStages::Fading::Ghost{0.75, 0.2, 0.25}));
+  EXPECT_FALSE(stages.fading->region || stages.fading->followsLight());
+  EXPECT_TRUE(stagesOf({.kind = MethodKind::ContextPreserving}).fading->followsLight());
+  EXPECT_FALSE(stagesOf({.kind = MethodKind::FocalRegion}).fading->followsLight());
+  stages.fading.reset();
+  EXPECT_EQ(stages, MethodStages{}) << "all else is the adaptive cutaway's";
+  Scene scene;
+  scene.look.method = method;
+  EXPECT_FALSE(fadingOf(scene.look)) << "there is nothing to be in front of";
+  scene.look.focus = LabelFocus{{1}};
+  EXPECT_TRUE(hasCutaway(scene));
+  EXPECT_EQ(fadingOf(scene.look), stagesOf(method).fading);
   scene.look.cutaway.enabled = false;
   EXPECT_FALSE(fadingOf(scene.look));
 }

@@ -53,6 +53,9 @@ CutawayPanel::CutawayPanel(Document& document, QWidget* parent)
       fadeSharpness_(methodControls_.slider(&Method::fadeSharpness)),
       focalSize_(methodControls_.slider(&Method::focalSize)),
       focalFallOff_(methodControls_.slider(&Method::focalFallOff)),
+      ghostStrength_(methodControls_.slider(&Method::ghostStrength)),
+      ghostEdge_(methodControls_.slider(&Method::ghostEdge)),
+      ghostOutline_(methodControls_.slider(&Method::ghostOutline)),
       lensRim_(methodControls_.spin(&Method::lensRim, 5.0)),
       look_(new QComboBox),
       unit_(controls_.choice(&Cutaway::unit)),
@@ -114,6 +117,9 @@ void CutawayPanel::addMethod(QFormLayout& form) {
   form.addRow(name(settingOf(&Method::focalShape)), focalShape_);
   form.addRow(name(settingOf(&Method::focalSize)), focalSize_);
   form.addRow(name(settingOf(&Method::focalFallOff)), focalFallOff_);
+  form.addRow(name(settingOf(&Method::ghostStrength)), ghostStrength_);
+  form.addRow(name(settingOf(&Method::ghostEdge)), ghostEdge_);
+  form.addRow(name(settingOf(&Method::ghostOutline)), ghostOutline_);
 }
 
 void CutawayPanel::addFreeze(QAction* freeze) {
@@ -152,19 +158,22 @@ void CutawayPanel::showMethod() {
   form_->setRowVisible(lens_, byLens);
   const MethodStages stages = stagesOf(method);
   const bool opens = stages.start != MethodStages::Start::Entry;
-  const bool byRegion = stages.fading && stages.fading->region, byView = stages.fading && !byRegion;
+  const bool byRegion = stages.fading && stages.fading->region, byView = stages.fading && stages.fading->followsLight();
+  const bool byGhost = stages.fading && stages.fading->ghost;
   form_->setRowVisible(fadeReach_, byView);
   form_->setRowVisible(fadeSharpness_, byView);
   form_->setRowVisible(focalShape_, byRegion);
   form_->setRowVisible(focalSize_, byRegion);
   form_->setRowVisible(focalFallOff_, byRegion);
+  for (QWidget* row : {ghostStrength_, ghostEdge_, ghostOutline_}) form_->setRowVisible(row, byGhost);
   QString tip = translated(wordOf(method.kind).description);
-  if (opens && method.kind != MethodKind::Adaptive)
+  if (opens && !opensBetweenPixels(method.kind))
     tip += QStringLiteral("\n") + tr("Smooth edges, by several rays a pixel, are the adaptive cutaway's alone");
   method_->setToolTip(tip);
   for (QWidget* widget : std::initializer_list<QWidget*>{
            method_, coneAngle_, importanceMode_, sparseness_, importanceAngle_, importanceOpacity_, lensFade_,
-           lensRadius_, lensBends_, lensRim_, fadeReach_, fadeSharpness_, focalShape_, focalSize_, focalFallOff_})
+           lensRadius_, lensBends_, lensRim_, fadeReach_, fadeSharpness_, focalShape_, focalSize_, focalFallOff_,
+           ghostStrength_, ghostEdge_, ghostOutline_})
     widget->setEnabled(open);
   for (QWidget* widget : std::initializer_list<QWidget*>{look_, axisOffset_, unit_}) widget->setEnabled(open && opens);
   axisDirection_->setEnabled(axisDirection_->isEnabled() && opens);

@@ -32,7 +32,7 @@ class CutawayPanel : public QWidget {
   QFormLayout* form_;
   QComboBox *method_, *importanceMode_, *sparseness_, *lensFade_, *focalShape_;
   SliderSpin *coneAngle_, *importanceAngle_, *importanceOpacity_, *lensRadius_, *lensBends_, *fadeReach_,
-      *fadeSharpness_, *focalSize_, *focalFallOff_;
+      *fadeSharpness_, *focalSize_, *focalFallOff_, *ghostStrength_, *ghostEdge_, *ghostOutline_;
   QDoubleSpinBox* lensRim_;
   QComboBox *look_, *unit_;
   ColourButton* colour_;
