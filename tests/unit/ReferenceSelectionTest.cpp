@@ -186,8 +186,8 @@ TEST(ReferenceSelection, PicturesAreTheLimitOfTheSum) {
           fromCut = std::max(fromCut, glm::distance(found, cut.final[static_cast<std::size_t>(j * size.x + i)]));
           fromWhole = std::max(fromWhole, glm::distance(found, whole.final[static_cast<std::size_t>(j * size.x + i)]));
         }
-      EXPECT_GT(fromCut, 0.02) << "the test would notice what is cut away";
-      EXPECT_GT(fromWhole, 0.02) << "the test would notice what is not ghosted";
+      EXPECT_GT(fromCut, 0.01) << "the test would notice what is cut away";
+      EXPECT_GT(fromWhole, 0.01) << "the test would notice what is not ghosted";
     }
 }
 

@@ -62,6 +62,12 @@ class Document::LookChange : public Change {
     return result;
   }
 
+  static std::size_t heldBy(const std::vector<SelectionStroke>& strokes) {
+    std::size_t bytes = strokes.capacity() * sizeof(SelectionStroke);
+    for (const SelectionStroke& stroke : strokes) bytes += stroke.anchors.capacity() * sizeof(glm::dvec3);
+    return bytes;
+  }
+
   static std::size_t heldBy(const Look& look) {
     const ContextFunction& context = look.context;
     std::size_t bytes =
@@ -73,7 +79,7 @@ class Document::LookChange : public Change {
     if (const auto* focus = std::get_if<LabelFocus>(&look.focus))
       bytes += focus->labels.capacity() * sizeof(focus->labels[0]);
     if (const auto* focus = std::get_if<RegionFocus>(&look.focus))
-      bytes += (focus->inside.capacity() + focus->outside.capacity()) * sizeof(glm::dvec3);
+      bytes += (focus->inside.capacity() + focus->outside.capacity()) * sizeof(glm::dvec3) + heldBy(focus->painted);
     return bytes;
   }
 
@@ -323,6 +329,26 @@ void Document::addSeed(glm::dvec3 world, bool inside) {
   auto& seeds = std::get<RegionFocus>(changed.focus);
   (inside ? seeds.inside : seeds.outside).push_back(world);
   edit(inside ? tr("Add to the region") : tr("Take away from the region"), std::move(changed));
+}
+
+void Document::paintSelection(SelectionStroke stroke) {
+  if (!region() && !stroke.adds) return;
+  const bool adds = stroke.adds;
+  Look changed = look();
+  if (!region()) changed.focus = RegionFocus{};
+  std::get<RegionFocus>(changed.focus).painted.push_back(std::move(stroke));
+  edit(adds ? tr("Paint the region") : tr("Erase from the region"), std::move(changed));
+}
+
+std::optional<std::pair<RegionFocus, std::shared_ptr<const segmentation::Growth>>> Document::grownBefore(
+    const RegionFocus& wanted) const {
+  for (auto each = grown_.rbegin(); each != grown_.rend(); ++each) {
+    RegionFocus first = wanted;
+    if (each->seeds.painted.size() > first.painted.size()) continue;
+    first.painted.resize(each->seeds.painted.size());
+    if (segmentation::haveSameSeeds(first, each->seeds)) return std::pair(each->seeds, each->growth);
+  }
+  return std::nullopt;
 }
 
 void Document::setTolerance(std::optional<double> tolerance) {
