@@ -248,7 +248,8 @@ Growth nothingGrown(const Volume& volume) {
 }
 
 void paintOver(Growth& growth, const Volume& volume, std::span<const SelectionStroke> strokes) {
-  auto steps = std::make_shared<LabelMap>(*growth.steps);
+  const std::shared_ptr<LabelMap> steps = emptySteps(volume.grid);
+  std::ranges::copy(growth.steps->voxels.as<std::uint8_t>(), steps->voxels.as<std::uint8_t>().begin());
   const double each = volume.grid.voxelVolume();
   std::vector<double> counts;
   for (const double size : growth.curve.volume) counts.push_back(std::round(size / each));
@@ -259,7 +260,7 @@ void paintOver(Growth& growth, const Volume& volume, std::span<const SelectionSt
     if (growth.box.empty()) growth.box = box;
     if (!box.empty()) growth.box = {glm::min(growth.box.low, box.low), glm::max(growth.box.high, box.high)};
   }
-  growth.steps = std::move(steps);
+  growth.steps = steps;
 }
 
 }  // namespace
