@@ -24,7 +24,7 @@ glm::dvec3 worldOf(const Grid& grid, glm::dvec3 index) {
 
 /// A turned grid of other spacings along each axis.
 std::shared_ptr<const Volume> rampVolume() {
-  return volumeOf<float>(gridOf({30, 26, 22}), [](glm::ivec3 i) { return 10.0 * i.x; });
+  return tests::volumeOf<float>(obliqueGrid({30, 26, 22}), [](glm::ivec3 i) { return 10.0 * i.x; });
 }
 
 std::vector<std::uint8_t> maskOf(const SelectionStroke& stroke, const Volume& volume, double noise = 1.0) {
@@ -107,7 +107,7 @@ TEST(Painting, ASoftRimFollowsTheValues) {
 }
 
 TEST(Painting, ValuesThatAreNoNumbersAreLikeNone) {
-  const auto volume = volumeOf<float>(
+  const auto volume = tests::volumeOf<float>(
       gridOf({20, 20, 20}), [](glm::ivec3 i) { return i.x >= 12 ? std::numeric_limits<double>::quiet_NaN() : 5.0; });
   const glm::dvec3 centre = worldOf(volume->grid, {10.0, 10.0, 10.0});
   for (const std::size_t voxel : voxelsOf({{centre}, 6.0, 1.0}, *volume, 1.0))
@@ -143,7 +143,7 @@ TEST(Painting, StrokesFollowOneAnotherAndAreCounted) {
 
 TEST(Painting, ARegionMayBePaintedAloneOrOverWhatGrows) {
   const Grid grid = gridOf({40, 40, 40});
-  const auto volume = volumeOf<std::int16_t>(
+  const auto volume = tests::volumeOf<std::int16_t>(
       grid, [](glm::ivec3 i) { return glm::distance(glm::dvec3(i), glm::dvec3(14.0, 20.0, 20.0)) < 8.0 ? 200 : 0; });
   const VoxelBox whole = wholeOf(grid.dims);
   const SelectionStroke ball{{worldOf(grid, {30.0, 20.0, 20.0})}, 6.0},
