@@ -107,8 +107,6 @@ void Actions::stop() {
     targets_.workspace.placement.cancel();
   else if (targets_.workspace.brush.isActive())
     targets_.workspace.brush.setActive(false);
-  else if (targets_.workspace.selection.isActive())
-    targets_.workspace.selection.setActive(false);
   else if (!targets_.workspace.measuring.stop())
     targets_.views.showAll();
 }

@@ -93,7 +93,7 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
 
   connectModels();  // before the views connect, so that the models are up to date when a view draws
   views_ = new ViewArea(workspace_.document, workspace_.cursor, workspace_.cameras, workspace_.options,
-                        workspace_.brush, workspace_.selection, workspace_.measuring, gl_,
+                        workspace_.brush, workspace_.measuring, gl_,
                         setup.atRest.value_or(workspace_.preferences.atRest()), setup.chooseSchedule);
   views_->warmUp(setup.expected);
   notices_ = new NoticeBar;
@@ -153,13 +153,6 @@ QWidget* MainWindow::makeCentre() {
 }
 
 void MainWindow::connectModels() {
-  // One brush at a time.
-  connect(&workspace_.brush, &Brush::activeChanged, this, [this](bool active) {
-    if (active) workspace_.selection.setActive(false);
-  });
-  connect(&workspace_.selection, &SelectionBrush::changed, this, [this] {
-    if (workspace_.selection.isActive()) workspace_.brush.setActive(false);
-  });
   connect(&workspace_.document, &Document::volumeChanged, this, &MainWindow::followVolume);
   connect(&workspace_.placement, &PlacementController::leaving, this, [this] {
     workspace_.document.history().push(tr("Place cameras"), std::make_shared<CamerasChange>(workspace_.cameras));

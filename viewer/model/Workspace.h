@@ -7,7 +7,6 @@
 #include "viewer/model/MeasureMode.h"
 #include "viewer/model/PlacementController.h"
 #include "viewer/model/Preferences.h"
-#include "viewer/model/SelectionBrush.h"
 #include "viewer/model/SliceCursor.h"
 #include "viewer/model/ViewLink.h"
 #include "viewer/model/ViewOptions.h"
@@ -23,7 +22,6 @@ struct Workspace {
   PlacementController placement{document, cameras};
   ViewOptions options;
   Brush brush;
-  SelectionBrush selection;
   MeasureMode measuring{document};
   Preferences preferences;
   LookLibrary looks{preferences.looksFolder()};

@@ -11,7 +11,6 @@
 #include "viewer/model/MeasureMode.h"
 #include "viewer/model/OpeningEdge.h"
 #include "viewer/model/PatientLines.h"
-#include "viewer/model/SelectionBrush.h"
 #include "viewer/model/SliceCursor.h"
 #include "viewer/model/ViewOptions.h"
 #include "viewer/style/FocusRing.h"
@@ -44,7 +43,7 @@ QList<QPolygonF> polygonsOf(const std::vector<std::vector<glm::dvec2>>& loops) {
 }  // namespace
 
 SliceView::SliceView(SlicePlane plane, Document& document, SliceCursor& cursor, ViewOptions& options,
-                     MeasureMode& measuring, SelectionBrush& selection, OpeningEdge& opening, QWidget* parent)
+                     MeasureMode& measuring, OpeningEdge& opening, QWidget* parent)
     : QWidget(parent),
       document_(document),
       cursor_(cursor),
@@ -67,14 +66,6 @@ SliceView::SliceView(SlicePlane plane, Document& document, SliceCursor& cursor, 
                     .geometry = [this]() -> const SliceGeometry& { return geometry_; },
                     .slice = [this] { return slice_; },
                     .shows = [this] { return options_.measures(); }}),
-      selectionTool_(selection, document,
-                     {.pick = [this](QPointF position) -> std::optional<glm::dvec3> {
-                        const glm::dvec3 world = worldFromWidget(position);
-                        return inPicture(world) ? std::optional(world) : std::nullopt;
-                      },
-                      .widgetFromWorld = [this](glm::dvec3 world) { return std::optional(widgetFromWorld(world)); },
-                      .pixelsPerMm = [this](glm::dvec3) { return pixelsPerMm(); },
-                      .redraw = [this] { update(); }}),
       toleranceWheel_(document) {
   geometry_.plane = plane;
   setMouseTracking(true);
@@ -99,7 +90,6 @@ SliceView::SliceView(SlicePlane plane, Document& document, SliceCursor& cursor, 
     openingOutline_.reset();
     update();
   });
-  connect(&selection, &SelectionBrush::changed, this, qOverload<>(&QWidget::update));
   connect(&measuring, &MeasureMode::changed, this, [this] {
     setCursor(measureTool_.pointer(last_));
     update();
@@ -302,7 +292,6 @@ void SliceView::drawMarks(QPainter& painter, bool interpolated) const {
   if (options_.crosshair()) drawCrosshair(painter);
   measureTool_.draw(painter, rect());
   clipTool_.draw(painter);
-  selectionTool_.draw(painter);
 
   const QRectF view = rect();
   drawEdgeLetters(painter, view, geometry_.right, geometry_.down);

@@ -3,7 +3,7 @@
 // Plain QWidget and QImage, so it works where 3-D cannot start.
 //
 // Left click: crosshair and focus, see clickStructure(); left drag: window/level, or a measure, see MeasureTool, or the
-// crop box and clip planes, see ClipTool, or the region in focus, see SelectionTool;
+// crop box and clip planes, see ClipTool;
 // middle: pan; right drag or Ctrl+wheel: zoom; wheel and arrows: slices; Alt+wheel: tolerance of the region in focus;
 // Shift+move: crosshair.
 
@@ -21,7 +21,6 @@
 #include "rendering/scene/Slice.h"
 #include "viewer/tools/ClipTool.h"
 #include "viewer/tools/MeasureTool.h"
-#include "viewer/tools/SelectionTool.h"
 #include "viewer/tools/ToleranceWheel.h"
 
 namespace fenestra::viewer {
@@ -29,7 +28,6 @@ namespace fenestra::viewer {
 class Document;
 class MeasureMode;
 class OpeningEdge;
-class SelectionBrush;
 class SliceCursor;
 class ViewOptions;
 
@@ -37,7 +35,7 @@ class SliceView : public QWidget {
   Q_OBJECT
  public:
   SliceView(SlicePlane plane, Document& document, SliceCursor& cursor, ViewOptions& options, MeasureMode& measuring,
-            SelectionBrush& selection, OpeningEdge& opening, QWidget* parent = nullptr);
+            OpeningEdge& opening, QWidget* parent = nullptr);
 
   SlicePlane plane() const { return geometry_.plane; }
   const SliceGeometry& sliceGeometry() const { return geometry_; }
@@ -146,7 +144,6 @@ class SliceView : public QWidget {
   std::optional<BeforeClick> beforeClick_;
   ClipTool clipTool_;
   MeasureTool measureTool_;
-  SelectionTool selectionTool_;
   bool measured_ = false;  ///< the tool took the last press
   ToleranceWheel toleranceWheel_;
   double wheel_ = 0.0;  ///< wheel angle that is not yet a whole notch, in eighths of a degree

@@ -22,7 +22,7 @@ constexpr double clickSlack = 4.0;
 
 void SliceView::mousePressEvent(QMouseEvent* event) {
   pressed_ = last_ = event->position();
-  measured_ = selectionTool_.press(*event) || clipTool_.press(*event) || measureTool_.press(*event);
+  measured_ = clipTool_.press(*event) || measureTool_.press(*event);
   beforeClick_.reset();
   windowAtPress_ = document_.window();
   dragging_ = false;
@@ -32,11 +32,10 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
   if (!document_.hasVolume()) return;
   const QPointF position = event->position(), move = position - last_, total = position - pressed_;
   last_ = position;
-  if (selectionTool_.move(*event) || clipTool_.move(*event) || measureTool_.move(*event)) return;
+  if (clipTool_.move(*event) || measureTool_.move(*event)) return;
   const Qt::MouseButtons buttons = event->buttons();
   if (buttons == Qt::NoButton) {
-    setCursor(selectionTool_.isActive() ? Qt::CrossCursor
-                                        : clipTool_.pointer(position).value_or(measureTool_.pointer(position)));
+    setCursor(clipTool_.pointer(position).value_or(measureTool_.pointer(position)));
     const glm::dvec3 world = worldFromWidget(position);
     if (event->modifiers() & Qt::ShiftModifier && inPicture(world)) cursor_.moveTo(world);
     if (inPicture(world))
@@ -63,8 +62,7 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void SliceView::mouseReleaseEvent(QMouseEvent* event) {
-  if (selectionTool_.release(*event) || clipTool_.release(*event) || measureTool_.release(*event)) return;
-  if (dragging_ || !document_.hasVolume()) return;
+  if (clipTool_.release(*event) || measureTool_.release(*event) || dragging_ || !document_.hasVolume()) return;
   const glm::dvec3 world = worldFromWidget(event->position());
   if (const auto measure = measureTool_.measureAt(event->position()); measure && event->button() == Qt::RightButton) {
     Q_EMIT measureMenuRequested(*measure, event->globalPosition().toPoint());
@@ -149,9 +147,6 @@ void SliceView::keyPressEvent(QKeyEvent* event) {
   if (document_.hasVolume()) cursor_.step(geometry_, steps);
 }
 
-void SliceView::leaveEvent(QEvent*) {
-  selectionTool_.leave();
-  Q_EMIT left();
-}
+void SliceView::leaveEvent(QEvent*) { Q_EMIT left(); }
 
 }  // namespace fenestra::viewer

@@ -13,7 +13,7 @@
 namespace fenestra::viewer {
 
 ViewArea::ViewArea(Document& document, SliceCursor& cursor, ViewLink& cameras, ViewOptions& options, Brush& brush,
-                   SelectionBrush& selection, MeasureMode& measuring, const GlSupport& gl, const Effort& atRest,
+                   MeasureMode& measuring, const GlSupport& gl, const Effort& atRest,
                    const ScenePreparation::ChooseSchedule& chooseSchedule, QWidget* parent)
     : QWidget(parent),
       pacer_(std::make_shared<FramePacer>(atRest)),
@@ -41,7 +41,7 @@ ViewArea::ViewArea(Document& document, SliceCursor& cursor, ViewLink& cameras, V
     preparation_ = std::make_shared<ScenePreparation>(chooseSchedule);
     const VolumeView::Shared shared{preparation_, pacer_, std::make_shared<DrawingTurns>(*pacer_), gl.software};
     for (int index = 0; index < ViewLink::count; ++index) {
-      auto* view = new VolumeView(index, document, cursor, cameras, options, brush, selection, shared);
+      auto* view = new VolumeView(index, document, cursor, cameras, options, brush, shared);
       connectView(view);
       connect(view, &VolumeView::failed, this, &ViewArea::failed);
       connect(view, &VolumeView::reduced, this, &ViewArea::reduced);
@@ -61,7 +61,7 @@ ViewArea::ViewArea(Document& document, SliceCursor& cursor, ViewLink& cameras, V
     upper_->addWidget(reason);
   }
   for (const SlicePlane plane : {SlicePlane::Axial, SlicePlane::Sagittal, SlicePlane::Coronal}) {
-    auto* view = new SliceView(plane, document, cursor, options, measuring, selection, opening_);
+    auto* view = new SliceView(plane, document, cursor, options, measuring, opening_);
     connectView(view);
     connect(view, &SliceView::measureMenuRequested, this, &ViewArea::measureMenuRequested);
     connect(view, &SliceView::picked, this, &ViewArea::picked);

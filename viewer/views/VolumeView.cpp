@@ -36,7 +36,7 @@ double now() {
 }  // namespace
 
 VolumeView::VolumeView(int index, Document& document, SliceCursor& cursor, ViewLink& cameras, ViewOptions& options,
-                       Brush& brush, SelectionBrush& selection, Shared shared, QWidget* parent)
+                       Brush& brush, Shared shared, QWidget* parent)
     : QWidget(parent),
       index_(index),
       document_(document),
@@ -45,7 +45,6 @@ VolumeView::VolumeView(int index, Document& document, SliceCursor& cursor, ViewL
       options_(options),
       brush_(brush),
       brushTool_(brush, document, canvas()),
-      selectionTool_(selection, document, selectionCanvas()),
       clipTool_(document, clipCanvas()),
       toleranceWheel_(document),
       shared_(std::move(shared)),

@@ -6,9 +6,8 @@
 // of rest it refines the picture up to full quality, in slices of time between which the window answers; a change ends
 // that. What takes long besides is prepared on another thread; until then the view keeps the picture that it has. A
 // brush stroke changes little of the picture and is drawn at full quality at once. Left drag: rotate, or paint while
-// the brush is up (see BrushTool), or the region's brush (see SelectionTool); left click: crosshair and focus to what
-// is seen, see clickStructure(); middle: pan; right drag or wheel: zoom; Alt+wheel: tolerance of the region in focus;
-// arrows: turn by steps.
+// the brush is up (see BrushTool); left click: crosshair and focus to what is seen, see clickStructure(); middle: pan;
+// right drag or wheel: zoom; Alt+wheel: tolerance of the region in focus; arrows: turn by steps.
 
 #include <functional>
 #include <memory>
@@ -23,7 +22,6 @@
 #include "viewer/model/FramePacer.h"
 #include "viewer/tools/BrushTool.h"
 #include "viewer/tools/ClipTool.h"
-#include "viewer/tools/SelectionTool.h"
 #include "viewer/tools/ToleranceWheel.h"
 #include "viewer/views/RefinedPicture.h"
 #include "viewer/views/ScenePreparation.h"
@@ -32,7 +30,6 @@ namespace fenestra::viewer {
 
 class Document;
 class PictureSurface;
-class SelectionBrush;
 class SliceCursor;
 class ViewLink;
 class ViewOptions;
@@ -59,7 +56,7 @@ class VolumeView : public QWidget {
 
   /// `index` is the camera's place in `cameras`.
   VolumeView(int index, Document& document, SliceCursor& cursor, ViewLink& cameras, ViewOptions& options, Brush& brush,
-             SelectionBrush& selection, Shared shared, QWidget* parent = nullptr);
+             Shared shared, QWidget* parent = nullptr);
   ~VolumeView() override;
 
   int index() const { return index_; }
@@ -187,7 +184,6 @@ class VolumeView : public QWidget {
   void click(const Hit& hit, Qt::KeyboardModifiers modifiers);
   glm::dvec2 pixelAt(QPointF position) const;
   BrushTool::Canvas canvas();
-  SelectionTool::Canvas selectionCanvas();
   ClipTool::Canvas clipCanvas();
   double mmPerPixel(const Camera& camera) const;
   std::optional<QPointF> widgetFromWorld(glm::dvec3 world, const Camera& camera) const;
@@ -200,7 +196,6 @@ class VolumeView : public QWidget {
   ViewOptions& options_;
   Brush& brush_;
   BrushTool brushTool_;
-  SelectionTool selectionTool_;
   ClipTool clipTool_;
   ToleranceWheel toleranceWheel_;
   Shared shared_;

@@ -30,7 +30,7 @@ constexpr double arrowTurn = glm::pi<double>() / 36.0;  ///< 5 degrees
 void VolumeView::mousePressEvent(QMouseEvent* event) {
   hover_.stop();
   shared_.pacer->lead(index_);
-  if (brushTool_.press(*event) || selectionTool_.press(*event) || clipTool_.press(*event)) return;
+  if (brushTool_.press(*event) || clipTool_.press(*event)) return;
   pressed_ = last_ = event->position();
   beforeClick_.reset();
   dragging_ = false;
@@ -38,14 +38,12 @@ void VolumeView::mousePressEvent(QMouseEvent* event) {
 
 void VolumeView::mouseMoveEvent(QMouseEvent* event) {
   if (brush_.isActive() && !hasFocus()) setFocus(Qt::MouseFocusReason);  // for the keys that the brush offers
-  if (!document_.hasVolume() || brushTool_.move(*event) || selectionTool_.move(*event) || clipTool_.move(*event))
-    return;
+  if (!document_.hasVolume() || brushTool_.move(*event) || clipTool_.move(*event)) return;
   const QPointF position = event->position(), move = position - last_, total = position - pressed_;
   last_ = position;
   const Qt::MouseButtons buttons = event->buttons();
   if (buttons == Qt::NoButton) {
-    if (!brush_.isActive())
-      setCursor(selectionTool_.isActive() ? Qt::CrossCursor : clipTool_.pointer(position).value_or(Qt::ArrowCursor));
+    if (!brush_.isActive()) setCursor(clipTool_.pointer(position).value_or(Qt::ArrowCursor));
     if (event->modifiers() & Qt::ShiftModifier)
       if (const std::optional<Hit> hit = pick(position)) {
         const glm::dvec3 at = surfaceAt(*hit);
@@ -72,8 +70,7 @@ void VolumeView::mouseMoveEvent(QMouseEvent* event) {
 
 void VolumeView::mouseReleaseEvent(QMouseEvent* event) {
   if (dragging_) cameras_.release();
-  if (brushTool_.release(*event) || selectionTool_.release(*event) || clipTool_.release(*event)) return;
-  if (dragging_ || !document_.hasVolume()) return;
+  if (brushTool_.release(*event) || clipTool_.release(*event) || dragging_ || !document_.hasVolume()) return;
   const std::optional<Hit> hit = pick(event->position());
   if (!hit) return;
   if (event->button() == Qt::RightButton) {
@@ -127,7 +124,7 @@ void VolumeView::click(const Hit& hit, Qt::KeyboardModifiers modifiers) {
 
 void VolumeView::mouseDoubleClickEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return;
-  if (brush_.isActive() || selectionTool_.isActive()) {
+  if (brush_.isActive()) {
     mousePressEvent(event);  // two quick dabs
     return;
   }
@@ -182,7 +179,6 @@ void VolumeView::keyPressEvent(QKeyEvent* event) {
 void VolumeView::leaveEvent(QEvent*) {
   hover_.stop();
   brushTool_.leave();
-  selectionTool_.leave();
   Q_EMIT left();
 }
 

@@ -1,6 +1,5 @@
 // How a 3-D view looks on the screen: its picture with the marks over it.
 
-#include <algorithm>
 #include <utility>
 
 #include <QPainter>
@@ -61,7 +60,6 @@ void VolumeView::drawOverlay() {
     drawStudyText(painter, view, patientLines(document_.study().patient, document_.study().series), 0);
   clipTool_.draw(painter);
   brushTool_.draw(painter, view);
-  selectionTool_.draw(painter);
   // Filled, because OpenGL leaves out lines along the rim.
   if (hasFocus())
     for (const QRect& side : QRegion(rect()) - rect().adjusted(1, 1, -1, -1))
@@ -81,23 +79,6 @@ void VolumeView::drawMarks(QPainter& painter, const Camera& camera) const {
   drawOrientationCube(painter, {view.left() + overlayMargin, view.bottom() - overlayMargin - cube, cube, cube},
                       camera.axes());
   if (camera.projection == Projection::Orthographic) drawScaleBar(painter, view, mmPerPixel(camera));
-}
-
-SelectionTool::Canvas VolumeView::selectionCanvas() {
-  return {.pick = [this](QPointF position) -> std::optional<glm::dvec3> {
-            const std::optional<Hit> hit = pick(position);
-            return hit ? std::optional(surfaceAt(*hit)) : std::nullopt;
-          },
-          .widgetFromWorld = [this](glm::dvec3 world) { return widgetFromWorld(world); },
-          .pixelsPerMm =
-              [this](glm::dvec3 world) {
-                const Camera camera = shownCamera();
-                const double atTarget = 1.0 / mmPerPixel(camera);
-                if (camera.projection == Projection::Orthographic) return atTarget;
-                const double depth = glm::dot(world - camera.eye, camera.axes().forward);
-                return atTarget * glm::distance(camera.eye, camera.target) / std::max(depth, 1e-9);
-              },
-          .redraw = [this] { repaintSurface(); }};
 }
 
 }  // namespace fenestra::viewer
