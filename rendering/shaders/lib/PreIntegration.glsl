@@ -33,6 +33,9 @@ struct Segment {
   float depth;
 };
 
+// 1 - exp(-x), by its series where the difference would cancel.
+float opacityOf(float x) { return x < 1e-2 ? x * (1.0 - x * (0.5 - x * (1.0 / 6.0))) : 1.0 - exp(-x); }
+
 // From entry a to entry b, where an entry takes so many mm. `front`, `back`: seenFrom() them. What was found for the level
 // is scaled by the ratio of the opacities, which leaves an error of second order in the depth.
 //
@@ -43,12 +46,11 @@ Segment segmentOver(float a, vec4 front, float b, vec4 back, float perEntry, Lev
   vec4 end = rises ? transfer.firstMaterial : transfer.lastMaterial;
   float before = (rises ? below : above) * end.a;
   float sum = abs(back.a - front.a) + below * transfer.firstMaterial.a + above * transfer.lastMaterial.a;
-  vec3 endColour = end.rgb / max(end.a, 1e-30);
-  float depth = perEntry * sum, levelDepth = level.perEntry * sum;
-  float passed = exp(-depth), levelPassed = exp(-levelDepth);
-  vec3 colour = mix(endColour, front.rgb, exp(-level.perEntry * before)) - levelPassed * back.rgb;
-  bool thin = levelDepth < 1e-2;
-  float opacity = thin ? depth * (1.0 - depth * (0.5 - depth * (1.0 / 6.0))) : 1.0 - passed;
-  float ratio = thin ? (perEntry / level.perEntry) * (1.0 - 0.5 * (depth - levelDepth)) : opacity / (1.0 - levelPassed);
+  float depth = perEntry * sum, opacity = opacityOf(depth);
+  float levelDepth = level.perEntry * sum, levelOpacity = opacityOf(levelDepth);
+  vec3 seen = front.rgb + opacityOf(level.perEntry * before) * (end.rgb / max(end.a, 1e-30) - front.rgb);
+  // Nothing is left of equal values where nothing absorbs.
+  vec3 colour = seen - back.rgb + levelOpacity * back.rgb;
+  float ratio = levelOpacity > 0.0 ? opacity / levelOpacity : 1.0;
   return Segment(vec4(colour * ratio, opacity), depth);
 }
