@@ -5,6 +5,7 @@
 
 #include "app/OptionHelpers.h"
 #include "io/base/Error.h"
+#include "rendering/segmentation/Painting.h"
 
 namespace fenestra::app {
 namespace {
@@ -28,6 +29,18 @@ CLI::Option* addPositions(CLI::App& command, const std::string& name, const std:
       ->expected(1)
       ->take_all()
       ->allow_extra_args(false);
+}
+
+/// A stroke of one ball: ball:L,P,S:R or -ball:L,P,S:R, with :SOFTNESS behind it.
+std::optional<SelectionStroke> parseBall(const std::string& text) {
+  const std::vector<std::string> parts = io::split(text, ':');
+  if (parts.size() < 3 || parts.size() > 4 || (parts[0] != "ball" && parts[0] != "-ball")) return std::nullopt;
+  const auto centre = parseNumbers<double, 3>(parts[1], ',');
+  const auto radius = parseNumber<double>(parts[2]);
+  const auto softness = parts.size() == 4 ? parseNumber<double>(parts[3]) : 0.0;
+  if (!centre || !radius || !(*radius > 0.0) || !softness || !(*softness >= 0.0 && *softness <= 1.0))
+    return std::nullopt;
+  return SelectionStroke{{{(*centre)[0], (*centre)[1], (*centre)[2]}}, *radius, *softness, parts[0] == "ball"};
 }
 
 std::string textOf(glm::dvec3 position) {
@@ -66,16 +79,45 @@ CLI::Option* addSeedOptions(CLI::App& command, RegionFocus& region) {
   return seed;
 }
 
+CLI::Option* addSelectOption(CLI::App& command, RegionFocus& region) {
+  const std::string form = "[-]ball:L,P,S:R[:SOFTNESS]";
+  return command
+      .add_option_function<std::vector<std::string>>(
+          "--select",
+          [=, &region](const std::vector<std::string>& texts) {
+            for (const std::string& text : texts) {
+              const auto ball = parseBall(text);
+              if (!ball) throw CLI::ValidationError("--select", "\"" + text + "\" is not " + form);
+              region.painted.push_back(*ball);
+            }
+          },
+          "a ball to open the view to, of R mm around a point in mm, or with -ball to take from what is selected; in "
+          "the outer share SOFTNESS, 0 to 1, only where values are like those inside; may be given several times")
+      ->group("Region growing")
+      ->type_name(form)
+      ->expected(1)
+      ->take_all()
+      ->allow_extra_args(false);
+}
+
 std::shared_ptr<const segmentation::Growth> grow(const Volume& volume, const RegionFocus& region,
                                                  const std::string& source, const io::Progress& progress) {
   checkSeeds(volume.grid, region.inside, "--seed", source);
   checkSeeds(volume.grid, region.outside, "--outside", source);
+  for (const SelectionStroke& ball : region.painted)
+    if (segmentation::boxOf(ball, volume.grid).empty())
+      throw io::Error(
+          source, "has no voxel within --select " + textOf(ball.anchors.front()),
+          "enlarge the ball, or move it; the volume's centre is " + textOf(volume.grid.centre()) + " (mm, LPS)");
   segmentation::Progress onward;
   if (progress) onward = [&](double fraction) { return progress(fraction, "growing the region"); };
   std::optional<segmentation::Growth> growth =
       segmentation::growRegion(volume, region, segmentation::wholeOf(volume.grid.dims), onward);
   if (!growth) throw io::Cancelled();
-  if (growth->curve.volume[static_cast<std::size_t>(growth->stepOf(region))] == 0.0)
+  const double size = growth->curve.volume[static_cast<std::size_t>(growth->stepOf(region))];
+  if (size == 0.0 && !region.painted.empty())
+    throw io::Error(source, "has no voxel in what --select selects", "enlarge a ball, or take less away");
+  if (size == 0.0)
     throw io::Error(source, "has no region of this tolerance around the seed",
                     region.tolerance ? "raise --tolerance" : "choose another --seed, or remove an --outside");
   return std::make_shared<const segmentation::Growth>(std::move(*growth));

@@ -17,7 +17,10 @@ namespace fenestra::app {
 /// Adds --seed, --outside and --tolerance; returns --seed. `region` must outlive `command`.
 CLI::Option* addSeedOptions(CLI::App& command, RegionFocus& region);
 
-/// Throws io::Error that names `source` when a seed lies outside the volume or no voxel joins, io::Cancelled.
+/// Adds --select, balls that a region is painted by.
+CLI::Option* addSelectOption(CLI::App& command, RegionFocus& region);
+
+/// Throws io::Error that names `source` when a seed or ball lies outside the volume or no voxel joins, io::Cancelled.
 std::shared_ptr<const segmentation::Growth> grow(const Volume& volume, const RegionFocus& region,
                                                  const std::string& source, const io::Progress& progress = {});
 

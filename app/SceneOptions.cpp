@@ -82,9 +82,9 @@ io::Progress part(const io::Progress& progress, double begin, double end) {
 void setFocus(const SceneOptions& options, LoadedScene& loaded) {
   Scene& scene = loaded.asSet;
   std::vector<std::string> wanted = options.focusLabels;
-  const bool given = options.focusRange || !options.region.inside.empty();
+  const bool given = options.focusRange || !options.region.empty();
   if (!options.phantom.empty() && wanted.empty() && !given) wanted = phantomView(options.phantom).focus;
-  if (!options.region.inside.empty()) {
+  if (!options.region.empty()) {
     scene.look.focus = options.region;
   } else if (options.focusRange) {
     scene.look.focus = ValueFocus{*options.focusRange, options.focusMinimumSize};
@@ -104,7 +104,7 @@ void setFocus(const SceneOptions& options, LoadedScene& loaded) {
 void growFocus(const SceneOptions& options, LoadedScene& loaded, const io::Progress& progress) {
   Scene& scene = loaded.asSet;
   if (const auto* region = std::get_if<RegionFocus>(&scene.look.focus)) {
-    if (options.region.inside.empty() && !segmentation::canGrow(*scene.volume, *region)) {
+    if (options.region.empty() && !segmentation::canGrow(*scene.volume, *region)) {
       loaded.warnings.push_back({io::Warning::Kind::ChangedData, segmentation::cannotGrow, {options.path}});
       scene.look.focus = std::monostate{};
     } else {
@@ -283,7 +283,9 @@ void addFocus(CLI::App& command, SceneOptions& options) {
             })
       ->excludes(focusLabels);
   CLI::Option* seed = addSeedOptions(command, options.region);
-  for (const char* other : {"--focus-labels", "--focus-range"}) seed->excludes(command.get_option(other));
+  CLI::Option* select = addSelectOption(command, options.region);
+  for (const char* other : {"--focus-labels", "--focus-range"})
+    for (CLI::Option* region : {seed, select}) region->excludes(command.get_option(other));
   command.option_defaults()->group("Focus");
   addSetting(command, settingOf(&ValueFocus::minimumComponent), options.focusMinimumSize);
   addFocusTransfer(command, options.labelChanges);
@@ -448,7 +450,7 @@ OpenedData openData(const VolumeOptions& options, const fs::path& labels, const 
 
 Focus expectedFocus(const SceneOptions& options) {
   if (options.focusRange) return ValueFocus();
-  const bool labelled = !options.focusLabels.empty() || !options.region.inside.empty() || !options.phantom.empty();
+  const bool labelled = !options.focusLabels.empty() || !options.region.empty() || !options.phantom.empty();
   return labelled ? Focus(LabelFocus()) : Focus();
 }
 

@@ -79,7 +79,7 @@ struct SceneOptions : VolumeOptions {
   std::optional<Projection> projection;
   std::optional<glm::ivec2> size;        ///< rendered pixels
   std::filesystem::path strokes;         ///< file of brush strokes; empty: those of the look
-  RegionFocus region;                    ///< without an inside seed: none
+  RegionFocus region;                    ///< empty(): none
   std::optional<io::LookPreset> preset;  ///< `look` is in its style, and its transfer function stays
   Look look;  ///< starts as the session's; the members above override its focus, context, clipping and strokes
   Quality quality = Quality::Normal;

@@ -143,7 +143,8 @@ Json describe(const io::Session& session) {
   if (const auto* range = std::get_if<ValueFocus>(&session.look.focus))
     json["focus"] = {{"low", range->values.low}, {"high", range->values.high}};
   if (const auto* region = std::get_if<RegionFocus>(&session.look.focus))
-    json["focus"] = {{"inside", region->inside.size()}, {"outside", region->outside.size()}};
+    json["focus"] = {
+        {"inside", region->inside.size()}, {"outside", region->outside.size()}, {"painted", region->painted.size()}};
   if (!session.labels.path.empty()) json["labels"] = session.labels.path.string();
   return json;
 }

@@ -76,9 +76,20 @@ void members(auto& io, io::json::Is<ValueFocus> auto& focus) {
   settings(io, focus);
 }
 
+void members(auto& io, io::json::Is<SelectionStroke> auto& stroke) {
+  io.required("anchors", stroke.anchors, millimetres,
+              {"Points of a line in space, in the patient's mm (LPS); one is a dab"});
+  io("radius", stroke.radius, positiveMillimetres, {"Of the ball that follows the line", "mm"});
+  io("softness", stroke.softness, fraction,
+     {"Share of the radius, from the rim, in which only values like those within belong to the stroke"});
+  io("adds", stroke.adds, {}, {"To the region; else it takes away"});
+}
+
 void members(auto& io, io::json::Is<RegionFocus> auto& focus) {
-  io.required("inside", focus.inside, millimetres, {"Seeds in the structure, in the patient's mm (LPS)"});
+  io.required("inside", focus.inside, millimetres,
+              {"Seeds in the structure, in the patient's mm (LPS); none where the region is only painted"});
   io("outside", focus.outside, millimetres, {"Seeds in structures that the region must not enter"});
+  io("painted", focus.painted, {}, {"Strokes over what grows, in the order they were painted"});
   io.optional("tolerance", focus.tolerance, focus.tolerance.has_value(), io::json::nonNegative,
               {"How far values may lie below the seed's, in the volume's unit; without it, chosen from the plateaus"});
 }
@@ -133,9 +144,9 @@ inline void focusMember(const io::json::Reader& io, Focus& focus) {
     io("focus", focus.emplace<ValueFocus>());
 }
 inline void focusMember(io::json::SchemaWriter& io, const Focus&) {
-  io.oneOf<LabelFocus, ValueFocus, RegionFocus>("focus",
-                                                {"What the view opens to; without it, nothing. Either labels, or the "
-                                                 "values from low to high, or the region grown from seeds"});
+  io.oneOf<LabelFocus, ValueFocus, RegionFocus>(
+      "focus", {"What the view opens to; without it, nothing. Either labels, or the "
+                "values from low to high, or the region grown from seeds and painted"});
 }
 
 void members(auto& io, io::json::Is<LabelSetting> auto& setting) {

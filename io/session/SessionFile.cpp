@@ -76,13 +76,17 @@ void check(const Session& session, const json::Reader& top) {
                "has settings of labels that do not ascend");
   if (const auto* labels = std::get_if<LabelFocus>(&session.look.focus)) {
     refuseUnless(!session.labels.path.empty() || session.phantom, top, "has a focus of labels, but no labels");
-    refuseUnless(!labels->labels.empty() && std::is_sorted(labels->labels.begin(), labels->labels.end(), std::less_equal<>()), top,
-                 "has labels in the focus that do not ascend");
+    refuseUnless(
+        !labels->labels.empty() && std::is_sorted(labels->labels.begin(), labels->labels.end(), std::less_equal<>()),
+        top, "has labels in the focus that do not ascend");
   }
   if (const auto* values = std::get_if<ValueFocus>(&session.look.focus))
     refuseUnless(values->values.low <= values->values.high, top, "has a focus of values whose low exceeds its high");
   if (const auto* region = std::get_if<RegionFocus>(&session.look.focus)) {
-    refuseUnless(!region->inside.empty(), top, "has a region in the focus without a seed inside");
+    refuseUnless(!region->empty(), top, "has a region in the focus without a seed inside or a stroke");
+    refuseUnless(std::all_of(region->painted.begin(), region->painted.end(),
+                             [](const SelectionStroke& stroke) { return !stroke.anchors.empty(); }),
+                 top, "has a painted region with a stroke of no points");
     refuseUnless(region->inside.size() + region->outside.size() <= mostSeeds, top,
                  "has a region in the focus with more seeds than anybody clicks");
   }

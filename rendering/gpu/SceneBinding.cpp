@@ -164,6 +164,11 @@ void bindFading(const GpuScene& scene, gl::ShaderProgram& program, const Camera&
   program.set("fadingSharpness", static_cast<float>(fading->sharpness));
   // The steepest slope is half of a gate's unit (Lighting.h).
   program.set("gradientGate", 2.0f * glm::vec2(lighting::gradientGateLow, lighting::gradientGateHigh));
+  if (const auto& ghost = fading->ghost) {
+    program.set("ghostStrength", static_cast<float>(ghost->strength));
+    program.set("ghostEdgeSquare", static_cast<float>(ghost->edge * ghost->edge));
+    program.set("ghostOutline", static_cast<float>(ghost->outline));
+  }
   if (!fading->region) return;
   const glm::dvec3 middle = scene.focus().centre(scene.grid()).value_or(scene.grid().centre());
   program.set("focalMiddle", glm::vec3(middle - (camera.eye + distance * camera.axes().forward)));
@@ -173,7 +178,7 @@ void bindFading(const GpuScene& scene, gl::ShaderProgram& program, const Camera&
 }
 
 gl::Define fadingDefine(const std::optional<MethodStages::Fading>& fading) {
-  return {"FADING", !fading ? 0 : fading->region ? 2 : 1};
+  return {"FADING", !fading ? 0 : fading->followsLight() ? 1 : fading->region ? 2 : 3};
 }
 
 LightBlock lightBlock(const Camera::Axes& axes, const Shading& shading) {

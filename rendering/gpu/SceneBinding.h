@@ -57,8 +57,8 @@ void bindOcclusion(const GpuScene& scene, gl::ShaderProgram& program, const gl::
 gl::Define occlusionDefine(const gl::Buffer* nodes);
 /// The storage block of those nodes.
 inline constexpr unsigned occlusionNodesBinding = 6;
-/// lib/Fading.glsl, and around a focal region lib/FocalRegion.glsl, where a context fades; `program` was compiled with
-/// fadingDefine() of the same. `distance`: of RayFrame.
+/// lib/Fading.glsl, and of a focal region lib/FocalRegion.glsl or of a ghost lib/Ghosting.glsl, where a context fades;
+/// `program` was compiled with fadingDefine() of the same. `distance`: of RayFrame.
 void bindFading(const GpuScene& scene, gl::ShaderProgram& program, const Camera& camera, double distance,
                 const std::optional<MethodStages::Fading>& fading);
 gl::Define fadingDefine(const std::optional<MethodStages::Fading>& fading);

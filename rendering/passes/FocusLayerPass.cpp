@@ -80,6 +80,12 @@ std::size_t bytesOfList(std::span<const gl::Region> squares) {
   return sizeof emptyList + groups * 64 * 2 * sizeof(std::uint32_t);
 }
 
+/// Whether what the opening would remove is only ghosted.
+bool isGhosted(const Look& look) {
+  const std::optional<MethodStages::Fading> fading = fadingOf(look);
+  return fading && fading->ghost;
+}
+
 }  // namespace
 
 namespace {
@@ -95,6 +101,12 @@ int shownOf(const FocusLayerPass::ExplodedStretch* stretch, const gl::Texture* f
 IntegralBlock FocusLayerPass::integralBlock(const Sampling& sampling) {
   return {static_cast<float>(leastTransmittance(sampling)),
           static_cast<float>(shareOfBound * sampling.maxError.value_or(0.0))};
+}
+
+gl::Choice FocusLayerPass::openingChoice(const Drawn& drawn) {
+  if (!drawn.opening)
+    return {"opening", drawn.rays.isClipped() ? "lib/opening/Capped.glsl" : "lib/opening/Closed.glsl"};
+  return {"opening", isGhosted(drawn.look) ? "lib/opening/Ghosted.glsl" : "lib/opening/Open.glsl"};
 }
 
 gl::ShaderProgram& FocusLayerPass::program(bool listed, const Drawn& drawn) {
@@ -122,12 +134,7 @@ gl::ShaderProgram& FocusLayerPass::program(bool listed, const Drawn& drawn) {
                        rays.clipDefine(),
                        rays.scatterDefine(),
                        {"RAYS", raysTogether(gpu.schedule(), sampling, lit)}},
-                      {scheduleChoice(gpu.schedule()),
-                       focusChoice(gpu),
-                       lightChoice(lit),
-                       {"opening", opening            ? "lib/opening/Open.glsl"
-                                   : rays.isClipped() ? "lib/opening/Capped.glsl"
-                                                      : "lib/opening/Closed.glsl"},
+                      {scheduleChoice(gpu.schedule()), focusChoice(gpu), lightChoice(lit), openingChoice(drawn),
                        integralChoice(gpu, bounded)}};
   if (!bounded) std::ranges::copy(preIntegrationDefines(), std::back_inserter(variant.defines));
   return programs_.get(variant);
@@ -149,7 +156,7 @@ gl::ShaderProgram& FocusLayerPass::prepared(bool listed, const Drawn& drawn) {
     if (opening->hole) program.bind("hole", *opening->hole);
     program.bind("rayStart", opening->rayStart);
     program.bind("hitPoints", opening->hitPoints);
-    if (opening->pixelStarts) program.bind("pixelStarts", *opening->pixelStarts);
+    if (opening->pixelStarts && !isGhosted(drawn.look)) program.bind("pixelStarts", *opening->pixelStarts);
   }
   if (opening || rays.isClipped()) {
     const glm::dvec3 spacing = gpu.grid().spacing;

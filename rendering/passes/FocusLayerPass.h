@@ -27,7 +27,8 @@ class FocusLayerPass {
  public:
   explicit FocusLayerPass(const gl::SharedPrograms& programs = std::make_shared<gl::ComputePrograms>())
       : programs_("FocusLayer.comp", programs), between_("PixelsBetween.comp", programs) {}
-  /// Where rays start in a cutaway; hitPoints tells cut faces from the focus and the context's own surface.
+  /// Where rays start in a cutaway; hitPoints tells cut faces from the focus and the context's own surface. Where the
+  /// opening is ghosted, rays start where they enter the volume instead, and rayStart is where their ghost ends.
   struct Opening {
     const gl::Texture& hitPoints;
     const gl::Texture& rayStart;
@@ -92,6 +93,7 @@ class FocusLayerPass {
   };
   /// The variant that such a picture takes, for pixels of the lattice or listed ones, and the same with all that it
   /// reads.
+  static gl::Choice openingChoice(const Drawn& drawn);
   gl::ShaderProgram& program(bool listed, const Drawn& drawn);
   gl::ShaderProgram& prepared(bool listed, const Drawn& drawn);
   /// All that lies on the rays, from the front to the back.

@@ -7,9 +7,11 @@
 #include "rendering/reference/Field.h"
 #include "rendering/reference/FocalRegion.h"
 #include "rendering/reference/FocusShows.h"
+#include "rendering/reference/Ghosting.h"
 #include "rendering/reference/Kronrod.h"
 #include "rendering/reference/Light.h"
 #include "rendering/reference/Occlusion.h"
+#include "rendering/reference/Parts.h"
 #include "rendering/scene/Fading.h"
 #include "rendering/scene/Lighting.h"
 #include "rendering/scene/Parallel.h"
@@ -35,6 +37,7 @@ struct Medium {
   const Occlusion* occlusion;   ///< null: none
   std::optional<MethodStages::Fading> fading;
   std::optional<FocalRegion> region;  ///< around which it fades
+  std::optional<Ghosting> ghosting;   ///< of what an opening would remove
   EyeRange eyeRange;
   double steepest;
 
@@ -42,6 +45,7 @@ struct Medium {
       : Medium(what, camera, FocusField(what), occluded) {
     fading = fadingOf(what.look);
     if (fading && fading->region) region.emplace(*fading->region, focusCentre(what));
+    if (fading && fading->ghost) ghosting.emplace(*fading->ghost);
     if (scene.look.shading.enabled && focus.hasLabels()) focusNormals.emplace(scene.volume->grid, focus);
   }
   /// Of labels alone, as part of the context.
@@ -78,56 +82,6 @@ struct Medium {
   }
 };
 
-/// Optical properties along a part of a cell in which they follow one line of a transfer function, or are one material
-/// of the focus: κ = κ0 + x·dκ and c = c0 + x·dc, x(u) a cubic of u from 0 to 1 over the part.
-struct Part {
-  double begin = 0.0, end = 1.0;  ///< of the cell's piece of the ray, 0..1
-  double length = 0.0;            ///< mm
-  OpticalProperties from;
-  double extinctionSlope = 0.0;
-  glm::dvec3 colourSlope{0.0};
-  Cubic x{};
-
-  double extinction(double u) const { return std::max(0.0, from.extinction + extinctionSlope * evaluate(x, u)); }
-  glm::dvec3 colour(double u) const { return from.colour + colourSlope * evaluate(x, u); }
-  /// Optical depth from the part's beginning.
-  double depth(double u) const {
-    const double integral = u * (x[0] + u * (x[1] / 2.0 + u * (x[2] / 3.0 + u * x[3] / 4.0)));
-    return std::max(0.0, length * (from.extinction * u + extinctionSlope * integral));
-  }
-  /// The first or second half as a part with its own u from 0 to 1, so that no depth is a difference of large ones.
-  Part half(bool second) const {
-    Part part = *this;
-    (second ? part.begin : part.end) = 0.5 * (begin + end);
-    part.length = 0.5 * length;
-    // x(u/2), or x((u + 1)/2) by the Taylor series at u = 1/2.
-    if (second) part.x = {evaluate(x, 0.5), x[1] + x[2] + 0.75 * x[3], x[2] + 1.5 * x[3], x[3]};
-    for (std::size_t k = 1; k < 4; ++k) part.x[k] *= std::ldexp(1.0, -static_cast<int>(k));
-    return part;
-  }
-};
-
-/// A transfer function along part of a cell in which `value` (from 0 to 1 over the part) stays between two nodes.
-Part functionPart(const TransferFunction& transfer, const Cubic& value, double begin, double end) {
-  Part part;
-  const auto at = [&](double u) { return evaluate(value, begin + (end - begin) * u); };
-  const auto after = std::upper_bound(transfer.nodes.begin(), transfer.nodes.end(), at(0.5),
-                                      [](double wanted, const auto& node) { return wanted < node.value; });
-  if (transfer.nodes.empty()) return part;
-  if (after == transfer.nodes.begin() || after == transfer.nodes.end()) {
-    part.from = (after == transfer.nodes.end() ? *std::prev(after) : *after).properties;
-    return part;
-  }
-  const TransferFunction::Node &low = *std::prev(after), &high = *after;
-  part.from = low.properties;
-  part.extinctionSlope = high.properties.extinction - low.properties.extinction;
-  part.colourSlope = high.properties.colour - low.properties.colour;
-  // Clamped: beside a value of 1e30 rounding carries a cubic far outside its nodes.
-  const auto share = [&](double u) { return std::clamp((at(u) - low.value) / (high.value - low.value), 0.0, 1.0); };
-  part.x = through(share(0.0), share(1.0 / 3.0), share(2.0 / 3.0), share(1.0));
-  return part;
-}
-
 template <class ValueAt>
 class Integrator {
  public:
@@ -158,6 +112,7 @@ class Integrator {
   void walk() {
     const Span &span = ray_.span, &hole = ray_.hole;
     const double before = std::min(hole.tIn, span.tOut);
+    if (ray_.ghostedTo) return walk(span);
     if (span.tIn <= before) walk({span.tIn, before});
     isBehindHole_ = true;
     if (hole.tOut < span.tOut) walk({std::max(hole.tOut, span.tIn), span.tOut});
@@ -232,6 +187,9 @@ class Integrator {
     if (medium_.scene.look.shading.enabled) appendTurns(piece);
     if (medium_.occlusion) medium_.occlusion->appendCrossings(piece, places_);
     if (medium_.region) medium_.region->appendCrossings(worldAt(piece.tBegin), worldAt(piece.tEnd), places_);
+    if (ray_.ghostedTo)
+      for (const double t : {*ray_.ghostedTo, ray_.hole.tIn, ray_.hole.tOut})
+        if (piece.tBegin < t && t < piece.tEnd) places_.push_back((t - piece.tBegin) / (piece.tEnd - piece.tBegin));
     std::sort(places_.begin(), places_.end());
 
     for (std::size_t k = 0; k + 1 < places_.size(); ++k) {
@@ -256,7 +214,7 @@ class Integrator {
       part.end = end;
       part.length = (end - begin) * (piece.tEnd - piece.tBegin);
       if (medium_.fading && !inFocus_)
-        medium_.region ? addAround(part) : addFading(part);
+        medium_.ghosting ? addGhosted(part) : medium_.region ? addAround(part) : addFading(part);
       else
         addPart(part, maxHalvings);
     }
@@ -351,15 +309,31 @@ class Integrator {
     });
   }
 
+  /// Adds a part of the context that is a ghost, or is not.
+  void addGhosted(const Part& part) {
+    if (!(part.depth(1.0) > 0.0)) return;
+    const double middle = glm::mix(piece_->tBegin, piece_->tEnd, 0.5 * (part.begin + part.end));
+    const bool isGhost =
+        middle < ray_.ghostedTo.value_or(middle) || (ray_.hole.tIn < middle && middle < ray_.hole.tOut);
+    if (!isGhost) return addPart(part, maxHalvings);
+    const FadingTolerance tolerance{0.5 * local_, 0.4 * local_ * perMillimetre_, 0.05 * tolerance_};
+    integrateFading(state_, 0.0, part.length, tolerance, [&](double u) {
+      const glm::dvec3 at = glm::mix(piece_->begin, piece_->end, glm::mix(part.begin, part.end, u));
+      const double factor = medium_.ghosting->factor(gradientAt(at), ray_.ray.direction);
+      return FadingPoint{part.extinction(u) * factor, 1.0, 1.0, shade(part, u)};
+    });
+  }
+
   glm::dvec3 worldAt(double t) const { return ray_.ray.origin + t * ray_.ray.direction; }
 
-  /// Length of the gradient at a place in the cell, 1 for the steepest.
-  double slopeAt(glm::dvec3 at) const {
-    if (!(medium_.steepest > 0.0)) return 0.0;
+  /// World gradient at a place in the cell, of length 1 for the steepest.
+  glm::dvec3 gradientAt(glm::dvec3 at) const {
+    if (!(medium_.steepest > 0.0)) return glm::dvec3(0.0);
     const SplineVolume* spline = medium_.field.spline();
     const glm::dvec3 slope = spline ? spline->gradient(at + glm::dvec3(piece_->cell)) : interpolate(slopes_, at);
-    return std::min(glm::length(medium_.normals.world(slope)) / medium_.steepest, 1.0);
+    return medium_.normals.world(slope) / medium_.steepest;
   }
+  double slopeAt(glm::dvec3 at) const { return std::min(glm::length(gradientAt(at)), 1.0); }
 
   glm::dvec3 shade(const Part& part, double u) {
     const glm::dvec3 colour = part.colour(u);
@@ -440,7 +414,9 @@ FocusLayer integrated(const Medium& medium, const std::vector<CutRay>& rays, dou
 /// The parts of rays between the context's first hit and where they start to see.
 std::vector<CutRay> removedOf(std::vector<CutRay> rays, const Image& tContext) {
   for (std::size_t i = 0; i < rays.size(); ++i) {
-    rays[i].span = std::isnan(tContext[i]) ? Span{1.0, 0.0} : Span{tContext[i], rays[i].span.tIn};
+    const double start = rays[i].ghostedTo.value_or(rays[i].span.tIn);
+    rays[i].span = std::isnan(tContext[i]) ? Span{1.0, 0.0} : Span{tContext[i], start};
+    rays[i].ghostedTo.reset();
     rays[i].wall = glm::dvec3(0.0);
     rays[i].grey.reset();
   }

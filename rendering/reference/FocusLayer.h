@@ -23,6 +23,9 @@ struct CutRay {
   Span hole{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   glm::dvec3 wall{0.0};     ///< unit normal of the cut or capped face at the start, world; zero where there is none
   double beforeWall = 0.0;  ///< mm that the start lies behind that face
+  /// Where the context is ghosted: it is, up to there and in the hole, in which the ray then sees as well. Minus
+  /// infinity where there is no such part.
+  std::optional<double> ghostedTo{};
   std::optional<GreyFace> grey{};  ///< nothing behind it shows
 };
 

@@ -10,6 +10,7 @@
 #include "rendering/reference/Walls.h"
 #include "rendering/scene/EdgeRays.h"
 #include "rendering/scene/Explosion.h"
+#include "rendering/scene/Fading.h"
 #include "rendering/scene/Lighting.h"
 #include "rendering/scene/Parallel.h"
 #include "rendering/scene/Walls.h"
@@ -97,11 +98,18 @@ std::vector<CutRay> cutRays(const Frame& frame, const Rays& rays) {
   std::vector<CutRay> cut;
   cut.reserve(rays.places.size());
   const std::vector<HalfSpace> kept = halfSpaces(scene.look.clipping, scene.volume->grid);
+  const auto fading = fadingOf(scene.look);
+  const bool ghosted = fading && fading->ghost;
   for (std::size_t i = 0; i < rays.places.size(); ++i) {
     CutRay ray{.ray = rayThrough(frame.camera, frame.size, rays.places[i]), .span = missed};
     const std::optional<Span> span = clip(ray.ray, scene.volume->grid, kept);
     if (span) ray.span = *span;
-    if (frame.pixels) {
+    if (frame.pixels && ghosted) {
+      const bool opened = rays.start(i) > rays.tContext(i) || !std::isnan(rays.tFocus(i));
+      ray.ghostedTo = opened ? rays.start(i) : -std::numeric_limits<double>::infinity();
+      if (const auto& apart = rays.stages.apart; apart && !std::isnan(rays.start(i)))
+        ray.hole = {apart->holeBegin[rays.at[i]], apart->holeEnd[rays.at[i]]};
+    } else if (frame.pixels) {
       const double start = rays.start(i);
       if (std::isnan(start)) {
         ray.span = missed;
@@ -116,7 +124,8 @@ std::vector<CutRay> cutRays(const Frame& frame, const Rays& rays) {
       if (const auto normal = capNormal(ray.ray, scene.volume->grid, kept)) {
         ray.wall = *normal;
         ray.beforeWall = ray.span.tIn - span->tIn;
-        const bool onFace = ray.beforeWall <= 0.5 * lighting::wallDepthVoxels * finestSpacing(scene);
+        const double opened = std::max(ray.span.tIn, ray.ghostedTo.value_or(ray.span.tIn));
+        const bool onFace = opened - span->tIn <= 0.5 * lighting::wallDepthVoxels * finestSpacing(scene);
         const bool onFocus = frame.pixels && rays.start(i) == rays.tFocus(i);
         if (scene.look.clipping.grey && onFace && !onFocus)
           ray.grey = GreyFace{*scene.look.clipping.grey, !frame.pixels};

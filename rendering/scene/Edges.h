@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "rendering/scene/Method.h"
 #include "rendering/scene/View.h"
 
 namespace fenestra {
@@ -12,8 +13,11 @@ struct Look;
 /// How pictures show edges.
 enum class Edges : std::uint8_t { Off, Smooth };
 
-/// Whether a view's picture has smooth edges: not while things move, in draft quality, and not with an opening of
-/// another method than the adaptive cutaway, whose opening is defined between pixels.
+/// Whether the opening that a method cuts, if any, is defined between pixels, too: that of the adaptive cutaway is.
+bool opensBetweenPixels(MethodKind kind);
+
+/// Whether a view's picture has smooth edges: not while things move, in draft quality, and not with an opening that is
+/// not defined between pixels.
 bool hasSmoothEdges(const Look& look, const View& view);
 
 }  // namespace fenestra

@@ -7,7 +7,9 @@
 namespace fenestra {
 
 std::optional<MethodStages::Fading> fadingOf(const Look& look) {
-  return look.cutaway.enabled ? stagesOf(look.method).fading : std::nullopt;
+  if (!look.cutaway.enabled) return std::nullopt;
+  const std::optional<MethodStages::Fading> fading = stagesOf(look.method).fading;
+  return fading && fading->ghost && std::holds_alternative<std::monostate>(look.focus) ? std::nullopt : fading;
 }
 
 double steepestSlope(const Volume& volume) {

@@ -11,7 +11,8 @@ namespace fenestra {
 
 struct Look;
 
-/// How the context of a look's pictures fades; empty where it does not, or the cutaway is off.
+/// How the context of a look's pictures fades; empty where it does not, the cutaway is off, or a ghost has no focus to
+/// be in front of.
 std::optional<MethodStages::Fading> fadingOf(const Look& look);
 
 /// The gradient (real values per mm) that counts as 1, and so does a steeper one: half of the range of the volume's

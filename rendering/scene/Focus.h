@@ -27,13 +27,33 @@ struct ValueFocus {
   bool operator==(const ValueFocus&) const = default;
 };
 
-/// The region grown from seeds, see rendering/segmentation. What draws a scene knows labels and values alone: a scene
-/// is drawn as segmentation::shownScene makes it, and as one without a focus otherwise.
+/// A ball brush drawn along a polyline in space, which adds to a region or takes from it; rendering/segmentation/
+/// Painting.h says which voxels.
+struct SelectionStroke {
+  std::vector<glm::dvec3> anchors;  ///< world, mm, at least one; one alone is a dab
+  double radius = 10.0;             ///< mm, > 0
+  double softness = 0.0;            ///< share of the radius, from the rim, in which only like values belong; 0..1
+  bool adds = true;                 ///< else it takes away
+  bool operator==(const SelectionStroke&) const = default;
+};
+
+/// The region grown from seeds, and painted, see rendering/segmentation. What draws a scene knows labels and values
+/// alone: a scene is drawn as segmentation::shownScene makes it, and as one without a focus otherwise.
 struct RegionFocus {
-  std::vector<glm::dvec3> inside;   ///< world mm; the first is the click, at least one lies in the volume
+  std::vector<glm::dvec3>
+      inside;  ///< world mm; the first is the click, at least one lies in the volume, or none is there
   std::vector<glm::dvec3> outside;  ///< world mm: in structures that the region must not enter
   std::optional<double> tolerance;  ///< real values (HU for CT) below the seed's; empty: chosen from the plateaus
+  std::vector<SelectionStroke> painted{};  ///< over what grows, in their order; without an inside seed at least one
   bool operator==(const RegionFocus&) const = default;
+  /// Neither a seed inside nor a stroke.
+  bool empty() const { return inside.empty() && painted.empty(); }
+  /// What the region began with: the first click, else the first anchor; empty() has none.
+  std::optional<glm::dvec3> origin() const {
+    if (!inside.empty()) return inside.front();
+    return painted.empty() || painted.front().anchors.empty() ? std::nullopt
+                                                              : std::optional(painted.front().anchors.front());
+  }
 };
 
 /// std::monostate: no focus, a plain volume rendering.

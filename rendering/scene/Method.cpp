@@ -75,6 +75,13 @@ MethodStages stagesOf(const Method& method) {
       stages.hasWidth = stages.hasBorder = false;
       return stages;
     }
+    case MethodKind::Selection: {
+      MethodStages stages;
+      MethodStages::Fading ghosted;
+      ghosted.ghost = {method.ghostStrength, 0.01 * method.ghostEdge, method.ghostOutline};
+      stages.fading = ghosted;
+      return stages;
+    }
   }
   return {};
 }

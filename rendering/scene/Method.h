@@ -19,7 +19,8 @@ namespace fenestra {
 /// and in-place 3D visualization techniques, Graphics Interface 2003. Explode: S. Bruckner, M. E. Gröller: Exploded
 /// views for volume data, IEEE TVCG 12(5) (IEEE Visualization), 2006. Sculpt and Bend open nothing themselves: what the
 /// user carves out of the volume is the opening, by the tools of Wang and Kaufman, or by the plane of Konrad-Verse et
-/// al. (Removal.h).
+/// al. (Removal.h). Selection: S. Bruckner, M. E. Gröller: VolumeShop: An interactive
+/// system for direct volume illustration, IEEE Visualization 2005.
 enum class MethodKind : std::uint8_t {
   Adaptive,
   Cone,
@@ -30,7 +31,8 @@ enum class MethodKind : std::uint8_t {
   Walls,
   Explode,
   Sculpt,
-  Bend
+  Bend,
+  Selection
 };
 
 /// Maximum importance projection removes what hides the focus, in cones that widen towards the eye. Average importance
@@ -80,6 +82,9 @@ struct Method {
   double explosion = 0.5;    ///< of Explode, the degree of explosion: 0, all parts in their places, to 1
   ExplosionPlanes explosionPlanes = ExplosionPlanes::Two;
   ExplosionAxes explosionAxes = ExplosionAxes::Patient;
+  double ghostStrength = 1.0;  ///< of Selection, 0..1: the share of what is flat that gives way; 0 fades nothing
+  double ghostEdge = 10.0;     ///< % of the steepest gradient, 0.01 to 1000: of it half stays
+  double ghostOutline = 0.5;   ///< 0..1: the share of edges that face the eye that gives way, too
   bool operator==(const Method&) const = default;
 };
 
@@ -161,14 +166,35 @@ struct MethodStages {
   ///
   /// So the region shows as it is, and around it the contours, in proportion to the gradient, the fainter the farther
   /// outside. Its authors, too, draw contours by the gradient outside of the region; this formula is the program's own.
+  ///
+  /// Of a ghost, m is less than 1 only where the opening removes something, before the ray's start: on rays that meet
+  /// the focus, and on those that start behind the context's first surface; where another camera cuts the opening, also
+  /// in the hole behind that (rendering/passes/RemovedPass.h). There, with v the ray's direction and ‖∇f‖ not limited
+  /// to 1,
+  ///
+  ///   e = (‖∇f‖² - outline · (∇f·v)²) / (‖∇f‖² + edge²)        0 for a volume of one value
+  ///   m = 1 - strength · (1 - e)   in the context;   1 in the focus
+  ///
+  /// ∇f in units of steepestSlope(). So what is flat gives way, edges stay, and with `outline` those that face the eye
+  /// give way in favour of those seen from the side: 1 - (n·v)² of them stays. A quotient of polynomials along the ray
+  /// has no kink where a gradient is 0, saturates, or is seen edge on. That a selection is kept in sight by ghosting
+  /// what lies before it, and that edges tell what of that stays, is its authors'; this formula is the program's own,
+  /// and so is that the ghost fills the opening that rises from the selection to the surface around it.
   struct Fading {
-    double reach = 0.0, sharpness = 1.0;  ///< not around a region
+    double reach = 0.0, sharpness = 1.0;  ///< neither around a region nor of a ghost
     struct Region {
       FocalShape shape = FocalShape::Sphere;
       double size = 0.0, fallOff = 1.0;  ///< mm
       bool operator==(const Region&) const = default;
     };
     std::optional<Region> region{};
+    struct Ghost {
+      double strength = 0.0, edge = 1.0, outline = 0.0;  ///< edge: of steepestSlope()
+      bool operator==(const Ghost&) const = default;
+    };
+    std::optional<Ghost> ghost{};  ///< instead of a region
+    /// Whether light, nearness and what lies before decide; else m depends on the place and the view alone.
+    bool followsLight() const { return !region && !ghost; }
     bool operator==(const Fading&) const = default;
   };
   std::optional<Fading> fading{};

@@ -55,7 +55,10 @@ constexpr auto wordsOf(MethodKind) {
         "Kaufman 1995)"},
        {MethodKind::Bend, "bend", "Deformable cutting plane",
         "Nothing opens by itself: a plane that you lay through a stroke and bend by dragging removes one side of it "
-        "(Konrad-Verse, Preim and Littmann 2004)"}});
+        "(Konrad-Verse, Preim and Littmann 2004)"},
+       {MethodKind::Selection, "selection", "Ghosted selection",
+        "Nothing is cut away: in front of the focus, and in the opening around it, what is flat gives way and edges "
+        "stay, like a ghost of it; what is in focus stays as it is (Bruckner and Gröller 2005)"}});
 }
 constexpr auto wordsOf(WallPlacement) {
   return std::to_array<Word<WallPlacement>>(

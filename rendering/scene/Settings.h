@@ -192,7 +192,32 @@ inline constexpr std::tuple settingsOf<Method>{
                                      .option = "--explosion-axes",
                                      .name = "Cut along",
                                      .description = "Whether the planes of an exploded view lie along the patient's "
-                                                    "axes or the view's"})};
+                                                    "axes or the view's"}),
+    Setting(&Method::ghostStrength,
+            {.key = "ghost_strength",
+             .option = "--ghost-strength",
+             .name = "Ghosting",
+             .description = "How much of what is flat in front of the selection gives way; 0 fades nothing",
+             .range = fraction,
+             .step = 0.05}),
+    Setting(&Method::ghostEdge,
+            {.key = "ghost_edge",
+             .option = "--ghost-edge",
+             .name = "Edges from",
+             .description = "Gradient of which half stays in front of the selection, as a share of the steepest that "
+                            "the volume can have: less keeps fainter edges",
+             .unit = "%",
+             .range = {0.01, 1000.0},
+             .slider = {0.5, 50.0},
+             .step = 0.5}),
+    Setting(&Method::ghostOutline,
+            {.key = "ghost_outline",
+             .option = "--ghost-outline",
+             .name = "Outlines",
+             .description = "How much edges that face you give way, too, so that outlines stay in front of the "
+                            "selection",
+             .range = fraction,
+             .step = 0.05})};
 
 template <>
 inline constexpr std::tuple settingsOf<Cutaway>{

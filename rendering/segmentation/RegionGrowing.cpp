@@ -4,11 +4,13 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <span>
 
 #include "rendering/scene/Parallel.h"
 #include "rendering/segmentation/Costs.h"
 #include "rendering/segmentation/Flood.h"
 #include "rendering/segmentation/Morphology.h"
+#include "rendering/segmentation/Painting.h"
 #include "rendering/segmentation/Smoothing.h"
 
 namespace fenestra::segmentation {
@@ -58,6 +60,16 @@ struct Kind {
   std::vector<Level> wide;        ///< costs of paths as wide as the ball
   std::optional<PaddedLevels> paths;
 };
+
+/// Of a region of no voxel yet, whose voxels are left to be set.
+std::shared_ptr<LabelMap> emptySteps(const Grid& grid) {
+  auto steps = std::make_shared<LabelMap>();
+  steps->grid = grid;
+  steps->voxels = Voxels(ScalarType::UInt8, grid.voxelCount());
+  for (int step = 1; step <= stepCount; ++step)
+    steps->labels.push_back({static_cast<std::uint16_t>(step), {}, regionColour});
+  return steps;
+}
 
 class Grower {
  public:
@@ -192,9 +204,7 @@ class Grower {
   }
 
   std::shared_ptr<const LabelMap> stepsOf(const std::vector<Level>& joins) const {
-    auto steps = std::make_shared<LabelMap>();
-    steps->grid = volume_.grid;
-    steps->voxels = Voxels(ScalarType::UInt8, volume_.grid.voxelCount());
+    const std::shared_ptr<LabelMap> steps = emptySteps(volume_.grid);
     std::uint8_t* all = steps->voxels.as<std::uint8_t>().data();
     if (box_ != wholeOf(volume_.grid.dims)) std::fill_n(all, volume_.grid.voxelCount(), std::uint8_t{0});
     forRows([&](int y, int z, std::size_t begin) {
@@ -202,10 +212,6 @@ class Grower {
       for (std::size_t x = 0; x < static_cast<std::size_t>(box_.dims().x); ++x)
         to[x] = static_cast<std::uint8_t>(joins[begin + x] + 1);  // never, 255, becomes 0
     });
-    for (int step = 1; step <= stepCount; ++step) {
-      const auto value = static_cast<std::uint16_t>(step);
-      steps->labels.push_back({value, {}, regionColour});
-    }
     return steps;
   }
 
@@ -228,6 +234,34 @@ class Grower {
   std::optional<ToneScale> scale_;
   std::array<Kind, 2> kinds_;  ///< inside, outside
 };
+
+/// Of a region that is only painted.
+Growth nothingGrown(const Volume& volume) {
+  Growth growth;
+  growth.noise = noiseOf(volume).unit;
+  const std::shared_ptr<LabelMap> steps = emptySteps(volume.grid);
+  std::ranges::fill(steps->voxels.as<std::uint8_t>(), std::uint8_t{0});
+  growth.steps = steps;
+  const std::vector<double> none(static_cast<std::size_t>(stepCount) + 1, 0.0);
+  growth.curve = {none, none, none, {}, 1};
+  return growth;
+}
+
+void paintOver(Growth& growth, const Volume& volume, std::span<const SelectionStroke> strokes) {
+  const std::shared_ptr<LabelMap> steps = emptySteps(volume.grid);
+  std::ranges::copy(growth.steps->voxels.as<std::uint8_t>(), steps->voxels.as<std::uint8_t>().begin());
+  const double each = volume.grid.voxelVolume();
+  std::vector<double> counts;
+  for (const double size : growth.curve.volume) counts.push_back(std::round(size / each));
+  paint(steps->voxels.as<std::uint8_t>(), counts, volume, growth.noise, strokes);
+  for (std::size_t step = 0; step < counts.size(); ++step) growth.curve.volume[step] = counts[step] * each;
+  for (const SelectionStroke& stroke : strokes) {
+    const VoxelBox box = boxOf(stroke, volume.grid);
+    if (growth.box.empty()) growth.box = box;
+    if (!box.empty()) growth.box = {glm::min(growth.box.low, box.low), glm::max(growth.box.high, box.high)};
+  }
+  growth.steps = steps;
+}
 
 }  // namespace
 
@@ -256,11 +290,13 @@ Scene shownScene(Scene scene, const Growth& growth) {
 
 bool canGrow(const Volume& volume, const RegionFocus& region) {
   return std::any_of(region.inside.begin(), region.inside.end(),
-                     [&](glm::dvec3 seed) { return voxelAt(volume.grid, seed).has_value(); });
+                     [&](glm::dvec3 seed) { return voxelAt(volume.grid, seed).has_value(); }) ||
+         std::any_of(region.painted.begin(), region.painted.end(),
+                     [&](const SelectionStroke& stroke) { return stroke.adds && !boxOf(stroke, volume.grid).empty(); });
 }
 
 bool haveSameSeeds(const RegionFocus& a, const RegionFocus& b) {
-  return a.inside == b.inside && a.outside == b.outside;
+  return a.inside == b.inside && a.outside == b.outside && a.painted == b.painted;
 }
 
 std::optional<glm::ivec3> voxelAt(const Grid& grid, glm::dvec3 world) {
@@ -283,7 +319,15 @@ VoxelBox previewBox(const Volume& volume, const RegionFocus& settings) {
 
 std::optional<Growth> growRegion(const Volume& volume, const RegionFocus& settings, const VoxelBox& reach,
                                  const Progress& progress) {
-  return Grower(volume, reach.clippedTo(wholeOf(volume.grid.dims)), progress).run(settings);
+  const VoxelBox box = reach.clippedTo(wholeOf(volume.grid.dims));
+  const bool grows = std::any_of(settings.inside.begin(), settings.inside.end(), [&](glm::dvec3 seed) {
+    const auto voxel = voxelAt(volume.grid, seed);
+    return voxel && box.contains(*voxel);
+  });
+  assert(grows || !settings.painted.empty());
+  std::optional<Growth> growth = grows ? Grower(volume, box, progress).run(settings) : nothingGrown(volume);
+  if (growth && !settings.painted.empty()) paintOver(*growth, volume, settings.painted);
+  return growth;
 }
 
 }  // namespace fenestra::segmentation

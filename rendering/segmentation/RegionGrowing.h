@@ -23,7 +23,8 @@ inline constexpr glm::dvec3 regionColour{0.95, 0.72, 0.30};
 
 /// Every region that can be grown from the seeds. A tolerance is a threshold of `steps`: nothing is flooded again.
 struct Growth {
-  /// On the volume's grid, UInt8: the first step that holds the voxel, 0 where no tolerance reaches. As a label map,
+  /// On the volume's grid, UInt8: the first step that holds the voxel, 0 where no tolerance reaches. What was painted
+  /// belongs to every step, what was taken away to none. As a label map,
   /// the region of step n is the labels 1 … n, see shownScene.
   std::shared_ptr<const LabelMap> steps;
   VoxelBox box;        ///< where `steps` may be other than 0
@@ -41,12 +42,13 @@ struct Growth {
 /// focus stays as it is.
 Scene shownScene(Scene scene, const Growth& growth);
 
-/// Whether a seed of the region lies in the volume.
+/// Whether a seed of the region lies in the volume, or a stroke that adds to it reaches there.
 bool canGrow(const Volume& volume, const RegionFocus& region);
 /// Why a session's region is not shown where it cannot.
-inline constexpr const char* cannotGrow = "the region in focus cannot be grown: none of its seeds lies in this volume";
+inline constexpr const char* cannotGrow =
+    "the region in focus cannot be grown: none of its seeds or strokes lies in this volume";
 
-/// Whether one growth serves both: they differ in their tolerance at most.
+/// Whether one growth serves both: they differ in their tolerance at most. Strokes belong to a growth.
 bool haveSameSeeds(const RegionFocus& a, const RegionFocus& b);
 
 /// Called now and then from the calling thread with a fraction in [0, 1]; false cancels.
@@ -59,8 +61,9 @@ std::optional<glm::ivec3> voxelAt(const Grid& grid, glm::dvec3 world);
 VoxelBox previewBox(const Volume& volume, const RegionFocus& settings);
 
 /// Grows within `reach`, the whole volume for the final result or previewBox() for a first look. Seeds outside `reach`
-/// are ignored; `settings.tolerance` is not used. Empty when cancelled. Takes five bytes a voxel of `reach` while it
-/// runs, eight with outside seeds, beside the result's one. Runs on all cores; call it off the GUI thread.
+/// are ignored, strokes are not; `settings.tolerance` is not used. Empty when cancelled. Takes five bytes a voxel of
+/// `reach` while it runs, eight with outside seeds, beside the result's one. Runs on all cores; call it off the GUI
+/// thread.
 std::optional<Growth> growRegion(const Volume& volume, const RegionFocus& settings, const VoxelBox& reach,
                                  const Progress& progress = {});
 

@@ -62,7 +62,7 @@ void main() {
 #endif
   imageStore(focusLayer, pixel, over(before, seen));
 }
-#elif APART
+#elif APART && FADING != 3
 // A ray may see nothing on a part of its way; RAYS is 1.
 void main() {
   ivec2 pixel = pixelOf(0);

@@ -129,7 +129,7 @@ class MethodMeasurement {
       measured.kept.push_back(keptOf(picture, drawn(plain_, closed, view)));
       // How much fades depends on the light.
       const auto fading = fadingOf(opened.look);
-      const bool lit = fading && !fading->region;
+      const bool lit = fading && fading->followsLight();
       measured.seen.push_back(focusIn(renderer, opened, view, lit) /
                               focusIn(plain_, withoutContext(scene_), view, lit));
       measured.turned.push_back(

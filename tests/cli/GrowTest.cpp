@@ -150,5 +150,43 @@ TEST_F(Grow, RenderOpensTheViewToTheRegion) {
   EXPECT_EQ(run("render", view + "--seed " + kidney + " --focus-range 0:9 -o '" + at("no.png") + "'"), 2);
 }
 
+TEST_F(Grow, SelectPaintsTheRegion) {
+  const std::string view = "--size 90x80 --camera P --method selection ";
+  const auto hits = [&](const std::string& focus, const std::string& layers) {
+    EXPECT_EQ(run("render", view + focus + " --layers '" + at(layers) + "' -o '" + at("picture.png") + "'"), 0)
+        << contents("error");
+    return io::readPicture(fs::path(at(layers)) / "t_focus.mha").values;
+  };
+  const auto count = [](const std::vector<float>& values) {
+    return std::count_if(values.begin(), values.end(), [](float t) { return std::isfinite(t); });
+  };
+  const auto one = count(hits("--select ball:0,0,0:40", "one"));
+  EXPECT_GT(one, 100);
+  const auto two = count(hits("--select ball:0,0,0:40 --select ball:90,0,0:20", "two"));
+  EXPECT_GT(two, one);
+  // What a ball takes leaves a hole through the other.
+  EXPECT_LT(count(hits("--select ball:0,0,0:40 --select=-ball:0,0,0:41 --select ball:90,0,0:20", "hole")),
+            two - one + 9);
+  EXPECT_NE(hits("--select ball:0,0,0:40:1", "soft"), hits("--select ball:0,0,0:40", "hard"));
+  // The session keeps what was painted, and gives the same picture.
+  const std::string picture = " -o '" + at("picture.png") + "'";
+  ASSERT_EQ(
+      run("render", view + "--select ball:0,0,0:40:0.5 --save-session '" + at("painted.fenestra") + "'" + picture), 0);
+  const std::string seen = contents("picture.png");
+  const std::string again = std::string(FENESTRA_CLI) + " render '" + at("painted.fenestra") + "'" + picture;
+  ASSERT_EQ(std::system(again.c_str()), 0);
+  EXPECT_EQ(contents("picture.png"), seen);
+  for (const std::string misuse :
+       {"ball:0,0,0", "ball:0,0:5", "ball:0,0,0:0", "ball:0,0,0:5:2", "box:0,0,0:5", "ball:0,0,0:nan"})
+    EXPECT_EQ(run("render", view + "--select " + misuse + " -o '" + at("no.png") + "'"), 2) << misuse;
+  EXPECT_EQ(run("render", view + "--select ball:0,0,0:40 --focus-range 0:9 -o '" + at("no.png") + "'"), 2);
+  for (const auto& [wrong, message] : {std::pair("--select ball:9000,0,0:5", "has no voxel within --select 9000,0,0"),
+                                       std::pair("--select=-ball:0,0,0:5", "has no voxel in what --select selects")}) {
+    EXPECT_EQ(run("render", view + wrong + " -o '" + at("no.png") + "'"), 1) << wrong;
+    EXPECT_NE(contents("error").find(message), std::string::npos) << contents("error");
+  }
+  EXPECT_FALSE(fs::exists(at("no.png")));
+}
+
 }  // namespace
 }  // namespace fenestra::tests

@@ -21,6 +21,7 @@ const std::vector<std::string> methods{"--method cone --cone-angle 50",
                                        "--method walls --wall-placement inside --wall-axial off --wall-outlines off",
                                        "--method explode --explosion 0.6 --explosion-planes three",
                                        "--method explode --explosion 0.3 --explosion-planes one --explosion-axes view",
+                                       "--method selection --ghost-strength 0.8 --ghost-edge 20 --ghost-outline 0.25",
                                        "--method clearview --lens-radius 50 --lens-fade depth"};
 
 TEST_F(MethodCommand, PicturesAreTheReferences) {
@@ -42,7 +43,7 @@ TEST_F(MethodCommand, ParametersOfOtherMethodsLeaveThePictureAsItIs) {
                    "--lens-radius 60 --lens-fade depth --lens-bends 3 --lens-rim 5 --fade-reach 9 --fade-sharpness 2 "
                    "--focal-shape box --focal-size 9 --focal-fall-off 3 --wall-placement inside --wall-coronal off "
                    "--crosshair 1,2,3 --window 10 --level 5 --explosion 0.9 --explosion-planes three "
-                   "--explosion-axes view"),
+                   "--explosion-axes view --ghost-strength 0.3 --ghost-edge 40 --ghost-outline 0.9"),
             0);
   EXPECT_EQ(bytes("plain.png"), bytes("same.png"));
 }
@@ -108,7 +109,10 @@ TEST_F(MethodCommand, RefusesWhatIsNoAngleAndNoShare) {
                                   "--explosion -0.1",
                                   "--explosion 1.1",
                                   "--explosion-planes 4",
-                                  "--explosion-axes up"})
+                                  "--explosion-axes up",
+                                  "--ghost-strength 1.1",
+                                  "--ghost-edge 0",
+                                  "--ghost-outline -0.1"})
     EXPECT_EQ(render("x.png", wrong), 2) << wrong;
   EXPECT_FALSE(std::filesystem::exists(at("x.png")));
 }

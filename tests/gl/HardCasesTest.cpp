@@ -451,7 +451,8 @@ TEST_P(HardCases, withEachMethod) {
         Method{.kind = MethodKind::FocalRegion, .focalShape = FocalShape::Box, .focalSize = 1.5, .focalFallOff = 9.0},
         Method{.kind = MethodKind::Walls}, Method{.kind = MethodKind::Walls, .wallPlacement = WallPlacement::Inside},
         Method{.kind = MethodKind::Explode, .explosionPlanes = ExplosionPlanes::Three},
-        Method{.kind = MethodKind::Explode, .explosion = 1.0, .explosionAxes = ExplosionAxes::View}}) {
+        Method{.kind = MethodKind::Explode, .explosion = 1.0, .explosionAxes = ExplosionAxes::View},
+        Method{.kind = MethodKind::Selection, .ghostEdge = 5.0}}) {
     SCOPED_TRACE(std::string(wordOf(method.kind).word) + ", " + wordOf(method.importance).word);
     shot.scene.look.method = method;
     // Where the context fades, normals lack the rounding of their texture, so the pixels that are off anyway are off by
@@ -460,6 +461,7 @@ TEST_P(HardCases, withEachMethod) {
     if (stagesOf(method).fading) {
       shot.scene.look.method.fadeReach = 1e-12;
       shot.scene.look.method.focalSize = 1e5;
+      shot.scene.look.method.ghostStrength = 1e-12;
       least = std::max(GetParam().colourLimit, worstOfOpened(shot));
       shot.scene.look.method = method;
     }

@@ -186,6 +186,39 @@ TEST_F(Methods, FocalRegionsKeepTheirBoundAtAnySize) {
   expectMatches(unfocused, viewOf(from(25, 15, unfocused), 0.5));
 }
 
+/// Edges that hardly count or nearly all do; a focus alone, and an opening around it.
+TEST_F(Methods, GhostsKeepTheirBoundAtAnyEdge) {
+  for (const bool lit : {true, false})
+    for (const double width : {0.0, 12.0})
+      for (const glm::dvec3 parameters : {glm::dvec3(1.0, 0.3, 0.0), glm::dvec3(0.7, 60.0, 1.0)}) {
+        SCOPED_TRACE(testing::Message() << lit << ", " << width << ", " << parameters.x << ", " << parameters.y);
+        Scene scene = hazyBody({.kind = MethodKind::Selection,
+                                .ghostStrength = parameters.x,
+                                .ghostEdge = parameters.y,
+                                .ghostOutline = parameters.z});
+        scene.look.shading.enabled = lit;
+        scene.look.cutaway.openWidth = width;
+        for (TransferFunction::Node& node : scene.look.context.function.nodes) node.properties.extinction *= 10.0;
+        expectMatches(scene, viewOf(from(25, 15, scene), 0.5));
+      }
+  Scene unfocused = hazyBody({.kind = MethodKind::Selection}), plain = hazyBody({});
+  unfocused.look.focus = plain.look.focus = {};
+  const View view = viewOf(from(25, 15, plain));
+  EXPECT_EQ(drawn(unfocused, view).final, drawn(plain, view).final) << "to the bit";
+}
+
+TEST_F(Methods, ASelectionHasSmoothEdges) {
+  Scene scene = hazyBody({.kind = MethodKind::Selection});
+  scene.look.edges = Edges::Smooth;
+  const View view = viewOf(from(25, 15, scene));
+  EXPECT_TRUE(hasSmoothEdges(scene.look, view));
+  expectMatches(scene, view);
+  expectMatches(brushed(scene), view);
+  View frozen = view;
+  frozen.frozen = OpeningView{from(0, 5, scene), size, 1.0};
+  expectMatches(scene, frozen);
+}
+
 TEST_F(Methods, ValuesSmoothedLabelsAndSplines) {
   for (const auto& [name, method] : eachMethod()) {
     SCOPED_TRACE(name);
@@ -351,6 +384,12 @@ TEST_F(Methods, ReRunOnlyWhatAChangeReaches) {
   }
   EXPECT_EQ(after(exploded, [](Scene& s) { s.look.cutaway.openWidth = s.look.method.fadeReach = 9.0; }),
             std::set<std::string>());
+  const Scene ghost = hazyBody({.kind = MethodKind::Selection});
+  for (double Method::*number : {&Method::ghostStrength, &Method::ghostEdge, &Method::ghostOutline}) {
+    EXPECT_EQ(after(ghost, [=](Scene& s) { s.look.method.*number *= 0.5; }),
+              (std::set<std::string>{"focus layer", "composite"}));
+    EXPECT_EQ(after(scene, [=](Scene& s) { s.look.method.*number *= 0.5; }), std::set<std::string>());
+  }
   EXPECT_EQ(after(faded, [](Scene& s) { s.look.cutaway.openWidth = s.look.cutaway.borderWidth = 9.0; }),
             std::set<std::string>());
 }
@@ -411,7 +450,10 @@ TEST_F(Methods, AMethodThatIsNotInUseCostsNothing) {
                         .wallOutlines = false,
                         .explosion = 0.9,
                         .explosionPlanes = ExplosionPlanes::Three,
-                        .explosionAxes = ExplosionAxes::View};
+                        .explosionAxes = ExplosionAxes::View,
+                        .ghostStrength = 0.3,
+                        .ghostEdge = 40.0,
+                        .ghostOutline = 0.9};
   View other = view;
   other.slices = {scene.volume->grid.centre() + 5.0, WindowLevel{9.0, 8.0}, true};
   Renderer renderer(gpuWith(Schedule::Plain)), fresh(gpuWith(Schedule::Plain));
@@ -457,6 +499,7 @@ TEST_F(Methods, ChangesLeaveNothingBehind) {
     scene.look.method.focalSize = 9.0;
     scene.look.method.wallSagittal = false;
     scene.look.method.explosion = 0.8;
+    scene.look.method.ghostStrength = 0.4;
     expectFresh(scene, view, name + ", other parameters");
     View moved = view;
     moved.slices.crosshair = scene.volume->grid.centre() - 4.0;

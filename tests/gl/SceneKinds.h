@@ -135,6 +135,8 @@ inline std::vector<std::pair<std::string, Method>> otherMethods() {
           {"walls around", {.kind = MethodKind::Walls}},
           {"walls inside", {.kind = MethodKind::Walls, .wallPlacement = WallPlacement::Inside}},
           {"exploded", {.kind = MethodKind::Explode, .explosion = 0.6, .explosionPlanes = ExplosionPlanes::Three}},
+          {"ghosted selection",
+           {.kind = MethodKind::Selection, .ghostStrength = 0.9, .ghostEdge = 8.0, .ghostOutline = 0.6}},
           {"average importance, grey", average(Sparseness::Colour)},
           {"average importance, screen door", average(Sparseness::ScreenDoor)},
           {"ClearView, bends alone", lens(LensFade::Curvature, 25.0)},

@@ -49,7 +49,11 @@ TEST_F(MethodWindow, ListsEachMethodWithAToolTip) {
        {"cone_angle",    "importance",     "sparseness",       "importance_angle", "importance_opacity", "lens_radius",
         "lens_bends",    "lens_fade",      "lens_rim",         "fade_reach",       "fade_sharpness",     "focal_shape",
         "focal_size",    "focal_fall_off", "wall_placement",   "wall_axial",       "wall_sagittal",      "wall_coronal",
-        "wall_outlines", "explosion",      "explosion_planes", "explosion_axes"})
+        "wall_outlines", "explosion",      "explosion_planes", "explosion_axes"}) {
+    "cone_angle", "importance", "sparseness", "importance_angle", "importance_opacity", "lens_radius", "lens_bends",
+        "lens_fade", "lens_rim", "fade_reach", "fade_sharpness", "focal_shape", "focal_size", "focal_fall_off",
+        "ghost_strength", "ghost_edge", "ghost_outline"
+  })
     EXPECT_FALSE(shows(key)) << key;
 }
 
@@ -287,6 +291,30 @@ TEST_F(MethodWindow, AnExplodedViewHasADegreeAndPlanes) {
   document().setFocus({});
   expectChange("focus");
   while (document().undoStack().index() > steps) document().undoStack().undo();
+}
+
+TEST_F(MethodWindow, AGhostedSelectionKeepsEdgesInItsOpening) {
+  const QImage adaptive = picture(volume(0));
+  const int steps = document().undoStack().index(), width = panel<CutawayPanel>().width();
+  choose("kind", MethodKind::Selection);
+  waitUntilDrawn();
+  EXPECT_EQ(panel<CutawayPanel>().width(), width);
+  const std::vector<const char*> keys{"ghost_strength", "ghost_edge", "ghost_outline"};
+  for (const char* key : keys) EXPECT_TRUE(shows(key)) << key;
+  for (const char* key : {"fade_reach", "focal_size", "lens_radius"}) EXPECT_FALSE(shows(key)) << key;
+  EXPECT_TRUE(control<SliderSpin>("open_width")->isEnabled() && panel<ContextLayerPanel>().isEnabled());
+  QImage before = picture(volume(0));
+  EXPECT_NE(before, adaptive);
+  const std::vector<double> values{0.5, 3.0, 1.0};
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    control<SliderSpin>(keys[i])->box()->setValue(values[i]);
+    waitUntilDrawn();
+    EXPECT_NE(picture(volume(0)), before) << keys[i];
+    before = picture(volume(0));
+  }
+  const Method& method = document().look().method;
+  EXPECT_TRUE(method.ghostStrength == 0.5 && method.ghostEdge == 3.0 && method.ghostOutline == 1.0);
+  while (document().undoStack().index() > steps) document().undoStack().undo();
   waitUntilDrawn();
   ASSERT_EQ(picture(volume(0)).size(), adaptive.size());
   EXPECT_EQ(picture(volume(0)), adaptive) << "to the bit";
@@ -340,8 +368,9 @@ TEST_F(MethodWindow, TextsAreTranslated) {
     for (int row = 0; row < box->count(); ++row)
       texts << box->itemText(row) << box->itemData(row, Qt::ToolTipRole).toString();
   }
-  for (const char* key : {"cone_angle", "importance_angle", "importance_opacity", "open_width", "lens_radius",
-                          "lens_bends", "fade_reach", "fade_sharpness", "focal_size", "focal_fall_off", "explosion"})
+  for (const char* key :
+       {"cone_angle", "importance_angle", "importance_opacity", "open_width", "lens_radius", "lens_bends", "fade_reach",
+        "fade_sharpness", "focal_size", "focal_fall_off", "explosion", "ghost_strength", "ghost_edge", "ghost_outline"})
     texts << shown.findChild<SliderSpin*>(QLatin1String(key))->toolTip();
   look.method.kind = MethodKind::ClearView;
   document().edit(QStringLiteral("lens"), look);
@@ -358,7 +387,7 @@ TEST_F(MethodWindow, TextsAreTranslated) {
   for (int row = 0; row < rows->shape()->count(); ++row)
     texts << rows->shape()->itemText(row) << rows->shape()->itemData(row, Qt::ToolTipRole).toString();
   QCoreApplication::removeTranslator(&locale);
-  EXPECT_GE(texts.size(), 65);
+  EXPECT_GE(texts.size(), 68);
   for (const QString& text : texts) EXPECT_TRUE(text.startsWith(opens)) << text.toStdString();
 }
 

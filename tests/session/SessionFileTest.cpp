@@ -59,6 +59,15 @@ TEST(SessionFile, ARegionComesBackToTheBit) {
   session.look.focus = RegionFocus{{}, {{1.0, 2.0, 3.0}}, {}};
   io::writeSession(folder / "a.fenestra", session);
   EXPECT_THROW(io::readSession(folder / "a.fenestra"), io::Error) << "there is no seed inside";
+  const SelectionStroke line{{{0.1, -1.0 / 7.0, 1e-17}, {1.0, 2.0, 3.0}}, 1.0 / 3.0, 0.7, false};
+  for (const std::vector<glm::dvec3>& inside : {std::vector<glm::dvec3>(), {{1.0, 2.0, 3.0}}}) {
+    session.look.focus = RegionFocus{inside, {}, {}, {{{{-4.0, 5.0, 6.0}}, 12.5}, line}};
+    io::writeSession(folder / "a.fenestra", session);
+    EXPECT_EQ(io::readSession(folder / "a.fenestra"), session);
+  }
+  session.look.focus = RegionFocus{{}, {}, {}, {{{}, 12.5}}};
+  io::writeSession(folder / "a.fenestra", session);
+  EXPECT_THROW(io::readSession(folder / "a.fenestra"), io::Error) << "a stroke without a point";
 }
 
 TEST(SessionFile, AnyDoubleComesBackToTheBit) {
@@ -114,6 +123,9 @@ TEST(SessionFile, IsWhatThePublishedSchemaSays) {
   session.look.focus = RegionFocus{{{1.0, 2.0, 3.0}}, {}, {}};
   add(session);
   session.look.focus = RegionFocus{{{1.0, 2.0, 3.0}, {4.0, 5.0, 6.0}}, {{7.0, 8.0, 9.0}}, 12.5};
+  add(session);
+  session.look.focus =
+      RegionFocus{{}, {}, {}, {{{{1.0, 2.0, 3.0}}, 4.0, 0.5, true}, {{{1.0, 2.0, 3.0}}, 4.0, 0.0, false}}};
   add(session);
   session.look.focus = LabelFocus{{1, 7}};
   session.volume = {};

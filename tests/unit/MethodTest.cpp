@@ -26,6 +26,7 @@ TEST(Method, TheAdaptiveCutawayIsTheUsualOneWhateverTheOthersParameters) {
   EXPECT_EQ(
       stagesOf({.explosion = 0.9, .explosionPlanes = ExplosionPlanes::Three, .explosionAxes = ExplosionAxes::View}),
       MethodStages{});
+  EXPECT_EQ(stagesOf({.ghostStrength = 0.2, .ghostEdge = 3.0, .ghostOutline = 1.0}), MethodStages{});
   EXPECT_FALSE(stagesOf(Method{}).keepsRemoved());
 }
 
@@ -132,6 +133,26 @@ TEST(Method, AnExplodedViewOpensNothingAndAtDegreeZeroIsPlain) {
   EXPECT_FALSE(explosionOf(scene.look));
   method.explosion = 0.0;
   EXPECT_FALSE(stagesOf(method).explosion);
+}
+
+TEST(Method, AGhostedSelectionOpensAsTheAdaptiveCutawayDoes) {
+  const Method method{.kind = MethodKind::Selection, .ghostStrength = 0.75, .ghostEdge = 20.0, .ghostOutline = 0.25};
+  MethodStages stages = stagesOf(method);
+  ASSERT_TRUE(stages.fading && stages.fading->ghost);
+  EXPECT_EQ(*stages.fading->ghost, (MethodStages::Fading::Ghost{0.75, 0.2, 0.25}));
+  EXPECT_FALSE(stages.fading->region || stages.fading->followsLight());
+  EXPECT_TRUE(stagesOf({.kind = MethodKind::ContextPreserving}).fading->followsLight());
+  EXPECT_FALSE(stagesOf({.kind = MethodKind::FocalRegion}).fading->followsLight());
+  stages.fading.reset();
+  EXPECT_EQ(stages, MethodStages{}) << "all else is the adaptive cutaway's";
+  Scene scene;
+  scene.look.method = method;
+  EXPECT_FALSE(fadingOf(scene.look)) << "there is nothing to be in front of";
+  scene.look.focus = LabelFocus{{1}};
+  EXPECT_TRUE(hasCutaway(scene));
+  EXPECT_EQ(fadingOf(scene.look), stagesOf(method).fading);
+  scene.look.cutaway.enabled = false;
+  EXPECT_FALSE(fadingOf(scene.look));
 }
 
 TEST(Method, DistancesRunOverTheBoundingSphere) {

@@ -67,8 +67,8 @@ void RegionGrower::follow() {
 
 void RegionGrower::start() {
   // A further seed changes a region that shows as a whole; a first part of it would be less than that.
-  const bool isNew = !std::holds_alternative<RegionFocus>(before_) ||
-                     std::get<RegionFocus>(before_).inside.front() != wanted_->inside.front();
+  const bool isNew =
+      !std::holds_alternative<RegionFocus>(before_) || std::get<RegionFocus>(before_).origin() != wanted_->origin();
   job_.start([this, seeds = *wanted_, volume = document_.study().scene.volume,
               isNew](const io::Progress& progress) -> LoadJob::Show {
     const auto onward = [&](double begin, double end) -> segmentation::Progress {

@@ -62,6 +62,12 @@ class Document::LookChange : public Change {
     return result;
   }
 
+  static std::size_t heldBy(const std::vector<SelectionStroke>& strokes) {
+    std::size_t bytes = strokes.capacity() * sizeof(SelectionStroke);
+    for (const SelectionStroke& stroke : strokes) bytes += stroke.anchors.capacity() * sizeof(glm::dvec3);
+    return bytes;
+  }
+
   static std::size_t heldBy(const Look& look) {
     const ContextFunction& context = look.context;
     std::size_t bytes =
@@ -76,7 +82,7 @@ class Document::LookChange : public Change {
     if (const auto* focus = std::get_if<LabelFocus>(&look.focus))
       bytes += focus->labels.capacity() * sizeof(focus->labels[0]);
     if (const auto* focus = std::get_if<RegionFocus>(&look.focus))
-      bytes += (focus->inside.capacity() + focus->outside.capacity()) * sizeof(glm::dvec3);
+      bytes += (focus->inside.capacity() + focus->outside.capacity()) * sizeof(glm::dvec3) + heldBy(focus->painted);
     return bytes;
   }
 

@@ -103,8 +103,8 @@ void PlacementController::focusChanged() {
   // The cameras go to a new region once it is grown. Its tolerance and further seeds refine what they look at already.
   const bool waits = document_.awaitsGrowth();
   const RegionFocus* region = document_.region();
-  const bool refined = region && placedClick_ == region->inside.front() && !wasBusy;
-  if (!waits) placedClick_ = region ? std::optional(region->inside.front()) : std::nullopt;
+  const bool refined = region && placedClick_ == region->origin() && !wasBusy;
+  if (!waits) placedClick_ = region ? region->origin() : std::nullopt;
   if (!arrived && !waits && !refined && settings_.automatic && !settings_.byPick && canPlace() && !measured())
     chosen_.start();
   Q_EMIT changed();

@@ -59,6 +59,9 @@ CutawayPanel::CutawayPanel(Document& document, Carving& carving, QWidget* parent
       focalSize_(methodControls_.slider(&Method::focalSize)),
       focalFallOff_(methodControls_.slider(&Method::focalFallOff)),
       explosion_(methodControls_.slider(&Method::explosion)),
+      ghostStrength_(methodControls_.slider(&Method::ghostStrength)),
+      ghostEdge_(methodControls_.slider(&Method::ghostEdge)),
+      ghostOutline_(methodControls_.slider(&Method::ghostOutline)),
       lensRim_(methodControls_.spin(&Method::lensRim, 5.0)),
       wallAxial_(methodControls_.box(&Method::wallAxial)),
       wallSagittal_(methodControls_.box(&Method::wallSagittal)),
@@ -138,6 +141,9 @@ void CutawayPanel::addMethod(QFormLayout& form) {
   form.addRow(name(settingOf(&Method::explosionPlanes)), explosionPlanes_);
   form.addRow(name(settingOf(&Method::explosionAxes)), explosionAxes_);
   form.addRow(carving_);
+  form.addRow(name(settingOf(&Method::ghostStrength)), ghostStrength_);
+  form.addRow(name(settingOf(&Method::ghostEdge)), ghostEdge_);
+  form.addRow(name(settingOf(&Method::ghostOutline)), ghostOutline_);
 }
 
 void CutawayPanel::addFreeze(QAction* freeze) {
@@ -176,7 +182,8 @@ void CutawayPanel::showMethod() {
   form_->setRowVisible(lens_, byLens);
   const MethodStages stages = stagesOf(method);
   const bool opens = stages.start != MethodStages::Start::Entry;
-  const bool byRegion = stages.fading && stages.fading->region, byView = stages.fading && !byRegion;
+  const bool byRegion = stages.fading && stages.fading->region, byView = stages.fading && stages.fading->followsLight();
+  const bool byGhost = stages.fading && stages.fading->ghost;
   form_->setRowVisible(fadeReach_, byView);
   form_->setRowVisible(fadeSharpness_, byView);
   form_->setRowVisible(focalShape_, byRegion);
@@ -189,15 +196,17 @@ void CutawayPanel::showMethod() {
   form_->setRowVisible(explosionPlanes_, explodes);
   form_->setRowVisible(explosionAxes_, explodes);
   form_->setRowVisible(carving_, method.kind == MethodKind::Sculpt || method.kind == MethodKind::Bend);
+  for (QWidget* row : {ghostStrength_, ghostEdge_, ghostOutline_}) form_->setRowVisible(row, byGhost);
   QString tip = translated(wordOf(method.kind).description);
-  if (opens && method.kind != MethodKind::Adaptive)
+  if (opens && !opensBetweenPixels(method.kind))
     tip += QStringLiteral("\n") + tr("Smooth edges, by several rays a pixel, are the adaptive cutaway's alone");
   method_->setToolTip(tip);
   for (QWidget* widget : std::initializer_list<QWidget*>{
-           method_,      coneAngle_,    importanceMode_, sparseness_,      importanceAngle_, importanceOpacity_,
-           lensFade_,    lensRadius_,   lensBends_,      lensRim_,         fadeReach_,       fadeSharpness_,
-           focalShape_,  focalSize_,    focalFallOff_,   wallPlacement_,   wallAxial_,       wallSagittal_,
-           wallCoronal_, wallOutlines_, explosion_,      explosionPlanes_, explosionAxes_,   carving_})
+           method_,        coneAngle_,    importanceMode_, sparseness_,      importanceAngle_, importanceOpacity_,
+           lensFade_,      lensRadius_,   lensBends_,      lensRim_,         fadeReach_,       fadeSharpness_,
+           focalShape_,    focalSize_,    focalFallOff_,   wallPlacement_,   wallAxial_,       wallSagittal_,
+           wallCoronal_,   wallOutlines_, explosion_,      explosionPlanes_, explosionAxes_,   carving_,
+           ghostStrength_, ghostEdge_,    ghostOutline_})
     widget->setEnabled(open);
   for (QWidget* widget : std::initializer_list<QWidget*>{look_, axisOffset_, unit_}) widget->setEnabled(open && opens);
   axisDirection_->setEnabled(axisDirection_->isEnabled() && opens);

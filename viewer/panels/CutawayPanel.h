@@ -36,7 +36,7 @@ class CutawayPanel : public QWidget {
   QComboBox *method_, *importanceMode_, *sparseness_, *lensFade_, *focalShape_, *wallPlacement_, *explosionPlanes_,
       *explosionAxes_;
   SliderSpin *coneAngle_, *importanceAngle_, *importanceOpacity_, *lensRadius_, *lensBends_, *fadeReach_,
-      *fadeSharpness_, *focalSize_, *focalFallOff_, *explosion_;
+      *fadeSharpness_, *focalSize_, *focalFallOff_, *explosion_, *ghostStrength_, *ghostEdge_, *ghostOutline_;
   QDoubleSpinBox* lensRim_;
   QCheckBox *wallAxial_, *wallSagittal_, *wallCoronal_, *wallOutlines_;
   CarvingRows* carving_;

@@ -1,7 +1,7 @@
 // A context that fades (MethodStages::Fading in rendering/scene/Method.h): what its extinction is multiplied by.
 //
 // FADING is 0 in pictures in which nothing fades: nothing of this file is compiled then. It is 1 where light, nearness and
-// what lies before decide, and 2 around a focal region.
+// what lies before decide, 2 around a focal region, and 3 where an opening is ghosted.
 #include <schedule>
 #include "lib/Crossing.glsl"
 #include "lib/Volume.glsl"
@@ -10,6 +10,8 @@
 #endif
 #if FADING == 2
 #include "lib/FocalRegion.glsl"
+#elif FADING == 3
+#include "lib/Ghosting.glsl"
 #endif
 #if FADING
 

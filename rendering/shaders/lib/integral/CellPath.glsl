@@ -271,19 +271,36 @@ FadingPoint fadingPointAt(Section section, Ray ray, Cut cut, Part part, float x)
   vec2 light = lightAlong(section.normals, along, ray.world, false);
   FadingPoint point;
   point.extinction = max(material.a, 0.0);
-  float slope = length(bernstein(section.normals.slopes, along));
-#if FADING == 2
-  point.fade = fadeAround(slope, worldPosition(ray, s));
+  vec3 slope = bernstein(section.normals.slopes, along);
+#if FADING == 3
+  point.fade = fadeOfGhost(slope, ray.world);
+#elif FADING == 2
+  point.fade = fadeAround(length(slope), worldPosition(ray, s));
 #else
-  point.fade = fadeAt(slope, intensityOf(light), s);
+  point.fade = fadeAt(length(slope), intensityOf(light), s);
 #endif
   light = behindCut(light, cut, s);
   point.colour = material.rgb * light.x + light.y;
   return point;
 }
 
-// Where in a part, 0 to 1, the next step has to end at the latest. `region`: where the part enters and leaves a focal
-// region.
+// Where in a part, 0 to 1, the part enters and leaves what shows as it is, behind x: a focal region, or what lies between
+// two ghosts.
+vec2 wholeBehind(Section section, Ray ray, Part part, float x) {
+  vec2 ends = mix(vec2(section.sFrom), vec2(section.sTo), vec2(part.from, part.to)), region = vec2(3e38, -3e38);
+#if FADING == 3
+  float size = max(ends.y - ends.x, 1e-6), s = mix(ends.x, ends.y, x), next = nextGhostEnd(s + 1e-6 * size, ends.y);
+  float border = (next - ends.x) / size;
+  region = isGhosted(0.5 * (s + next)) ? vec2(border, 3e38) : vec2(-3e38, border);
+#elif FADING == 2
+  region = regionAlong(worldPosition(ray, ends.x), ray.world, ends.y - ends.x);
+  if (region.x > region.y) region = vec2(3e38, -3e38);
+#endif
+  return region;
+}
+
+// Where in a part, 0 to 1, the next step has to end at the latest. `region`: where the part enters and leaves what shows
+// as it is.
 float nextStop(Section section, Part part, vec2 region, float x) {
   vec2 ends = mix(vec2(section.uFrom), vec2(section.uTo), vec2(part.from, part.to));
   float turn = nextTurn(section.normals, mix(ends.x, ends.y, x));
@@ -292,7 +309,7 @@ float nextStop(Section section, Part part, vec2 region, float x) {
   return min(stop, border);
 }
 
-// Whether the context fades, 1, or a focal region holds the middle of a step, 0.
+// Whether the context fades, 1, or the middle of a step shows as it is, 0.
 float fadesBetween(vec2 region, float from, float to) {
   float middle = 0.5 * (from + to);
   return region.x <= middle && middle <= region.y ? 0.0 : 1.0;
@@ -302,12 +319,7 @@ float fadesBetween(vec2 region, float from, float to) {
 // steps' allowed errors are as integratePart() has the parts'. `transmittance` and `share` as there.
 vec4 integrateFading(Section section, Ray ray, Cut cut, Part part, float transmittance, float share) {
   float size = (part.to - part.from) * (section.sTo - section.sFrom), from = 0.0, extent = 1.0, seen = transmittance;
-  vec2 region = vec2(3e38, -3e38);
-#if FADING == 2
-  float sFrom = mix(section.sFrom, section.sTo, part.from);
-  region = regionAlong(worldPosition(ray, sFrom), ray.world, size);
-  if (region.x > region.y) region = vec2(3e38, -3e38);
-#endif
+  vec2 region = wholeBehind(section, ray, part, 0.0);
   float stop = nextStop(section, part, region, 0.0);
   vec4 result = vec4(0.0);
   FadingPoint front = fadingPointAt(section, ray, cut, part, 0.0);
@@ -331,6 +343,9 @@ vec4 integrateFading(Section section, Ray ray, Cut cut, Part part, float transmi
       seen = transmittance * (1.0 - result.a);
       from = last ? stop : from + extent;
       front = back;
+#if FADING == 3
+      if (last) region = wholeBehind(section, ray, part, stop);
+#endif
       if (last && stop < 1.0) stop = nextStop(section, part, region, stop);
     }
     // The estimate falls with the third power of the length at least.
@@ -342,7 +357,11 @@ vec4 integrateFading(Section section, Ray ray, Cut cut, Part part, float transmi
 
 // `transmittance`: in front of the part; `share`: its share of the ray's length.
 vec4 integratePart(Section section, Ray ray, Cut cut, Part part, float transmittance, float share) {
-#if FADING
+#if FADING == 3
+  vec2 ofPart = mix(vec2(section.sFrom), vec2(section.sTo), vec2(part.from, part.to));
+  if (!section.inFocus && mayBeGhosted(ofPart.x, ofPart.y))
+    return integrateFading(section, ray, cut, part, transmittance, share);
+#elif FADING
   if (!section.inFocus) return integrateFading(section, ray, cut, part, transmittance, share);
 #endif
   float size = (part.to - part.from) * (section.sTo - section.sFrom);

@@ -9,8 +9,8 @@
 // of an extinction that changes evenly from front to back, of the same depth (lib/integral/Piece.glsl). Where f, κ and c
 // do not change, and the piece is thin or f is 0, that is exact.
 //
-// Around a focal region the factor is 2^f outside and 1 inside, whatever τ is: the method is Simpson's rule then. A piece
-// lies on one side of the region's border.
+// Around a focal region, and of a ghost, the factor is 2^f on one side of a border and 1 on the other, whatever τ is: the
+// method is Simpson's rule then. A piece lies on one side of such a border.
 #include "lib/Fading.glsl"
 #include "lib/integral/Piece.glsl"
 #if FADING
@@ -24,10 +24,10 @@ struct FadingPoint {
 // `passed`: T^sharpness in front of the piece.
 float fadedExtinction(FadingPoint point, float passed) { return point.extinction * exp2(point.fade * passed); }
 
-// Premultiplied; `transmittance`: in front of the piece; `fades`: 0 inside a focal region, else 1.
+// Premultiplied; `transmittance`: in front of the piece; `fades`: 0 where the piece shows as it is, else 1.
 vec4 pieceOf(FadingPoint front, FadingPoint middle, FadingPoint back, float lengthOfPiece, float transmittance,
              float fades) {
-#if FADING == 2
+#if FADING > 1
   const float sharpness = 0.0;
   float passed = fades;
 #else

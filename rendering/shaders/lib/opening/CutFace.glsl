@@ -37,7 +37,12 @@ void lightByCap(inout Cut cut, Ray ray) {
 #if CLIPPED == 2
 // Whether a ray starts on a capped face that shows grey; the focus shows as it is.
 bool startsGrey(Cut cut, Ray ray) {
-  return ray.cap >= 0 && cut.onFocus == 0u && cut.start <= ray.sIn + 0.5 * cutFace.depth;
+#if FADING == 3
+  float opened = max(cut.start, ghosted.end);
+#else
+  float opened = cut.start;
+#endif
+  return ray.cap >= 0 && cut.onFocus == 0u && opened <= ray.sIn + 0.5 * cutFace.depth;
 }
 
 vec4 greyOf(Ray ray) {
