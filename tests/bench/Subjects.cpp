@@ -72,6 +72,17 @@ Subjects reportSubjects(const Views& views) {
   return list.take();
 }
 
+Subjects methodSubjects(const Views& views) {
+  List list(views);
+  list.phantom("phantom-lesion", "Phantom torso: lesion behind a rib", "torso");
+  if (app::SceneOptions* options = list.last("phantom-lesion")) options->focusLabels = {"lesion"};
+  list.ranged("head", "Visible Human head, CT: skull", headCt, {300.0, 3000.0});
+  list.labelled("brain", "Brain, MR: hippocampus", brainMr, brainLabels, {"37", "38"});
+  list.labelled("torso-kidneys", "Torso, CT: kidneys", torsoCt, torsoLabels, {"2", "3"});
+  list.labelled("torso-aorta", "Torso, CT: aorta", torsoCt, torsoLabels, {"52"});
+  return list.take();
+}
+
 Subjects boundSubjects(const Views& views) {
   List list(views);
   list.phantom("phantom", "phantom torso: organs", "torso");

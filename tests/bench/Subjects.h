@@ -41,6 +41,9 @@ struct Subjects {
 };
 /// The report's data: a phantom, a CT head, a labelled torso, an MR head; those that `views` asks for.
 Subjects reportSubjects(const Views& views);
+/// Those that methods are compared on: a small structure behind a rib, a skull, a deep one in a labelled brain, organs
+/// and a vessel of a labelled torso.
+Subjects methodSubjects(const Views& views);
 /// Ten scenes of every kind, for the error bound.
 Subjects boundSubjects(const Views& views);
 
