@@ -1,5 +1,5 @@
 // methods-bench FOLDER: what each method of opening the view shows of the focus, what it leaves of the context, and
-// what it costs, over 48 views of each of five scenes. Writes FOLDER/methods.md, with HTML and CSV. Needs no display.
+// what it costs, over 48 views of each of four scenes. Writes FOLDER/methods.md, with HTML and CSV. Needs no display.
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +31,7 @@ namespace {
 
 struct Arguments {
   std::filesystem::path folder;
-  glm::ivec2 size{280, 260};
+  glm::ivec2 size{160, 149};
   int compared = 3000;  ///< pixels of a picture: the least of which one may be off and 99.9 % be stated
   std::string only;
 };
@@ -44,16 +44,22 @@ std::vector<glm::dvec2> anglesOfViews() {
   return angles;
 }
 
-/// All of the focus in one colour: what a picture shows of the focus is then linear in that colour.
-Scene inOneColour(Scene scene, glm::dvec3 colour) {
-  scene.look.focusAppearance.function.reset();
-  scene.look.focusAppearance.colour = colour;
-  if (const auto* focus = std::get_if<LabelFocus>(&scene.look.focus))
+/// All of the focus red, and all else grey: a pixel is then red by what it shows of the focus.
+Scene withRedFocus(Scene scene) {
+  constexpr glm::dvec3 red(0.8, 0.0, 0.0);  // with room for highlights
+  Look& look = scene.look;
+  for (TransferFunction::Node& node : look.context.function.nodes)
+    node.properties.colour = glm::dvec3(node.properties.colour.g);
+  look.contextLayer.colour = glm::dvec3(look.contextLayer.colour.g);
+  look.cutaway.borderColour = glm::dvec3(look.cutaway.borderColour.g);
+  look.focusAppearance.function.reset();
+  look.focusAppearance.colour = red;
+  if (const auto* focus = std::get_if<LabelFocus>(&look.focus))
     for (const std::uint16_t label : focus->labels) {
-      LabelSetting setting = settingFor(scene.look.labels, label);
-      setting.colour = colour;
+      LabelSetting setting = settingFor(look.labels, label);
+      setting.colour = red;
       setting.function.reset();
-      put(scene.look.labels, setting);
+      put(look.labels, setting);
     }
   return scene;
 }
@@ -84,10 +90,9 @@ double meanDifference(const Pixels& a, const Pixels& b) {
 
 /// Light that comes from the focus, summed over the picture.
 double focusIn(Renderer& renderer, const Scene& scene, const View& view) {
-  const Pixels white = drawn(renderer, inOneColour(scene, glm::dvec3(1.0)), view);
-  const Pixels black = drawn(renderer, inOneColour(scene, glm::dvec3(0.0)), view);
+  const Pixels picture = drawn(renderer, withRedFocus(scene), view);
   double sum = 0.0;
-  for (std::size_t i = 0; i < white.size(); i += 4) sum += int{white[i + 1]} - int{black[i + 1]};
+  for (std::size_t i = 0; i < picture.size(); i += 4) sum += int{picture[i]} - int{picture[i + 1]};
   return sum;
 }
 
@@ -144,11 +149,12 @@ struct Measured {
 /// Measures all methods on one subject, view by view, so that a busy machine is busy for all of them.
 class SceneMeasurement {
  public:
-  SceneMeasurement(Scene scene, const Arguments& arguments, bool byProcessorTime, const gl::SharedPrograms& programs)
+  SceneMeasurement(Scene scene, double aroundFocus, const Arguments& arguments, bool byProcessorTime,
+                   const gl::SharedPrograms& programs)
       : scene_(blackBehind(std::move(scene))),
         arguments_(arguments),
         byProcessorTime_(byProcessorTime),
-        framing_(visibleFraming(shownVolume(scene_), scene_.look.context.shifted())),
+        framing_(framingOf(scene_, aroundFocus)),
         focusAlone_(std::make_shared<GpuScene>(programs)),
         sampler_(scene_) {
     // What pictures read of the context's surface is dropped when a picture does not read it.
@@ -181,6 +187,18 @@ class SceneMeasurement {
     scene.look.background = glm::dvec3(0.0);
     scene.look.backdrop = Backdrop::Plain;
     return scene;
+  }
+
+  static Framing framingOf(const Scene& scene, double aroundFocus) {
+    if (!(aroundFocus > 0.0)) return visibleFraming(shownVolume(scene), scene.look.context.shifted());
+    const glm::dvec3 centre = reference::focusCentre(scene);
+    std::vector<glm::dvec3> points;
+    for (int axis = 0; axis < 3; ++axis)
+      for (const double side : {-aroundFocus, aroundFocus}) {
+        points.push_back(centre);
+        points.back()[axis] += side;
+      }
+    return {centre, std::move(points)};
   }
 
   View viewFrom(glm::dvec2 angles) const {
@@ -243,7 +261,8 @@ void run(const Arguments& arguments) {
   const auto programs = std::make_shared<gl::ComputePrograms>();
   std::vector<SceneFigures> scenes;
   for (const Subject& subject : subjects.here) {
-    SceneMeasurement measurement(app::loadScene(subject.options).scene, arguments, machine.isSoftware, programs);
+    SceneMeasurement measurement(app::loadScene(subject.options).scene, subject.aroundFocus, arguments,
+                                 machine.isSoftware, programs);
     scenes.push_back(measurement.measure(subject.id, subject.name));
     std::cerr << subject.id << '\n';
   }

@@ -33,6 +33,7 @@ struct Subject {
   std::string id;  ///< for switches and file names
   std::string name;
   app::SceneOptions options;
+  double aroundFocus = 0.0;  ///< mm along each axis, which pictures of methods frame; 0: all of the body
 };
 
 struct Subjects {
