@@ -60,7 +60,7 @@ struct DepthOrder {
 class ViewSamples {
  public:
   struct Sampling {
-    int step = 7;        ///< of every so many pixels along either side one ray for what is kept
+    int step = 4;        ///< of every so many pixels along either side one ray for what is kept
     int outlines = 200;  ///< about so many places of the focus's outlines, evenly along them; fewer where there are
   };
   /// `tContext` and `tFocus`: where the rays of the view's pixels first meet anything, and the focus; NaN where they do

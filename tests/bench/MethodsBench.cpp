@@ -31,7 +31,7 @@ namespace {
 
 struct Arguments {
   std::filesystem::path folder;
-  glm::ivec2 size{160, 149};
+  glm::ivec2 size{112, 104};
   int compared = 3000;  ///< pixels of a picture: the least of which one may be off and 99.9 % be stated
   std::string only;
 };
@@ -259,22 +259,21 @@ void run(const Arguments& arguments) {
   const Subjects subjects = methodSubjects(views);
   for (const std::string& line : subjects.missing) std::cerr << line << '\n';
   const auto programs = std::make_shared<gl::ComputePrograms>();
-  std::vector<SceneFigures> scenes;
-  for (const Subject& subject : subjects.here) {
-    SceneMeasurement measurement(app::loadScene(subject.options).scene, subject.aroundFocus, arguments,
-                                 machine.isSoftware, programs);
-    scenes.push_back(measurement.measure(subject.id, subject.name));
-    std::cerr << subject.id << '\n';
-  }
-  if (scenes.empty()) throw std::runtime_error("no scene to measure");
   Report report;
   report.title = "Methods side by side";
   report.text = "Written by `methods-bench`, on " + machine.processors + ", OpenGL by " + machine.renderer +
                 "; pictures of " + std::to_string(arguments.size.x) + "×" + std::to_string(arguments.size.y) +
                 " pixels. Other programs kept " + fixed(machine.load, 1) + " processors busy.\n\n" + methodsText();
-  report.sections.push_back(summaryOf(scenes));
-  for (const SceneFigures& scene : scenes) report.sections.push_back(sectionOf(scene));
-  write(report, arguments.folder, "methods");
+  std::vector<SceneFigures> scenes;
+  for (const Subject& subject : subjects.here) {
+    SceneMeasurement measurement(app::loadScene(subject.options).scene, subject.aroundFocus, arguments,
+                                 machine.isSoftware, programs);
+    scenes.push_back(measurement.measure(subject.id, subject.name));
+    report.sections = {summaryOf(scenes)};
+    for (const SceneFigures& scene : scenes) report.sections.push_back(sectionOf(scene));
+    write(report, arguments.folder, "methods");
+    std::cerr << subject.id << '\n';
+  }
 }
 
 }  // namespace

@@ -138,7 +138,7 @@ std::string methodsText() {
          "hides. The surface kept is the mean of `∫ k κ dt / ∫ κ dt` over a skin, one voxel deep, behind the first "
          "hit of each ray that meets context first, weighted by the area across the ray, `ω t²` with the pixel's solid "
          "angle `ω`; a surface that turns away from the eye thus counts by what of it faces the eye. Means of the "
-         "views. Rays through every 7th pixel along both sides are sampled twice per voxel by the CPU; `w` and the "
+         "views. Rays through every fourth pixel along both sides are sampled twice per voxel by the CPU; `w` and the "
          "starts are those of the pictures, `m` is computed once more. Edges of the removed context, which are drawn "
          "over the focus, and the border count as nothing kept.\n\n"
          "*Wrong order*: along each ray, every method here draws what is nearer over what is farther, so none is wrong "

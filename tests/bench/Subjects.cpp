@@ -83,9 +83,9 @@ Subjects methodSubjects(const Views& views) {
     lesion->options.focusLabels = {"lesion"};
     lesion->aroundFocus = 90.0;
   }
-  list.ranged("head", "Visible Human head, CT: skull", headCt, {300.0, 3000.0});
   list.labelled("brain", "Brain, MR: hippocampus", brainMr, brainLabels, {"37", "38"});
   list.labelled("torso", "Torso, CT: kidneys and aorta", torsoCt, torsoLabels, {"2", "3", "52"});
+  list.ranged("head", "Visible Human head, CT: skull", headCt, {300.0, 3000.0});
   return list.take();
 }
 
