@@ -8,6 +8,7 @@
 #include <limits>
 #include <sstream>
 
+#include "rendering/gpu/PreIntegration.h"
 #include "rendering/gpu/TransferTables.h"
 #include "rendering/scene/Parallel.h"
 
@@ -411,6 +412,7 @@ void GpuScene::updateGaps() {
 
 bool GpuScene::updateTransfer() {
   ++versions_.transfer;
+  preIntegration_ = {};
   updateGaps();
   const ValueRange span = tableSpan(contexts_.front(), shown_.volume->range, tableSize);
   const TransferTables tables(contexts_.front(), span, tableSize);
@@ -428,6 +430,19 @@ bool GpuScene::updateTransfer() {
   transferMap_ = tableMap(span, volumeTexture_);
 
   return updateOccupancy();
+}
+
+const gl::Texture& GpuScene::preIntegration() const {
+  if (preIntegration_) return preIntegration_;
+  const glm::dmat3 cell(drawnGrid().worldFromIndex());
+  double longest = 0.0;
+  for (const glm::dvec3 diagonal : {glm::dvec3(1, 1, 1), {1, 1, -1}, {1, -1, 1}, {-1, 1, 1}})
+    longest = std::max(longest, glm::length(cell * diagonal));
+  const PreIntegration made(contexts_.front(), tableSpan(contexts_.front(), shown_.volume->range, tableSize), tableSize,
+                            longest);
+  preIntegration_ = made.texture();
+  preIntegrationLevel_ = made.firstLevel;
+  return preIntegration_;
 }
 
 bool GpuScene::updateOccupancy() {
@@ -460,6 +475,7 @@ std::vector<GpuScene::Resource> GpuScene::resources() const {
   add("spline", of(coefficients_) + of(normalCoefficients_));
   add("gradient", of(gradient_.texture));
   add("derivative volume", of(derivative_.texture));
+  add("pre-integration", of(preIntegration_));
   add("transfer tables", of(transferTables_) + of(transferSegments_) + segmentOfEntry_.bytes());
   add("empty-space skipping", of(contextSkip_) + of(occupiedSkip_) + of(focusSkip_));
   add("faint labels", of(faint_.texture()));

@@ -116,6 +116,10 @@ class GpuScene {
   static constexpr int segmentsPerRow = 256;
   const gl::Texture& transferSegments() const { return transferSegments_; }
   const gl::Buffer& segmentOfEntry() const { return segmentOfEntry_; }
+  /// The volume's transfer function as PreIntegration, for its texels and its first level. Made when it is first asked
+  /// for, because pictures within a bound do without.
+  const gl::Texture& preIntegration() const;
+  int preIntegrationLevel() const { return preIntegrationLevel_; }
   glm::vec2 transferMap() const { return transferMap_; }
   glm::vec4 firstMaterial() const { return firstMaterial_; }  ///< the tables' first entry
   glm::vec4 lastMaterial() const { return lastMaterial_; }
@@ -217,6 +221,8 @@ class GpuScene {
   std::vector<glm::vec2> gaps_;
   gl::Buffer gapBuffer_;
   gl::Texture transferTables_, transferSegments_;
+  mutable gl::Texture preIntegration_;  ///< empty until it is asked for, and after a change
+  mutable int preIntegrationLevel_ = 0;
   gl::Buffer segmentOfEntry_;
   glm::vec2 transferMap_{0.0f}, visibleEntries_{0.0f};
   glm::vec4 firstMaterial_{0.0f}, lastMaterial_{0.0f};

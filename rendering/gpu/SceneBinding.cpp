@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "rendering/gpu/PreIntegration.h"
 #include "rendering/scene/Fading.h"
 #include "rendering/scene/Lighting.h"
 
@@ -9,6 +10,10 @@ namespace fenestra {
 namespace {
 /// Storage blocks, as lib/focus/Index.glsl and lib/FirstHit.glsl number them.
 enum Block : unsigned { focusCellsBlock = 0, gapsBlock = 1, segmentOfEntryBlock = 3 };
+
+TransferBlock transferBlock(const GpuScene& scene) {
+  return {scene.firstMaterial(), scene.lastMaterial(), scene.transferMap(), scene.visibleEntries()};
+}
 }  // namespace
 
 void bindVolume(const GpuScene& scene, gl::ShaderProgram& program) {
@@ -78,7 +83,21 @@ gl::Define faintDefine(const GpuScene& scene) { return {"FAINT_LABELS", scene.fa
 
 void bindTransfer(const GpuScene& scene, gl::ShaderProgram& program) {
   program.bind("transferTables", scene.transferTables());
-  program.set(TransferBlock{scene.firstMaterial(), scene.lastMaterial(), scene.transferMap(), scene.visibleEntries()});
+  program.set(transferBlock(scene));
+}
+
+void bindPreIntegration(const GpuScene& scene, gl::ShaderProgram& program) {
+  program.bind("transferTables", scene.transferTables());
+  program.bind("preIntegration", scene.preIntegration());
+  TransferBlock block = transferBlock(scene);
+  block.firstLevel = scene.preIntegrationLevel();
+  program.set(block);
+}
+
+std::vector<gl::Define> preIntegrationDefines() {
+  return {{"PRE_INTEGRATION_LEVELS", PreIntegration::levels},
+          {"PRE_INTEGRATION_MANTISSA", PreIntegration::mantissaBits},
+          {"PRE_INTEGRATION_SPACING", PreIntegration::spacing}};
 }
 
 void bindTransferSegments(const GpuScene& scene, gl::ShaderProgram& program) {

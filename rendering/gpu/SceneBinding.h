@@ -38,6 +38,9 @@ void bindTransfer(const GpuScene& scene, gl::ShaderProgram& program);
 void bindTransferSegments(const GpuScene& scene, gl::ShaderProgram& program);
 gl::Define tableDefine();
 gl::Define segmentsDefine();
+/// The same with lib/PreIntegration.glsl; compiled with preIntegrationDefines() too.
+void bindPreIntegration(const GpuScene& scene, gl::ShaderProgram& program);
+std::vector<gl::Define> preIntegrationDefines();
 
 /// lib/Curvature.glsl; `program` was compiled with derivativeDefine(scene) and refinementDefine(scene). The scene
 /// readsContextSurface().

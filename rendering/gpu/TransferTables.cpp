@@ -5,27 +5,37 @@
 
 namespace fenestra {
 
-TransferTables::TransferTables(const TransferFunction& function, ValueRange span, int size) {
-  const auto emission = [](const OpticalProperties& p) { return glm::dvec4(p.colour * p.extinction, p.extinction); };
-  const double perEntry = (span.high - span.low) / (size - 1);
-  const auto at = [&](double value) { return emission(function.evaluate(value)); };
+namespace {
+glm::dvec4 emissionAt(const TransferFunction& function, double value) {
+  const OpticalProperties p = function.evaluate(value);
+  return glm::dvec4(p.colour * p.extinction, p.extinction);
+}
+}  // namespace
+
+glm::dvec4 integrateEmission(const TransferFunction& function, double low, double high) {
   glm::dvec4 integral(0.0);
   auto node = function.nodes.begin();
+  // Between nodes emission is a quadratic function of the value, so Simpson's rule is exact. Points a hair inside tell
+  // the two sides of a step.
+  while (low < high) {
+    while (node != function.nodes.end() && node->value <= low) ++node;
+    const double end = node == function.nodes.end() ? high : std::min(high, node->value), hair = 1e-9 * (end - low);
+    const glm::dvec4 first = emissionAt(function, low + hair), middle = emissionAt(function, 0.5 * (low + end)),
+                     last = emissionAt(function, end - hair);
+    integral += (first + 4.0 * middle + last) * ((end - low) / 6.0);
+    low = end;
+  }
+  return integral;
+}
+
+TransferTables::TransferTables(const TransferFunction& function, ValueRange span, int size) {
+  const double perEntry = (span.high - span.low) / (size - 1);
+  glm::dvec4 integral(0.0);
   for (int i = 0; i < size; ++i) {
     const double here = span.low + perEntry * i, next = span.low + perEntry * (i + 1);
-    properties.emplace_back(at(here));
+    properties.emplace_back(emissionAt(function, here));
     integrals.emplace_back(integral);
-    // Between nodes emission is a quadratic function of the value, so Simpson's rule is exact. Points a hair inside
-    // tell the two sides of a step.
-    double low = here;
-    while (low < next) {
-      while (node != function.nodes.end() && node->value <= low) ++node;
-      const double high = node == function.nodes.end() ? next : std::min(next, node->value);
-      const double hair = 1e-9 * (high - low), entries = (high - low) / perEntry;
-      const glm::dvec4 first = at(low + hair), middle = at(0.5 * (low + high)), last = at(high - hair);
-      integral += (first + 4.0 * middle + last) * (entries / 6.0);
-      low = high;
-    }
+    integral += integrateEmission(function, here, next) / perEntry;
   }
 }
 

@@ -13,6 +13,10 @@
 
 namespace fenestra {
 
+/// Of emission (colour · extinction) and extinction (1/mm) from one real value to a greater one, exactly; per unit of
+/// value.
+glm::dvec4 integrateEmission(const TransferFunction& function, double low, double high);
+
 /// Rows of `size` entries, evenly spaced over `span` (real values): emission (colour · extinction) and extinction
 /// (1/mm), and their integrals from the first entry on (entries/mm).
 struct TransferTables {

@@ -42,6 +42,7 @@ struct alignas(16) TransferBlock {
   static constexpr const char* name = "TransferBlock";
   glm::vec4 firstMaterial, lastMaterial;
   glm::vec2 map, visibleEntries;
+  int firstLevel = 0;
 };
 
 /// shaders/lib/FaintLabels.glsl.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <vector>
 
 #include "rendering/gpu/SceneBinding.h"
@@ -76,30 +77,32 @@ IntegralBlock FocusLayerPass::integralBlock(const Sampling& sampling) {
 gl::ShaderProgram& FocusLayerPass::program(bool listed, const Drawn& drawn) {
   const auto& [gpu, look, rays, opening, sampling, occlusion] = drawn;
   const bool lit = look.shading.enabled, bounded = sampling.maxError.has_value();
-  return programs_.get({{volumeDefine(gpu),
-                         refinementDefine(gpu),
-                         {"SAMPLED", !bounded},
-                         tableDefine(),
-                         segmentsDefine(),
-                         faintDefine(gpu),
-                         {"FOCUS_PALETTE", static_cast<bool>(gpu.focusPaletteIndex())},
-                         {"FOCUS_FUNCTIONS", gpu.focusByValue()},
-                         {"FOCUS_SMOOTH", lit && gpu.focusSmooth()},
-                         {"BENT_NORMALS", bendsNormals(gpu, sampling, lit)},
-                         occlusionDefine(occlusion),
-                         fadingDefine(fadingOf(look)),
-                         {"LISTED", listed},
-                         {"APART", opening && opening->hole},
-                         rays.clipDefine(),
-                         rays.scatterDefine(),
-                         {"RAYS", raysTogether(gpu.schedule(), sampling, lit)}},
-                        {scheduleChoice(gpu.schedule()),
-                         focusChoice(gpu),
-                         lightChoice(lit),
-                         {"opening", opening            ? "lib/opening/Open.glsl"
-                                     : rays.isClipped() ? "lib/opening/Capped.glsl"
-                                                        : "lib/opening/Closed.glsl"},
-                         integralChoice(gpu, bounded)}});
+  gl::Variant variant{{volumeDefine(gpu),
+                       refinementDefine(gpu),
+                       {"SAMPLED", !bounded},
+                       tableDefine(),
+                       segmentsDefine(),
+                       faintDefine(gpu),
+                       {"FOCUS_PALETTE", static_cast<bool>(gpu.focusPaletteIndex())},
+                       {"FOCUS_FUNCTIONS", gpu.focusByValue()},
+                       {"FOCUS_SMOOTH", lit && gpu.focusSmooth()},
+                       {"BENT_NORMALS", bendsNormals(gpu, sampling, lit)},
+                       occlusionDefine(occlusion),
+                       fadingDefine(fadingOf(look)),
+                       {"LISTED", listed},
+                       {"APART", opening && opening->hole},
+                       rays.clipDefine(),
+                       rays.scatterDefine(),
+                       {"RAYS", raysTogether(gpu.schedule(), sampling, lit)}},
+                      {scheduleChoice(gpu.schedule()),
+                       focusChoice(gpu),
+                       lightChoice(lit),
+                       {"opening", opening            ? "lib/opening/Open.glsl"
+                                   : rays.isClipped() ? "lib/opening/Capped.glsl"
+                                                      : "lib/opening/Closed.glsl"},
+                       integralChoice(gpu, bounded)}};
+  if (!bounded) std::ranges::copy(preIntegrationDefines(), std::back_inserter(variant.defines));
+  return programs_.get(variant);
 }
 
 gl::ShaderProgram& FocusLayerPass::prepared(bool listed, const Drawn& drawn) {
@@ -107,7 +110,10 @@ gl::ShaderProgram& FocusLayerPass::prepared(bool listed, const Drawn& drawn) {
   gl::ShaderProgram& program = this->program(listed, drawn);
   rays.setBlocks(program);
   bindVolume(gpu, program);
-  bindTransferSegments(gpu, program);
+  if (sampling.maxError)
+    bindTransferSegments(gpu, program);
+  else
+    bindPreIntegration(gpu, program);
   bindFaint(gpu, program);
   program.bind("occupiedSkip", gpu.occupiedSkip());
   program.set(integralBlock(sampling));
@@ -137,7 +143,7 @@ gl::ShaderProgram& FocusLayerPass::prepared(bool listed, const Drawn& drawn) {
   bindFading(gpu, program, rays.camera(), rays.distance(), fadingOf(look));
   if (look.shading.enabled && gpu.focusSmooth()) {
     program.bind("focusSmooth", gpu.focusSmooth());
-    program.bind("focusSmoothTexels", gpu.focusSmooth());
+    if (sampling.maxError) program.bind("focusSmoothTexels", gpu.focusSmooth());
     // A texel spans half a voxel around its centre, and the cell frame is index + 1.
     focus.smoothOrigin = glm::vec3(gpu.focusSmoothOrigin()) + 0.5f;
     focus.worldFromIndexGradient = Std140Mat3(glm::mat3(glm::transpose(glm::dmat3(gpu.grid().indexFromWorld()))));

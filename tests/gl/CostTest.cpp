@@ -66,7 +66,7 @@ Drawn draw(const Scene& scene) {
 
 TEST_F(Cost, EveryKindOfSceneTakesItsOwnPassesAndResourcesAndNoOthers) {
   using Names = std::set<std::string>;
-  const Names always{"volume", "transfer tables", "empty-space skipping", "images"};
+  const Names always{"volume", "transfer tables", "pre-integration", "empty-space skipping", "images"};
   const auto with = [](Names names, const Names& more) {
     names.insert(more.begin(), more.end());
     return names;
@@ -99,6 +99,19 @@ TEST_F(Cost, EveryKindOfSceneTakesItsOwnPassesAndResourcesAndNoOthers) {
     EXPECT_EQ(namesOf(drawn.memory), expected.at(kind.name).resources) << kind.name;
     EXPECT_EQ(drawn.passes, expected.at(kind.name).passes) << kind.name;
   }
+}
+
+TEST_F(Cost, PicturesWithinABoundAreNotPreIntegrated) {
+  const auto gpu = std::make_shared<GpuScene>();
+  Renderer renderer(gpu);
+  const Scene scene = kinds().front().scene;
+  View view = viewOf(scene);
+  view.quality = Quality::High;
+  renderer.render(scene, view);
+  EXPECT_FALSE(memoryOf(*gpu, renderer).contains("pre-integration"));
+  view.quality = Quality::Normal;
+  renderer.render(scene, view);
+  EXPECT_TRUE(memoryOf(*gpu, renderer).contains("pre-integration"));
 }
 
 TEST_F(Cost, AFeatureAddsItsOwnBytesAndNoOthers) {

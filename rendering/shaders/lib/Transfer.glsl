@@ -6,6 +6,7 @@ struct TransferSettings {
   vec4 firstMaterial, lastMaterial;  // beyond the tables' ends
   vec2 map;                          // entry = stored value · x + y
   vec2 visibleEntries;               // nothing shows up to the first or from the second on
+  int firstLevel;                    // of lib/PreIntegration.glsl
 };
 UNIFORM_BLOCK(TransferBlock, storedTransfer, TransferSettings, transfer);
 

@@ -42,13 +42,9 @@ Bound boundAt(Table table, float entry) {
 // instead.
 const float LEAST_SPAN = 8.0;
 
-// Of the context: the nearest of the entries phase + 2 n LEAST_SPAN. Bounds of the phases 0 and LEAST_SPAN are LEAST_SPAN
-// apart at least.
-Bound boundNear(float entry, float phase) {
-  Bound bound;
-  bound.entry = 2.0 * LEAST_SPAN * floor(entry / (2.0 * LEAST_SPAN) + (0.5 - phase / (2.0 * LEAST_SPAN))) + phase;
-  bound.integral = texelOf(transferTables, ivec2(int(clamp(bound.entry, 0.0, LAST_ENTRY)), 1));
-  return bound;
+// The nearest of the entries phase + 2 n LEAST_SPAN. Those of the phases 0 and LEAST_SPAN are LEAST_SPAN apart at least.
+float entryNear(float entry, float phase) {
+  return 2.0 * LEAST_SPAN * floor(entry / (2.0 * LEAST_SPAN) + (0.5 - phase / (2.0 * LEAST_SPAN))) + phase;
 }
 
 // Mean material where values run evenly from one bound to another, at least LEAST_SPAN away (pre-integrated
@@ -73,14 +69,4 @@ vec4 meanWithoutBranch(Table table, Bound a, Bound b) {
 vec4 meanMaterial(Table table, Bound a, Bound b) {
   if (abs(b.entry - a.entry) < LEAST_SPAN) return materialAt(table, 0.5 * (a.entry + b.entry));
   return meanOverSpan(table, a, b);
-}
-
-// Premultiplied colour and opacity of a piece of ray in the context over which values run evenly from one bound to
-// another, at least LEAST_SPAN away: meanMaterial() and, of lib/integral/Piece.glsl, pieceOf() in one.
-vec4 pieceOver(Bound a, Bound b, float lengthOfPiece) {
-  vec4 sum = b.integral - a.integral;
-  sum += (min(b.entry, 0.0) - min(a.entry, 0.0)) * transfer.firstMaterial;
-  sum += (max(b.entry, LAST_ENTRY) - max(a.entry, LAST_ENTRY)) * transfer.lastMaterial;
-  float perEntry = lengthOfPiece / (b.entry - a.entry), depth = sum.a * perEntry;
-  return sum * (depth < 1e-2 ? perEntry * (1.0 - depth * (0.5 - depth * (1.0 / 6.0))) : (1.0 - exp(-depth)) / sum.a);
 }

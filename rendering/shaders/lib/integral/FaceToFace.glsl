@@ -10,6 +10,7 @@
 #include <opening>
 #include <schedule>
 #include "lib/FaintLabels.glsl"
+#include "lib/PreIntegration.glsl"
 #include "lib/TransferTables.glsl"
 #include "lib/Traversal.glsl"
 #include "lib/Volume.glsl"
@@ -24,7 +25,7 @@
 struct RayPoint {
   float s;       // mm along the ray
   float stored;
-  Bound bound;   // the value's entry in the tables
+  float entry;   // of the value in the tables
   vec3 gated;    // normal
 #if OCCLUDED
   vec2 open;     // what is left of ambient and of direct light
@@ -54,7 +55,7 @@ bool mayHaveParts(Walk walk) { return goesOn(walk) && !isWhole(walk); }
 // so the bounds of neighbouring faces lie at least LEAST_SPAN apart.
 void classify(inout RayPoint point, ivec3 cell) {
   float phase = LEAST_SPAN * float((cell.x + cell.y + cell.z) & 1);
-  point.bound = boundNear(entryOf(point.stored), phase);
+  point.entry = entryNear(entryOf(point.stored), phase);
 }
 
 // Bilinear between the face's four voxels.
@@ -110,7 +111,7 @@ RayPoint between(RayPoint front, RayPoint back, float u) {
   RayPoint point;
   point.s = mix(front.s, back.s, u);
   point.stored = mix(front.stored, back.stored, u);
-  point.bound = boundAt(contextTable(), entryOf(point.stored));
+  point.entry = entryOf(point.stored);
   point.gated = mix(front.gated, back.gated, u);
 #if OCCLUDED
   point.open = mix(front.open, back.open, u);
@@ -118,7 +119,9 @@ RayPoint between(RayPoint front, RayPoint back, float u) {
   return point;
 }
 
-vec4 meanOfContext(RayPoint front, RayPoint back) { return meanMaterial(contextTable(), front.bound, back.bound); }
+vec4 meanOfContext(RayPoint front, RayPoint back) {
+  return meanMaterial(contextTable(), boundAt(contextTable(), front.entry), boundAt(contextTable(), back.entry));
+}
 
 // Premultiplied colour and opacity of one material from one point to another, lit as at the centre of its emission.
 vec4 pieceBetween(Walk walk, RayPoint front, RayPoint back, vec4 material, bool ofFocus) {
@@ -133,40 +136,36 @@ vec4 pieceBetween(Walk walk, RayPoint front, RayPoint back, vec4 material, bool 
   return pieceOf(material, size, light);
 }
 
-// Half way between two bounds, and in another entry than both where they are two entries apart at least.
-Bound boundBetween(Bound front, Bound back) { return boundAt(contextTable(), 0.5 * (front.entry + back.entry)); }
-
-// Of the context, from one bound to another, in two halves: what lies in the first one hides the second. However few
-// entries apart the bounds are, the depths of the halves sum to that of the whole.
-vec4 halvesOver(Bound front, Bound back, float size) {
-  Bound middle = boundBetween(front, back);
-  return over(pieceOver(front, middle, 0.5 * size), pieceOver(middle, back, 0.5 * size));
-}
-
-// As between, lit as at the centre of its emission.
-vec4 litHalves(Walk walk, RayPoint front, RayPoint back) {
-  float size = back.s - front.s;
-  vec4 piece = halvesOver(front.bound, back.bound, size);
-  float u = centreOfEmission(-log(max(1.0 - piece.a, 1e-6))), s = front.s + u * size;
+// A piece of the context, lit as at the centre of its emission.
+vec4 litPiece(Walk walk, RayPoint front, RayPoint back, Segment segment) {
+  float u = centreOfEmission(segment.depth), s = mix(front.s, back.s, u);
   vec2 light = behindCut(lightOfGated(mix(front.gated, back.gated, u), walk.ray.world), walk.cut, s);
 #if OCCLUDED
   light = occluded(light, mix(front.open, back.open, u));
 #endif
-  return vec4(piece.rgb * light.x + piece.a * light.y, piece.a);
+  return vec4(segment.piece.rgb * light.x + segment.piece.a * light.y, segment.piece.a);
 }
 
-// Of the context, over the last segment. Lit, in two parts: a segment is opaque mostly where its values are greatest, and
+// Of the context, over the last segment. Lit, in two halves: a segment is opaque mostly where its values are greatest, and
 // the light has to be taken there. Segments of a refined grid are short enough for one light each.
 vec4 contextPiece(Walk walk) {
   RayPoint front = walk.front, back = walk.back;
-  if (!LIT) return halvesOver(front.bound, back.bound, back.s - front.s);
-#if REFINEMENT > 1
-  return litHalves(walk, front, back);
-#else
-  RayPoint middle = between(front, back, 0.5);
-  middle.bound = boundBetween(front.bound, back.bound);
-  return over(litHalves(walk, front, middle), litHalves(walk, middle, back));
+  bool rises = back.entry > front.entry;
+  float perEntry = (back.s - front.s) / abs(back.entry - front.entry);
+  Level level = levelOf(perEntry);
+  vec4 seenInFront = seenFrom(front.entry, rises, level), seenBehind = seenFrom(back.entry, rises, level);
+#if REFINEMENT == 1
+  if (LIT) {
+    RayPoint middle = between(front, back, 0.5);
+    middle.entry = 0.5 * (front.entry + back.entry);
+    vec4 seenBetween = seenFrom(middle.entry, rises, level);
+    Segment first = segmentOver(front.entry, seenInFront, middle.entry, seenBetween, perEntry, level);
+    Segment second = segmentOver(middle.entry, seenBetween, back.entry, seenBehind, perEntry, level);
+    return over(litPiece(walk, front, middle, first), litPiece(walk, middle, back, second));
+  }
 #endif
+  Segment segment = segmentOver(front.entry, seenInFront, back.entry, seenBehind, perEntry, level);
+  return LIT ? litPiece(walk, front, back, segment) : segment.piece;
 }
 
 // Where the parabola of these values at 0, 1/2 and 1 is `level` or more, from and to 0 … 1; empty where from ≥ to. Of two
@@ -258,7 +257,7 @@ vec4 pieceInFocus(Walk walk, ivec3 cell, RayPoint enters, RayPoint leavesAt) {
 // Of the context from one point in a cell to another, by one of its functions.
 vec4 pieceByFunction(Walk walk, RayPoint front, RayPoint back, int function) {
   Table table = tableFrom(2 * function);
-  vec4 mean = meanWithoutBranch(table, boundAt(table, front.bound.entry), boundAt(table, back.bound.entry));
+  vec4 mean = meanWithoutBranch(table, boundAt(table, front.entry), boundAt(table, back.entry));
   return pieceBetween(walk, front, back, mean, false);
 }
 

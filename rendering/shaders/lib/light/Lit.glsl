@@ -49,7 +49,9 @@ vec3 gatedAt(ivec3 voxel) {
 #if FOCUS_SMOOTH
 // Smoothed indicator around a label focus: filtered, and texel by texel.
 uniform sampler3D focusSmooth;
+#if !SAMPLED
 TEXELS_3D(r16, focusSmoothTexels);
+#endif
 
 // Square of the gradient (1/mm) below which a point lies too deep in the focus to have its normal.
 const float FLAT_FOCUS = 1e-6;
@@ -153,7 +155,7 @@ CellNormals normalsAlong(ivec3 cell, vec3 a, vec3 b) {
 }
 #endif
 
-#if FOCUS_SMOOTH
+#if FOCUS_SMOOTH && !SAMPLED
 // Central difference of the smoothed indicator along an axis at corner i of a cell, from the cell's corners and the voxel
 // beyond. `first`: the texel of corner 0.
 float smoothedDifference(float inner[8], ivec3 first, int i, int axis) {
