@@ -1,6 +1,7 @@
 #pragma once
 // The methods that pages and sheets compare, at their defaults.
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -14,17 +15,25 @@ struct MethodVariant {
   Method method;
 };
 
-/// Every method, and the importance-driven one in both of its ways.
+/// One row a method, the adaptive cutaway first; those that need a user's hand are left out.
 inline std::vector<MethodVariant> methodVariants() {
   std::vector<MethodVariant> list;
-  for (const auto& word : wordsOf(MethodKind{})) {
+  const auto add = [&](MethodKind kind, const std::string& way = {}, const std::function<void(Method&)>& change = {}) {
     Method method;
-    method.kind = word.value;
-    list.push_back({word.word, word.name, method});
-    if (word.value != MethodKind::Importance) continue;
-    method.importance = ImportanceMode::Average;
-    list.push_back({"importance-average", std::string(word.name) + ", average", method});
-  }
+    method.kind = kind;
+    if (change) change(method);
+    for (const auto& word : wordsOf(kind))
+      if (word.value == kind)
+        list.push_back({std::string(word.word) + (way.empty() ? "" : "-" + way),
+                        std::string(word.name) + (way.empty() ? "" : ", " + way), method});
+  };
+  add(MethodKind::Adaptive);
+  add(MethodKind::Cone);
+  add(MethodKind::Importance);
+  add(MethodKind::Importance, "average", [](Method& method) { method.importance = ImportanceMode::Average; });
+  add(MethodKind::ClearView);
+  add(MethodKind::ContextPreserving);
+  add(MethodKind::FocalRegion);
   return list;
 }
 

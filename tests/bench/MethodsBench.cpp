@@ -1,10 +1,11 @@
 // methods-bench FOLDER: what each method of opening the view shows of the focus, what it leaves of the context, and
-// what it costs, over 48 views of each of the report's subjects. Writes FOLDER/methods.md, with HTML and CSV. Needs no
-// display.
+// what it costs, over 48 views of each of four scenes. Writes FOLDER/methods.md, with HTML and CSV. Needs no display.
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <numeric>
 #include <string>
@@ -19,10 +20,10 @@
 #include "rendering/egl/EglContext.h"
 #include "rendering/gpu/GpuScene.h"
 #include "rendering/reference/Certificate.h"
-#include "rendering/scene/Fading.h"
 #include "rendering/scene/Framing.h"
+#include "tests/bench/ContextMeasures.h"
 #include "tests/bench/MethodVariants.h"
-#include "tests/bench/Report.h"
+#include "tests/bench/MethodsPage.h"
 #include "tests/bench/Subjects.h"
 
 namespace fenestra::bench {
@@ -30,8 +31,8 @@ namespace {
 
 struct Arguments {
   std::filesystem::path folder;
-  glm::ivec2 size{280, 260};
-  int compared = 500;  ///< pixels of a picture
+  glm::ivec2 size{112, 104};
+  int compared = 3000;  ///< pixels of a picture: the least of which one may be off and 99.9 % be stated
   std::string only;
 };
 
@@ -43,17 +44,22 @@ std::vector<glm::dvec2> anglesOfViews() {
   return angles;
 }
 
-/// All of the focus in one colour: what a picture shows of the focus is then linear in that colour.
-Scene inOneColour(Scene scene, glm::dvec3 colour, bool lit) {
-  scene.look.shading.enabled = lit && scene.look.shading.enabled;
-  scene.look.focusAppearance.function.reset();
-  scene.look.focusAppearance.colour = colour;
-  if (const auto* focus = std::get_if<LabelFocus>(&scene.look.focus))
+/// All of the focus red, and all else grey: a pixel is then red by what it shows of the focus.
+Scene withRedFocus(Scene scene) {
+  constexpr glm::dvec3 red(0.8, 0.0, 0.0);  // with room for highlights
+  Look& look = scene.look;
+  for (TransferFunction::Node& node : look.context.function.nodes)
+    node.properties.colour = glm::dvec3(node.properties.colour.g);
+  look.contextLayer.colour = glm::dvec3(look.contextLayer.colour.g);
+  look.cutaway.borderColour = glm::dvec3(look.cutaway.borderColour.g);
+  look.focusAppearance.function.reset();
+  look.focusAppearance.colour = red;
+  if (const auto* focus = std::get_if<LabelFocus>(&look.focus))
     for (const std::uint16_t label : focus->labels) {
-      LabelSetting setting = settingFor(scene.look.labels, label);
-      setting.colour = colour;
+      LabelSetting setting = settingFor(look.labels, label);
+      setting.colour = red;
       setting.function.reset();
-      put(scene.look.labels, setting);
+      put(look.labels, setting);
     }
   return scene;
 }
@@ -66,184 +72,207 @@ Scene withoutContext(Scene scene) {
 
 using Pixels = std::vector<std::uint8_t>;  ///< RGBA
 
-/// Greatest difference of a pixel's channels, 0 to 255.
-int difference(const Pixels& a, const Pixels& b, std::size_t pixel) {
-  int greatest = 0;
-  for (std::size_t i = 4 * pixel; i < 4 * pixel + 3; ++i)
-    greatest = std::max(greatest, std::abs(int{a[i]} - int{b[i]}));
-  return greatest;
+Pixels drawn(Renderer& renderer, const Scene& scene, const View& view) {
+  renderer.render(scene, view);
+  return renderer.readPicture();
 }
 
+/// Mean over the pixels of the greatest difference of their channels, 0 to 255.
 double meanDifference(const Pixels& a, const Pixels& b) {
   double sum = 0.0;
-  for (std::size_t i = 0; i < a.size() / 4; ++i) sum += difference(a, b, i);
+  for (std::size_t pixel = 0; pixel < a.size(); pixel += 4) {
+    int greatest = 0;
+    for (std::size_t i = pixel; i < pixel + 3; ++i) greatest = std::max(greatest, std::abs(int{a[i]} - int{b[i]}));
+    sum += greatest;
+  }
   return sum / (static_cast<double>(a.size()) / 4.0);
+}
+
+/// Light that comes from the focus, summed over the picture.
+double focusIn(Renderer& renderer, const Scene& scene, const View& view) {
+  const Pixels picture = drawn(renderer, withRedFocus(scene), view);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < picture.size(); i += 4) sum += int{picture[i]} - int{picture[i + 1]};
+  return sum;
 }
 
 double meanOf(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-/// Of a method, over all views.
-struct Measured {
-  std::vector<double> seen;    ///< share of the focus
-  std::vector<double> kept;    ///< share of the body's picture
-  std::vector<double> turned;  ///< mean change of a pixel between views 1° apart, 1/255
-  std::vector<double> milliseconds;
-  double error = 0.0;  ///< of 99.9 % of the pixels of the first view, 1/255
+double medianOf(std::vector<double> values) {
+  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
+  return values[values.size() / 2];
+}
 
-  double medianTime() const {
-    std::vector<double> sorted = milliseconds;
-    std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2), sorted.end());
-    return sorted[sorted.size() / 2];
+/// What a method does along the rays of its last picture.
+MethodRays raysOf(const Scene& scene, glm::ivec2 size, Layers& layers) {
+  if (!scene.look.cutaway.enabled) return {};
+  const MethodStages stages = stagesOf(scene.look.method);
+  if (stages.fading) return {{}, {}, stages.fading};
+  MethodRays rays{std::move(layers.tStart), {}};
+  if (stages.lens)
+    rays.shares = lensShares(*stages.lens, radiusOf(*stages.lens, scene.volume->grid), size, layers.tContext,
+                             layers.tFocus, layers.lens);
+  else if (stages.keepsRemoved())
+    for (int j = 0; j < size.y; ++j)
+      for (int i = 0; i < size.x; ++i)
+        rays.shares.push_back(static_cast<float>(faintShare(stages.sparseness, stages.faintOpacity, i, j)));
+  return rays;
+}
+
+/// A method with a renderer of its own, so that none finds another's stages done, and what was measured in each view.
+struct Measured {
+  std::string name;
+  Scene scene;
+  Renderer renderer;
+  std::vector<double> seen{}, volume{}, surface{}, wrong{}, turned{}, wall{}, work{};
+  int wrongPairs = 0, pairs = 0;
+  double error = 0.0;
+
+  MethodFigures figures(const Measured& plain) const {
+    return {name,
+            meanOf(seen),
+            *std::min_element(seen.begin(), seen.end()),
+            meanOf(volume),
+            meanOf(surface),
+            meanOf(wrong),
+            wrongPairs,
+            pairs,
+            *std::max_element(turned.begin(), turned.end()),
+            medianOf(wall),
+            meanOf(work) / meanOf(plain.work),
+            error};
   }
 };
 
-/// Measures methods on one subject.
-class MethodMeasurement {
+/// Measures all methods on one subject, view by view, so that a busy machine is busy for all of them.
+class SceneMeasurement {
  public:
-  MethodMeasurement(Scene scene, const Arguments& arguments)
-      : scene_(std::move(scene)),
+  SceneMeasurement(Scene scene, double aroundFocus, const Arguments& arguments, bool byProcessorTime,
+                   const gl::SharedPrograms& programs)
+      : scene_(blackBehind(std::move(scene))),
         arguments_(arguments),
-        framing_(visibleFraming(shownVolume(scene_), scene_.look.context.shifted())),
-        gpu_(std::make_shared<GpuScene>()),
-        plain_(gpu_) {
-    scene_.look.background = glm::dvec3(0.0);
-  }
-
-  /// A renderer of its own, so that no method finds another's stages done.
-  Measured measure(const Method& method) {
-    Renderer renderer(gpu_);
-    Scene opened = scene_;
-    opened.look.method = method;
-    Scene closed = scene_;
-    closed.look.cutaway.enabled = false;
-    Measured measured;
-    for (const glm::dvec2 angles : anglesOfViews()) {
-      const View view = viewFrom(angles);
-      measured.milliseconds.push_back(timed([&] { renderer.render(opened, view); }));
-      const Pixels picture = renderer.readPicture();
-      if (measured.kept.empty())
-        measured.error =
-            reference::certify(renderer.readLayers().final, opened, view, {.pixels = arguments_.compared}).within;
-      measured.kept.push_back(keptOf(picture, drawn(plain_, closed, view)));
-      // How much fades depends on the light.
-      const auto fading = fadingOf(opened.look);
-      const bool lit = fading && fading->followsLight();
-      measured.seen.push_back(focusIn(renderer, opened, view, lit) /
-                              focusIn(plain_, withoutContext(scene_), view, lit));
-      measured.turned.push_back(
-          meanDifference(picture, drawn(renderer, opened, viewFrom(angles + glm::dvec2(1.0, 0.0)))));
+        byProcessorTime_(byProcessorTime),
+        framing_(framingOf(scene_, aroundFocus)),
+        focusAlone_(std::make_shared<GpuScene>(programs)),
+        sampler_(scene_) {
+    // What pictures read of the context's surface is dropped when a picture does not read it.
+    std::map<bool, std::shared_ptr<GpuScene>> gpu;
+    for (const bool readsSurface : {false, true}) gpu[readsSurface] = std::make_shared<GpuScene>(programs);
+    const auto add = [&](const std::string& name, Scene changed) {
+      Renderer renderer(gpu[readsContextSurface(changed)]);
+      methods_.push_back({name, std::move(changed), std::move(renderer)});
+    };
+    for (const MethodVariant& variant : methodVariants()) {
+      Scene opened = scene_;
+      opened.look.method = variant.method;
+      add(variant.caption, std::move(opened));
     }
-    return measured;
-  }
-
-  /// The greatest mean change between views 1° apart where nothing is opened.
-  double changeOfPlain() {
     Scene closed = scene_;
     closed.look.cutaway.enabled = false;
-    double greatest = 0.0;
-    for (const glm::dvec2 angles : anglesOfViews())
-      greatest = std::max(greatest, meanDifference(drawn(plain_, closed, viewFrom(angles)),
-                                                   drawn(plain_, closed, viewFrom(angles + glm::dvec2(1.0, 0.0)))));
-    return greatest;
+    add("nothing opened", std::move(closed));
+  }
+
+  SceneFigures measure(const std::string& id, const std::string& name) {
+    for (const glm::dvec2 angles : anglesOfViews()) measureView(angles);
+    SceneFigures figures{id, name, methods_.back().figures(methods_.back()), {}};
+    for (std::size_t i = 0; i + 1 < methods_.size(); ++i)
+      figures.methods.push_back(methods_[i].figures(methods_.back()));
+    return figures;
   }
 
  private:
+  static Scene blackBehind(Scene scene) {
+    scene.look.background = glm::dvec3(0.0);
+    scene.look.backdrop = Backdrop::Plain;
+    return scene;
+  }
+
+  static Framing framingOf(const Scene& scene, double aroundFocus) {
+    if (!(aroundFocus > 0.0)) return visibleFraming(shownVolume(scene), scene.look.context.shifted());
+    const glm::dvec3 centre = reference::focusCentre(scene);
+    std::vector<glm::dvec3> points;
+    for (int axis = 0; axis < 3; ++axis)
+      for (const double side : {-aroundFocus, aroundFocus}) {
+        points.push_back(centre);
+        points.back()[axis] += side;
+      }
+    return {centre, std::move(points)};
+  }
+
   View viewFrom(glm::dvec2 angles) const {
     constexpr double methodPictureWidth = 700.0;  // pixels, which w_open of 24 refers to
     return {.camera = Camera::fromAngles(angles.x, angles.y, framing_),
             .size = arguments_.size,
             .pixelScale = arguments_.size.x / methodPictureWidth};
   }
-  static Pixels drawn(Renderer& renderer, const Scene& scene, const View& view) {
-    renderer.render(scene, view);
-    return renderer.readPicture();
-  }
-  /// Weights of the focus, summed over the picture.
-  static double focusIn(Renderer& renderer, const Scene& scene, const View& view, bool lit) {
-    const Pixels white = drawn(renderer, inOneColour(scene, glm::dvec3(1.0), lit), view);
-    const Pixels black = drawn(renderer, inOneColour(scene, glm::dvec3(0.0), lit), view);
-    double sum = 0.0;
-    for (std::size_t i = 0; i < white.size(); i += 4) sum += int{white[i + 1]} - int{black[i + 1]};
-    return sum;
-  }
-  static double keptOf(const Pixels& picture, const Pixels& plain) {
-    constexpr int same = 8, opaque = 128;
-    std::size_t body = 0, kept = 0;
-    for (std::size_t i = 0; i < plain.size() / 4; ++i) {
-      if (plain[4 * i + 3] < opaque) continue;
-      ++body;
-      kept += difference(picture, plain, i) <= same;
+
+  void measureView(glm::dvec2 angles) {
+    const View view = viewFrom(angles), turned = viewFrom(angles + glm::dvec2(1.0, 0.0));
+    const bool first = methods_.front().seen.empty();
+    const double alone = focusIn(focusAlone_, withoutContext(scene_), view);
+    std::optional<ViewSamples> samples;
+    for (Measured& method : methods_) {
+      if (first) method.renderer.render(method.scene, turned);  // compiles its programs
+      const std::clock_t before = std::clock();
+      method.wall.push_back(timed([&] { method.renderer.render(method.scene, view); }));
+      const double work = 1000.0 * static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC;
+      method.work.push_back(byProcessorTime_ ? work : method.wall.back());
+      const Pixels picture = method.renderer.readPicture();
+      Layers layers = method.renderer.readLayers();
+      // The first method opens, so that its picture has the hits that all share.
+      if (!samples)
+        samples.emplace(sampler_, view.camera, view.size, layers.tContext, layers.tFocus, ViewSamples::Sampling{});
+      if (first)
+        method.error = reference::certify(layers.final, method.scene, view, {.pixels = arguments_.compared}).within;
+      addContext(method, *samples, raysOf(method.scene, view.size, layers));
+      method.seen.push_back(focusIn(method.renderer, method.scene, view) / alone);
+      method.turned.push_back(meanDifference(picture, drawn(method.renderer, method.scene, turned)));
     }
-    return static_cast<double>(kept) / static_cast<double>(std::max<std::size_t>(body, 1));
+  }
+
+  static void addContext(Measured& method, const ViewSamples& samples, const MethodRays& rays) {
+    const ContextKept kept = samples.kept(rays);
+    const DepthOrder order = samples.order(rays);
+    method.volume.push_back(kept.volume);
+    method.surface.push_back(kept.surface);
+    method.wrong.push_back(order.wrong);
+    method.wrongPairs += order.wrongPairs;
+    method.pairs += order.pairs;
   }
 
   Scene scene_;
   Arguments arguments_;
+  bool byProcessorTime_;
   Framing framing_;
-  std::shared_ptr<GpuScene> gpu_;
-  Renderer plain_;
+  Renderer focusAlone_;
+  RaySampler sampler_;
+  std::vector<Measured> methods_;  ///< the last one opens nothing
 };
-
-const char* const text =
-    "Every method at its defaults, the same focus, context and cameras; nothing was tuned for these scenes. 48 views: "
-    "twelve "
-    "to a turn, at elevations of -45°, -15°, 15° and 45°, normal quality. Widths in pixels are those of pictures 700 "
-    "pixels "
-    "wide.\n\n"
-    "*Focus seen*: how much of the focus reaches the eye, weighted by what it is seen through, of what would if there "
-    "were "
-    "no context; from unlit pictures with the focus once white and once black, or of the context-preserving method, "
-    "whose fading "
-    "depends on the light, from lit ones. Edges and borders over the focus count "
-    "as "
-    "hiding it. *Least*: the worst view. *Picture kept*: the share of the body's pixels that are within 8/255 of the "
-    "picture in which nothing is opened. *Turning*: the largest mean change of a pixel between views 1° apart, in "
-    "1/255; "
-    "where nothing is opened, it is the number in brackets beside the subject. *ms*: one frame after the camera moved, "
-    "the "
-    "median of the views. *Error*: at least 99.9 % of the pixels of the first view are within so many 1/255 of the "
-    "method's own reference, with 95 % confidence, or the greatest of those compared where they are too few to say so. "
-    "Pairs of structures in the wrong order of depth are not counted: no method here draws one before another that "
-    "lies "
-    "nearer, except by what it leaves out.";
-
-Section sectionOf(const Subject& subject, const Arguments& arguments) {
-  MethodMeasurement measurement(app::loadScene(subject.options).scene, arguments);
-  Section section;
-  section.title = subject.name + " (" + number(measurement.changeOfPlain()) + ")";
-  Table table{
-      subject.id, {"method", "focus seen", "least", "picture kept", "least kept", "turning", "ms", "error"}, {}};
-  for (const MethodVariant& variant : methodVariants()) {
-    const Measured measured = measurement.measure(variant.method);
-    const auto least = [](const std::vector<double>& values) {
-      return *std::min_element(values.begin(), values.end());
-    };
-    table.rows.push_back({variant.caption, fixed(meanOf(measured.seen), 3), fixed(least(measured.seen), 3),
-                          fixed(meanOf(measured.kept), 3), fixed(least(measured.kept), 3),
-                          number(*std::max_element(measured.turned.begin(), measured.turned.end())),
-                          fixed(measured.medianTime(), 1), number(measured.error)});
-    std::cerr << subject.id << ", " << variant.name << '\n';
-  }
-  section.tables.push_back(std::move(table));
-  return section;
-}
 
 void run(const Arguments& arguments) {
   const egl::EglContext context;
+  const Machine machine = thisMachine();
   Views views;
   views.only = arguments.only;
-  const Subjects subjects = reportSubjects(views);
+  const Subjects subjects = methodSubjects(views);
+  for (const std::string& line : subjects.missing) std::cerr << line << '\n';
+  const auto programs = std::make_shared<gl::ComputePrograms>();
   Report report;
   report.title = "Methods side by side";
-  report.text = "Written by `methods-bench`, on " + processors() + ", OpenGL by " + context.description() +
+  report.text = "Written by `methods-bench`, on " + machine.processors + ", OpenGL by " + machine.renderer +
                 "; pictures of " + std::to_string(arguments.size.x) + "×" + std::to_string(arguments.size.y) +
-                " pixels.\n\n" + text;
-  for (const std::string& line : subjects.missing) std::cerr << line << '\n';
+                " pixels. Other programs kept " + fixed(machine.load, 1) + " processors busy.\n\n" + methodsText();
+  std::vector<SceneFigures> scenes;
   for (const Subject& subject : subjects.here) {
-    report.sections.push_back(sectionOf(subject, arguments));
+    SceneMeasurement measurement(app::loadScene(subject.options).scene, subject.aroundFocus, arguments,
+                                 machine.isSoftware, programs);
+    scenes.push_back(measurement.measure(subject.id, subject.name));
+    report.sections = {summaryOf(scenes)};
+    for (const SceneFigures& scene : scenes) report.sections.push_back(sectionOf(scene));
     write(report, arguments.folder, "methods");
+    std::cerr << subject.id << '\n';
   }
 }
 
@@ -255,7 +284,7 @@ int main(int argc, char** argv) {
   Arguments arguments;
   CLI::App program{"Measures what each method shows, leaves and costs.", "methods-bench"};
   program.add_option("FOLDER", arguments.folder, "where the page goes")->required();
-  program.add_option("--only", arguments.only, "subjects whose id starts with it");
+  program.add_option("--only", arguments.only, "scenes whose id starts with it");
   program.add_option("--pixels", arguments.compared, "compared with the reference, of one picture a method");
   CLI11_PARSE(program, argc, argv);
   try {

@@ -185,7 +185,7 @@ Sheet methodSheet() {
   rows.labelled("brain", "MR brain: hippocampus", brainMr, brainLabels, {"37", "38"}, {90.0, 20.0}, 1.3);
   rows.labelled("kidneys", "CT torso: kidneys", torsoCt, torsoLabels, {"2", "3"}, {180.0, 10.0}, 1.3);
   rows.labelled("aorta", "CT torso: aorta", torsoCt, torsoLabels, {"52"}, {40.0, 5.0}, 1.3);
-  Sheet sheet{rows.take(), {}, {240, 223}};
+  Sheet sheet{rows.take(), {}, {200, 186}};
   for (const bench::MethodVariant& variant : bench::methodVariants())
     sheet.columns.push_back(
         {variant.name, variant.caption, [method = variant.method](Look& look) { look.method = method; }});

@@ -35,9 +35,13 @@ class List {
     add(std::move(subject), image);
   }
   /// The subject `id` if it has just been added.
-  app::SceneOptions* last(const std::string& id) {
+  Subject* lastSubject(const std::string& id) {
     const bool here = !subjects_.here.empty() && subjects_.here.back().id == id;
-    return here ? &subjects_.here.back().options : nullptr;
+    return here ? &subjects_.here.back() : nullptr;
+  }
+  app::SceneOptions* last(const std::string& id) {
+    Subject* subject = lastSubject(id);
+    return subject ? &subject->options : nullptr;
   }
   Subjects take() { return std::move(subjects_); }
 
@@ -69,6 +73,19 @@ Subjects reportSubjects(const Views& views) {
   list.ranged("head", "Visible Human head, CT: skull", headCt, {300.0, 3000.0});
   list.labelled("torso", "torso, CT: kidneys", torsoCt, torsoLabels, {"2", "3"});
   list.labelled("brain", "brain, MR: hippocampus", brainMr, brainLabels, {"37", "38"});
+  return list.take();
+}
+
+Subjects methodSubjects(const Views& views) {
+  List list(views);
+  list.phantom("phantom", "Phantom torso: lesion behind a rib, 180 mm around it", "torso");
+  if (Subject* lesion = list.lastSubject("phantom")) {
+    lesion->options.focusLabels = {"lesion"};
+    lesion->aroundFocus = 90.0;
+  }
+  list.labelled("brain", "Brain, MR: hippocampus", brainMr, brainLabels, {"37", "38"});
+  list.labelled("torso", "Torso, CT: kidneys and aorta", torsoCt, torsoLabels, {"2", "3", "52"});
+  list.ranged("head", "Visible Human head, CT: skull", headCt, {300.0, 3000.0});
   return list.take();
 }
 

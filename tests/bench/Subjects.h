@@ -33,6 +33,7 @@ struct Subject {
   std::string id;  ///< for switches and file names
   std::string name;
   app::SceneOptions options;
+  double aroundFocus = 0.0;  ///< mm along each axis, which pictures of methods frame; 0: all of the body
 };
 
 struct Subjects {
@@ -41,6 +42,9 @@ struct Subjects {
 };
 /// The report's data: a phantom, a CT head, a labelled torso, an MR head; those that `views` asks for.
 Subjects reportSubjects(const Views& views);
+/// Those that methods are compared on: a small structure behind a rib, a skull, a deep one in a labelled brain, organs
+/// and a vessel of a labelled torso.
+Subjects methodSubjects(const Views& views);
 /// Ten scenes of every kind, for the error bound.
 Subjects boundSubjects(const Views& views);
 

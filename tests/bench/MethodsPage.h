@@ -1,0 +1,41 @@
+#pragma once
+// The page of what each method shows, leaves and costs: its tables, with the best of each column marked, and what they
+// say of the adaptive cutaway.
+
+#include <string>
+#include <vector>
+
+#include "tests/bench/Report.h"
+
+namespace fenestra::bench {
+
+/// Of a method on one scene, over all views.
+struct MethodFigures {
+  std::string name;
+  double seen = 0.0, leastSeen = 0.0;  ///< share of the focus: mean, and of the worst view
+  double volume = 1.0, surface = 1.0;  ///< shares of the context that are kept, means
+  double wrongOrder = 0.0;             ///< mean of DepthOrder::wrong
+  int wrongPairs = 0, pairs = 0;       ///< sums
+  double turning = 0.0;                ///< greatest mean change of a pixel between views 1° apart, 1/255
+  double milliseconds = 0.0;           ///< median
+  double cost = 1.0;                   ///< in times of the plain picture's
+  double error = 0.0;                  ///< 1/255
+};
+
+struct SceneFigures {
+  std::string id, name;
+  MethodFigures plain;                 ///< nothing is opened
+  std::vector<MethodFigures> methods;  ///< the adaptive cutaway first
+};
+
+/// The scene's table, and beside which methods the adaptive cutaway is not best. Best is what is as good as the best by
+/// the digits that the table has.
+Section sectionOf(const SceneFigures& scene);
+
+/// In how many scenes each method is best, by column.
+Section summaryOf(const std::vector<SceneFigures>& scenes);
+
+/// How everything is defined.
+std::string methodsText();
+
+}  // namespace fenestra::bench
