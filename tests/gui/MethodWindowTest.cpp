@@ -46,14 +46,11 @@ TEST_F(MethodWindow, ListsEachMethodWithAToolTip) {
   for (int row = 0; row < box->count(); ++row)
     EXPECT_GT(box->itemData(row, Qt::ToolTipRole).toString().size(), 40) << row;
   for (const char* key :
-       {"cone_angle",    "importance",     "sparseness",       "importance_angle", "importance_opacity", "lens_radius",
-        "lens_bends",    "lens_fade",      "lens_rim",         "fade_reach",       "fade_sharpness",     "focal_shape",
-        "focal_size",    "focal_fall_off", "wall_placement",   "wall_axial",       "wall_sagittal",      "wall_coronal",
-        "wall_outlines", "explosion",      "explosion_planes", "explosion_axes"}) {
-    "cone_angle", "importance", "sparseness", "importance_angle", "importance_opacity", "lens_radius", "lens_bends",
-        "lens_fade", "lens_rim", "fade_reach", "fade_sharpness", "focal_shape", "focal_size", "focal_fall_off",
-        "ghost_strength", "ghost_edge", "ghost_outline"
-  })
+       {"cone_angle",       "importance",     "sparseness",     "importance_angle", "importance_opacity",
+        "lens_radius",      "lens_bends",     "lens_fade",      "lens_rim",         "fade_reach",
+        "fade_sharpness",   "focal_shape",    "focal_size",     "focal_fall_off",   "wall_placement",
+        "wall_axial",       "wall_sagittal",  "wall_coronal",   "wall_outlines",    "explosion",
+        "explosion_planes", "explosion_axes", "ghost_strength", "ghost_edge",       "ghost_outline"})
     EXPECT_FALSE(shows(key)) << key;
 }
 

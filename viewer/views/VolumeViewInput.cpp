@@ -123,7 +123,8 @@ CarveTool::Canvas VolumeView::carveCanvas() {
           .axes =
               [this](glm::dvec3 at) {
                 const Camera::Axes axes = shownCamera().axes();
-                return CarvingAxes{axes.right, axes.up, picture_ ? rayThrough(at) : axes.forward};
+                const std::optional<QPointF> place = picture_ ? widgetFromWorld(at) : std::nullopt;
+                return CarvingAxes{axes.right, axes.up, place ? rayThrough(*place) : axes.forward};
               },
           .redraw = [this] { repaintSurface(); }};
 }
