@@ -75,19 +75,12 @@ VolumeView::VolumeView(int index, Document& document, SliceCursor& cursor, ViewL
     if (!*isAwaited) prepare();
   });
   connect(&document, &Document::strokesChanged, this, &VolumeView::refresh);
-  const auto showTool = [this] {
-    setCursor(brush_.isActive() || carving_.isActive() ? Qt::CrossCursor : Qt::ArrowCursor);
-    brushTool_.measure();
-    repaintSurface();
-  };
-  connect(&brush, &Brush::changed, this, showTool);
-  connect(&carving, &Carving::changed, this, showTool);
+  followTools();
   connect(&cameras, &ViewLink::changed, this, [this](int view) {
     if (view == index_) follow();
   });
   connect(&cameras, &ViewLink::released, this, &VolumeView::settleAtOnce);
   connect(shared_.explosion.get(), &ExplosionFlight::moved, this, &VolumeView::redraw);
-  const auto repaint = [this] { repaintSurface(); };
   connect(shared_.turns.get(), &DrawingTurns::turn, this, [this, isAwaited](int view) {
     if (view == index_ && !*isAwaited) draw(shownScene());
   });
@@ -115,10 +108,7 @@ VolumeView::VolumeView(int index, Document& document, SliceCursor& cursor, ViewL
       settle();
     }
   });
-  connect(&cursor, &SliceCursor::moved, this, repaint);
-  connect(&cursor, &SliceCursor::moved, this, &VolumeView::moveWalls);
-  connect(&document, &Document::windowChanged, this, &VolumeView::moveWalls);
-  connect(&options, &ViewOptions::changed, this, repaint);
+  connect(&options, &ViewOptions::changed, this, [this] { repaintSurface(); });
 }
 
 VolumeView::~VolumeView() {

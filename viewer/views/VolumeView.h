@@ -201,6 +201,8 @@ class VolumeView : public QWidget {
   /// Draws other slices, where there are walls.
   void moveWalls();
   CarveTool::Canvas carveCanvas();
+  /// Shows what the brush, carving and the slices change.
+  void followTools();
   double mmPerPixel(const Camera& camera) const;
   std::optional<QPointF> widgetFromWorld(glm::dvec3 world, const Camera& camera) const;
   double halfVoxel() const;  ///< mm, of the shortest side

@@ -114,6 +114,19 @@ glm::dvec3 VolumeView::rayThrough(QPointF position) const {
   return glm::normalize(axes.forward + 2.0 * slope / height() * (offset.x * axes.right + offset.y * axes.up));
 }
 
+void VolumeView::followTools() {
+  const auto showTool = [this] {
+    setCursor(brush_.isActive() || carving_.isActive() ? Qt::CrossCursor : Qt::ArrowCursor);
+    brushTool_.measure();
+    repaintSurface();
+  };
+  connect(&brush_, &Brush::changed, this, showTool);
+  connect(&carving_, &Carving::changed, this, showTool);
+  connect(&cursor_, &SliceCursor::moved, this, &VolumeView::repaintSurface);
+  connect(&cursor_, &SliceCursor::moved, this, &VolumeView::moveWalls);
+  connect(&document_, &Document::windowChanged, this, &VolumeView::moveWalls);
+}
+
 CarveTool::Canvas VolumeView::carveCanvas() {
   return {.pick = [this](QPointF position) -> std::optional<glm::dvec3> {
             const std::optional<Hit> hit = pick(position);
