@@ -6,7 +6,6 @@
 #include <utility>
 
 #include <QCoreApplication>
-#include <QLineF>
 #include <QMouseEvent>
 
 #include "viewer/model/Document.h"
@@ -15,8 +14,6 @@
 namespace fenestra::viewer {
 namespace {
 
-// Device-independent pixels.
-constexpr double handleReach = 9.0, handleRadius = 5.0;
 /// Sine of the angle between a plane and a slice below which they do not cut each other to speak of.
 constexpr double leastAngle = 0.1;
 constexpr double arrowShare = 0.3;  ///< length of a plane's arrow over the radius of the volume
@@ -106,15 +103,7 @@ std::vector<ClipTool::Handle> ClipTool::handles() const {
 }
 
 std::optional<ClipTool::Handle> ClipTool::handleAt(QPointF position) const {
-  std::optional<Handle> nearest;
-  double least = handleReach;
-  for (const Handle& handle : handles())
-    if (const auto at = canvas_.widgetFromWorld(handle.at))
-      if (const double distance = QLineF(*at, position).length(); distance <= least) {
-        least = distance;
-        nearest = handle;
-      }
-  return nearest;
+  return handleNear(handles(), canvas_.widgetFromWorld, position);
 }
 
 std::optional<Qt::CursorShape> ClipTool::pointer(QPointF position) const {

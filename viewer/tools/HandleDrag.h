@@ -1,15 +1,37 @@
 #pragma once
-// How far a drag of the mouse moves a handle along its way, in a 3-D view or on a slice.
+// Handles in a 3-D view or on a slice: which one the mouse is over, and how far a drag moves it along its way.
 
 #include <cmath>
 #include <functional>
 #include <optional>
+#include <vector>
 
+#include <QLineF>
 #include <QPointF>
 
 #include <glm/glm.hpp>
 
 namespace fenestra::viewer {
+
+/// Device-independent pixels: how near to a handle the mouse takes it, and half of the side it is drawn with.
+inline constexpr double handleReach = 9.0, handleRadius = 5.0;
+
+/// The nearest handle within handleReach of a position in the widget; of equally near ones the last. `at` of a handle is
+/// its world position.
+template <class Handle>
+std::optional<Handle> handleNear(const std::vector<Handle>& handles,
+                                 const std::function<std::optional<QPointF>(glm::dvec3)>& widgetFromWorld,
+                                 QPointF position) {
+  std::optional<Handle> nearest;
+  double least = handleReach;
+  for (const Handle& handle : handles)
+    if (const auto at = widgetFromWorld(handle.at))
+      if (const double distance = QLineF(*at, position).length(); distance <= least) {
+        least = distance;
+        nearest = handle;
+      }
+  return nearest;
+}
 
 /// Sine of the angle between a handle's way and the line of sight below which a drag does not follow the way.
 inline constexpr double leastDragAngle = 0.1;

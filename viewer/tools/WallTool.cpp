@@ -3,7 +3,6 @@
 #include <limits>
 #include <utility>
 
-#include <QLineF>
 #include <QMouseEvent>
 
 #include "rendering/scene/Walls.h"
@@ -13,11 +12,6 @@
 #include "viewer/tools/HandleDrag.h"
 
 namespace fenestra::viewer {
-namespace {
-
-constexpr double handleReach = 9.0, handleRadius = 5.0;  ///< device-independent pixels
-
-}  // namespace
 
 WallTool::WallTool(const Document& document, SliceCursor& cursor, Canvas canvas)
     : document_(document), cursor_(cursor), canvas_(std::move(canvas)) {}
@@ -49,15 +43,7 @@ std::vector<WallTool::Handle> WallTool::handles() const {
 }
 
 std::optional<WallTool::Handle> WallTool::handleAt(QPointF position) const {
-  std::optional<Handle> nearest;
-  double least = handleReach;
-  for (const Handle& handle : handles())
-    if (const auto at = canvas_.widgetFromWorld(handle.at))
-      if (const double distance = QLineF(*at, position).length(); distance <= least) {
-        least = distance;
-        nearest = handle;
-      }
-  return nearest;
+  return handleNear(handles(), canvas_.widgetFromWorld, position);
 }
 
 std::optional<Qt::CursorShape> WallTool::pointer(QPointF position) const {
