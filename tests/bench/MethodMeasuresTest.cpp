@@ -248,6 +248,7 @@ TEST(MethodMeasures, EveryMethodHasTheOpacityOfItsReference) {
   base.look.shading.enabled = true;
   const Camera camera = lookAt({-40.0, -60.0, 50.0}, {20.0, 22.0, 20.0});
   for (const MethodVariant& variant : methodVariants()) {
+    if (!variant.measured) continue;
     Scene scene = base;
     scene.look.method = variant.method;
     scene.look.method.focalSize = 8.0;

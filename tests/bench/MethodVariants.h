@@ -13,6 +13,8 @@ struct MethodVariant {
   std::string name;     ///< for file names
   std::string caption;  ///< in English
   Method method;
+  /// Whether methods-bench has a model of what it keeps of the context (ContextMeasures.h); sheets show all.
+  bool measured = true;
 };
 
 /// One row a method, the adaptive cutaway first; those that need a user's hand are left out.
@@ -34,6 +36,10 @@ inline std::vector<MethodVariant> methodVariants() {
   add(MethodKind::ClearView);
   add(MethodKind::ContextPreserving);
   add(MethodKind::FocalRegion);
+  for (const MethodKind kind : {MethodKind::Walls, MethodKind::Explode, MethodKind::Selection}) {
+    add(kind);
+    list.back().measured = false;
+  }
   return list;
 }
 

@@ -165,6 +165,7 @@ class SceneMeasurement {
       methods_.push_back({name, std::move(changed), std::move(renderer)});
     };
     for (const MethodVariant& variant : methodVariants()) {
+      if (!variant.measured) continue;
       Scene opened = scene_;
       opened.look.method = variant.method;
       add(variant.caption, std::move(opened));

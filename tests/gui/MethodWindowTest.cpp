@@ -261,6 +261,8 @@ TEST_F(MethodWindow, WallsFollowTheSlices) {
 
 TEST_F(MethodWindow, AnExplodedViewHasADegreeAndPlanes) {
   cameras().setAnimated(false);
+  cameras().orbit(0, 0.3, 0.2);  // the patient's axes are not the view's
+  waitUntilDrawn();
   const QImage adaptive = picture(volume(0));
   const int steps = document().undoStack().index(), width = panel<CutawayPanel>().width();
   choose("kind", MethodKind::Explode);
