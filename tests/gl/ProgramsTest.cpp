@@ -235,7 +235,7 @@ TEST_F(ProgramsTest, BlocksHaveTheLayoutOfTheirStructs) {
       {VolumeBlock::name, {OFFSET(VolumeBlock, dims)}},
       {TransferBlock::name,
        {OFFSET(TransferBlock, firstMaterial), OFFSET(TransferBlock, lastMaterial), OFFSET(TransferBlock, map),
-        OFFSET(TransferBlock, visibleEntries)}},
+        OFFSET(TransferBlock, visibleEntries), OFFSET(TransferBlock, firstLevel)}},
       {FaintBlock::name, {OFFSET(FaintBlock, origin), OFFSET(FaintBlock, size), OFFSET(FaintBlock, last)}},
       {FocusBlock::name,
        {OFFSET(FocusBlock, material), OFFSET(FocusBlock, range), OFFSET(FocusBlock, paletteOrigin),
