@@ -8,21 +8,22 @@ namespace {
 
 using MethodCommand = PictureCommand;
 
-const std::vector<std::string> methods{"--method cone --cone-angle 50",
-                                       "--method importance --importance-angle 25",
-                                       "--method importance --importance average --importance-opacity 0.2",
-                                       "--method importance --importance average --importance-opacity 0.4 "
-                                       "--importance-sparseness screen-door",
-                                       "--method clearview --lens-radius 35 --lens-bends 0.5 --lens-rim 20",
-                                       "--method context-preserving --fade-reach 4 --fade-sharpness 0.7",
-                                       "--method focal-region --focal-size 25 --focal-fall-off 30",
-                                       "--method focal-region --focal-shape box --focal-size 20 --focal-fall-off 15",
-                                       "--method walls --crosshair 20,-10,30 --window 300 --level 40",
-                                       "--method walls --wall-placement inside --wall-axial off --wall-outlines off",
-                                       "--method explode --explosion 0.6 --explosion-planes three",
-                                       "--method explode --explosion 0.3 --explosion-planes one --explosion-axes view",
-                                       "--method selection --ghost-strength 0.8 --ghost-edge 20 --ghost-outline 0.25",
-                                       "--method clearview --lens-radius 50 --lens-fade depth"};
+const std::vector<std::string> methods{
+    "--method cone --cone-angle 50",
+    "--method importance --importance-angle 25",
+    "--method importance --importance average --importance-opacity 0.2",
+    "--method importance --importance average --importance-opacity 0.4 "
+    "--importance-sparseness screen-door",
+    "--method clearview --lens-radius 35 --lens-bends 0.5 --lens-rim 20",
+    "--method context-preserving --fade-reach 4 --fade-sharpness 0.7",
+    "--method focal-region --focal-size 25 --focal-fall-off 30",
+    "--method focal-region --focal-shape box --focal-size 20 --focal-fall-off 15",
+    "--method walls --crosshair 20,-10,30 --window 300 --level 40",
+    "--method walls --wall-placement inside --wall-axial off --wall-outlines off --crosshair 60,70,-60",
+    "--method explode --explosion 0.6 --explosion-planes three",
+    "--method explode --explosion 0.3 --explosion-planes one --explosion-axes view",
+    "--method selection --ghost-strength 0.8 --ghost-edge 20 --ghost-outline 0.25",
+    "--method clearview --lens-radius 50 --lens-fade depth"};
 
 TEST_F(MethodCommand, PicturesAreTheReferences) {
   ASSERT_EQ(render("adaptive.png", ""), 0);
