@@ -16,8 +16,8 @@ namespace fenestra::viewer {
 /// Device-independent pixels: how near to a handle the mouse takes it, and half of the side it is drawn with.
 inline constexpr double handleReach = 9.0, handleRadius = 5.0;
 
-/// The nearest handle within handleReach of a position in the widget; of equally near ones the last. `at` of a handle is
-/// its world position.
+/// The nearest handle within handleReach of a position in the widget; of equally near ones the last. `at` of a handle
+/// is its world position.
 template <class Handle>
 std::optional<Handle> handleNear(const std::vector<Handle>& handles,
                                  const std::function<std::optional<QPointF>(glm::dvec3)>& widgetFromWorld,
