@@ -119,7 +119,7 @@ class GpuScene {
   /// The volume's transfer function as PreIntegration, for its texels and its first level. Made when it is first asked
   /// for, because pictures within a bound do without.
   const gl::Texture& preIntegration() const;
-  int preIntegrationLevel() const { return preIntegrationLevel_; }
+  int preIntegrationLevel() const { return preIntegrationLevel_; }  ///< of the one made last
   glm::vec2 transferMap() const { return transferMap_; }
   glm::vec4 firstMaterial() const { return firstMaterial_; }  ///< the tables' first entry
   glm::vec4 lastMaterial() const { return lastMaterial_; }

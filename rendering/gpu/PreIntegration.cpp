@@ -18,7 +18,7 @@ constexpr int float32MantissaBits = 23, droppedBits = float32MantissaBits - PreI
 
 glm::dvec3 groundOf(const OpticalProperties& end) { return end.extinction > invisible ? end.colour : glm::dvec3(0.0); }
 
-/// What an even medium of one row's entries adds to a picture: its colour, and what of it is opaque at each level.
+/// From one row to the next, taken as an even medium: its colour, and its opacity at each level.
 struct Step {
   glm::dvec3 colour{0.0};
   std::array<double, PreIntegration::levels> opacity{};
@@ -41,11 +41,10 @@ PreIntegration::PreIntegration(const TransferFunction& function, ValueRange span
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const double from = spacing * static_cast<double>(i);
     const double to = std::min(from + spacing, static_cast<double>(size - 1));
-    const glm::dvec4 mean =
-        integrateEmission(function, span.low + perEntry * from, span.low + perEntry * to) / perEntry;
-    depths[i + 1] = depths[i] + mean.a;
-    if (mean.a > 0.0) steps[i].colour = glm::dvec3(mean) / mean.a;
-    for (std::size_t j = 0; j < lowest.size(); ++j) steps[i].opacity[j] = -std::expm1(-lowest[j] * mean.a);
+    const glm::dvec4 sum = integrateEmission(function, span.low + perEntry * from, span.low + perEntry * to) / perEntry;
+    depths[i + 1] = depths[i] + sum.a;
+    if (sum.a > 0.0) steps[i].colour = glm::dvec3(sum) / sum.a;
+    for (std::size_t j = 0; j < lowest.size(); ++j) steps[i].opacity[j] = -std::expm1(-lowest[j] * sum.a);
     // Twice as many mm an entry: the opacity of two such media.
     for (std::size_t j = lowest.size(); j < levels; ++j) {
       const double half = steps[i].opacity[j - lowest.size()];

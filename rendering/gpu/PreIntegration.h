@@ -24,9 +24,9 @@ namespace fenestra {
 /// values beyond an end see the same as the end; where nothing can be seen there it is black, so that the differences
 /// between equal values are exactly 0.
 ///
-/// Texels, RGBA32F: G and K. Row `spacing`⁻¹ · v looks towards greater values, the row `rows` below it towards smaller
-/// ones; columns are levels of a, see levelOf() of shaders/lib/PreIntegration.glsl: `perOctave` of them for each factor
-/// of 2, evenly spaced within it, each the middle of those that take it.
+/// Texels, RGBA32F: G and K. Row v / `spacing` looks towards greater values, the row `rows` below it towards smaller
+/// ones. Columns are levels of a: `perOctave` ranges of equal width for each factor of 2. A level is computed for the
+/// middle of its range; levelOf() of shaders/lib/PreIntegration.glsl finds it.
 struct PreIntegration {
   static constexpr int spacing = 4;  ///< entries from one row to the next
   static constexpr int mantissaBits = 1, perOctave = 1 << mantissaBits, octaves = 16, levels = perOctave * octaves;

@@ -10,10 +10,6 @@ namespace fenestra {
 namespace {
 /// Storage blocks, as lib/focus/Index.glsl and lib/FirstHit.glsl number them.
 enum Block : unsigned { focusCellsBlock = 0, gapsBlock = 1, segmentOfEntryBlock = 3 };
-
-TransferBlock transferBlock(const GpuScene& scene) {
-  return {scene.firstMaterial(), scene.lastMaterial(), scene.transferMap(), scene.visibleEntries()};
-}
 }  // namespace
 
 void bindVolume(const GpuScene& scene, gl::ShaderProgram& program) {
@@ -83,15 +79,13 @@ gl::Define faintDefine(const GpuScene& scene) { return {"FAINT_LABELS", scene.fa
 
 void bindTransfer(const GpuScene& scene, gl::ShaderProgram& program) {
   program.bind("transferTables", scene.transferTables());
-  program.set(transferBlock(scene));
+  program.set(TransferBlock{scene.firstMaterial(), scene.lastMaterial(), scene.transferMap(), scene.visibleEntries(),
+                            scene.preIntegrationLevel()});
 }
 
 void bindPreIntegration(const GpuScene& scene, gl::ShaderProgram& program) {
-  program.bind("transferTables", scene.transferTables());
-  program.bind("preIntegration", scene.preIntegration());
-  TransferBlock block = transferBlock(scene);
-  block.firstLevel = scene.preIntegrationLevel();
-  program.set(block);
+  program.bind("preIntegration", scene.preIntegration());  // first: it may be made here, and with it its level
+  bindTransfer(scene, program);
 }
 
 std::vector<gl::Define> preIntegrationDefines() {

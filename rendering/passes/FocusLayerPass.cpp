@@ -38,14 +38,14 @@ int raysTogether(Schedule schedule, const FocusLayerPass::Sampling& sampling, bo
 }
 
 /// Draft quality has no time for what normal quality adds.
-bool isNormal(const FocusLayerPass::Sampling& sampling) {
+bool isNormalQuality(const FocusLayerPass::Sampling& sampling) {
   return !sampling.maxError && sampling.tolerance <= FocusLayerPass::Sampling().tolerance;
 }
 
 /// Whether normals in the focus follow the volume's exactly (shaders/lib/integral/FaceToFace.glsl): of a focus of
 /// values, which has none of its own.
 bool bendsNormals(const GpuScene& gpu, const FocusLayerPass::Sampling& sampling, bool lit) {
-  return lit && isNormal(sampling) && gpu.focusKind() == FocusIndex::Kind::Values;
+  return lit && isNormalQuality(sampling) && gpu.focusKind() == FocusIndex::Kind::Values;
 }
 
 /// Whether the integral takes the volume's value and normal in the middle of each cell, too: of volumes of few cells.
@@ -54,7 +54,7 @@ bool bendsNormals(const GpuScene& gpu, const FocusLayerPass::Sampling& sampling,
 bool takesMiddles(const GpuScene& gpu, const FocusLayerPass::Sampling& sampling, bool lit) {
   constexpr int fewCells = 400;  // that a ray crosses at most
   const glm::ivec3 dims = gpu.grid().dims;
-  return lit && isNormal(sampling) && gpu.refinement() == 1 && dims.x + dims.y + dims.z <= fewCells;
+  return lit && isNormalQuality(sampling) && gpu.refinement() == 1 && dims.x + dims.y + dims.z <= fewCells;
 }
 
 // shaders/lib/PixelList.glsl.
