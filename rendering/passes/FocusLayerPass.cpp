@@ -48,10 +48,9 @@ bool bendsNormals(const GpuScene& gpu, const FocusLayerPass::Sampling& sampling,
   return lit && isNormalQuality(sampling) && gpu.focusKind() == FocusIndex::Kind::Values;
 }
 
-/// Whether the integral takes the volume's value and normal in the middle of each cell, too: of volumes of few cells.
-/// Their fields bend most within one, and their pictures are drawn soonest. Unlit pictures would take nearly twice as
-/// long.
-bool takesMiddles(const GpuScene& gpu, const FocusLayerPass::Sampling& sampling, bool lit) {
+/// Whether the integral reads all corners of each cell: of volumes of few cells. Their fields bend most within one, and
+/// their pictures are drawn soonest. Unlit pictures would take nearly twice as long.
+bool readsWholeCells(const GpuScene& gpu, const FocusLayerPass::Sampling& sampling, bool lit) {
   constexpr int fewCells = 400;  // that a ray crosses at most
   const glm::ivec3 dims = gpu.grid().dims;
   return lit && isNormalQuality(sampling) && gpu.refinement() == 1 && dims.x + dims.y + dims.z <= fewCells;
@@ -122,7 +121,7 @@ gl::ShaderProgram& FocusLayerPass::program(bool listed, const Drawn& drawn) {
                        {"FOCUS_FUNCTIONS", gpu.focusByValue()},
                        {"FOCUS_SMOOTH", lit && gpu.focusSmooth()},
                        {"BENT_NORMALS", bendsNormals(gpu, sampling, lit)},
-                       {"EXACT_MIDDLES", takesMiddles(gpu, sampling, lit)},
+                       {"WHOLE_CELLS", readsWholeCells(gpu, sampling, lit)},
                        occlusionDefine(occlusion),
                        fadingDefine(fadingOf(look)),
                        {"EXPLODED", !stretch    ? 0

@@ -2,6 +2,7 @@
 //
 // Inside a cell the field along a segment is a cubic. Its Bernstein coefficients are values of the trilinear form at
 // mixed end points (its blossom), so their hull bounds the field: no crossing can be missed.
+#include "lib/None.glsl"
 
 vec4 bernsteinAlong(float f[8], vec3 a, vec3 b) {
   vec4 low = vec4(f[0], f[2], f[4], f[6]), high = vec4(f[1], f[3], f[5], f[7]);
@@ -103,4 +104,20 @@ float firstExit(vec4 b, float low, float high) {
     if (moved < 1e-5) break;
   }
   return u;
+}
+
+// Where the parabola of these values at 0, 1/2 and 1 is `level` or more, from and to 0 … 1; empty where from ≥ to. Of two
+// such parts, that nearer to 0.
+vec2 partAbove(vec3 values, float level) {
+  float start = values.x - level, rise = values.z - values.x, bend = 4.0 * values.y - 2.0 * (values.x + values.z);
+  // start + slope u - bend u²
+  float slope = rise + bend, discriminant = slope * slope + 4.0 * bend * start;
+  if (discriminant < 0.0) return values.y >= level ? vec2(0.0, 1.0) : vec2(1.0, 0.0);
+  float q = -0.5 * (slope + (slope >= 0.0 ? sqrt(discriminant) : -sqrt(discriminant)));
+  float inner = q != 0.0 ? start / q : 0.0, outer = bend != 0.0 ? -q / bend : inner;
+  vec2 roots = vec2(min(inner, outer), max(inner, outer));
+  if (bend > 0.0) return clamp(roots, 0.0, 1.0);
+  bool outside = start < 0.0 || (start == 0.0 && slope < 0.0);
+  float next = roots.x > 0.0 ? roots.x : roots.y > 0.0 ? roots.y : FAR;
+  return clamp(outside ? vec2(roots.y > 0.0 ? roots.y : FAR, FAR) : vec2(0.0, next), 0.0, 1.0);
 }

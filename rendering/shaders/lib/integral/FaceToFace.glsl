@@ -5,23 +5,25 @@
 // taken to change evenly, and the transfer function is integrated over them, not sampled (lib/integral/Piece.glsl). A
 // point on a face lies between four voxels, where a point inside a cell lies between eight; and the ray meets the bends
 // of the trilinear field, which are at the faces, at every one. The error is of second order in the cells' size.
+//
+// WHOLE_CELLS: all eight corners of a cell are read, once, for volumes of few cells, whose fields bend most within one. A
+// segment has two halves then, which meet in what the volume holds in its middle, and its light is taken in four places.
 #include <focus>
 #include <light>
 #include <opening>
 #include <schedule>
+#include "lib/Crossing.glsl"
 #include "lib/FaintLabels.glsl"
 #include "lib/PreIntegration.glsl"
 #include "lib/TransferTables.glsl"
 #include "lib/Traversal.glsl"
 #include "lib/Volume.glsl"
+#include "lib/integral/CellField.glsl"
 #include "lib/integral/Piece.glsl"
 #include "lib/integral/Settings.glsl"
 
 #ifndef BENT_NORMALS
 #define BENT_NORMALS 0
-#endif
-#ifndef EXACT_MIDDLES
-#define EXACT_MIDDLES 0
 #endif
 
 // Where a ray is, and what the volume holds there.
@@ -44,6 +46,9 @@ struct Walk {
   uint slot;              // of the focus, in that block
   uint functions;         // of the context, in that block's first cell
   RayPoint front, back;   // of the segment crossed last
+#if WHOLE_CELLS
+  CellField field;        // of that segment's cell
+#endif
   vec4 result;            // colour and opacity so far, premultiplied
   int left;               // 1: the ray goes on
 };
@@ -61,9 +66,11 @@ void classify(inout RayPoint point, ivec3 cell) {
   point.entry = entryNear(entryOf(point.stored), phase);
 }
 
+vec3 withinCell(Ray ray, ivec3 cell, float s) { return clamp(cellPosition(ray, s) - vec3(cell), 0.0, 1.0); }
+
 // Bilinear between the face's four voxels.
 RayPoint pointOnFace(Walk walk, Face face) {
-  vec3 w = clamp(cellPosition(walk.ray, face.s) - vec3(face.cell), 0.0, 1.0);
+  vec3 w = withinCell(walk.ray, face.cell, face.s);
   ivec3 low = max(face.cell - 1, ivec3(0)), high = min(face.cell, volume.dims - 1);
   ivec3 met = mix(low, high, bvec3(walk.upwards));
   bvec3 across = bvec3(face.across);
@@ -89,7 +96,7 @@ RayPoint pointOnFace(Walk walk, Face face) {
 
 // The gated normal inside a cell, trilinear.
 vec3 gatedInside(Ray ray, ivec3 cell, float s) {
-  vec3 w = clamp(cellPosition(ray, s) - vec3(cell), 0.0, 1.0), gated = vec3(0.0);
+  vec3 w = withinCell(ray, cell, s), gated = vec3(0.0);
   for (int i = 0; i < 8; ++i) {
     vec3 weights = mix(1.0 - w, w, bvec3(cornerOf(i)));
     gated += weights.x * weights.y * weights.z * gatedAt(cell - 1 + cornerOf(i));
@@ -139,6 +146,15 @@ vec4 pieceBetween(Walk walk, RayPoint front, RayPoint back, vec4 material, bool 
   return pieceOf(material, size, light);
 }
 
+// Over so many mm from one entry of lib/PreIntegration.glsl to a different one.
+Segment segmentBetween(float front, float back, float size) {
+  bool rises = back > front;
+  float perEntry = size / abs(back - front);
+  Level level = levelOf(perEntry);
+  vec4 seenInFront = seenFrom(front, rises, level), seenBehind = seenFrom(back, rises, level);
+  return segmentOver(front, seenInFront, back, seenBehind, perEntry, level);
+}
+
 // A piece of the context, lit as at the centre of its emission.
 vec4 litPiece(Walk walk, RayPoint front, RayPoint back, Segment segment) {
   if (!LIT) return segment.piece;
@@ -150,26 +166,54 @@ vec4 litPiece(Walk walk, RayPoint front, RayPoint back, Segment segment) {
   return vec4(segment.piece.rgb * light.x + segment.piece.a * light.y, segment.piece.a);
 }
 
-// The same from one point to another, at different entries of lib/PreIntegration.glsl.
-vec4 litBetween(Walk walk, RayPoint front, RayPoint back) {
-  bool rises = back.entry > front.entry;
-  float perEntry = (back.s - front.s) / abs(back.entry - front.entry);
-  Level level = levelOf(perEntry);
-  vec4 seenInFront = seenFrom(front.entry, rises, level), seenBehind = seenFrom(back.entry, rises, level);
-  return litPiece(walk, front, back, segmentOver(front.entry, seenInFront, back.entry, seenBehind, perEntry, level));
+#if WHOLE_CELLS
+// At a position within the cell that the last segment is in.
+RayPoint pointIn(Walk walk, vec3 w, float s) {
+  RayPoint point;
+  point.s = s;
+  point.stored = storedIn(walk.field, w);
+  point.gated = gatedIn(walk.field, w);
+#if OCCLUDED
+  point.open = openAt(cellPosition(walk.ray, s));
+#endif
+  return point;
 }
 
-// Of the context, over the last segment, which is in `cell`. Lit, in two halves: a segment is opaque mostly where its
-// values are greatest, and the light has to be taken there. Segments of a refined grid are short enough for one light each.
-//
-// EXACT_MIDDLES: the halves meet in what the volume holds there, not in the mean of the ends. Its field bends within a cell.
+// At part `u` of the way through a cell, from `a` to `b` within it.
+vec2 lightIn(Walk walk, vec3 a, vec3 b, float u) {
+  vec2 light = behindCut(lightOfGated(gatedIn(walk.field, mix(a, b, u)), walk.ray.world), walk.cut,
+                         mix(walk.front.s, walk.back.s, u));
+#if OCCLUDED
+  light = occluded(light, mix(walk.front.open, walk.back.open, u));
+#endif
+  return light;
+}
+
+// Half a segment, from part `u` of the way through the cell on. Of its two quarters, the first takes `share` of its depth.
+vec4 litHalf(Walk walk, vec3 a, vec3 b, float u, Segment segment, float share) {
+  float depth = share * segment.depth;
+  vec2 first = lightIn(walk, a, b, u + 0.25 * centreOfEmission(depth));
+  vec2 second = lightIn(walk, a, b, u + 0.25 + 0.25 * centreOfEmission(segment.depth - depth));
+  vec2 light = mix(second, first, opacityOf(depth) / max(segment.piece.a, 1e-30));
+  return vec4(segment.piece.rgb * light.x + segment.piece.a * light.y, segment.piece.a);
+}
+
+// Of the context, over the last segment. For the shares of the quarters, extinction is taken to change evenly along the
+// segment: a half then has an eighth of the rise from half to half less in its first quarter than in the middle.
 vec4 contextPiece(Walk walk, ivec3 cell) {
   RayPoint front = walk.front, back = walk.back;
-#if EXACT_MIDDLES
-  RayPoint middle = pointInside(walk.ray, cell, 0.5 * (front.s + back.s));
-  middle.entry = entryBetween(entryOf(middle.stored));
-  return over(litBetween(walk, front, middle), litBetween(walk, middle, back));
+  vec3 a = withinCell(walk.ray, cell, front.s), b = withinCell(walk.ray, cell, back.s);
+  float middle = entryBetween(entryOf(storedIn(walk.field, 0.5 * (a + b)))), size = 0.5 * (back.s - front.s);
+  Segment first = segmentBetween(front.entry, middle, size), second = segmentBetween(middle, back.entry, size);
+  float rise = 0.25 * (second.depth - first.depth);
+  vec2 shares = 0.5 - 0.5 * clamp(rise / max(vec2(first.depth, second.depth), 1e-30), -0.5, 0.5);
+  return over(litHalf(walk, a, b, 0.0, first, shares.x), litHalf(walk, a, b, 0.5, second, shares.y));
+}
 #else
+// Of the context, over the last segment. Lit, in two halves: a segment is opaque mostly where its values are greatest, and
+// the light has to be taken there. Segments of a refined grid are short enough for one light each.
+vec4 contextPiece(Walk walk, ivec3 cell) {
+  RayPoint front = walk.front, back = walk.back;
 #if REFINEMENT == 1
   if (LIT) {
     bool rises = back.entry > front.entry;
@@ -184,25 +228,9 @@ vec4 contextPiece(Walk walk, ivec3 cell) {
     return over(litPiece(walk, front, middle, first), litPiece(walk, middle, back, second));
   }
 #endif
-  return litBetween(walk, front, back);
+  return litPiece(walk, front, back, segmentBetween(front.entry, back.entry, back.s - front.s));
+}
 #endif
-}
-
-// Where the parabola of these values at 0, 1/2 and 1 is `level` or more, from and to 0 … 1; empty where from ≥ to. Of two
-// such parts, that nearer to 0.
-vec2 partAbove(vec3 values, float level) {
-  float start = values.x - level, rise = values.z - values.x, bend = 4.0 * values.y - 2.0 * (values.x + values.z);
-  // start + slope u - bend u²
-  float slope = rise + bend, discriminant = slope * slope + 4.0 * bend * start;
-  if (discriminant < 0.0) return values.y >= level ? vec2(0.0, 1.0) : vec2(1.0, 0.0);
-  float q = -0.5 * (slope + (slope >= 0.0 ? sqrt(discriminant) : -sqrt(discriminant)));
-  float inner = q != 0.0 ? start / q : 0.0, outer = bend != 0.0 ? -q / bend : inner;
-  vec2 roots = vec2(min(inner, outer), max(inner, outer));
-  if (bend > 0.0) return clamp(roots, 0.0, 1.0);
-  bool outside = start < 0.0 || (start == 0.0 && slope < 0.0);
-  float next = roots.x > 0.0 ? roots.x : roots.y > 0.0 ? roots.y : FAR;
-  return clamp(outside ? vec2(roots.y > 0.0 ? roots.y : FAR, FAR) : vec2(0.0, next), 0.0, 1.0);
-}
 
 // The part of the last segment that is in the focus, as partAbove() has it: the focus's field runs as a parabola through
 // its exact value in the middle.
@@ -375,6 +403,27 @@ void composite(inout Walk walk, Block crossed, vec4 piece) {
   walk.left = more ? 1 : 0;
 }
 
+// To the face behind the block ahead, or where the ray ends before it.
+void crossBlock(inout Walk walk, Face face) {
+  ivec3 cell = walk.block.cell;
+#if WHOLE_CELLS
+  float from = walk.back.s, to = face.s;
+#if CLIPPED
+  to = min(to, walk.ray.sOut);
+#endif
+  walk.field = fieldOf(cell);
+  walk.front = pointIn(walk, withinCell(walk.ray, cell, from), from);
+  walk.back = pointIn(walk, withinCell(walk.ray, cell, to), to);
+  classify(walk.front, cell);
+#else
+  walk.front = walk.back;
+  walk.back = pointOnFace(walk, face);
+#if CLIPPED
+  if (face.s > walk.ray.sOut) walk.back = pointInside(walk.ray, cell, walk.ray.sOut);
+#endif
+#endif
+}
+
 // Every ray takes a step, through the block ahead of it. `parts`: false where no segment ahead may have parts.
 //
 // The rays take each part of the step together, so that one has instructions to run while the other waits for memory.
@@ -388,13 +437,7 @@ void takeStep(inout Walk walks[RAYS], const bool parts) {
     else
       lookAhead(walks[i], faces[i], behind[i]);
   }
-  for (int i = 0; i < RAYS; ++i) walks[i].front = walks[i].back;
-  for (int i = 0; i < RAYS; ++i) walks[i].back = pointOnFace(walks[i], faces[i]);
-#if CLIPPED
-  // A ray may end inside a cell.
-  for (int i = 0; i < RAYS; ++i)
-    if (faces[i].s > walks[i].ray.sOut) walks[i].back = pointInside(walks[i].ray, walks[i].block.cell, walks[i].ray.sOut);
-#endif
+  for (int i = 0; i < RAYS; ++i) crossBlock(walks[i], faces[i]);
   for (int i = 0; i < RAYS; ++i) classify(walks[i].back, behind[i].cell);
   for (int i = 0; i < RAYS; ++i) {
     crossed[i] = walks[i].block;
