@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include <QMouseEvent>
 #include <QPainter>
 
 #include "viewer/model/Document.h"
@@ -62,6 +63,10 @@ void VolumeView::drawOverlay() {
   clipTool_.draw(painter);
   brushTool_.draw(painter, view);
   carveTool_.draw(painter);
+  selectionTool_.draw(painter);
+  if (!waiting_.empty())
+    drawText(painter, QRectF(waiting_.front()->position(), QSizeF()).adjusted(-150.0, -30.0, 150.0, -10.0),
+             Qt::AlignCenter | Qt::TextSingleLine, tr("Waits for the picture"), QColor(220, 222, 226));
   // Filled, because OpenGL leaves out lines along the rim.
   if (hasFocus())
     for (const QRect& side : QRegion(rect()) - rect().adjusted(1, 1, -1, -1))
