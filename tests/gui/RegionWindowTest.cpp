@@ -221,6 +221,62 @@ TEST_F(RegionWindow, IsPaintedIn3DOnWhatIsSeen) {
   EXPECT_NE(cameras().camera(0), before) << "Ctrl+drag turns";
 }
 
+TEST_F(RegionWindow, APaintedSelectionIsGhostedAndComesBackToTheBit) {
+  Look look = document().look();
+  look.method.kind = MethodKind::Selection;
+  document().edit(QStringLiteral("method"), std::move(look));
+  panel<FocusPanel>().paint()->click();
+  SelectionBrush& brush = window_->workspace().selection;
+  const auto views = [&] {  // without the tool's ring
+    brush.setActive(false);
+    waitUntilDrawn();
+    std::array<QImage, 3> all{picture(volume(0)), picture(volume(1)), picture(slice(SlicePlane::Axial))};
+    brush.setActive(true);
+    return all;
+  };
+  const QPoint front = volume(0)->widgetFromWorld({0.0, -44.0, 0.0})->toPoint();
+  const auto nothing = views();
+  drag(volume(0), front - QPoint(15, 0), front + QPoint(15, 0));
+  waitUntilGrown();
+  const auto painted = views();
+  const double size = this->size();
+  EXPECT_NE(painted[0], nothing[0]);
+  drag(volume(0), front - QPoint(15, 30), front + QPoint(15, -30));
+  waitUntilGrown();
+  EXPECT_GT(this->size(), size);
+  QTest::mouseClick(volume(0), Qt::LeftButton, Qt::ShiftModifier, front);
+  waitUntilGrown();
+  ASSERT_EQ(document().region()->painted.size(), 3u);
+  EXPECT_FALSE(document().region()->painted.back().adds);
+  document().undoStack().undo();
+  document().undoStack().undo();
+  waitUntilGrown();
+  EXPECT_EQ(views(), painted) << "to the bit";
+  document().undoStack().undo();
+  EXPECT_FALSE(document().region());
+  EXPECT_EQ(views(), nothing) << "to the bit";
+}
+
+TEST_F(RegionWindow, PaintingTakesTurnsWithTheOtherTools) {
+  SelectionBrush& painting = window_->workspace().selection;
+  QToolButton* button = panel<FocusPanel>().paint();
+  button->click();
+  ASSERT_TRUE(painting.isActive());
+  brush().setActive(true);
+  EXPECT_FALSE(painting.isActive());
+  button->click();
+  EXPECT_FALSE(brush().isActive());
+  Look look = document().look();
+  look.method.kind = MethodKind::Sculpt;
+  document().edit(QStringLiteral("method"), std::move(look));
+  Carving& carving = window_->workspace().carving;
+  carving.setActive(true);
+  ASSERT_TRUE(carving.isActive());
+  EXPECT_FALSE(painting.isActive());
+  button->click();
+  EXPECT_FALSE(carving.isActive());
+}
+
 /// A stroke that would leave nothing is taken back, and said.
 TEST_F(RegionWindow, ErasingAllIsRefused) {
   document().paintSelection({{glm::dvec3(0.0)}, 9.0});

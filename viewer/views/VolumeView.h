@@ -16,6 +16,7 @@
 #include <optional>
 #include <vector>
 
+#include <QMouseEvent>
 #include <QTimer>
 #include <QWidget>
 
@@ -204,8 +205,8 @@ class VolumeView : public QWidget {
   WallTool::Canvas wallCanvas();
   /// Draws other slices, where there are walls.
   void moveWalls();
-  /// `place` is the point that a tool takes of a hit.
-  SpaceCanvas spaceCanvas(std::function<glm::dvec3(const Hit&)> place);
+  /// `pointOf` is the point that a tool takes of a hit.
+  SpaceCanvas spaceCanvas(std::function<glm::dvec3(const Hit&)> pointOf);
   /// The left button paints or carves instead of turning the view.
   bool takesStrokes() const;
   /// Keeps an event of a stroke for replay(), while nothing can be read of the picture. True: it is kept.

@@ -167,10 +167,10 @@ void VolumeView::followTools() {
   connect(&document_, &Document::windowChanged, this, &VolumeView::moveWalls);
 }
 
-SpaceCanvas VolumeView::spaceCanvas(std::function<glm::dvec3(const Hit&)> place) {
-  return {.pick = [this, place = std::move(place)](QPointF position) -> std::optional<glm::dvec3> {
+SpaceCanvas VolumeView::spaceCanvas(std::function<glm::dvec3(const Hit&)> pointOf) {
+  return {.pick = [this, pointOf = std::move(pointOf)](QPointF position) -> std::optional<glm::dvec3> {
             const std::optional<Hit> hit = pick(position);
-            return hit ? std::optional(place(*hit)) : std::nullopt;
+            return hit ? std::optional(pointOf(*hit)) : std::nullopt;
           },
           .widgetFromWorld = [this](glm::dvec3 world) { return widgetFromWorld(world); },
           .axes =

@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include <QMouseEvent>
 #include <QPainter>
 
 #include "viewer/model/Document.h"
