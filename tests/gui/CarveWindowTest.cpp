@@ -4,6 +4,7 @@
 
 #include <QComboBox>
 #include <QOpenGLContext>
+#include <QScopeGuard>
 #include <QTest>
 #include <QThread>
 
@@ -174,6 +175,10 @@ TEST_F(CarveWindow, StrokesWaitWhileTheContextIsTaken) {
   rows().carve()->click();
   waitUntilDrawn();
   std::atomic<bool> done{false};
+  const auto end = qScopeGuard([&] {  // also where an assertion fails
+    done = true;
+    volume(0)->preparation().context().stop();
+  });
   const auto takeContext = [&] {
     done = false;
     volume(0)->preparation().runBehind(

@@ -69,9 +69,9 @@ FocusPanel::FocusPanel(Document& document, const PlacementController& placement,
   column->addWidget(list_, 1);
   column->addWidget(noLabels_);
   column->addWidget(labelEdits_);
-  column->addWidget(region_);
   column->addWidget(paint_);
   column->addWidget(painting_);
+  column->addWidget(region_);
   column->addWidget(byValue_);
   column->addLayout(range);
   column->addWidget(islandsRow_);

@@ -178,6 +178,8 @@ class VolumeView : public QWidget {
   /// Puts the picture that there is into it.
   void present();
   void drawOverlay();
+  /// The strokes that wait, see keepsForLater().
+  void drawWaiting(QPainter& painter) const;
   /// What was painted is on the screen.
   void shown();
   void zoom(double factor);
