@@ -109,6 +109,8 @@ void Actions::stop() {
     targets_.workspace.brush.setActive(false);
   else if (targets_.workspace.carving.isActive())
     targets_.workspace.carving.setActive(false);
+  else if (targets_.workspace.selection.isActive())
+    targets_.workspace.selection.setActive(false);
   else if (!targets_.workspace.measuring.stop())
     targets_.views.showAll();
 }

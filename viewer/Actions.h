@@ -84,7 +84,7 @@ class Actions : public QObject {
   void addRegionEntries(QMenu& menu);
   void makeHelpMenu();
   void fillRecentMenu();
-  /// Cancels reading, growing or placing; without any, puts the brush down, then the measuring tool; without these,
+  /// Cancels reading, growing or placing; without any, puts the brushes down, then the measuring tool; without these,
   /// shows all views.
   void stop();
 

@@ -93,7 +93,7 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
 
   connectModels();  // before the views connect, so that the models are up to date when a view draws
   views_ = new ViewArea(workspace_.document, workspace_.cursor, workspace_.cameras, workspace_.options,
-                        workspace_.brush, workspace_.carving, workspace_.measuring, gl_,
+                        workspace_.brush, workspace_.carving, workspace_.selection, workspace_.measuring, gl_,
                         setup.atRest.value_or(workspace_.preferences.atRest()), setup.chooseSchedule);
   views_->warmUp(setup.expected);
   notices_ = new NoticeBar;
@@ -155,11 +155,23 @@ QWidget* MainWindow::makeCentre() {
 void MainWindow::connectModels() {
   connect(&workspace_.document, &Document::volumeChanged, this, &MainWindow::followVolume);
   // The left button does one thing at a time.
-  connect(&workspace_.brush, &Brush::activeChanged, &workspace_.carving, [this](bool active) {
-    if (active) workspace_.carving.setActive(false);
+  Brush& brush = workspace_.brush;
+  Carving& carving = workspace_.carving;
+  SelectionBrush& selection = workspace_.selection;
+  connect(&brush, &Brush::activeChanged, this, [&carving, &selection](bool active) {
+    if (!active) return;
+    carving.setActive(false);
+    selection.setActive(false);
   });
-  connect(&workspace_.carving, &Carving::activeChanged, &workspace_.brush, [this](bool active) {
-    if (active) workspace_.brush.setActive(false);
+  connect(&carving, &Carving::activeChanged, this, [&brush, &selection](bool active) {
+    if (!active) return;
+    brush.setActive(false);
+    selection.setActive(false);
+  });
+  connect(&selection, &SelectionBrush::activeChanged, this, [&brush, &carving](bool active) {
+    if (!active) return;
+    brush.setActive(false);
+    carving.setActive(false);
   });
   connect(&workspace_.placement, &PlacementController::leaving, this, [this] {
     workspace_.document.history().push(tr("Place cameras"), std::make_shared<CamerasChange>(workspace_.cameras));

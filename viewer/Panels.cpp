@@ -24,7 +24,7 @@ QString tr(const char* text) { return QCoreApplication::translate("Panels", text
 
 Panels makePanels(QMainWindow& window, Workspace& workspace) {
   Document& document = workspace.document;
-  Panels panels{.focus = new FocusPanel(document, workspace.placement, workspace.cameras),
+  Panels panels{.focus = new FocusPanel(document, workspace.placement, workspace.cameras, workspace.selection),
                 .appearance = new AppearancePanel(document, workspace.looks),
                 .cutaway = new CutawayPanel(document, workspace.carving),
                 .contextLayer = new ContextLayerPanel(document),

@@ -299,6 +299,17 @@ bool haveSameSeeds(const RegionFocus& a, const RegionFocus& b) {
   return a.inside == b.inside && a.outside == b.outside && a.painted == b.painted;
 }
 
+std::optional<Growth> paintedOn(const Growth& growth, const RegionFocus& grownFrom, const RegionFocus& wanted,
+                                const Volume& volume) {
+  const std::vector<SelectionStroke>&first = grownFrom.painted, &all = wanted.painted;
+  const bool continues = grownFrom.inside == wanted.inside && grownFrom.outside == wanted.outside &&
+                         first.size() <= all.size() && std::equal(first.begin(), first.end(), all.begin());
+  if (!continues) return std::nullopt;
+  Growth painted = growth;
+  paintOver(painted, volume, std::span(all).subspan(first.size()));
+  return painted;
+}
+
 std::optional<glm::ivec3> voxelAt(const Grid& grid, glm::dvec3 world) {
   const glm::dvec3 index(grid.indexFromWorld() * glm::dvec4(world, 1.0));
   // Compared before they are rounded: a far position has no int.

@@ -51,6 +51,11 @@ inline constexpr const char* cannotGrow =
 /// Whether one growth serves both: they differ in their tolerance at most. Strokes belong to a growth.
 bool haveSameSeeds(const RegionFocus& a, const RegionFocus& b);
 
+/// What growRegion() makes of `wanted` in the whole volume, from the `growth` of a region with the same seeds and the
+/// first of its strokes: only the others are painted. Empty where `grownFrom` is not such a region.
+std::optional<Growth> paintedOn(const Growth& growth, const RegionFocus& grownFrom, const RegionFocus& wanted,
+                                const Volume& volume);
+
 /// Called now and then from the calling thread with a fraction in [0, 1]; false cancels.
 using Progress = std::function<bool(double fraction)>;
 

@@ -1,7 +1,12 @@
 // Carving in the window as a user does it: with the mouse in 3-D and on slices, step by step, and back to the bit.
 
+#include <atomic>
+
 #include <QComboBox>
+#include <QOpenGLContext>
+#include <QScopeGuard>
 #include <QTest>
+#include <QThread>
 
 #include "rendering/scene/RemovedVoxels.h"
 #include "tests/gui/WindowFixture.h"
@@ -161,6 +166,53 @@ TEST_F(CarveWindow, TheBrushAndCarvingTakeTurns) {
   EXPECT_FALSE(brush().isActive());
   QTest::keyClick(window_.get(), Qt::Key_Escape);
   EXPECT_FALSE(carving().isActive());
+}
+
+/// While another thread has the pictures' context, as during an upload, strokes wait for it.
+TEST_F(CarveWindow, StrokesWaitWhileTheContextIsTaken) {
+  if (!QOpenGLContext::supportsThreadedOpenGL()) GTEST_SKIP() << "there is no OpenGL on other threads here";
+  const QPoint from = onBall(-10.0, 5.0), to = onBall(12.0, 8.0);
+  rows().carve()->click();
+  waitUntilDrawn();
+  std::atomic<bool> done{false};
+  const auto end = qScopeGuard([&] {  // also where an assertion fails
+    done = true;
+    volume(0)->preparation().context().stop();
+  });
+  const auto takeContext = [&] {
+    done = false;
+    volume(0)->preparation().runBehind(
+        [&](const std::atomic<bool>& stop) {
+          while (!done && !stop) QThread::msleep(1);
+        },
+        [](std::exception_ptr) {});
+    ASSERT_TRUE(volume(0)->preparation().isBusy());
+  };
+  takeContext();
+  const Camera camera = cameras().camera(0);
+  drag(volume(0), from, to);
+  ASSERT_TRUE(volume(0)->preparation().isBusy());
+  EXPECT_TRUE(document().removals().empty());
+  EXPECT_EQ(cameras().camera(0), camera) << "the view does not turn";
+  done = true;
+  ASSERT_TRUE(QTest::qWaitFor([&] { return document().removals().size() == 1; }, patience));
+  waitUntilDrawn();
+  const Removal waited = document().removals().front();
+  EXPECT_EQ(steps(), 1);
+  document().undoStack().undo();
+  waitUntilDrawn();
+  drag(volume(0), from, to);
+  ASSERT_EQ(document().removals().size(), 1u);
+  EXPECT_EQ(waited, document().removals().front()) << "as a stroke that need not wait";
+  document().undoStack().undo();
+  waitUntilDrawn();
+
+  takeContext();
+  drag(volume(0), from, to);
+  QTest::keyClick(window_.get(), Qt::Key_Escape);
+  done = true;
+  waitUntilDrawn();
+  EXPECT_TRUE(document().removals().empty()) << "put down, the tool forgets what waits";
 }
 
 TEST_F(CarveWindow, PressedBesideTheVolumeItDoesNothing) {

@@ -514,6 +514,24 @@ void Conventions::addGesturesOfAllViews(Cases& cases) {
     document().setFocus(std::monostate{});
     waitUntilDrawn();  // Esc would end the growing
   };
+  const std::string painting = "Painting the region, in all views: ";
+  cases[painting + "Drag"] = cases[painting + "Shift+drag"] = [this] {
+    cursor().moveTo(markerCentre);
+    window_->workspace().selection.setActive(true);
+    const auto painted = [this] {
+      return document().region() ? document().region()->painted : std::vector<SelectionStroke>();
+    };
+    drag(axial(), at(markerCentre), at(markerCentre + glm::dvec3(12, 0, 0)));
+    ASSERT_EQ(painted().size(), 1u);
+    EXPECT_TRUE(painted().front().adds);
+    ASSERT_TRUE(QTest::qWaitFor([this] { return document().isWhole(); }, patience));
+    QTest::mouseClick(axial(), Qt::LeftButton, Qt::ShiftModifier, at(markerCentre + glm::dvec3(12, 0, 0)));
+    ASSERT_EQ(painted().size(), 2u);
+    EXPECT_FALSE(painted().back().adds);
+    window_->workspace().selection.setActive(false);
+    document().setFocus(std::monostate{});
+    waitUntilDrawn();
+  };
   cases["All views: Middle drag"] = [this] {
     const glm::dvec3 before = axial()->worldFromWidget({100, 100});
     drag(axial(), {100, 100}, {140, 80}, Qt::MiddleButton);

@@ -13,6 +13,7 @@
 #include "viewer/NoticeBar.h"
 #include "viewer/panels/FocusPanel.h"
 #include "viewer/panels/RegionPanel.h"
+#include "viewer/panels/SliderSpin.h"
 
 namespace fenestra::viewer {
 namespace {
@@ -156,6 +157,140 @@ TEST_F(RegionWindow, ShiftAndCtrlClicksAddAndTakeAway) {
   EXPECT_EQ(document().region()->outside.size(), 1u);
   waitUntilGrown();
   EXPECT_LT(size(), 10.0);
+}
+
+TEST_F(RegionWindow, IsPaintedOnSlicesInOneStepAStroke) {
+  FocusPanel& focus = panel<FocusPanel>();
+  EXPECT_FALSE(focus.paintRadius()->isVisible());
+  QTest::mouseClick(focus.paint(), Qt::LeftButton);
+  EXPECT_TRUE(focus.paintRadius()->isVisible() && focus.paintSoftness()->isVisible());
+  focus.paintRadius()->box()->setValue(6.0);
+  cursor().moveTo(glm::dvec3(0.0));
+  SliceView* axial = slice(SlicePlane::Axial);
+  const auto at = [&](glm::dvec3 world) { return axial->widgetFromWorld(world).toPoint(); };
+  const int steps = document().undoStack().index();
+  const WindowLevel window = document().window();
+  drag(axial, at({-15.0, 0.0, 0.0}), at({15.0, 0.0, 0.0}));
+  EXPECT_EQ(document().window(), window) << "the drag paints";
+  ASSERT_TRUE(document().region());
+  EXPECT_TRUE(document().region()->inside.empty());
+  EXPECT_EQ(document().undoStack().index(), steps + 1);
+  waitUntilGrown();
+  // A cylinder between half balls, of voxels of 2 mm, of which those on its rim count whole or not.
+  const double whole = (3.1416 * 36.0 * 30.0 + 4.0 / 3.0 * 3.1416 * 216.0) / 1000.0;
+  EXPECT_NEAR(size(), whole, 0.3 * whole);
+  const double line = size();
+  const QImage painted = picture(axial);
+  QTest::mouseClick(axial, Qt::LeftButton, Qt::ShiftModifier, at({0.0, 0.0, 0.0}));
+  waitUntilGrown();
+  EXPECT_LT(size(), 0.85 * line);
+  EXPECT_GT(size(), 0.3 * line);
+  document().undoStack().undo();
+  waitUntilDrawn();
+  EXPECT_EQ(size(), line);
+  EXPECT_EQ(picture(axial), painted) << "to the bit";
+  // It is a region as any other: a seed makes it grow, and it is kept as a label.
+  QTest::keyClick(window_.get(), Qt::Key_Escape);
+  EXPECT_FALSE(focus.paint()->isChecked());
+  clickSlice(markerCentre, Qt::ShiftModifier);
+  waitUntilGrown();
+  EXPECT_EQ(document().region()->painted.size(), 1u);
+  EXPECT_GT(size(), line + 2.0) << "the marker, of 2.7 ml, too";
+  region().name()->setText(QStringLiteral("painted"));
+  QTest::mouseClick(region().keep(), Qt::LeftButton);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return document().labels() != nullptr; }, patience));
+  EXPECT_EQ(document().labels()->labels.back().name, "painted");
+}
+
+TEST_F(RegionWindow, IsPaintedIn3DOnWhatIsSeen) {
+  QTest::mouseClick(panel<FocusPanel>().paint(), Qt::LeftButton);
+  const std::optional<QPointF> at = volume(0)->widgetFromWorld({0.0, -44.0, 0.0});
+  ASSERT_TRUE(at);
+  const Camera before = cameras().camera(0);
+  drag(volume(0), at->toPoint(), at->toPoint() + QPoint(25, 0));
+  EXPECT_EQ(cameras().camera(0), before) << "the drag paints";
+  ASSERT_TRUE(document().region());
+  const std::vector<SelectionStroke>& painted = document().region()->painted;
+  ASSERT_EQ(painted.size(), 1u);
+  EXPECT_GT(painted.front().anchors.size(), 1u);
+  // The ball of 44 mm is what is seen, of voxels of 2 mm.
+  for (const glm::dvec3 anchor : painted.front().anchors) EXPECT_NEAR(glm::length(anchor), 43.0, 4.0);
+  waitUntilGrown();
+  EXPECT_GT(size(), 2.0);
+  drag(volume(0), at->toPoint(), at->toPoint() + QPoint(25, 0), Qt::LeftButton, Qt::ControlModifier);
+  EXPECT_NE(cameras().camera(0), before) << "Ctrl+drag turns";
+}
+
+TEST_F(RegionWindow, APaintedSelectionIsGhostedAndComesBackToTheBit) {
+  Look look = document().look();
+  look.method.kind = MethodKind::Selection;
+  document().edit(QStringLiteral("method"), std::move(look));
+  panel<FocusPanel>().paint()->click();
+  SelectionBrush& brush = window_->workspace().selection;
+  const auto views = [&] {  // without the tool's ring
+    brush.setActive(false);
+    waitUntilDrawn();
+    std::array<QImage, 3> all{picture(volume(0)), picture(volume(1)), picture(slice(SlicePlane::Axial))};
+    brush.setActive(true);
+    return all;
+  };
+  const QPoint front = volume(0)->widgetFromWorld({0.0, -44.0, 0.0})->toPoint();
+  const auto nothing = views();
+  drag(volume(0), front - QPoint(15, 0), front + QPoint(15, 0));
+  waitUntilGrown();
+  const auto painted = views();
+  const double size = this->size();
+  EXPECT_NE(painted[0], nothing[0]);
+  drag(volume(0), front - QPoint(15, 30), front + QPoint(15, -30));
+  waitUntilGrown();
+  EXPECT_GT(this->size(), size);
+  QTest::mouseClick(volume(0), Qt::LeftButton, Qt::ShiftModifier, front);
+  waitUntilGrown();
+  ASSERT_EQ(document().region()->painted.size(), 3u);
+  EXPECT_FALSE(document().region()->painted.back().adds);
+  document().undoStack().undo();
+  document().undoStack().undo();
+  waitUntilGrown();
+  EXPECT_EQ(views(), painted) << "to the bit";
+  document().undoStack().undo();
+  EXPECT_FALSE(document().region());
+  EXPECT_EQ(views(), nothing) << "to the bit";
+}
+
+TEST_F(RegionWindow, PaintingTakesTurnsWithTheOtherTools) {
+  SelectionBrush& painting = window_->workspace().selection;
+  QToolButton* button = panel<FocusPanel>().paint();
+  button->click();
+  ASSERT_TRUE(painting.isActive());
+  brush().setActive(true);
+  EXPECT_FALSE(painting.isActive());
+  button->click();
+  EXPECT_FALSE(brush().isActive());
+  Look look = document().look();
+  look.method.kind = MethodKind::Sculpt;
+  document().edit(QStringLiteral("method"), std::move(look));
+  Carving& carving = window_->workspace().carving;
+  carving.setActive(true);
+  ASSERT_TRUE(carving.isActive());
+  EXPECT_FALSE(painting.isActive());
+  button->click();
+  EXPECT_FALSE(carving.isActive());
+}
+
+/// A stroke that would leave nothing is taken back, and said.
+TEST_F(RegionWindow, ErasingAllIsRefused) {
+  document().paintSelection({{glm::dvec3(0.0)}, 9.0});
+  waitUntilGrown();
+  const double before = size();
+  EXPECT_GT(before, 1.0);
+  document().paintSelection({{glm::dvec3(0.0)}, 20.0, 0.0, false});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return document().isWhole(); }, patience));
+  EXPECT_EQ(document().region()->painted.size(), 1u);
+  EXPECT_EQ(size(), before);
+  EXPECT_FALSE(window_->notices().texts().isEmpty());
+  document().setFocus({});
+  document().paintSelection({{glm::dvec3(0.0)}, 20.0, 0.0, false});
+  EXPECT_FALSE(document().region()) << "there is nothing to take from";
 }
 
 TEST_F(RegionWindow, EscapeTakesAGrowingRegionBack) {

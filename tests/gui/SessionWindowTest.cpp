@@ -193,6 +193,36 @@ TEST_F(SessionWindow, SavedAndReopenedShowsTheSamePictures) {
   EXPECT_EQ(readFile(file_), readFile(folder_ / "again.fenestra"));
 }
 
+TEST_F(SessionWindow, KeepsAPaintedRegion) {
+  Look look = document().look();
+  look.method.kind = MethodKind::Selection;
+  document().edit(QStringLiteral("method"), std::move(look));
+  cursor().moveTo(glm::dvec3(0.0));
+  SelectionBrush& brush = window_->workspace().selection;
+  brush.setSettings({.radius = 7.5, .softness = 0.4});
+  brush.setActive(true);
+  SliceView* axial = slice(SlicePlane::Axial);
+  const auto at = [&](double x) { return axial->widgetFromWorld({x, 0.0, 0.0}).toPoint(); };
+  drag(axial, at(-15.0), at(15.0));
+  drag(axial, at(0.0), at(1.0), Qt::LeftButton, Qt::ShiftModifier);
+  brush.setActive(false);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return document().isWhole(); }, patience));
+  waitUntilDrawn();
+  ASSERT_EQ(document().region()->painted.size(), 2u);
+  const RegionFocus painted = *document().region();
+  EXPECT_EQ(painted.painted.front().softness, 0.4);
+  const std::vector<QImage> before = pictures();
+  save(file_);
+  restart();
+  open(file_);
+  ASSERT_TRUE(document().region());
+  EXPECT_EQ(*document().region(), painted);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return document().isWhole(); }, patience));
+  waitUntilDrawn();
+  const std::vector<QImage> after = pictures();
+  for (std::size_t view = 0; view < before.size(); ++view) EXPECT_EQ(before[view], after[view]) << "view " << view;
+}
+
 TEST_F(SessionWindow, ASessionEntersTheDocumentOnce) {
   work();
   save(file_);

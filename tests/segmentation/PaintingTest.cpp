@@ -170,6 +170,18 @@ TEST(Painting, ARegionMayBePaintedAloneOrOverWhatGrows) {
   for (const std::size_t voxel : voxelsOf(bite, *volume, 1.0)) expected.voxels[voxel] = 0;
   const Mask found = segmentation::maskAt(*over, over->stepOf(both));
   EXPECT_EQ(found.voxels, expected.voxels);
+  // Stroke by stroke it is the same.
+  RegionFocus first = seeded;
+  first.painted = {ball};
+  const auto begun = paintedOn(*grown, seeded, first, *volume);
+  ASSERT_TRUE(begun);
+  const auto ended = paintedOn(*begun, first, both, *volume);
+  ASSERT_TRUE(ended);
+  EXPECT_EQ(segmentation::maskAt(*ended, ended->stepOf(both)).voxels, expected.voxels);
+  EXPECT_EQ(ended->curve.volume, over->curve.volume);
+  EXPECT_EQ(ended->box, over->box);
+  EXPECT_FALSE(paintedOn(*over, both, first, *volume)) << "a stroke is not unpainted";
+  EXPECT_FALSE(paintedOn(*painted, alone, first, *volume)) << "other seeds";
   EXPECT_NEAR(over->curve.volume[static_cast<std::size_t>(over->stepOf(both))], volumeOf(found),
               1e-9 * volumeOf(found));
 }

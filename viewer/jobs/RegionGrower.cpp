@@ -32,6 +32,12 @@ std::shared_ptr<const Growth> grow(const Volume& volume, const RegionFocus& seed
   return std::make_shared<const Growth>(std::move(*growth));
 }
 
+/// A region that was grown, with more strokes over it.
+std::shared_ptr<const Growth> paint(const std::pair<RegionFocus, std::shared_ptr<const Growth>>& before,
+                                    const RegionFocus& wanted, const Volume& volume) {
+  return std::make_shared<const Growth>(*segmentation::paintedOn(*before.second, before.first, wanted, volume));
+}
+
 }  // namespace
 
 RegionGrower::RegionGrower(Document& document, QObject* parent) : QObject(parent), document_(document) {
@@ -69,7 +75,7 @@ void RegionGrower::start() {
   // A further seed changes a region that shows as a whole; a first part of it would be less than that.
   const bool isNew =
       !std::holds_alternative<RegionFocus>(before_) || std::get<RegionFocus>(before_).origin() != wanted_->origin();
-  job_.start([this, seeds = *wanted_, volume = document_.study().scene.volume,
+  job_.start([this, seeds = *wanted_, volume = document_.study().scene.volume, before = document_.grownBefore(*wanted_),
               isNew](const io::Progress& progress) -> LoadJob::Show {
     const auto onward = [&](double begin, double end) -> segmentation::Progress {
       return [&progress, begin, end](double fraction) {
@@ -79,7 +85,7 @@ void RegionGrower::start() {
     if (!segmentation::canGrow(*volume, seeds)) throw std::runtime_error(segmentation::cannotGrow);
     const segmentation::VoxelBox near = segmentation::previewBox(*volume, seeds);
     const segmentation::VoxelBox whole = segmentation::wholeOf(volume->grid.dims);
-    if (isNew && near != whole) {
+    if (isNew && near != whole && !before) {
       const auto part = grow(*volume, seeds, near, onward(0.0, firstShare));
       const bool shows = shareOf(*part, seeds) <= mostOfPart;
       if (shows)
@@ -91,12 +97,16 @@ void RegionGrower::start() {
             },
             Qt::QueuedConnection);
     }
-    return [this, seeds, isNew, growth = grow(*volume, seeds, whole, onward(firstShare, 1.0))] {
+    const auto growth = before ? paint(*before, seeds, *volume) : grow(*volume, seeds, whole, onward(firstShare, 1.0));
+    return [this, seeds, isNew, growth] {
       const RegionFocus* asked = document_.region();
       const double share = asked ? shareOf(*growth, *asked) : 0.0;
       QString problem;
-      if (asked && share == 0.0) problem = tr("No region grows from there; click elsewhere.");
-      if (asked && isNew && !asked->tolerance && share > mostOfVolume)
+      const bool isPainted = asked && !asked->painted.empty();
+      if (asked && share == 0.0)
+        problem = isPainted ? tr("Nothing would be left of the region; it stays as it was.")
+                            : tr("No region grows from there; click elsewhere.");
+      if (asked && isNew && !isPainted && !asked->tolerance && share > mostOfVolume)
         problem =
             tr("The region there fills more than half of the volume, like the air around a body; click a structure.");
       if (problem.isEmpty()) return document_.setGrowth(seeds, growth, true);

@@ -338,6 +338,26 @@ void Document::addSeed(glm::dvec3 world, bool inside) {
   edit(inside ? tr("Add to the region") : tr("Take away from the region"), std::move(changed));
 }
 
+void Document::paintSelection(SelectionStroke stroke) {
+  if (!region() && !stroke.adds) return;
+  const bool adds = stroke.adds;
+  Look changed = look();
+  if (!region()) changed.focus = RegionFocus{};
+  std::get<RegionFocus>(changed.focus).painted.push_back(std::move(stroke));
+  edit(adds ? tr("Paint the region") : tr("Erase from the region"), std::move(changed));
+}
+
+std::optional<std::pair<RegionFocus, std::shared_ptr<const segmentation::Growth>>> Document::grownBefore(
+    const RegionFocus& wanted) const {
+  for (auto each = grown_.rbegin(); each != grown_.rend(); ++each) {
+    RegionFocus first = wanted;
+    if (each->seeds.painted.size() > first.painted.size()) continue;
+    first.painted.resize(each->seeds.painted.size());
+    if (segmentation::haveSameSeeds(first, each->seeds)) return std::pair(each->seeds, each->growth);
+  }
+  return std::nullopt;
+}
+
 void Document::setTolerance(std::optional<double> tolerance) {
   if (!region() || region()->tolerance == tolerance) return;
   Look changed = look();

@@ -105,6 +105,12 @@ class Document : public QObject {
   /// The focus becomes the region around a world position, or gets another seed.
   void growFrom(glm::dvec3 world);
   void addSeed(glm::dvec3 world, bool inside);
+  /// A stroke over the region in the focus, which begins with it where another focus is there; one that takes away
+  /// changes a region alone.
+  void paintSelection(SelectionStroke stroke);
+  /// What was grown of a region that `wanted` is more strokes over: that region, and its growth; the latest of several.
+  std::optional<std::pair<RegionFocus, std::shared_ptr<const segmentation::Growth>>> grownBefore(
+      const RegionFocus& wanted) const;
   /// Of the region in the focus; empty: chosen from the plateaus.
   void setTolerance(std::optional<double> tolerance);
   /// Moves the tolerance by steps of segmentation::Levels, within those that are there.

@@ -8,6 +8,7 @@
 #include "viewer/model/MeasureMode.h"
 #include "viewer/model/PlacementController.h"
 #include "viewer/model/Preferences.h"
+#include "viewer/model/SelectionBrush.h"
 #include "viewer/model/SliceCursor.h"
 #include "viewer/model/ViewLink.h"
 #include "viewer/model/ViewOptions.h"
@@ -24,6 +25,7 @@ struct Workspace {
   ViewOptions options;
   Brush brush;
   Carving carving{document};
+  SelectionBrush selection;
   MeasureMode measuring{document};
   Preferences preferences;
   LookLibrary looks{preferences.looksFolder()};

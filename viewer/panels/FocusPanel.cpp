@@ -3,25 +3,29 @@
 #include <algorithm>
 #include <cmath>
 
+#include <QFormLayout>
 #include <QHBoxLayout>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
 #include "viewer/model/Document.h"
 #include "viewer/model/PlacementController.h"
+#include "viewer/model/SelectionBrush.h"
 #include "viewer/model/ViewLink.h"
 #include "viewer/panels/LabelEditPanel.h"
 #include "viewer/panels/LabelList.h"
 #include "viewer/panels/LabelModel.h"
 #include "viewer/panels/RegionPanel.h"
 #include "viewer/panels/SliderSpin.h"
+#include "viewer/style/Style.h"
 
 namespace fenestra::viewer {
 
 FocusPanel::FocusPanel(Document& document, const PlacementController& placement, const ViewLink& cameras,
-                       QWidget* parent)
+                       SelectionBrush& selection, QWidget* parent)
     : QWidget(parent),
       document_(document),
+      selection_(selection),
       study_(new QLabel),
       filter_(new QLineEdit),
       list_(new LabelList(document, placement)),
@@ -32,7 +36,11 @@ FocusPanel::FocusPanel(Document& document, const PlacementController& placement,
       high_(new QDoubleSpinBox),
       islands_(new SliderSpin(settingOf(&ValueFocus::minimumComponent))),
       region_(new RegionPanel(document)),
-      labelEdits_(new LabelEditPanel(document)) {
+      labelEdits_(new LabelEditPanel(document)),
+      paint_(new QToolButton),
+      painting_(new QWidget),
+      paintRadius_(new SliderSpin(settingOf(&SelectionBrushSettings::radius))),
+      paintSoftness_(new SliderSpin(settingOf(&SelectionBrushSettings::softness))) {
   study_->setWordWrap(true);
   study_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   noLabels_->setWordWrap(true);
@@ -54,12 +62,15 @@ FocusPanel::FocusPanel(Document& document, const PlacementController& placement,
   }
 
   makeIslandsRow();
+  makePainting();
   auto* column = new QVBoxLayout(this);
   column->addWidget(study_);
   column->addWidget(filter_);
   column->addWidget(list_, 1);
   column->addWidget(noLabels_);
   column->addWidget(labelEdits_);
+  column->addWidget(paint_);
+  column->addWidget(painting_);
   column->addWidget(region_);
   column->addWidget(byValue_);
   column->addLayout(range);
@@ -98,6 +109,38 @@ void FocusPanel::makeIslandsRow() {
   islands_->setValue(ValueFocus{}.minimumComponent);
   makeDragsSteps(*islands_, document_.history());
   connect(islands_, &SliderSpin::edited, this, &FocusPanel::applyRange);
+}
+
+void FocusPanel::makePainting() {
+  paint_->setText(tr("Paint the region"));
+  paint_->setIcon(icon("brush"));
+  paint_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  paint_->setCheckable(true);
+  paint_->setObjectName(QStringLiteral("choice"));
+  paint_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  paint_->setToolTip(tr("The left button paints the region in focus in all views; with Shift it erases"));
+  auto* form = new QFormLayout(painting_);
+  form->setContentsMargins(0, 0, 0, 0);
+  form->addRow(tr("Radius"), paintRadius_);
+  form->addRow(tr("Softness"), paintSoftness_);
+  connect(paint_, &QToolButton::clicked, &selection_, &SelectionBrush::setActive);
+  const auto follow = [this](SliderSpin* slider, double SelectionBrushSettings::*member) {
+    connect(slider, &SliderSpin::edited, this, [this, member](double value) {
+      SelectionBrushSettings settings = selection_.settings();
+      settings.*member = value;
+      selection_.setSettings(settings);
+    });
+  };
+  follow(paintRadius_, &SelectionBrushSettings::radius);
+  follow(paintSoftness_, &SelectionBrushSettings::softness);
+  const auto show = [this] {
+    paint_->setChecked(selection_.isActive());
+    painting_->setVisible(selection_.isActive());
+    paintRadius_->setValue(selection_.settings().radius);
+    paintSoftness_->setValue(selection_.settings().softness);
+  };
+  connect(&selection_, &SelectionBrush::changed, this, show);
+  show();
 }
 
 void FocusPanel::showStudy() {

@@ -5,6 +5,7 @@
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QToolButton>
 #include <QWidget>
 
 namespace fenestra::viewer {
@@ -14,6 +15,7 @@ class LabelEditPanel;
 class LabelList;
 class PlacementController;
 class RegionPanel;
+class SelectionBrush;
 class SliderSpin;
 class ViewLink;
 
@@ -21,7 +23,7 @@ class FocusPanel : public QWidget {
   Q_OBJECT
  public:
   FocusPanel(Document& document, const PlacementController& placement, const ViewLink& cameras,
-             QWidget* parent = nullptr);
+             SelectionBrush& selection, QWidget* parent = nullptr);
 
   LabelList* list() const { return list_; }
   QLineEdit* filter() const { return filter_; }
@@ -31,6 +33,9 @@ class FocusPanel : public QWidget {
   SliderSpin* islands() const { return islands_; }
   RegionPanel* region() const { return region_; }
   LabelEditPanel* labelEdits() const { return labelEdits_; }
+  QToolButton* paint() const { return paint_; }
+  SliderSpin* paintRadius() const { return paintRadius_; }
+  SliderSpin* paintSoftness() const { return paintSoftness_; }
 
  Q_SIGNALS:
   /// The user picked one structure, which is the focus now.
@@ -38,11 +43,14 @@ class FocusPanel : public QWidget {
 
  private:
   void makeIslandsRow();
+  /// The button that takes up the region's brush, and below it the brush's rows.
+  void makePainting();
   void showStudy();
   void showFocus();
   void applyRange();
 
   Document& document_;
+  SelectionBrush& selection_;
   QLabel* study_;
   QLineEdit* filter_;
   LabelList* list_;
@@ -53,6 +61,9 @@ class FocusPanel : public QWidget {
   SliderSpin* islands_;
   RegionPanel* region_;
   LabelEditPanel* labelEdits_;
+  QToolButton* paint_;
+  QWidget* painting_;  ///< the brush's rows, shown while it is up
+  SliderSpin *paintRadius_, *paintSoftness_;
 };
 
 }  // namespace fenestra::viewer

@@ -1,7 +1,6 @@
 #include "viewer/tools/CarveTool.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <QMouseEvent>
 
@@ -15,7 +14,7 @@ constexpr double mostBetweenPoints = 2.0;  ///< mm, of a stroke of a saw or a pl
 
 }  // namespace
 
-CarveTool::CarveTool(Carving& carving, Document& document, Canvas canvas)
+CarveTool::CarveTool(Carving& carving, Document& document, SpaceCanvas canvas)
     : carving_(carving), document_(document), canvas_(std::move(canvas)) {}
 
 bool CarveTool::press(const QMouseEvent& event) {
@@ -84,7 +83,7 @@ void CarveTool::finish(QPointF position) {
 
 void CarveTool::bend(QPointF position) {
   const Removal* plane = lastPlane();
-  const double scale = pixelsOf(1.0, stroke_.front());
+  const double scale = canvas_.pixelsOf(1.0, stroke_.front());
   if (!plane || !(scale > 0.0)) return;
   const glm::dvec2 moved = glm::dvec2(position.x() - bentFrom_->x(), bentFrom_->y() - position.y()) / scale;
   Removals removals = document_.removals();
@@ -99,13 +98,6 @@ const Removal* CarveTool::lastPlane() const {
   return !removals.empty() && removals.back().shape == RemovalShape::Plane ? &removals.back() : nullptr;
 }
 
-double CarveTool::pixelsOf(double mm, glm::dvec3 at) const {
-  const std::optional<QPointF> from = canvas_.widgetFromWorld(at);
-  const std::optional<QPointF> to = canvas_.widgetFromWorld(at + mm * canvas_.axes(at).right);
-  if (!from || !to) return 0.0;
-  return std::hypot(to->x() - from->x(), to->y() - from->y());
-}
-
 void CarveTool::draw(QPainter& painter) const {
   if (!carving_.isActive() || !mouse_) return;
   const CarvingSettings& settings = carving_.settings();
@@ -114,7 +106,7 @@ void CarveTool::draw(QPainter& painter) const {
   for (const glm::dvec3& point : stroke_)
     if (const std::optional<QPointF> at = canvas_.widgetFromWorld(point)) line << *at;
   if (bentFrom_) line << *mouse_;
-  const double radius = under_ ? pixelsOf(settings.size, *under_) : 0.0;
+  const double radius = under_ ? canvas_.pixelsOf(settings.size, *under_) : 0.0;
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setBrush(Qt::NoBrush);

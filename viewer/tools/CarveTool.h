@@ -5,14 +5,13 @@
 // Left drag: what lies along it is removed when the button is let go, as one step to undo. Shift with left drag bends
 // the plane that was laid last. Ctrl+left drag is left to the view.
 
-#include <functional>
 #include <optional>
 #include <vector>
 
 #include <QPainter>
 #include <QPointF>
 
-#include "viewer/model/Carving.h"
+#include "viewer/tools/SpaceCanvas.h"
 
 class QMouseEvent;
 
@@ -22,18 +21,7 @@ class Document;
 
 class CarveTool {
  public:
-  /// What the tool needs of its view. All may be called at any time.
-  struct Canvas {
-    /// The point that is seen at a place of the view, world; empty where there is nothing.
-    std::function<std::optional<glm::dvec3>(QPointF)> pick;
-    /// Empty behind the eye.
-    std::function<std::optional<QPointF>(glm::dvec3)> widgetFromWorld;
-    /// The view's axes at a point: forward is the line of sight there.
-    std::function<CarvingAxes(glm::dvec3)> axes;
-    std::function<void()> redraw;
-  };
-
-  CarveTool(Carving& carving, Document& document, Canvas canvas);
+  CarveTool(Carving& carving, Document& document, SpaceCanvas canvas);
 
   /// Handle an event. True: the tool has taken it, and the view must ignore it.
   bool press(const QMouseEvent& event);
@@ -51,12 +39,10 @@ class CarveTool {
   void bend(QPointF position);
   /// The document's last removal, where it is a plane.
   const Removal* lastPlane() const;
-  /// Pixels of a length at a point.
-  double pixelsOf(double mm, glm::dvec3 at) const;
 
   Carving& carving_;
   Document& document_;
-  Canvas canvas_;
+  SpaceCanvas canvas_;
   std::optional<QPointF> mouse_;     ///< position; empty outside the view
   std::optional<glm::dvec3> under_;  ///< what is seen there
   std::vector<glm::dvec3> stroke_;   ///< being drawn

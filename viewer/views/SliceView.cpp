@@ -11,6 +11,7 @@
 #include "viewer/model/MeasureMode.h"
 #include "viewer/model/OpeningEdge.h"
 #include "viewer/model/PatientLines.h"
+#include "viewer/model/SelectionBrush.h"
 #include "viewer/model/SliceCursor.h"
 #include "viewer/model/ViewOptions.h"
 #include "viewer/style/FocusRing.h"
@@ -43,14 +44,14 @@ QList<QPolygonF> polygonsOf(const std::vector<std::vector<glm::dvec2>>& loops) {
 }  // namespace
 
 SliceView::SliceView(SlicePlane plane, Document& document, SliceCursor& cursor, ViewOptions& options, Carving& carving,
-                     MeasureMode& measuring, OpeningEdge& opening, QWidget* parent)
+                     SelectionBrush& selection, MeasureMode& measuring, OpeningEdge& opening, QWidget* parent)
     : QWidget(parent),
       document_(document),
       cursor_(cursor),
       options_(options),
       opening_(opening),
       carving_(carving),
-      carveTool_(carving, document, carveCanvas()),
+      carveTool_(carving, document, spaceCanvas()),
       clipTool_(document,
                 {.widgetFromWorld = [this](glm::dvec3 world) { return std::optional(widgetFromWorld(world)); },
                  .axes =
@@ -68,6 +69,8 @@ SliceView::SliceView(SlicePlane plane, Document& document, SliceCursor& cursor, 
                     .geometry = [this]() -> const SliceGeometry& { return geometry_; },
                     .slice = [this] { return slice_; },
                     .shows = [this] { return options_.measures(); }}),
+      selection_(selection),
+      selectionTool_(selection, document, spaceCanvas()),
       toleranceWheel_(document) {
   geometry_.plane = plane;
   setMouseTracking(true);
@@ -97,6 +100,7 @@ SliceView::SliceView(SlicePlane plane, Document& document, SliceCursor& cursor, 
     openingOutline_.reset();
     update();
   });
+  connect(&selection, &SelectionBrush::changed, this, qOverload<>(&QWidget::update));
   connect(&measuring, &MeasureMode::changed, this, [this] {
     setCursor(measureTool_.pointer(last_));
     update();
@@ -319,6 +323,7 @@ void SliceView::drawMarks(QPainter& painter, bool interpolated) const {
   measureTool_.draw(painter, rect());
   clipTool_.draw(painter);
   carveTool_.draw(painter);
+  selectionTool_.draw(painter);
 
   const QRectF view = rect();
   drawEdgeLetters(painter, view, geometry_.right, geometry_.down);

@@ -3,7 +3,8 @@
 // Plain QWidget and QImage, so it works where 3-D cannot start.
 //
 // Left click: crosshair and focus, see clickStructure(); left drag: window/level, or a measure, see MeasureTool, or the
-// crop box and clip planes, see ClipTool, or carving, see CarveTool;
+// crop box and clip planes, see ClipTool, or carving, see CarveTool, or painting of the region in focus, see
+// SelectionTool;
 // middle: pan; right drag or Ctrl+wheel: zoom; wheel and arrows: slices; Alt+wheel: tolerance of the region in focus;
 // Shift+move: crosshair.
 
@@ -22,6 +23,7 @@
 #include "viewer/tools/CarveTool.h"
 #include "viewer/tools/ClipTool.h"
 #include "viewer/tools/MeasureTool.h"
+#include "viewer/tools/SelectionTool.h"
 #include "viewer/tools/ToleranceWheel.h"
 
 namespace fenestra::viewer {
@@ -29,6 +31,7 @@ namespace fenestra::viewer {
 class Document;
 class MeasureMode;
 class OpeningEdge;
+class SelectionBrush;
 class SliceCursor;
 class ViewOptions;
 
@@ -36,7 +39,7 @@ class SliceView : public QWidget {
   Q_OBJECT
  public:
   SliceView(SlicePlane plane, Document& document, SliceCursor& cursor, ViewOptions& options, Carving& carving,
-            MeasureMode& measuring, OpeningEdge& opening, QWidget* parent = nullptr);
+            SelectionBrush& selection, MeasureMode& measuring, OpeningEdge& opening, QWidget* parent = nullptr);
 
   SlicePlane plane() const { return geometry_.plane; }
   const SliceGeometry& sliceGeometry() const { return geometry_; }
@@ -100,7 +103,7 @@ class SliceView : public QWidget {
   /// Window and level: one line, or one for each where that would reach the edge's letter.
   QStringList windowText(const QFontMetrics& metrics) const;
   bool inPicture(glm::dvec3 world) const;
-  CarveTool::Canvas carveCanvas();
+  SpaceCanvas spaceCanvas();
   const QList<QPolygonF>& removedOutline() const;
   /// Of the focus, and of the opening.
   void drawOutlines(QPainter& painter) const;
@@ -151,6 +154,8 @@ class SliceView : public QWidget {
   CarveTool carveTool_;
   ClipTool clipTool_;
   MeasureTool measureTool_;
+  SelectionBrush& selection_;
+  SelectionTool selectionTool_;
   bool measured_ = false;  ///< the tool took the last press
   ToleranceWheel toleranceWheel_;
   double wheel_ = 0.0;  ///< wheel angle that is not yet a whole notch, in eighths of a degree

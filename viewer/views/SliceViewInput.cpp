@@ -7,6 +7,7 @@
 #include <QWheelEvent>
 
 #include "viewer/model/Document.h"
+#include "viewer/model/SelectionBrush.h"
 #include "viewer/model/SliceCursor.h"
 #include "viewer/model/StructureClick.h"
 #include "viewer/model/ViewOptions.h"
@@ -22,7 +23,8 @@ constexpr double clickSlack = 4.0;
 
 void SliceView::mousePressEvent(QMouseEvent* event) {
   pressed_ = last_ = event->position();
-  measured_ = carveTool_.press(*event) || clipTool_.press(*event) || measureTool_.press(*event);
+  measured_ =
+      carveTool_.press(*event) || selectionTool_.press(*event) || clipTool_.press(*event) || measureTool_.press(*event);
   beforeClick_.reset();
   windowAtPress_ = document_.window();
   dragging_ = false;
@@ -32,10 +34,12 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
   if (!document_.hasVolume()) return;
   const QPointF position = event->position(), move = position - last_, total = position - pressed_;
   last_ = position;
-  if (carveTool_.move(*event) || clipTool_.move(*event) || measureTool_.move(*event)) return;
+  if (carveTool_.move(*event) || selectionTool_.move(*event) || clipTool_.move(*event) || measureTool_.move(*event))
+    return;
   const Qt::MouseButtons buttons = event->buttons();
   if (buttons == Qt::NoButton) {
-    setCursor(clipTool_.pointer(position).value_or(measureTool_.pointer(position)));
+    setCursor(selection_.isActive() ? Qt::CrossCursor
+                                    : clipTool_.pointer(position).value_or(measureTool_.pointer(position)));
     const glm::dvec3 world = worldFromWidget(position);
     if (event->modifiers() & Qt::ShiftModifier && inPicture(world)) cursor_.moveTo(world);
     if (inPicture(world))
@@ -62,7 +66,9 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void SliceView::mouseReleaseEvent(QMouseEvent* event) {
-  if (carveTool_.release(*event) || clipTool_.release(*event) || measureTool_.release(*event)) return;
+  if (carveTool_.release(*event) || selectionTool_.release(*event) || clipTool_.release(*event) ||
+      measureTool_.release(*event))
+    return;
   if (dragging_ || !document_.hasVolume()) return;
   const glm::dvec3 world = worldFromWidget(event->position());
   if (const auto measure = measureTool_.measureAt(event->position()); measure && event->button() == Qt::RightButton) {
@@ -150,10 +156,11 @@ void SliceView::keyPressEvent(QKeyEvent* event) {
 
 void SliceView::leaveEvent(QEvent*) {
   carveTool_.leave();
+  selectionTool_.leave();
   Q_EMIT left();
 }
 
-CarveTool::Canvas SliceView::carveCanvas() {
+SpaceCanvas SliceView::spaceCanvas() {
   return {.pick = [this](QPointF position) -> std::optional<glm::dvec3> {
             if (!document_.hasVolume()) return std::nullopt;
             const glm::dvec3 world = worldFromWidget(position);

@@ -13,8 +13,8 @@
 namespace fenestra::viewer {
 
 ViewArea::ViewArea(Document& document, SliceCursor& cursor, ViewLink& cameras, ViewOptions& options, Brush& brush,
-                   Carving& carving, MeasureMode& measuring, const GlSupport& gl, const Effort& atRest,
-                   const ScenePreparation::ChooseSchedule& chooseSchedule, QWidget* parent)
+                   Carving& carving, SelectionBrush& selection, MeasureMode& measuring, const GlSupport& gl,
+                   const Effort& atRest, const ScenePreparation::ChooseSchedule& chooseSchedule, QWidget* parent)
     : QWidget(parent),
       pacer_(std::make_shared<FramePacer>(atRest)),
       rows_(new QSplitter(Qt::Vertical)),
@@ -42,7 +42,7 @@ ViewArea::ViewArea(Document& document, SliceCursor& cursor, ViewLink& cameras, V
     const VolumeView::Shared shared{preparation_, pacer_, std::make_shared<DrawingTurns>(*pacer_),
                                     std::make_shared<ExplosionFlight>(document, cameras), gl.software};
     for (int index = 0; index < ViewLink::count; ++index) {
-      auto* view = new VolumeView(index, document, cursor, cameras, options, brush, carving, shared);
+      auto* view = new VolumeView(index, document, cursor, cameras, options, brush, carving, selection, shared);
       connectView(view);
       connect(view, &VolumeView::failed, this, &ViewArea::failed);
       connect(view, &VolumeView::reduced, this, &ViewArea::reduced);
@@ -62,7 +62,7 @@ ViewArea::ViewArea(Document& document, SliceCursor& cursor, ViewLink& cameras, V
     upper_->addWidget(reason);
   }
   for (const SlicePlane plane : {SlicePlane::Axial, SlicePlane::Sagittal, SlicePlane::Coronal}) {
-    auto* view = new SliceView(plane, document, cursor, options, carving, measuring, opening_);
+    auto* view = new SliceView(plane, document, cursor, options, carving, selection, measuring, opening_);
     connectView(view);
     connect(view, &SliceView::measureMenuRequested, this, &ViewArea::measureMenuRequested);
     connect(view, &SliceView::picked, this, &ViewArea::picked);

@@ -13,6 +13,7 @@
 #include "rendering/scene/Walls.h"
 #include "viewer/model/Brush.h"
 #include "viewer/model/Document.h"
+#include "viewer/model/SelectionBrush.h"
 #include "viewer/model/SliceCursor.h"
 #include "viewer/model/ViewLink.h"
 #include "viewer/model/ViewOptions.h"
@@ -37,7 +38,7 @@ double now() {
 }  // namespace
 
 VolumeView::VolumeView(int index, Document& document, SliceCursor& cursor, ViewLink& cameras, ViewOptions& options,
-                       Brush& brush, Carving& carving, Shared shared, QWidget* parent)
+                       Brush& brush, Carving& carving, SelectionBrush& selection, Shared shared, QWidget* parent)
     : QWidget(parent),
       index_(index),
       document_(document),
@@ -47,7 +48,9 @@ VolumeView::VolumeView(int index, Document& document, SliceCursor& cursor, ViewL
       brush_(brush),
       carving_(carving),
       brushTool_(brush, document, canvas()),
-      carveTool_(carving, document, carveCanvas()),
+      carveTool_(carving, document, spaceCanvas([](const Hit& hit) { return hit.start; })),
+      selection_(selection),
+      selectionTool_(selection, document, spaceCanvas([this](const Hit& hit) { return surfaceAt(hit); })),
       clipTool_(document, clipCanvas()),
       wallTool_(document, cursor, wallCanvas()),
       toleranceWheel_(document),
@@ -443,7 +446,7 @@ ClipTool::Canvas VolumeView::clipCanvas() {
                 return std::array{axes.right, axes.up};
               },
           .section = []() -> std::optional<ClipTool::Canvas::Section> { return std::nullopt; },
-          .shows = [this] { return options_.clipHandles() && !brush_.isActive() && !carving_.isActive(); }};
+          .shows = [this] { return options_.clipHandles() && !takesStrokes(); }};
 }
 
 WallTool::Canvas VolumeView::wallCanvas() {

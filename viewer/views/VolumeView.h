@@ -6,14 +6,17 @@
 // of rest it refines the picture up to full quality, in slices of time between which the window answers; a change ends
 // that. What takes long besides is prepared on another thread; until then the view keeps the picture that it has. A
 // brush stroke changes little of the picture and is drawn at full quality at once. Left drag: rotate, or paint while
-// the brush is up (see BrushTool), or carve (see CarveTool); left click: crosshair and focus to what is seen, see
-// clickStructure(); middle: pan; right drag or wheel: zoom; Alt+wheel: tolerance of the region in focus; arrows: turn
-// by steps.
+// the brush is up (see BrushTool), or carve (see CarveTool), or paint the region in focus (see SelectionTool); left
+// click: crosshair and focus to what is seen, see clickStructure(); middle: pan; right drag or wheel: zoom; Alt+wheel:
+// tolerance of the region in focus; arrows: turn by steps. Strokes that begin while another thread has the context wait
+// until it is free.
 
 #include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
+#include <QMouseEvent>
 #include <QTimer>
 #include <QWidget>
 
@@ -25,6 +28,7 @@
 #include "viewer/tools/BrushTool.h"
 #include "viewer/tools/CarveTool.h"
 #include "viewer/tools/ClipTool.h"
+#include "viewer/tools/SelectionTool.h"
 #include "viewer/tools/ToleranceWheel.h"
 #include "viewer/tools/WallTool.h"
 #include "viewer/views/RefinedPicture.h"
@@ -34,6 +38,7 @@ namespace fenestra::viewer {
 
 class Document;
 class PictureSurface;
+class SelectionBrush;
 class SliceCursor;
 class ViewLink;
 class ViewOptions;
@@ -62,7 +67,7 @@ class VolumeView : public QWidget {
 
   /// `index` is the camera's place in `cameras`.
   VolumeView(int index, Document& document, SliceCursor& cursor, ViewLink& cameras, ViewOptions& options, Brush& brush,
-             Carving& carving, Shared shared, QWidget* parent = nullptr);
+             Carving& carving, SelectionBrush& selection, Shared shared, QWidget* parent = nullptr);
   ~VolumeView() override;
 
   int index() const { return index_; }
@@ -173,6 +178,8 @@ class VolumeView : public QWidget {
   /// Puts the picture that there is into it.
   void present();
   void drawOverlay();
+  /// The strokes that wait, see keepsForLater().
+  void drawWaiting(QPainter& painter) const;
   /// What was painted is on the screen.
   void shown();
   void zoom(double factor);
@@ -200,8 +207,15 @@ class VolumeView : public QWidget {
   WallTool::Canvas wallCanvas();
   /// Draws other slices, where there are walls.
   void moveWalls();
-  CarveTool::Canvas carveCanvas();
-  /// Shows what the brush, carving and the slices change.
+  /// `pointOf` is the point that a tool takes of a hit.
+  SpaceCanvas spaceCanvas(std::function<glm::dvec3(const Hit&)> pointOf);
+  /// The left button paints or carves instead of turning the view.
+  bool takesStrokes() const;
+  /// Keeps an event of a stroke for replay(), while nothing can be read of the picture. True: it is kept.
+  bool keepsForLater(const QMouseEvent& event);
+  /// Handles what was kept, on the picture that it was meant for.
+  void replay();
+  /// Shows what the brushes, carving and the slices change.
   void followTools();
   double mmPerPixel(const Camera& camera) const;
   std::optional<QPointF> widgetFromWorld(glm::dvec3 world, const Camera& camera) const;
@@ -216,8 +230,11 @@ class VolumeView : public QWidget {
   Carving& carving_;
   BrushTool brushTool_;
   CarveTool carveTool_;
+  SelectionBrush& selection_;
+  SelectionTool selectionTool_;
   ClipTool clipTool_;
   WallTool wallTool_;
+  std::vector<std::unique_ptr<QMouseEvent>> waiting_;  ///< of strokes, see keepsForLater()
   ToleranceWheel toleranceWheel_;
   Shared shared_;
   PictureSurface* surface_;

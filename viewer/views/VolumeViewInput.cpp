@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <glm/gtc/constants.hpp>
 
@@ -11,6 +12,7 @@
 #include "rendering/scene/SeenPoint.h"
 #include "viewer/model/Brush.h"
 #include "viewer/model/Document.h"
+#include "viewer/model/SelectionBrush.h"
 #include "viewer/model/SliceCursor.h"
 #include "viewer/model/StructureClick.h"
 #include "viewer/model/ViewLink.h"
@@ -30,7 +32,9 @@ constexpr double arrowTurn = glm::pi<double>() / 36.0;  ///< 5 degrees
 void VolumeView::mousePressEvent(QMouseEvent* event) {
   hover_.stop();
   shared_.pacer->lead(index_);
-  if (brushTool_.press(*event) || carveTool_.press(*event) || clipTool_.press(*event) || wallTool_.press(*event))
+  if (keepsForLater(*event)) return;
+  if (brushTool_.press(*event) || carveTool_.press(*event) || selectionTool_.press(*event) || clipTool_.press(*event) ||
+      wallTool_.press(*event))
     return;
   pressed_ = last_ = event->position();
   beforeClick_.reset();
@@ -39,14 +43,15 @@ void VolumeView::mousePressEvent(QMouseEvent* event) {
 
 void VolumeView::mouseMoveEvent(QMouseEvent* event) {
   if (brush_.isActive() && !hasFocus()) setFocus(Qt::MouseFocusReason);  // for the keys that the brush offers
-  if (!document_.hasVolume() || brushTool_.move(*event) || carveTool_.move(*event) || clipTool_.move(*event) ||
-      wallTool_.move(*event))
+  if (keepsForLater(*event)) return;
+  if (!document_.hasVolume() || brushTool_.move(*event) || carveTool_.move(*event) || selectionTool_.move(*event) ||
+      clipTool_.move(*event) || wallTool_.move(*event))
     return;
   const QPointF position = event->position(), move = position - last_, total = position - pressed_;
   last_ = position;
   const Qt::MouseButtons buttons = event->buttons();
   if (buttons == Qt::NoButton) {
-    if (!brush_.isActive() && !carving_.isActive()) {
+    if (!takesStrokes()) {
       const auto overClip = clipTool_.pointer(position), over = overClip ? overClip : wallTool_.pointer(position);
       setCursor(over.value_or(Qt::ArrowCursor));
     }
@@ -76,8 +81,9 @@ void VolumeView::mouseMoveEvent(QMouseEvent* event) {
 
 void VolumeView::mouseReleaseEvent(QMouseEvent* event) {
   if (dragging_) cameras_.release();
-  if (brushTool_.release(*event) || carveTool_.release(*event) || clipTool_.release(*event) ||
-      wallTool_.release(*event))
+  if (keepsForLater(*event)) return;
+  if (brushTool_.release(*event) || carveTool_.release(*event) || selectionTool_.release(*event) ||
+      clipTool_.release(*event) || wallTool_.release(*event))
     return;
   if (dragging_ || !document_.hasVolume()) return;
   const std::optional<Hit> hit = pick(event->position());
@@ -114,23 +120,57 @@ glm::dvec3 VolumeView::rayThrough(QPointF position) const {
   return glm::normalize(axes.forward + 2.0 * slope / height() * (offset.x * axes.right + offset.y * axes.up));
 }
 
+bool VolumeView::takesStrokes() const { return brush_.isActive() || carving_.isActive() || selection_.isActive(); }
+
+bool VolumeView::keepsForLater(const QMouseEvent& event) {
+  const bool presses = event.type() == QEvent::MouseButtonPress || event.type() == QEvent::MouseButtonDblClick;
+  const bool begins = presses && event.button() == Qt::LeftButton && !(event.modifiers() & Qt::ControlModifier);
+  const bool goesOn = brushTool_.isPainting() || carveTool_.isCarving() || selectionTool_.isPainting();
+  const bool follows = !waiting_.empty() && (event.buttons() | event.button()) & Qt::LeftButton;
+  if (!takesStrokes() || !picture_) return false;
+  if (!follows && !((begins || goesOn) && shared_.preparation->isBusy())) return false;
+  waiting_.emplace_back(event.clone());
+  repaintSurface();
+  return true;
+}
+
+void VolumeView::replay() {
+  // What is held up once more is kept again.
+  for (const std::unique_ptr<QMouseEvent>& event : std::exchange(waiting_, {})) {
+    if (event->type() == QEvent::MouseMove)
+      mouseMoveEvent(event.get());
+    else if (event->type() == QEvent::MouseButtonRelease)
+      mouseReleaseEvent(event.get());
+    else
+      mousePressEvent(event.get());
+  }
+}
+
 void VolumeView::followTools() {
   const auto showTool = [this] {
-    setCursor(brush_.isActive() || carving_.isActive() ? Qt::CrossCursor : Qt::ArrowCursor);
+    if (!takesStrokes()) waiting_.clear();
+    setCursor(takesStrokes() ? Qt::CrossCursor : Qt::ArrowCursor);
     brushTool_.measure();
     repaintSurface();
   };
   connect(&brush_, &Brush::changed, this, showTool);
   connect(&carving_, &Carving::changed, this, showTool);
+  connect(&selection_, &SelectionBrush::changed, this, showTool);
+  connect(&shared_.preparation->context(), &RenderContext::freed, this, &VolumeView::replay);
+  // Another volume, or another place of the camera, is not what a stroke was meant for.
+  connect(&document_, &Document::volumeChanged, this, [this] { waiting_.clear(); });
+  connect(&cameras_, &ViewLink::changed, this, [this](int view) {
+    if (view == index_) waiting_.clear();
+  });
   connect(&cursor_, &SliceCursor::moved, this, &VolumeView::repaintSurface);
   connect(&cursor_, &SliceCursor::moved, this, &VolumeView::moveWalls);
   connect(&document_, &Document::windowChanged, this, &VolumeView::moveWalls);
 }
 
-CarveTool::Canvas VolumeView::carveCanvas() {
-  return {.pick = [this](QPointF position) -> std::optional<glm::dvec3> {
+SpaceCanvas VolumeView::spaceCanvas(std::function<glm::dvec3(const Hit&)> pointOf) {
+  return {.pick = [this, pointOf = std::move(pointOf)](QPointF position) -> std::optional<glm::dvec3> {
             const std::optional<Hit> hit = pick(position);
-            return hit ? std::optional(hit->start) : std::nullopt;
+            return hit ? std::optional(pointOf(*hit)) : std::nullopt;
           },
           .widgetFromWorld = [this](glm::dvec3 world) { return widgetFromWorld(world); },
           .axes =
@@ -143,7 +183,7 @@ CarveTool::Canvas VolumeView::carveCanvas() {
 }
 
 void VolumeView::readUnderMouse() {
-  if (brush_.isActive() || carving_.isActive()) return;
+  if (takesStrokes()) return;
   if (!isSettled()) {  // reading the picture must not hold up the next one
     hover_.start(hoverMilliseconds);
     return;
@@ -164,7 +204,7 @@ void VolumeView::click(const Hit& hit, Qt::KeyboardModifiers modifiers) {
 
 void VolumeView::mouseDoubleClickEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return;
-  if (brush_.isActive() || carving_.isActive()) {
+  if (takesStrokes()) {
     mousePressEvent(event);  // two quick dabs
     return;
   }
@@ -220,6 +260,7 @@ void VolumeView::leaveEvent(QEvent*) {
   hover_.stop();
   brushTool_.leave();
   carveTool_.leave();
+  selectionTool_.leave();
   Q_EMIT left();
 }
 

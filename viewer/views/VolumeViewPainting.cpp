@@ -62,10 +62,23 @@ void VolumeView::drawOverlay() {
   clipTool_.draw(painter);
   brushTool_.draw(painter, view);
   carveTool_.draw(painter);
+  selectionTool_.draw(painter);
+  drawWaiting(painter);
   // Filled, because OpenGL leaves out lines along the rim.
   if (hasFocus())
     for (const QRect& side : QRegion(rect()) - rect().adjusted(1, 1, -1, -1))
       painter.fillRect(side, QColor(86, 140, 190));
+}
+
+void VolumeView::drawWaiting(QPainter& painter) const {
+  if (waiting_.empty()) return;
+  const QColor colour(220, 222, 226);
+  QPolygonF line;
+  for (const std::unique_ptr<QMouseEvent>& event : waiting_) line << event->position();
+  painter.setPen(QPen(colour, 1.5, Qt::DotLine));
+  painter.drawPolyline(line);
+  drawText(painter, QRectF(line.front(), QSizeF()).adjusted(-150.0, -30.0, 150.0, -10.0),
+           Qt::AlignCenter | Qt::TextSingleLine, tr("Waits for the picture"), colour);
 }
 
 void VolumeView::drawMarks(QPainter& painter, const Camera& camera) const {
