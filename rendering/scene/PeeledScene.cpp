@@ -225,7 +225,11 @@ std::shared_ptr<const PeeledScene> Peeler::of(const Scene& scene) {
     return nullptr;
   }
   if (!knows(scene)) resample(scene);
-  if (!volume_) return nullptr;
+  return known(scene);
+}
+
+std::shared_ptr<const PeeledScene> Peeler::known(const Scene& scene) const {
+  if (!volume_ || !peelOf(scene.look)) return nullptr;
   Scene peeled{volume_, labels_, scene.look};
   peeled.structures = structures_;
   Look& look = peeled.look;

@@ -44,8 +44,9 @@ class Peeler {
  public:
   /// Null where nothing is peeled; nothing is kept then. Runs on all cores.
   std::shared_ptr<const PeeledScene> of(const Scene& scene);
-  /// Whether of() has the voxels of that scene already, or needs none.
+  /// Whether of() has the voxels of that scene already, or needs none; and what it gives then.
   bool knows(const Scene& scene) const;
+  std::shared_ptr<const PeeledScene> known(const Scene& scene) const;
 
  private:
   /// What voxels in focus depend on, and the body.

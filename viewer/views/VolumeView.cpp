@@ -460,10 +460,11 @@ std::optional<VolumeView::Hit> VolumeView::pick(QPointF position) {
   std::optional<Hit> hit;
   attemptOnPicture([&] {
     Renderer& picture = picture_->shown();
-    const std::optional<glm::dvec3> start = picture.pick(pixelAt(position));
-    if (!start) return;
+    const std::optional<PickedPlace> picked = picture.pickPlace(pixelAt(position));
+    if (!picked) return;
     const std::optional<BrushPoint> opened = picture.pickBrush(pixelAt(position), BrushMode::Open);
-    hit = Hit{*start, rayThrough(position), opened ? opened->removed : 0.0, picture.isExploded()};
+    const bool moved = picture.movesContext();
+    hit = Hit{picked->place, moved ? picked->ray : rayThrough(position), opened ? opened->removed : 0.0, moved};
   });
   return hit;
 }

@@ -79,7 +79,8 @@ class VolumeView : public QWidget {
   /// The camera of the picture. In a view that is taller than wide its field of view is wider, so that the volume fits.
   Camera shownCamera() const;
   std::optional<QPointF> widgetFromWorld(glm::dvec3 world) const;
-  /// Where the picture on screen shows a point of the volume: in an exploded view, where its part is.
+  /// Where the picture on screen shows a point of the volume: in an exploded view, where its part is; where it is
+  /// peeled off, on the roll.
   glm::dvec3 shownAt(glm::dvec3 world) const;
   /// The picture on screen; empty while it is not at full quality.
   std::optional<FinishedPicture> finishedPicture();
@@ -176,12 +177,12 @@ class VolumeView : public QWidget {
   /// What was painted is on the screen.
   void shown();
   void zoom(double factor);
-  /// Where in the volume the ray of a pixel starts to see, world mm, its unit direction, and how many mm of it before
-  /// that the opening removed.
+  /// Where in the volume the ray of a pixel starts to see, world mm, its unit direction there, and how many mm of it
+  /// before that the opening removed.
   struct Hit {
     glm::dvec3 start, ray;
     double removed = 0.0;
-    bool exploded = false;  ///< the ray sees other parts of the volume elsewhere
+    bool moved = false;  ///< the ray sees other parts of the volume elsewhere
   };
   /// What the picture shows at a place in the widget; empty on the background.
   std::optional<Hit> pick(QPointF position);
