@@ -80,7 +80,7 @@ VolumeView::VolumeView(int index, Document& document, SliceCursor& cursor, ViewL
     if (view == index_) follow();
   });
   connect(&cameras, &ViewLink::released, this, &VolumeView::settleAtOnce);
-  connect(shared_.explosion.get(), &ExplosionFlight::moved, this, &VolumeView::redraw);
+  connect(shared_.flight.get(), &ContextFlight::moved, this, &VolumeView::redraw);
   connect(shared_.turns.get(), &DrawingTurns::turn, this, [this, isAwaited](int view) {
     if (view == index_ && !*isAwaited) draw(shownScene());
   });
@@ -122,7 +122,7 @@ bool VolumeView::inContext(const std::function<void(const std::shared_ptr<GpuSce
 
 bool VolumeView::isSettled() const {
   const bool told = index_ != 0 || !startsDue_;  // the slices draw the opening of the first view
-  return (settled_ && !isNew_ && told && !shared_.explosion->isFlying()) || !problem_.isEmpty() ||
+  return (settled_ && !isNew_ && told && !shared_.flight->isFlying()) || !problem_.isEmpty() ||
          !document_.hasVolume();
 }
 
@@ -318,7 +318,7 @@ std::optional<FinishedPicture> VolumeView::finishedPicture() {
 
 Scene VolumeView::shownScene() const {
   Scene scene = document_.scene();
-  scene.look = shared_.explosion->shown(std::move(scene.look));
+  scene.look = shared_.flight->shown(std::move(scene.look));
   scene.look.strokes = strokesIn(index_, scene.look.strokes);
   return scene;
 }

@@ -20,7 +20,7 @@
 #include "rendering/gpu/GpuScene.h"
 #include "rendering/scene/Opening.h"
 #include "viewer/model/DrawingTurns.h"
-#include "viewer/model/ExplosionFlight.h"
+#include "viewer/model/ContextFlight.h"
 #include "viewer/model/FramePacer.h"
 #include "viewer/tools/BrushTool.h"
 #include "viewer/tools/CarveTool.h"
@@ -50,13 +50,12 @@ class VolumeView : public QWidget {
   Q_OBJECT
  public:
   /// What all 3-D views of a window share: voxels on the GPU with the context that they are drawn in, the measured
-  /// speed of the machine, whose turn it is, how far the parts of an exploded view are moved, and whether the CPU
-  /// draws.
+  /// speed of the machine, whose turn it is, how far context is moved out of the way, and whether the CPU draws.
   struct Shared {
     std::shared_ptr<ScenePreparation> preparation;
     std::shared_ptr<FramePacer> pacer;
     std::shared_ptr<DrawingTurns> turns;
-    std::shared_ptr<ExplosionFlight> explosion;
+    std::shared_ptr<ContextFlight> flight;
     bool software = false;
   };
 
