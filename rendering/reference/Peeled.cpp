@@ -74,9 +74,11 @@ class Roll {
       const Frame frame = at(l);
       return glm::dot(place - frame.break_, frame.along);
     };
-    double low = 0.0, high = axis_;
-    if (ahead(low) < 0.0 || ahead(high) > 0.0) return std::nullopt;
-    for (int i = 0; i < 80; ++i) {
+    const double half = std::numbers::pi * radius_;
+    double low = place.x > axis_ ? half : 0.0, high = place.x > axis_ ? axis_ : std::min(axis_, half);
+    if (low > high || ahead(low) < 0.0 || ahead(high) > 0.0) return std::nullopt;
+    constexpr int halvings = 60;  // beyond the digits of a double
+    for (int i = 0; i < halvings; ++i) {
       const double middle = 0.5 * (low + high);
       (ahead(middle) > 0.0 ? low : high) = middle;
     }
@@ -116,11 +118,19 @@ struct Layer {
     breakAt = glm::mix(highA + beside, lowA - beside, peel.depth);
     for (const glm::dvec3& corner : bodyBox(inFocus.shown()).corners())
       thickness = std::max(thickness, glm::dot(corner, a) - breakAt);
-    halfLength = 0.5 * (highU - lowU) + peel.margin;
+    const double farthestU = reach(grid, u, middleU), farthestV = reach(grid, v, middleV);
+    halfLength = std::min(0.5 * (highU - lowU) + peel.margin, farthestU);
     radius = thickness + peel.radius;
-    axis = peel.amount * (0.5 * (highV - lowV) + peel.margin + radius);
+    axis = peel.amount * (std::min(0.5 * (highV - lowV) + peel.margin, farthestV) + radius);
   }
 
+  /// How far the volume reaches along a direction, on whichever side of `from` it reaches farther.
+  static double reach(const Grid& grid, glm::dvec3 along, double from) {
+    double farthest = 0.0;
+    for (const glm::dvec3& corner : grid.corners())
+      farthest = std::max(farthest, std::abs(glm::dot(corner, along) - from));
+    return farthest;
+  }
   static double voxelExtent(const Grid& grid, glm::dvec3 along) {
     double sum = 0.0;
     for (int axis = 0; axis < 3; ++axis) sum += std::abs(grid.spacing[axis] * glm::dot(grid.direction[axis], along));
@@ -169,7 +179,13 @@ Grid around(const Grid& grid, const Layer& layer, glm::ivec3& before) {
     }
   const double side = std::max(layer.axis, roll.at(layer.axis).break_.x);
   glm::dvec3 low(0.0), high(grid.dims - 1);
-  for (const double p : {-layer.halfLength, layer.halfLength})
+  double leastP = layer.halfLength, greatestP = -leastP;
+  for (const glm::dvec3& corner : grid.corners()) {
+    const double p = std::clamp(glm::dot(corner, layer.u) - layer.middleU, -layer.halfLength, layer.halfLength);
+    leastP = std::min(leastP, p);
+    greatestP = std::max(greatestP, p);
+  }
+  for (const double p : {leastP, greatestP})
     for (const double q : {-side, side})
       for (const double h : {0.0, top}) {
         const glm::dvec3 world =
@@ -194,17 +210,18 @@ class PeeledVoxel {
   double value(glm::ivec3 voxel) const {
     const glm::ivec3 own = voxel - before_;
     if (inFocus_(own)) return inFocus_.voxels().value(own);
-    std::set<int> parts;
     glm::dvec3 source;
-    for (int corner = 0; corner < 8; ++corner)
-      parts.insert(layer_.partAt(
-          worldAt(glm::dvec3(voxel) + glm::dvec3(corner & 1, (corner >> 1) & 1, corner >> 2) - 0.5), source));
+    std::set<int> parts{layer_.partAt(worldAt(glm::dvec3(voxel)), source)};
+    for (const int z : {-1, 1})
+      for (const int y : {-1, 1})
+        for (const int x : {-1, 1})
+          parts.insert(layer_.partAt(worldAt(glm::dvec3(voxel + glm::ivec3(x, y, z))), source));
     if (parts.size() == 1) return valueAt(glm::dvec3(voxel), own);
     double sum = 0.0;
-    for (int z = -1; z <= 1; ++z)
-      for (int y = -1; y <= 1; ++y)
-        for (int x = -1; x <= 1; ++x) sum += valueAt(glm::dvec3(voxel) + glm::dvec3(x, y, z) / 3.0, own);
-    return sum / 27.0;
+    for (const double z : {-0.75, -0.25, 0.25, 0.75})
+      for (const double y : {-0.75, -0.25, 0.25, 0.75})
+        for (const double x : {-0.75, -0.25, 0.25, 0.75}) sum += valueAt(glm::dvec3(voxel) + glm::dvec3(x, y, z), own);
+    return sum / 64.0;
   }
 
   std::uint16_t label(glm::ivec3 voxel, const LabelMap& labels) const {

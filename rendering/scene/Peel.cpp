@@ -73,8 +73,14 @@ Peel::Peel(const MethodStages::Peel& peel, const FocusVoxels& focus, const Grid&
   double front = breakAt;
   for (const glm::dvec3& corner : body.corners()) front = std::max(front, glm::dot(corner, axes_[2]));
   thickness_ = front - breakAt;
-  halfLength_ = 0.5 * (high.x - low.x) + peel.margin;
-  halfWidth_ = 0.5 * (high.y - low.y) + peel.margin;
+  glm::dvec3 least = local(grid.centre()), greatest = least;
+  for (const glm::dvec3& corner : grid.corners()) {
+    least = glm::min(least, local(corner));
+    greatest = glm::max(greatest, local(corner));
+  }
+  halfLength_ = std::min(0.5 * (high.x - low.x) + peel.margin, std::max(-least.x, greatest.x));
+  halfWidth_ = std::min(0.5 * (high.y - low.y) + peel.margin, std::max(-least.y, greatest.y));
+  along_ = {std::max(-halfLength_, least.x), std::min(halfLength_, greatest.x)};
   radius_ = thickness_ + peel.radius;
   roll_ = peel.amount * (halfWidth_ + radius_);
 }
@@ -114,8 +120,8 @@ std::array<glm::dvec3, 8> Peel::reach() const {
   const double inner = radius_ - (radius_ - thickness_) * std::cos(turn);
   std::array<glm::dvec3, 8> corners;
   for (std::size_t i = 0; i < corners.size(); ++i)
-    corners[i] = world({i & 1u ? halfLength_ : -halfLength_, i & 2u ? side : -side,
-                        i & 4u ? std::max({top, inner, thickness_}) : 0.0});
+    corners[i] =
+        world({i & 1u ? along_.y : along_.x, i & 2u ? side : -side, i & 4u ? std::max({top, inner, thickness_}) : 0.0});
   return corners;
 }
 

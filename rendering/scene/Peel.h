@@ -15,8 +15,8 @@
 //   s1 + g - depth (s1 - s0 + 2 g)
 //
 // Without a focus, it counts as the middle of the volume. H is the layer's thickness: from the break to the front of
-// the box around the body (bodyBox). L and W are half the extents of the focus along u and v, plus the margin; R = H +
-// radius, and c = amount (W + R).
+// the box around the body (bodyBox). L and W are half the extents of the focus along u and v, plus the margin, but no
+// more than the volume reaches on either side of the origin; R = H + radius, and c = amount (W + R).
 //
 // Roll: of the layer 0 ≤ h ≤ H, |p| ≤ L, w ≤ c, each half is bent round the axis w = c, h = R, lengths on the break
 // kept, and lies flat again from half a turn on. A point of the layer, l = c - w, goes to
@@ -84,6 +84,7 @@ class Peel {
   glm::dmat3 axes_{1.0};  ///< columns: u, v, a
   glm::dvec3 origin_{0.0};
   double thickness_ = 0.0, radius_ = 1.0, roll_ = 0.0, halfWidth_ = 0.0, halfLength_ = 0.0;
+  glm::dvec2 along_{0.0};  ///< the least and the greatest p of the volume in the layer
 };
 
 }  // namespace fenestra

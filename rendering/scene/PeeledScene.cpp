@@ -35,35 +35,38 @@ Wider widened(const Grid& grid, const Peel& peel) {
 
 using Part = Peel::Part;
 
-/// Calls use(voxel of the wider grid, its part) for each voxel; the part is empty where its corners are of several.
+/// Calls use(voxel of the wider grid, its part) for each voxel; the part is empty where it and the voxels that touch
+/// its corners are of several.
 template <class Use>
 void forEachVoxel(const Wider& to, const Peel& peel, const Use& use) {
-  const glm::ivec3 dims = to.grid.dims, corners = dims + 1;
+  const glm::ivec3 dims = to.grid.dims, around = dims + 2;  // and a voxel beyond each side
   const glm::dmat4 worldFromIndex = to.grid.worldFromIndex();
-  const auto width = static_cast<std::size_t>(corners.x);
-  const auto partsBelow = [&](int z, std::vector<Part>& parts) {
-    for (int y = 0; y < corners.y; ++y)
-      for (int x = 0; x < corners.x; ++x)
+  const auto width = static_cast<std::size_t>(around.x);
+  const auto findParts = [&](int z, std::vector<Part>& parts) {
+    for (int y = 0; y < around.y; ++y)
+      for (int x = 0; x < around.x; ++x)
         parts[width * static_cast<std::size_t>(y) + static_cast<std::size_t>(x)] =
-            peel.sourceOf(glm::dvec3(worldFromIndex * glm::dvec4(glm::dvec3(x, y, z) - 0.5, 1.0))).part;
+            peel.sourceOf(glm::dvec3(worldFromIndex * glm::dvec4(x - 1, y - 1, z, 1.0))).part;
   };
   parallelFor(static_cast<std::size_t>(dims.z), 1, [&](std::size_t begin, std::size_t end) {
-    std::vector<Part> low(width * static_cast<std::size_t>(corners.y)), high(low.size());
-    partsBelow(static_cast<int>(begin), high);
+    std::vector<Part> below(width * static_cast<std::size_t>(around.y)), own(below.size()), above(below.size());
+    findParts(static_cast<int>(begin) - 1, own);
+    findParts(static_cast<int>(begin), above);
     glm::ivec3 voxel;
     for (voxel.z = static_cast<int>(begin); voxel.z < static_cast<int>(end); ++voxel.z) {
       interruptionPoint();
-      std::swap(low, high);
-      partsBelow(voxel.z + 1, high);
+      std::swap(below, own);
+      std::swap(own, above);
+      findParts(voxel.z + 1, above);
       for (voxel.y = 0; voxel.y < dims.y; ++voxel.y)
         for (voxel.x = 0; voxel.x < dims.x; ++voxel.x) {
-          const std::size_t at = width * static_cast<std::size_t>(voxel.y) + static_cast<std::size_t>(voxel.x);
-          const Part part = low[at];
-          const auto isOf = [&](const std::vector<Part>& slice, std::size_t first) {
-            return slice[first] == part && slice[first + 1] == part;
+          const std::size_t corner = width * static_cast<std::size_t>(voxel.y) + static_cast<std::size_t>(voxel.x);
+          const Part part = own[corner + width + 1];
+          const auto isAround = [&](const std::vector<Part>& slice) {
+            return slice[corner] == part && slice[corner + 2] == part && slice[corner + 2 * width] == part &&
+                   slice[corner + 2 * width + 2] == part;
           };
-          const bool isOne = isOf(low, at) && isOf(low, at + width) && isOf(high, at) && isOf(high, at + width);
-          use(voxel, isOne ? std::optional(part) : std::nullopt);
+          use(voxel, isAround(below) && isAround(above) ? std::optional(part) : std::nullopt);
         }
     }
   });
@@ -111,11 +114,11 @@ class Resampling {
   }
 
   double meanAround(glm::dvec3 centre, glm::ivec3 own, bool isInside) const {
-    constexpr int side = 3;
+    constexpr int side = 4;
     double sum = 0.0;
     for (int i = 0; i < side * side * side; ++i) {
-      const glm::dvec3 step(i % side - 1, i / side % side - 1, i / (side * side) - 1);
-      sum += valueFrom(peel_.sourceOf(worldAt(centre + step / static_cast<double>(side))), own, isInside);
+      const glm::dvec3 place(i % side, i / side % side, i / (side * side));
+      sum += valueFrom(peel_.sourceOf(worldAt(centre + 0.5 * place - 0.75)), own, isInside);
     }
     return sum / (side * side * side);
   }

@@ -3,12 +3,12 @@
 //
 // Voxels lie where the volume's own do, and as many more on each side as the rolled layer needs. Of those:
 //
-// - a voxel in focus keeps its value, as does one whose eight corners are in place (Peel::Part);
-// - one whose corners all lie in the same half of the layer has the trilinear value at its centre's source, in which
+// - a voxel in focus keeps its value, as does one in place (Peel::Part) with the eight voxels that touch its corners;
+// - one that lies in the same half of the layer as those has the trilinear value at its centre's source, in which
 //   voxels in focus count as air, because the focus does not move along;
-// - of any other, the value is the mean over 3³ places of its cell, a third of a voxel apart and one at the centre: its
-//   own value in place, the value at the source in the layer, and air where nothing shows. So faces have the soft edge
-//   of a scan instead of steps.
+// - of any other, the value is the mean over 4³ places, half a voxel apart, around its centre: its own value in place,
+//   the value at the source in the layer, and air where nothing shows. So faces rise over two voxels, and have no
+//   steps.
 //
 // What is hidden or removed is air before it is moved. A label map's voxel has the label of the voxel nearest to its
 // centre's source, but none of the focus's; voxels in focus keep theirs. Integers are rounded.
