@@ -202,16 +202,21 @@ void widenCrop(Clipping& clipping, const Grid& from, const Grid& to) {
 
 }  // namespace
 
-bool PeeledScene::isInFocus(glm::dvec3 world) const {
-  return focus->holds(glm::ivec3(glm::floor(glm::dvec3(grid.indexFromWorld() * glm::dvec4(world, 1.0)) + 0.5)));
+glm::ivec3 PeeledScene::voxelAt(glm::dvec3 world) const {
+  // Clamped before it is rounded: a far position has no int.
+  const glm::dvec3 index(grid.indexFromWorld() * glm::dvec4(world, 1.0));
+  return glm::ivec3(glm::floor(glm::clamp(index + 0.5, glm::dvec3(-1.0), glm::dvec3(grid.dims))));
 }
+
+bool PeeledScene::isInFocus(glm::dvec3 world) const { return focus->holds(voxelAt(world)); }
 
 glm::dvec3 PeeledScene::shownAt(glm::dvec3 world) const { return isInFocus(world) ? world : peel.shownAt(world); }
 
 std::optional<glm::dvec3> PeeledScene::sourceOf(glm::dvec3 world) const {
   if (isInFocus(world)) return world;
   const Peel::Source source = peel.sourceOf(world);
-  if (source.part == Part::Nothing) return std::nullopt;
+  if (source.part == Part::Nothing || !grid.contains(voxelAt(source.world)) || isInFocus(source.world))
+    return std::nullopt;
   return source.world;
 }
 

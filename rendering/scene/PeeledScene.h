@@ -32,10 +32,12 @@ struct PeeledScene {
 
   /// Where a place of the volume is shown.
   glm::dvec3 shownAt(glm::dvec3 world) const;
-  /// Where in the volume what shows at a place comes from; empty where nothing does.
+  /// Where in the volume what shows at a place comes from; empty where nothing does, and in the
+  /// hollow that the focus leaves in the layer.
   std::optional<glm::dvec3> sourceOf(glm::dvec3 world) const;
 
  private:
+  glm::ivec3 voxelAt(glm::dvec3 world) const;
   bool isInFocus(glm::dvec3 world) const;
 };
 
