@@ -90,18 +90,13 @@ Peel::Source Peel::sourceOf(glm::dvec3 place) const {
   if (at.z < hair || std::abs(at.x) > halfLength_ - hair) return {Part::InPlace, place};
   const double across = std::abs(at.y), side = at.y < 0.0 ? -1.0 : 1.0;
   const bool isOpen = across < roll_ - hair;
-  double length, height;
-  if (isOpen) {
-    const glm::dvec2 fromAxis(roll_ - across, radius_ - at.z);
-    length = radius_ * std::atan2(fromAxis.x, fromAxis.y);
-    height = radius_ - glm::length(fromAxis);
-  } else {
-    length = pi * radius_ + across - roll_;
-    height = 2.0 * radius_ - at.z;
-  }
-  if (height >= 0.0 && height <= thickness_ && length <= roll_)
-    return {side < 0.0 ? Part::Negative : Part::Positive, world({at.x, side * (roll_ - length), height})};
-  return {isOpen ? Part::Nothing : Part::InPlace, place};
+  const Source none{isOpen ? Part::Nothing : Part::InPlace, place};
+  const glm::dvec2 fromAxis(roll_ - across, radius_ - at.z);
+  const double height = isOpen ? radius_ - glm::length(fromAxis) : 2.0 * radius_ - at.z;
+  if (height < 0.0 || height > thickness_) return none;
+  const double length = isOpen ? radius_ * std::atan2(fromAxis.x, fromAxis.y) : pi * radius_ + across - roll_;
+  if (length > roll_) return none;
+  return {side < 0.0 ? Part::Negative : Part::Positive, world({at.x, side * (roll_ - length), height})};
 }
 
 glm::dvec3 Peel::shownAt(glm::dvec3 place) const {

@@ -169,20 +169,24 @@ std::shared_ptr<const LabelMap> peeledLabels(const LabelMap& from, const FocusVo
   from.voxels.visit([&](auto labels) {
     using T = std::remove_const_t<typename decltype(labels)::value_type>;
     const auto into = map->voxels.template as<T>();
-    forEachVoxel(to, peel, [&](glm::ivec3 voxel, std::optional<Part> part) {
+    const auto labelAt = [&](glm::ivec3 voxel) {
       const glm::ivec3 own = voxel - to.shift;
       const bool isInside = from.grid.contains(own);
-      T& label = into[to.grid.offset(voxel)];
-      label = T{0};
-      if (isInside && (part == Part::InPlace || focus.holds(own))) {
-        label = labels[from.grid.offset(own)];
-        return;
-      }
-      if (part == Part::InPlace || part == Part::Nothing) return;
+      if (isInside && focus.holds(own)) return labels[from.grid.offset(own)];
       const Peel::Source source = peel.sourceOf(glm::dvec3(worldFromIndex * glm::dvec4(glm::dvec3(voxel), 1.0)));
-      if (source.part == Part::Nothing) return;
+      if (source.part == Part::InPlace) return isInside ? labels[from.grid.offset(own)] : T{0};
+      if (source.part == Part::Nothing) return T{0};
       const glm::ivec3 nearest(glm::floor(glm::dvec3(indexFromWorld * glm::dvec4(source.world, 1.0)) + 0.5));
-      if (from.grid.contains(nearest) && !focus.holds(nearest)) label = labels[from.grid.offset(nearest)];
+      const bool isMoved = from.grid.contains(nearest) && !focus.holds(nearest);
+      return isMoved ? labels[from.grid.offset(nearest)] : T{0};
+    };
+    parallelFor(static_cast<std::size_t>(to.grid.dims.z), 1, [&](std::size_t begin, std::size_t end) {
+      glm::ivec3 voxel;
+      for (voxel.z = static_cast<int>(begin); voxel.z < static_cast<int>(end); ++voxel.z)
+        for (voxel.y = 0; voxel.y < to.grid.dims.y; ++voxel.y) {
+          interruptionPoint();
+          for (voxel.x = 0; voxel.x < to.grid.dims.x; ++voxel.x) into[to.grid.offset(voxel)] = labelAt(voxel);
+        }
     });
   });
   return map;
