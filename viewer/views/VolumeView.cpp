@@ -122,8 +122,7 @@ bool VolumeView::inContext(const std::function<void(const std::shared_ptr<GpuSce
 
 bool VolumeView::isSettled() const {
   const bool told = index_ != 0 || !startsDue_;  // the slices draw the opening of the first view
-  return (settled_ && !isNew_ && told && !shared_.flight->isFlying()) || !problem_.isEmpty() ||
-         !document_.hasVolume();
+  return (settled_ && !isNew_ && told && !shared_.flight->isFlying()) || !problem_.isEmpty() || !document_.hasVolume();
 }
 
 void VolumeView::disturb(int views) {

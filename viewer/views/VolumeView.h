@@ -19,8 +19,8 @@
 
 #include "rendering/gpu/GpuScene.h"
 #include "rendering/scene/Opening.h"
-#include "viewer/model/DrawingTurns.h"
 #include "viewer/model/ContextFlight.h"
+#include "viewer/model/DrawingTurns.h"
 #include "viewer/model/FramePacer.h"
 #include "viewer/tools/BrushTool.h"
 #include "viewer/tools/CarveTool.h"
