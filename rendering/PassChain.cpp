@@ -95,6 +95,11 @@ std::optional<gl::Region> PassChain::nearFocus(double reach) const {
 }
 
 void PassChain::begin(const Scene& scene, const View& view) {
+  peeled = gpu->peeled(scene);
+  beginAsDrawn(peeled ? peeled->scene : scene, view);
+}
+
+void PassChain::beginAsDrawn(const Scene& scene, const View& view) {
   drop();
   gpu->update(scene);
   rays.emplace(view.camera, view.size, gpu->grid(), clipOf(scene.look, *gpu), gpu->refinement());
@@ -152,7 +157,7 @@ void PassChain::beginOpening(const OpeningView& view) {
     forgetEdited();
   }
   opening->timing = timing;
-  opening->begin(frame->scene, {.camera = view.camera, .size = view.size, .pixelScale = view.pixelScale});
+  opening->beginAsDrawn(frame->scene, {.camera = view.camera, .size = view.size, .pixelScale = view.pixelScale});
   widths = opening->widths;
 }
 
@@ -193,7 +198,7 @@ bool PassChain::advance(std::optional<double> milliseconds) try {
   // Another renderer may have brought the shared scene to another state.
   if (frame && gpu->versions() != frame->drawn) {
     const Frame again = std::move(*frame);
-    begin(again.scene, again.view);
+    beginAsDrawn(again.scene, again.view);
   }
   const auto begun = std::chrono::steady_clock::now();
   bool advanced = false;

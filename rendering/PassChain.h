@@ -99,6 +99,7 @@ struct PassChain {
   std::optional<RayFrame> rays;                            ///< of the last picture
   std::optional<ExplodedView> exploded;                    ///< the same, where it is an exploded view
   std::vector<FocusLayerPass::ExplodedStretch> stretches;  ///< of its rays, from the front to the back
+  std::shared_ptr<const PeeledScene> peeled;  ///< in whose place that is drawn; null where nothing is peeled
   double pixelScale = 1.0;
   glm::dvec2 widths{0.0};
   glm::vec3 background{0.0f}, backgroundRise{0.0f};
@@ -126,6 +127,8 @@ struct PassChain {
   Steps steps;
 
   void begin(const Scene& scene, const View& view);
+  /// The same of a scene that is drawn as it is.
+  void beginAsDrawn(const Scene& scene, const View& view);
   /// Runs what the picture under way needs, for about so many milliseconds; true when it is done.
   bool advance(std::optional<double> milliseconds);
   void drop();
@@ -162,8 +165,11 @@ struct PassChain {
   /// World position in the volume of what a pixel shows first; empty for the background, and in the hollow that the
   /// focus leaves in the parts.
   std::optional<glm::dvec3> pickExploded(glm::ivec2 pixel);
-  /// Where a point of the volume is in the picture: with its part, or within a voxel of the focus, in its place.
-  glm::dvec3 explodedPosition(glm::dvec3 world) const;
+  /// Where a point of the volume is in the picture: with its part, or within a voxel of the focus, in its place; on the
+  /// roll, where it is peeled off.
+  glm::dvec3 movedPosition(glm::dvec3 world) const;
+  /// Of a picture with a layer peeled off: what it shows at a place where a ray starts to see.
+  std::optional<PickedPlace> pickPeeled(glm::dvec3 seen, glm::dvec3 ray) const;
   void compose();
   void addExempt();
   // Smooth edges: which pixels they run through, and what their rays see.

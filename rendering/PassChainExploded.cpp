@@ -1,5 +1,5 @@
-// Exploded views (rendering/scene/Explosion.h): the stretches of their rays, and where a place of the picture is in the
-// volume.
+// Exploded views (rendering/scene/Explosion.h): the stretches of their rays; and of them and of peeled volumes
+// (rendering/scene/Peel.h), where a place of the picture is in the volume.
 
 #include <algorithm>
 
@@ -82,7 +82,25 @@ std::optional<glm::dvec3> PassChain::pickExploded(glm::ivec2 pixel) {
   return placeOn(*rays, inFocus);
 }
 
-glm::dvec3 PassChain::explodedPosition(glm::dvec3 world) const {
+std::optional<PickedPlace> PassChain::pickPeeled(glm::dvec3 seen, glm::dvec3 ray) const {
+  // Faces are as soft as a voxel, and the surface lies somewhere in them: from there on, what is first brought there.
+  const glm::dvec3 spacing = gpu->grid().spacing;
+  const double voxel = std::min({spacing.x, spacing.y, spacing.z});
+  constexpr int mostSteps = 8, stepsPerVoxel = 4;
+  for (int i = 0; i <= mostSteps; ++i) {
+    const glm::dvec3 at = seen + (i * voxel / stepsPerVoxel) * ray;
+    const auto source = peeled->sourceOf(at);
+    if (!source) continue;
+    const auto beyond = peeled->sourceOf(at + 0.5 * voxel * ray);
+    const glm::dvec3 on = beyond ? *beyond - *source : glm::dvec3(0.0);
+    // Where the ray leaves the part within half a voxel, it has no direction of its own there.
+    return PickedPlace{*source, glm::length(on) > 0.0 && glm::length(on) < 2.0 * voxel ? glm::normalize(on) : ray};
+  }
+  return std::nullopt;
+}
+
+glm::dvec3 PassChain::movedPosition(glm::dvec3 world) const {
+  if (peeled) return peeled->shownAt(world);
   if (!exploded) return world;
   const Grid& grid = gpu->grid();
   const glm::ivec3 cell(glm::floor(glm::clamp(glm::dvec3(grid.indexFromWorld() * glm::dvec4(world, 1.0)) + 1.0,

@@ -186,24 +186,34 @@ Layers Renderer::readLayers() {
   return layers;
 }
 
-std::optional<glm::dvec3> Renderer::pick(glm::dvec2 pixel) {
+std::optional<PickedPlace> Renderer::pickPlace(glm::dvec2 pixel) {
   PassChain& s = *chain_;
   const glm::ivec2 at(glm::floor(pixel));
   if (!s.shows(at)) return std::nullopt;
-  if (s.exploded) return s.pickExploded(at);
+  const auto place = [&](float position) { return s.rays->worldPosition(glm::dvec2(at) + 0.5, position); };
+  const glm::dvec3 ray = glm::normalize(place(1.0f) - place(0.0f));
+  if (s.exploded) {
+    const std::optional<glm::dvec3> inPart = s.pickExploded(at);
+    return inPart ? std::optional(PickedPlace{*inPart, ray}) : std::nullopt;
+  }
   const float position = s.startAt(at);
   if (!isSomething(position)) return std::nullopt;
-  return s.rays->worldPosition(glm::dvec2(at) + 0.5, position);
+  return s.peeled ? s.pickPeeled(place(position), ray) : PickedPlace{place(position), ray};
 }
 
-bool Renderer::isExploded() const { return chain_->exploded.has_value(); }
+std::optional<glm::dvec3> Renderer::pick(glm::dvec2 pixel) {
+  const std::optional<PickedPlace> picked = pickPlace(pixel);
+  return picked ? std::optional(picked->place) : std::nullopt;
+}
 
-glm::dvec3 Renderer::shownAt(glm::dvec3 world) const { return chain_->explodedPosition(world); }
+bool Renderer::movesContext() const { return chain_->exploded || chain_->peeled; }
+
+glm::dvec3 Renderer::shownAt(glm::dvec3 world) const { return chain_->movedPosition(world); }
 
 std::optional<BrushPoint> Renderer::pickBrush(glm::dvec2 pixel, BrushMode mode, std::optional<glm::dvec3> before) {
   PassChain& s = *chain_;
   const glm::ivec2 at(glm::floor(pixel));
-  if (!s.shows(at) || s.exploded) return std::nullopt;
+  if (!s.shows(at) || movesContext()) return std::nullopt;
   const glm::vec2 hit = s.hitAt(at);
   const float context = hit.x, start = s.startAt(at);
   float position = context;

@@ -64,6 +64,11 @@ struct PassStats {
 };
 
 /// Needs a current OpenGL 4.5 context in every call, always the same one or one that shares with it. Move-only.
+/// A place of the volume, world, and the unit direction there of a ray that meets it.
+struct PickedPlace {
+  glm::dvec3 place, ray;
+};
+
 class Renderer {
  public:
   /// `gpuScene` may be shared by several renderers whose contexts share objects: voxels are uploaded once.
@@ -110,10 +115,13 @@ class Renderer {
   /// World position of what pixel (i, j from the top, in rendered pixels) of the last picture shows: where its ray
   /// starts to see. Empty where it shows the background.
   /// In an exploded view, the position is that in the volume; empty also in the hollow that the focus leaves.
+  /// Where a layer is peeled off, it is that in the volume, too.
   std::optional<glm::dvec3> pick(glm::dvec2 pixel);
-  bool isExploded() const;  ///< the last picture is an exploded view
+  /// The same, and how the ray goes on in the volume from there.
+  std::optional<PickedPlace> pickPlace(glm::dvec2 pixel);
+  bool movesContext() const;  ///< the last picture is an exploded view, or a layer is peeled off
   /// Where the last picture shows a world position: in an exploded view where its part is, but for what is in focus or
-  /// within a voxel of it.
+  /// within a voxel of it; on the roll, where it is peeled off and not in focus.
   glm::dvec3 shownAt(glm::dvec3 world) const;
 
   /// Where a brush at pixel (i, j), in rendered pixels as for pick(), touches. Open cuts into what is seen: its anchor
@@ -121,8 +129,8 @@ class Renderer {
   /// dig itself in. The other modes are about the context that lies, or lay, before it: theirs is the context's first
   /// surface, even where the cutaway removed it; a point of that surface is the same from every side, which one of the
   /// cut face is not. Where the ray meets nothing, the point of the ray as deep in the view as `before`, a stroke's
-  /// last anchor, so that a stroke can leave the body and come back; empty without one. An exploded view has no place
-  /// for a brush: empty.
+  /// last anchor, so that a stroke can leave the body and come back; empty without one. An exploded view and a peeled
+  /// volume have no place for a brush: empty.
   std::optional<BrushPoint> pickBrush(glm::dvec2 pixel, BrushMode mode, std::optional<glm::dvec3> before = {});
 
   /// Measures each pass with timer queries; waits for the GPU, so off by default.

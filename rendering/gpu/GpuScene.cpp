@@ -91,6 +91,12 @@ std::vector<std::uint8_t> GpuScene::drawnOccupied(const FocusIndex& focus) const
 }
 
 bool GpuScene::holds(const Scene& scene) const {
+  if (!peeler_.knows(scene)) return false;
+  const auto peeled = peeler_.known(scene);
+  return holdsAsDrawn(peeled ? peeled->scene : scene);
+}
+
+bool GpuScene::holdsAsDrawn(const Scene& scene) const {
   if (!shown_.volume || fitted_.isOfOther(scene) || scene.look.focus != focusWanted_) return false;
   if (std::holds_alternative<LabelFocus>(scene.look.focus) &&
       (scene.labels != labelSource_ || scene.look.labelSmoothing != labelSmoothing_))

@@ -22,6 +22,7 @@
 #include "rendering/gpu/TransferTables.h"
 #include "rendering/gpu/VolumeTexture.h"
 #include "rendering/scene/Fading.h"
+#include "rendering/scene/PeeledScene.h"
 #include "rendering/scene/Scene.h"
 
 namespace fenestra {
@@ -47,8 +48,10 @@ class GpuScene {
   /// for is thinned by whole factors. Throws RenderError, gl::AllocationError.
   void update(const Scene& scene);
   /// What takes long to make of this scene is there: its voxels, its focus, what its light and its context layer need.
-  /// update() is quick then.
+  /// peeled() and update() are quick then. Of a scene with a layer peeled off: what takes long to make of peeled().
   bool holds(const Scene& scene) const;
+  /// The scene with its layer peeled off, in place of which pictures draw it; null where nothing is peeled.
+  std::shared_ptr<const PeeledScene> peeled(const Scene& scene) { return peeler_.of(scene); }
   /// The scene whose voxels are on the device, of the volume that was last brought up to date: `scene` itself, or its
   /// voxels thinned.
   Scene drawn(const Scene& scene) { return fitted_.of(scene); }
@@ -160,6 +163,7 @@ class GpuScene {
 
  private:
   void release();
+  bool holdsAsDrawn(const Scene& scene) const;
   void chooseRefinement(const Scene& scene, const DeviceLimits& limits);
   /// By brick of the drawn grid: 1 where some of the focus lies in it, else 0.
   std::vector<std::uint8_t> drawnOccupied(const FocusIndex& focus) const;
@@ -196,6 +200,7 @@ class GpuScene {
   gl::SharedPrograms programs_;
   std::optional<Schedule> schedule_;
   std::optional<DeviceLimits> limits_;
+  Peeler peeler_;
   FittedScene fitted_;
   ShownVolume shown_;
   std::shared_ptr<const LabelMap> labels_, labelSource_;  ///< as drawn, and as given

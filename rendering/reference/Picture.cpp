@@ -6,6 +6,7 @@
 #include "rendering/reference/Lens.h"
 #include "rendering/reference/Light.h"
 #include "rendering/reference/Occlusion.h"
+#include "rendering/reference/Peeled.h"
 #include "rendering/reference/Strokes.h"
 #include "rendering/reference/Walls.h"
 #include "rendering/scene/EdgeRays.h"
@@ -406,6 +407,7 @@ Scene asDrawn(Scene scene, const View& view) {
 
 Picture picture(const Scene& scene, const Camera& camera, glm::ivec2 size, const Stages& stages,
                 const PictureOptions& options) {
+  if (const auto peeled = peeledScene(scene)) return picture(*peeled, camera, size, stages, options);
   const bool cutaway = hasCutaway(scene), smooth = scene.look.edges == Edges::Smooth;
   std::vector<glm::ivec2> pixels = pixelsOf(size, options);
   const std::size_t count = pixels.size();

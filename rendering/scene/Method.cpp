@@ -75,6 +75,15 @@ MethodStages stagesOf(const Method& method) {
       stages.hasWidth = stages.hasBorder = false;
       return stages;
     }
+    case MethodKind::Peel: {
+      MethodStages stages;
+      stages.start = MethodStages::Start::Entry;
+      stages.hasWidth = stages.hasBorder = false;
+      if (method.peel > 0.0)
+        stages.peel = {method.peel,      method.peelSide,   method.peelTurn,
+                       method.peelDepth, method.peelRadius, method.peelMargin};
+      return stages;
+    }
     case MethodKind::Selection: {
       MethodStages stages;
       MethodStages::Fading ghosted;

@@ -20,7 +20,10 @@ namespace fenestra {
 /// views for volume data, IEEE TVCG 12(5) (IEEE Visualization), 2006. Sculpt and Bend open nothing themselves: what the
 /// user carves out of the volume is the opening, by the tools of Wang and Kaufman, or by the plane of Konrad-Verse et
 /// al. (Removal.h). Selection: S. Bruckner, M. E. Gröller: VolumeShop: An interactive
-/// system for direct volume illustration, IEEE Visualization 2005.
+/// system for direct volume illustration, IEEE Visualization 2005. Peel: M. J. McGuffin, L. Tancau, R. Balakrishnan:
+/// Using deformations for browsing volumetric data, IEEE Visualization 2003; that the focus is left out of the
+/// deformation: C. D. Correa, D. Silver, M. Chen: Feature aligned volume manipulation for illustration and
+/// visualization, IEEE TVCG 12(5), 2006.
 enum class MethodKind : std::uint8_t {
   Adaptive,
   Cone,
@@ -32,7 +35,8 @@ enum class MethodKind : std::uint8_t {
   Explode,
   Sculpt,
   Bend,
-  Selection
+  Selection,
+  Peel
 };
 
 /// Maximum importance projection removes what hides the focus, in cones that widen towards the eye. Average importance
@@ -55,6 +59,8 @@ enum class WallPlacement : std::uint8_t { Around, Inside };
 /// Of an exploded view: how many planes cut the volume into parts, and along what the planes lie.
 enum class ExplosionPlanes : std::uint8_t { One, Two, Three };
 enum class ExplosionAxes : std::uint8_t { Patient, View };
+/// The side of the patient that a layer is peeled off.
+enum class PeelSide : std::uint8_t { Anterior, Posterior, Left, Right, Superior, Inferior };
 
 struct Method {
   MethodKind kind = MethodKind::Adaptive;
@@ -85,6 +91,12 @@ struct Method {
   double ghostStrength = 1.0;  ///< of Selection, 0..1: the share of what is flat that gives way; 0 fades nothing
   double ghostEdge = 10.0;     ///< % of the steepest gradient, 0.01 to 1000: of it half stays
   double ghostOutline = 0.5;   ///< 0..1: the share of edges that face the eye that gives way, too
+  double peel = 1.0;           ///< of Peel: 0, the layer lies in its place, to 1, nothing of it lies before the focus
+  PeelSide peelSide = PeelSide::Anterior;
+  double peelTurn = 0.0;     ///< degrees, -180 to 180, of the cut around the side's axis
+  double peelDepth = 0.5;    ///< 0, the layer ends just before the focus, to 1, just behind it
+  double peelRadius = 15.0;  ///< mm, 1 to 1000: of the hollow in the roll
+  double peelMargin = 10.0;  ///< mm, 0 to 1e5: how far the opening reaches beyond the focus
   bool operator==(const Method&) const = default;
 };
 
@@ -222,6 +234,16 @@ struct MethodStages {
     bool operator==(const Explosion&) const = default;
   };
   std::optional<Explosion> explosion{};
+  /// Where a layer of the context is peeled off; rendering/scene/Peel.h defines where to.
+  struct Peel {
+    double amount = 0.0;  ///< above 0, at most 1
+    PeelSide side = PeelSide::Anterior;
+    double turn = 0.0;                  ///< degrees
+    double depth = 0.0;                 ///< 0..1
+    double radius = 1.0, margin = 0.0;  ///< mm
+    bool operator==(const Peel&) const = default;
+  };
+  std::optional<Peel> peel{};
   bool hasBorder = true;  ///< w_border says how wide the line around the opening is; else it counts as 0
 
   /// Something of what the opening removes may show.

@@ -58,7 +58,11 @@ constexpr auto wordsOf(MethodKind) {
         "(Konrad-Verse, Preim and Littmann 2004)"},
        {MethodKind::Selection, "selection", "Ghosted selection",
         "Nothing is cut away: in front of the focus, and in the opening around it, what is flat gives way and edges "
-        "stay, like a ghost of it; what is in focus stays as it is (Bruckner and Gröller 2005)"}});
+        "stay, like a ghost of it; what is in focus stays as it is (Bruckner and Gröller 2005)"},
+       {MethodKind::Peel, "peel", "Peeling",
+        "A layer in front of the focus is cut in two, and its halves are rolled aside like a peel; what is in focus "
+        "stays "
+        "in its place (McGuffin et al. 2003; Correa et al. 2006)"}});
 }
 constexpr auto wordsOf(WallPlacement) {
   return std::to_array<Word<WallPlacement>>(
@@ -78,6 +82,14 @@ constexpr auto wordsOf(ExplosionAxes) {
       {{ExplosionAxes::Patient, "patient", "The patient",
         "Planes along the patient's axes: left and right are the patient's"},
        {ExplosionAxes::View, "view", "The view", "Planes along the picture's axes, which turn with the camera"}});
+}
+constexpr auto wordsOf(PeelSide) {
+  return std::to_array<Word<PeelSide>>({{PeelSide::Anterior, "anterior", "The front", "The patient's anterior side"},
+                                        {PeelSide::Posterior, "posterior", "The back", "The patient's posterior side"},
+                                        {PeelSide::Left, "left", "The left", "The patient's left side"},
+                                        {PeelSide::Right, "right", "The right", "The patient's right side"},
+                                        {PeelSide::Superior, "superior", "Above", "The patient's superior side"},
+                                        {PeelSide::Inferior, "inferior", "Below", "The patient's inferior side"}});
 }
 constexpr auto wordsOf(RemovalShape) {
   return std::to_array<Word<RemovalShape>>(

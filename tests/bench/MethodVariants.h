@@ -36,7 +36,7 @@ inline std::vector<MethodVariant> methodVariants() {
   add(MethodKind::ClearView);
   add(MethodKind::ContextPreserving);
   add(MethodKind::FocalRegion);
-  for (const MethodKind kind : {MethodKind::Walls, MethodKind::Explode, MethodKind::Selection}) {
+  for (const MethodKind kind : {MethodKind::Walls, MethodKind::Explode, MethodKind::Selection, MethodKind::Peel}) {
     add(kind);
     list.back().measured = false;
   }

@@ -23,6 +23,8 @@ const std::vector<std::string> methods{
     "--method explode --explosion 0.6 --explosion-planes three",
     "--method explode --explosion 0.3 --explosion-planes one --explosion-axes view",
     "--method selection --ghost-strength 0.8 --ghost-edge 20 --ghost-outline 0.25",
+    "--method peel --peel 0.7 --peel-depth 0.3 --peel-radius 20 --peel-margin 12",
+    "--method peel --peel-side left --peel-turn 30",
     "--method clearview --lens-radius 50 --lens-fade depth"};
 
 TEST_F(MethodCommand, PicturesAreTheReferences) {
@@ -44,15 +46,18 @@ TEST_F(MethodCommand, ParametersOfOtherMethodsLeaveThePictureAsItIs) {
                    "--lens-radius 60 --lens-fade depth --lens-bends 3 --lens-rim 5 --fade-reach 9 --fade-sharpness 2 "
                    "--focal-shape box --focal-size 9 --focal-fall-off 3 --wall-placement inside --wall-coronal off "
                    "--crosshair 1,2,3 --window 10 --level 5 --explosion 0.9 --explosion-planes three "
-                   "--explosion-axes view --ghost-strength 0.3 --ghost-edge 40 --ghost-outline 0.9"),
+                   "--explosion-axes view --ghost-strength 0.3 --ghost-edge 40 --ghost-outline 0.9 "
+                   "--peel 0.3 --peel-side left --peel-turn 20 --peel-depth 0.9 --peel-radius 50 --peel-margin 40"),
             0);
   EXPECT_EQ(bytes("plain.png"), bytes("same.png"));
 }
 
-TEST_F(MethodCommand, AnExplodedViewOfNoDegreesIsThePlainPicture) {
+TEST_F(MethodCommand, WhatIsNeitherExplodedNorPeeledIsThePlainPicture) {
   ASSERT_EQ(render("plain.png", "--cutaway off"), 0);
   ASSERT_EQ(render("together.png", "--method explode --explosion 0"), 0);
   EXPECT_EQ(bytes("plain.png"), bytes("together.png"));
+  ASSERT_EQ(render("in-place.png", "--method peel --peel 0"), 0);
+  EXPECT_EQ(bytes("plain.png"), bytes("in-place.png"));
 }
 
 TEST_F(MethodCommand, ASessionKeepsEach) {
@@ -113,7 +118,13 @@ TEST_F(MethodCommand, RefusesWhatIsNoAngleAndNoShare) {
                                   "--explosion-axes up",
                                   "--ghost-strength 1.1",
                                   "--ghost-edge 0",
-                                  "--ghost-outline -0.1"})
+                                  "--ghost-outline -0.1",
+                                  "--peel 1.1",
+                                  "--peel-side front",
+                                  "--peel-turn 181",
+                                  "--peel-depth -0.1",
+                                  "--peel-radius 0",
+                                  "--peel-margin -1"})
     EXPECT_EQ(render("x.png", wrong), 2) << wrong;
   EXPECT_FALSE(std::filesystem::exists(at("x.png")));
 }

@@ -133,7 +133,7 @@ TEST_F(Exploded, PicksAreOfTheVolumeAndShowWhereTheyWerePicked) {
     const View view = viewOf(scene, 35.0, 20.0);
     Renderer renderer(gpu());
     renderer.render(scene, view);
-    ASSERT_TRUE(renderer.isExploded());
+    ASSERT_TRUE(renderer.movesContext());
     const std::vector<glm::vec4> picture = renderer.readLayers().final;
     int picked = 0, moved = 0;
     for (int j = 0; j < size.y; j += 3)

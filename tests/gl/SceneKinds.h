@@ -145,7 +145,8 @@ inline std::vector<std::pair<std::string, Method>> otherMethods() {
            {.kind = MethodKind::FocalRegion, .focalShape = FocalShape::Box, .focalSize = 6.0, .focalFallOff = 9.0}},
           {"exploded along the view",
            {.kind = MethodKind::Explode, .explosion = 0.4, .explosionAxes = ExplosionAxes::View}},
-          {"sculpting, with nothing carved", {.kind = MethodKind::Sculpt}}};
+          {"sculpting, with nothing carved", {.kind = MethodKind::Sculpt}},
+          {"peeled", {.kind = MethodKind::Peel, .peel = 0.7, .peelRadius = 4.0, .peelMargin = 2.0}}};
 }
 
 /// A body cut by a box and two planes, with faces in grey or as the transfer function shows them.

@@ -89,6 +89,7 @@ const std::vector<Change> changes{
        scene.look.method = {.kind = MethodKind::Walls, .wallPlacement = WallPlacement::Inside};
      }},
     {"exploded", [](Scene& scene, View&) { scene.look.method.kind = MethodKind::Explode; }},
+    {"peeled", [](Scene& scene, View&) { scene.look.method.kind = MethodKind::Peel; }},
     {"ghosted selection", [](Scene& scene, View&) { scene.look.method.kind = MethodKind::Selection; }},
     {"smooth edges", [](Scene& scene, View&) { scene.look.edges = Edges::Smooth; }},
 };

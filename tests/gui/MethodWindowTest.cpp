@@ -46,11 +46,12 @@ TEST_F(MethodWindow, ListsEachMethodWithAToolTip) {
   for (int row = 0; row < box->count(); ++row)
     EXPECT_GT(box->itemData(row, Qt::ToolTipRole).toString().size(), 40) << row;
   for (const char* key :
-       {"cone_angle",       "importance",     "sparseness",     "importance_angle", "importance_opacity",
-        "lens_radius",      "lens_bends",     "lens_fade",      "lens_rim",         "fade_reach",
-        "fade_sharpness",   "focal_shape",    "focal_size",     "focal_fall_off",   "wall_placement",
-        "wall_axial",       "wall_sagittal",  "wall_coronal",   "wall_outlines",    "explosion",
-        "explosion_planes", "explosion_axes", "ghost_strength", "ghost_edge",       "ghost_outline"})
+       {"cone_angle",    "importance",     "sparseness",       "importance_angle", "importance_opacity", "lens_radius",
+        "lens_bends",    "lens_fade",      "lens_rim",         "fade_reach",       "fade_sharpness",     "focal_shape",
+        "focal_size",    "focal_fall_off", "wall_placement",   "wall_axial",       "wall_sagittal",      "wall_coronal",
+        "wall_outlines", "explosion",      "explosion_planes", "explosion_axes",   "ghost_strength",     "ghost_edge",
+        "ghost_outline", "peel",           "peel_side",        "peel_turn",        "peel_depth",         "peel_radius",
+        "peel_margin"})
     EXPECT_FALSE(shows(key)) << key;
 }
 
@@ -319,6 +320,56 @@ TEST_F(MethodWindow, AGhostedSelectionKeepsEdgesInItsOpening) {
   EXPECT_EQ(picture(volume(0)), adaptive) << "to the bit";
 }
 
+TEST_F(MethodWindow, PeelingHasAnAmountASideAndAShape) {
+  cameras().setAnimated(false);
+  const QImage adaptive = picture(volume(0));
+  const int steps = document().undoStack().index(), width = panel<CutawayPanel>().width();
+  choose("kind", MethodKind::Peel);
+  waitUntilDrawn();
+  EXPECT_EQ(panel<CutawayPanel>().width(), width);
+  for (const char* key : {"peel", "peel_side", "peel_turn", "peel_depth", "peel_radius", "peel_margin"})
+    EXPECT_TRUE(shows(key)) << key;
+  for (const char* key : {"explosion", "focal_size", "ghost_edge"}) EXPECT_FALSE(shows(key)) << key;
+  EXPECT_FALSE(control<SliderSpin>("open_width")->isEnabled() || panel<ContextLayerPanel>().isEnabled());
+  QImage before = picture(volume(0));
+  EXPECT_NE(before, adaptive);
+  const auto expectChange = [&](const char* key) {
+    waitUntilDrawn();
+    EXPECT_NE(picture(volume(0)), before) << key;
+    before = picture(volume(0));
+  };
+  const std::vector<std::pair<const char*, double>> values{
+      {"peel", 0.6}, {"peel_turn", 35.0}, {"peel_depth", 0.2}, {"peel_radius", 30.0}, {"peel_margin", 3.0}};
+  for (const auto& [key, value] : values) {
+    control<SliderSpin>(key)->box()->setValue(value);
+    expectChange(key);
+  }
+  choose("peel_side", PeelSide::Left);
+  expectChange("peel_side");
+  const Method& method = document().look().method;
+  EXPECT_TRUE(method.peel == 0.6 && method.peelTurn == 35.0 && method.peelDepth == 0.2 && method.peelRadius == 30.0 &&
+              method.peelMargin == 3.0 && method.peelSide == PeelSide::Left);
+  while (document().undoStack().index() > steps) document().undoStack().undo();
+  waitUntilDrawn();
+  ASSERT_EQ(picture(volume(0)).size(), adaptive.size());
+  EXPECT_EQ(picture(volume(0)), adaptive) << "to the bit";
+}
+
+TEST_F(MethodWindow, ALayerIsPeeledOffWhenTheMethodIsChosenAndBackWhenItIsLeft) {
+  const auto shown = [&] { return volume(0)->shownScene().look.method; };
+  cameras().setAnimated(true);
+  choose("kind", MethodKind::Peel);
+  const double amount = document().look().method.peel;
+  EXPECT_LT(shown().peel, 0.5 * amount);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return shown().peel == amount; }, 20000));
+  waitUntilDrawn();
+  choose("kind", MethodKind::Adaptive);
+  EXPECT_EQ(shown().kind, MethodKind::Peel);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return shown() == document().look().method; }, 20000));
+  waitUntilDrawn();
+  cameras().setAnimated(false);
+}
+
 TEST_F(MethodWindow, PartsMoveOutWhenTheMethodIsChosenAndBackWhenItIsLeft) {
   const auto shown = [&] { return volume(0)->shownScene().look.method; };
   cameras().setAnimated(true);
@@ -361,7 +412,7 @@ TEST_F(MethodWindow, TextsAreTranslated) {
   document().edit(QStringLiteral("cone"), look);
   QStringList texts;
   for (const char* key : {"kind", "importance", "sparseness", "lens_fade", "focal_shape", "wall_placement",
-                          "explosion_planes", "explosion_axes"}) {
+                          "explosion_planes", "explosion_axes", "peel_side"}) {
     const auto* box = shown.findChild<QComboBox*>(QLatin1String(key));
     texts << box->toolTip();
     for (int row = 0; row < box->count(); ++row)
@@ -369,7 +420,8 @@ TEST_F(MethodWindow, TextsAreTranslated) {
   }
   for (const char* key :
        {"cone_angle", "importance_angle", "importance_opacity", "open_width", "lens_radius", "lens_bends", "fade_reach",
-        "fade_sharpness", "focal_size", "focal_fall_off", "explosion", "ghost_strength", "ghost_edge", "ghost_outline"})
+        "fade_sharpness", "focal_size", "focal_fall_off", "explosion", "ghost_strength", "ghost_edge", "ghost_outline",
+        "peel", "peel_turn", "peel_depth", "peel_radius", "peel_margin"})
     texts << shown.findChild<SliderSpin*>(QLatin1String(key))->toolTip();
   look.method.kind = MethodKind::ClearView;
   document().edit(QStringLiteral("lens"), look);

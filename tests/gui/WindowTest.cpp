@@ -86,9 +86,9 @@ int expectSlidersAsDeclared(const QWidget& panel) {
 
 TEST_F(Window, SlidersAreThoseOfTheDeclaredSettings) {
   EXPECT_EQ(expectSlidersAsDeclared<Cutaway>(panel<CutawayPanel>()), 3);
-  EXPECT_EQ(expectSlidersAsDeclared<Method>(panel<CutawayPanel>()), 13);
+  EXPECT_EQ(expectSlidersAsDeclared<Method>(panel<CutawayPanel>()), 18);
   EXPECT_EQ(expectSlidersAsDeclared<CarvingSettings>(panel<CutawayPanel>()), 3);
-  EXPECT_EQ(panel<CutawayPanel>().findChildren<SliderSpin*>().size(), 19) << "one each";
+  EXPECT_EQ(panel<CutawayPanel>().findChildren<SliderSpin*>().size(), 24) << "one each";
   EXPECT_EQ(expectSlidersAsDeclared<ContextLayer>(panel<ContextLayerPanel>()), 5);
   EXPECT_EQ(panel<ContextLayerPanel>().findChildren<SliderSpin*>().size(), 5) << "one each";
 }

@@ -8,6 +8,7 @@
 
 #include "rendering/scene/Explosion.h"
 #include "rendering/scene/Fading.h"
+#include "rendering/scene/Peel.h"
 #include "rendering/scene/Scene.h"
 #include "rendering/scene/Settings.h"
 
@@ -153,6 +154,32 @@ TEST(Method, AGhostedSelectionOpensAsTheAdaptiveCutawayDoes) {
   EXPECT_EQ(fadingOf(scene.look), stagesOf(method).fading);
   scene.look.cutaway.enabled = false;
   EXPECT_FALSE(fadingOf(scene.look));
+}
+
+TEST(Method, PeelingOpensNothingAndAtAmountZeroIsPlain) {
+  Method method{.kind = MethodKind::Peel,
+                .peel = 0.75,
+                .peelSide = PeelSide::Left,
+                .peelTurn = 12.0,
+                .peelDepth = 0.25,
+                .peelRadius = 9.0,
+                .peelMargin = 3.0};
+  const MethodStages stages = stagesOf(method);
+  EXPECT_EQ(stages.start, MethodStages::Start::Entry);
+  EXPECT_FALSE(stages.hasWidth || stages.hasBorder || stages.keepsRemoved() || stages.fading || stages.explosion);
+  EXPECT_EQ(stages.peel, (MethodStages::Peel{0.75, PeelSide::Left, 12.0, 0.25, 9.0, 3.0}));
+  Scene scene;
+  scene.look.focus = LabelFocus{{1}};
+  scene.look.method = method;
+  EXPECT_FALSE(hasCutaway(scene));
+  EXPECT_EQ(peelOf(scene.look), stages.peel);
+  scene.look.cutaway.enabled = false;
+  EXPECT_FALSE(peelOf(scene.look));
+  method.peel = 0.0;
+  EXPECT_FALSE(stagesOf(method).peel);
+  method = {
+      .peel = 0.5, .peelSide = PeelSide::Left, .peelTurn = 5.0, .peelDepth = 0.1, .peelRadius = 2.0, .peelMargin = 1.0};
+  EXPECT_EQ(stagesOf(method), MethodStages{});
 }
 
 TEST(Method, DistancesRunOverTheBoundingSphere) {

@@ -49,6 +49,7 @@ CutawayPanel::CutawayPanel(Document& document, Carving& carving, QWidget* parent
       wallPlacement_(methodControls_.choice(&Method::wallPlacement)),
       explosionPlanes_(methodControls_.choice(&Method::explosionPlanes)),
       explosionAxes_(methodControls_.choice(&Method::explosionAxes)),
+      peelSide_(methodControls_.choice(&Method::peelSide)),
       coneAngle_(methodControls_.slider(&Method::coneAngle)),
       importanceAngle_(methodControls_.slider(&Method::importanceAngle)),
       importanceOpacity_(methodControls_.slider(&Method::importanceOpacity)),
@@ -62,6 +63,11 @@ CutawayPanel::CutawayPanel(Document& document, Carving& carving, QWidget* parent
       ghostStrength_(methodControls_.slider(&Method::ghostStrength)),
       ghostEdge_(methodControls_.slider(&Method::ghostEdge)),
       ghostOutline_(methodControls_.slider(&Method::ghostOutline)),
+      peel_(methodControls_.slider(&Method::peel)),
+      peelTurn_(methodControls_.slider(&Method::peelTurn)),
+      peelDepth_(methodControls_.slider(&Method::peelDepth)),
+      peelRadius_(methodControls_.slider(&Method::peelRadius)),
+      peelMargin_(methodControls_.slider(&Method::peelMargin)),
       lensRim_(methodControls_.spin(&Method::lensRim, 5.0)),
       wallAxial_(methodControls_.box(&Method::wallAxial)),
       wallSagittal_(methodControls_.box(&Method::wallSagittal)),
@@ -105,8 +111,8 @@ void CutawayPanel::addMethod(QFormLayout& form) {
   form.addRow(name(settingOf(&Method::kind)), method_);
   form.addRow(name(settingOf(&Method::coneAngle)), coneAngle_);
   // A row that appears must not widen the panel and so push the views aside.
-  for (QComboBox* box :
-       {importanceMode_, sparseness_, lensFade_, focalShape_, wallPlacement_, explosionPlanes_, explosionAxes_}) {
+  for (QComboBox* box : {importanceMode_, sparseness_, lensFade_, focalShape_, wallPlacement_, explosionPlanes_,
+                         explosionAxes_, peelSide_}) {
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     box->setMinimumContentsLength(5);
   }
@@ -144,6 +150,12 @@ void CutawayPanel::addMethod(QFormLayout& form) {
   form.addRow(name(settingOf(&Method::ghostStrength)), ghostStrength_);
   form.addRow(name(settingOf(&Method::ghostEdge)), ghostEdge_);
   form.addRow(name(settingOf(&Method::ghostOutline)), ghostOutline_);
+  form.addRow(name(settingOf(&Method::peel)), peel_);
+  form.addRow(name(settingOf(&Method::peelSide)), peelSide_);
+  form.addRow(name(settingOf(&Method::peelTurn)), peelTurn_);
+  form.addRow(name(settingOf(&Method::peelDepth)), peelDepth_);
+  form.addRow(name(settingOf(&Method::peelRadius)), peelRadius_);
+  form.addRow(name(settingOf(&Method::peelMargin)), peelMargin_);
 }
 
 void CutawayPanel::addFreeze(QAction* freeze) {
@@ -197,16 +209,23 @@ void CutawayPanel::showMethod() {
   form_->setRowVisible(explosionAxes_, explodes);
   form_->setRowVisible(carving_, method.kind == MethodKind::Sculpt || method.kind == MethodKind::Bend);
   for (QWidget* row : {ghostStrength_, ghostEdge_, ghostOutline_}) form_->setRowVisible(row, byGhost);
+  for (QWidget* row :
+       std::initializer_list<QWidget*>{peel_, peelSide_, peelTurn_, peelDepth_, peelRadius_, peelMargin_})
+    form_->setRowVisible(row, method.kind == MethodKind::Peel);
   QString tip = translated(wordOf(method.kind).description);
   if (opens && !opensBetweenPixels(method.kind))
     tip += QStringLiteral("\n") + tr("Smooth edges, by several rays a pixel, are the adaptive cutaway's alone");
   method_->setToolTip(tip);
-  for (QWidget* widget : std::initializer_list<QWidget*>{
-           method_,        coneAngle_,    importanceMode_, sparseness_,      importanceAngle_, importanceOpacity_,
-           lensFade_,      lensRadius_,   lensBends_,      lensRim_,         fadeReach_,       fadeSharpness_,
-           focalShape_,    focalSize_,    focalFallOff_,   wallPlacement_,   wallAxial_,       wallSagittal_,
-           wallCoronal_,   wallOutlines_, explosion_,      explosionPlanes_, explosionAxes_,   carving_,
-           ghostStrength_, ghostEdge_,    ghostOutline_})
+  for (QWidget* widget :
+       std::initializer_list<QWidget*>{method_,          coneAngle_,         importanceMode_, sparseness_,
+                                       importanceAngle_, importanceOpacity_, lensFade_,       lensRadius_,
+                                       lensBends_,       lensRim_,           fadeReach_,      fadeSharpness_,
+                                       focalShape_,      focalSize_,         focalFallOff_,   wallPlacement_,
+                                       wallAxial_,       wallSagittal_,      wallCoronal_,    wallOutlines_,
+                                       explosion_,       explosionPlanes_,   explosionAxes_,  carving_,
+                                       ghostStrength_,   ghostEdge_,         ghostOutline_,   peel_,
+                                       peelSide_,        peelTurn_,          peelDepth_,      peelRadius_,
+                                       peelMargin_})
     widget->setEnabled(open);
   for (QWidget* widget : std::initializer_list<QWidget*>{look_, axisOffset_, unit_}) widget->setEnabled(open && opens);
   axisDirection_->setEnabled(axisDirection_->isEnabled() && opens);

@@ -34,9 +34,10 @@ class CutawayPanel : public QWidget {
   QHBoxLayout *axis_, *importance_, *lens_, *wallPlanes_;
   QFormLayout* form_;
   QComboBox *method_, *importanceMode_, *sparseness_, *lensFade_, *focalShape_, *wallPlacement_, *explosionPlanes_,
-      *explosionAxes_;
+      *explosionAxes_, *peelSide_;
   SliderSpin *coneAngle_, *importanceAngle_, *importanceOpacity_, *lensRadius_, *lensBends_, *fadeReach_,
-      *fadeSharpness_, *focalSize_, *focalFallOff_, *explosion_, *ghostStrength_, *ghostEdge_, *ghostOutline_;
+      *fadeSharpness_, *focalSize_, *focalFallOff_, *explosion_, *ghostStrength_, *ghostEdge_, *ghostOutline_, *peel_,
+      *peelTurn_, *peelDepth_, *peelRadius_, *peelMargin_;
   QDoubleSpinBox* lensRim_;
   QCheckBox *wallAxial_, *wallSagittal_, *wallCoronal_, *wallOutlines_;
   CarvingRows* carving_;

@@ -9,6 +9,7 @@
 #include "rendering/scene/Fading.h"
 #include "rendering/scene/FaintLabels.h"
 #include "rendering/scene/Occlusion.h"
+#include "rendering/scene/Peel.h"
 #include "rendering/scene/Walls.h"
 
 namespace fenestra::viewer {
@@ -75,7 +76,8 @@ View middleOf(View view) {
 bool followsFocus(GpuScene& gpuScene, const Scene& scene) {
   GpuScene::Versions before = gpuScene.versions();
   const bool hadNormals{gpuScene.focusSmooth()};
-  gpuScene.update(scene);
+  const auto peeled = gpuScene.peeled(scene);
+  gpuScene.update(peeled ? peeled->scene : scene);
   before.focus = gpuScene.versions().focus;
   before.palette = gpuScene.versions().palette;
   return before == gpuScene.versions() && hadNormals == static_cast<bool>(gpuScene.focusSmooth());
@@ -144,6 +146,10 @@ Scene ScenePreparation::held(Scene scene) const {
   earlier.structures = prepared_->structures;
   earlier.look.focus = prepared_->look.focus;
   earlier.look.labelSmoothing = prepared_->look.labelSmoothing;
+  if (peelOf(earlier.look) || peelOf(prepared_->look)) {
+    earlier.look.method = prepared_->look.method;
+    earlier.look.cutaway.enabled = prepared_->look.cutaway.enabled;
+  }
   return gpuScene_->holds(earlier) ? earlier : scene;
 }
 

@@ -37,8 +37,8 @@ class ScenePreparation {
   void runBehind(RenderContext::Work work, RenderContext::Done done);
   /// Another thread has the context, for something that is waited for.
   bool isBusy() const { return context_.isBusy() && !isAhead_; }
-  /// `scene` as far as the device holds it: with the focus that was prepared last, where that of `scene` is still to be
-  /// prepared.
+  /// `scene` as far as the device holds it: with the focus that was prepared last, or peeled as far, where that of
+  /// `scene` is still to be prepared.
   Scene held(Scene scene) const;
   /// Of the last scene that was prepared.
   Schedule schedule() const { return schedule_; }

@@ -40,7 +40,7 @@ ViewArea::ViewArea(Document& document, SliceCursor& cursor, ViewLink& cameras, V
   if (gl.available) {
     preparation_ = std::make_shared<ScenePreparation>(chooseSchedule);
     const VolumeView::Shared shared{preparation_, pacer_, std::make_shared<DrawingTurns>(*pacer_),
-                                    std::make_shared<ExplosionFlight>(document, cameras), gl.software};
+                                    std::make_shared<ContextFlight>(document, cameras), gl.software};
     for (int index = 0; index < ViewLink::count; ++index) {
       auto* view = new VolumeView(index, document, cursor, cameras, options, brush, carving, selection, shared);
       connectView(view);

@@ -83,7 +83,7 @@ VolumeView::VolumeView(int index, Document& document, SliceCursor& cursor, ViewL
     if (view == index_) follow();
   });
   connect(&cameras, &ViewLink::released, this, &VolumeView::settleAtOnce);
-  connect(shared_.explosion.get(), &ExplosionFlight::moved, this, &VolumeView::redraw);
+  connect(shared_.flight.get(), &ContextFlight::moved, this, &VolumeView::redraw);
   connect(shared_.turns.get(), &DrawingTurns::turn, this, [this, isAwaited](int view) {
     if (view == index_ && !*isAwaited) draw(shownScene());
   });
@@ -125,8 +125,7 @@ bool VolumeView::inContext(const std::function<void(const std::shared_ptr<GpuSce
 
 bool VolumeView::isSettled() const {
   const bool told = index_ != 0 || !startsDue_;  // the slices draw the opening of the first view
-  return (settled_ && !isNew_ && told && !shared_.explosion->isFlying()) || !problem_.isEmpty() ||
-         !document_.hasVolume();
+  return (settled_ && !isNew_ && told && !shared_.flight->isFlying()) || !problem_.isEmpty() || !document_.hasVolume();
 }
 
 void VolumeView::disturb(int views) {
@@ -321,7 +320,7 @@ std::optional<FinishedPicture> VolumeView::finishedPicture() {
 
 Scene VolumeView::shownScene() const {
   Scene scene = document_.scene();
-  scene.look = shared_.explosion->shown(std::move(scene.look));
+  scene.look = shared_.flight->shown(std::move(scene.look));
   scene.look.strokes = strokesIn(index_, scene.look.strokes);
   return scene;
 }
@@ -463,10 +462,11 @@ std::optional<VolumeView::Hit> VolumeView::pick(QPointF position) {
   std::optional<Hit> hit;
   attemptOnPicture([&] {
     Renderer& picture = picture_->shown();
-    const std::optional<glm::dvec3> start = picture.pick(pixelAt(position));
-    if (!start) return;
+    const std::optional<PickedPlace> picked = picture.pickPlace(pixelAt(position));
+    if (!picked) return;
     const std::optional<BrushPoint> opened = picture.pickBrush(pixelAt(position), BrushMode::Open);
-    hit = Hit{*start, rayThrough(position), opened ? opened->removed : 0.0, picture.isExploded()};
+    const bool moved = picture.movesContext();
+    hit = Hit{picked->place, moved ? picked->ray : rayThrough(position), opened ? opened->removed : 0.0, moved};
   });
   return hit;
 }

@@ -22,8 +22,8 @@
 
 #include "rendering/gpu/GpuScene.h"
 #include "rendering/scene/Opening.h"
+#include "viewer/model/ContextFlight.h"
 #include "viewer/model/DrawingTurns.h"
-#include "viewer/model/ExplosionFlight.h"
 #include "viewer/model/FramePacer.h"
 #include "viewer/tools/BrushTool.h"
 #include "viewer/tools/CarveTool.h"
@@ -55,13 +55,12 @@ class VolumeView : public QWidget {
   Q_OBJECT
  public:
   /// What all 3-D views of a window share: voxels on the GPU with the context that they are drawn in, the measured
-  /// speed of the machine, whose turn it is, how far the parts of an exploded view are moved, and whether the CPU
-  /// draws.
+  /// speed of the machine, whose turn it is, how far context is moved out of the way, and whether the CPU draws.
   struct Shared {
     std::shared_ptr<ScenePreparation> preparation;
     std::shared_ptr<FramePacer> pacer;
     std::shared_ptr<DrawingTurns> turns;
-    std::shared_ptr<ExplosionFlight> explosion;
+    std::shared_ptr<ContextFlight> flight;
     bool software = false;
   };
 
@@ -84,7 +83,8 @@ class VolumeView : public QWidget {
   /// The camera of the picture. In a view that is taller than wide its field of view is wider, so that the volume fits.
   Camera shownCamera() const;
   std::optional<QPointF> widgetFromWorld(glm::dvec3 world) const;
-  /// Where the picture on screen shows a point of the volume: in an exploded view, where its part is.
+  /// Where the picture on screen shows a point of the volume: in an exploded view, where its part is; where it is
+  /// peeled off, on the roll.
   glm::dvec3 shownAt(glm::dvec3 world) const;
   /// The picture on screen; empty while it is not at full quality.
   std::optional<FinishedPicture> finishedPicture();
@@ -183,12 +183,12 @@ class VolumeView : public QWidget {
   /// What was painted is on the screen.
   void shown();
   void zoom(double factor);
-  /// Where in the volume the ray of a pixel starts to see, world mm, its unit direction, and how many mm of it before
-  /// that the opening removed.
+  /// Where in the volume the ray of a pixel starts to see, world mm, its unit direction there, and how many mm of it
+  /// before that the opening removed.
   struct Hit {
     glm::dvec3 start, ray;
     double removed = 0.0;
-    bool exploded = false;  ///< the ray sees other parts of the volume elsewhere
+    bool moved = false;  ///< the ray sees other parts of the volume elsewhere
   };
   /// What the picture shows at a place in the widget; empty on the background.
   std::optional<Hit> pick(QPointF position);

@@ -96,7 +96,7 @@ void VolumeView::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 glm::dvec3 VolumeView::seenAt(const Hit& hit) const {
-  if (hit.exploded) return surfaceAt(hit);  // behind its part, the ray sees other places of the volume
+  if (hit.moved) return surfaceAt(hit);  // behind its part, the ray sees other places of the volume
   return seenPoint(shownScene(), hit.start, hit.ray, hit.removed).value_or(hit.start + halfVoxel() * hit.ray);
 }
 

@@ -1,0 +1,15 @@
+#pragma once
+// Volumes with a layer peeled off, in double precision and one voxel at a time; what PeeledScene is tested against. Of
+// rendering/scene/Peel.h it shares the definition of the body's box alone. It rolls the layer up forwards, and inverts
+// that by bisection.
+
+#include <optional>
+
+#include "rendering/scene/Scene.h"
+
+namespace fenestra::reference {
+
+/// Empty where nothing is peeled.
+std::optional<Scene> peeledScene(const Scene& scene);
+
+}  // namespace fenestra::reference

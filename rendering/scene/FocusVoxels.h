@@ -1,0 +1,46 @@
+#pragma once
+// Which voxels of a scene are in focus: those of its labels, or of a value in its range that its islands hold.
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+namespace fenestra {
+
+struct Scene;
+
+class FocusVoxels {
+ public:
+  FocusVoxels() = default;
+  /// Of the shown volume (Scene.h). A scene that does not open its focus has one, too. Runs on all cores.
+  explicit FocusVoxels(const Scene& scene);
+
+  bool holds(glm::ivec3 voxel) const {
+    const glm::ivec3 in = voxel - low_;
+    return !glm::any(glm::lessThan(in, glm::ivec3(0))) && !glm::any(glm::greaterThanEqual(in, size_)) &&
+           held_[offset(in)] != 0;
+  }
+  /// The least and the greatest coordinates of their centres along three unit vectors, mm from the world's origin;
+  /// empty where there are none.
+  struct Extent {
+    glm::dvec3 low, high;
+  };
+  std::optional<Extent> extent(const glm::dmat3& axes) const;
+
+ private:
+  template <class Holds>
+  void find(glm::ivec3 dims, const Holds& holds);
+  std::size_t offset(glm::ivec3 in) const {
+    return static_cast<std::size_t>(in.x) +
+           static_cast<std::size_t>(size_.x) *
+               (static_cast<std::size_t>(in.y) + static_cast<std::size_t>(size_.y) * static_cast<std::size_t>(in.z));
+  }
+
+  glm::ivec3 low_{0}, size_{0};     ///< a box around them
+  std::vector<std::uint8_t> held_;  ///< in it, x fastest
+  glm::dmat4 worldFromIndex_{1.0};
+};
+
+}  // namespace fenestra
