@@ -192,6 +192,15 @@ Sheet methodSheet() {
   return sheet;
 }
 
+/// The side of the patient (LPS) that a camera looks at. A layer is peeled off a side whatever the camera does, so each
+/// row has it peeled off there.
+PeelSide sideTowards(const Camera& camera) {
+  const glm::dvec3 towards = camera.eye - camera.target, size = glm::abs(towards);
+  if (size.z > std::max(size.x, size.y)) return towards.z > 0.0 ? PeelSide::Superior : PeelSide::Inferior;
+  if (size.x > size.y) return towards.x > 0.0 ? PeelSide::Left : PeelSide::Right;
+  return towards.y > 0.0 ? PeelSide::Posterior : PeelSide::Anterior;
+}
+
 /// One row's pictures, from left to right.
 std::vector<QImage> drawn(const Row& row, const Sheet& sheet) {
   const app::LoadedScene loaded = app::loadScene(row.options);
@@ -205,6 +214,7 @@ std::vector<QImage> drawn(const Row& row, const Sheet& sheet) {
   for (const Column& column : sheet.columns) {
     Scene scene = loaded.scene;
     column.apply(scene.look);
+    scene.look.method.peelSide = sideTowards(view.camera);
     renderer.render(scene, view);
     const std::vector<std::uint8_t> pixels = renderer.readPicture();
     pictures.push_back(
