@@ -36,6 +36,7 @@ Scene plainScene(const Scene& scene) {
   plain.labels = nullptr;
   plain.look.focus = {};
   plain.look.shading.enabled = false;
+  plain.look.hideTable = false;  // others draw the whole volume
   return plain;
 }
 
