@@ -63,6 +63,11 @@ std::optional<double> shareIn(const std::string& text) {
   return share && *share >= 0.0 && *share <= 1.0 ? share : std::nullopt;
 }
 
+std::optional<int> levelIn(const std::string& text) {
+  const std::optional<int> level = parseNumber<int>(text);
+  return level && *level >= 0 && *level <= mostImportant ? level : std::nullopt;
+}
+
 /// LABEL=VALUE,… with values that `read` takes.
 template <class T, class Read>
 bool readPairs(const std::string& text, std::vector<std::pair<std::string, T>>& pairs, const Read& read) {
@@ -154,6 +159,10 @@ void addLabelSettings(CLI::App& command, LabelChanges& changes) {
             [&changes](const std::string& text) { return readPairs(text, changes.opacities, shareIn); });
   addParsed(command, "--label-colour", "LABEL=#rrggbb,...", "colours of labels, in place of the label map's",
             [&changes](const std::string& text) { return readPairs(text, changes.colours, colourIn); });
+  addParsed(command, "--importance-levels", "LABEL=0..4,...",
+            "levels of importance of labels, by value or name, for the method importance: what hides a more important "
+            "label is opened. Labels in focus have 4 by default, all else 0",
+            [&changes](const std::string& text) { return readPairs(text, changes.importance, levelIn); });
 }
 
 void setLabelSettings(const SceneOptions& options, Scene& scene) {
@@ -178,6 +187,11 @@ void setLabelSettings(const SceneOptions& options, Scene& scene) {
   };
   setRole(changes.hidden, LabelRole::Hidden);
   setRole(changes.guarded, LabelRole::Protected);
+  if (!changes.importance.empty() && !std::holds_alternative<LabelFocus>(scene.look.focus))
+    throw io::Error(file, "has no labels in focus, so --importance-levels has nothing to open",
+                    "name the labels of the focus with --focus-labels");
+  for (const auto& [label, level] : changes.importance)
+    change(label, [value = level](LabelSetting& setting) { setting.importance = value; });
   for (const auto& [label, opacity] : changes.opacities)
     change(label, [value = opacity](LabelSetting& setting) { setting.opacity = value; });
   for (const auto& [label, colour] : changes.colours)

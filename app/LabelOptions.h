@@ -10,10 +10,10 @@
 
 namespace fenestra::app {
 
-/// Adds --hidden, --protected, --label-opacity and --label-colour.
+/// Adds --hidden, --protected, --label-opacity, --label-colour and --importance-levels.
 void addLabelSettings(CLI::App& command, LabelChanges& changes);
 /// Applies them to the scene's look, whose focus is set. Throws io::Error where a label does not exist, or cannot have
-/// a role because it is in focus.
+/// a role because it is in focus, or levels of importance have no labels in focus.
 void setLabelSettings(const SceneOptions& options, Scene& scene);
 
 /// Adds --focus-transfer.

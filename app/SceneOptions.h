@@ -60,9 +60,12 @@ struct LabelChanges {
   std::vector<std::string> hidden, guarded;  ///< guarded: protected
   std::vector<std::pair<std::string, double>> opacities;
   std::vector<std::pair<std::string, glm::dvec3>> colours;
+  std::vector<std::pair<std::string, int>> importance;  ///< levels
   std::vector<Function> functions;  ///< of the focus, applied in their order; not counted by empty()
 
-  bool empty() const { return hidden.empty() && guarded.empty() && opacities.empty() && colours.empty(); }
+  bool empty() const {
+    return hidden.empty() && guarded.empty() && opacities.empty() && colours.empty() && importance.empty();
+  }
 };
 
 /// All options of a scene; unset members take what suits the data.

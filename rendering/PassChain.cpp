@@ -68,7 +68,7 @@ bool PassChain::shows(glm::ivec2 pixel) const {
 }
 
 glm::vec2 PassChain::hitAt(glm::ivec2 pixel) {
-  if (hitPoints) return hitPoints.readTexel(pixel);
+  if (hitPoints) return hitsToOpen().readTexel(pixel);
   // A plain volume rendering has no hit points: find this pixel's alone.
   Steps single;
   hitPointPass.run(single, *gpu, *rays, sized(pickedHit, gl::Format::RG32F, glm::ivec2(1)), pixel);
@@ -90,7 +90,7 @@ glm::dvec2 PassChain::widthsInPixels(const Scene& scene) const {
 }
 
 std::optional<gl::Region> PassChain::nearFocus(double reach) const {
-  const std::optional<IndexBox>& box = gpu->focus().box;
+  const std::optional<IndexBox>& box = gpu->openedBox();
   return box ? std::optional(rays->around(*box, reach)) : std::nullopt;
 }
 
@@ -173,17 +173,16 @@ void PassChain::dropOpening() {
 }
 
 void PassChain::beginStage() {
-  constexpr std::array stages{&PassChain::findHitPoints,    &PassChain::shapeOpening,
-                              &PassChain::mapDistances,     &PassChain::startRays,
-                              &PassChain::occlude,          &PassChain::drawFocusLayer,
-                              &PassChain::drawFaintLayer,   &PassChain::drawProtectedLayer,
-                              &PassChain::drawContextLayer, &PassChain::findLens,
-                              &PassChain::standWallsInside, &PassChain::compose,
-                              &PassChain::addExempt,        &PassChain::standWallsAround,
-                              &PassChain::findEdges,        &PassChain::drawEdges};
+  constexpr std::array stages{
+      &PassChain::findHitPoints,    &PassChain::findImportantHits, &PassChain::shapeOpening,
+      &PassChain::mapDistances,     &PassChain::startRays,         &PassChain::occlude,
+      &PassChain::drawFocusLayer,   &PassChain::drawFaintLayer,    &PassChain::drawProtectedLayer,
+      &PassChain::drawContextLayer, &PassChain::findLens,          &PassChain::standWallsInside,
+      &PassChain::compose,          &PassChain::addExempt,         &PassChain::standWallsAround,
+      &PassChain::findEdges,        &PassChain::drawEdges};
   if (frame->stagesBegun == 0 && !frame->hasCutaway) dropCutaway();
   // The first stages, which only a cutaway has; but an exploded view needs the hits of its focus.
-  constexpr std::size_t ofCutaway = 4;
+  constexpr std::size_t ofCutaway = 5;
   const bool findsHits = frame->hasCutaway || (frame->stagesBegun == 0 && explodesAroundFocus());
   if (!frame->hasCutaway && !findsHits) frame->stagesBegun = std::max(frame->stagesBegun, ofCutaway);
   if (frame->stagesBegun < (onlyStarts ? ofCutaway : stages.size())) {
@@ -247,7 +246,7 @@ void PassChain::occlude() {
     key.directions = occlusion::draftDirections;
   addIfStale(Pass::Occlusion, occlusion, key, {}, [&](Regions) {
     std::optional<OcclusionPass::Opening> cut;
-    if (open) cut.emplace(OcclusionPass::Opening{*cuts.rays, cuts.hitPoints, cuts.rayStart});
+    if (open) cut.emplace(OcclusionPass::Opening{*cuts.rays, cuts.hitsToOpen(), cuts.rayStart});
     occlusionPass.run(steps, *gpu, shading, light, rays->clip(), cut, key.directions, occlusionNodes);
   });
 }
@@ -283,7 +282,7 @@ void PassChain::drawFocusLayer() {
       Pass::FocusLayer, focus, key, anew ? Regions() : Regions(frame->changed),
       [&](Regions regions) {
         std::optional<FocusLayerPass::Opening> cut;
-        if (frame->hasCutaway) cut.emplace(FocusLayerPass::Opening{hitPoints, rayStart, opening ? &hole : nullptr});
+        if (frame->hasCutaway) cut.emplace(FocusLayerPass::Opening{hitsToOpen(), rayStart, opening ? &hole : nullptr});
         gl::Texture& layer = sized(focusLayer, gl::Format::RGBA32F, view.size, presented);
         if (anew) clearAround(seen, layer);
         if (exploded)
@@ -303,16 +302,21 @@ void PassChain::drawFaintLayer() {
   }
   const GpuScene::Versions& version = gpu->versions();
   const Look& look = frame->scene.look;
-  const ProtectedLayerKey key{start.version(),
-                              opening ? removed.version() : 0,
-                              occlusionVersion(),
-                              version.volume,
-                              0,
-                              version.transfer,
-                              version.gradient,
-                              look.shading,
-                              frame->sampling};
-  drawRemoved(Pass::FaintLayer, faint, key, faintLayer, ProtectedLayerPass::Shown::All);
+  const bool levels = !gpu->importance().empty();
+  const ProtectedLayerKey key{
+      start.version(),
+      opening ? removed.version() : 0,
+      occlusionVersion(),
+      version.volume,
+      0,
+      version.transfer,
+      version.gradient,
+      look.shading,
+      frame->sampling,
+      levels ? std::optional(FocusLookKey{version.focus, version.palette, look.focusAppearance.extinction})
+             : std::nullopt};
+  drawRemoved(Pass::FaintLayer, faint, key, faintLayer,
+              levels ? ProtectedLayerPass::Shown::AllWithFocus : ProtectedLayerPass::Shown::All);
 }
 
 void PassChain::drawProtectedLayer() {
@@ -327,7 +331,7 @@ void PassChain::drawProtectedLayer() {
                               occlusionVersion(),      version.volume,
                               version.protectedLabels, version.transfer,
                               version.gradient,        look.shading,
-                              frame->sampling};
+                              frame->sampling,         std::nullopt};
   drawRemoved(Pass::ProtectedLayer, guard, key, protectedLayer, ProtectedLayerPass::Shown::ProtectedLabels);
 }
 
@@ -341,8 +345,8 @@ void PassChain::drawRemoved(Pass pass, Memo<ProtectedLayerKey>& memo, const Prot
       [&](Regions regions) {
         gl::Texture& layer = sized(texture, gl::Format::RGBA32F, frame->view.size);
         if (anew) clearAround(*part, layer);
-        protectedLayerPass.run(steps, *gpu, frame->scene.look, *rays, {hitPoints, rayStart}, frame->sampling, regions,
-                               layer, occlusionOfFrame(), shown);
+        protectedLayerPass.run(steps, *gpu, frame->scene.look, *rays, {hitsToOpen(), rayStart}, frame->sampling,
+                               regions, layer, occlusionOfFrame(), shown);
       },
       part);
 }
@@ -356,9 +360,10 @@ void PassChain::drawContextLayer() {
   }
   const Shading& shading = frame->scene.look.shading;
   addIfStale(
-      Pass::ContextLayer, context, ContextLayerKey{hits.version(), gpu->versions().derivative, shading}, {},
+      Pass::ContextLayer, context,
+      ContextLayerKey{hits.version(), openedHits ? cones.version() : 0, gpu->versions().derivative, shading}, {},
       [&](Regions regions) {
-        contextLayerPass.run(steps, *gpu, shading, *rays, hitPoints, regions,
+        contextLayerPass.run(steps, *gpu, shading, *rays, hitsToOpen(), regions,
                              sized(contextLayer, gl::Format::RGBA32F, frame->view.size),
                              sized(silhouette, gl::Format::R32F, frame->view.size));
       },
@@ -375,7 +380,7 @@ void PassChain::findLens() {
   const Grid& grid = gpu->grid();
   const glm::dvec3 middle = gpu->focus().centre(grid).value_or(grid.centre());
   addIfStale(Pass::Lens, lens, LensKey{hits.version(), gpu->versions().derivative, middle}, {}, [&](Regions regions) {
-    lensPass.run(steps, *gpu, *rays, hitPoints, middle, regions,
+    lensPass.run(steps, *gpu, *rays, hitsToOpen(), middle, regions,
                  sized(lensSurface, gl::Format::RGBA32F, frame->view.size));
   });
 }
@@ -412,7 +417,7 @@ void PassChain::compose() {
       [&](Regions regions) {
         gl::Texture& picture = sized(composed, gl::Format::RGBA32F, frame->view.size, presented);
         if (stale && !sameBelow && part) picture.copy(composedOver());
-        CompositePass::Inputs inputs{composedOver(), hitPoints, distances, widths};
+        CompositePass::Inputs inputs{composedOver(), hitsToOpen(), distances, widths};
         if (editMap) inputs.editMap = &editMap;
         if (opening) inputs.rayStart = &rayStart;
         if (faintLayer) inputs.faintLayer = &faintLayer;

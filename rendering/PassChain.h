@@ -20,6 +20,7 @@
 #include "rendering/passes/ExemptPass.h"
 #include "rendering/passes/FocusLayerPass.h"
 #include "rendering/passes/HitPointPass.h"
+#include "rendering/passes/ImportancePass.h"
 #include "rendering/passes/LensPass.h"
 #include "rendering/passes/OcclusionPass.h"
 #include "rendering/passes/ProtectedLayerPass.h"
@@ -49,6 +50,7 @@ struct PassChain {
   std::shared_ptr<GpuScene> gpu;
 
   HitPointPass hitPointPass{gpu->programs()};
+  ImportancePass importancePass{gpu->programs()};
   PullPushPass pullPushPass{gpu->programs()};
   ConePass conePass{gpu->programs()};
   DistanceMapPass distanceMapPass{gpu->programs()};
@@ -67,6 +69,10 @@ struct PassChain {
   gl::Texture hitPoints, focusFilled, coneStart, distances, editMap, rayStart, focusLayer, faintLayer, protectedLayer,
       contextLayer, silhouette, lensSurface, composed, exempted;
   gl::Texture wallLayer, walledLayer, walledPicture;  ///< of WallPass; the last two inside the opening, and around it
+  /// Of pictures with several levels of importance: the hits of each, where cones stand on them, from the lowest level
+  /// up; context hits, and what rays are opened to in place of the focus.
+  std::vector<gl::Texture> importantHits;
+  gl::Texture openedHits;
   gl::Texture pickedHit;
   gl::Texture faces, hole;                   ///< of RemovedPass
   gl::Buffer occlusionNodes;                 ///< of OcclusionPass; empty without ambient occlusion and shadows
@@ -77,6 +83,7 @@ struct PassChain {
   bool onlyStarts = false;  ///< this chain is another one's `opening`
 
   Memo<HitKey> hits;
+  Memo<ImportanceKey> importance;
   Memo<FillKey> fill;
   Memo<ConeKey> cones;
   Memo<DistanceKey> distance;
@@ -135,6 +142,7 @@ struct PassChain {
 
   // Stages 1 to 7 of the method, and the brush: each adds its steps. A stage is begun when the one before is done.
   void findHitPoints();
+  void findImportantHits();
   /// The filled focus hits or the cones, as the method has it.
   void shapeOpening();
   void fillFocusHits();
@@ -180,7 +188,7 @@ struct PassChain {
   void dropOpening();
   void beginOpening(const OpeningView& view);
 
-  /// What of the picture lies within so many pixels of the focus, where it is known to end.
+  /// What of the picture lies within so many pixels of what rays are opened to, where it is known to end.
   std::optional<gl::Region> nearFocus(double reach) const;
 
   /// Adds a pass's steps by add(regions), over the whole picture, or the part of it that depends on what the key is
@@ -224,6 +232,13 @@ struct PassChain {
   bool opensNearFocus() const { return !opening && frame->method.start == MethodStages::Start::Blend; }
   /// Of the camera that cuts the opening: the deepest that rays of its picture start, beside the focus's projection.
   const gl::Texture& cutSurface() const { return coneStart ? coneStart : focusFilled; }
+  void dropImportance() {
+    importantHits.clear();
+    openedHits = {};
+    importance.forget();
+  }
+  /// Context hits, and what rays are opened to: the focus, or what is important.
+  const gl::Texture& hitsToOpen() const { return openedHits ? openedHits : hitPoints; }
   void releaseEdits() {
     editMap = {};
     editMapPass.release();

@@ -27,9 +27,27 @@ int distanceRange(glm::dvec2 widths, glm::ivec2 size) {
 void PassChain::findHitPoints() {
   const GpuScene::Versions& version = gpu->versions();
   const View& view = frame->view;
-  addIfStale(Pass::HitPoints, hits,
-             HitKey{version.volume, version.focus, version.gaps, view.camera, view.size, rays->clip()}, {},
-             [&](Regions) { hitPointPass.run(steps, *gpu, *rays, sized(hitPoints, gl::Format::RG32F, view.size)); });
+  addIfStale(
+      Pass::HitPoints, hits,
+      HitKey{version.volume, version.focus, version.gaps, version.importance, view.camera, view.size, rays->clip()}, {},
+      [&](Regions) { hitPointPass.run(steps, *gpu, *rays, sized(hitPoints, gl::Format::RG32F, view.size)); });
+}
+
+void PassChain::findImportantHits() {
+  const std::vector<KeptLabels>& levels = gpu->importance();
+  if (levels.empty()) return dropImportance();
+  using Found = ImportanceKey::Found;
+  const bool onCones = frame->method.start == MethodStages::Start::Cones;
+  const Found found = opening ? Found::Topmost : onCones ? Found::Cones : Found::Surfaces;
+  importantHits.resize(found == Found::Cones ? levels.size() : 0);
+  addIfStale(Pass::Importance, importance, ImportanceKey{hits.version(), found}, {}, [&](Regions) {
+    gl::Texture& opened = sized(openedHits, gl::Format::RG32F, rays->size());
+    if (found == Found::Topmost) importancePass.run(steps, *gpu, levels.back(), *rays, hitPoints, opened);
+    for (std::size_t i = 0; i < levels.size() && found != Found::Topmost; ++i) {
+      gl::Texture& made = found == Found::Cones ? sized(importantHits[i], gl::Format::RG32F, rays->size()) : opened;
+      importancePass.run(steps, *gpu, levels[i], *rays, hitPoints, made, found == Found::Surfaces && i > 0);
+    }
+  });
 }
 
 void PassChain::shapeOpening() {
@@ -45,15 +63,19 @@ void PassChain::shapeOpening() {
 
 void PassChain::fillFocusHits() {
   addIfStale(Pass::PullPush, fill, FillKey{hits.version()}, {}, [&](Regions) {
-    pullPushPass.run(steps, gpu->schedule(), hitPoints, sized(focusFilled, gl::Format::R32F, rays->size()));
+    pullPushPass.run(steps, gpu->schedule(), hitsToOpen(), sized(focusFilled, gl::Format::R32F, rays->size()));
   });
 }
 
 void PassChain::standCones() {
   const ConePass::Cones wanted{frame->method.slope, frame->method.onSilhouette};
   addIfStale(Pass::Cones, cones, ConeKey{hits.version(), wanted}, {}, [&](Regions) {
-    conePass.run(steps, gpu->schedule(), *rays, hitPoints, nearFocus(1.0).value_or(gl::Region()), wanted,
-                 sized(coneStart, gl::Format::R32F, rays->size()));
+    const gl::Region around = nearFocus(1.0).value_or(gl::Region());
+    gl::Texture& starts = sized(coneStart, gl::Format::R32F, rays->size());
+    if (importantHits.empty()) conePass.run(steps, gpu->schedule(), *rays, hitPoints, around, wanted, starts);
+    for (std::size_t i = 0; i < importantHits.size(); ++i)
+      conePass.run(steps, gpu->schedule(), *rays, importantHits[i], around, wanted, starts,
+                   ConePass::Level{openedHits, i == 0});
   });
 }
 
@@ -65,7 +87,7 @@ void PassChain::mapDistances() {
   const gl::Texture* opened = coneStart ? &coneStart : nullptr;
   addIfStale(Pass::DistanceMap, distance, DistanceKey{hits.version(), opened ? cones.version() : 0, range}, {},
              [&](Regions) {
-               distanceMapPass.run(steps, gpu->schedule(), hitPoints, range,
+               distanceMapPass.run(steps, gpu->schedule(), hitsToOpen(), range,
                                    sized(distances, gl::Format::R32F, frame->view.size), opened);
              });
 }
@@ -76,7 +98,7 @@ void PassChain::startRays() {
   const gl::Texture* given = coneStart ? &coneStart : nullptr;
   const RayStartKey key{hits.version(), given ? 0 : fill.version(), distance.version(), given ? cones.version() : 0,
                         widths.x};
-  const RayStartPass::Inputs inputs{hitPoints, focusFilled, distances, widths.x, 0.0, given};
+  const RayStartPass::Inputs inputs{hitsToOpen(), focusFilled, distances, widths.x, 0.0, given};
   if (frame->strokes.empty())
     releaseEdits();
   else
@@ -96,8 +118,8 @@ void PassChain::startRays() {
 }
 
 RemovedPass::Opening PassChain::cutOpening() const {
-  return {*opening->rays,           opening->hitPoints, opening->cutSurface(),
-          opening->distances,       opening->rayStart,  opening->editMap ? &opening->editMap : nullptr,
+  return {*opening->rays,           opening->hitsToOpen(), opening->cutSurface(),
+          opening->distances,       opening->rayStart,     opening->editMap ? &opening->editMap : nullptr,
           widths.x + widths.y + 1.0};
 }
 
@@ -119,7 +141,7 @@ void PassChain::startRaysApart() {
                                                   sized(hole, gl::Format::RG32F, size),
                                                   sized(distances, gl::Format::R32F, size),
                                                   cut.editMap ? &sized(editMap, gl::Format::RG32F, size) : nullptr};
-               removedPass.run(steps, gpu->schedule(), *rays, hitPoints, cut, holes, shortestVoxelSide(),
+               removedPass.run(steps, gpu->schedule(), *rays, hitsToOpen(), cut, holes, shortestVoxelSide(),
                                sized(faces, gl::Format::RGBA32F, opening->rays->size()), outputs);
              });
 }
@@ -129,6 +151,7 @@ void PassChain::dropCutaway() {
   for (gl::Texture* texture : {&distances, &rayStart}) *texture = {};
   dropFill();
   dropCones();
+  dropImportance();
   distanceMapPass.release();
   releaseEdits();
   distance.forget();

@@ -20,7 +20,7 @@ void PassChain::standWallsInside() {
   walledPicture = {};
   WallKey key{.focusLayer = focus.version(), .start = start.version(), .removed = opening ? removed.version() : 0};
   key.walls = *wanted;
-  standWalls(std::move(key), WallPass::Opening{hitPoints, rayStart}, focusLayer, walledLayer);
+  standWalls(std::move(key), WallPass::Opening{hitsToOpen(), rayStart}, focusLayer, walledLayer);
 }
 
 void PassChain::standWallsAround() {

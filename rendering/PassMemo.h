@@ -34,11 +34,19 @@ class Memo {
 };
 
 struct HitKey {
-  std::uint64_t volume, focus, gaps;
+  std::uint64_t volume, focus, gaps, importance;
   Camera camera;
   glm::ivec2 size;
   Clip clip;
   bool operator==(const HitKey&) const = default;
+};
+/// Of several levels of importance. Cones: the hits of each, for cones to stand on. Surfaces: what rays are opened to.
+/// Topmost: the most important labels, where another camera cuts the opening.
+struct ImportanceKey {
+  enum class Found : std::uint8_t { Cones, Surfaces, Topmost };
+  std::uint64_t hits;
+  Found found;
+  bool operator==(const ImportanceKey&) const = default;
 };
 struct FillKey {
   std::uint64_t hits;
@@ -94,15 +102,22 @@ struct FocusLayerKey {
   Clip clip;
   bool operator==(const FocusLayerKey&) const = default;
 };
-/// Of the faint layer, too, which depends on no labels.
+/// How the focus looks, where some of it is removed.
+struct FocusLookKey {
+  std::uint64_t focus, palette;
+  double extinction;
+  bool operator==(const FocusLookKey&) const = default;
+};
+/// Of the faint layer, too, which depends on no labels but those in focus.
 struct ProtectedLayerKey {
   std::uint64_t rayStart, removed, occlusion, volume, protectedLabels, transfer, gradient;
   Shading shading;
   FocusLayerPass::Sampling sampling;
+  std::optional<FocusLookKey> removedFocus;
   bool operator==(const ProtectedLayerKey&) const = default;
 };
 struct ContextLayerKey {
-  std::uint64_t hits, derivative;
+  std::uint64_t hits, cones, derivative;  ///< cones: 0 unless they decide on what rays are opened to
   Shading shading;
   bool operator==(const ContextLayerKey&) const = default;
 };

@@ -10,9 +10,9 @@ namespace fenestra {
 
 std::string_view nameOf(Pass pass) {
   constexpr std::array<std::string_view, passCount> names{
-      "hit points", "pull-push",   "cones",         "distance map",    "edit map",      "ray start",
-      "occlusion",  "focus layer", "faint layer",   "protected layer", "context layer", "lens",
-      "walls",      "composite",   "exempt labels", "edges",           "edge rays"};
+      "hit points", "important hits", "pull-push",   "cones",         "distance map",    "edit map",
+      "ray start",  "occlusion",      "focus layer", "faint layer",   "protected layer", "context layer",
+      "lens",       "walls",          "composite",   "exempt labels", "edges",           "edge rays"};
   return names[static_cast<std::size_t>(pass)];
 }
 
@@ -115,7 +115,7 @@ Layers rayStartsOf(PassChain& s) {
   if (!s.hitPoints || s.exploded) return layers;
   const std::size_t count = pixelCount(layers);
   std::vector<glm::vec2> hits(count);
-  s.hitPoints.readInto(std::span(hits));
+  s.hitsToOpen().readInto(std::span(hits));
   for (const glm::vec2& hit : hits) {
     layers.tContext.push_back(timeOf(s, hit.x));
     layers.tFocus.push_back(timeOf(s, hit.y));
@@ -251,11 +251,14 @@ std::size_t imageBytesOf(const PassChain& s) {
   std::size_t sum = s.pullPushPass.bytes() + s.conePass.bytes() + s.distanceMapPass.bytes() + s.editMapPass.bytes() +
                     s.focusLayerPass.bytes() + s.lensPass.bytes() + s.wallPass.bytes() + s.occlusionPass.bytes() +
                     s.occlusionNodes.bytes();
-  for (const gl::Texture* texture : {&s.hitPoints,  &s.focusFilled, &s.coneStart,  &s.distances,      &s.editMap,
-                                     &s.rayStart,   &s.focusLayer,  &s.faintLayer, &s.protectedLayer, &s.contextLayer,
-                                     &s.silhouette, &s.lensSurface, &s.wallLayer,  &s.walledLayer,    &s.walledPicture,
-                                     &s.composed,   &s.exempted,    &s.pickedHit,  &s.faces,          &s.hole})
+  for (const gl::Texture* texture :
+       {&s.hitPoints,  &s.focusFilled, &s.coneStart,      &s.distances,    &s.editMap,    &s.rayStart,
+        &s.focusLayer, &s.faintLayer,  &s.protectedLayer, &s.contextLayer, &s.silhouette, &s.lensSurface,
+        &s.wallLayer,  &s.walledLayer, &s.walledPicture,  &s.composed,     &s.exempted,   &s.pickedHit,
+        &s.faces,      &s.hole,        &s.openedHits})
     if (*texture) sum += texture->bytes();
+  for (const gl::Texture& hits : s.importantHits)
+    if (hits) sum += hits.bytes();
   if (s.edgeSamples) sum += s.edgeSamples->bytes();
   return s.opening ? sum + imageBytesOf(*s.opening) : sum;
 }

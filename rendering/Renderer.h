@@ -19,6 +19,7 @@ struct PassChain;
 
 enum class Pass : std::uint8_t {
   HitPoints,
+  Importance,
   PullPush,
   Cones,
   DistanceMap,
@@ -36,12 +37,13 @@ enum class Pass : std::uint8_t {
   Edges,
   EdgeRays
 };
-inline constexpr std::size_t passCount = 17;
+inline constexpr std::size_t passCount = 18;
 std::string_view nameOf(Pass pass);
 
 /// Row-major from the top of the picture; t in mm along the pixel's ray (see Camera), NaN where there is nothing.
 struct Layers {
   glm::ivec2 size{0};
+  /// tFocus: with several levels of importance, of what the ray is opened to; see rendering/scene/Importance.h.
   std::vector<float> tContext, tFocus, tFocusFilled, tStart;
   std::vector<float> distance;            ///< px, 0 inside the focus projection (the opening, where cones cut
                                           ///< it), +inf beyond w_open + w_border

@@ -160,6 +160,9 @@ void members(auto& io, io::json::Is<LabelSetting> auto& setting) {
   io.optional("colour", setting.colour, setting.colour.has_value(), fraction, {"In place of the label map's"});
   io.optional("function", setting.function, setting.function.has_value(), {},
               {"Of it in focus: by value, in place of one colour and extinction"});
+  io.optional("importance", setting.importance, setting.importance.has_value(), {0.0, double{mostImportant}},
+              {"Level of importance, of the method importance: what hides a more important label gives way to it. By "
+               "default the highest in focus, else 0"});
 }
 
 void members(auto& io, io::json::Is<CropBox> auto& box) {

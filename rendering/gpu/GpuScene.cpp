@@ -140,6 +140,7 @@ void GpuScene::release() {
   focus_.release();
   protected_ = {};
   exempt_ = {};
+  importance_.clear();
   occluders_.release();
   faint_.release();
   paletteMap_ = {};
@@ -179,7 +180,7 @@ void GpuScene::updateAll(const Scene& scene) {
   focus_.updateSmooth(wantsGradient);
   const Versions& v = versions_;
   if (occluders_.update(scene, {v.volume, v.focus, v.transfer, v.palette, v.protectedLabels, v.exemptLabels,
-                                scene.look.focusAppearance.extinction}))
+                                v.importance, scene.look.focusAppearance.extinction}))
     ++versions_.occluders;
 
   const bool wantsDerivative = readsContextSurface(scene);
@@ -243,35 +244,6 @@ GpuFocus::Change GpuScene::updateFocus(const Scene& scene) {
     for (gl::Texture* texture : {&focusSkip_, &occupiedSkip_}) *texture = {};
   ++versions_.focus;
   return change;
-}
-
-void GpuScene::updateKeptLabels(const Scene& scene, bool volumeChanged) {
-  if (volumeChanged) protected_.map = exempt_.map = nullptr;
-  std::vector<std::uint16_t> guarded, exempt;
-  if (hasCutaway(scene)) guarded = labelsWith(LabelRole::Protected, scene);
-  const Clipping& clipping = scene.look.clipping;
-  if (!clipping.exempt.empty() && !halfSpaces(clipping, grid()).empty()) exempt = clipping.exempt;
-  updateKept(protected_, std::move(guarded), scene, versions_.protectedLabels);
-  updateKept(exempt_, std::move(exempt), scene, versions_.exemptLabels);
-}
-
-void GpuScene::updateKept(KeptLabels& kept, std::vector<std::uint16_t> wanted, const Scene& scene,
-                          std::uint64_t& version) {
-  const std::shared_ptr<const LabelMap> map = wanted.empty() ? nullptr : structuresOf(scene);
-  if (wanted == kept.labels && map == kept.map) return;
-  kept = {};
-  kept.labels = std::move(wanted);
-  kept.map = map;
-  ++version;
-  if (!map) return;
-  Scene held{scene.volume, map, {}};
-  held.look.focus = LabelFocus{kept.labels};
-  const FocusIndex index = buildFocusIndex(held, refinement_ > 1 ? voxelBricks_ : bricks_);
-  if (!index.box) return;
-  kept.bricks = gl::Texture::make3D(gl::Format::R32UI, index.bricks);
-  kept.bricks.upload(std::span<const std::uint32_t>(index.slots));
-  kept.skip = skipTexture(bricks_.dims, drawnOccupied(index));
-  kept.cells = gl::Buffer(std::as_bytes(std::span(index.cells)));
 }
 
 void GpuScene::updateFocusColours(const Scene& scene) {
@@ -490,6 +462,9 @@ std::vector<GpuScene::Resource> GpuScene::resources() const {
   add("focus normals", of(focus_.smooth()));
   add("protected labels", of(protected_.bricks) + of(protected_.skip) + protected_.cells.bytes());
   add("occluders", occluders_.bytes());
+  std::size_t important = 0;
+  for (const KeptLabels& each : importance_) important += of(each.bricks) + of(each.skip) + each.cells.bytes();
+  add("levels of importance", important);
   add("exempt labels", of(exempt_.bricks) + of(exempt_.skip) + exempt_.cells.bytes());
   return all;
 }

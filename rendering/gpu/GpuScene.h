@@ -27,13 +27,17 @@
 
 namespace fenestra {
 
-/// Where labels are that pictures keep: those that the opening never removes, or those that are never clipped.
+/// Where labels are that pictures keep: those that the opening never removes, or those that are never clipped. Or those
+/// of a level of importance or more.
 struct KeptLabels {
   gl::Texture bricks, skip;  ///< as focusBricks() and focusSkip()
   gl::Buffer cells;
+  std::optional<IndexBox> box{};  ///< of their voxels
+  bool smoothed = false;          ///< `cells` hold a smoothed indicator
   // What it was made of.
   std::vector<std::uint16_t> labels;
   std::shared_ptr<const LabelMap> map;
+  LabelSmoothing smoothing = LabelSmoothing::Off;
 
   bool any() const { return static_cast<bool>(bricks); }
 };
@@ -82,7 +86,7 @@ class GpuScene {
   // What the passes bind. A version grows whenever what it names was remade.
   struct Versions {
     std::uint64_t volume = 0, gradient = 0, focus = 0, gaps = 0, transfer = 0, derivative = 0, palette = 0,
-                  protectedLabels = 0, exemptLabels = 0, occluders = 0;
+                  protectedLabels = 0, exemptLabels = 0, importance = 0, occluders = 0;
     bool operator==(const Versions&) const = default;
   };
   const Versions& versions() const { return versions_; }
@@ -155,6 +159,13 @@ class GpuScene {
   const KeptLabels& protectedLabels() const { return protected_; }
   /// Only while something is clipped, and labels are exempt from it.
   const KeptLabels& exemptLabels() const { return exempt_; }
+  /// importanceLevels(): the labels of each level of importance or more, from the lowest level up, smoothed as the
+  /// focus.
+  const std::vector<KeptLabels>& importance() const { return importance_; }
+  /// Box of what pictures are opened to: of the focus, or of all that is important.
+  const std::optional<IndexBox>& openedBox() const {
+    return importance_.empty() ? focus_.index().box : importance_.front().box;
+  }
   /// Only while pictures have ambient occlusion or shadows.
   const Occluders& occluders() const { return occluders_; }
   /// Smoothed indicator around a label focus, for its normals; only while shading is on.
@@ -183,7 +194,8 @@ class GpuScene {
   void updateSkips(const GpuFocus::Change& focus, bool occupancyChanged);
   void updateKeptLabels(const Scene& scene, bool volumeChanged);
   /// Makes the index of `wanted`, unless it is there.
-  void updateKept(KeptLabels& kept, std::vector<std::uint16_t> wanted, const Scene& scene, std::uint64_t& version);
+  void updateKept(KeptLabels& kept, std::vector<std::uint16_t> wanted, LabelSmoothing smoothing, const Scene& scene,
+                  std::uint64_t& version);
   /// Returns whether other bricks than before hold something of the context.
   bool updateTransfer();
   void updateGaps();
@@ -246,6 +258,7 @@ class GpuScene {
   std::vector<TransferFunction> focusFunctions_;  ///< each once, in the order of their tables
 
   KeptLabels protected_, exempt_;
+  std::vector<KeptLabels> importance_;
   Occluders occluders_;
 };
 

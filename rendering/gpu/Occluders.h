@@ -13,8 +13,8 @@ namespace fenestra {
 class Occluders {
  public:
   /// What the cells are made from, beside the labels: versions of the parts of a GpuScene, and the focus's extinction.
-  using Key =
-      std::tuple<std::uint64_t, std::uint64_t, std::uint64_t, std::uint64_t, std::uint64_t, std::uint64_t, double>;
+  using Key = std::tuple<std::uint64_t, std::uint64_t, std::uint64_t, std::uint64_t, std::uint64_t, std::uint64_t,
+                         std::uint64_t, double>;
   /// Makes the cells of a scene whose light needs them, and drops them where it does not. Returns whether that changed
   /// anything.
   bool update(const Scene& scene, const Key& key);

@@ -52,6 +52,53 @@ void bindFocus(const GpuScene& scene, gl::ShaderProgram& program, FocusBlock blo
   program.set(block);
 }
 
+void bindFocusLook(const GpuScene& scene, gl::ShaderProgram& program, const Look& look, bool bounded) {
+  program.bind("occupiedSkip", scene.occupiedSkip());
+  FocusBlock focus{.material = glm::vec4(glm::vec3(scene.focusMaterial()),
+                                         look.focusAppearance.extinction * scene.focusMaterial().a),
+                   .paletteOrigin = scene.focusOrigin(),
+                   .table = scene.focusTable()};
+  if (scene.focusPaletteIndex()) {
+    program.bind("focusPaletteIndex", scene.focusPaletteIndex());
+    program.bind("focusPalette", scene.focusPalette());
+    focus.material.a = static_cast<float>(look.focusAppearance.extinction);
+  }
+  if (look.shading.enabled && scene.focusSmooth()) {
+    program.bind("focusSmooth", scene.focusSmooth());
+    if (bounded) program.bind("focusSmoothTexels", scene.focusSmooth());
+    // A texel spans half a voxel around its centre, and the cell frame is index + 1.
+    focus.smoothOrigin = glm::vec3(scene.focusSmoothOrigin()) + 0.5f;
+    focus.worldFromIndexGradient = Std140Mat3(glm::mat3(glm::transpose(glm::dmat3(scene.grid().indexFromWorld()))));
+  }
+  bindFocus(scene, program, focus);
+}
+
+std::vector<gl::Define> focusDefines(const GpuScene& scene, bool lit) {
+  return {{"FOCUS_PALETTE", static_cast<bool>(scene.focusPaletteIndex())},
+          {"FOCUS_FUNCTIONS", scene.focusByValue()},
+          {"FOCUS_SMOOTH", lit && scene.focusSmooth()}};
+}
+
+void bindLabelHits(const GpuScene& scene, const KeptLabels& labels, gl::ShaderProgram& program) {
+  bindVolume(scene, program);
+  program.bind("contextSkip", scene.contextSkip());
+  scene.gaps().bind(gapsBlock);
+  program.set("gapCount", scene.gapCount());
+  if (!labels.any()) return;
+  program.bind("focusBricks", labels.bricks);
+  program.bind("focusSkip", labels.skip);
+  labels.cells.bind(focusCellsBlock);
+  program.set(FocusBlock());
+}
+
+gl::Choice importanceChoice(const KeptLabels& labels) {
+  return {"focus", !labels.any()     ? "lib/focus/None.glsl"
+                   : labels.smoothed ? "lib/focus/SmoothLabels.glsl"
+                                     : "lib/focus/Labels.glsl"};
+}
+
+gl::Define levelsDefine(const GpuScene& scene) { return {"IMPORTANCE_LEVELS", !scene.importance().empty()}; }
+
 void bindLabels(const KeptLabels& labels, gl::ShaderProgram& program) {
   program.bind("focusBricks", labels.bricks);
   program.bind("occupiedSkip", labels.skip);

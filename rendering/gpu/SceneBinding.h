@@ -21,8 +21,19 @@ gl::Choice focusChoice(const GpuScene& scene);
 /// The focus's index; nothing without a focus. The block's other members are for passes that show the focus.
 void bindFocus(const GpuScene& scene, gl::ShaderProgram& program, FocusBlock block = {});
 
+/// How the focus looks, for passes that show it; with its index. `program` was compiled with focusDefines() and has the
+/// integral of integralChoice(scene, bounded).
+void bindFocusLook(const GpuScene& scene, gl::ShaderProgram& program, const Look& look, bool bounded);
+std::vector<gl::Define> focusDefines(const GpuScene& scene, bool lit);
+
 /// The index of labels that pictures keep, in place of a focus.
 void bindLabels(const KeptLabels& labels, gl::ShaderProgram& program);
+/// The same for rays that look for their first hits; labels without a voxel are none. With `program` of
+/// importanceChoice().
+void bindLabelHits(const GpuScene& scene, const KeptLabels& labels, gl::ShaderProgram& program);
+gl::Choice importanceChoice(const KeptLabels& labels);
+/// Whether labels of other levels of importance than the focus's are opened to (lib/integral/Settings.glsl).
+gl::Define levelsDefine(const GpuScene& scene);
 
 /// What rays that look for first hits skip and leave (lib/FirstHit.glsl), with volume and focus. Without bindFaint()
 /// the context is the volume's function everywhere.

@@ -22,7 +22,8 @@ ConeBlock blockOf(const RayFrame& rays, const gl::Region& around, double slope) 
 }  // namespace
 
 void ConePass::run(Steps& steps, Schedule schedule, const RayFrame& rays, const gl::Texture& hitPoints,
-                   const gl::Region& around, const Cones& cones, gl::Texture& starts) {
+                   const gl::Region& around, const Cones& cones, gl::Texture& starts,
+                   const std::optional<Level>& level) {
   const ConeBlock block = blockOf(rays, around, cones.slope);
   std::size_t squares = 0;
   for (int below = 0; below <= topLevel; ++below)
@@ -46,12 +47,16 @@ void ConePass::run(Steps& steps, Schedule schedule, const RayFrame& rays, const 
       depths_.bind(depthsBinding);
       program.dispatch(tile);
     });
-  steps.add(rays.size(), [this, schedule, &rays, &hitPoints, block, &starts](Regions tile) {
-    gl::ShaderProgram& program = startProgram_.get({{rays.clipDefine()}, {scheduleChoice(schedule)}});
+  steps.add(rays.size(), [this, schedule, &rays, &hitPoints, block, &starts, level](Regions tile) {
+    const int levels = !level ? 0 : level->isLowest ? 1 : 2;
+    gl::ShaderProgram& program =
+        startProgram_.get({{rays.clipDefine(), {"IMPORTANCE_LEVELS", levels}}, {scheduleChoice(schedule)}});
     rays.setBlocks(program);
     program.set(block);
     program.bind("hitPoints", hitPoints);
-    program.bind("coneStart", starts, gl::Access::Write);
+    const gl::Access access = levels == 2 ? gl::Access::ReadWrite : gl::Access::Write;
+    program.bind("coneStart", starts, access);
+    if (level) program.bind("openedHits", level->opened, access);
     depths_.bind(depthsBinding);
     program.dispatch(tile);
   });

@@ -1,6 +1,8 @@
 #pragma once
 // Stage 4 of the methods that stand cones on the focus: where each ray starts to see, before the brush.
 
+#include <optional>
+
 #include "rendering/gl/Buffer.h"
 #include "rendering/gl/ShaderProgram.h"
 #include "rendering/gl/Texture.h"
@@ -38,9 +40,19 @@ class ConePass {
     bool onSilhouette = false;  ///< on pixels with a neighbour in the picture, of four, that does not meet the focus
     bool operator==(const Cones&) const = default;
   };
-  /// Reads `hitPoints` (RG32F), writes `starts` (R32F). All of the focus's projection lies within `around`.
+  /// One of several levels of importance (rendering/scene/Importance.h), whose hits of ImportancePass are run()'s
+  /// `hitPoints`, from the lowest level up: the starts become the deepest of its own and the lower ones'. `opened`,
+  /// RG32F, becomes the context hits with what a ray is opened to: the level's hit where the ray starts there,
+  /// `nothing` where it starts on a cone.
+  struct Level {
+    gl::Texture& opened;
+    bool isLowest;
+  };
+  /// Reads `hitPoints` (RG32F), writes `starts` (R32F). All of the focus's projection lies within `around`, which is
+  /// the same for all levels.
   void run(Steps& steps, Schedule schedule, const RayFrame& rays, const gl::Texture& hitPoints,
-           const gl::Region& around, const Cones& cones, gl::Texture& starts);
+           const gl::Region& around, const Cones& cones, gl::Texture& starts,
+           const std::optional<Level>& level = std::nullopt);
   std::size_t bytes() const { return depths_.bytes(); }
   /// Drops the pyramid.
   void release() { depths_ = {}; }

@@ -117,9 +117,7 @@ gl::ShaderProgram& FocusLayerPass::program(bool listed, const Drawn& drawn) {
                        tableDefine(),
                        segmentsDefine(),
                        faintDefine(gpu),
-                       {"FOCUS_PALETTE", static_cast<bool>(gpu.focusPaletteIndex())},
-                       {"FOCUS_FUNCTIONS", gpu.focusByValue()},
-                       {"FOCUS_SMOOTH", lit && gpu.focusSmooth()},
+                       levelsDefine(gpu),
                        {"BENT_NORMALS", bendsNormals(gpu, sampling, lit)},
                        {"WHOLE_CELLS", readsWholeCells(gpu, sampling, lit)},
                        occlusionDefine(occlusion),
@@ -135,6 +133,7 @@ gl::ShaderProgram& FocusLayerPass::program(bool listed, const Drawn& drawn) {
                        {"RAYS", raysTogether(gpu.schedule(), sampling, lit)}},
                       {scheduleChoice(gpu.schedule()), focusChoice(gpu), lightChoice(lit), openingChoice(drawn),
                        integralChoice(gpu, bounded)}};
+  std::ranges::copy(focusDefines(gpu, lit), std::back_inserter(variant.defines));
   if (!bounded) std::ranges::copy(preIntegrationDefines(), std::back_inserter(variant.defines));
   return programs_.get(variant);
 }
@@ -149,7 +148,6 @@ gl::ShaderProgram& FocusLayerPass::prepared(bool listed, const Drawn& drawn) {
   else
     bindPreIntegration(gpu, program);
   bindFaint(gpu, program);
-  program.bind("occupiedSkip", gpu.occupiedSkip());
   program.set(integralBlock(sampling));
   if (opening) {
     if (opening->hole) program.bind("hole", *opening->hole);
@@ -171,26 +169,10 @@ gl::ShaderProgram& FocusLayerPass::prepared(bool listed, const Drawn& drawn) {
       program.set("fromPicture", static_cast<float>(stretch->fromPicture));
     }
   }
-  FocusBlock focus{
-      .material = glm::vec4(glm::vec3(gpu.focusMaterial()), look.focusAppearance.extinction * gpu.focusMaterial().a),
-      .paletteOrigin = gpu.focusOrigin(),
-      .table = gpu.focusTable()};
-  if (gpu.focusPaletteIndex()) {
-    program.bind("focusPaletteIndex", gpu.focusPaletteIndex());
-    program.bind("focusPalette", gpu.focusPalette());
-    focus.material.a = static_cast<float>(look.focusAppearance.extinction);
-  }
   if (look.shading.enabled) bindLight(gpu, program, rays.axes(), look.shading);
   bindOcclusion(gpu, program, occlusion);
   bindFading(gpu, program, rays.camera(), rays.distance(), fadingOf(look));
-  if (look.shading.enabled && gpu.focusSmooth()) {
-    program.bind("focusSmooth", gpu.focusSmooth());
-    if (sampling.maxError) program.bind("focusSmoothTexels", gpu.focusSmooth());
-    // A texel spans half a voxel around its centre, and the cell frame is index + 1.
-    focus.smoothOrigin = glm::vec3(gpu.focusSmoothOrigin()) + 0.5f;
-    focus.worldFromIndexGradient = Std140Mat3(glm::mat3(glm::transpose(glm::dmat3(gpu.grid().indexFromWorld()))));
-  }
-  bindFocus(gpu, program, focus);
+  bindFocusLook(gpu, program, look, sampling.maxError.has_value());
   return program;
 }
 

@@ -24,7 +24,9 @@ class ProtectedLayerPass {
  public:
   explicit ProtectedLayerPass(const gl::SharedPrograms& programs = std::make_shared<gl::ComputePrograms>())
       : programs_("ProtectedLayer.comp", programs) {}
-  enum class Shown : std::uint8_t { ProtectedLabels, All };
+  /// AllWithFocus: where labels in focus are of several levels of importance, what is removed shows those of the lower
+  /// ones as they look in focus.
+  enum class Shown : std::uint8_t { ProtectedLabels, All, AllWithFocus };
   /// Writes P, premultiplied RGBA32F, cell by cell: within half of the sampling's bound on the error of a colour, or
   /// where it has none, of four times its tolerance. For ProtectedLabels, `gpu` has some.
   void run(Steps& steps, const GpuScene& gpu, const Look& look, const RayFrame& rays,
@@ -32,6 +34,9 @@ class ProtectedLayerPass {
            gl::Texture& protectedLayer, const gl::Buffer* occlusion = nullptr, Shown shown = Shown::ProtectedLabels);
 
  private:
+  gl::ShaderProgram& program(const GpuScene& gpu, bool lit, const RayFrame& rays, const gl::Buffer* occlusion,
+                             Shown shown);
+
   gl::ShaderVariants programs_;
 };
 

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "rendering/reference/Apart.h"
+#include "rendering/reference/Importance.h"
 #include "rendering/scene/Parallel.h"
 
 namespace fenestra::reference {
@@ -232,6 +233,9 @@ Stages stagesApart(const Scene& scene, const Camera& camera, glm::ivec2 size, co
   const bool holes = labelsWith(LabelRole::Protected, scene).empty() && !stagesOf(scene.look.method).keepsRemoved();
   Stages stages;
   stages.hits = hitPoints(scene, camera, size, places);
+  // Only what is most important is never removed.
+  if (auto levels = importantHits(scene, camera, size, stages.hits, places); !levels.empty())
+    stages.hits.tFocus = std::move(levels.back());
   stages.tStart = stages.hits.tContext;
   const std::size_t count = stages.tStart.size();
   stages.apart =

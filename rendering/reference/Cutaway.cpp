@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "rendering/reference/Apart.h"
+#include "rendering/reference/Importance.h"
 #include "rendering/reference/Reference.h"
 #include "rendering/reference/Strokes.h"
 #include "rendering/scene/EdgeRays.h"
@@ -185,10 +186,18 @@ Stages geometricStages(const Scene& scene, const Camera& camera, glm::ivec2 size
   if (!hasCutaway(scene)) return stages;
   const Widths widths = widthsInPixels(scene, camera, size, pixelScale);
   const MethodStages method = stagesOf(scene.look.method);
-  if (method.start == MethodStages::Start::Cones)
+  const bool onCones = method.start == MethodStages::Start::Cones;
+  const std::vector<Image> levels = importantHits(scene, camera, size, stages.hits, centresOf(size));
+  if (onCones && !levels.empty()) {
+    ImportantStarts starts = importantStarts(stages.hits, levels, camera, size, method);
+    stages.tStart = stages.tCones = std::move(starts.tStart);
+    stages.hits.tFocus = std::move(starts.tOpened);
+  } else if (onCones) {
     stages.tStart = stages.tCones = coneStart(stages.hits, camera, size, method.slope, method.onSilhouette);
-  else
+  } else {
+    if (!levels.empty()) stages.hits.tFocus = highestHits(levels);
     stages.tFocusFilled = fill(stages.hits.tFocus, size);
+  }
   stages.distance = distanceMap(openedBy(stages), size, widths.open + widths.border);
   if (stages.tCones.empty()) stages.tStart = rayStart(stages.hits, stages.tFocusFilled, stages.distance, widths.open);
   if (std::any_of(scene.look.strokes.begin(), scene.look.strokes.end(), isEffective)) {

@@ -13,6 +13,7 @@
 #include "rendering/reference/Occlusion.h"
 #include "rendering/reference/Parts.h"
 #include "rendering/scene/Fading.h"
+#include "rendering/scene/Importance.h"
 #include "rendering/scene/Lighting.h"
 #include "rendering/scene/Parallel.h"
 
@@ -445,7 +446,10 @@ FocusLayer protectedLayer(const Scene& scene, const Camera& camera, const std::v
 
 FocusLayer removedLayer(const Scene& scene, const Camera& camera, const std::vector<CutRay>& rays,
                         const Image& tContext, double tolerance, const Occlusion* occlusion) {
-  // The opening never removes any of the focus.
+  // With several levels of importance it removes what of the focus hides more important labels.
+  if (!importanceLevels(scene).empty())
+    return integrated(Medium(scene, camera, occlusion), removedOf(rays, tContext), tolerance);
+  // Else the opening never removes any of the focus.
   Scene unfocused = scene;
   unfocused.look.focus = {};
   const Medium medium(scene, camera, FocusField(unfocused), occlusion);

@@ -97,7 +97,7 @@ struct Apart {
 /// Stages 1 to 4 in one go, with the scene's brush strokes (see Strokes.h for what they edit). Without a cutaway,
 /// tFocusFilled and distance are empty and tStart is tContext; without strokes, the edits are empty.
 struct Stages {
-  HitPoints hits;
+  HitPoints hits;  ///< with levels of importance (rendering/scene/Importance.h) tFocus is what rays are opened to
   Image tFocusFilled, distance, tStart;
   Image tCones;  ///< where the method stands cones, in place of tFocusFilled: the starts before the brush
   Image editOffset, editFactor;

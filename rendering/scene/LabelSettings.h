@@ -18,6 +18,10 @@ enum class LabelRole : std::uint8_t {
   Protected,  ///< shown, and never cut away
 };
 
+/// Levels of importance of labels run from 0, like all else, to this one; rendering/scene/Importance.h says what they
+/// do.
+inline constexpr int mostImportant = 4;
+
 struct LabelSetting {
   std::uint16_t label = 0;
   LabelRole role = LabelRole::Context;  ///< while the label is not in focus
@@ -26,6 +30,7 @@ struct LabelSetting {
   std::optional<glm::dvec3> colour{};   ///< display RGB 0..1, in place of the label map's
   /// Of it in focus: colour and extinction by value, in place of one material. See focusFunction.
   std::optional<TransferFunction> function{};
+  std::optional<int> importance{};  ///< 0 to mostImportant; empty: mostImportant in focus, else 0
 
   bool operator==(const LabelSetting&) const = default;
 };

@@ -25,8 +25,10 @@ MethodStages stagesOf(const Method& method) {
     case MethodKind::Cone:
       return cones(method.coneAngle, false);
     case MethodKind::Importance: {
-      if (method.importance == ImportanceMode::Maximum) return cones(method.importanceAngle, true);
       MethodStages stages;
+      if (method.importance == ImportanceMode::Maximum) stages = cones(method.importanceAngle, true);
+      stages.hasLevels = true;
+      if (method.importance == ImportanceMode::Maximum) return stages;
       stages.hasWidth = false;
       stages.faintOpacity = method.importanceOpacity;
       stages.sparseness = method.sparseness;

@@ -121,6 +121,7 @@ struct MethodStages {
   bool hasWidth = true;       ///< w_open says how wide the opening is; else it counts as 0
   double slope = 0.0;         ///< of cones: depth in mm per mm beside the axis, the cotangent of their half angle
   bool onSilhouette = false;  ///< cones stand on the silhouette of the focus's projection alone
+  bool hasLevels = false;     ///< labels may have several levels of importance (Importance.h); else the focus has one
   double faintOpacity = 0.0;  ///< w, the same everywhere; 0: nothing of what the opening removes shows
   Sparseness sparseness = Sparseness::Opacity;
   /// Where w is a lens's: of the context's first surface, at P, n its normal in the view's axes, or 0 where there is

@@ -8,6 +8,7 @@
 #include "rendering/scene/Fading.h"
 #include "rendering/scene/FaintLabels.h"
 #include "rendering/scene/FocusCells.h"
+#include "rendering/scene/Importance.h"
 #include "rendering/scene/Parallel.h"
 
 namespace fenestra {
@@ -140,14 +141,15 @@ class Absorber {
     }
     const float context = context_[number].at(value);
     if (role & isExempt) sum.exempt += context;
-    if (const auto held = focusAt(offset, voxel, value))
-      sum.kept += *held;
+    if (const Material* held = focusAt(offset, voxel, value))
+      (held->givesWay ? sum.context : sum.kept) += extinctionOf(*held, value);
     else
       (role & isProtected ? sum.kept : sum.context) += context;
   }
 
  private:
   static constexpr std::uint8_t isProtected = 1, isExempt = 2;
+  static constexpr int none = -1;
 
   void mark(std::uint16_t label, std::uint8_t role) {
     role_[label] = static_cast<std::uint8_t>(role_[label] | role);
@@ -157,10 +159,13 @@ class Absorber {
   void addFocus(const Scene& scene) {
     if (const auto* labels = std::get_if<LabelFocus>(&scene.look.focus); labels && scene.labels) {
       ofLabel_.assign(labelCount, none);
+      const auto levels = importanceLevels(scene);
       for (const std::uint16_t label : labels->labels) {
         ofLabel_[label] = static_cast<int>(materials_.size());
         const auto function = focusFunction(scene, label);
         materials_.push_back({static_cast<float>(focusMaterial(scene, label).extinction), none});
+        materials_.back().givesWay =
+            !levels.empty() && !std::binary_search(levels.back().begin(), levels.back().end(), label);
         if (!function) continue;
         materials_.back().table = static_cast<int>(tables_.size());
         tables_.emplace_back(*function);
@@ -183,21 +188,22 @@ class Absorber {
     return false;
   }
 
-  /// The focus's extinction at a voxel; empty where it is not in the focus.
-  std::optional<float> focusAt(std::size_t offset, glm::ivec3 voxel, double value) const {
+  struct Material {
+    float extinction = 0.0f;
+    int table = none;       ///< in place of it
+    bool givesWay = false;  ///< to labels in focus that are more important
+  };
+
+  /// Of the focus at a voxel; null where it is not in the focus.
+  const Material* focusAt(std::size_t offset, glm::ivec3 voxel, double value) const {
     int material = none;
     if (!ofLabel_.empty()) material = ofLabel_[focusLabels_.at(offset)];
     if (cells_ && value >= range_.low && value <= range_.high && inKeptCell(voxel)) material = 0;
-    if (material == none) return std::nullopt;
-    const Material& held = materials_[static_cast<std::size_t>(material)];
+    return material == none ? nullptr : &materials_[static_cast<std::size_t>(material)];
+  }
+  float extinctionOf(const Material& held, double value) const {
     return held.table == none ? held.extinction : tables_[static_cast<std::size_t>(held.table)].at(value);
   }
-
-  static constexpr int none = -1;
-  struct Material {
-    float extinction = 0.0f;
-    int table = none;  ///< in place of it
-  };
 
   const Grid& grid_;
   Labels structures_, focusLabels_;

@@ -8,6 +8,7 @@
 #include "rendering/scene/Explosion.h"
 #include "rendering/scene/Fading.h"
 #include "rendering/scene/FaintLabels.h"
+#include "rendering/scene/Importance.h"
 #include "rendering/scene/Occlusion.h"
 #include "rendering/scene/Peel.h"
 #include "rendering/scene/Walls.h"
@@ -115,6 +116,7 @@ ScenePreparation::Kind ScenePreparation::kindOf(const Scene& scene, const View& 
                      : look.clipping.grey                                                        ? 2
                                                                                                  : 1,
           .exempts = !look.clipping.exempt.empty(),
+          .levels = !importanceLevels(scene).empty(),
           .apart = hasCutaway(scene) && (view.frozen || look.cutaway.axisOffset != 0.0),
           .smoothEdges = hasSmoothEdges(look, view),
           .enlarged = view.quality == Quality::Draft || std::min({spacing.x, spacing.y, spacing.z}) > pixel,

@@ -57,6 +57,7 @@ class ScenePreparation {
     bool contextLayer = false;
     int clipped = 0;       ///< 2: with grey faces
     bool exempts = false;  ///< labels from that
+    bool levels = false;   ///< of importance
     bool apart = false;    ///< another camera cuts the opening
     bool smoothEdges = false;
     bool enlarged = false;  ///< pixels smaller than voxels: rays between others

@@ -159,7 +159,7 @@ void integrateSections(inout Walk walk) {
   CellPath path = walk.path;
   vec2 range = focusRange();
   if (walk.cut.onFocus != 0u && path.sFrom == walk.cut.start)
-    path.focusAlong.x = clamp(path.focusAlong.x, range.x, range.y);
+    path.focusAlong.x = ontoFocus(path.focusAlong.x, range);
   CellNormals normals = normalsAlong(path.cell, path.a, path.b);
   add(walk, integrateSections(path, normals, walk.ray, walk.cut, 1.0 - walk.result.a, shareOf(walk)), true);
 }

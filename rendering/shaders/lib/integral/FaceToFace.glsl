@@ -243,7 +243,7 @@ vec2 focusPart(Walk walk, uint slot, ivec3 cell) {
   for (int i = 0; i < 3; ++i)
     field[i] = focusAt(held, clamp(cellPosition(walk.ray, s[i]) - vec3(cell), 0.0, 1.0), stored[i]);
   vec2 range = focusRange(), part = vec2(0.0, 1.0);
-  if (walk.cut.onFocus != 0u && walk.front.s == walk.cut.start) field.x = clamp(field.x, range.x, range.y);
+  if (walk.cut.onFocus != 0u && walk.front.s == walk.cut.start) field.x = ontoFocus(field.x, range);
   if (range.x > -FAR) part = partAbove(field, range.x);
   if (range.y < FAR) {
     vec2 below = partAbove(-field, -range.y);

@@ -11,6 +11,23 @@ struct IntegralSettings {
 };
 UNIFORM_BLOCK(IntegralBlock, storedIntegral, IntegralSettings, integral);
 
+// Where the look opens to labels of other levels of importance than the focus's, too (rendering/scene/Importance.h).
+#ifndef IMPORTANCE_LEVELS
+#define IMPORTANCE_LEVELS 0
+#endif
+
+// The focus's field where a ray starts on the focus's surface, on whichever side of it rounding has put the start. With
+// IMPORTANCE_LEVELS the surface may be that of other labels, which have nothing to do with the focus.
+float ontoFocus(float field, vec2 range) {
+  float on = clamp(field, range.x, range.y);
+#if IMPORTANCE_LEVELS
+  const float ROUNDING = 1e-3;  // of an indicator of 0 to 1
+  return abs(on - field) <= ROUNDING ? on : field;
+#else
+  return on;
+#endif
+}
+
 int distanceToVisible(ivec3 cell) { return int(texelOf(occupiedSkip, cell >> BRICK_SHIFT).r); }
 
 // A terminated ray loses up to leastTransmittance of its light. Half of it is added back in the ray's colour so far, which

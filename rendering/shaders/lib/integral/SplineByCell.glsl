@@ -142,7 +142,7 @@ void integrateSections(inout Walk walk) {
     CellPath path = halfOf(walk, each);
     setFocus(path, held, halfOf(walk.values, each));
     if (walk.cut.onFocus != 0u && path.sFrom == walk.cut.start)
-      path.focusAlong.x = clamp(path.focusAlong.x, range.x, range.y);
+      path.focusAlong.x = ontoFocus(path.focusAlong.x, range);
     vec4 colour = integrateSections(path, halfOf(walk.normals, each), walk.ray, walk.cut, 1.0 - walk.result.a,
                                      shareOf(walk, path));
     add(walk, colour, each == HALVES - 1);

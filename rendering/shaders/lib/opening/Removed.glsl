@@ -13,7 +13,13 @@ struct Cut {
   uint onFocus;
 };
 
-Cut cutAt(ivec2 pixel, Ray ray) { return Cut(texelFetch(hitPoints, pixel, 0).x, 0u); }
+#if IMPORTANCE_LEVELS
+const uint MAY_START_ON_FOCUS = 1u;  // on a less important label in focus; see ontoFocus()
+#else
+const uint MAY_START_ON_FOCUS = 0u;
+#endif
+
+Cut cutAt(ivec2 pixel, Ray ray) { return Cut(texelFetch(hitPoints, pixel, 0).x, MAY_START_ON_FOCUS); }
 // Where the ray starts to see the rest; not beyond cut.start where nothing is removed.
 float endAt(ivec2 pixel, Ray ray) { return min(texelFetch(rayStart, pixel, 0).r, ray.sOut); }
 bool startsHere(Cut cut, Ray ray) { return !isNone(cut.start) && cut.start < ray.sOut; }

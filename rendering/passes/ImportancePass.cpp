@@ -1,0 +1,26 @@
+#include "rendering/passes/ImportancePass.h"
+
+#include "rendering/gpu/SceneBinding.h"
+
+namespace fenestra {
+
+void ImportancePass::run(Steps& steps, const GpuScene& gpu, const KeptLabels& level, const RayFrame& rays,
+                         const gl::Texture& hitPoints, gl::Texture& hits, bool isHigher) {
+  steps.add(rays.size(), [this, &gpu, &level, &rays, &hitPoints, &hits, isHigher](Regions tile) {
+    gl::ShaderProgram& program = programs_.get({{volumeDefine(gpu),
+                                                 refinementDefine(gpu),
+                                                 faintDefine(gpu),
+                                                 rays.clipDefine(),
+                                                 rays.scatterDefine(),
+                                                 {"HIGHER", isHigher}},
+                                                {scheduleChoice(gpu.schedule()), importanceChoice(level)}});
+    rays.setBlocks(program);
+    bindLabelHits(gpu, level, program);
+    bindFaint(gpu, program);
+    program.bind("hitPoints", hitPoints);
+    program.bind("importantHits", hits, isHigher ? gl::Access::ReadWrite : gl::Access::Write);
+    program.dispatch(tile);
+  });
+}
+
+}  // namespace fenestra
