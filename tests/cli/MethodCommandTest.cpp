@@ -14,6 +14,8 @@ const std::vector<std::string> methods{
     "--method importance --importance average --importance-opacity 0.2",
     "--method importance --importance average --importance-opacity 0.4 "
     "--importance-sparseness screen-door",
+    "--method importance --importance-levels muscle=1,spleen=2",
+    "--method importance --importance average --importance-opacity 0.3 --importance-levels muscle=1",
     "--method clearview --lens-radius 35 --lens-bends 0.5 --lens-rim 20",
     "--method context-preserving --fade-reach 4 --fade-sharpness 0.7",
     "--method focal-region --focal-size 25 --focal-fall-off 30",
@@ -50,6 +52,39 @@ TEST_F(MethodCommand, ParametersOfOtherMethodsLeaveThePictureAsItIs) {
                    "--peel 0.3 --peel-side left --peel-turn 20 --peel-depth 0.9 --peel-radius 50 --peel-margin 40"),
             0);
   EXPECT_EQ(bytes("plain.png"), bytes("same.png"));
+}
+
+TEST_F(MethodCommand, LevelsOfImportanceCountForThatMethodAndAreOnesOfASession) {
+  ASSERT_EQ(render("adaptive.png", ""), 0);
+  ASSERT_EQ(render("same.png", "--importance-levels muscle=1"), 0);
+  EXPECT_EQ(bytes("adaptive.png"), bytes("same.png"));
+  ASSERT_EQ(render("one.png", "--method importance"), 0);
+  ASSERT_EQ(render("same.png", "--method importance --importance-levels 'left kidney=2',muscle=0"), 0);
+  EXPECT_EQ(bytes("one.png"), bytes("same.png")) << "the focus is the one level";
+  ASSERT_EQ(
+      render("two.png", "--method importance --importance-levels muscle=1 --save-session " + quoted("work.fenestra")),
+      0);
+  EXPECT_GT(shareBeyond(2.0, "one.png", "two.png"), 0.02);
+  const LabelSettings kept = io::readSession(at("work.fenestra")).look.labels;
+  ASSERT_EQ(kept.size(), 1u);
+  EXPECT_EQ(kept.front().importance, 1);
+  ASSERT_EQ(run("render " + quoted("work.fenestra") + " --importance-levels muscle=0 -o " + quoted("same.png")), 0);
+  EXPECT_EQ(bytes("one.png"), bytes("same.png"));
+}
+
+TEST_F(MethodCommand, LevelsOfImportanceNeedLabelsInFocusAndNumbersUpToFour) {
+  for (const char* wrong : {"muscle=5", "muscle=-1", "muscle=1.5", "muscle", "=1", "muscle=", "muscle=1,"}) {
+    EXPECT_EQ(render("none.png", std::string("--method importance --importance-levels ") + wrong), 2) << wrong;
+    EXPECT_NE(bytes("error").find("--importance-levels"), std::string::npos) << bytes("error");
+  }
+  EXPECT_EQ(render("none.png", "--method importance --importance-levels muscles=1"), 1);
+  EXPECT_NE(bytes("error").find("there is no label \"muscles\""), std::string::npos) << bytes("error");
+  EXPECT_EQ(run("render --phantom torso --phantom-voxels 48 --focus-range 150:3000 --method importance "
+                "--importance-levels muscle=1 -o " +
+                quoted("none.png")),
+            1);
+  EXPECT_NE(bytes("error").find("no labels in focus"), std::string::npos) << bytes("error");
+  EXPECT_FALSE(std::filesystem::exists(at("none.png")));
 }
 
 TEST_F(MethodCommand, WhatIsNeitherExplodedNorPeeledIsThePlainPicture) {

@@ -149,6 +149,15 @@ inline std::vector<std::pair<std::string, Method>> otherMethods() {
           {"peeled", {.kind = MethodKind::Peel, .peel = 0.7, .peelRadius = 4.0, .peelMargin = 2.0}}};
 }
 
+/// A body whose second organ is less important than the first one, in focus or not.
+inline Scene levelled(Scene scene, ImportanceMode mode) {
+  LabelSetting second = settingFor(scene.look.labels, 2);
+  second.importance = 1;
+  put(scene.look.labels, second);
+  scene.look.method = {.kind = MethodKind::Importance, .importance = mode, .importanceOpacity = 0.3};
+  return scene;
+}
+
 /// A body cut by a box and two planes, with faces in grey or as the transfer function shows them.
 inline Scene clipped(Scene scene, bool grey) {
   const Grid& grid = scene.volume->grid;
@@ -268,6 +277,12 @@ inline std::vector<SceneKind> allSceneKinds() {
     other.name += ", " + name;
     other.scene.look.method = method;
     kinds.push_back(std::move(other));
+  }
+  // Levels of importance, in both modes in turns, with whatever else makes a program another one.
+  for (std::size_t i = 0, all = kinds.size(), next = 0; i < all; i += 11) {
+    if (!hasCutaway(kinds[i].scene) || !std::holds_alternative<LabelFocus>(kinds[i].scene.look.focus)) continue;
+    const ImportanceMode mode = next++ % 2 ? ImportanceMode::Average : ImportanceMode::Maximum;
+    kinds.push_back({kinds[i].name + ", levels, " + wordOf(mode).word, levelled(kinds[i].scene, mode), kinds[i].view});
   }
   // Walls need no focus, where they stand around the volume.
   for (std::size_t i = 0, all = kinds.size(); i < all; i += 11) {

@@ -1,6 +1,7 @@
 // Choosing a method in the window: its own rows, pictures, undo, sessions, and what it does not have.
 
 #include <QComboBox>
+#include <QSpinBox>
 #include <QTest>
 
 #include "rendering/scene/Settings.h"
@@ -9,6 +10,7 @@
 #include "viewer/panels/CarvingRows.h"
 #include "viewer/panels/ContextLayerPanel.h"
 #include "viewer/panels/CutawayPanel.h"
+#include "viewer/panels/ImportanceList.h"
 #include "viewer/panels/SliderSpin.h"
 
 namespace fenestra::viewer {
@@ -96,6 +98,46 @@ TEST_F(MethodWindow, EachHasItsOwnRowsAndIsAStepOfTheHistory) {
   waitUntilDrawn();
   ASSERT_EQ(picture(volume(0)).size(), adaptive.size()) << "the panel's rows leave the views their place";
   EXPECT_EQ(picture(volume(0)), adaptive) << "to the bit";
+}
+
+TEST_F(MethodWindow, LabelsHaveLevelsOfImportance) {
+  auto& list = *panel<CutawayPanel>().findChild<ImportanceList*>();
+  EXPECT_FALSE(list.isVisibleTo(&panel<CutawayPanel>()));
+  const int width = panel<CutawayPanel>().width();
+  choose("kind", MethodKind::Importance);
+  EXPECT_TRUE(list.isVisibleTo(&panel<CutawayPanel>()));
+  waitUntilDrawn();
+  EXPECT_EQ(panel<CutawayPanel>().width(), width);
+  const QImage one = picture(volume(0));
+  const int steps = document().undoStack().index();
+  ASSERT_EQ(list.table()->rowCount(), 1) << "the focus";
+  const auto box = [&](int row) { return qobject_cast<QSpinBox*>(list.table()->cellWidget(row, 1)); };
+  EXPECT_EQ(box(0)->value(), mostImportant);
+
+  // A label that the focus lies in gets a level, and then another one.
+  ASSERT_GT(list.more()->count(), 0);
+  const auto other = static_cast<std::uint16_t>(list.more()->itemData(0).toUInt());
+  Q_EMIT list.more()->activated(0);
+  EXPECT_EQ(document().labelSetting(other).importance, 1);
+  EXPECT_EQ(document().undoStack().index(), steps + 1);
+  ASSERT_EQ(list.table()->rowCount(), 2);
+  waitUntilDrawn();
+  EXPECT_NE(picture(volume(0)), one);
+  const int row =
+      document().isFocused(static_cast<std::uint16_t>(list.table()->item(0, 0)->data(Qt::UserRole).toUInt())) ? 1 : 0;
+  box(row)->setValue(2);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return document().labelSetting(other).importance == 2; }));
+  // At 0 it is like all else.
+  box(row)->setValue(0);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return list.table()->rowCount() == 1; }));
+  EXPECT_EQ(document().labelSetting(other), LabelSetting{.label = other});
+  waitUntilDrawn();
+  EXPECT_EQ(picture(volume(0)), one) << "to the bit";
+  document().undoStack().undo();
+  EXPECT_EQ(list.table()->rowCount(), 2);
+
+  choose("kind", MethodKind::Adaptive);
+  EXPECT_FALSE(list.isVisibleTo(&panel<CutawayPanel>()));
 }
 
 TEST_F(MethodWindow, ClearViewHasALensInPlaceOfWidthAndBorder) {

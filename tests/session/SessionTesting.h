@@ -60,8 +60,8 @@ inline io::Session fullSession(const std::filesystem::path& folder) {
   session.labels.contents = contents;
   session.look.focus = ValueFocus{{-1000.5, 3071.0}, 12.5};
   session.look.labels = {
-      {2, LabelRole::Hidden, false, 1.0 / 3.0, glm::dvec3(0.1, 0.0, 1.0), {}},
-      {65535, LabelRole::Protected, true, 0.0, {}, TransferFunction{{{42.0, {{0.1, 0.9, 0.0}, 0.7}}}}}};
+      {2, LabelRole::Hidden, false, 1.0 / 3.0, glm::dvec3(0.1, 0.0, 1.0), {}, 3},
+      {65535, LabelRole::Protected, true, 0.0, {}, TransferFunction{{{42.0, {{0.1, 0.9, 0.0}, 0.7}}}}, 0}};
   session.look.focusAppearance = {
       {0.1, 0.2, 0.3},
       1.0 / 3.0,

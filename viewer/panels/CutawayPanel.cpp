@@ -8,6 +8,7 @@
 
 #include "viewer/model/Translation.h"
 #include "viewer/panels/CarvingRows.h"
+#include "viewer/panels/ImportanceList.h"
 
 namespace fenestra::viewer {
 namespace {
@@ -74,6 +75,7 @@ CutawayPanel::CutawayPanel(Document& document, Carving& carving, QWidget* parent
       wallCoronal_(methodControls_.box(&Method::wallCoronal)),
       wallOutlines_(methodControls_.box(&Method::wallOutlines)),
       carving_(new CarvingRows(document, carving)),
+      importanceLevels_(new ImportanceList(document)),
       look_(new QComboBox),
       unit_(controls_.choice(&Cutaway::unit)),
       colour_(controls_.colour(&Cutaway::borderColour)) {
@@ -103,6 +105,7 @@ CutawayPanel::CutawayPanel(Document& document, Carving& carving, QWidget* parent
   });
   connect(&document, &Document::cutawayChanged, this, &CutawayPanel::show);
   connect(&document, &Document::volumeChanged, this, &CutawayPanel::show);
+  connect(&document, &Document::focusChanged, this, &CutawayPanel::show);
   show();
 }
 
@@ -124,6 +127,7 @@ void CutawayPanel::addMethod(QFormLayout& form) {
   form.addRow(label, importance_);
   form.addRow(name(settingOf(&Method::importanceAngle)), importanceAngle_);
   form.addRow(name(settingOf(&Method::importanceOpacity)), importanceOpacity_);
+  form.addRow(tr("Levels"), importanceLevels_);
   form.addRow(name(settingOf(&Method::lensRadius)), lensRadius_);
   form.addRow(name(settingOf(&Method::lensBends)), lensBends_);
   //: before the number that says how thin the line around a lens is
@@ -189,6 +193,7 @@ void CutawayPanel::showMethod() {
   form_->setRowVisible(importanceAngle_, byImportance && removes);
   form_->setRowVisible(importanceOpacity_, byImportance && !removes);
   sparseness_->setVisible(byImportance && !removes);
+  form_->setRowVisible(importanceLevels_, byImportance);
   form_->setRowVisible(lensRadius_, byLens);
   form_->setRowVisible(lensBends_, byLens);
   form_->setRowVisible(lens_, byLens);
@@ -227,6 +232,7 @@ void CutawayPanel::showMethod() {
                                        peelSide_,        peelTurn_,          peelDepth_,      peelRadius_,
                                        peelMargin_})
     widget->setEnabled(open);
+  importanceLevels_->setEnabled(open && std::holds_alternative<LabelFocus>(document_.focus()));
   for (QWidget* widget : std::initializer_list<QWidget*>{look_, axisOffset_, unit_}) widget->setEnabled(open && opens);
   axisDirection_->setEnabled(axisDirection_->isEnabled() && opens);
   // A width that the method does not have stays in sight, and says why it cannot be moved.

@@ -10,6 +10,7 @@ namespace fenestra::viewer {
 
 class Carving;
 class CarvingRows;
+class ImportanceList;
 
 class CutawayPanel : public QWidget {
   Q_OBJECT
@@ -41,6 +42,7 @@ class CutawayPanel : public QWidget {
   QDoubleSpinBox* lensRim_;
   QCheckBox *wallAxial_, *wallSagittal_, *wallCoronal_, *wallOutlines_;
   CarvingRows* carving_;
+  ImportanceList* importanceLevels_;
   QComboBox *look_, *unit_;
   ColourButton* colour_;
 };

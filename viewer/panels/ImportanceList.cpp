@@ -36,6 +36,7 @@ ImportanceList::ImportanceList(Document& document, QWidget* parent)
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   table_->setIconSize({10, 10});
+  table_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // rows that appear must not widen the panel
   table_->setToolTip(
       tr("What hides a label of a higher level is opened for it; what has the same level or a higher one "
          "never is. All else has level 0."));
