@@ -105,7 +105,6 @@ CutawayPanel::CutawayPanel(Document& document, Carving& carving, QWidget* parent
   });
   connect(&document, &Document::cutawayChanged, this, &CutawayPanel::show);
   connect(&document, &Document::volumeChanged, this, &CutawayPanel::show);
-  connect(&document, &Document::focusChanged, this, &CutawayPanel::show);
   show();
 }
 
@@ -230,9 +229,8 @@ void CutawayPanel::showMethod() {
                                        explosion_,       explosionPlanes_,   explosionAxes_,  carving_,
                                        ghostStrength_,   ghostEdge_,         ghostOutline_,   peel_,
                                        peelSide_,        peelTurn_,          peelDepth_,      peelRadius_,
-                                       peelMargin_})
+                                       peelMargin_,      importanceLevels_})
     widget->setEnabled(open);
-  importanceLevels_->setEnabled(open && std::holds_alternative<LabelFocus>(document_.focus()));
   for (QWidget* widget : std::initializer_list<QWidget*>{look_, axisOffset_, unit_}) widget->setEnabled(open && opens);
   axisDirection_->setEnabled(axisDirection_->isEnabled() && opens);
   // A width that the method does not have stays in sight, and says why it cannot be moved.

@@ -99,6 +99,9 @@ void ImportanceList::show() {
   }
   const int rows = std::clamp(table_->rowCount(), 1, mostRows);
   table_->setFixedHeight(rows * table_->verticalHeader()->defaultSectionSize() + 2 * table_->frameWidth());
+  // A focus of values and a region have one level.
+  for (QWidget* widget : std::initializer_list<QWidget*>{table_, more_})
+    widget->setEnabled(std::holds_alternative<LabelFocus>(document_.focus()));
   more_->clear();
   for (const Label* label : others) more_->addItem(nameOf(*label), label->value);
   more_->setCurrentIndex(-1);
