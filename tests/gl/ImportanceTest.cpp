@@ -37,6 +37,19 @@ Scene organs(std::vector<std::uint16_t> focus, std::initializer_list<std::pair<s
   return scene;
 }
 
+/// A ball of stripes of two labels of the same level, of which one is in focus: rays start on its surface within cells
+/// that hold some of both.
+Scene stripes(ImportanceMode mode) {
+  Scene scene = organs({1}, {{1, 1}, {2, 1}}, mode);
+  const Grid& grid = scene.volume->grid;
+  const auto labels = labelsOf(grid, [&](glm::ivec3 i) {
+    return glm::distance(glm::dvec3(i), grid.centre()) < 9.0 ? 1 + (i.x / 2 + i.z / 2) % 2 : 0;
+  });
+  labels->labels = scene.labels->labels;
+  scene.labels = labels;
+  return scene;
+}
+
 View viewOf(const Scene& scene, double azimuth = 12.0, Projection projection = Projection::Perspective) {
   View view{.camera = Camera::fromAngles(azimuth, 8.0, scene.volume->grid, projection), .size = size};
   view.maxError = 1.0;
@@ -130,6 +143,7 @@ std::vector<Case> cases() {
     all.push_back({"three in focus" + by, organs({1, 2, 3}, {{1, 3}, {2, 2}, {3, 1}}, mode)});
     all.push_back({"the context above the focus" + by, organs({2}, {{2, 1}, {1, 3}}, mode)});
     all.push_back({"a label in focus of level 0" + by, organs({1, 2}, {{1, 2}, {2, 0}}, mode)});
+    all.push_back({"stripes" + by, stripes(mode)});
     all.push_back({"nothing important" + by, organs({1, 2}, {{1, 0}, {2, 0}}, mode)});
   }
   return all;

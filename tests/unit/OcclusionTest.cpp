@@ -286,6 +286,19 @@ TEST(OccluderCells, HoldTheMeanOfWhatTheirVoxelsShow) {
   EXPECT_EQ(extinctionAt(cells, {20, 4, 4}).exempt, faint);
 }
 
+TEST(OccluderCells, CountWhatOfTheFocusGivesWayToMoreImportantLabelsAsRemovable) {
+  Scene scene = body();
+  scene.look.focus = LabelFocus{{1, 2}};
+  scene.look.focusAppearance.extinction = 3.0;
+  put(scene.look.labels, {.label = 2, .importance = 1});
+  EXPECT_FLOAT_EQ(extinctionAt(occluderCells(scene), {20, 4, 4}).kept, 3.0f) << "of another method";
+  scene.look.method.kind = MethodKind::Importance;
+  const OccluderCells cells = occluderCells(scene);
+  EXPECT_EQ(extinctionAt(cells, {20, 4, 4}).kept, 0.0f);
+  EXPECT_FLOAT_EQ(extinctionAt(cells, {20, 4, 4}).context, 3.0f);
+  EXPECT_FLOAT_EQ(extinctionAt(cells, {35, 20, 15}).kept, 3.0f);
+}
+
 TEST(OccluderCells, OfAFocusOfValuesKeepItsComponents) {
   Scene scene = body();
   scene.volume = volumeOf<float>(scene.volume->grid, [](glm::ivec3 i) {
