@@ -16,7 +16,7 @@
 namespace fenestra::viewer {
 namespace {
 
-constexpr int mostRows = 4;  // in sight; the panel never scrolls
+constexpr int mostRows = 3;  // in sight; the panel never scrolls and leaves the others their height
 
 int levelOf(const Document& document, std::uint16_t label) {
   return document.labelSetting(label).importance.value_or(document.isFocused(label) ? mostImportant : 0);
@@ -29,6 +29,8 @@ ImportanceList::ImportanceList(Document& document, QWidget* parent)
   table_->setColumnCount(2);
   table_->horizontalHeader()->hide();
   table_->verticalHeader()->hide();
+  table_->verticalHeader()->setMinimumSectionSize(0);
+  table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
   table_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
   table_->horizontalHeader()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
   table_->setShowGrid(false);
