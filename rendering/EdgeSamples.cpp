@@ -91,8 +91,7 @@ const gl::Texture& EdgeSamples::addLayers(PassChain& chain, const RayFrame& rays
   const GpuScene& gpu = *chain.gpu;
   const Regions regions(&region, 1);
   const gl::Buffer* occlusion = chain.occlusionOfFrame();
-  FocusLayerPass::Sampling sampling = frame.sampling;
-  sampling.pitch = 1;
+  const FocusLayerPass::Sampling sampling = FocusLayerPass::followingEveryRay(frame.sampling);
   std::optional<FocusLayerPass::Opening> cut;
   if (frame.hasCutaway)
     cut.emplace(FocusLayerPass::Opening{batch_.hitPoints, batch_.rayStart, chain.opening ? &batch_.hole : nullptr,
@@ -131,8 +130,7 @@ const gl::Texture& EdgeSamples::addExploded(PassChain& chain, const Scatter& bat
   auto& stretches = stretches_.emplace_back();
   for (const FocusLayerPass::ExplodedStretch& stretch : chain.stretches)
     stretches.push_back({stretch.shown, stretch.rays.scattered(batch), stretch.fromPicture});
-  FocusLayerPass::Sampling sampling = chain.frame->sampling;
-  sampling.pitch = 1;
+  const FocusLayerPass::Sampling sampling = FocusLayerPass::followingEveryRay(chain.frame->sampling);
   focusLayerPass_.runExploded(chain.steps, *chain.gpu, chain.frame->scene.look, stretches,
                               chain.explodesAroundFocus() ? &batch_.hitPoints : nullptr, sampling, Regions(&region, 1),
                               sized(batch_.focusLayer, gl::Format::RGBA32F, size));

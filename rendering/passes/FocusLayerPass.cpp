@@ -127,6 +127,7 @@ gl::ShaderProgram& FocusLayerPass::program(bool listed, const Drawn& drawn) {
                                                 : 1},
                        {"SHOWN", shownOf(stretch, focusHits)},
                        {"LISTED", listed},
+                       {"QUINCUNX", sampling.quincunx && !listed},
                        {"APART", opening && opening->hole},
                        rays.clipDefine(),
                        rays.scatterDefine(),
@@ -184,10 +185,12 @@ void FocusLayerPass::drawBetween(const Layers& layers, int halfSide, bool centre
   if (list_.bytes() < needed) list_ = gl::Buffer::zeroed(needed);
   list_.write(std::as_bytes(std::span(emptyList)));
   list_.bind(listBlock);
-  gl::ShaderProgram& between =
-      between_.get({{{"CENTRES", centres}, {"RAYS", raysTogether(drawn.gpu.schedule(), drawn.sampling, lit)}}, {}});
+  gl::ShaderProgram& between = between_.get({{{"CENTRES", centres},
+                                              {"QUINCUNX", drawn.sampling.quincunx},
+                                              {"RAYS", raysTogether(drawn.gpu.schedule(), drawn.sampling, lit)}},
+                                             {}});
   between.set("pictureSize", drawn.rays.size());
-  between.set("halfSide", halfSide);
+  if (!drawn.sampling.quincunx) between.set("halfSide", halfSide);
   between.set("tolerance", static_cast<float>(toleranceOf(drawn.sampling, lit, halfSide)));
   between.bind("focusLayer", focusLayer, gl::Access::ReadWrite);
   between.dispatch(squares);
@@ -217,21 +220,24 @@ void FocusLayerPass::add(Steps& steps, const Layers& layers, Regions regions, gl
   const Drawn& first = layers.front();
   const Sampling& sampling = first.sampling;
   const int together = raysTogether(first.gpu.schedule(), sampling, first.look.shading.enabled);
-  steps.add(inBoxes(regions, sampling.pitch * glm::ivec2(1, together)), [this, layers, &focusLayer](Regions tile) {
+  const glm::ivec2 apart(sampling.pitch, sampling.quincunx ? 1 : sampling.pitch);
+  steps.add(inBoxes(regions, apart * glm::ivec2(1, together)), [this, layers, &focusLayer](Regions tile) {
     for (const Drawn& drawn : layers) {
       gl::ShaderProgram& lattice = prepared(false, drawn);
-      lattice.set("pitch", drawn.sampling.pitch);
+      if (!drawn.sampling.quincunx) lattice.set("pitch", drawn.sampling.pitch);
       lattice.bind("focusLayer", focusLayer, drawn.stretch ? gl::Access::ReadWrite : gl::Access::Write);
       lattice.dispatch(tile);
     }
   });
   if (sampling.pitch == 1) list_ = {};
   for (int halfSide = sampling.pitch / 2; halfSide > 0; halfSide /= 2)
-    for (const bool centres : {true, false})
+    for (const bool centres : {true, false}) {
+      if (centres && sampling.quincunx) continue;  // they have their rays
       steps.add(inBoxes(regions, glm::ivec2(2 * halfSide)),
                 [this, layers, halfSide, centres, &focusLayer](Regions tile) {
                   drawBetween(layers, halfSide, centres, tile, focusLayer);
                 });
+    }
 }
 
 }  // namespace fenestra

@@ -40,17 +40,22 @@ class FocusLayerPass {
   };
   /// How the integral is found: cell by cell within a bound on the error of a pixel's colour (0..1), or without one
   /// from face to face of the cells. Rays are traced through every pitch-th pixel of every pitch-th row (a power of
-  /// two). A pixel between them is interpolated where the estimated error is within `tolerance`, else it gets a ray of
-  /// its own. Early ray termination may change a colour by half the tolerance.
+  /// two); of a quincunx, which has a pitch of 2, also through the pixels in the middle between four of those. A pixel
+  /// between them is interpolated where the estimated error is within `tolerance`, else it gets a ray of its own. Early
+  /// ray termination may change a colour by half the tolerance.
   struct Sampling {
     std::optional<double> maxError{};
     int pitch = 1;
+    bool quincunx = false;
     double tolerance = 1.0 / 256.0;
     bool operator==(const Sampling&) const = default;
   };
   /// Of pictures of draft or normal quality, for which no bound is asked, where only the integral within a bound can
   /// draw what they show.
   static constexpr double usualBound = 4.0 / 255.0;
+  static Sampling followingEveryRay(const Sampling& sampling) {
+    return {.maxError = sampling.maxError, .tolerance = sampling.tolerance};
+  }
   /// What a sampling means to the integrals.
   static IntegralBlock integralBlock(const Sampling& sampling);
   /// A pixel's result depends on the ray starts within this many pixels of it: an interpolated pixel on those up to
@@ -100,7 +105,7 @@ class FocusLayerPass {
   using Layers = std::vector<Drawn>;
   void add(Steps& steps, const Layers& layers, Regions regions, gl::Texture& focusLayer);
   /// Pixels between those of a lattice whose squares have sides of 2·halfSide: the squares' centres, or the middles of
-  /// their sides, which need all centres.
+  /// their sides, which need all centres. Of a quincunx, the latter.
   void drawBetween(const Layers& layers, int halfSide, bool centres, Regions squares, gl::Texture& focusLayer);
 
   gl::ShaderVariants programs_, between_;

@@ -19,6 +19,8 @@ layout(rgba32f) uniform writeonly image2D focusLayer;
 
 #if LISTED
 ivec2 pixelOf(int i) { return listedPixel(i); }
+#elif QUINCUNX
+ivec2 pixelOf(int i) { return quincunxPixel(RAYS, i); }
 #else
 uniform int pitch;  // pixels from one ray to the next
 

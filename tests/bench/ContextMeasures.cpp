@@ -8,6 +8,7 @@
 
 #include "rendering/reference/FadingIntegral.h"
 #include "rendering/reference/FocalRegion.h"
+#include "rendering/reference/Ghosting.h"
 #include "rendering/scene/Parallel.h"
 
 namespace fenestra::bench {
@@ -90,19 +91,20 @@ class ViewSamples::Along {
  public:
   Along(const ViewSamples& view, const MethodRays& method) : view_(view), method_(method) {
     if (method.fading && method.fading->region) region_.emplace(*method.fading->region, view.sampler_.focusCentre());
+    if (method.fading && method.fading->ghost) ghost_.emplace(*method.fading->ghost);
   }
 
   std::vector<Treated> operator()(const SampledRay& sampled, std::size_t pixel) const {
     std::vector<Treated> all(sampled.stretches.size());
     double removedDepth = 0.0;
-    if (!method_.starts.empty()) removedDepth = addRemoved(sampled, pixel, all);
+    if (!method_.starts.empty() && !ghost_) removedDepth = addRemoved(sampled, pixel, all);
     const double share = shareAt(pixel);
     // What stays faint lies over the rest as a layer of its own: w E + (1 - w a) F.
     const double through = 1.0 + share * std::expm1(-removedDepth);
     double depth = 0.0;
     for (std::size_t i = 0; i < all.size(); ++i) {
       const Stretch& stretch = sampled.stretches[i];
-      if (method_.fading && !stretch.isFocus) all[i].factor = factorOf(sampled.ray, stretch, depth);
+      if (method_.fading && !stretch.isFocus) all[i].factor = factorOf(sampled.ray, pixel, stretch, depth);
       const double own = stretch.depth() * (1.0 - all[i].removed) * all[i].factor;
       all[i].weight -= through * std::exp(-depth) * std::expm1(-own);
       depth += own;
@@ -113,14 +115,19 @@ class ViewSamples::Along {
  private:
   double shareAt(std::size_t pixel) const { return method_.shares.empty() ? 0.0 : double{method_.shares[pixel]}; }
 
+  /// Share of a stretch that lies before the ray's start.
+  double shareBeforeStart(const Stretch& stretch, std::size_t pixel) const {
+    return std::clamp((double{method_.starts[pixel]} - stretch.begin) / stretch.length(), 0.0, 1.0);
+  }
+
   /// Returns the optical depth of what is removed.
   double addRemoved(const SampledRay& sampled, std::size_t pixel, std::vector<Treated>& all) const {
-    const double start = double{method_.starts[pixel]}, share = shareAt(pixel);
+    const double share = shareAt(pixel);
     double depth = 0.0;
     for (std::size_t i = 0; i < all.size(); ++i) {
       const Stretch& stretch = sampled.stretches[i];
       if (stretch.isFocus) continue;  // an opening removes none of it
-      all[i].removed = std::clamp((start - stretch.begin) / stretch.length(), 0.0, 1.0);
+      all[i].removed = shareBeforeStart(stretch, pixel);
       all[i].share = share;
       const double own = stretch.depth() * all[i].removed;
       all[i].weight = -share * std::exp(-depth) * std::expm1(-own);
@@ -130,8 +137,12 @@ class ViewSamples::Along {
   }
 
   /// m at the middle of a stretch, `depth` being what lies before the stretch.
-  double factorOf(const reference::Ray& ray, const Stretch& stretch, double depth) const {
+  double factorOf(const reference::Ray& ray, std::size_t pixel, const Stretch& stretch, double depth) const {
     const double t = stretch.middle();
+    if (ghost_) {
+      const double ghost = ghost_->factor(stretch.gradient, ray.direction);
+      return glm::mix(1.0, ghost, shareBeforeStart(stretch, pixel));
+    }
     if (region_) {
       const double away = region_->distance(ray.origin + t * ray.direction);
       return away > 0.0 ? stretch.slope * region_->shareAt(away) : 1.0;
@@ -146,6 +157,7 @@ class ViewSamples::Along {
   const ViewSamples& view_;
   const MethodRays& method_;
   std::optional<reference::FocalRegion> region_;
+  std::optional<reference::Ghosting> ghost_;
 };
 
 ViewSamples::ViewSamples(const RaySampler& sampler, const Camera& camera, glm::ivec2 size,

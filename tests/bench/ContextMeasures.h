@@ -6,7 +6,7 @@
 // At a point of a ray the method leaves the share k of the context's extinction κ:
 //
 //   k = 1 behind the ray's start, w before it        where it opens (w of MethodStages; 0 where nothing stays)
-//   k = m                                            where the context fades
+//   k = m                                            where the context fades; of a ghost, before the ray's start alone
 //   k = 1                                            where nothing is opened
 //
 // The context's volume kept is the mean of k over the context in the picture, by extinction: ∫ k κ dV / ∫ κ dV. Its
@@ -34,7 +34,7 @@ namespace fenestra::bench {
 
 /// What a picture's method does along its rays; elements are pixels, row by row from the top.
 struct MethodRays {
-  std::vector<float> starts;  ///< t, mm; empty: rays start where they enter
+  std::vector<float> starts;  ///< t, mm; of a ghost, where it ends; empty: rays start where they enter
   std::vector<float> shares;  ///< w, of what lies before the starts; empty: nothing of it stays
   std::optional<MethodStages::Fading> fading{};
 };

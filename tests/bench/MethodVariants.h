@@ -13,8 +13,9 @@ struct MethodVariant {
   std::string name;     ///< for file names
   std::string caption;  ///< in English
   Method method;
-  /// Whether methods-bench has a model of what it keeps of the context (ContextMeasures.h); sheets show all.
-  bool measured = true;
+  /// Whether it moves the context instead of removing some. What it keeps is then not told along the rays of its
+  /// picture (ContextMeasures.h).
+  bool moves = false;
 };
 
 /// One row a method, the adaptive cutaway first; those that need a user's hand are left out.
@@ -38,7 +39,7 @@ inline std::vector<MethodVariant> methodVariants() {
   add(MethodKind::FocalRegion);
   for (const MethodKind kind : {MethodKind::Walls, MethodKind::Explode, MethodKind::Selection, MethodKind::Peel}) {
     add(kind);
-    list.back().measured = false;
+    list.back().moves = kind == MethodKind::Explode || kind == MethodKind::Peel;
   }
   return list;
 }

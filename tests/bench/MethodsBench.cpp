@@ -109,8 +109,8 @@ double medianOf(std::vector<double> values) {
 MethodRays raysOf(const Scene& scene, glm::ivec2 size, Layers& layers) {
   if (!scene.look.cutaway.enabled) return {};
   const MethodStages stages = stagesOf(scene.look.method);
-  if (stages.fading) return {{}, {}, stages.fading};
-  MethodRays rays{std::move(layers.tStart), {}};
+  if (stages.fading && !stages.fading->ghost) return {{}, {}, stages.fading};
+  MethodRays rays{std::move(layers.tStart), {}, stages.fading};
   if (stages.lens)
     rays.shares = lensShares(*stages.lens, radiusOf(*stages.lens, scene.volume->grid), size, layers.tContext,
                              layers.tFocus, layers.lens);
@@ -126,6 +126,7 @@ struct Measured {
   std::string name;
   Scene scene;
   Renderer renderer;
+  bool moves = false;  ///< MethodVariant::moves
   std::vector<double> seen{}, volume{}, surface{}, wrong{}, turned{}, wall{}, work{};
   int wrongPairs = 0, pairs = 0;
   double error = 0.0;
@@ -134,9 +135,9 @@ struct Measured {
     return {name,
             meanOf(seen),
             *std::min_element(seen.begin(), seen.end()),
-            meanOf(volume),
-            meanOf(surface),
-            meanOf(wrong),
+            moves ? notTold : meanOf(volume),
+            moves ? notTold : meanOf(surface),
+            moves ? notTold : meanOf(wrong),
             wrongPairs,
             pairs,
             *std::max_element(turned.begin(), turned.end()),
@@ -160,19 +161,19 @@ class SceneMeasurement {
     // What pictures read of the context's surface is dropped when a picture does not read it.
     std::map<bool, std::shared_ptr<GpuScene>> gpu;
     for (const bool readsSurface : {false, true}) gpu[readsSurface] = std::make_shared<GpuScene>(programs);
-    const auto add = [&](const std::string& name, Scene changed) {
-      Renderer renderer(gpu[readsContextSurface(changed)]);
-      methods_.push_back({name, std::move(changed), std::move(renderer)});
+    const auto add = [&](const std::string& name, Scene changed, bool moves) {
+      // A body that is moved is one of its own on the graphics card.
+      const auto own = moves ? std::make_shared<GpuScene>(programs) : gpu[readsContextSurface(changed)];
+      methods_.push_back({name, std::move(changed), Renderer(own), moves});
     };
     for (const MethodVariant& variant : methodVariants()) {
-      if (!variant.measured) continue;
       Scene opened = scene_;
       opened.look.method = variant.method;
-      add(variant.caption, std::move(opened));
+      add(variant.caption, std::move(opened), variant.moves);
     }
     Scene closed = scene_;
     closed.look.cutaway.enabled = false;
-    add("nothing opened", std::move(closed));
+    add("nothing opened", std::move(closed), false);
   }
 
   SceneFigures measure(const std::string& id, const std::string& name) {
@@ -227,7 +228,7 @@ class SceneMeasurement {
         samples.emplace(sampler_, view.camera, view.size, layers.tContext, layers.tFocus, ViewSamples::Sampling{});
       if (first)
         method.error = reference::certify(layers.final, method.scene, view, {.pixels = arguments_.compared}).within;
-      addContext(method, *samples, raysOf(method.scene, view.size, layers));
+      if (!method.moves) addContext(method, *samples, raysOf(method.scene, view.size, layers));
       method.seen.push_back(focusIn(method.renderer, method.scene, view) / alone);
       method.turned.push_back(meanDifference(picture, drawn(method.renderer, method.scene, turned)));
     }

@@ -1,6 +1,7 @@
 #include "tests/bench/MethodsPage.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 #include "app/benchmark/Text.h"
@@ -12,8 +13,10 @@ namespace {
 struct Measure {
   std::string title;
   std::function<double(const MethodFigures&)> value;
-  std::function<std::string(double)> text;
+  std::function<std::string(double)> format;
   bool moreIsBetter;
+
+  std::string text(double figure) const { return std::isnan(figure) ? "–" : format(figure); }
 };
 
 std::string share(double value) { return fixed(value, 3); }
@@ -34,12 +37,15 @@ const std::vector<Measure>& measures() {
 /// What the best methods of a column have in the table.
 std::string bestText(const Measure& measure, const std::vector<MethodFigures>& methods) {
   const auto isWorse = [&](const MethodFigures& a, const MethodFigures& b) {
-    return measure.moreIsBetter ? measure.value(a) < measure.value(b) : measure.value(a) > measure.value(b);
+    const double first = measure.value(a), second = measure.value(b);
+    if (std::isnan(first) || std::isnan(second)) return std::isnan(first) && !std::isnan(second);
+    return measure.moreIsBetter ? first < second : first > second;
   };
   return measure.text(measure.value(*std::max_element(methods.begin(), methods.end(), isWorse)));
 }
 
 std::string pairsText(const MethodFigures& figures) {
+  if (std::isnan(figures.wrongOrder)) return "–";
   return std::to_string(figures.wrongPairs) + " of " + std::to_string(figures.pairs);
 }
 
@@ -132,7 +138,8 @@ std::string methodsText() {
          "the focus count as hiding it.\n\n"
          "*Volume kept* and *surface kept*: a method leaves at a point of a ray the share `k` of the context's "
          "extinction `κ`. `k` is 1 behind the ray's start; before it, it is the method's share `w` of what it opens, "
-         "0 where nothing of that stays; where the context fades, `k = m`; and 1 where nothing is opened. (`w` and `m` "
+         "0 where nothing of that stays; where the context fades, `k = m`, of a ghost before the ray's start alone; "
+         "and 1 where nothing is opened. (`w` and `m` "
          "are those of resources/reference/method.md; context is what has an opacity above 1/255 over 1 mm.) The "
          "volume kept is `∫ k κ dV / ∫ κ dV` over all of the context in the picture, also over what other context "
          "hides. The surface kept is the mean of `∫ k κ dt / ∫ κ dt` over a skin, one voxel deep, behind the first "
@@ -140,7 +147,11 @@ std::string methodsText() {
          "angle `ω`; a surface that turns away from the eye thus counts by what of it faces the eye. Means of the "
          "views. Rays through every fourth pixel along both sides are sampled twice per voxel by the CPU; `w` and the "
          "starts are those of the pictures, `m` is computed once more. Edges of the removed context, which are drawn "
-         "over the focus, and the border count as nothing kept.\n\n"
+         "over the focus, and the border count as nothing kept. Walls behind the picture are no context. An exploded "
+         "view "
+         "and a peeled layer remove nothing but move it, so that neither this nor the order of depth can be told along "
+         "the "
+         "picture's rays: –.\n\n"
          "*Wrong order*: along each ray, every method here draws what is nearer over what is farther, so none is wrong "
          "within a pixel. But a picture also says what lies in front by its outlines: an outline belongs to the nearer "
          "of the two things that it parts. Where something that lies behind is drawn with its outline next to an "

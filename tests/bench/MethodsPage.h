@@ -2,6 +2,7 @@
 // The page of what each method shows, leaves and costs: its tables, with the best of each column marked, and what they
 // say of the adaptive cutaway.
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -9,12 +10,15 @@
 
 namespace fenestra::bench {
 
+/// A figure of a method that cannot be told.
+inline constexpr double notTold = std::numeric_limits<double>::quiet_NaN();
+
 /// Of a method on one scene, over all views.
 struct MethodFigures {
   std::string name;
   double seen = 0.0, leastSeen = 0.0;  ///< share of the focus: mean, and of the worst view
-  double volume = 1.0, surface = 1.0;  ///< shares of the context that are kept, means
-  double wrongOrder = 0.0;             ///< mean of DepthOrder::wrong
+  double volume = 1.0, surface = 1.0;  ///< shares of the context that are kept, means; or notTold
+  double wrongOrder = 0.0;             ///< mean of DepthOrder::wrong, or notTold
   int wrongPairs = 0, pairs = 0;       ///< sums
   double turning = 0.0;                ///< greatest mean change of a pixel between views 1° apart, 1/255
   double milliseconds = 0.0;           ///< median

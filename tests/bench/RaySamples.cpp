@@ -102,8 +102,8 @@ void RaySampler::findSlope(Stretch& stretch, glm::dvec3 index, const reference::
     gated[i] = normals_.gated(slopes[i]);
   }
   const glm::dvec3 place = index - glm::dvec3(cell);
-  if (steepest_ > 0.0)
-    stretch.slope = std::min(glm::length(normals_.world(reference::interpolate(slopes, place))) / steepest_, 1.0);
+  if (steepest_ > 0.0) stretch.gradient = normals_.world(reference::interpolate(slopes, place)) / steepest_;
+  stretch.slope = std::min(glm::length(stretch.gradient), 1.0);
   stretch.light =
       scene_.look.shading.enabled ? light.intensity(reference::interpolate(gated, place), ray.direction) : 1.0;
 }

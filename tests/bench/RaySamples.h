@@ -19,7 +19,8 @@ struct Stretch {
   double extinction = 0.0;        ///< 1/mm, > 0
   bool isFocus = false;           ///< else context
   std::uint16_t label = 0;        ///< of the nearest voxel, in the focus of one around that is; 0 without labels
-  double slope = 0.0;             ///< of the context, g of MethodStages::Fading
+  glm::dvec3 gradient{0.0};       ///< of the context, in world space, of length 1 where the volume is steepest
+  double slope = 0.0;             ///< its length, g of MethodStages::Fading
   double light = 0.0;             ///< of the context, s of MethodStages::Fading
 
   double middle() const { return 0.5 * (begin + end); }

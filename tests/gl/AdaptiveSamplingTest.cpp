@@ -10,33 +10,43 @@
 namespace fenestra::tests {
 namespace {
 
-/// The focus layer of a scene without cutaway with rays on every pitch-th row and column at least.
-std::vector<glm::vec4> drawn(const Scene& scene, const Camera& camera, glm::ivec2 size, int pitch) {
+using Sampling = FocusLayerPass::Sampling;
+const std::array<Sampling, 3> lattices{Sampling{.pitch = 2}, Sampling{.pitch = 2, .quincunx = true},
+                                       Sampling{.pitch = 4}};
+std::string nameOf(const Sampling& sampling) {
+  return (sampling.quincunx ? "quincunx, pitch " : "pitch ") + std::to_string(sampling.pitch);
+}
+bool isOnLattice(const Sampling& sampling, int i, int j) {
+  return sampling.quincunx ? (i + j) % 2 == 0 : i % sampling.pitch == 0 && j % sampling.pitch == 0;
+}
+
+/// The focus layer of a scene without cutaway with rays on a lattice at least.
+std::vector<glm::vec4> drawn(const Scene& scene, const Camera& camera, glm::ivec2 size, const Sampling& sampling) {
   GpuScene gpu;
   gpu.update(scene);
   gl::Texture layer = gl::Texture::make2D(gl::Format::RGBA32F, size);
   const gl::Region whole{glm::ivec2(0), size};
-  runWhole(FocusLayerPass(), gpu, scene.look, RayFrame(camera, size, scene.volume->grid), std::nullopt,
-           FocusLayerPass::Sampling{.pitch = pitch}, std::span(&whole, 1), layer);
+  runWhole(FocusLayerPass(), gpu, scene.look, RayFrame(camera, size, scene.volume->grid), std::nullopt, sampling,
+           std::span(&whole, 1), layer);
   std::vector<glm::vec4> pixels(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
   layer.readInto(std::span(pixels));
   return pixels;
 }
 
-/// What a pitch makes pixels differ by from those of a pitch of 1, in 1/255 of the worst channel. Sorted.
+/// What a lattice makes pixels differ by from those that have a ray each, in 1/255 of the worst channel. Sorted.
 struct Differences {
   std::vector<double> sorted;
   double rms = 0.0;
   double at(double share) const { return sorted[static_cast<std::size_t>(share * double(sorted.size() - 1))]; }
 };
 
-Differences differencesBy(int pitch, const Scene& scene, const Camera& camera, glm::ivec2 size) {
-  const std::vector<glm::vec4> every = drawn(scene, camera, size, 1), some = drawn(scene, camera, size, pitch);
+Differences differencesBy(const Sampling& lattice, const Scene& scene, const Camera& camera, glm::ivec2 size) {
+  const std::vector<glm::vec4> every = drawn(scene, camera, size, {}), some = drawn(scene, camera, size, lattice);
   Differences result;
   for (int j = 0; j < size.y; ++j)
     for (int i = 0; i < size.x; ++i) {
       const std::size_t at = static_cast<std::size_t>(j * size.x + i);
-      if (i % pitch == 0 && j % pitch == 0) {
+      if (isOnLattice(lattice, i, j)) {
         EXPECT_EQ(every[at], some[at]) << "on the lattice: " << i << ", " << j;
       }
       const glm::vec4 off = glm::abs(every[at] - some[at]) * 255.0f;
@@ -93,14 +103,14 @@ TEST_F(AdaptiveSampling, IsOffByAboutItsTolerance) {
   constexpr glm::ivec2 size{220, 200};
   for (const bool lit : {false, true})
     for (const Projection projection : {Projection::Perspective, Projection::Orthographic})
-      for (const int pitch : {2, 4}) {
+      for (const Sampling& lattice : lattices) {
         Scene scene = softAndHard();
         scene.look.shading.enabled = lit;
-        const Camera camera = closeUp(scene.volume->grid, pitch + 0.1, size.y, projection);
-        const Differences off = differencesBy(pitch, scene, camera, size);
+        const Camera camera = closeUp(scene.volume->grid, lattice.pitch + 0.1, size.y, projection);
+        const Differences off = differencesBy(lattice, scene, camera, size);
         const double tolerance = lit ? 1.5 : 1.0;
-        EXPECT_LE(off.rms, 0.5 * tolerance) << lit << pitch;
-        EXPECT_LE(off.at(0.999), 3.0 * tolerance) << lit << pitch;
+        EXPECT_LE(off.rms, 0.5 * tolerance) << lit << nameOf(lattice);
+        EXPECT_LE(off.at(0.999), 3.0 * tolerance) << lit << nameOf(lattice);
       }
 }
 
@@ -117,8 +127,8 @@ TEST_F(AdaptiveSampling, NothingAsLargeAsAVoxelSlipsThrough) {
   constexpr glm::ivec2 size{260, 240};
   for (const double voxel : {2.02, 2.9, 4.05}) {
     const Camera camera = closeUp(grid, voxel, size.y);
-    const std::vector<glm::vec4> some = drawn(scene, camera, size, voxel < 4.0 ? 2 : 4);
-    const std::vector<glm::vec4> every = drawn(scene, camera, size, 1);
+    const std::vector<glm::vec4> some = drawn(scene, camera, size, {.pitch = voxel < 4.0 ? 2 : 4});
+    const std::vector<glm::vec4> every = drawn(scene, camera, size, {});
     // Each voxel's brightest pixel.
     for (int j = 2; j < size.y - 2; ++j)
       for (int i = 2; i < size.x - 2; ++i) {
@@ -146,8 +156,9 @@ TEST_F(AdaptiveSampling, EdgesStayWhereTheyAre) {
       volumeOf<std::int16_t>(grid, [](glm::ivec3 i) { return 1000.0 - 60.0 * glm::length(glm::dvec3(i) - 15.3); });
   const Scene scene = plain(volume, opaqueFrom(400.0));
   constexpr glm::ivec2 size{200, 180};
-  for (const int pitch : {2, 4})
-    EXPECT_LE(differencesBy(pitch, scene, closeUp(grid, pitch + 0.3, size.y), size).at(1.0), 2.0) << pitch;
+  for (const Sampling& lattice : lattices)
+    EXPECT_LE(differencesBy(lattice, scene, closeUp(grid, lattice.pitch + 0.3, size.y), size).at(1.0), 2.0)
+        << nameOf(lattice);
 }
 
 TEST_F(AdaptiveSampling, PicturesOfAnySize) {
@@ -155,9 +166,10 @@ TEST_F(AdaptiveSampling, PicturesOfAnySize) {
   scene.look.shading.enabled = false;
   for (const glm::ivec2 size : {glm::ivec2(1, 1), glm::ivec2(2, 1), glm::ivec2(1, 7), glm::ivec2(3, 3),
                                 glm::ivec2(4, 5), glm::ivec2(33, 17), glm::ivec2(50, 51), glm::ivec2(131, 66)})
-    for (const int pitch : {2, 4}) {
-      const Camera camera = closeUp(scene.volume->grid, pitch + 0.2, size.y);
-      EXPECT_LE(differencesBy(pitch, scene, camera, size).at(1.0), 8.0) << size.x << "×" << size.y << ", " << pitch;
+    for (const Sampling& lattice : lattices) {
+      const Camera camera = closeUp(scene.volume->grid, lattice.pitch + 0.2, size.y);
+      EXPECT_LE(differencesBy(lattice, scene, camera, size).at(1.0), 8.0)
+          << size.x << "×" << size.y << ", " << nameOf(lattice);
     }
 }
 

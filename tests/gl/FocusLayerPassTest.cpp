@@ -234,13 +234,13 @@ TEST_F(FocusLayerPassTest, PartsMakeTheWhole) {
                               });
       EXPECT_EQ(drawing.bytes(), 0u) << "there is no list of pixels where every ray is followed";
       // Between the rays of a lattice, parts are drawn into a picture that has all of the lattice.
-      for (const int pitch : {2, 4}) {
-        const Sampling some{.pitch = pitch};
+      for (const Sampling& some :
+           {Sampling{.pitch = 2}, Sampling{.pitch = 2, .quincunx = true}, Sampling{.pitch = 4}}) {
         gl::Texture image = blank<glm::vec4>(size);
         drawing.run(&made, some, whole(size), image);
         const std::vector<glm::vec4> all = texelsOf<glm::vec4>(image);
         for (const gl::Region& region : parts(size)) drawing.run(&made, some, std::span(&region, 1), image);
-        EXPECT_TRUE(sameBits(texelsOf<glm::vec4>(image), all)) << "pitch " << pitch;
+        EXPECT_TRUE(sameBits(texelsOf<glm::vec4>(image), all)) << "pitch " << some.pitch << (some.quincunx ? "q" : "");
       }
     }
   }
@@ -264,10 +264,11 @@ TEST_F(FocusLayerPassTest, AMovedStartChangesNoPixelBeyondTheReach) {
   ASSERT_NE(at, glm::ivec2(0));
   moved.starts[offsetOf(at, size)] += 4.0f;
   for (const Schedule schedule : schedules)
-    for (const int pitch : {1, 2, 4}) {
-      SCOPED_TRACE(named(schedule, size) + ", pitch " + std::to_string(pitch));
+    for (const auto& [pitch, quincunx] :
+         {std::pair(1, false), std::pair(2, false), std::pair(2, true), std::pair(4, false)}) {
+      SCOPED_TRACE(named(schedule, size) + ", pitch " + std::to_string(pitch) + (quincunx ? ", quincunx" : ""));
       // Nearly everything between the lattice's rays is taken for smooth, so that what moved spreads as far as it can.
-      const Sampling sampling{.pitch = pitch, .tolerance = 0.5};
+      const Sampling sampling{.pitch = pitch, .quincunx = quincunx, .tolerance = 0.5};
       Drawing drawing(scene, camera, size, schedule);
       const std::vector<glm::vec4> before = drawing.pixels(&made, sampling), after = drawing.pixels(&moved, sampling);
       int farthest = -1;
@@ -277,7 +278,7 @@ TEST_F(FocusLayerPassTest, AMovedStartChangesNoPixelBeyondTheReach) {
         farthest = std::max({farthest, off.x, off.y});
       }
       EXPECT_LE(farthest, FocusLayerPass::reach(sampling));
-      EXPECT_GE(farthest, pitch == 1 ? 1 : 2 * pitch) << "too little to tell";
+      EXPECT_GE(farthest, pitch == 1 ? 1 : quincunx ? 2 : 2 * pitch) << "too little to tell";
     }
 }
 
