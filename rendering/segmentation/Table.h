@@ -23,8 +23,8 @@ CoarseMask findTable(const Volume& volume);
 
 /// What a user is told where a table is hidden.
 inline constexpr const char* tableNotice =
-    "the scanner's table is left out of 3-D pictures; slices show it; \"Hide the table\" or --hide-table off brings it "
-    "back";
+    "the scanner's table is left out of 3-D pictures; slices show it; \"Hide the table\" in the panel Context, or "
+    "--hide-table off, brings it back";
 
 /// The same for a scene to hold. Without cells where there is no memory to look for a table.
 std::shared_ptr<const CoarseMask> tableOf(const Volume& volume);

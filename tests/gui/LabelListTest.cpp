@@ -189,6 +189,31 @@ TEST_F(LabelListWindow, LabelsWithoutVoxelsAreFoldedAway) {
   EXPECT_EQ(list().model()->rowCount(cell(0, 0)), 1);
 }
 
+TEST_F(LabelListWindow, LabelsAreFoundByTheirWordsInAnyOrder) {
+  Study study = markedBall();
+  auto labels = std::make_shared<LabelMap>();
+  labels->grid = study.scene.labels->grid;
+  labels->voxels = Voxels(study.scene.labels->voxels.type(), study.scene.labels->voxels.count());
+  std::copy_n(study.scene.labels->voxels.data(), labels->voxels.byteCount(), labels->voxels.data());
+  labels->labels = {{body, "kidney_left"}, {marker, "adrenal_gland_left (upper)"}};
+  study.scene.labels = labels;
+  open(study);
+  QLineEdit& filter = *panel<FocusPanel>().filter();
+  const auto found = [&](const char* text) {
+    filter.setText(QString::fromLatin1(text));
+    QStringList names;
+    for (int row = 0; row < list().model()->rowCount(); ++row) names << cell(row, 0).data().toString();
+    return names;
+  };
+  const QString kidney = QStringLiteral("kidney_left"), gland = QStringLiteral("adrenal_gland_left (upper)");
+  for (const char* text : {"kidney_left", "kidney left", "Left kidney", " left  kid"})
+    EXPECT_EQ(found(text), QStringList{kidney}) << text;
+  EXPECT_EQ(found("left (up"), QStringList{gland}) << "characters of patterns stand for themselves";
+  EXPECT_EQ(found("left"), (QStringList{kidney, gland}));
+  EXPECT_EQ(found("right kidney"), QStringList{});
+  EXPECT_EQ(found(""), (QStringList{kidney, gland}));
+}
+
 TEST_F(LabelListWindow, LabelsOfALargeMapAreFoldedAwayOnceItIsRead) {
   Study study;
   auto volume = std::make_shared<Volume>();

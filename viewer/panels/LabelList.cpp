@@ -9,6 +9,7 @@
 #include <QContextMenuEvent>
 #include <QHeaderView>
 #include <QMenu>
+#include <QRegularExpression>
 #include <QSortFilterProxyModel>
 #include <QSpinBox>
 #include <QStyledItemDelegate>
@@ -51,7 +52,6 @@ LabelList::LabelList(Document& document, const PlacementController& placement, Q
       labels_(new LabelModel(document, placement, this)),
       shown_(new QSortFilterProxyModel(this)) {
   shown_->setSourceModel(labels_);
-  shown_->setFilterCaseSensitivity(Qt::CaseInsensitive);
   shown_->setRecursiveFilteringEnabled(true);
   setModel(shown_);
   setItemDelegate(new Delegate(this));
@@ -92,7 +92,15 @@ void LabelList::arrangeColumns() {
 
 std::uint16_t LabelList::labelAt(const QModelIndex& row) const { return labels_->label(shown_->mapToSource(row)); }
 
-void LabelList::filter(const QString& text) { shown_->setFilterFixedString(text); }
+void LabelList::filter(const QString& text) {
+  // Segmentations write "kidney_left" for the left kidney: each word is looked for by itself.
+  static const QRegularExpression between(QStringLiteral("[\\s_]+"));
+  QString pattern;
+  for (const QString& word : text.split(between, Qt::SkipEmptyParts))
+    pattern += QStringLiteral("(?=.*%1)").arg(QRegularExpression::escape(word));
+  shown_->setFilterRegularExpression(
+      QRegularExpression(QLatin1Char('^') + pattern, QRegularExpression::CaseInsensitiveOption));
+}
 
 bool LabelList::isEmpty() const { return labels_->rowCount() == 0; }
 
