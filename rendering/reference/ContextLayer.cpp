@@ -52,6 +52,14 @@ std::vector<Tap> tapsAlong(double at, int factor, int count) {
   return taps;
 }
 
+/// Whether the spline takes elements from beyond the ends of an axis. One of fewer than eight elements is near its ends
+/// everywhere, and none of its points counts.
+bool reachesBeyond(double at, int factor, int count) {
+  const int elements = (count + factor - 1) / factor;
+  const auto base = static_cast<int>(std::floor((at - 0.5 * (factor - 1)) / factor));
+  return elements >= 8 && (base < 1 || base + 2 >= elements);
+}
+
 /// By the index.
 struct Derivatives {
   glm::dvec3 gradient{0.0};
@@ -115,6 +123,9 @@ std::vector<std::optional<ContextPoint>> contextLayer(const Scene& scene, const 
         if (!span || !(tContext[i] > span->tIn + margin) || !(tContext[i] < tFocus[i] - margin)) continue;
         const Ray local = indexRay(rays[i], grid);
         const glm::dvec3 index = local.origin + tContext[i] * local.direction;
+        if (reachesBeyond(index.x, factor.x, grid.dims.x) || reachesBeyond(index.y, factor.y, grid.dims.y) ||
+            reachesBeyond(index.z, factor.z, grid.dims.z))
+          continue;
         const Derivatives derivatives = derivativesAt(grid, factor, index, valueAt);
         const glm::dvec3 gradient = worldFromGradient * derivatives.gradient;
         if (!(glm::length(gradient) > leastGradient)) continue;

@@ -162,13 +162,15 @@ TEST_F(ContextLayerPassTest, NoSurfaceToDraw) {
               if (isSomething(hit.y)) hit.x = hit.y - 0.6f;
             }),
             20u);
-  EXPECT_EQ(surfaces([&](glm::vec2& hit, std::size_t i) {
-              const auto span =
-                  reference::clip(reference::pixelRay(camera, size, pixelAt(i, size)), scene.volume->grid);
-              if (span) hit.x = positionOf(span->tIn + 0.4, rays);
-            }),
-            0u)
-      << "where the scan begins";
+  const auto behindTheFace = [&](double distance) {
+    return surfaces([&](glm::vec2& hit, std::size_t i) {
+      const auto span = reference::clip(reference::pixelRay(camera, size, pixelAt(i, size)), scene.volume->grid);
+      if (span) hit.x = positionOf(span->tIn + distance, rays);
+    });
+  };
+  EXPECT_EQ(behindTheFace(0.4), 0u) << "where the scan begins";
+  EXPECT_EQ(behindTheFace(1.0), 0u) << "where the spline takes values from beyond the face";
+  EXPECT_GT(behindTheFace(6.0), 20u);
 }
 
 TEST_F(ContextLayerPassTest, EvenValuesHaveNoSurface) {
