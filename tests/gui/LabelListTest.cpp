@@ -210,7 +210,9 @@ TEST_F(LabelListWindow, LabelsAreFoundByTheirWordsInAnyOrder) {
     EXPECT_EQ(found(text), QStringList{kidney}) << text;
   EXPECT_EQ(found("left (up"), QStringList{gland}) << "characters of patterns stand for themselves";
   EXPECT_EQ(found("left"), (QStringList{kidney, gland}));
+  EXPECT_TRUE(list().emptyText().isEmpty());
   EXPECT_EQ(found("right kidney"), QStringList{});
+  EXPECT_FALSE(list().emptyText().isEmpty()) << "an empty list says why";
   EXPECT_EQ(found(""), (QStringList{kidney, gland}));
 }
 

@@ -9,6 +9,7 @@
 #include <QContextMenuEvent>
 #include <QHeaderView>
 #include <QMenu>
+#include <QPainter>
 #include <QRegularExpression>
 #include <QSortFilterProxyModel>
 #include <QSpinBox>
@@ -100,6 +101,22 @@ void LabelList::filter(const QString& text) {
     pattern += QStringLiteral("(?=.*%1)").arg(QRegularExpression::escape(word));
   shown_->setFilterRegularExpression(
       QRegularExpression(QLatin1Char('^') + pattern, QRegularExpression::CaseInsensitiveOption));
+}
+
+QString LabelList::emptyText() const {
+  const bool nothingFound = shown_->rowCount() == 0 && labels_->rowCount() > 0;
+  return nothingFound ? tr("No structure's name has these words.") : QString();
+}
+
+void LabelList::paintEvent(QPaintEvent* event) {
+  QTreeView::paintEvent(event);
+  const QString text = emptyText();
+  if (text.isEmpty()) return;
+  QPainter painter(viewport());
+  painter.setPen(palette().color(QPalette::PlaceholderText));
+  const int margin = fontMetrics().height() / 2;
+  painter.drawText(viewport()->rect().adjusted(margin, margin, -margin, -margin), Qt::AlignTop | Qt::TextWordWrap,
+                   text);
 }
 
 bool LabelList::isEmpty() const { return labels_->rowCount() == 0; }

@@ -19,13 +19,16 @@ class LabelList : public QTreeView {
   LabelModel& labels() const { return *labels_; }
   /// The label of a row of the list, 0 for none.
   std::uint16_t labelAt(const QModelIndex& row) const;
-  /// Shows the rows whose name holds the text.
+  /// Shows the rows whose name holds all words of the text.
   void filter(const QString& text);
+  /// What stands in place of the rows where the filter leaves none; else empty.
+  QString emptyText() const;
   void scrollToLabel(std::uint16_t label);
   bool isEmpty() const;
 
  protected:
   void contextMenuEvent(QContextMenuEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
 
  private:
   void arrangeColumns();
