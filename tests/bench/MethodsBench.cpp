@@ -44,13 +44,14 @@ std::vector<glm::dvec2> anglesOfViews() {
   return angles;
 }
 
-/// All of the focus red, and all else grey: a pixel is then red by what it shows of the focus.
+/// All of the focus red, and all else grey: a pixel is then red by what it shows of the focus in the body.
 Scene withRedFocus(Scene scene) {
   constexpr glm::dvec3 red(0.8, 0.0, 0.0);  // with room for highlights
   Look& look = scene.look;
   for (TransferFunction::Node& node : look.context.function.nodes)
     node.properties.colour = glm::dvec3(node.properties.colour.g);
   look.contextLayer.colour = glm::dvec3(look.contextLayer.colour.g);
+  look.method.wallOutlines = false;  // on slices, beside the body
   look.cutaway.borderColour = glm::dvec3(look.cutaway.borderColour.g);
   look.focusAppearance.function.reset();
   look.focusAppearance.colour = red;
