@@ -52,12 +52,13 @@ std::vector<Tap> tapsAlong(double at, int factor, int count) {
   return taps;
 }
 
-/// Whether the spline takes elements from beyond the ends of an axis. One of fewer than eight elements is near its ends
-/// everywhere, and none of its points counts.
-bool reachesBeyond(double at, int factor, int count) {
+/// 0 where the spline takes elements from beyond the ends of an axis, 1 from one element further in. An axis of fewer
+/// than eight elements is near its ends everywhere; there it is 1.
+double shareWithin(double at, int factor, int count) {
   const int elements = (count + factor - 1) / factor;
-  const auto base = static_cast<int>(std::floor((at - 0.5 * (factor - 1)) / factor));
-  return elements >= 8 && (base < 1 || base + 2 >= elements);
+  if (elements < 8) return 1.0;
+  const double position = (at - 0.5 * (factor - 1)) / factor;
+  return std::clamp(std::min(position - 1.0, elements - 2.0 - position), 0.0, 1.0);
 }
 
 /// By the index.
@@ -123,16 +124,17 @@ std::vector<std::optional<ContextPoint>> contextLayer(const Scene& scene, const 
         if (!span || !(tContext[i] > span->tIn + margin) || !(tContext[i] < tFocus[i] - margin)) continue;
         const Ray local = indexRay(rays[i], grid);
         const glm::dvec3 index = local.origin + tContext[i] * local.direction;
-        if (reachesBeyond(index.x, factor.x, grid.dims.x) || reachesBeyond(index.y, factor.y, grid.dims.y) ||
-            reachesBeyond(index.z, factor.z, grid.dims.z))
-          continue;
         const Derivatives derivatives = derivativesAt(grid, factor, index, valueAt);
         const glm::dvec3 gradient = worldFromGradient * derivatives.gradient;
         if (!(glm::length(gradient) > leastGradient)) continue;
         const glm::dvec2 k = principalCurvatures(gradient, worldFromGradient * derivatives.hessian * indexFromWorld);
         const glm::dvec3 normal = glm::normalize(gradient);
-        layer[i] = ContextPoint{k.x, k.y, light.incident(std::abs(glm::dot(normal, light.direction))),
-                                field.value(index, valueAt), 1.0 - std::abs(glm::dot(normal, rays[i].direction))};
+        const double within =
+            std::min({shareWithin(index.x, factor.x, grid.dims.x), shareWithin(index.y, factor.y, grid.dims.y),
+                      shareWithin(index.z, factor.z, grid.dims.z)});
+        layer[i] =
+            ContextPoint{within * k.x, within * k.y, light.incident(std::abs(glm::dot(normal, light.direction))),
+                         field.value(index, valueAt), within * (1.0 - std::abs(glm::dot(normal, rays[i].direction)))};
       }
     });
   });

@@ -18,8 +18,9 @@ struct ContextPoint {
 };
 
 /// One element a ray: at `tContext`, where that is a surface of its own, more than half the finest spacing behind the
-/// box's entry and before `tFocus`, has a gradient, and lies far enough from the volume's faces for the spline to take
-/// all of its values from the volume, along each axis of eight of the smoothed volume's elements or more.
+/// box's entry and before `tFocus`, and has a gradient. Beside the volume's faces, curvatures and silhouette fade: they
+/// are 0 where the spline takes values from beyond a face, and whole one element of the smoothed volume further in. An
+/// axis of fewer than eight elements does not count.
 std::vector<std::optional<ContextPoint>> contextLayer(const Scene& scene, const Camera& camera,
                                                       const std::vector<Ray>& rays, const Image& tContext,
                                                       const Image& tFocus);

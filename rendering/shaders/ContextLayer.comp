@@ -1,6 +1,7 @@
 // Stage 6: curvature, illumination and value of the context's first surface, inside the focus projection.
 // Output: κ1, κ2 (1/mm), illumination, stored value, and the silhouette term 1 - |n·v| beside them; NONE in the first
-// component where there is no such surface: the scan begins inside it or beside it, or the focus lies bare.
+// component where there is no such surface: the scan begins inside it, or the focus lies bare. Beside the scan's faces
+// curvatures and silhouette fade: they would be those of what the spline takes for the values behind a face.
 #include "lib/Curvature.glsl"
 #include "lib/PixelRay.glsl"
 #include "lib/Region.glsl"
@@ -23,12 +24,11 @@ void main() {
     if (hit.x > ray.sIn + contextMargin && hit.x < hit.y - contextMargin) {
       vec3 position = cellPosition(ray, hit.x);
       LevelSet surface = levelSetAt(position);
-      // Beside a face of the scan its bends are those of what the spline takes for the values behind that face.
-      if (surface.noise == 0.0 && !surface.beyond) {
+      if (surface.noise == 0.0) {
         vec3 normal = normalize(surface.gradient);
         float illumination = lighting.ambient + lighting.diffuse * abs(dot(normal, lighting.direction));
-        layer = vec4(surface.k1, surface.k2, illumination, storedExact(position));
-        rim = 1.0 - abs(dot(normal, ray.world));
+        layer = vec4(surface.within * vec2(surface.k1, surface.k2), illumination, storedExact(position));
+        rim = surface.within * (1.0 - abs(dot(normal, ray.world)));
       }
     }
   }

@@ -31,7 +31,8 @@ struct LevelSet {
   vec3 gradient;   // world, stored units per mm
   float k1, k2;    // 1/mm, k1 ≥ k2; positive where the surface bends away from lower values
   float noise;     // 1: the gradient is nothing but rounding
-  bool beyond;     // the spline takes values from beyond the volume's faces, along an axis of SHORT texels or more
+  float within;    // 0 where the spline takes values from beyond the volume's faces, along an axis of SHORT texels or
+                   // more, and 1 from one texel further in
 };
 
 LevelSet levelSetAt(vec3 position) {
@@ -59,8 +60,8 @@ LevelSet levelSetAt(vec3 position) {
   LevelSet result;
   result.gradient = derivative.worldFromDerivative * g * derivative.scale;
   float size = length(result.gradient);
-  ivec3 over = max(max(1 - ivec3(base), ivec3(base) + 2 - last), ivec3(0));
-  result.beyond = any(greaterThan(mix(over, ivec3(0), lessThan(last + 1, ivec3(SHORT))), ivec3(0)));
+  vec3 inside = mix(min(index - 1.0, vec3(last) - 1.0 - index), vec3(1.0), lessThan(last + 1, ivec3(SHORT)));
+  result.within = clamp(min(inside.x, min(inside.y, inside.z)), 0.0, 1.0);
   result.k1 = result.k2 = 0.0;
   result.noise = size > 1e-6 ? 0.0 : 1.0;
   if (result.noise > 0.0) return result;
