@@ -19,11 +19,11 @@ double voxelWidth(const Grid& grid, const RayFrame& rays) {
   return depth > 0.0 ? std::min({grid.spacing.x, grid.spacing.y, grid.spacing.z}) / rays.pixelSize(depth) : 0.0;
 }
 
-/// Pixels from one ray that has to be followed to the next at most.
+/// Of a picture's lattice of rays.
 constexpr int widestPitch = 4;
 
-/// The same: a power of two, no more than a voxel is wide, so that what the volume holds does not slip through; or else
-/// `least`.
+/// Pixels from one ray that has to be followed to the next: a power of two, no more than a voxel is wide, so that what
+/// the volume holds does not slip through; or else `least`.
 int pitchOf(double voxelWidth, double least) {
   int pitch = widestPitch;
   while (pitch > std::max(voxelWidth, least)) pitch /= 2;

@@ -53,6 +53,7 @@ class FocusLayerPass {
   /// Of pictures of draft or normal quality, for which no bound is asked, where only the integral within a bound can
   /// draw what they show.
   static constexpr double usualBound = 4.0 / 255.0;
+  /// The same with a ray through every pixel.
   static Sampling followingEveryRay(const Sampling& sampling) {
     return {.maxError = sampling.maxError, .tolerance = sampling.tolerance};
   }

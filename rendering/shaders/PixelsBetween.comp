@@ -27,7 +27,9 @@ bool varies(ivec2 pixel) {
   if (any(lessThan(pixel, ivec2(2))) || any(greaterThanEqual(pixel + 2, pictureSize))) return true;
   vec4 left = known(pixel + ivec2(-1, 0)), right = known(pixel + ivec2(1, 0));
   vec4 above = known(pixel + ivec2(0, -1)), below = known(pixel + ivec2(0, 1));
-  vec4 knights[8], sum = vec4(0.0);  // in rows: left and right above, left and right below; first those two pixels aside
+  // A knight's move away: 0 to 3 lie two columns and a row off, 4 to 7 a column and two rows; of each four, in this order:
+  // above on the left, above on the right, below on the left, below on the right.
+  vec4 knights[8], sum = vec4(0.0);
   for (int i = 0; i < 8; ++i) {
     ivec2 way = (ivec2(i, i >> 1) & 1) * 2 - 1;
     knights[i] = known(pixel + (i < 4 ? way * ivec2(2, 1) : way * ivec2(1, 2)));

@@ -3,7 +3,7 @@
 uniform ivec2 pixelOrigin;
 
 // The group's place in the part. llvmpipe gives each of its threads one run of groups, row by row. Rows are taken in steps of
-// STRIDE, so that each run is spread over the picture: no thread waits for the one that has the thick end of the body.
+// STRIDE, so that each run is spread over the picture: no thread waits for the one whose rows show most of the body.
 ivec2 groupPlace() {
   const int STRIDE = 4;
   int rows = int(gl_NumWorkGroups.y), row = int(gl_WorkGroupID.y);
@@ -21,8 +21,9 @@ ivec2 regionPixel() {
   return pixelOrigin + 8 * groupPlace() + within;
 }
 
-// The same for every other pixel of a row, and the others of the next row: the i-th of `rows` pixels one below the other, in
-// boxes of 2×rows pixels, in which the part's first one is counted. With one row, blocks hold 4×4, 8×4, 8×8 pixels.
+// A pixel of a quincunx: every other pixel of a row, and in the next row the others. The part is counted in boxes 2 pixels
+// wide and `rows` high; an invocation has one pixel in each row of its box, and this is the i-th. With one row, invocations
+// that run in step have blocks of 4×4, 8×4 or 8×8 pixels.
 ivec2 quincunxPixel(int rows, int i) {
   int k = int(gl_LocalInvocationIndex);
   ivec2 within = ivec2((k & 1) | ((k >> 2) & 2) | ((k >> 3) & 4), ((k >> 1) & 3) | ((k >> 2) & 4));
