@@ -6,40 +6,13 @@
 #include <cmath>
 #include <utility>
 
+#include "rendering/ViewSampling.h"
 #include "rendering/scene/EdgeRays.h"
 #include "rendering/scene/Fading.h"
 #include "rendering/scene/Lighting.h"
 
 namespace fenestra {
 namespace {
-
-/// Pixels that the narrowest side of a voxel in the volume's middle is wide.
-double voxelWidth(const Grid& grid, const RayFrame& rays) {
-  const double depth = rays.depthOf(grid.centre());
-  return depth > 0.0 ? std::min({grid.spacing.x, grid.spacing.y, grid.spacing.z}) / rays.pixelSize(depth) : 0.0;
-}
-
-/// Of a picture's lattice of rays.
-constexpr int widestPitch = 4;
-
-/// Pixels from one ray that has to be followed to the next: a power of two, no more than a voxel is wide, so that what
-/// the volume holds does not slip through; or else `least`.
-int pitchOf(double voxelWidth, double least) {
-  int pitch = widestPitch;
-  while (pitch > std::max(voxelWidth, least)) pitch /= 2;
-  return pitch;
-}
-
-FocusLayerPass::Sampling samplingOf(const View& view, double voxelWidth, bool lit) {
-  if (view.maxError) return {.maxError = *view.maxError / 255.0};
-  if (view.quality == Quality::High) return {.maxError = highQualityError / 255.0};
-  if (view.quality == Quality::Draft) return {.pitch = pitchOf(voxelWidth, 2.0), .tolerance = 3.0 / 256.0};
-  const int pitch = pitchOf(voxelWidth, 1.0);
-  // Normals bend at each face of the cells, and light shows it as lines. A lattice of squares with less than two points
-  // to a voxel meets them in much the same phase again and again, and takes them for smooth.
-  if (lit && pitch > 1 && voxelWidth < 2 * widestPitch) return {.pitch = 2, .quincunx = true};
-  return {.pitch = pitch};
-}
 
 /// Where another camera cuts the opening, rays may see nothing on a part of their way: only the integral that keeps a
 /// bound knows where a ray ends. Each of the two parts gets half of it.
@@ -120,7 +93,7 @@ void PassChain::beginAsDrawn(const Scene& scene, const View& view) {
   std::optional<OpeningView> cutFor;
   if (hasCutaway(scene) && !onlyStarts)
     cutFor = openingOf(view, scene.look.cutaway, gpu->focus().centre(grid).value_or(grid.centre()));
-  const FocusLayerPass::Sampling usual = samplingOf(view, voxelWidth(grid, *rays), scene.look.shading.enabled);
+  const FocusLayerPass::Sampling usual = samplingOf(view, grid, scene.look.shading.enabled);
   Frame& made = frame.emplace(Frame{.scene = scene, .view = view, .sampling = usual});
   // Only the integral within a bound knows what of a ray's opacity lies before a point.
   if (fadingOf(scene.look)) made.sampling.maxError = made.sampling.maxError.value_or(FocusLayerPass::usualBound);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "rendering/Renderer.h"
+#include "rendering/ViewSampling.h"
 #include "rendering/scene/Explosion.h"
 #include "rendering/scene/Fading.h"
 #include "rendering/scene/FaintLabels.h"
@@ -15,13 +16,6 @@
 
 namespace fenestra::viewer {
 namespace {
-
-/// Height of what a camera sees at its target, mm.
-double seenHeight(const Camera& camera) {
-  return camera.projection == Projection::Orthographic
-             ? camera.orthographicHeight
-             : 2.0 * glm::distance(camera.eye, camera.target) * std::tan(glm::radians(camera.verticalFov) * 0.5);
-}
 
 /// What of a method decides on programs.
 Method programsOf(const Method& method) {
@@ -95,8 +89,6 @@ ScenePreparation::~ScenePreparation() {
 ScenePreparation::Kind ScenePreparation::kindOf(const Scene& scene, const View& view) {
   const Look& look = scene.look;
   const auto* labels = std::get_if<LabelFocus>(&look.focus);
-  const glm::dvec3 spacing = scene.volume->grid.spacing;
-  const double pixel = seenHeight(view.camera) / view.size.y;
   ShownVolume volume = shownVolume(scene);
   volume.removed = nullptr;  // the same programs draw what is left
   return {.volume = std::move(volume),
@@ -119,9 +111,7 @@ ScenePreparation::Kind ScenePreparation::kindOf(const Scene& scene, const View& 
           .levels = !importanceLevels(scene).empty(),
           .apart = hasCutaway(scene) && (view.frozen || look.cutaway.axisOffset != 0.0),
           .smoothEdges = hasSmoothEdges(look, view),
-          .enlarged = view.quality == Quality::Draft || std::min({spacing.x, spacing.y, spacing.z}) > pixel,
-          .quality = view.quality,
-          .maxError = view.maxError};
+          .sampling = samplingOf(view, scene.volume->grid, look.shading.enabled)};
 }
 
 bool ScenePreparation::isKnown(const Kind& kind) const {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "rendering/gpu/GpuScene.h"
+#include "rendering/passes/FocusLayerPass.h"
 #include "rendering/scene/View.h"
 #include "viewer/views/RenderContext.h"
 
@@ -60,9 +61,7 @@ class ScenePreparation {
     bool levels = false;   ///< of importance
     bool apart = false;    ///< another camera cuts the opening
     bool smoothEdges = false;
-    bool enlarged = false;  ///< pixels smaller than voxels: rays between others
-    Quality quality{};
-    std::optional<double> maxError;
+    FocusLayerPass::Sampling sampling{};
     bool operator==(const Kind&) const = default;
   };
   static Kind kindOf(const Scene& scene, const View& view);
