@@ -248,13 +248,6 @@ Format formatOf(const fs::path& path) {
               "(--raw)");
 }
 
-std::string_view volumeEnding(const fs::path& path) {
-  const std::string name = lowered(path.filename().string());
-  const auto at = std::find_if(volumeEndings.begin(), volumeEndings.end(),
-                               [&](std::string_view ending) { return name.ends_with(ending); });
-  return at == volumeEndings.end() ? std::string_view() : *at;
-}
-
 std::vector<SeriesInfo> listSeries(const fs::path& path, const OpenOptions& options) {
   checkExists(path);
   return withinMemory(path, [&]() -> std::vector<SeriesInfo> {

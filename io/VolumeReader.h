@@ -2,22 +2,15 @@
 // One call opens any volume: a DICOM folder or file, NIfTI, NRRD, MetaImage, MGH, Analyze, an archive of
 // these, or raw bytes with a description.
 
-#include <array>
 #include <filesystem>
 #include <string_view>
 #include <vector>
 
 #include "io/base/Error.h"
 #include "io/base/Reading.h"
+#include "io/base/VolumeEnding.h"
 
 namespace fenestra::io {
-
-/// Endings of the formats that hold a volume in one or two files, in lower case. Reading goes by content; endings serve
-/// file dialogs, dropped files and messages.
-inline constexpr std::array<std::string_view, 10> volumeEndings{".nii",  ".nii.gz", ".hdr", ".img", ".nrrd",
-                                                                ".nhdr", ".mha",    ".mhd", ".mgh", ".mgz"};
-/// The one of them that a file's name ends in, whatever the case; empty when there is none.
-std::string_view volumeEnding(const std::filesystem::path& path);
 
 /// "WxHxD:TYPE[:le|be][:skip=BYTES]", e.g. "256x256x128:uint16:be:skip=512". Throws Error.
 RawDescription parseRawDescription(std::string_view text);

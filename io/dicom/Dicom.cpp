@@ -1,6 +1,7 @@
 #include "io/dicom/Dicom.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
@@ -8,6 +9,7 @@
 #include "io/base/Contents.h"
 #include "io/base/PlausibleGrid.h"
 #include "io/base/SessionName.h"
+#include "io/base/VolumeEnding.h"
 #include "io/base/VoxelSink.h"
 #include "io/dicom/DicomDir.h"
 #include "io/dicom/DicomRemarks.h"
@@ -67,6 +69,20 @@ std::vector<fs::path> filesToScan(const fs::path& path, Scan& scan) {
   if (directory.files.empty()) return filesBelow(fs::absolute(path).parent_path(), scan.closed);
   scan.missing = std::move(directory.missing);
   return std::move(directory.files);
+}
+
+/// What to open instead of a folder without DICOM images.
+std::string wayOutOf(const fs::path& folder, const std::vector<fs::path>& files) {
+  const auto isVolume = [](const fs::path& file) {
+    const std::string_view ending = volumeEnding(file);
+    return !ending.empty() && ending != ".img";  // a .hdr lies beside it
+  };
+  const auto first = std::find_if(files.begin(), files.end(), isVolume);
+  if (first == files.end()) return "name a folder with DICOM files, or a volume file itself";
+  const auto others = std::count_if(std::next(first), files.end(), isVolume);
+  std::string way = "open the volume file in it: " + first->lexically_relative(folder).string();
+  if (others > 0) way += others == 1 ? " (or the other one)" : " (or one of " + std::to_string(others) + " others)";
+  return way;
 }
 
 Scan scanHeaders(const fs::path& path, const OpenOptions& options, PackedFiles& packed) {
@@ -136,7 +152,7 @@ Scan scanHeaders(const fs::path& path, const OpenOptions& options, PackedFiles& 
                       " DICOM files can be read (the first: " + scan.unreadableCauses.front() + ")",
                   "get the files again from their source");
     }
-    throw Error(path, "holds no DICOM images", "name a folder with DICOM files, or a volume file itself");
+    throw Error(path, "holds no DICOM images", wayOutOf(path, scan.notImages));
   }
   return scan;
 }

@@ -504,6 +504,14 @@ std::vector<Defect> folderDefects() {
          return folder;
        },
        error("holds no DICOM images")},
+      {"a folder of volume files",
+       [](const fs::path& folder) {
+         writeFile(folder / "ct.nii.gz", "a volume");
+         writeFile(folder / "letter.txt", "Dear colleague");
+         writeFile(folder / "mr.NRRD", "another");
+         return folder;
+       },
+       error("ct.nii.gz (or the other one)")},
       {"a damaged file among others", seriesAnd([](const fs::path& folder) {
          const std::string all = readFile(folder / "3.dcm");
          writeFile(folder / "3.dcm", all.substr(0, all.size() - 100));
