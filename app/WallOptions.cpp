@@ -11,7 +11,9 @@ namespace fenestra::app {
 void addWallOptions(CLI::App& command, SceneOptions& options) {
   addParsed(
       command, "--crosshair", "L,P,S",
-      "mm, where the slices of --method walls meet; a session's own, or the volume's middle otherwise",
+      "mm, where the slices of --method walls meet, or what a lens lies over (--lens-place crosshair); a session's "
+      "own, "
+      "or the volume's middle otherwise, of a lens the middle of the focus",
       [&options](const std::string& text) {
         const auto point = parseNumbers<double, 3>(text, ',');
         if (!point || !std::all_of(point->begin(), point->end(), [](double mm) { return millimetres.contains(mm); }))

@@ -361,7 +361,8 @@ void PassChain::findLens() {
     return;
   }
   const Grid& grid = gpu->grid();
-  const glm::dvec3 middle = gpu->focus().centre(grid).value_or(grid.centre());
+  const glm::dvec3 middle =
+      placeOf(*frame->method.lens, frame->view.slices, gpu->focus().centre(grid).value_or(grid.centre()));
   addIfStale(Pass::Lens, lens, LensKey{hits.version(), gpu->versions().derivative, middle}, {}, [&](Regions regions) {
     lensPass.run(steps, *gpu, *rays, hitsToOpen(), middle, regions,
                  sized(lensSurface, gl::Format::RGBA32F, frame->view.size));

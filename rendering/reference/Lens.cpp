@@ -15,14 +15,13 @@ constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 constexpr std::array<glm::ivec2, 5> cross{
     {glm::ivec2(0, 0), glm::ivec2(1, 0), glm::ivec2(-1, 0), glm::ivec2(0, 1), glm::ivec2(0, -1)}};
 
-/// Where the line of sight to the focus's middle first meets anything; that middle itself where it does not.
-glm::dvec3 middleOf(const Scene& scene, const Camera& camera) {
-  const glm::dvec3 focus = focusCentre(scene);
-  const std::optional<Camera> aimed = camera.aimedAt(focus);
-  if (!aimed) return focus;
+/// Where the line of sight to a place first meets anything; that place itself where it does not.
+glm::dvec3 seenTowards(glm::dvec3 place, const Scene& scene, const Camera& camera) {
+  const std::optional<Camera> aimed = camera.aimedAt(place);
+  if (!aimed) return place;
   const double t = hitPoints(scene, *aimed, glm::ivec2(1)).tContext[0];
   const Ray ray = pixelRay(*aimed, glm::ivec2(1), glm::ivec2(0));
-  return std::isnan(t) ? focus : ray.origin + t * ray.direction;
+  return std::isnan(t) ? place : ray.origin + t * ray.direction;
 }
 
 /// b: what stays beside bends, `place` radii from the middle; `before`: radii of context before the focus, NaN beside
@@ -37,12 +36,12 @@ double keptBesideBends(LensFade fade, double place, double before) {
 }  // namespace
 
 std::vector<LensPoint> lensPoints(const Scene& scene, const Camera& camera, glm::ivec2 size, const HitPoints& hits,
-                                  const std::vector<glm::ivec2>& pixels) {
+                                  const std::vector<glm::ivec2>& pixels, const ShownSlices& slices) {
   const MethodStages::Lens lens = *stagesOf(scene.look.method).lens;
   const Grid& grid = scene.volume->grid;
   const double radius = radiusOf(lens, grid);
   const double margin = 0.5 * std::min({grid.spacing.x, grid.spacing.y, grid.spacing.z});
-  const glm::dvec3 middle = middleOf(scene, camera);
+  const glm::dvec3 middle = seenTowards(placeOf(lens, slices, focusCentre(scene)), scene, camera);
   const Camera::Axes axes = camera.axes();
 
   std::vector<Ray> rays;

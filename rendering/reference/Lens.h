@@ -15,8 +15,8 @@ struct LensPoint {
   double line;             ///< of the picture's opacity, which the line around the lens takes from each channel
 };
 
-/// Of pixels of a picture with a lens, whose first hits are `hits`.
+/// Of pixels of a picture with a lens, whose first hits are `hits`. Of `slices`, the crosshair counts.
 std::vector<LensPoint> lensPoints(const Scene& scene, const Camera& camera, glm::ivec2 size, const HitPoints& hits,
-                                  const std::vector<glm::ivec2>& pixels);
+                                  const std::vector<glm::ivec2>& pixels, const ShownSlices& slices = {});
 
 }  // namespace fenestra::reference

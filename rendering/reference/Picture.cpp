@@ -144,7 +144,8 @@ std::vector<LensPoint> lensOf(const Frame& frame, const Rays& rays, Picture& pic
   if (!frame.pixels || !stagesOf(frame.scene.look.method).lens) return {};
   std::vector<glm::ivec2> pixels;
   for (const glm::dvec2 place : rays.places) pixels.emplace_back(glm::floor(place));
-  std::vector<LensPoint> points = lensPoints(frame.scene, frame.camera, frame.size, frame.pixels->hits, pixels);
+  std::vector<LensPoint> points =
+      lensPoints(frame.scene, frame.camera, frame.size, frame.pixels->hits, pixels, frame.slices);
   for (const LensPoint& point : points) picture.lens.emplace_back(point.normal, point.distance);
   return points;
 }

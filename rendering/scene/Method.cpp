@@ -37,7 +37,7 @@ MethodStages stagesOf(const Method& method) {
     case MethodKind::ClearView: {
       MethodStages stages;
       stages.hasWidth = stages.hasBorder = false;
-      stages.lens = {method.lensFade, 0.01 * method.lensRadius, method.lensBends, method.lensRim};
+      stages.lens = {method.lensPlace, method.lensFade, 0.01 * method.lensRadius, method.lensBends, method.lensRim};
       return stages;
     }
     case MethodKind::ContextPreserving: {

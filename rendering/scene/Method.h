@@ -50,6 +50,9 @@ enum class Sparseness : std::uint8_t { Opacity, Colour, ScreenDoor };
 /// from the lens's middle; nothing else; how much of it lies in front of the focus.
 enum class LensFade : std::uint8_t { Distance, Curvature, Depth };
 
+/// Whether ClearView's lens lies over the middle of the focus or over the crosshair, which follows the last pick.
+enum class LensPlace : std::uint8_t { OverFocus, OverCrosshair };
+
 /// Of a focal region. The box is a cube along the patient's axes.
 enum class FocalShape : std::uint8_t { Sphere, Box };
 
@@ -70,6 +73,7 @@ struct Method {
   double importanceOpacity = 0.05;  ///< of Average: the factor of the opacity of what lies before the focus, 0..1
   Sparseness sparseness = Sparseness::Opacity;  ///< of Average
   LensFade lensFade = LensFade::Distance;       ///< of ClearView
+  LensPlace lensPlace = LensPlace::OverFocus;
   /// % of the volume's longest side, 0.1 to 1000: 100 by what ClearView's authors call the lens's size, in units of one
   /// divided by the longest side of the volume. Theirs is 5.5.
   double lensRadius = 18.2;
@@ -134,15 +138,16 @@ struct MethodStages {
   ///       clamp((t_focus - t_context) / radius, 0, 1) where d < 1, else 1; t_focus infinite beside the focus   Depth
   ///   w = clamp(max(κ · bends, b), 0, 1)
   ///
-  /// The middle is where the line of sight to the middle of the focus (FocusIndex::centre) first meets context or
-  /// focus, as a pick there would be; the middle of the focus itself where that line meets nothing, or it lies behind
-  /// the eye. Where the ray meets the focus within half the finest spacing of the context, there is no surface: w = 1.
-  /// A surface has no normal this near to where its ray enters the volume, or what clips it. The context layer's
+  /// The middle is where the line of sight to the middle of the focus (FocusIndex::centre), or to the crosshair, first
+  /// meets context or focus, as a pick there would be; that point itself where the line meets nothing, or it lies
+  /// behind the eye. Where the ray meets the focus within half the finest spacing of the context, there is no surface:
+  /// w = 1. A surface has no normal this near to where its ray enters the volume, or what clips it. The context layer's
   /// opacity is multiplied by 1 - w, because it shows edges of what was removed. At last the line around the lens
   /// darkens the premultiplied picture of opacity A wherever there is a surface, as far as the brush does not fade it:
   ///
   ///   C := max(C - A · ½ (1 - clamp(|d - 1| · rim, 0, 1)), 0)
   struct Lens {
+    LensPlace place = LensPlace::OverFocus;  ///< a crosshair that is not set (ShownSlices) leaves it over the focus
     LensFade fade = LensFade::Distance;
     double radius = 0.0;  ///< of the volume's longest side
     double bends = 1.0, rim = 1.0;

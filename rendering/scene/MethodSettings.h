@@ -51,6 +51,10 @@ inline constexpr std::tuple settingsOf<Method>{
                                 .name = "Lens keeps",
                                 .description = "What stays within ClearView's lens of what hides the focus, beside its "
                                                "bends"}),
+    Setting(&Method::lensPlace, {.key = "lens_place",
+                                 .option = "--lens-place",
+                                 .name = "Lens over",
+                                 .description = "What ClearView's lens lies over, as you see it"}),
     Setting(&Method::lensRadius,
             {.key = "lens_radius",
              .option = "--lens-radius",

@@ -104,6 +104,11 @@ constexpr auto wordsOf(FocalShape) {
   return std::to_array<Word<FocalShape>>({{FocalShape::Sphere, "sphere", "Sphere", "All around the focus alike"},
                                           {FocalShape::Box, "box", "Box", "A cube along the patient's axes"}});
 }
+constexpr auto wordsOf(LensPlace) {
+  return std::to_array<Word<LensPlace>>(
+      {{LensPlace::OverFocus, "focus", "Focus", "The middle of the focus"},
+       {LensPlace::OverCrosshair, "crosshair", "Crosshair", "The crosshair: the lens follows what you point at"}});
+}
 constexpr auto wordsOf(LensFade) {
   return std::to_array<Word<LensFade>>(
       {{LensFade::Distance, "distance", "To the rim", "The nearer to the lens's rim, the more of what hides the focus"},

@@ -7,10 +7,13 @@
 
 #include "rendering/scene/Camera.h"
 #include "rendering/scene/Cutaway.h"
+#include "rendering/scene/Method.h"
 #include "rendering/scene/Quality.h"
 #include "rendering/scene/Volume.h"
 
 namespace fenestra {
+
+struct Look;
 
 /// The picture that an opening is cut for: w_open and w_border count in its pixels.
 struct OpeningView {
@@ -20,9 +23,10 @@ struct OpeningView {
   bool operator==(const OpeningView&) const = default;
 };
 
-/// Which slices walls show (rendering/scene/Walls.h), and how. Only pictures with walls depend on it.
+/// Which slices walls show (rendering/scene/Walls.h), and how, and where a lens over the crosshair lies. Other pictures
+/// do not depend on it; see dependsOnSlices().
 struct ShownSlices {
-  std::optional<glm::dvec3> crosshair = std::nullopt;  ///< world, mm; unset: the volume's centre
+  std::optional<glm::dvec3> crosshair = std::nullopt;  ///< world, mm; unset: for walls, the volume's centre
   std::optional<WindowLevel> window = std::nullopt;    ///< unset: Volume::defaultWindow
   bool inverted = false;                               ///< low values bright, where the volume has them dark
   bool operator==(const ShownSlices&) const = default;
@@ -42,6 +46,12 @@ struct View {
   ShownSlices slices{};
   bool operator==(const View&) const = default;
 };
+
+/// Whether a picture with such a look depends on View::slices.
+bool dependsOnSlices(const Look& look);
+
+/// What a lens lies over, world mm.
+glm::dvec3 placeOf(const MethodStages::Lens& lens, const ShownSlices& slices, glm::dvec3 focusCentre);
 
 /// The greatest error of a pixel's colour, in 1/255, that the view asks for; empty where it asks for none.
 std::optional<double> errorBound(const View& view);

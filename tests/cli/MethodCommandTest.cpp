@@ -17,6 +17,7 @@ const std::vector<std::string> methods{
     "--method importance --importance-levels muscle=1,spleen=2",
     "--method importance --importance average --importance-opacity 0.3 --importance-levels muscle=1",
     "--method clearview --lens-radius 35 --lens-bends 0.5 --lens-rim 20",
+    "--method clearview --lens-place crosshair --crosshair 40,-20,10",
     "--method context-preserving --fade-reach 4 --fade-sharpness 0.7",
     "--method focal-region --focal-size 25 --focal-fall-off 30",
     "--method focal-region --focal-shape box --focal-size 20 --focal-fall-off 15",
@@ -45,7 +46,8 @@ TEST_F(MethodCommand, ParametersOfOtherMethodsLeaveThePictureAsItIs) {
   ASSERT_EQ(render("plain.png", ""), 0);
   ASSERT_EQ(render("same.png",
                    "--method adaptive --cone-angle 70 --importance average --importance-opacity 0.9 "
-                   "--lens-radius 60 --lens-fade depth --lens-bends 3 --lens-rim 5 --fade-reach 9 --fade-sharpness 2 "
+                   "--lens-place crosshair --lens-radius 60 --lens-fade depth --lens-bends 3 --lens-rim 5 --fade-reach "
+                   "9 --fade-sharpness 2 "
                    "--focal-shape box --focal-size 9 --focal-fall-off 3 --wall-placement inside --wall-coronal off "
                    "--crosshair 1,2,3 --window 10 --level 5 --explosion 0.9 --explosion-planes three "
                    "--explosion-axes view --ghost-strength 0.3 --ghost-edge 40 --ghost-outline 0.9 "

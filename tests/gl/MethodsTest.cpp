@@ -91,7 +91,9 @@ void expectLensMatches(const std::vector<glm::vec4>& here, const std::vector<glm
 /// first: such pixels lie on lines and are held to four in a thousand, as those of other openings are.
 void Methods::expectMatches(const Scene& scene, const View& view) {
   const reference::Stages stages = reference::geometricStages(scene, view);
-  const reference::Picture truth = reference::picture(scene, view.camera, view.size, stages);
+  reference::PictureOptions options;
+  options.slices = view.slices;
+  const reference::Picture truth = reference::picture(scene, view.camera, view.size, stages, options);
   const double voxel = finestSpacing(scene.volume->grid);
   for (const Schedule schedule : {Schedule::Plain, Schedule::Llvmpipe}) {
     SCOPED_TRACE(nameOf(schedule));
@@ -150,6 +152,16 @@ TEST_F(Methods, FadesOfClearViewMatchAndDiffer) {
     for (std::size_t other = 0; other + 1 < pictures.size(); ++other)
       EXPECT_GT(perMilleBeyond(4.0, pictures.back(), pictures[other]), 40.0) << other;
   }
+}
+
+TEST_F(Methods, ALensOverTheCrosshairMatchesAndMoves) {
+  const Scene scene =
+      hazyBody({.kind = MethodKind::ClearView, .lensPlace = LensPlace::OverCrosshair, .lensRadius = 20.0});
+  View view = viewOf(from(25, 15, scene).zoomed(3.0));
+  const std::vector<glm::vec4> overFocus = drawn(scene, view).final;
+  view.slices.crosshair = scene.volume->grid.centre() + glm::dvec3(3.0, -2.0, 4.0);
+  expectMatches(scene, view);
+  EXPECT_GT(perMilleBeyond(4.0, drawn(scene, view).final, overFocus), 40.0);
 }
 
 /// Where light falls to nothing, the lowest sharpness makes a cusp of what fades, and the greatest a cut.

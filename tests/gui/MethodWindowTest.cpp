@@ -146,7 +146,8 @@ TEST_F(MethodWindow, ClearViewHasALensInPlaceOfWidthAndBorder) {
   choose("kind", MethodKind::ClearView);
   waitUntilDrawn();
   EXPECT_EQ(panel<CutawayPanel>().width(), width);
-  for (const char* key : {"lens_radius", "lens_bends", "lens_fade", "lens_rim"}) EXPECT_TRUE(shows(key)) << key;
+  for (const char* key : {"lens_radius", "lens_place", "lens_bends", "lens_fade", "lens_rim"})
+    EXPECT_TRUE(shows(key)) << key;
   for (const char* key : {"cone_angle", "importance", "importance_angle"}) EXPECT_FALSE(shows(key)) << key;
   for (const char* key : {"open_width", "border_width", "border_colour"})
     EXPECT_FALSE(control<QWidget>(key)->isEnabled()) << key;
@@ -171,7 +172,14 @@ TEST_F(MethodWindow, ClearViewHasALensInPlaceOfWidthAndBorder) {
   choose("lens_fade", LensFade::Curvature);
   EXPECT_EQ(document().look().method.lensFade, LensFade::Curvature);
   expectChanged("fade");
-  EXPECT_EQ(document().undoStack().index(), steps + 5);
+  choose("lens_place", LensPlace::OverCrosshair);
+  waitUntilDrawn();
+  before = picture(volume(0));
+  const glm::dvec3 crosshair = cursor().position();
+  cursor().moveTo(document().scene().volume->grid.centre() + glm::dvec3(20.0, -10.0, 15.0));
+  expectChanged("crosshair");
+  cursor().moveTo(crosshair);
+  EXPECT_EQ(document().undoStack().index(), steps + 6);
   while (document().undoStack().index() > steps) document().undoStack().undo();
   EXPECT_TRUE(control<SliderSpin>("border_width")->isEnabled());
   EXPECT_FALSE(control<SliderSpin>("border_width")->toolTip().contains(QStringLiteral("rim")));

@@ -77,6 +77,7 @@ inline io::Session fullSession(const std::filesystem::path& folder) {
                          0.125,
                          Sparseness::ScreenDoor,
                          LensFade::Depth,
+                         LensPlace::OverCrosshair,
                          33.5,
                          2.25,
                          12.5,

@@ -19,7 +19,11 @@ TEST(Method, TheAdaptiveCutawayIsTheUsualOneWhateverTheOthersParameters) {
   EXPECT_EQ(stagesOf(Method{}), MethodStages{});
   EXPECT_EQ(stagesOf({.coneAngle = 70.0, .importance = ImportanceMode::Average, .importanceOpacity = 1.0}),
             MethodStages{});
-  EXPECT_EQ(stagesOf({.lensFade = LensFade::Curvature, .lensRadius = 90.0, .lensBends = 4.0, .lensRim = 7.0}),
+  EXPECT_EQ(stagesOf({.lensFade = LensFade::Curvature,
+                      .lensPlace = LensPlace::OverCrosshair,
+                      .lensRadius = 90.0,
+                      .lensBends = 4.0,
+                      .lensRim = 7.0}),
             MethodStages{});
   EXPECT_EQ(stagesOf({.fadeReach = 9.0, .fadeSharpness = 2.0}), MethodStages{});
   EXPECT_EQ(stagesOf({.focalShape = FocalShape::Box, .focalSize = 9.0, .focalFallOff = 2.0}), MethodStages{});

@@ -71,6 +71,20 @@ TEST(ReferenceLens, OverAPlaneItMixesByTheDistance) {
   }
 }
 
+TEST(ReferenceLens, LiesOverTheCrosshair) {
+  Scene scene = planeBeforeBall();
+  PictureOptions aside;
+  aside.slices.crosshair = glm::dvec3(23.0, 30.0, 18.0);
+  const Picture overFocus = picture(scene, parallel(), size, aside);
+  scene.look.method.lensPlace = LensPlace::OverCrosshair;
+  const Picture overCrosshair = picture(scene, parallel(), size, aside), unset = picture(scene, parallel(), size);
+  for (std::size_t i = 0; i < unset.lens.size(); ++i) {
+    EXPECT_NEAR(overFocus.lens[i].w, glm::distance(onPlane(i, 8.0), before), 1e-9);
+    EXPECT_NEAR(overCrosshair.lens[i].w, glm::distance(onPlane(i, 8.0), {23.0, 8.0, 18.0}), 1e-9);
+    EXPECT_EQ(unset.lens[i].w, overFocus.lens[i].w) << "without a crosshair it stays over the focus";
+  }
+}
+
 TEST(ReferenceLens, KeepsTheContextBesideTheFocus) {
   Scene scene = planeBeforeBall(), closed = scene;
   closed.look.cutaway.enabled = false;

@@ -45,6 +45,7 @@ CutawayPanel::CutawayPanel(Document& document, Carving& carving, QWidget* parent
       method_(methodControls_.choice(&Method::kind)),
       importanceMode_(methodControls_.choice(&Method::importance)),
       sparseness_(methodControls_.choice(&Method::sparseness)),
+      lensPlace_(methodControls_.choice(&Method::lensPlace)),
       lensFade_(methodControls_.choice(&Method::lensFade)),
       focalShape_(methodControls_.choice(&Method::focalShape)),
       wallPlacement_(methodControls_.choice(&Method::wallPlacement)),
@@ -113,8 +114,8 @@ void CutawayPanel::addMethod(QFormLayout& form) {
   form.addRow(name(settingOf(&Method::kind)), method_);
   form.addRow(name(settingOf(&Method::coneAngle)), coneAngle_);
   // A row that appears must not widen the panel and so push the views aside.
-  for (QComboBox* box : {importanceMode_, sparseness_, lensFade_, focalShape_, wallPlacement_, explosionPlanes_,
-                         explosionAxes_, peelSide_}) {
+  for (QComboBox* box : {importanceMode_, sparseness_, lensPlace_, lensFade_, focalShape_, wallPlacement_,
+                         explosionPlanes_, explosionAxes_, peelSide_}) {
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     box->setMinimumContentsLength(5);
   }
@@ -127,6 +128,7 @@ void CutawayPanel::addMethod(QFormLayout& form) {
   form.addRow(name(settingOf(&Method::importanceAngle)), importanceAngle_);
   form.addRow(name(settingOf(&Method::importanceOpacity)), importanceOpacity_);
   form.addRow(tr("Levels"), importanceLevels_);
+  form.addRow(name(settingOf(&Method::lensPlace)), lensPlace_);
   form.addRow(name(settingOf(&Method::lensRadius)), lensRadius_);
   form.addRow(name(settingOf(&Method::lensBends)), lensBends_);
   //: before the number that says how thin the line around a lens is
@@ -193,6 +195,7 @@ void CutawayPanel::showMethod() {
   form_->setRowVisible(importanceOpacity_, byImportance && !removes);
   sparseness_->setVisible(byImportance && !removes);
   form_->setRowVisible(importanceLevels_, byImportance);
+  form_->setRowVisible(lensPlace_, byLens);
   form_->setRowVisible(lensRadius_, byLens);
   form_->setRowVisible(lensBends_, byLens);
   form_->setRowVisible(lens_, byLens);
@@ -220,16 +223,41 @@ void CutawayPanel::showMethod() {
   if (opens && !opensBetweenPixels(method.kind))
     tip += QStringLiteral("\n") + tr("Smooth edges, by several rays a pixel, are the adaptive cutaway's alone");
   method_->setToolTip(tip);
-  for (QWidget* widget :
-       std::initializer_list<QWidget*>{method_,          coneAngle_,         importanceMode_, sparseness_,
-                                       importanceAngle_, importanceOpacity_, lensFade_,       lensRadius_,
-                                       lensBends_,       lensRim_,           fadeReach_,      fadeSharpness_,
-                                       focalShape_,      focalSize_,         focalFallOff_,   wallPlacement_,
-                                       wallAxial_,       wallSagittal_,      wallCoronal_,    wallOutlines_,
-                                       explosion_,       explosionPlanes_,   explosionAxes_,  carving_,
-                                       ghostStrength_,   ghostEdge_,         ghostOutline_,   peel_,
-                                       peelSide_,        peelTurn_,          peelDepth_,      peelRadius_,
-                                       peelMargin_,      importanceLevels_})
+  for (QWidget* widget : std::initializer_list<QWidget*>{method_,
+                                                         coneAngle_,
+                                                         importanceMode_,
+                                                         sparseness_,
+                                                         importanceAngle_,
+                                                         importanceOpacity_,
+                                                         lensPlace_,
+                                                         lensFade_,
+                                                         lensRadius_,
+                                                         lensBends_,
+                                                         lensRim_,
+                                                         fadeReach_,
+                                                         fadeSharpness_,
+                                                         focalShape_,
+                                                         focalSize_,
+                                                         focalFallOff_,
+                                                         wallPlacement_,
+                                                         wallAxial_,
+                                                         wallSagittal_,
+                                                         wallCoronal_,
+                                                         wallOutlines_,
+                                                         explosion_,
+                                                         explosionPlanes_,
+                                                         explosionAxes_,
+                                                         carving_,
+                                                         ghostStrength_,
+                                                         ghostEdge_,
+                                                         ghostOutline_,
+                                                         peel_,
+                                                         peelSide_,
+                                                         peelTurn_,
+                                                         peelDepth_,
+                                                         peelRadius_,
+                                                         peelMargin_,
+                                                         importanceLevels_})
     widget->setEnabled(open);
   for (QWidget* widget : std::initializer_list<QWidget*>{look_, axisOffset_, unit_}) widget->setEnabled(open && opens);
   axisDirection_->setEnabled(axisDirection_->isEnabled() && opens);

@@ -34,8 +34,8 @@ class CutawayPanel : public QWidget {
   QDoubleSpinBox* axisDirection_;
   QHBoxLayout *axis_, *importance_, *lens_, *wallPlanes_;
   QFormLayout* form_;
-  QComboBox *method_, *importanceMode_, *sparseness_, *lensFade_, *focalShape_, *wallPlacement_, *explosionPlanes_,
-      *explosionAxes_, *peelSide_;
+  QComboBox *method_, *importanceMode_, *sparseness_, *lensPlace_, *lensFade_, *focalShape_, *wallPlacement_,
+      *explosionPlanes_, *explosionAxes_, *peelSide_;
   SliderSpin *coneAngle_, *importanceAngle_, *importanceOpacity_, *lensRadius_, *lensBends_, *fadeReach_,
       *fadeSharpness_, *focalSize_, *focalFallOff_, *explosion_, *ghostStrength_, *ghostEdge_, *ghostOutline_, *peel_,
       *peelTurn_, *peelDepth_, *peelRadius_, *peelMargin_;

@@ -248,7 +248,7 @@ void VolumeView::refresh() {
 }
 
 void VolumeView::moveWalls() {
-  if (!document_.hasVolume() || !wallsOf(document_.look())) return;
+  if (!document_.hasVolume() || !dependsOnSlices(document_.look())) return;
   // While something else moves, its pictures show the slices, too.
   if (due_ == Due::Motion || rest_.isActive())
     disturb(ViewLink::count);
@@ -335,8 +335,9 @@ View VolumeView::viewFor(Effort effort) const {
       .maxError = effort.maxError,
       .frozen = cameras_.frozen()[static_cast<std::size_t>(index_)],
       // Other pictures do not depend on them, and need not be drawn again when they change.
-      .slices = wallsOf(document_.look()) ? ShownSlices{cursor_.position(), document_.window(), document_.isInverted()}
-                                          : ShownSlices{},
+      .slices = dependsOnSlices(document_.look())
+                    ? ShownSlices{cursor_.position(), document_.window(), document_.isInverted()}
+                    : ShownSlices{},
   };
 }
 
