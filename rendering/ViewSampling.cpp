@@ -27,12 +27,12 @@ int pitchOf(double voxelWidth, double least) {
 
 }  // namespace
 
-FocusLayerPass::Sampling samplingOf(const View& view, const Grid& grid, bool lit) {
+ViewSampling samplingOf(const View& view, const Grid& grid, bool lit) {
   if (view.maxError) return {.maxError = *view.maxError / 255.0};
   if (view.quality == Quality::High) return {.maxError = highQualityError / 255.0};
   const double voxelWidth = voxelWidthIn(view, grid);
   const bool draft = view.quality == Quality::Draft;
-  FocusLayerPass::Sampling sampling;
+  ViewSampling sampling;
   if (draft) sampling.tolerance *= 3.0;
   // A lattice of squares with less than two points to a voxel meets the faces of the cells in much the same phase again
   // and again, and takes bends of the picture there for smooth. Such bends are sharpest where light shows those of the

@@ -7,8 +7,10 @@
 
 namespace fenestra {
 
+using ViewSampling = FocusLayerPass::Sampling;
+
 /// By the view's bound or quality and by how many pixels wide the narrowest side of a voxel is in the volume's middle.
 /// `lit`: the picture is. Needs no OpenGL.
-FocusLayerPass::Sampling samplingOf(const View& view, const Grid& grid, bool lit);
+ViewSampling samplingOf(const View& view, const Grid& grid, bool lit);
 
 }  // namespace fenestra

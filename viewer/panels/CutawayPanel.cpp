@@ -99,14 +99,16 @@ CutawayPanel::CutawayPanel(Document& document, Carving& carving, QWidget* parent
   form->addRow(tr("Look"), look_);
   form->addRow(name(settingOf(&Cutaway::unit)), unit_);
 
-  connect(look_, &QComboBox::activated, this, [this](int which) {
-    Look look = document_.look();
-    openingLooks()[static_cast<std::size_t>(which)].applyTo(look.cutaway, look.contextLayer);
-    document_.edit(tr("Look"), std::move(look));
-  });
+  connect(look_, &QComboBox::activated, this, &CutawayPanel::apply);
   connect(&document, &Document::cutawayChanged, this, &CutawayPanel::show);
   connect(&document, &Document::volumeChanged, this, &CutawayPanel::show);
   show();
+}
+
+void CutawayPanel::apply(int openingLook) {
+  Look look = document_.look();
+  openingLooks()[static_cast<std::size_t>(openingLook)].applyTo(look.cutaway, look.contextLayer);
+  document_.edit(tr("Look"), std::move(look));
 }
 
 void CutawayPanel::addMethod(QFormLayout& form) {
@@ -223,42 +225,9 @@ void CutawayPanel::showMethod() {
   if (opens && !opensBetweenPixels(method.kind))
     tip += QStringLiteral("\n") + tr("Smooth edges, by several rays a pixel, are the adaptive cutaway's alone");
   method_->setToolTip(tip);
-  for (QWidget* widget : std::initializer_list<QWidget*>{method_,
-                                                         coneAngle_,
-                                                         importanceMode_,
-                                                         sparseness_,
-                                                         importanceAngle_,
-                                                         importanceOpacity_,
-                                                         lensPlace_,
-                                                         lensFade_,
-                                                         lensRadius_,
-                                                         lensBends_,
-                                                         lensRim_,
-                                                         fadeReach_,
-                                                         fadeSharpness_,
-                                                         focalShape_,
-                                                         focalSize_,
-                                                         focalFallOff_,
-                                                         wallPlacement_,
-                                                         wallAxial_,
-                                                         wallSagittal_,
-                                                         wallCoronal_,
-                                                         wallOutlines_,
-                                                         explosion_,
-                                                         explosionPlanes_,
-                                                         explosionAxes_,
-                                                         carving_,
-                                                         ghostStrength_,
-                                                         ghostEdge_,
-                                                         ghostOutline_,
-                                                         peel_,
-                                                         peelSide_,
-                                                         peelTurn_,
-                                                         peelDepth_,
-                                                         peelRadius_,
-                                                         peelMargin_,
-                                                         importanceLevels_})
-    widget->setEnabled(open);
+  methodControls_.setEnabled(open);
+  carving_->setEnabled(open);
+  importanceLevels_->setEnabled(open);
   for (QWidget* widget : std::initializer_list<QWidget*>{look_, axisOffset_, unit_}) widget->setEnabled(open && opens);
   axisDirection_->setEnabled(axisDirection_->isEnabled() && opens);
   // A width that the method does not have stays in sight, and says why it cannot be moved.

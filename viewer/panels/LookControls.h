@@ -83,7 +83,10 @@ class LookControls {
 
   /// Shows what the document's look says.
   void show() const {
-    for (const auto& control : controls_) control(document_.look().*part_);
+    for (const auto& show : shows_) show(document_.look().*part_);
+  }
+  void setEnabled(bool enabled) const {
+    for (QWidget* control : controls_) control->setEnabled(enabled);
   }
 
  private:
@@ -104,14 +107,16 @@ class LookControls {
   Control* added(const Setting<Part, Value>& setting, Control* control, Show show) {
     control->setObjectName(QString::fromUtf8(setting.key));
     control->setToolTip(translated(setting.description));
-    controls_.push_back([show, member = setting.member](const Part& part) { show(part.*member); });
+    controls_.push_back(control);
+    shows_.push_back([show, member = setting.member](const Part& part) { show(part.*member); });
     return control;
   }
 
   Document& document_;
   Part Look::*part_;
   QString step_;
-  std::vector<std::function<void(const Part&)>> controls_;
+  std::vector<QWidget*> controls_;
+  std::vector<std::function<void(const Part&)>> shows_;
 };
 
 }  // namespace fenestra::viewer

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "rendering/Renderer.h"
-#include "rendering/ViewSampling.h"
 #include "rendering/scene/Explosion.h"
 #include "rendering/scene/Fading.h"
 #include "rendering/scene/FaintLabels.h"

@@ -8,8 +8,8 @@
 #include <optional>
 #include <vector>
 
+#include "rendering/ViewSampling.h"
 #include "rendering/gpu/GpuScene.h"
-#include "rendering/passes/FocusLayerPass.h"
 #include "rendering/scene/View.h"
 #include "viewer/views/RenderContext.h"
 
@@ -61,7 +61,7 @@ class ScenePreparation {
     bool levels = false;   ///< of importance
     bool apart = false;    ///< another camera cuts the opening
     bool smoothEdges = false;
-    FocusLayerPass::Sampling sampling{};
+    ViewSampling sampling{};
     bool operator==(const Kind&) const = default;
   };
   static Kind kindOf(const Scene& scene, const View& view);
