@@ -102,7 +102,7 @@ TEST_F(CommandLine, OptionsOfSettingsAreAsDeclared) {
   check(Shading{});
   check(ValueFocus{});
   check(Look{});
-  EXPECT_EQ(options, 56);
+  EXPECT_EQ(options, 57);
   EXPECT_TRUE(nothingLeftBehind());
 }
 
