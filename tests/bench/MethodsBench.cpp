@@ -44,21 +44,17 @@ std::vector<glm::dvec2> anglesOfViews() {
   return angles;
 }
 
-/// All of the focus red, and all else grey: a pixel is then red by what it shows of the focus in the body.
-Scene withRedFocus(Scene scene) {
-  constexpr glm::dvec3 red(0.8, 0.0, 0.0);  // with room for highlights
+/// All of the focus of one grey.
+Scene withFocusOf(double grey, Scene scene) {
+  const glm::dvec3 colour(grey);
   Look& look = scene.look;
-  for (TransferFunction::Node& node : look.context.function.nodes)
-    node.properties.colour = glm::dvec3(node.properties.colour.g);
-  look.contextLayer.colour = glm::dvec3(look.contextLayer.colour.g);
   look.method.wallOutlines = false;  // on slices, beside the body
-  look.cutaway.borderColour = glm::dvec3(look.cutaway.borderColour.g);
   look.focusAppearance.function.reset();
-  look.focusAppearance.colour = red;
+  look.focusAppearance.colour = colour;
   if (const auto* focus = std::get_if<LabelFocus>(&look.focus))
     for (const std::uint16_t label : focus->labels) {
       LabelSetting setting = settingFor(look.labels, label);
-      setting.colour = red;
+      setting.colour = colour;
       setting.function.reset();
       put(look.labels, setting);
     }
@@ -89,11 +85,13 @@ double meanDifference(const Pixels& a, const Pixels& b) {
   return sum / (static_cast<double>(a.size()) / 4.0);
 }
 
-/// Light that comes from the focus, summed over the picture.
+/// Light that comes from the focus, summed over the picture: what a bright focus has more than a black one.
 double focusIn(Renderer& renderer, const Scene& scene, const View& view) {
-  const Pixels picture = drawn(renderer, withRedFocus(scene), view);
+  constexpr double bright = 0.8;  // with room for highlights
+  const Pixels shown = drawn(renderer, withFocusOf(bright, scene), view),
+               black = drawn(renderer, withFocusOf(0.0, scene), view);
   double sum = 0.0;
-  for (std::size_t i = 0; i < picture.size(); i += 4) sum += int{picture[i]} - int{picture[i + 1]};
+  for (std::size_t i = 0; i < shown.size(); i += 4) sum += int{shown[i]} - int{black[i]};
   return sum;
 }
 

@@ -134,7 +134,7 @@ std::string methodsText() {
          "*Focus seen*: how much of the focus's light reaches the eye, weighted by what it is seen through, of what "
          "would "
          "if there were no context; mean of the views, and the *least*, that of the worst view. It is the difference "
-         "of two pictures, with the focus once white and once black, summed over the pixels. Edges and borders over "
+         "of two pictures, with the focus once bright and once black, summed over the pixels. Edges and borders over "
          "the focus count as hiding it.\n\n"
          "*Volume kept* and *surface kept*: a method leaves at a point of a ray the share `k` of the context's "
          "extinction `κ`. `k` is 1 behind the ray's start; before it, it is the method's share `w` of what it opens, "
