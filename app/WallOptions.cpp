@@ -12,8 +12,7 @@ void addWallOptions(CLI::App& command, SceneOptions& options) {
   addParsed(
       command, "--crosshair", "L,P,S",
       "mm, where the slices of --method walls meet, or what a lens lies over (--lens-place crosshair); a session's "
-      "own, "
-      "or the volume's middle otherwise, of a lens the middle of the focus",
+      "own, or the volume's middle otherwise, of a lens the middle of the focus",
       [&options](const std::string& text) {
         const auto point = parseNumbers<double, 3>(text, ',');
         if (!point || !std::all_of(point->begin(), point->end(), [](double mm) { return millimetres.contains(mm); }))

@@ -14,7 +14,7 @@ double voxelWidthIn(const View& view, const Grid& grid) {
   return depth > 0.0 ? std::min({grid.spacing.x, grid.spacing.y, grid.spacing.z}) / rays.pixelSize(depth) : 0.0;
 }
 
-/// Of a picture's lattice of rays.
+/// Greatest distance of two neighbouring rays of a lattice, in pixels.
 constexpr int widestPitch = 4;
 
 /// Pixels from one ray that has to be followed to the next: a power of two, no more than a voxel is wide, so that what
