@@ -247,6 +247,9 @@ void ShaderProgram::set(std::string_view name, float value) {
 void ShaderProgram::set(std::string_view name, glm::ivec2 value) {
   if (const Uniform* u = find(name, {GL_INT_VEC2})) glProgramUniform2i(name_, u->location, value.x, value.y);
 }
+void ShaderProgram::set(std::string_view name, glm::ivec3 value) {
+  if (const Uniform* u = find(name, {GL_INT_VEC3})) glProgramUniform3i(name_, u->location, value.x, value.y, value.z);
+}
 void ShaderProgram::set(std::string_view name, glm::vec2 value) {
   if (const Uniform* u = find(name, {GL_FLOAT_VEC2})) glProgramUniform2f(name_, u->location, value.x, value.y);
 }

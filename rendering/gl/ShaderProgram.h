@@ -72,6 +72,7 @@ class ShaderProgram {
   void set(std::string_view uniform, int value);
   void set(std::string_view uniform, float value);
   void set(std::string_view uniform, glm::ivec2 value);
+  void set(std::string_view uniform, glm::ivec3 value);
   void set(std::string_view uniform, glm::vec2 value);
   void set(std::string_view uniform, glm::vec3 value);
   /// A uniform block: a struct with its std140 layout, and its name as `Block::name`.

@@ -103,7 +103,7 @@ bool GpuScene::holdsAsDrawn(const Scene& scene) const {
     return false;
   const bool wantsDerivative = readsContextSurface(scene);
   return (gradient_.texture || !scene.look.shading.enabled) && (derivative_.texture || !wantsDerivative) &&
-         (occluders_.any() || !hasOcclusion(scene.look));
+         (occluders_.any() || !hasOcclusion(scene.look)) && (focalDistances_.any() || !fadesByDistance(scene.look));
 }
 
 gl::ShaderProgram& GpuScene::presentation(bool enlarged) {
@@ -142,6 +142,7 @@ void GpuScene::release() {
   exempt_ = {};
   importance_.clear();
   occluders_.release();
+  focalDistances_.release();
   faint_.release();
   paletteMap_ = {};
 }
@@ -182,6 +183,7 @@ void GpuScene::updateAll(const Scene& scene) {
   if (occluders_.update(scene, {v.volume, v.focus, v.transfer, v.palette, v.protectedLabels, v.exemptLabels,
                                 v.importance, scene.look.focusAppearance.extinction}))
     ++versions_.occluders;
+  focalDistances_.update(scene, {v.volume, v.focus});
 
   const bool wantsDerivative = readsContextSurface(scene);
   if (!wantsDerivative) derivative_ = {};
@@ -462,6 +464,7 @@ std::vector<GpuScene::Resource> GpuScene::resources() const {
   add("focus normals", of(focus_.smooth()));
   add("protected labels", of(protected_.bricks) + of(protected_.skip) + protected_.cells.bytes());
   add("occluders", occluders_.bytes());
+  add("distances to the focus", focalDistances_.bytes());
   std::size_t important = 0;
   for (const KeptLabels& each : importance_) important += of(each.bricks) + of(each.skip) + each.cells.bytes();
   add("levels of importance", important);

@@ -15,6 +15,7 @@
 #include "rendering/gpu/Bricks.h"
 #include "rendering/gpu/FaintIndex.h"
 #include "rendering/gpu/FittedScene.h"
+#include "rendering/gpu/FocalDistances.h"
 #include "rendering/gpu/GpuFocus.h"
 #include "rendering/gpu/Occluders.h"
 #include "rendering/gpu/RefinedVolume.h"
@@ -168,6 +169,8 @@ class GpuScene {
   }
   /// Only while pictures have ambient occlusion or shadows.
   const Occluders& occluders() const { return occluders_; }
+  /// Only while pictures show a focal region of this shape.
+  const FocalDistances& focalDistances() const { return focalDistances_; }
   /// Smoothed indicator around a label focus, for its normals; only while shading is on.
   const gl::Texture& focusSmooth() const { return focus_.smooth(); }
   glm::ivec3 focusSmoothOrigin() const { return focus_.smoothOrigin(); }  ///< index of its first texel
@@ -260,6 +263,7 @@ class GpuScene {
   KeptLabels protected_, exempt_;
   std::vector<KeptLabels> importance_;
   Occluders occluders_;
+  FocalDistances focalDistances_;
 };
 
 }  // namespace fenestra

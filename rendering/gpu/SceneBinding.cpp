@@ -211,15 +211,26 @@ void bindFading(const GpuScene& scene, gl::ShaderProgram& program, const Camera&
     program.set("ghostOutline", static_cast<float>(ghost->outline));
   }
   if (!fading->region) return;
-  const glm::dvec3 middle = scene.focus().centre(scene.grid()).value_or(scene.grid().centre());
-  program.set("focalMiddle", glm::vec3(middle - (camera.eye + distance * camera.axes().forward)));
   program.set("focalSize", static_cast<float>(fading->region->size));
   program.set("focalPerFallOff", static_cast<float>(1.0 / fading->region->fallOff));
+  if (fading->region->shape == FocalShape::Distance) {
+    const SampledLattice& lattice = scene.focalDistances().lattice();
+    scene.focalDistances().bind(focalDistancesBinding);
+    program.set("focalStep", lattice.step);
+    program.set("focalPoints", lattice.points);
+    program.set("focalDims", scene.grid().dims);
+    return;
+  }
+  const glm::dvec3 middle = scene.focus().centre(scene.grid()).value_or(scene.grid().centre());
+  program.set("focalMiddle", glm::vec3(middle - (camera.eye + distance * camera.axes().forward)));
   program.set("focalIsBox", fading->region->shape == FocalShape::Box ? 1 : 0);
 }
 
 gl::Define fadingDefine(const std::optional<MethodStages::Fading>& fading) {
-  return {"FADING", !fading ? 0 : fading->followsLight() ? 1 : fading->region ? 2 : 3};
+  if (!fading) return {"FADING", 0};
+  if (fading->followsLight()) return {"FADING", 1};
+  if (!fading->region) return {"FADING", 3};
+  return {"FADING", fading->region->shape == FocalShape::Distance ? 4 : 2};
 }
 
 LightBlock lightBlock(const Camera::Axes& axes, const Shading& shading) {

@@ -68,7 +68,10 @@ void bindOcclusion(const GpuScene& scene, gl::ShaderProgram& program, const gl::
 gl::Define occlusionDefine(const gl::Buffer* nodes);
 /// The storage block of those nodes.
 inline constexpr unsigned occlusionNodesBinding = 6;
-/// lib/Fading.glsl, and of a focal region lib/FocalRegion.glsl or of a ghost lib/Ghosting.glsl, where a context fades;
+/// That of lib/FocalDistance.glsl.
+inline constexpr unsigned focalDistancesBinding = 5;
+/// lib/Fading.glsl, and of a focal region lib/FocalRegion.glsl or lib/FocalDistance.glsl, or of a ghost
+/// lib/Ghosting.glsl, where a context fades;
 /// `program` was compiled with fadingDefine() of the same. `distance`: of RayFrame.
 void bindFading(const GpuScene& scene, gl::ShaderProgram& program, const Camera& camera, double distance,
                 const std::optional<MethodStages::Fading>& fading);

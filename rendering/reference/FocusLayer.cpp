@@ -45,7 +45,7 @@ struct Medium {
   Medium(const Scene& what, const Camera& camera, const Occlusion* occluded)
       : Medium(what, camera, FocusField(what), occluded) {
     fading = fadingOf(what.look);
-    if (fading && fading->region) region.emplace(*fading->region, focusCentre(what));
+    if (fading && fading->region) region.emplace(*fading->region, what);
     if (fading && fading->ghost) ghosting.emplace(*fading->ghost);
     if (scene.look.shading.enabled && focus.hasLabels()) focusNormals.emplace(scene.volume->grid, focus);
   }

@@ -12,6 +12,11 @@ std::optional<MethodStages::Fading> fadingOf(const Look& look) {
   return fading && fading->ghost && std::holds_alternative<std::monostate>(look.focus) ? std::nullopt : fading;
 }
 
+bool fadesByDistance(const Look& look) {
+  const std::optional<MethodStages::Fading> fading = fadingOf(look);
+  return fading && fading->region && fading->region->shape == FocalShape::Distance;
+}
+
 double steepestSlope(const Volume& volume) {
   const glm::dvec3 spacing = volume.grid.spacing;
   return 0.5 * (volume.range.high - volume.range.low) / std::min({spacing.x, spacing.y, spacing.z});

@@ -14,6 +14,8 @@ struct Look;
 /// How the context of a look's pictures fades; empty where it does not, the cutaway is off, or a ghost has no focus to
 /// be in front of.
 std::optional<MethodStages::Fading> fadingOf(const Look& look);
+/// Whether it fades around a region that ends at a distance from the focus.
+bool fadesByDistance(const Look& look);
 
 /// The gradient (real values per mm) that counts as 1, and so does a steeper one: half of the range of the volume's
 /// values over its finest spacing, the greatest difference along an axis that voxels of that spacing can have. 0 for a

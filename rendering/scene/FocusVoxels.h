@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -22,6 +23,10 @@ class FocusVoxels {
     return !glm::any(glm::lessThan(in, glm::ivec3(0))) && !glm::any(glm::greaterThanEqual(in, size_)) &&
            held_[offset(in)] != 0;
   }
+  /// A box around them, and which of its voxels they are, x fastest: 0 for others.
+  glm::ivec3 low() const { return low_; }
+  glm::ivec3 size() const { return size_; }
+  std::span<const std::uint8_t> flags() const { return held_; }
   /// The least and the greatest coordinates of their centres along three unit vectors, mm from the world's origin;
   /// empty where there are none.
   struct Extent {

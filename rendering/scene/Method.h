@@ -53,8 +53,8 @@ enum class LensFade : std::uint8_t { Distance, Curvature, Depth };
 /// Whether ClearView's lens lies over the middle of the focus or over the crosshair, which follows the last pick.
 enum class LensPlace : std::uint8_t { OverFocus, OverCrosshair };
 
-/// Of a focal region. The box is a cube along the patient's axes.
-enum class FocalShape : std::uint8_t { Sphere, Box };
+/// Of a focal region. The box is a cube along the patient's axes; Distance follows the shape of the focus.
+enum class FocalShape : std::uint8_t { Sphere, Box, Distance };
 
 /// Where the slices of Walls stand: around the volume (ExoVis of its authors), or where they lie in the patient, inside
 /// the opening (in-place).
@@ -84,7 +84,7 @@ struct Method {
   double fadeReach = 3.0;                      ///< 0 to 100; 0 fades nothing
   double fadeSharpness = 0.5;                  ///< 0.05 to 4
   FocalShape focalShape = FocalShape::Sphere;  ///< of FocalRegion
-  double focalSize = 50.0;                     ///< mm, 0.1 to 1e5: the radius of the sphere, half the side of the box
+  double focalSize = 50.0;     ///< mm, 0.1 to 1e5: the radius of the sphere, half the side of the box, the distance
   double focalFallOff = 50.0;  ///< mm, 0.1 to 1e5: the distance over which what lies outside fades to a half
   WallPlacement wallPlacement = WallPlacement::Around;  ///< of Walls
   bool wallAxial = true, wallSagittal = true, wallCoronal = true;
@@ -180,6 +180,7 @@ struct MethodStages {
   ///
   ///   δ = max(‖p - c‖ - size, 0)       Sphere
   ///       ‖max(|p - c| - size, 0)‖     Box
+  ///       max(D(p) - size, 0)          Distance; D, mm to the focus, is FocusDistances.h's
   ///   m = 1 where δ = 0, else g · 2^(-δ / fallOff)   in the context;   1 in the focus
   ///
   /// So the region shows as it is, and around it the contours, in proportion to the gradient, the fainter the farther

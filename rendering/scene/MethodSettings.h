@@ -97,12 +97,13 @@ inline constexpr std::tuple settingsOf<Method>{
     Setting(&Method::focalShape, {.key = "focal_shape",
                                   .option = "--focal-shape",
                                   .name = "Region",
-                                  .description = "Shape of the focal region, around the middle of the focus, or of the "
-                                                 "volume without a focus"}),
+                                  .description = "Shape of the focal region, around the focus, or around the middle of "
+                                                 "the volume without a focus"}),
     Setting(&Method::focalSize, {.key = "focal_size",
                                  .option = "--focal-size",
                                  .name = "Size of region",
-                                 .description = "Radius of the focal region's sphere, or half the side of its box",
+                                 .description = "Radius of the focal region's sphere, half the side of its box, or its "
+                                                "distance from the focus",
                                  .unit = "mm",
                                  .range = {0.1, 1e5},
                                  .slider = {5.0, 150.0},

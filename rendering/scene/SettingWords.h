@@ -101,8 +101,10 @@ constexpr auto wordsOf(RemovalShape) {
         "A plane through the stroke that removes what lies to the right of it, and that you bend by dragging"}});
 }
 constexpr auto wordsOf(FocalShape) {
-  return std::to_array<Word<FocalShape>>({{FocalShape::Sphere, "sphere", "Sphere", "All around the focus alike"},
-                                          {FocalShape::Box, "box", "Box", "A cube along the patient's axes"}});
+  return std::to_array<Word<FocalShape>>(
+      {{FocalShape::Sphere, "sphere", "Sphere", "A ball around the middle of the focus"},
+       {FocalShape::Box, "box", "Box", "A cube along the patient's axes, around the middle of the focus"},
+       {FocalShape::Distance, "distance", "Distance", "Everything that lies near the focus, whatever its shape"}});
 }
 constexpr auto wordsOf(LensPlace) {
   return std::to_array<Word<LensPlace>>(

@@ -8,6 +8,7 @@
 #include <span>
 #include <utility>
 
+#include "rendering/scene/DistanceTransform.h"
 #include "rendering/scene/Parallel.h"
 
 namespace fenestra::segmentation {
@@ -112,87 +113,9 @@ Cells cellsOf(const Volume& volume) {
   return cells;
 }
 
-/// Squared distances along lines to the nearest of a set, from those of the axes before (Felzenszwalb, Huttenlocher,
-/// "Distance transforms of sampled functions", 2012): the lower envelope of parabolas.
-class LineTransform {
- public:
-  explicit LineTransform(std::size_t length, double spacing)
-      : square_(spacing * spacing), from_(length), places_(length), bounds_(length) {}
-
-  void operator()(std::span<float> line) {
-    if (std::all_of(line.begin(), line.end(), [](float value) { return value == 0.0f; })) return;
-    std::copy(line.begin(), line.end(), from_.begin());
-    const int count = static_cast<int>(line.size());
-    int last = -1;
-    for (int q = 0; q < count; ++q) {
-      if (std::isinf(from_[static_cast<std::size_t>(q)])) continue;
-      double start = -std::numeric_limits<double>::infinity();
-      for (; last >= 0; --last) {
-        const int p = places_[static_cast<std::size_t>(last)];
-        const double difference =
-            (static_cast<double>(from_[static_cast<std::size_t>(q)]) - from_[static_cast<std::size_t>(p)]) / square_;
-        start = (difference + static_cast<double>(q) * q - static_cast<double>(p) * p) / (2.0 * (q - p));
-        if (start > bounds_[static_cast<std::size_t>(last)]) break;
-      }
-      if (last < 0) start = -std::numeric_limits<double>::infinity();
-      ++last;
-      places_[static_cast<std::size_t>(last)] = q;
-      bounds_[static_cast<std::size_t>(last)] = start;
-    }
-    if (last < 0) return;
-    int parabola = 0;
-    for (int q = 0; q < count; ++q) {
-      while (parabola < last && bounds_[static_cast<std::size_t>(parabola) + 1] < q) ++parabola;
-      const int p = places_[static_cast<std::size_t>(parabola)];
-      line[static_cast<std::size_t>(q)] =
-          static_cast<float>(square_ * (q - p) * (q - p) + from_[static_cast<std::size_t>(p)]);
-    }
-  }
-
- private:
-  double square_;
-  std::vector<float> from_;
-  std::vector<int> places_;
-  std::vector<double> bounds_;
-};
-
-/// mm from each cell's centre to that of the nearest cell of the set (infinite without any); exact up to float32.
+/// mm from each cell's centre to that of the nearest cell of the set (infinite without any).
 std::vector<float> distanceTo(const Cells& cells, const Flags& set) {
-  std::vector<float> squares(set.size());
-  const auto across = static_cast<std::size_t>(cells.dims.x);
-  parallelFor(set.size() / across, 64, [&](std::size_t begin, std::size_t end) {
-    LineTransform transform(across, cells.spacing.x);
-    for (std::size_t row = begin; row < end; ++row) {
-      const std::span<float> line = std::span(squares).subspan(row * across, across);
-      for (std::size_t x = 0; x < across; ++x)
-        line[x] = set[row * across + x] ? 0.0f : std::numeric_limits<float>::infinity();
-      transform(line);
-    }
-  });
-  // Along the other axes, neighbouring lines are copied out together: they share the cache's lines.
-  constexpr int together = 16;
-  for (const int axis : {1, 2}) {
-    const auto length = static_cast<std::size_t>(cells.dims[axis]);
-    const std::size_t step = cells.offset(axis == 1 ? glm::ivec3(0, 1, 0) : glm::ivec3(0, 0, 1));
-    parallelFor(static_cast<std::size_t>(cells.dims[3 - axis]), 1, [&](std::size_t begin, std::size_t end) {
-      LineTransform transform(length, cells.spacing[axis]);
-      std::vector<float> lines(length * together);
-      for (int plane = static_cast<int>(begin); plane < static_cast<int>(end); ++plane)
-        for (int x = 0; x < cells.dims.x; x += together) {
-          const auto count = static_cast<std::size_t>(std::min(together, cells.dims.x - x));
-          float* first = squares.data() + cells.offset(axis == 1 ? glm::ivec3(x, 0, plane) : glm::ivec3(x, plane, 0));
-          for (std::size_t q = 0; q < length; ++q)
-            for (std::size_t i = 0; i < count; ++i) lines[i * length + q] = first[q * step + i];
-          for (std::size_t i = 0; i < count; ++i) transform(std::span(lines).subspan(i * length, length));
-          for (std::size_t q = 0; q < length; ++q)
-            for (std::size_t i = 0; i < count; ++i) first[q * step + i] = lines[i * length + q];
-        }
-    });
-  }
-  parallelFor(squares.size(), 1 << 16, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) squares[i] = std::sqrt(squares[i]);
-  });
-  return squares;
+  return distancesTo(set, {.dims = cells.dims, .spacing = cells.spacing}, {.points = cells.dims});
 }
 
 /// Calls take(cells of the part) for each 26-connected part of `set`, in memory order of their first cells. Clears

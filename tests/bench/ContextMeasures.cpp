@@ -90,7 +90,13 @@ std::vector<float> lensShares(const MethodStages::Lens& lens, double radius, glm
 class ViewSamples::Along {
  public:
   Along(const ViewSamples& view, const MethodRays& method) : view_(view), method_(method) {
-    if (method.fading && method.fading->region) region_.emplace(*method.fading->region, view.sampler_.focusCentre());
+    if (method.fading && method.fading->region) {
+      const MethodStages::Fading::Region& region = *method.fading->region;
+      if (region.shape == FocalShape::Distance)
+        region_.emplace(region, view.sampler_.scene());
+      else
+        region_.emplace(region, view.sampler_.focusCentre());
+    }
     if (method.fading && method.fading->ghost) ghost_.emplace(*method.fading->ghost);
   }
 

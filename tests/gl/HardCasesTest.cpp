@@ -449,6 +449,8 @@ TEST_P(HardCases, withEachMethod) {
         Method{.kind = MethodKind::ClearView, .lensRadius = 40.0}, Method{.kind = MethodKind::ContextPreserving},
         Method{.kind = MethodKind::FocalRegion, .focalSize = 4.0, .focalFallOff = 3.0},
         Method{.kind = MethodKind::FocalRegion, .focalShape = FocalShape::Box, .focalSize = 1.5, .focalFallOff = 9.0},
+        Method{
+            .kind = MethodKind::FocalRegion, .focalShape = FocalShape::Distance, .focalSize = 1.5, .focalFallOff = 5.0},
         Method{.kind = MethodKind::Walls}, Method{.kind = MethodKind::Walls, .wallPlacement = WallPlacement::Inside},
         Method{.kind = MethodKind::Explode, .explosionPlanes = ExplosionPlanes::Three},
         Method{.kind = MethodKind::Explode, .explosion = 1.0, .explosionAxes = ExplosionAxes::View},

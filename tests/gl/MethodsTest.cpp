@@ -15,8 +15,8 @@ namespace {
 constexpr glm::ivec2 size{88, 72};
 
 /// A body that light passes through in part, with an organ in focus.
-Scene hazyBody(const Method& method) {
-  Scene scene = bodyWithOrgans<std::int16_t>(gridOf({40, 36, 34}));
+Scene hazyBody(const Method& method, const Grid& grid = gridOf({40, 36, 34})) {
+  Scene scene = bodyWithOrgans<std::int16_t>(grid);
   scene.look.context.function = {{{20.0, {glm::dvec3(0.8, 0.5, 0.4), 0.0}},
                                   {60.0, {glm::dvec3(0.9, 0.7, 0.6), 0.08}},
                                   {120.0, {glm::dvec3(1.0, 0.95, 0.9), 0.3}}}};
@@ -181,7 +181,7 @@ TEST_F(Methods, ContextPreservingKeepsItsBoundAtAnySharpness) {
 /// reach through the whole body.
 TEST_F(Methods, FocalRegionsKeepTheirBoundAtAnySize) {
   for (const bool lit : {true, false})
-    for (const FocalShape shape : {FocalShape::Sphere, FocalShape::Box})
+    for (const FocalShape shape : {FocalShape::Sphere, FocalShape::Box, FocalShape::Distance})
       for (const glm::dvec2 parameters : {glm::dvec2(0.3, 1e5), glm::dvec2(7.3, 0.4), glm::dvec2(60.0, 4.0)}) {
         SCOPED_TRACE(testing::Message() << lit << ", " << wordOf(shape).word << ", " << parameters.x << ", "
                                         << parameters.y);
@@ -193,9 +193,30 @@ TEST_F(Methods, FocalRegionsKeepTheirBoundAtAnySize) {
         for (TransferFunction::Node& node : scene.look.context.function.nodes) node.properties.extinction *= 10.0;
         expectMatches(scene, viewOf(from(25, 15, scene), 0.5));
       }
-  Scene unfocused = hazyBody({.kind = MethodKind::FocalRegion, .focalSize = 7.0, .focalFallOff = 12.0});
-  unfocused.look.focus = {};
-  expectMatches(unfocused, viewOf(from(25, 15, unfocused), 0.5));
+  for (const FocalShape shape : {FocalShape::Sphere, FocalShape::Distance}) {
+    Scene unfocused =
+        hazyBody({.kind = MethodKind::FocalRegion, .focalShape = shape, .focalSize = 7.0, .focalFallOff = 12.0});
+    unfocused.look.focus = {};
+    expectMatches(unfocused, viewOf(from(25, 15, unfocused), 0.5));
+  }
+}
+
+/// Of a sheared grid, of one voxel along an axis, of a spline; and of a focus that changes, by value too.
+TEST_F(Methods, FocalDistancesFollowTheGridAndTheFocus) {
+  const Method method{
+      .kind = MethodKind::FocalRegion, .focalShape = FocalShape::Distance, .focalSize = 2.5, .focalFallOff = 4.0};
+  Grid sheared = gridOf({26, 24, 18}, {0.7, 0.7, 1.6});
+  sheared.direction[2] = glm::normalize(glm::dvec3(0.0, -0.33, 1.0));
+  for (const Grid& grid : {sheared, gridOf({24, 1, 20}), gridOf({22, 24, 20}, {0.05, 0.05, 10.0}, {1e4, -1e4, 1e4})}) {
+    const Scene scene = hazyBody(method, grid);
+    expectMatches(scene, viewOf(from(25, 15, scene), 0.5));
+  }
+  Scene scene = hazyBody(method);
+  scene.look.reconstruction = Reconstruction::Cubic;
+  expectMatches(scene, viewOf(from(25, 15, scene), 0.5));
+  scene.look.reconstruction = Reconstruction::Linear;
+  scene.look.focus = ValueFocus{{0.6 * scene.volume->range.high, scene.volume->range.high}, 0.0};
+  expectMatches(scene, viewOf(from(25, 15, scene), 0.5));
 }
 
 /// Edges that hardly count or nearly all do; a focus alone, and an opening around it.
@@ -384,6 +405,8 @@ TEST_F(Methods, ReRunOnlyWhatAChangeReaches) {
     EXPECT_EQ(after(scene, [=](Scene& s) { s.look.method.*number *= 1.5; }), std::set<std::string>());
   }
   EXPECT_EQ(after(around, [](Scene& s) { s.look.method.focalShape = FocalShape::Box; }),
+            std::set<std::string>{"focus layer"});
+  EXPECT_EQ(after(around, [](Scene& s) { s.look.method.focalShape = FocalShape::Distance; }),
             std::set<std::string>{"focus layer"});
   EXPECT_EQ(after(around, [](Scene& s) { s.look.method.fadeReach *= 2.0; }), std::set<std::string>());
   const Scene exploded = hazyBody({.kind = MethodKind::Explode});

@@ -126,27 +126,30 @@ inline std::vector<std::pair<std::string, Method>> otherMethods() {
     return Method{
         .kind = MethodKind::ClearView, .lensFade = fade, .lensRadius = radius, .lensBends = 0.7, .lensRim = 8.0};
   };
-  return {{"cone", {.kind = MethodKind::Cone}},
-          {"maximum importance", {.kind = MethodKind::Importance}},
-          {"average importance", average(Sparseness::Opacity)},
-          {"ClearView", lens(LensFade::Distance, 45.0)},
-          {"context-preserving", {.kind = MethodKind::ContextPreserving}},
-          {"focal sphere", {.kind = MethodKind::FocalRegion, .focalSize = 7.0, .focalFallOff = 12.0}},
-          {"walls around", {.kind = MethodKind::Walls}},
-          {"walls inside", {.kind = MethodKind::Walls, .wallPlacement = WallPlacement::Inside}},
-          {"exploded", {.kind = MethodKind::Explode, .explosion = 0.6, .explosionPlanes = ExplosionPlanes::Three}},
-          {"ghosted selection",
-           {.kind = MethodKind::Selection, .ghostStrength = 0.9, .ghostEdge = 8.0, .ghostOutline = 0.6}},
-          {"average importance, grey", average(Sparseness::Colour)},
-          {"average importance, screen door", average(Sparseness::ScreenDoor)},
-          {"ClearView, bends alone", lens(LensFade::Curvature, 25.0)},
-          {"ClearView, with depth", lens(LensFade::Depth, 35.0)},
-          {"focal box",
-           {.kind = MethodKind::FocalRegion, .focalShape = FocalShape::Box, .focalSize = 6.0, .focalFallOff = 9.0}},
-          {"exploded along the view",
-           {.kind = MethodKind::Explode, .explosion = 0.4, .explosionAxes = ExplosionAxes::View}},
-          {"sculpting, with nothing carved", {.kind = MethodKind::Sculpt}},
-          {"peeled", {.kind = MethodKind::Peel, .peel = 0.7, .peelRadius = 4.0, .peelMargin = 2.0}}};
+  return {
+      {"cone", {.kind = MethodKind::Cone}},
+      {"maximum importance", {.kind = MethodKind::Importance}},
+      {"average importance", average(Sparseness::Opacity)},
+      {"ClearView", lens(LensFade::Distance, 45.0)},
+      {"context-preserving", {.kind = MethodKind::ContextPreserving}},
+      {"focal sphere", {.kind = MethodKind::FocalRegion, .focalSize = 7.0, .focalFallOff = 12.0}},
+      {"walls around", {.kind = MethodKind::Walls}},
+      {"walls inside", {.kind = MethodKind::Walls, .wallPlacement = WallPlacement::Inside}},
+      {"exploded", {.kind = MethodKind::Explode, .explosion = 0.6, .explosionPlanes = ExplosionPlanes::Three}},
+      {"ghosted selection",
+       {.kind = MethodKind::Selection, .ghostStrength = 0.9, .ghostEdge = 8.0, .ghostOutline = 0.6}},
+      {"average importance, grey", average(Sparseness::Colour)},
+      {"average importance, screen door", average(Sparseness::ScreenDoor)},
+      {"ClearView, bends alone", lens(LensFade::Curvature, 25.0)},
+      {"ClearView, with depth", lens(LensFade::Depth, 35.0)},
+      {"focal box",
+       {.kind = MethodKind::FocalRegion, .focalShape = FocalShape::Box, .focalSize = 6.0, .focalFallOff = 9.0}},
+      {"focal distance",
+       {.kind = MethodKind::FocalRegion, .focalShape = FocalShape::Distance, .focalSize = 3.0, .focalFallOff = 9.0}},
+      {"exploded along the view",
+       {.kind = MethodKind::Explode, .explosion = 0.4, .explosionAxes = ExplosionAxes::View}},
+      {"sculpting, with nothing carved", {.kind = MethodKind::Sculpt}},
+      {"peeled", {.kind = MethodKind::Peel, .peel = 0.7, .peelRadius = 4.0, .peelMargin = 2.0}}};
 }
 
 /// A body whose second organ is less important than the first one, in focus or not.

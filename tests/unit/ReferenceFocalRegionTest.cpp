@@ -4,7 +4,10 @@
 #include "rendering/reference/FocalRegion.h"
 
 #include <cmath>
+#include <functional>
+#include <limits>
 #include <numbers>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -103,26 +106,52 @@ TEST(ReferenceFocalRegion, ARayThroughTheMiddleHasAClosedForm) {
         }
 }
 
+/// δ at a place in the world and in index coordinates.
+using Outside = std::function<double(glm::dvec3 world, glm::dvec3 index)>;
+
+Outside outsideAround(glm::dvec3 middle, const Method& method) {
+  return [=](glm::dvec3 world, glm::dvec3) {
+    const glm::dvec3 from = world - middle;
+    if (method.focalShape == FocalShape::Box)
+      return glm::length(glm::max(glm::abs(from) - method.focalSize, glm::dvec3(0.0)));
+    return std::max(glm::length(from) - method.focalSize, 0.0);
+  };
+}
+
+/// Between voxels trilinear, at them by a search through all that have the label.
+Outside outsideOfLabel(const Scene& scene, std::uint16_t label) {
+  const Grid& grid = scene.volume->grid;
+  std::vector<glm::dvec3> held;
+  forEachVoxel(grid.dims, [&](glm::ivec3 voxel) {
+    if (scene.labels->value(voxel) == label) held.push_back(glm::dvec3(voxel) * grid.spacing);
+  });
+  std::vector<double> distances(grid.voxelCount(), std::numeric_limits<double>::infinity());
+  forEachVoxel(grid.dims, [&](glm::ivec3 voxel) {
+    double& least = distances[grid.offset(voxel)];
+    for (const glm::dvec3 each : held) least = std::min(least, glm::distance(each, glm::dvec3(voxel) * grid.spacing));
+  });
+  return [grid, distances, size = scene.look.method.focalSize](glm::dvec3, glm::dvec3 index) {
+    return std::max(interpolated(grid, index, [&](glm::ivec3 voxel) { return distances[grid.offset(voxel)]; }) - size,
+                    0.0);
+  };
+}
+
 /// The sum of short steps along a ray, in the middle of each.
-glm::dvec4 summed(const Scene& scene, const Camera& camera, glm::ivec2 pixel, glm::dvec3 middle, int count) {
+glm::dvec4 summed(const Scene& scene, const Camera& camera, glm::ivec2 pixel, const Outside& outsideAt, int count) {
   const Grid& grid = scene.volume->grid;
   const Ray ray = pixelRay(camera, size, pixel), inIndex = indexRay(ray, grid);
   const std::optional<Span> span = clip(ray, grid);
   glm::dvec4 sum(0.0);
   if (!span) return sum;
-  const Method& method = scene.look.method;
   const double step = (span->tOut - span->tIn) / count;
   for (int i = 0; i < count; ++i) {
     const double t = span->tIn + (i + 0.5) * step;
     const glm::dvec3 at = inIndex.origin + t * inIndex.direction;
-    const glm::dvec3 from = ray.origin + t * ray.direction - middle;
-    double outside = glm::length(from) - method.focalSize;
-    if (method.focalShape == FocalShape::Box)
-      outside = glm::length(glm::max(glm::abs(from) - method.focalSize, glm::dvec3(0.0)));
+    const double outside = outsideAt(ray.origin + t * ray.direction, at);
     double share = 1.0;
     if (outside > 0.0)
       share = std::min(glm::length(gradientAt(*scene.volume, at)) / steepestSlope(*scene.volume), 1.0) *
-              std::pow(0.5, outside / method.focalFallOff);
+              std::pow(0.5, outside / scene.look.method.focalFallOff);
     const double value = interpolated(grid, at, [&](glm::ivec3 voxel) { return scene.volume->value(voxel); });
     const OpticalProperties shown = scene.look.context.function.evaluate(value);
     sum += (1.0 - sum.a) * -std::expm1(-shown.extinction * share * step) * glm::dvec4(shown.colour, 1.0);
@@ -140,7 +169,8 @@ TEST(ReferenceFocalRegion, PicturesAreTheLimitOfTheSum) {
     double greatest = 0.0;
     for (int j = 0; j < size.y; ++j)
       for (int i = 0; i < size.x; ++i) {
-        const glm::dvec4 sum = summed(scene, camera, {i, j}, scene.volume->grid.centre(), 20000);
+        const glm::dvec4 sum =
+            summed(scene, camera, {i, j}, outsideAround(scene.volume->grid.centre(), scene.look.method), 20000);
         const glm::dvec4 found = here.final[static_cast<std::size_t>(j * size.x + i)];
         // Of the steps of 2 µm the two at the border are half wrong: 0.3 · 2e-3; and the reference's tolerance of 1e-5.
         EXPECT_LT(glm::distance(found, sum), 7e-4) << i << ", " << j;
@@ -165,8 +195,50 @@ TEST(ReferenceFocalRegion, LiesAroundTheMiddleOfTheFocus) {
   for (int j = 0; j < size.y; ++j)
     for (int i = 0; i < size.x; ++i)
       EXPECT_NEAR(here.final[static_cast<std::size_t>(j * size.x + i)].a,
-                  summed(scene, camera, {i, j}, middle, 20000).a, 7e-4)
+                  summed(scene, camera, {i, j}, outsideAround(middle, scene.look.method), 20000).a, 7e-4)
           << i << ", " << j;
+}
+
+/// The focus shows as its surroundings, so the sum knows none.
+TEST(ReferenceFocalRegion, ByDistanceFollowsTheShapeOfTheFocus) {
+  Scene scene = evenRamp(regionOf(FocalShape::Distance, 3.2, 4.0));
+  scene.labels =
+      labelsOf(scene.volume->grid, [](glm::ivec3 i) { return i.x / 2 == 4 && i.z / 2 == 6 && i.y > 6 ? 1 : 0; });
+  scene.look.focus = LabelFocus{{1}};
+  scene.look.focusAppearance = {colour, extinction, {}};
+  const Outside outside = outsideOfLabel(scene, 1);
+  for (const double azimuth : {0.0, 25.0, 90.0}) {
+    const Camera camera = Camera::fromAngles(azimuth, 15.0, scene.volume->grid, Projection::Perspective);
+    const Picture here = picture(scene, camera, size);
+    for (int j = 0; j < size.y; ++j)
+      for (int i = 0; i < size.x; ++i)
+        EXPECT_NEAR(here.final[static_cast<std::size_t>(j * size.x + i)].a,
+                    summed(scene, camera, {i, j}, outside, 20000).a, 7e-4)
+            << azimuth << ", " << i << ", " << j;
+  }
+}
+
+/// Beside a focus that fills one end of the volume δ grows evenly towards the other: with the region's end r behind the
+/// last voxel's centre and L from there to the last centre of all, half a voxel h' before the border,
+///
+///   τ = κ (depth of the focus and region + g h/ln 2 · (1 - 2^(-(L - r)/h)) + g h' 2^(-(L - r)/h))
+TEST(ReferenceFocalRegion, ByDistanceFromASlabHasAClosedForm) {
+  for (const double radius : {0.5, 3.0, 7.0})
+    for (const double fallOff : {0.4, 5.0, 1e5}) {
+      SCOPED_TRACE(testing::Message() << radius << ", " << fallOff);
+      Scene scene = evenRamp(regionOf(FocalShape::Distance, radius, fallOff));
+      const Grid& grid = scene.volume->grid;
+      scene.labels = labelsOf(grid, [](glm::ivec3 i) { return i.y < 10 ? 1 : 0; });
+      scene.look.focus = LabelFocus{{1}};
+      scene.look.focusAppearance = {colour, extinction, {}};
+      const double slope = 1.0 / grid.spacing.y / steepestSlope(*scene.volume), half = 0.5 * grid.spacing.y;
+      const double length = (grid.dims.y - 10) * grid.spacing.y, left = std::exp2(-(length - radius) / fallOff);
+      const double outside = slope * (fallOff / std::numbers::ln2 * (1.0 - left) + half * left);
+      const double inside = 9.0 * grid.spacing.y + half + radius;
+      const Picture here =
+          picture(scene, along(StandardView::Anterior, scene), size, {.tolerance = 1e-9, .pixels = {}});
+      EXPECT_NEAR(here.final[here.final.size() / 2].a, -std::expm1(-extinction * (inside + outside)), 4e-9);
+    }
 }
 
 TEST(ReferenceFocalRegion, WithEverythingInsideOrOffItIsPlainRendering) {

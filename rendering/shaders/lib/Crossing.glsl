@@ -69,6 +69,28 @@ vec2 turningPoints(vec4 b) {
   return vec2(min(r1, r2), max(r1, r2));
 }
 
+// The first u' > u, at most 1, where the cubic rises above 0 or no longer does.
+float nextSignChange(vec4 b, float u) {
+  if (all(greaterThan(b, vec4(0.0))) || all(lessThanEqual(b, vec4(0.0)))) return 1.0;
+  vec2 turns = turningPoints(b);
+  float from = u, to = 1.0;
+  bool before = bernstein(b, u) > 0.0, changes = false;
+  for (int i = 0; i < 3; ++i) {
+    float end = i < 2 ? turns[i] : 1.0;
+    if (changes || end <= from) continue;
+    changes = (bernstein(b, end) > 0.0) != before;
+    if (changes) to = end;
+    else from = end;
+  }
+  // Bisection in a monotone piece, down to rounding.
+  for (int i = 0; i < 22 && changes; ++i) {
+    float middle = 0.5 * (from + to);
+    if ((bernstein(b, middle) > 0.0) != before) to = middle;
+    else from = middle;
+  }
+  return to;
+}
+
 // Whether the cubic leaves (low, high), and the monotone piece of it from `piece.x`, inside, to `piece.y`, outside, in
 // which it first does; both 0 when it starts outside.
 bool leaves(vec4 b, float low, float high, out vec2 piece) {

@@ -1,7 +1,8 @@
 // A context that fades (MethodStages::Fading in rendering/scene/Method.h): what its extinction is multiplied by.
 //
 // FADING is 0 in pictures in which nothing fades: nothing of this file is compiled then. It is 1 where light, nearness and
-// what lies before decide, 2 around a focal region, and 3 where an opening is ghosted.
+// what lies before decide, 2 around a focal region, 4 around one that ends at a distance from the focus, and 3 where an
+// opening is ghosted.
 #include <schedule>
 #include "lib/Crossing.glsl"
 #include "lib/Volume.glsl"
@@ -12,6 +13,8 @@
 #include "lib/FocalRegion.glsl"
 #elif FADING == 3
 #include "lib/Ghosting.glsl"
+#elif FADING == 4
+#include "lib/FocalDistance.glsl"
 #endif
 #if FADING
 
@@ -38,14 +41,22 @@ float fadeAt(float slope, float intensity, float s) {
   return exponent > 0.0 ? whole : 0.0;
 }
 
-#if FADING == 2
-// The same outside of a focal region, behind anything.
-float fadeAround(float slope, vec3 place) {
-  return slope > 0.0 ? log2(min(slope, 1.0)) - focal.perFallOff * outsideOf(place) : -1e30;
+#if FADING == 2 || FADING == 4
+// The same `outside` mm outside of a focal region, behind anything.
+float fadeAround(float slope, float outside) {
+  return slope > 0.0 ? log2(min(slope, 1.0)) - focalPerFallOff * max(outside, 0.0) : -1e30;
 }
 #endif
 
-// Gradients for a straight path: `a` and `b` are its ends as bernsteinAlong() has them.
+// What a straight path through a cell meets; Bernstein coefficients. `a` and `b` below are its ends as bernsteinAlong()
+// has them.
+struct Slopes {
+  vec3 along[4];  // gradients
+#if FADING == 4
+  vec4 outside;   // outsideAlong()
+#endif
+};
+
 #if SPLINE
 // Derivatives of splineWeights().
 vec4 splineSlopes(float t) {
@@ -53,8 +64,15 @@ vec4 splineSlopes(float t) {
   return vec4(-s * s, t * (3.0 * t - 4.0), s * (4.0 - 3.0 * s), t * t) * 0.5;
 }
 
-// The spline's own, at the points of a path through it.
-void slopesAlongSpline(ivec3 cell, vec3 a, vec3 b, out vec3 at[POINTS]) {
+struct SplineSlopes {
+  vec3 at[POINTS];  // the spline's own gradients, at the points of a path through it
+#if FADING == 4
+  vec4 outside;
+#endif
+};
+
+SplineSlopes slopesAlongSpline(ivec3 cell, vec3 a, vec3 b) {
+  SplineSlopes slopes;
   SplinePath path = splinePath(cell, a, b);
   vec4 x[POINTS], y[POINTS], z[POINTS], dx[POINTS], dy[POINTS], dz[POINTS];
   for (int i = 0; i < POINTS; ++i) {
@@ -65,27 +83,36 @@ void slopesAlongSpline(ivec3 cell, vec3 a, vec3 b, out vec3 at[POINTS]) {
     dx[i] = splineSlopes(t.x);
     dy[i] = splineSlopes(t.y);
     dz[i] = splineSlopes(t.z);
-    at[i] = vec3(0.0);
+    slopes.at[i] = vec3(0.0);
   }
   for (int k = 0; k < 4; ++k)
     for (int j = 0; j < 4; ++j) {
       vec4 row = texelOf(splineTexels, path.base + ivec3(0, j, k));
       for (int i = 0; i < POINTS; ++i) {
         float value = dot(row, x[i]);
-        at[i] += vec3(dot(row, dx[i]) * y[i][j] * z[i][k], value * dy[i][j] * z[i][k], value * y[i][j] * dz[i][k]);
+        slopes.at[i] += vec3(dot(row, dx[i]) * y[i][j] * z[i][k], value * dy[i][j] * z[i][k], value * y[i][j] * dz[i][k]);
       }
     }
-  for (int i = 0; i < POINTS; ++i) at[i] = fading.slopeFromIndex * at[i];
+  for (int i = 0; i < POINTS; ++i) slopes.at[i] = fading.slopeFromIndex * slopes.at[i];
+#if FADING == 4
+  slopes.outside = outsideAlong(cell, a, b);
+#endif
+  return slopes;
 }
 
-// Bernstein coefficients of the cubics along a half of the path.
-void halfOf(vec3 at[POINTS], int each, out vec3 along[4]) {
-  vec3 v0 = each == 0 ? at[0] : at[3], v1 = each == 0 ? at[1] : at[4], v2 = each == 0 ? at[2] : at[5],
-       v3 = each == 0 ? at[3] : at[6];
-  along[0] = v0;
-  along[1] = (-5.0 * v0 + 18.0 * v1 - 9.0 * v2 + 2.0 * v3) * (1.0 / 6.0);
-  along[2] = (2.0 * v0 - 9.0 * v1 + 18.0 * v2 - 5.0 * v3) * (1.0 / 6.0);
-  along[3] = v3;
+// Those of a half of the path.
+Slopes halfOf(SplineSlopes whole, int each) {
+  vec3 v0 = each == 0 ? whole.at[0] : whole.at[3], v1 = each == 0 ? whole.at[1] : whole.at[4],
+       v2 = each == 0 ? whole.at[2] : whole.at[5], v3 = each == 0 ? whole.at[3] : whole.at[6];
+  Slopes slopes;
+  slopes.along[0] = v0;
+  slopes.along[1] = (-5.0 * v0 + 18.0 * v1 - 9.0 * v2 + 2.0 * v3) * (1.0 / 6.0);
+  slopes.along[2] = (2.0 * v0 - 9.0 * v1 + 18.0 * v2 - 5.0 * v3) * (1.0 / 6.0);
+  slopes.along[3] = v3;
+#if FADING == 4
+  slopes.outside = bernsteinBetween(whole.outside, 0.5 * float(each), 0.5 * float(each) + 0.5);
+#endif
+  return slopes;
 }
 #else
 // Central difference along an axis at corner i of a cell, from the cell's corners and the voxel beyond; one-sided at the
@@ -99,7 +126,7 @@ float differenceAt(float inner[8], ivec3 cell, int i, int axis) {
   return (isUpper ? outer - inner[across] : inner[across] - outer) * (isBorder ? 1.0 : 0.5);
 }
 
-// Central differences at the corners of a cell. What lies beyond the outermost voxels has the gradient of those: there it
+// Central differences at the corners of a cell, `f`. What lies beyond the outermost voxels has the gradient of those: there it
 // takes the cell beside, and moves the ends to its face.
 void slopesAround(ivec3 cell, inout vec3 a, inout vec3 b, out vec3 f[8]) {
   ivec3 inside = clamp(cell, ivec3(1), max(volume.dims - 1, ivec3(1)));
@@ -111,6 +138,16 @@ void slopesAround(ivec3 cell, inout vec3 a, inout vec3 b, out vec3 f[8]) {
   for (int i = 0; i < 8; ++i)
     f[i] = fading.slopeFromIndex * vec3(differenceAt(inner, inside, i, 0), differenceAt(inner, inside, i, 1),
                                         differenceAt(inner, inside, i, 2));
+}
+
+Slopes slopesAlong(ivec3 cell, inout vec3 a, inout vec3 b, out vec3 f[8]) {
+  Slopes slopes;
+#if FADING == 4
+  slopes.outside = outsideAlong(cell, a, b);
+#endif
+  slopesAround(cell, a, b, f);
+  bernsteinAlong(f, a, b, slopes.along);
+  return slopes;
 }
 
 // Their gated normals, as lib/light/Lit.glsl has them, but without the texture's rounding: where a context fades, an

@@ -4,15 +4,14 @@
 
 struct FocalSettings {
   vec3 middle;
-  float size;        // mm: radius, or half the side
-  float perFallOff;  // 1/mm
+  float size;  // mm: radius, or half the side
   int isBox;
 };
 // Uniforms of their own, as those of lib/Fading.glsl.
 uniform vec3 focalMiddle;
-uniform float focalSize, focalPerFallOff;
+uniform float focalSize, focalPerFallOff;  // mm, 1/mm
 uniform int focalIsBox;
-FocalSettings focal = FocalSettings(focalMiddle, focalSize, focalPerFallOff, focalIsBox);
+FocalSettings focal = FocalSettings(focalMiddle, focalSize, focalIsBox);
 
 // δ: mm outside of the region.
 float outsideOf(vec3 place) {

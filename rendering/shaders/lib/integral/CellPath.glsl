@@ -274,11 +274,13 @@ FadingPoint fadingPointAt(Section section, Ray ray, Cut cut, Part part, float x)
   vec2 light = lightAlong(section.normals, along, ray.world, false);
   FadingPoint point;
   point.extinction = max(material.a, 0.0);
-  vec3 slope = bernstein(section.normals.slopes, along);
+  vec3 slope = bernstein(section.normals.slopes.along, along);
 #if FADING == 3
   point.fade = fadeOfGhost(slope, ray.world);
 #elif FADING == 2
-  point.fade = fadeAround(length(slope), worldPosition(ray, s));
+  point.fade = fadeAround(length(slope), outsideOf(worldPosition(ray, s)));
+#elif FADING == 4
+  point.fade = fadeAround(length(slope), bernstein(section.normals.slopes.outside, along));
 #else
   point.fade = fadeAt(length(slope), intensityOf(light), s);
 #endif
@@ -288,7 +290,7 @@ FadingPoint fadingPointAt(Section section, Ray ray, Cut cut, Part part, float x)
 }
 
 // Where in a part, 0 to 1, the part enters and leaves what shows as it is, behind x: a focal region, or what lies between
-// two ghosts.
+// two ghosts. Of some shapes only the next of these; where nothing of it comes, the first is greater than 1.
 vec2 wholeBehind(Section section, Ray ray, Part part, float x) {
   vec2 ends = mix(vec2(section.sFrom), vec2(section.sTo), vec2(part.from, part.to)), region = vec2(3e38, -3e38);
 #if FADING == 3
@@ -298,6 +300,14 @@ vec2 wholeBehind(Section section, Ray ray, Part part, float x) {
 #elif FADING == 2
   region = regionAlong(worldPosition(ray, ends.x), ray.world, ends.y - ends.x);
   if (region.x > region.y) region = vec2(3e38, -3e38);
+#elif FADING == 4
+  vec4 outside = section.normals.slopes.outside;
+  vec2 within = mix(vec2(section.uFrom), vec2(section.uTo), vec2(part.from, part.to));
+  float extent = max(within.y - within.x, 1e-12), u = mix(within.x, within.y, x), next = nextSignChange(outside, u);
+  // A crossing of which only the rounding lies behind x is that at which the step before ended.
+  if (next - u < 1e-6 * extent) next = nextSignChange(outside, u + 1e-6 * extent);
+  float border = (next - within.x) / extent;
+  region = bernstein(outside, 0.5 * (u + next)) > 0.0 ? vec2(border, 3e38) : vec2(-3e38, border);
 #endif
   return region;
 }
@@ -346,7 +356,7 @@ vec4 integrateFading(Section section, Ray ray, Cut cut, Part part, float transmi
       seen = transmittance * (1.0 - result.a);
       from = last ? stop : from + extent;
       front = back;
-#if FADING == 3
+#if FADING > 2
       if (last) region = wholeBehind(section, ray, part, stop);
 #endif
       if (last && stop < 1.0) stop = nextStop(section, part, region, stop);

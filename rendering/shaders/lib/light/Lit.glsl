@@ -84,7 +84,7 @@ struct CellNormals {
   vec3 focus[4];
 #endif
 #if FADING
-  vec3 slopes[4];  // gradients, of lib/Fading.glsl
+  Slopes slopes;
 #endif
 };
 
@@ -95,7 +95,7 @@ TEXELS_3D(rgb10_a2, normalTexels);  // coefficients of the gated normals, as tho
 struct NormalsAlong {
   vec3 at[POINTS];
 #if FADING
-  vec3 slopes[POINTS];
+  SplineSlopes slopes;
 #endif
 };
 
@@ -120,7 +120,7 @@ NormalsAlong normalsAlongSpline(ivec3 cell, vec3 a, vec3 b) {
     }
   for (int i = 0; i < POINTS; ++i) normals.at[i] = gatedNormal(normals.at[i]);
 #if FADING
-  slopesAlongSpline(cell, a, b, normals.slopes);
+  normals.slopes = slopesAlongSpline(cell, a, b);
 #endif
   return normals;
 }
@@ -134,7 +134,7 @@ CellNormals halfOf(NormalsAlong normals, int each) {
   result.gated[2] = (2.0 * v0 - 9.0 * v1 + 18.0 * v2 - 5.0 * v3) * (1.0 / 6.0);
   result.gated[3] = v3;
 #if FADING
-  halfOf(normals.slopes, each, result.slopes);
+  result.slopes = halfOf(normals.slopes, each);
 #endif
   return result;
 }
@@ -144,8 +144,7 @@ CellNormals normalsAlong(ivec3 cell, vec3 a, vec3 b) {
   vec3 f[8];
   CellNormals normals;
 #if FADING
-  slopesAround(cell, a, b, f);
-  bernsteinAlong(f, a, b, normals.slopes);
+  normals.slopes = slopesAlong(cell, a, b, f);
   for (int i = 0; i < 8; ++i) f[i] = gatedSlope(f[i]);
 #else
   for (int i = 0; i < 8; ++i) f[i] = gatedAt(cell - 1 + cornerOf(i));
@@ -192,27 +191,10 @@ vec2 lightAlong(CellNormals normals, float u, vec3 rayDirection, bool ofFocus) {
 
 float intensityOf(vec2 light) { return clamp(light.x - lighting.ambient + light.y, 0.0, 1.0); }
 
+// Where |n·l| has its next kink behind u.
 float nextTurn(CellNormals normals, float u) {
-  vec4 towards = vec4(dot(normals.gated[0], lighting.direction), dot(normals.gated[1], lighting.direction),
-                      dot(normals.gated[2], lighting.direction), dot(normals.gated[3], lighting.direction));
-  if (all(greaterThan(towards, vec4(0.0))) || all(lessThanEqual(towards, vec4(0.0)))) return 1.0;
-  vec2 turns = turningPoints(towards);
-  float from = u, to = 1.0;
-  bool before = bernstein(towards, u) > 0.0, changes = false;
-  for (int i = 0; i < 3; ++i) {
-    float end = i < 2 ? turns[i] : 1.0;
-    if (changes || end <= from) continue;
-    changes = (bernstein(towards, end) > 0.0) != before;
-    if (changes) to = end;
-    else from = end;
-  }
-  // Bisection in a monotone piece, down to rounding.
-  for (int i = 0; i < 22 && changes; ++i) {
-    float middle = 0.5 * (from + to);
-    if ((bernstein(towards, middle) > 0.0) != before) to = middle;
-    else from = middle;
-  }
-  return to;
+  return nextSignChange(vec4(dot(normals.gated[0], lighting.direction), dot(normals.gated[1], lighting.direction),
+                             dot(normals.gated[2], lighting.direction), dot(normals.gated[3], lighting.direction)), u);
 }
 
 // Into how many pieces a part of a path, from u to u', has to be cut for the bends of its light that three points cannot

@@ -10,7 +10,7 @@ const vec2 UNLIT = vec2(1.0, 0.0);  // shaded colour = colour · x + y
 
 struct CellNormals {
 #if FADING
-  vec3 slopes[4];
+  Slopes slopes;
 #else
   float none;
 #endif
@@ -29,25 +29,18 @@ NormalsAlong normalsAlongSpline(ivec3 cell, vec3 a, vec3 b) { return NormalsAlon
 CellNormals halfOf(NormalsAlong normals, int each) { return CellNormals(0.0); }
 #elif SPLINE
 struct NormalsAlong {
-  vec3 slopes[POINTS];
+  SplineSlopes slopes;
 };
 NormalsAlong normalsAlongSpline(ivec3 cell, vec3 a, vec3 b) {
-  NormalsAlong normals;
-  slopesAlongSpline(cell, a, b, normals.slopes);
-  return normals;
+  return NormalsAlong(slopesAlongSpline(cell, a, b));
 }
 CellNormals halfOf(NormalsAlong normals, int each) {
-  CellNormals result;
-  halfOf(normals.slopes, each, result.slopes);
-  return result;
+  return CellNormals(halfOf(normals.slopes, each));
 }
 #else
 CellNormals normalsAlong(ivec3 cell, vec3 a, vec3 b) {
-  CellNormals normals;
   vec3 f[8];
-  slopesAround(cell, a, b, f);
-  bernsteinAlong(f, a, b, normals.slopes);
-  return normals;
+  return CellNormals(slopesAlong(cell, a, b, f));
 }
 #endif
 void addFocusNormals(inout CellNormals normals, ivec3 cell, vec3 a, vec3 b) {}
