@@ -3,8 +3,8 @@
 // Sheets:
 //
 // figures: the adaptive cutaway as in the method's Figures 4, 5 and 8: plain, w_open 0, w_open 24, with the context
-// layer,
-//   with the border, and with both and brushed (tests/bench/figures has the strokes).
+// layer, with the border, and with both and brushed (tests/bench/figures has the strokes); with occlusion and
+// soft shadow.
 // look: reconstruction, smooth surfaces of labels, occlusion and soft shadow, one by one and together.
 // methods: every method at its defaults.
 
@@ -118,19 +118,27 @@ void head(Rows& rows) {
 
 Sheet figureSheet() {
   Rows rows;
-  const auto brushed = [&](const std::string& name, const std::string& strokes) {
-    if (Row* row = rows.last(name)) row->options.strokes = figures / strokes;
+  const auto finish = [&](const std::string& name, const std::string& strokes, double zoom,
+                          Reconstruction reconstruction) {
+    Row* row = rows.last(name);
+    if (!row) return;
+    row->options.strokes = figures / strokes;
+    row->options.look.reconstruction = reconstruction;
+    row->zoom = zoom;
   };
   rows.phantom("torso", "Phantom");
-  brushed("torso", "torso-strokes.json");
+  finish("torso", "torso-strokes.json", 1.0, Reconstruction::Smooth);
   head(rows);
-  brushed("head", "head-strokes.json");
-  rows.labelled("labelled", "CT torso: kidneys, aorta", torsoCt, torsoLabels, {"2", "3", "52"}, {180.0, 10.0}, 1.45,
+  finish("head", "head-strokes.json", 1.05, Reconstruction::Linear);
+  rows.labelled("labelled", "CT torso: kidneys, aorta", torsoCt, torsoLabels, {"2", "3", "52"}, {180.0, 10.0}, 1.0,
                 50.0);
-  brushed("labelled", "labelled-strokes.json");
+  finish("labelled", "labelled-strokes.json", 1.35, Reconstruction::Smoother);
 
   const auto column = [](const std::string& name, const std::string& ready, double openWidth, bool hasStrokes = false) {
     return Column{name, name, [=](Look& look) {
+                    look.labelSmoothing = LabelSmoothing::Strong;
+                    look.shading.occlusion = 0.6;
+                    look.shading.shadow = 0.5;
                     const auto looks = openingLooks();
                     std::find_if(looks.begin(), looks.end(), [&](const OpeningLook& each) {
                       return each.id == ready;
