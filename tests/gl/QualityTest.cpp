@@ -128,6 +128,23 @@ TEST_F(QualityErrors, BoundsHoldWhereThickCellsPassManyNodes) {
   }
 }
 
+/// Normals that turn by more within a cell than a highlight is wide.
+TEST_F(QualityErrors, BoundsHoldInHighlights) {
+  Scene scene = waves(6);
+  const glm::dvec3 dark(0.1, 0.15, 0.2);
+  scene.look.context.function = {{{0.0, {dark, 0.2}}, {1000.0, {dark, 0.2}}}};
+  scene.look.shading = {.enabled = true, .specular = 0.9};
+  for (const double shininess : {8.0, 40.0, 100.0})
+    for (const double bound : {4.0, 2.0, 1.0}) {
+      scene.look.shading.shininess = shininess;
+      View view{aside(scene), size, 1.0, Quality::High};
+      view.maxError = bound;
+      Renderer renderer(std::make_shared<GpuScene>());
+      renderer.render(scene, view);
+      EXPECT_LE(errorsOf(scene, view.camera, renderer.readLayers()).worst, bound) << shininess;
+    }
+}
+
 TEST_F(QualityErrors, NormalLightsTheSideThatIsSeen) {
   // Surfaces that turn opaque within a voxel: lit where light comes from, not in the middle of what is behind it.
   Scene scene = waves(32);
