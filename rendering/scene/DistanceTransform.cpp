@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "rendering/scene/Parallel.h"
 
@@ -155,22 +156,13 @@ class PointTree {
 std::vector<float> bySearch(std::span<const std::uint8_t> set, const Grid& grid, const SampledLattice& at) {
   const glm::dmat3 fromIndex = glm::dmat3(grid.worldFromIndex());
   const auto isIn = [&](glm::ivec3 index) { return grid.contains(index) && set[grid.offset(index)] != 0; };
-  // No other point of the set is nearest to one outside.
-  std::vector<glm::dvec3> border;
+  // Also the points inside the set: in a sheared grid one of them may be nearer than those at its border.
+  std::vector<glm::dvec3> points;
   for (int z = 0; z < grid.dims.z; ++z)
     for (int y = 0; y < grid.dims.y; ++y)
-      for (int x = 0; x < grid.dims.x; ++x) {
-        const glm::ivec3 index(x, y, z);
-        if (!isIn(index)) continue;
-        for (int side = 0; side < 6; ++side) {
-          glm::ivec3 beside = index;
-          beside[side / 2] += side % 2 == 0 ? -1 : 1;
-          if (isIn(beside)) continue;
-          border.push_back(fromIndex * glm::dvec3(index));
-          break;
-        }
-      }
-  const PointTree tree(std::move(border));
+      for (int x = 0; x < grid.dims.x; ++x)
+        if (isIn({x, y, z})) points.push_back(fromIndex * glm::dvec3(x, y, z));
+  const PointTree tree(std::move(points));
   const double step = glm::length(fromIndex[0]) * at.step.x;
   const auto count = static_cast<std::size_t>(at.points.x);
   std::vector<float> distances(at.count());

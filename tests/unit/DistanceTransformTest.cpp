@@ -71,6 +71,17 @@ TEST(DistanceTransform, IsTakenAtAnyLattice) {
       expectExact(randomSet(grid, 0.03, 11), grid, at);
 }
 
+/// Thick slices of small voxels, tilted: beside a solid body a point inside it may be the nearest.
+TEST(DistanceTransform, IsExactBesideASolidBodyInAShearedGrid) {
+  Grid grid{.dims = {6, 24, 7}, .spacing = {0.5, 0.5, 5.0}};
+  grid.direction[2] = glm::normalize(glm::dvec3(0.0, -0.4, 1.0));
+  std::vector<std::uint8_t> set(grid.voxelCount());
+  for (int z = 2; z < 5; ++z)
+    for (int y = 8; y < 16; ++y)
+      for (int x = 1; x < 5; ++x) set[grid.offset({x, y, z})] = 1;
+  expectExact(set, grid, {.points = grid.dims});
+}
+
 TEST(DistanceTransform, OfNothingIsInfinite) {
   for (const Grid& grid : {Grid{.dims = {4, 5, 6}}, sheared({4, 5, 6})})
     for (const float each : distancesTo(std::vector<std::uint8_t>(120), grid, {.points = {3, 3, 3}}))
