@@ -147,7 +147,7 @@ void SessionController::save(const fs::path& file) {
   // What is done from now on is not in the file; should writing fail, nothing is.
   parts_.document.undoStack().setClean();
   recovered_ = false;
-  write(session(), file, false);
+  write(std::make_shared<const io::Session>(session()), file, false);
   Q_EMIT changed();
 }
 
@@ -169,11 +169,11 @@ SessionController::Labels SessionController::labelsBeside(const fs::path& file, 
   return {document.labels(), document.labelsRevision(), labelsFile(file, number)};
 }
 
-void SessionController::write(io::Session session, const fs::path& file, bool automatic) {
+void SessionController::write(std::shared_ptr<const io::Session> session, const fs::path& file, bool automatic) {
   unfinished_ = true;
   const Labels labels = labelsBeside(file, automatic);
   writing_.setFuture(QtConcurrent::run([session = std::move(session), labels, file, automatic]() -> Written {
-    Written written{file, session, labels, automatic, {}};
+    Written written{file, *session, labels, automatic, {}};
     try {
       if (labels.map) {
         io::writeLabels(*labels.map, labels.file);
@@ -228,9 +228,10 @@ void SessionController::stopAutosave() {
 
 void SessionController::autosave() {
   if (autosaveFolder_.empty() || writing_.isRunning() || !isModified()) return;
-  io::Session now = session();
+  io::Session gathered = session();
+  gathered.autosaveOf = file_;
   const std::uint64_t revision = parts_.document.labelsRevision();
-  if (copied_ == now && copiedRevision_ == revision) return;
+  if (copied_ && *copied_ == gathered && copiedRevision_ == revision) return;
   if (autosaveFile_.empty()) {
     const fs::path file =
         autosaveFolder_ / (QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString() + io::sessionEnding);
@@ -239,10 +240,9 @@ void SessionController::autosave() {
     lock_ = std::move(lock);
     autosaveFile_ = file;
   }
-  copied_ = now;
+  copied_ = std::make_shared<const io::Session>(std::move(gathered));
   copiedRevision_ = revision;
-  now.autosaveOf = file_;
-  write(std::move(now), autosaveFile_, true);
+  write(copied_, autosaveFile_, true);
 }
 
 std::vector<AbandonedSession> SessionController::abandonedIn(const fs::path& folder) {

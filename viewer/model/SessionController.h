@@ -103,7 +103,7 @@ class SessionController : public QObject {
     bool automatic = false;
     std::string error;  ///< empty: written
   };
-  void write(io::Session session, const std::filesystem::path& file, bool automatic);
+  void write(std::shared_ptr<const io::Session> session, const std::filesystem::path& file, bool automatic);
   /// What has to be written beside `file`. A file of the user's own is not replaced.
   Labels labelsBeside(const std::filesystem::path& file, bool automatic) const;
   void finish();
@@ -121,9 +121,9 @@ class SessionController : public QObject {
 
   QTimer timer_;
   std::filesystem::path autosaveFolder_, autosaveFile_;
-  std::shared_ptr<QLockFile> lock_;  ///< of autosaveFile_
-  std::optional<io::Session> copied_;
-  std::uint64_t copiedRevision_ = 0;  ///< of the labels in copied_
+  std::shared_ptr<QLockFile> lock_;            ///< of autosaveFile_
+  std::shared_ptr<const io::Session> copied_;  ///< what the copy holds, shared with its writer; null: no copy is known
+  std::uint64_t copiedRevision_ = 0;           ///< of the labels in copied_
 };
 
 }  // namespace fenestra::viewer
