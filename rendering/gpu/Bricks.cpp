@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
+#include <utility>
 
 #include "rendering/scene/Parallel.h"
 
@@ -25,57 +27,131 @@ std::size_t cellInBrick(glm::ivec3 cell) {
   return static_cast<std::size_t>(local.x + brickSide * (local.y + brickSide * local.z));
 }
 
+namespace {
+
+constexpr int octantSide = brickSide / 2;
+
+double valueAtStep(const ValueRange& brick, int step) {
+  return step == 255 ? brick.high : brick.low + step * (brick.high - brick.low) / 255.0;
+}
+
+/// The nearest steps that have `range` between them.
+void setOctant(OctantRanges& octants, std::size_t octant, const ValueRange& range, const ValueRange& brick) {
+  if (!(brick.high > brick.low)) return;
+  const double perStep = 255.0 / (brick.high - brick.low);
+  int low = std::clamp(static_cast<int>((range.low - brick.low) * perStep), 0, 255);
+  int high = std::clamp(static_cast<int>(std::ceil((range.high - brick.low) * perStep)), 0, 255);
+  // Rounding may have carried either past the range.
+  while (low > 0 && valueAtStep(brick, low) > range.low) --low;
+  while (high < 255 && valueAtStep(brick, high) < range.high) ++high;
+  octants.low[octant] = static_cast<std::uint8_t>(low);
+  octants.high[octant] = static_cast<std::uint8_t>(high);
+}
+
+/// First and last voxel, along one axis, at corners of an octant's cells; the last lies before the first where the
+/// octant has no cells.
+std::pair<int, int> voxelsOf(int octant, int dims) {
+  return {std::max(octant * octantSide - 1, 0), std::min(octant * octantSide + octantSide - 1, dims - 1)};
+}
+
+/// Least and greatest stored value of the octants of a layer of bricks, x fastest.
+template <class T>
+class OctantLayer {
+ public:
+  explicit OctantLayer(glm::ivec3 bricks)
+      : dims_(2 * bricks.x, 2 * bricks.y, 2), ends_(brickOffset(dims_, {0, 0, dims_.z})) {}
+
+  /// `read`: scalars of a row of voxels, by y and z.
+  template <class Read>
+  void fill(int layer, glm::ivec3 voxels, Read read) {
+    std::fill(ends_.begin(), ends_.end(), Ends());
+    for (int z = 0; z < 2; ++z) {
+      const auto [zFirst, zLast] = voxelsOf(2 * layer + z, voxels.z);
+      for (int y = 0; y < dims_.y; ++y) {
+        const auto [yFirst, yLast] = voxelsOf(y, voxels.y);
+        Ends* octants = ends_.data() + brickOffset(dims_, {0, y, z});
+        for (int vz = zFirst; vz <= zLast; ++vz)
+          for (int vy = yFirst; vy <= yLast; ++vy) {
+            const T* row = read(vy, vz);
+            for (int x = 0; x < dims_.x; ++x) {
+              const auto [first, last] = voxelsOf(x, voxels.x);
+              for (int vx = first; vx <= last; ++vx) octants[x].take(row[vx]);
+            }
+          }
+      }
+    }
+  }
+
+  struct Ends {
+    T low = std::numeric_limits<T>::max(), high = std::numeric_limits<T>::lowest();
+    void take(T scalar) {
+      low = std::min(low, scalar);
+      high = std::max(high, scalar);
+    }
+    bool any() const { return low <= high; }
+  };
+  const Ends& octant(glm::ivec3 at) const { return ends_[brickOffset(dims_, at)]; }
+
+ private:
+  glm::ivec3 dims_;
+  std::vector<Ends> ends_;
+};
+
+}  // namespace
+
+ValueRange rangeOf(const OctantRanges& octants, std::size_t octant, const ValueRange& brick) {
+  return {valueAtStep(brick, octants.low[octant]), valueAtStep(brick, octants.high[octant])};
+}
+
 BrickRanges brickRanges(const ShownVolume& shown) {
   const Volume& volume = *shown.volume;
   const ShownVoxels voxels(shown);
   const glm::ivec3 dims = volume.grid.dims;
   BrickRanges result;
   result.dims = brickCount(dims);
-  result.ranges.resize(static_cast<std::size_t>(result.dims.x) * static_cast<std::size_t>(result.dims.y) *
-                       static_cast<std::size_t>(result.dims.z));
+  result.ranges.resize(brickOffset(result.dims, {0, 0, result.dims.z}));
+  result.octants.resize(result.ranges.size());
   const double low = (volume.range.low - volume.intercept) / volume.slope;
   const double high = (volume.range.high - volume.intercept) / volume.slope;
   volume.voxels.visit([&](auto scalars) {
     using T = typename decltype(scalars)::value_type;
     const T lowest = static_cast<T>(std::min(low, high)), highest = static_cast<T>(std::max(low, high));
     const T standIn = static_cast<T>(low);  // for NaN: the least real value
+    const auto realOf = [&](const typename OctantLayer<T>::Ends& ends) {
+      const double a = volume.slope * static_cast<double>(ends.low) + volume.intercept;
+      const double b = volume.slope * static_cast<double>(ends.high) + volume.intercept;
+      return ValueRange{std::min(a, b), std::max(a, b)};
+    };
     parallelFor(static_cast<std::size_t>(result.dims.z), 1, [&](std::size_t zBegin, std::size_t zEnd) {
-      std::vector<T> least(static_cast<std::size_t>(result.dims.x)), greatest(least.size()), buffer;
-      for (int bz = static_cast<int>(zBegin); bz < static_cast<int>(zEnd); ++bz)
-        for (int by = 0; by < result.dims.y; ++by) {
-          std::fill(least.begin(), least.end(), std::numeric_limits<T>::max());
-          std::fill(greatest.begin(), greatest.end(), std::numeric_limits<T>::lowest());
-          // Corners of a brick's cells are the voxels from one before them on, clamped to the volume.
-          for (int z = std::max(bz * brickSide - 1, 0); z <= std::min(bz * brickSide + brickSide - 1, dims.z - 1); ++z)
-            for (int y = std::max(by * brickSide - 1, 0); y <= std::min(by * brickSide + brickSide - 1, dims.y - 1);
-                 ++y) {
-              const T* row = voxels.row(y, z, buffer);
-              for (int bx = 0; bx < result.dims.x; ++bx) {
-                T minimum = least[static_cast<std::size_t>(bx)], maximum = greatest[static_cast<std::size_t>(bx)];
-                for (int x = std::max(bx * brickSide - 1, 0); x <= std::min(bx * brickSide + brickSide - 1, dims.x - 1);
-                     ++x) {
-                  T scalar = row[x];
-                  if constexpr (std::is_floating_point_v<T>)
-                    scalar = std::isnan(scalar) ? standIn : std::clamp(scalar, lowest, highest);
-                  minimum = std::min(minimum, scalar);
-                  maximum = std::max(maximum, scalar);
-                }
-                least[static_cast<std::size_t>(bx)] = minimum;
-                greatest[static_cast<std::size_t>(bx)] = maximum;
-              }
-            }
+      OctantLayer<T> layer(result.dims);
+      std::vector<T> buffer, finite(static_cast<std::size_t>(dims.x));
+      for (int bz = static_cast<int>(zBegin); bz < static_cast<int>(zEnd); ++bz) {
+        layer.fill(bz, dims, [&](int y, int z) -> const T* {
+          const T* row = voxels.row(y, z, buffer);
+          if constexpr (!std::is_floating_point_v<T>) return row;
+          std::transform(row, row + dims.x, finite.begin(), [&](T scalar) {
+            return std::isnan(static_cast<double>(scalar)) ? standIn : std::clamp(scalar, lowest, highest);
+          });
+          return finite.data();
+        });
+        for (int by = 0; by < result.dims.y; ++by)
           for (int bx = 0; bx < result.dims.x; ++bx) {
-            // The last brick of a side may hold no voxel of its own: it repeats the clamped edge.
-            if (least[static_cast<std::size_t>(bx)] > greatest[static_cast<std::size_t>(bx)]) {
-              result.ranges[brickOffset(result.dims, {bx, by, bz})] = volume.range;
-              continue;
+            const auto octantAt = [&](int i) {
+              return layer.octant({2 * bx + (i & 1), 2 * by + (i >> 1 & 1), i >> 2});
+            };
+            typename OctantLayer<T>::Ends whole;
+            for (int i = 0; i < 8; ++i) {
+              whole.low = std::min(whole.low, octantAt(i).low);
+              whole.high = std::max(whole.high, octantAt(i).high);
             }
-            const double a = volume.slope * static_cast<double>(least[static_cast<std::size_t>(bx)]) + volume.intercept;
-            const double b =
-                volume.slope * static_cast<double>(greatest[static_cast<std::size_t>(bx)]) + volume.intercept;
-            result.ranges[brickOffset(result.dims, {bx, by, bz})] = {std::min(a, b), std::max(a, b)};
+            const std::size_t brick = brickOffset(result.dims, {bx, by, bz});
+            result.ranges[brick] = realOf(whole);
+            for (int i = 0; i < 8; ++i)
+              if (octantAt(i).any())
+                setOctant(result.octants[brick], static_cast<std::size_t>(i), realOf(octantAt(i)),
+                          result.ranges[brick]);
           }
-        }
+      }
     });
   });
   return result;
@@ -127,6 +203,14 @@ std::vector<std::uint8_t> chebyshevDistance(glm::ivec3 dims, const std::vector<s
   sweep(1);
   sweep(-1);
   return distance;
+}
+
+std::vector<std::uint16_t> skipTexels(glm::ivec3 dims, const std::vector<OctantMask>& occupied) {
+  const std::vector<std::uint8_t> distance = chebyshevDistance(dims, occupied);
+  std::vector<std::uint16_t> texels(distance.size());
+  std::transform(distance.begin(), distance.end(), occupied.begin(), texels.begin(),
+                 [](int steps, int shown) { return static_cast<std::uint16_t>(steps | shown << 8); });
+  return texels;
 }
 
 }  // namespace fenestra

@@ -37,8 +37,8 @@ DeviceLimits deviceLimits() { return {gl::maxTextureSize3D(), gl::freeTextureMem
 std::size_t deviceBytes(const Scene& scene, glm::ivec3 factor) {
   const Volume& volume = *scene.volume;
   constexpr double gradient = 4.0, derivative = 4.0 / 8.0;
-  // A range, a flag and up to three distances a brick.
-  constexpr double brick = (sizeof(ValueRange) + 4.0) / static_cast<double>(cellsPerBrick);
+  // A brick's range, its octants' and what shows of it, and up to three texels of two bytes.
+  constexpr double brick = (sizeof(ValueRange) + sizeof(OctantRanges) + 7.0) / static_cast<double>(cellsPerBrick);
   const double perVoxel = texelBytes(volume) + (scene.look.shading.enabled ? gradient : 0.0) + derivative + brick;
   return static_cast<std::size_t>(perVoxel * static_cast<double>(thinned(volume.grid, factor).voxelCount()));
 }

@@ -24,12 +24,6 @@ glm::vec2 tableMap(ValueRange span, const VolumeTexture& coding) {
   return glm::vec2(coding.slope * perReal, (coding.offset - span.low) * perReal);
 }
 
-gl::Texture skipTexture(glm::ivec3 bricks, const std::vector<std::uint8_t>& occupied) {
-  gl::Texture texture = gl::Texture::make3D(gl::Format::R8UI, bricks);
-  texture.upload(std::span<const std::uint8_t>(chebyshevDistance(bricks, occupied)));
-  return texture;
-}
-
 /// What labels of the focus are shown as.
 struct PaletteEntry {
   glm::vec4 colour{0.0f};  ///< and share of the extinction
@@ -86,8 +80,11 @@ void GpuScene::chooseRefinement(const Scene& scene, const DeviceLimits& limits) 
   if (!fits) refusedBytes_ = bytes;
 }
 
-std::vector<std::uint8_t> GpuScene::drawnOccupied(const FocusIndex& focus) const {
-  return refinement_ > 1 ? refinedOccupied(focus, grid().dims, refinement_) : focus.occupied();
+std::vector<OctantMask> GpuScene::drawnOccupied(const FocusIndex& focus) const {
+  std::vector<OctantMask> occupied =
+      refinement_ > 1 ? refinedOccupied(focus, grid().dims, refinement_) : focus.occupied();
+  for (OctantMask& brick : occupied) brick = brick ? wholeBrick : 0;
+  return occupied;
 }
 
 bool GpuScene::holds(const Scene& scene) const {
@@ -216,25 +213,26 @@ void GpuScene::updateSkips(const GpuFocus::Change& focus, bool occupancyChanged)
   if (focus_.index().kind == FocusIndex::Kind::None) return;
   struct Skip {
     gl::Texture& texture;
-    std::vector<std::uint8_t> occupied;
+    std::vector<OctantMask> occupied;
+    std::vector<std::uint16_t> texels;
   };
   std::vector<Skip> skips;
   const bool focusFlipped = focus.isNew || !focus.flipped.empty();
-  if (focusFlipped) skips.push_back({focusSkip_, drawnOccupied(focus_.index())});
+  if (focusFlipped) skips.push_back({focusSkip_, drawnOccupied(focus_.index()), {}});
   const bool anyFlipped = focus.isNew || occupancyChanged || (focusFlipped && refinement_ > 1) ||
                           std::any_of(focus.flipped.begin(), focus.flipped.end(),
-                                      [&](std::size_t brick) { return !contextOccupied_[brick]; });
+                                      [&](std::size_t brick) { return contextOccupied_[brick] != wholeBrick; });
   if (anyFlipped) {
-    std::vector<std::uint8_t> occupied = drawnOccupied(focus_.index());
+    std::vector<OctantMask> occupied = drawnOccupied(focus_.index());
     for (std::size_t i = 0; i < occupied.size(); ++i) occupied[i] |= contextOccupied_[i];
-    skips.push_back({occupiedSkip_, std::move(occupied)});
+    skips.push_back({occupiedSkip_, std::move(occupied), {}});
   }
   parallelFor(skips.size(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) skips[i].occupied = chebyshevDistance(bricks_.dims, skips[i].occupied);
+    for (std::size_t i = begin; i < end; ++i) skips[i].texels = skipTexels(bricks_.dims, skips[i].occupied);
   });
   for (const Skip& skip : skips) {
-    if (!skip.texture) skip.texture = gl::Texture::make3D(gl::Format::R8UI, bricks_.dims);
-    skip.texture.upload(std::span<const std::uint8_t>(skip.occupied));
+    if (!skip.texture) skip.texture = gl::Texture::make3D(gl::Format::R16UI, bricks_.dims);
+    skip.texture.upload(std::span<const std::uint16_t>(skip.texels));
   }
 }
 
@@ -429,19 +427,26 @@ bool GpuScene::updateOccupancy() {
   // Exactly: a brick whose values reach no further than the node where opacity begins stays empty, although the tables,
   // which are read to the nearest entry, may show a little there.
   const std::vector<ValueRange> empty = contexts_.front().emptyRanges();
-  std::vector<std::uint8_t> occupied(bricks_.ranges.size());
+  const auto isEmpty = [&](const ValueRange& values) {
+    return std::any_of(empty.begin(), empty.end(),
+                       [&](const ValueRange& range) { return values.low >= range.low && values.high <= range.high; });
+  };
+  std::vector<OctantMask> occupied(bricks_.ranges.size());
   constexpr std::size_t worthAThread = 1 << 16;
   parallelFor(occupied.size(), worthAThread, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const ValueRange& brick = bricks_.ranges[i];
-      occupied[i] = std::none_of(empty.begin(), empty.end(), [&](const ValueRange& range) {
-        return brick.low >= range.low && brick.high <= range.high;
-      });
+      occupied[i] = isEmpty(brick) ? 0 : wholeBrick;
+      if (occupied[i] == 0 || bricks_.octants.empty()) continue;
+      for (std::size_t octant = 0; octant < 8; ++octant)
+        if (isEmpty(rangeOf(bricks_.octants[i], octant, brick)))
+          occupied[i] &= static_cast<OctantMask>(~(1u << octant));
     }
   });
   if (occupied == contextOccupied_ && contextSkip_ && contextSkip_.size() == bricks_.dims) return false;
   contextOccupied_ = std::move(occupied);
-  contextSkip_ = skipTexture(bricks_.dims, contextOccupied_);
+  contextSkip_ = gl::Texture::make3D(gl::Format::R16UI, bricks_.dims);
+  contextSkip_.upload(std::span<const std::uint16_t>(skipTexels(bricks_.dims, contextOccupied_)));
   return true;
 }
 

@@ -132,7 +132,7 @@ class GpuScene {
   glm::vec4 firstMaterial() const { return firstMaterial_; }  ///< the tables' first entry
   glm::vec4 lastMaterial() const { return lastMaterial_; }
   glm::vec2 visibleEntries() const { return visibleEntries_; }  ///< nothing shows up to x nor from y on
-  /// Chebyshev distances in bricks: to anything of the context; to anything at all; to the focus.
+  /// skipTexels() of the bricks in which anything of the context shows; anything at all; the focus.
   const gl::Texture& contextSkip() const { return contextSkip_; }
   const gl::Texture& occupiedSkip() const { return focusSkip_ ? occupiedSkip_ : contextSkip_; }
 
@@ -180,7 +180,7 @@ class GpuScene {
   bool holdsAsDrawn(const Scene& scene) const;
   void chooseRefinement(const Scene& scene, const DeviceLimits& limits);
   /// By brick of the drawn grid: 1 where some of the focus lies in it, else 0.
-  std::vector<std::uint8_t> drawnOccupied(const FocusIndex& focus) const;
+  std::vector<OctantMask> drawnOccupied(const FocusIndex& focus) const;
   void updateAll(const Scene& scene);
   void updateVolume(ShownVolume shown);
   /// Which bricks' occupation has changed.
@@ -246,7 +246,7 @@ class GpuScene {
   gl::Buffer segmentOfEntry_;
   glm::vec2 transferMap_{0.0f}, visibleEntries_{0.0f};
   glm::vec4 firstMaterial_{0.0f}, lastMaterial_{0.0f};
-  std::vector<std::uint8_t> contextOccupied_;  ///< per brick
+  std::vector<OctantMask> contextOccupied_;  ///< per brick
   gl::Texture contextSkip_, occupiedSkip_;
 
   FaintIndex faint_;

@@ -32,7 +32,7 @@ bool GpuScene::isLitFor(const std::vector<std::size_t>& bricks) const {
 std::optional<IndexBox> GpuScene::variedBox(bool shown) const {
   const double least = leastChange();
   const bool hasFocus = shown && focus_.index().kind != FocusIndex::Kind::None;
-  const std::vector<std::uint8_t> inFocus = hasFocus ? drawnOccupied(focus_.index()) : std::vector<std::uint8_t>();
+  const std::vector<OctantMask> inFocus = hasFocus ? drawnOccupied(focus_.index()) : std::vector<OctantMask>();
   std::vector<std::optional<IndexBox>> layers(static_cast<std::size_t>(bricks_.dims.z));
   parallelFor(layers.size(), 8, [&](std::size_t begin, std::size_t end) {
     for (std::size_t z = begin; z < end; ++z)

@@ -46,8 +46,8 @@ void GpuScene::updateKept(KeptLabels& kept, std::vector<std::uint16_t> wanted, L
   kept.smoothed = index.smoothed != nullptr;
   kept.bricks = gl::Texture::make3D(gl::Format::R32UI, index.bricks);
   kept.bricks.upload(std::span<const std::uint32_t>(index.slots));
-  kept.skip = gl::Texture::make3D(gl::Format::R8UI, bricks_.dims);
-  kept.skip.upload(std::span<const std::uint8_t>(chebyshevDistance(bricks_.dims, drawnOccupied(index))));
+  kept.skip = gl::Texture::make3D(gl::Format::R16UI, bricks_.dims);
+  kept.skip.upload(std::span<const std::uint16_t>(skipTexels(bricks_.dims, drawnOccupied(index))));
   std::vector<std::uint32_t> smoothed;
   if (kept.smoothed) smoothed = index.smoothedCells();
   kept.cells = gl::Buffer(std::as_bytes(std::span(kept.smoothed ? smoothed : index.cells)));

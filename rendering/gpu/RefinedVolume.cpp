@@ -169,7 +169,7 @@ std::shared_ptr<const Volume> refinedVolume(const Volume& volume, const SplineVo
 std::size_t refinedBytes(const Volume& volume, int factor, bool lit) {
   const double texel = fitsSixteenBits(volume) ? 2.0 : 4.0, gradient = lit ? 4.0 : 0.0;
   const double coefficient = sizeof(double) + sizeof(glm::vec4) + (lit ? 3.0 * sizeof(double) + 4.0 : 0.0);
-  constexpr double brick = (sizeof(ValueRange) + 4.0) / static_cast<double>(cellsPerBrick);
+  constexpr double brick = (sizeof(ValueRange) + 7.0) / static_cast<double>(cellsPerBrick);
   const double perVoxel = std::pow(factor, 3.0) * (2.0 * texel + gradient + brick) + coefficient;
   return static_cast<std::size_t>(perVoxel * static_cast<double>(volume.grid.voxelCount()));
 }
@@ -245,6 +245,7 @@ gl::Texture makeCoefficients(const SplineVolume& spline, const VolumeCoding& cod
 }
 
 void widen(BrickRanges& bricks, const Volume& samples) {
+  bricks.octants.clear();
   const Grid& grid = samples.grid;
   samples.voxels.visit([&](auto scalars) {
     parallelFor(static_cast<std::size_t>(bricks.dims.z), 1, [&](std::size_t begin, std::size_t end) {

@@ -190,7 +190,7 @@ TEST_F(GpuSceneTest, HiddenLabelsAreAirFocusAndHaveNoHits) {
 
 /// All texels of a texture or bytes of a buffer that the shaders read of a focus, apart from the order of its slots.
 struct FocusObjects {
-  std::vector<std::uint8_t> skip, occupied;
+  std::vector<std::uint16_t> skip, occupied;
   std::vector<std::uint32_t> cells;  ///< per brick: 0, 1, or 2 and the words of its slot
   std::vector<std::uint16_t> smooth;
   glm::ivec3 smoothOrigin{0};

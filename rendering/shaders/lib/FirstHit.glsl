@@ -10,8 +10,8 @@
 #include "lib/Traversal.glsl"
 #include "lib/Volume.glsl"
 
-// Chebyshev distance in bricks to the nearest one where the context is not transparent.
-UNSIGNED_TEXELS_3D(r8ui, contextSkip);
+// Where the context is transparent, as emptyAround() reads it.
+UNSIGNED_TEXELS_3D(r16ui, contextSkip);
 
 // Open intervals of stored values in which the context is transparent, for each of its functions (lib/FaintLabels.glsl).
 uniform int gapCount;
@@ -52,8 +52,8 @@ void moveOn(inout Search search, Ray ray, float sEnd, Block block) {
 
 // `ofFocus` chooses the field.
 void leap(inout Search search, const bool ofFocus, Ray ray, float sEnd) {
-  ivec3 brick = search.cell >> BRICK_SHIFT;
-  int empty = ofFocus ? distanceToFocus(brick) : int(texelOf(contextSkip, brick).r);
+  int empty = ofFocus ? withoutFocusAround(search.cell)
+                      : emptyAround(texelOf(contextSkip, search.cell >> BRICK_SHIFT).r, search.cell);
   bool found = empty == 0;
   if (ofFocus) found = found && mayHoldFocus(focusCellAt(focusSlot(search.cell), search.cell));
   if (found)

@@ -9,10 +9,21 @@
 // The side of rendering/gpu/Bricks.h.
 const int BRICK_SHIFT = 2, BRICK_SIDE = 1 << BRICK_SHIFT;
 
-// What a ray crosses in one step: a cell, or the empty bricks around one.
+// What is empty around a cell: so many bricks up to the nearest that is not; or an octant of a brick; or nothing.
+const int EMPTY_OCTANT = -1;
+
+// `texel`: of the cell's brick (rendering/gpu/Bricks.h, skipTexels).
+int emptyAround(uint texel, ivec3 cell) {
+  int distance = int(texel & 255u);
+  ivec3 octant = cell >> (BRICK_SHIFT - 1) & 1;
+  uint shows = texel >> (8 + octant.x + 2 * octant.y + 4 * octant.z) & 1u;
+  return distance > 0 || shows != 0u ? distance : EMPTY_OCTANT;
+}
+
+// What a ray crosses in one step: a cell, or what is empty around one.
 struct Block {
   ivec3 cell, last;  // along each axis from the one, where the ray enters, to the other
-  int empty;         // distance in bricks to what is not empty; 0: a single cell that may not be
+  int empty;         // as of emptyAround(); 0: a single cell that may not be
 };
 
 // The face by which a ray leaves a block.
@@ -28,13 +39,14 @@ ivec3 upwardsOf(Ray ray) { return ivec3(greaterThan(ray.direction, vec3(0.0))); 
 ivec3 cellAt(Ray ray, float s) { return clamp(ivec3(floor(cellPosition(ray, s))), ivec3(0), volume.dims); }
 bool isInVolume(ivec3 cell) { return all(lessThan(uvec3(cell), uvec3(volume.dims + 1))); }
 
-// The block that begins in a cell. `empty`: of the cell's brick.
+// The block that begins in a cell. `empty`: around the cell.
 Block blockAt(ivec3 cell, ivec3 upwards, int empty) {
   Block block;
   block.cell = cell;
   block.empty = empty;
-  ivec3 end = BRICK_SIDE * ((cell >> BRICK_SHIFT) + empty * (2 * upwards - 1) + 1 - upwards) - upwards;
-  block.last = empty > 0 ? end : cell;
+  int shift = empty == EMPTY_OCTANT ? BRICK_SHIFT - 1 : BRICK_SHIFT;
+  ivec3 end = ((cell >> shift) + abs(empty) * (2 * upwards - 1) + 1 - upwards << shift) - upwards;
+  block.last = empty != 0 ? end : cell;
   return block;
 }
 

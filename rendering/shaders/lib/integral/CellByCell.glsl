@@ -100,9 +100,9 @@ void moveOn(inout Walk walk, Block block) {
 }
 
 void leap(inout Walk walk) {
-  int empty = distanceToVisible(walk.cell);
+  int empty = invisibleAround(walk.cell);
   walk.stage = LOOK;
-  if (empty > 0) {
+  if (empty != 0) {
     moveOn(walk, blockAt(walk.cell, walk.upwards, empty));
     walk.entered = 0;
   }

@@ -354,7 +354,7 @@ Walk walkFrom(Ray ray, Cut cut, bool visible) {
   walk.cut = cut;
   walk.upwards = upwardsOf(ray);
   ivec3 cell = cellAt(ray, cut.start);
-  walk.block = blockAt(cell, walk.upwards, distanceToVisible(cell));
+  walk.block = blockAt(cell, walk.upwards, invisibleAround(cell));
   walk.slot = focusSlot(cell);
   walk.functions = functionsIn(cell);
   walk.back = pointInside(ray, cell, cut.start);
@@ -368,24 +368,28 @@ Walk walkFrom(Ray ray, Cut cut, bool visible) {
 // Whether a ray leaps from one empty block to the next without a look at the values between them. Where rays run in step,
 // unlit ones do not: the test costs every step a little, and some ray among them mostly has something to integrate.
 const bool LEAPS = LIT || !IN_STEP;
+// Whether it leaps out of the last of them, too: where segments begin with what was read of their own cell.
+const bool LEAPS_TO_VISIBLE = WHOLE_CELLS == 1;
 
 // The face behind the block ahead, and the block behind that face.
 void lookAhead(Walk walk, out Face face, out Block behind) {
   face = faceBehind(walk.block, walk.ray, walk.upwards, walk.back.s);
   ivec3 cell = cellBehind(face, walk.upwards);
-  behind = blockAt(cell, walk.upwards, distanceToVisible(cell));
+  behind = blockAt(cell, walk.upwards, invisibleAround(cell));
 }
 
-// The same after leaps from one empty block to the next. Results pass through an `if`; lib/schedule/Llvmpipe says why.
+// The same after leaps over empty blocks. Results pass through an `if`; lib/schedule/Llvmpipe says why.
 void leapAhead(inout Walk walk, out Face face, out Block behind) {
   bool leaps = true;
   do {
     if (leaps) {
       lookAhead(walk, face, behind);
-      leaps = walk.block.empty > 0 && behind.empty > 0 && isInVolume(behind.cell);
+      leaps = walk.block.empty != 0 && (LEAPS_TO_VISIBLE || behind.empty != 0) && isInVolume(behind.cell);
       if (leaps) {
         walk.block = behind;
         walk.back.s = face.s;
+        if (LEAPS_TO_VISIBLE) walk.slot = focusSlot(behind.cell);
+        if (LEAPS_TO_VISIBLE) walk.functions = functionsIn(behind.cell);
       }
     }
   } while (leaps);
@@ -424,19 +428,22 @@ void crossBlock(inout Walk walk, Face face) {
 #endif
 }
 
-// Every ray takes a step, through the block ahead of it. `parts`: false where no segment ahead may have parts.
-//
-// The rays take each part of the step together, so that one has instructions to run while the other waits for memory.
-void takeStep(inout Walk walks[RAYS], const bool parts) {
-  Face faces[RAYS];
-  Block crossed[RAYS], behind[RAYS];
-  uint slots[RAYS], isOne[RAYS];
+// Every ray comes to the block that its next step crosses.
+void comeToNext(inout Walk walks[RAYS], out Face faces[RAYS], out Block behind[RAYS]) {
   for (int i = 0; i < RAYS; ++i) {
     if (LEAPS)
       leapAhead(walks[i], faces[i], behind[i]);
     else
       lookAhead(walks[i], faces[i], behind[i]);
   }
+}
+
+// Every ray takes a step, through the block ahead of it. `parts`: false where no segment ahead may have parts.
+//
+// The rays take each part of the step together, so that one has instructions to run while the other waits for memory.
+void takeStep(inout Walk walks[RAYS], Face faces[RAYS], Block behind[RAYS], const bool parts) {
+  Block crossed[RAYS];
+  uint slots[RAYS], isOne[RAYS];
   for (int i = 0; i < RAYS; ++i) crossBlock(walks[i], faces[i]);
   for (int i = 0; i < RAYS; ++i) classify(walks[i].back, behind[i].cell);
   for (int i = 0; i < RAYS; ++i) {
@@ -471,15 +478,19 @@ bool anyHasParts(Walk walks[RAYS]) {
 
 void integrate(inout Walk walks[RAYS]) {
   const bool parts = HAS_FOCUS || HAS_FAINT;
+  Face faces[RAYS];
+  Block behind[RAYS];
   do {
+    comeToNext(walks, faces, behind);
     // A segment that may have parts costs more than one that has none: rays that run in step wait there for each other.
     if (IN_STEP && parts) {
       do {
         if (anyHasParts(walks)) break;
-        takeStep(walks, false);
+        takeStep(walks, faces, behind, false);
+        comeToNext(walks, faces, behind);
       } while (anyGoesOn(walks));
     }
-    takeStep(walks, parts);
+    takeStep(walks, faces, behind, parts);
   } while (anyGoesOn(walks));
 }
 

@@ -2,8 +2,8 @@
 #include <schedule>
 #include "lib/Traversal.glsl"
 
-// Chebyshev distance in bricks to the nearest one that shows anything.
-UNSIGNED_TEXELS_3D(r8ui, occupiedSkip);
+// Where nothing shows, as emptyAround() reads it.
+UNSIGNED_TEXELS_3D(r16ui, occupiedSkip);
 
 struct IntegralSettings {
   float leastTransmittance;  // early ray termination: what lies behind less than that does not show
@@ -28,7 +28,7 @@ float ontoFocus(float field, vec2 range) {
 #endif
 }
 
-int distanceToVisible(ivec3 cell) { return int(texelOf(occupiedSkip, cell >> BRICK_SHIFT).r); }
+int invisibleAround(ivec3 cell) { return emptyAround(texelOf(occupiedSkip, cell >> BRICK_SHIFT).r, cell); }
 
 // A terminated ray loses up to leastTransmittance of its light. Half of it is added back in the ray's colour so far, which
 // halves the largest error.

@@ -53,9 +53,9 @@ void moveOn(inout Walk walk, Block block) {
 }
 
 void leap(inout Walk walk) {
-  int empty = distanceToVisible(walk.cell);
+  int empty = invisibleAround(walk.cell);
   walk.stage = LOOK;
-  if (empty > 0) moveOn(walk, blockAt(walk.cell, walk.upwards, empty));
+  if (empty != 0) moveOn(walk, blockAt(walk.cell, walk.upwards, empty));
 }
 
 // A half of the path looked into last.
