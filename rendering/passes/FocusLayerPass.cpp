@@ -25,19 +25,13 @@ double leastTransmittance(const FocusLayerPass::Sampling& sampling) {
 /// (an eighth), rounding, and estimates that are too low.
 constexpr double shareOfBound = 0.7;
 
-/// The estimated error up to which a pixel is interpolated. Lit pictures have a greater error of their own from face to
-/// face, so more is allowed. Over larger squares the estimate is less certain, so less is allowed.
-double toleranceOf(const FocusLayerPass::Sampling& sampling, bool lit, int halfSide) {
-  return sampling.tolerance * (lit ? 1.5 : 1.0) / halfSide;
-}
-
 /// Rays that one invocation follows side by side. On the software rasteriser each step of a ray waits for memory, and
 /// another ray has work to do meanwhile; lit rays need too many registers for two.
 int raysTogether(Schedule schedule, const FocusLayerPass::Sampling& sampling, bool lit) {
   return schedule == Schedule::Plain || sampling.maxError || lit ? 1 : 2;
 }
 
-/// Draft quality has no time for what normal quality adds.
+/// As opposed to draft quality.
 bool isNormalQuality(const FocusLayerPass::Sampling& sampling) {
   return !sampling.maxError && sampling.tolerance <= FocusLayerPass::Sampling().tolerance;
 }
@@ -49,11 +43,20 @@ bool bendsNormals(const GpuScene& gpu, const FocusLayerPass::Sampling& sampling,
 }
 
 /// Whether the integral reads all corners of each cell: of volumes of few cells. Their fields bend most within one, and
-/// their pictures are drawn soonest. Unlit pictures would take nearly twice as long.
+/// their pictures are drawn soonest. Unlit pictures would take nearly twice as long. A picture within a bound has an
+/// integral of its own.
 bool readsWholeCells(const GpuScene& gpu, const FocusLayerPass::Sampling& sampling, bool lit) {
   constexpr int fewCells = 400;  // that a ray crosses at most
   const glm::ivec3 dims = gpu.grid().dims;
-  return lit && isNormalQuality(sampling) && gpu.refinement() == 1 && dims.x + dims.y + dims.z <= fewCells;
+  return lit && !sampling.maxError && gpu.refinement() == 1 && dims.x + dims.y + dims.z <= fewCells;
+}
+
+/// The estimated error up to which a pixel is interpolated. Lit pictures have a greater error of their own from face to
+/// face, so more is allowed. Through whole cells a draft's rays have half the error that its pixels may have, so more
+/// is left for interpolation. Over larger squares the estimate is less certain, so less is allowed.
+double toleranceOf(const GpuScene& gpu, const FocusLayerPass::Sampling& sampling, bool lit, int halfSide) {
+  const bool wholeDraft = !isNormalQuality(sampling) && readsWholeCells(gpu, sampling, lit);
+  return sampling.tolerance * (lit ? 1.5 : 1.0) * (wholeDraft ? 5.0 / 3.0 : 1.0) / halfSide;
 }
 
 // shaders/lib/PixelList.glsl.
@@ -191,7 +194,7 @@ void FocusLayerPass::drawBetween(const Layers& layers, int halfSide, bool centre
                                              {}});
   between.set("pictureSize", drawn.rays.size());
   if (!drawn.sampling.quincunx) between.set("halfSide", halfSide);
-  between.set("tolerance", static_cast<float>(toleranceOf(drawn.sampling, lit, halfSide)));
+  between.set("tolerance", static_cast<float>(toleranceOf(drawn.gpu, drawn.sampling, lit, halfSide)));
   between.bind("focusLayer", focusLayer, gl::Access::ReadWrite);
   between.dispatch(squares);
   for (const Drawn& each : layers) {

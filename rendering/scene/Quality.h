@@ -8,7 +8,7 @@ namespace fenestra {
 /// Draft and normal integrate the transfer function along each ray from one cell face to the next, and interpolate
 /// between rays where the picture is smooth.
 enum class Quality : std::uint8_t {
-  Draft,   ///< while dragging: rays no closer than every other pixel, three times the tolerance for smooth
+  Draft,   ///< while dragging: rays no closer than every other pixel, at least three times the tolerance for smooth
   Normal,  ///< rays closer together than the width of a voxel
   High,    ///< every ray, with an error of at most highQualityError
 };
