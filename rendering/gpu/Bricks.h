@@ -50,7 +50,7 @@ struct BrickRanges {
 };
 BrickRanges brickRanges(const ShownVolume& shown);
 
-/// Of a brick, or of one in which something shows: bit i for octant i.
+/// In which octants of a brick something shows: bit i for octant i.
 using OctantMask = std::uint8_t;
 inline constexpr OctantMask wholeBrick = 0xFF;
 

@@ -179,7 +179,7 @@ class GpuScene {
   void release();
   bool holdsAsDrawn(const Scene& scene) const;
   void chooseRefinement(const Scene& scene, const DeviceLimits& limits);
-  /// By brick of the drawn grid: 1 where some of the focus lies in it, else 0.
+  /// By brick of the drawn grid: wholeBrick where some of the focus lies in it, else 0.
   std::vector<OctantMask> drawnOccupied(const FocusIndex& focus) const;
   void updateAll(const Scene& scene);
   void updateVolume(ShownVolume shown);
