@@ -200,6 +200,7 @@ void GpuScene::updateVolume(ShownVolume shown) {
     bricks_ = brickRanges(samples);
     widen(bricks_, *samples.volume);
     voxelBricks_ = brickRanges(shown);
+    voxelBricks_.octants = std::vector<OctantRanges>();  // rays leap by those of the drawn grid
   } else {
     volumeTexture_ = makeVolumeTexture(shown);
     bricks_ = brickRanges(shown);

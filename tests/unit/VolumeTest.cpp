@@ -92,15 +92,14 @@ TEST(Volume, defaultWindowOfAConstantHasAWidth) {
 
 }  // namespace
 TEST(Voxels, AnAllocationThatFailsNamesItsSize) {
-#if defined(__SANITIZE_ADDRESS__)
-  GTEST_SKIP() << "AddressSanitizer ends a program that asks for this much";
-#endif
+#if !defined(__SANITIZE_ADDRESS__)  // ends a program that asks for this much
   try {
     const Voxels voxels(ScalarType::Float64, std::size_t{1} << 55);
     FAIL() << "no machine has 288 petabytes";
   } catch (const std::bad_alloc& error) {
     EXPECT_NE(std::string(error.what()).find("288230376151 MB"), std::string::npos) << error.what();
   }
+#endif
   EXPECT_THROW(Voxels(ScalarType::Float64, std::size_t{1} << 62), VoxelAllocationError) << "bytes overflow";
 }
 

@@ -368,7 +368,8 @@ Walk walkFrom(Ray ray, Cut cut, bool visible) {
 // Whether a ray leaps from one empty block to the next without a look at the values between them. Where rays run in step,
 // unlit ones do not: the test costs every step a little, and some ray among them mostly has something to integrate.
 const bool LEAPS = LIT || !IN_STEP;
-// Whether it leaps out of the last of them, too: where segments begin with what was read of their own cell.
+// Whether a ray leaps out of the last empty block, too. It can where a segment reads both of its ends from its own cell, and
+// needs nothing of the block before.
 const bool LEAPS_TO_VISIBLE = WHOLE_CELLS == 1;
 
 // The face behind the block ahead, and the block behind that face.
