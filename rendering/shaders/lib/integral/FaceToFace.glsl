@@ -368,8 +368,7 @@ Walk walkFrom(Ray ray, Cut cut, bool visible) {
 // Whether a ray leaps from one empty block to the next without a look at the values between them. Where rays run in step,
 // unlit ones do not: the test costs every step a little, and some ray among them mostly has something to integrate.
 const bool LEAPS = LIT || !IN_STEP;
-// Whether a ray leaps out of the last empty block, too. It can where a segment reads both of its ends from its own cell, and
-// needs nothing of the block before.
+// Whether a ray leaps out of the last empty block, too: a segment that reads its own cell needs nothing from there.
 const bool LEAPS_TO_VISIBLE = WHOLE_CELLS == 1;
 
 // The face behind the block ahead, and the block behind that face.
