@@ -96,7 +96,10 @@ void PassChain::beginAsDrawn(const Scene& scene, const View& view) {
   const FocusLayerPass::Sampling usual = samplingOf(view, grid, scene.look.shading.enabled);
   Frame& made = frame.emplace(Frame{.scene = scene, .view = view, .sampling = usual});
   // Only the integral within a bound knows what of a ray's opacity lies before a point.
-  if (fadingOf(scene.look)) made.sampling.maxError = made.sampling.maxError.value_or(FocusLayerPass::usualBound);
+  if (fadingOf(scene.look) && !usual.maxError) {
+    made.sampling.maxError = 4.0 * usual.tolerance;
+    made.sampling.roughSteps = true;
+  }
   if (cutFor || gpu->exemptLabels().any()) made.sampling = inParts(made.sampling);
   explode();
   made.hasCutaway = hasCutaway(scene);

@@ -117,6 +117,7 @@ gl::ShaderProgram& FocusLayerPass::program(bool listed, const Drawn& drawn) {
   gl::Variant variant{{volumeDefine(gpu),
                        refinementDefine(gpu),
                        {"SAMPLED", !bounded},
+                       {"ROUGH_STEPS", sampling.roughSteps},
                        tableDefine(),
                        segmentsDefine(),
                        faintDefine(gpu),

@@ -48,6 +48,8 @@ class FocusLayerPass {
     int pitch = 1;
     bool quincunx = false;
     double tolerance = 1.0 / 256.0;
+    /// Where the context fades: whether the errors of its steps are guessed, not estimated. No bound is kept then.
+    bool roughSteps = false;
     bool operator==(const Sampling&) const = default;
   };
   /// Of pictures of draft or normal quality, for which no bound is asked, where only the integral within a bound can
@@ -55,7 +57,7 @@ class FocusLayerPass {
   static constexpr double usualBound = 4.0 / 255.0;
   /// The same with a ray through every pixel.
   static Sampling followingEveryRay(const Sampling& sampling) {
-    return {.maxError = sampling.maxError, .tolerance = sampling.tolerance};
+    return {.maxError = sampling.maxError, .tolerance = sampling.tolerance, .roughSteps = sampling.roughSteps};
   }
   /// What a sampling means to the integrals.
   static IntegralBlock integralBlock(const Sampling& sampling);

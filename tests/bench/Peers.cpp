@@ -87,9 +87,8 @@ ColourErrors errorsOf(const PeerRun& run, const Measurable& what) {
 
 ColourErrors errorsOf(const PeerRun& run, const PeerRun& limit) {
   ColourErrors errors;
-  // A limit costs a peer minutes a view: it is drawn of the first alone.
-  for (std::size_t i = 0; i < std::min(run.pictures.size(), limit.pictures.size()); ++i) {
-    const std::vector<float> truth = io::readPicture(limit.pictures[i]).values;
+  for (std::size_t i = 0; i < run.pictures.size(); ++i) {
+    const std::vector<float> truth = io::readPicture(limit.pictures.at(i)).values;
     const std::vector<float> values = valuesOf(run.pictures[i], truth.size() / 4);
     for (std::size_t k = 0; k < truth.size() / 4; ++k)
       errors.add(colourOf(values, k, 0.0), colourOf(truth, k, 0.0), glm::dvec3(0.0));

@@ -227,7 +227,10 @@ void measure(const Options& options, const Peer& peer) {
         Json run{{"subject", subject.id}, {"lit", lit}, {"samplesPerVoxel", samples}};
         stage.setStep(samples);
         const bool limit = samples > bench::stepLadder.back();
-        const std::size_t count = limit ? 1 : cameras.size();
+        // With lighting the others' errors are those against the limit, in each view that is compared.
+        const std::size_t count = !limit ? cameras.size()
+                                  : lit  ? std::min<std::size_t>(cameras.size(), options.views.compared)
+                                         : 1;
         for (int round = 0; round < (limit ? 1 : bench::pathRounds); ++round)
           for (std::size_t i = 0; i < count; ++i) {
             run["frames_ms"].push_back(stage.draw(cameras[i]));

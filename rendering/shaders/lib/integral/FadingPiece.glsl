@@ -46,4 +46,14 @@ vec4 pieceOf(FadingPoint front, FadingPoint middle, FadingPoint back, float leng
                 back.colour * (2.0 * square - x);
   return vec4(max(colour, 0.0), 1.0) * (depth * relativeOpacity(depth));
 }
+
+#if FADING == 1
+// The same from both ends alone, by the rule of the trapezium.
+vec4 pieceOf(FadingPoint front, FadingPoint back, float lengthOfPiece, float transmittance) {
+  float passed = pow(transmittance, fading.sharpness), first = lengthOfPiece * fadedExtinction(front, passed);
+  float last = lengthOfPiece * fadedExtinction(back, passed * exp(-fading.sharpness * first));
+  float depth = min(0.5 * (first + last), 1e6);
+  return vec4(0.5 * (front.colour + back.colour), 1.0) * (depth * relativeOpacity(depth));
+}
+#endif
 #endif

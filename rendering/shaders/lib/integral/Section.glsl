@@ -1,0 +1,136 @@
+// A path through a cell, and the parts that it falls into: sections in the focus or in the context, and of these what lies
+// in one segment of a transfer function.
+#include <focus>
+#include <light>
+#include <opening>
+#include <schedule>
+#include "lib/Crossing.glsl"
+#include "lib/FaintLabels.glsl"
+#include "lib/TransferSegments.glsl"
+#include "lib/Traversal.glsl"
+#include "lib/Volume.glsl"
+
+// What shows: 0 focus and context; of an exploded view, whose parts and focus are drawn apart, 1 the context alone, 2 the
+// focus alone.
+#ifndef SHOWN
+#define SHOWN 0
+#endif
+bool isShown(bool held) { return SHOWN == 1 ? !held : held || (SHOWN == 0 && !ONLY_FOCUS); }
+
+// What a ray finds between two faces of a cell. Vectors of four are Bernstein coefficients along it.
+struct CellPath {
+  ivec3 cell;
+  vec3 a, b;          // both ends within the cell, 0 to 1
+  float sFrom, sTo;   // mm along the ray
+  vec4 entries;       // table entries of the values
+  vec4 focusAlong;    // the focus's field, where some of the path may be in the focus
+#if FOCUS_FUNCTIONS
+  vec4 stored;        // values
+#endif
+  uint functions;     // of the context, as functionsIn() has them
+};
+
+float lowest(vec4 v) { return min(min(v.x, v.y), min(v.z, v.w)); }
+float highest(vec4 v) { return max(max(v.x, v.y), max(v.z, v.w)); }
+
+// Fills in the values between both ends of a path.
+void setValues(inout CellPath path, vec4 stored) {
+  // Within limits whose squares and differences float32 holds.
+  path.entries = clamp(stored * transfer.map.x + transfer.map.y, vec4(-1e12), vec4(1e12));
+#if FOCUS_FUNCTIONS
+  path.stored = stored;
+#endif
+}
+
+bool mayShow(CellPath path) {
+  vec2 visible = transfer.visibleEntries;
+  return highest(path.entries) > visible.x && lowest(path.entries) < visible.y;
+}
+
+// Fills in the focus's field.
+void setFocus(inout CellPath path, FocusCell held, vec4 stored) {
+  path.focusAlong = focusAlong(held, path.a, path.b, stored);
+  // integrateSections() asks the field also where none of the cell is in the focus.
+  vec4 outside = vec4(focusRange().x > -3e38 ? -3.4e38 : 3.4e38);
+  if (HAS_FAINT) path.focusAlong = mix(outside, path.focusAlong, bvec4(mayHoldFocus(held)));
+}
+
+bool mayMeetFocus(CellPath path) {
+  vec2 range = focusRange();
+  return lowest(path.focusAlong) <= range.y && highest(path.focusAlong) >= range.x;
+}
+
+// Stages; SECTIONS: of a cell some of which may be in the focus, or in which the context's functions differ.
+const int LEAP = 0, LOOK = 1, CONTEXT = 2, SECTIONS = 3, ENDED = 4;
+
+// Below, in or above the focus's range: -1, 0, 1.
+float sideOf(float value) {
+  vec2 range = focusRange();
+  return value < range.x ? -1.0 : value > range.y ? 1.0 : 0.0;
+}
+
+// The first u' > u, at most 1, where the focus begins or ends.
+float nextChange(vec4 along, float u) {
+  vec2 turns = turningPoints(along);
+  float from = u, to = 1.0, side = sideOf(bernstein(along, u));
+  bool changes = false;
+  for (int i = 0; i < 3; ++i) {
+    float end = i < 2 ? turns[i] : 1.0;
+    if (changes || end <= from) continue;
+    changes = sideOf(bernstein(along, end)) != side;
+    if (changes) to = end;
+    else from = end;
+  }
+  if (!changes) from = to;
+  // Bisection in a monotone piece, down to rounding.
+  for (int i = 0; i < 22 && from < to; ++i) {
+    float middle = 0.5 * (from + to);
+    if (sideOf(bernstein(along, middle)) != side) to = middle;
+    else from = middle;
+  }
+  return to;
+}
+
+// A part of a path that is all in the focus, of one material or function, or all in the context, of one function.
+struct Section {
+  float uFrom, uTo;  // of the path
+  float sFrom, sTo;  // mm along the ray
+  vec4 entries;      // of the context's tables, or that of the focus's function
+  bool inFocus;
+  vec4 material;     // of the focus
+#if FOCUS_FUNCTIONS || FAINT_LABELS
+  int function;      // of the context, or of the focus; 0 there: one material
+#endif
+  CellNormals normals;
+};
+
+#if FOCUS_FUNCTIONS || FAINT_LABELS
+bool isByValue(Section section) { return !section.inFocus || section.function > 0; }
+int functionOf(Section section) { return section.function; }
+
+// Chooses the function of a section.
+void findFunction(inout Section section, CellPath path, vec3 at) {
+  section.function = section.inFocus ? 0 : functionAt(at);
+#if FOCUS_FUNCTIONS
+  vec4 table = focusTable(at);
+  section.function = section.inFocus ? int(table.x) / 2 : section.function;
+  vec4 entries = clamp(path.stored * table.y + table.z, vec4(-1e12), vec4(1e12));
+  if (section.inFocus && section.function > 0) section.entries = bernsteinBetween(entries, section.uFrom, section.uTo);
+#endif
+}
+#else
+bool isByValue(Section section) { return !section.inFocus; }
+int functionOf(Section section) { return 0; }
+void findFunction(inout Section section, CellPath path, vec3 at) {}
+#endif
+
+// A part of a section in one segment of a transfer function.
+struct Part {
+  float from, to;  // of the section
+  vec4 entries;
+  Segment segment;
+};
+
+Part partBetween(Part part, float u, float v) {
+  return Part(mix(part.from, part.to, u), mix(part.from, part.to, v), bernsteinBetween(part.entries, u, v), part.segment);
+}
