@@ -95,7 +95,8 @@ void PassChain::beginAsDrawn(const Scene& scene, const View& view) {
     cutFor = openingOf(view, scene.look.cutaway, gpu->focus().centre(grid).value_or(grid.centre()));
   const FocusLayerPass::Sampling usual = samplingOf(view, grid, scene.look.shading.enabled);
   Frame& made = frame.emplace(Frame{.scene = scene, .view = view, .sampling = usual});
-  // Only the integral within a bound knows what of a ray's opacity lies before a point.
+  // Only the integral within a bound knows what of a ray's opacity lies before a point. Its rays end at a quarter of
+  // the bound, and so at the tolerance, as others do.
   if (fadingOf(scene.look) && !usual.maxError) {
     made.sampling.maxError = 4.0 * usual.tolerance;
     made.sampling.roughSteps = true;

@@ -5,9 +5,12 @@
 // is the mean of colour and light over the part, weighted by what is seen of it: it is taken to second order in the
 // position, from the weight's mean and variance. Its error is estimated beforehand and falls at least as 1/n² with n
 // pieces; a part is cut into as many as the bound asks for.
+#include <focus>
 #include <light>
 #include <opening>
+#include <schedule>
 #include "lib/TransferSegments.glsl"
+#include "lib/Traversal.glsl"
 #include "lib/integral/FadingPart.glsl"
 #include "lib/integral/Piece.glsl"
 #include "lib/integral/Section.glsl"
@@ -15,6 +18,9 @@
 
 const int MOST_PIECES = 64;  // of a part
 const int MOST_PARTS = 256;  // of a cell
+
+// Stages of a walk; SECTIONS: of a cell some of which may be in the focus, or in which the context's functions differ.
+const int LEAP = 0, LOOK = 1, CONTEXT = 2, SECTIONS = 3, ENDED = 4;
 
 // What a part holds, whatever light falls on it. Positions are 0 to 1 from its front; the weight of a position is the
 // light emitted there that gets out of the part's front.

@@ -1,4 +1,7 @@
 // The integral over a part of a context that fades (lib/Fading.glsl), within a bound on its error or without one.
+#include <light>
+#include <opening>
+#include "lib/Crossing.glsl"
 #include "lib/integral/FadingPiece.glsl"
 #include "lib/integral/Section.glsl"
 #include "lib/integral/Settings.glsl"

@@ -2,12 +2,9 @@
 // in one segment of a transfer function.
 #include <focus>
 #include <light>
-#include <opening>
-#include <schedule>
 #include "lib/Crossing.glsl"
 #include "lib/FaintLabels.glsl"
 #include "lib/TransferSegments.glsl"
-#include "lib/Traversal.glsl"
 #include "lib/Volume.glsl"
 
 // What shows: 0 focus and context; of an exploded view, whose parts and focus are drawn apart, 1 the context alone, 2 the
@@ -59,9 +56,6 @@ bool mayMeetFocus(CellPath path) {
   vec2 range = focusRange();
   return lowest(path.focusAlong) <= range.y && highest(path.focusAlong) >= range.x;
 }
-
-// Stages; SECTIONS: of a cell some of which may be in the focus, or in which the context's functions differ.
-const int LEAP = 0, LOOK = 1, CONTEXT = 2, SECTIONS = 3, ENDED = 4;
 
 // Below, in or above the focus's range: -1, 0, 1.
 float sideOf(float value) {
