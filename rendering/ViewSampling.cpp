@@ -34,10 +34,10 @@ ViewSampling samplingOf(const View& view, const Grid& grid, bool lit) {
   const bool draft = view.quality == Quality::Draft;
   ViewSampling sampling;
   if (draft) sampling.tolerance *= 3.0;
-  // A lattice of squares with less than two points to a voxel meets the faces of the cells in much the same phase again
-  // and again, and takes bends of the picture there for smooth. Such bends are sharpest where light shows those of the
-  // normals, and everywhere where squares would be as wide as they may be.
-  const double least = lit && !draft ? 2.0 : widestPitch;
+  // A lattice of squares meets the faces of the cells in much the same phase again and again, and takes bends of the
+  // picture there for smooth. Such bends are sharpest where light shows those of the normals, and everywhere where
+  // squares would be as wide as they may be.
+  const double least = !lit ? widestPitch : draft ? 2.0 : 1.0;  // pixels a voxel is wide, for a quincunx
   sampling.quincunx = voxelWidth >= least && voxelWidth < 2 * widestPitch;
   sampling.pitch = sampling.quincunx ? 2 : pitchOf(voxelWidth, draft ? 2.0 : 1.0);
   return sampling;

@@ -34,7 +34,7 @@ void ExemptPass::run(Steps& steps, const GpuScene& gpu, const Look& look, const 
     bindTransferSegments(gpu, program);
     bindFaint(gpu, program);
     bindLabels(gpu.exemptLabels(), program);
-    program.set(FocusLayerPass::integralBlock(bounded));
+    program.set(FocusLayerPass::integralBlock(bounded, look.shading.enabled));
     program.bind("picture", picture);
     if (lit) bindLight(gpu, program, rays.axes(), look.shading);
     bindOcclusion(gpu, program, occlusion);

@@ -16,9 +16,10 @@ namespace fenestra {
 namespace {
 
 /// Early ray termination: a ray ends where its transmittance falls below this. Its colour is then wrong by half of it
-/// at most.
-double leastTransmittance(const FocusLayerPass::Sampling& sampling) {
-  return sampling.maxError ? *sampling.maxError / 4.0 : sampling.tolerance;
+/// at most. The rest of a lit ray that keeps no bound is taken to look like its last segment; it may be wrong by all of
+/// it, but rarely is.
+double leastTransmittance(const FocusLayerPass::Sampling& sampling, bool lit) {
+  return sampling.maxError ? *sampling.maxError / 4.0 : sampling.tolerance * (lit ? 2.0 : 1.0);
 }
 
 /// The share of the bound that the estimated errors of a ray's cells may sum to. The rest covers the ray's termination
@@ -42,21 +43,17 @@ bool bendsNormals(const GpuScene& gpu, const FocusLayerPass::Sampling& sampling,
   return lit && isNormalQuality(sampling) && gpu.focusKind() == FocusIndex::Kind::Values;
 }
 
-/// Whether the integral reads all corners of each cell: of volumes of few cells. Their fields bend most within one, and
-/// their pictures are drawn soonest. Unlit pictures would take nearly twice as long. A picture within a bound has an
-/// integral of its own.
+/// Whether the integral reads all corners of each cell: for lit pictures. Unlit ones would take nearly twice as long.
+/// Cells of a refined grid are small enough to be crossed from face to face. A picture within a bound has an integral
+/// of its own.
 bool readsWholeCells(const GpuScene& gpu, const FocusLayerPass::Sampling& sampling, bool lit) {
-  constexpr int fewCells = 400;  // that a ray crosses at most
-  const glm::ivec3 dims = gpu.grid().dims;
-  return lit && !sampling.maxError && gpu.refinement() == 1 && dims.x + dims.y + dims.z <= fewCells;
+  return lit && !sampling.maxError && gpu.refinement() == 1;
 }
 
-/// The estimated error up to which a pixel is interpolated. Lit pictures have a greater error of their own from face to
-/// face, so more is allowed. Through whole cells a draft's rays have half the error that its pixels may have, so more
-/// is left for interpolation. Over larger squares the estimate is less certain, so less is allowed.
-double toleranceOf(const GpuScene& gpu, const FocusLayerPass::Sampling& sampling, bool lit, int halfSide) {
-  const bool wholeDraft = !isNormalQuality(sampling) && readsWholeCells(gpu, sampling, lit);
-  return sampling.tolerance * (lit ? 1.5 : 1.0) * (wholeDraft ? 5.0 / 3.0 : 1.0) / halfSide;
+/// The estimated error up to which a pixel is interpolated. Lit drafts vary in so many pixels that more is allowed.
+/// Over larger squares the estimate is less certain, so less is allowed.
+double toleranceOf(const FocusLayerPass::Sampling& sampling, bool lit, int halfSide) {
+  return sampling.tolerance * (lit && !isNormalQuality(sampling) ? 1.5 : 1.0) / halfSide;
 }
 
 // shaders/lib/PixelList.glsl.
@@ -100,8 +97,8 @@ int shownOf(const FocusLayerPass::ExplodedStretch* stretch, const gl::Texture* f
 
 }  // namespace
 
-IntegralBlock FocusLayerPass::integralBlock(const Sampling& sampling) {
-  return {static_cast<float>(leastTransmittance(sampling)),
+IntegralBlock FocusLayerPass::integralBlock(const Sampling& sampling, bool lit) {
+  return {static_cast<float>(leastTransmittance(sampling, lit)),
           static_cast<float>(shareOfBound * sampling.maxError.value_or(0.0))};
 }
 
@@ -153,7 +150,7 @@ gl::ShaderProgram& FocusLayerPass::prepared(bool listed, const Drawn& drawn) {
   else
     bindPreIntegration(gpu, program);
   bindFaint(gpu, program);
-  program.set(integralBlock(sampling));
+  program.set(integralBlock(sampling, look.shading.enabled));
   if (opening) {
     if (opening->hole) program.bind("hole", *opening->hole);
     program.bind("rayStart", opening->rayStart);
@@ -195,7 +192,7 @@ void FocusLayerPass::drawBetween(const Layers& layers, int halfSide, bool centre
                                              {}});
   between.set("pictureSize", drawn.rays.size());
   if (!drawn.sampling.quincunx) between.set("halfSide", halfSide);
-  between.set("tolerance", static_cast<float>(toleranceOf(drawn.gpu, drawn.sampling, lit, halfSide)));
+  between.set("tolerance", static_cast<float>(toleranceOf(drawn.sampling, lit, halfSide)));
   between.bind("focusLayer", focusLayer, gl::Access::ReadWrite);
   between.dispatch(squares);
   for (const Drawn& each : layers) {

@@ -42,7 +42,7 @@ class FocusLayerPass {
   /// from face to face of the cells. Rays are traced through every pitch-th pixel of every pitch-th row (a power of
   /// two); of a quincunx, which has a pitch of 2, also through the pixels in the middle between four of those. A pixel
   /// between them is interpolated where the estimated error is within `tolerance`, else it gets a ray of its own. Early
-  /// ray termination may change a colour by half the tolerance.
+  /// ray termination may change a colour by half the tolerance, of lit pictures by twice the tolerance.
   struct Sampling {
     std::optional<double> maxError{};
     int pitch = 1;
@@ -60,7 +60,7 @@ class FocusLayerPass {
     return {.maxError = sampling.maxError, .tolerance = sampling.tolerance, .roughSteps = sampling.roughSteps};
   }
   /// What a sampling means to the integrals.
-  static IntegralBlock integralBlock(const Sampling& sampling);
+  static IntegralBlock integralBlock(const Sampling& sampling, bool lit);
   /// A pixel's result depends on the ray starts within this many pixels of it: an interpolated pixel on those up to
   /// four half sides of the lattice's squares away, at each size of the squares; a cut face's normal on the next
   /// pixels.

@@ -52,7 +52,7 @@ void ProtectedLayerPass::run(Steps& steps, const GpuScene& gpu, const Look& look
       bindFocusLook(gpu, program, look, true);
     else
       program.bind("occupiedSkip", gpu.contextSkip());
-    program.set(FocusLayerPass::integralBlock(bounded));
+    program.set(FocusLayerPass::integralBlock(bounded, look.shading.enabled));
     program.bind("rayStart", opening.rayStart);
     program.bind("hitPoints", opening.hitPoints);
     if (lit) bindLight(gpu, program, rays.axes(), look.shading);

@@ -213,7 +213,7 @@ TEST_F(AdaptiveSampling, TakesNoMemoryWhereEveryRayIsFollowed) {
   const Scene scene = softAndHard();
   constexpr glm::ivec2 size{200, 180};
   // Close enough to fill the picture.
-  const Camera close = closeUp(scene.volume->grid, 6.0, size.y), far = closeUp(scene.volume->grid, 1.5, size.y);
+  const Camera close = closeUp(scene.volume->grid, 6.0, size.y), far = closeUp(scene.volume->grid, 0.9, size.y);
   Renderer renderer(std::make_shared<GpuScene>());
   renderer.render(scene, {far, size});
   const std::size_t every = renderer.imageBytes();

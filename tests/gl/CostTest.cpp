@@ -11,8 +11,9 @@
 namespace fenestra::tests {
 namespace {
 
-constexpr glm::ivec2 size{96, 80};
-constexpr std::size_t pixels = 96 * 80;
+// So small that a voxel is less than a pixel wide, and every ray is followed.
+constexpr glm::ivec2 size{64, 48};
+constexpr std::size_t pixels = 64 * 48;
 
 using Cost = GlTest;
 using Memory = std::map<std::string, std::size_t>;

@@ -6,8 +6,9 @@
 // point on a face lies between four voxels, where a point inside a cell lies between eight; and the ray meets the bends
 // of the trilinear field, which are at the faces, at every one. The error is of second order in the cells' size.
 //
-// WHOLE_CELLS: all eight corners of a cell are read, once, for volumes of few cells, whose fields bend most within one. A
-// segment has two halves then, which meet in what the volume holds in its middle, and its light is taken in four places.
+// WHOLE_CELLS: all eight corners of a cell are read, once, as lit pictures need them: light turns most within a cell. A
+// segment has two halves then, which meet in what the volume holds in its middle, and its light is taken in three places.
+// A ray that only grazes a surface, outside at both faces, meets it in the middle.
 #include <focus>
 #include <light>
 #include <opening>
@@ -19,6 +20,7 @@
 #include "lib/Traversal.glsl"
 #include "lib/Volume.glsl"
 #include "lib/integral/CellField.glsl"
+#include "lib/integral/LightPlaces.glsl"
 #include "lib/integral/Piece.glsl"
 #include "lib/integral/Settings.glsl"
 
@@ -50,6 +52,7 @@ struct Walk {
   CellField field;        // of that segment's cell
 #endif
   vec4 result;            // colour and opacity so far, premultiplied
+  vec4 last;              // of the last segment that shows anything
   int left;               // 1: the ray goes on
 };
 
@@ -189,45 +192,23 @@ vec2 lightIn(Walk walk, vec3 a, vec3 b, float u) {
   return light;
 }
 
-// Half a segment, from part `u` of the way through the cell on. Of its two quarters, the first takes `share` of its depth.
-vec4 litHalf(Walk walk, vec3 a, vec3 b, float u, Segment segment, float share) {
-  float depth = share * segment.depth;
-  vec2 first = lightIn(walk, a, b, u + 0.25 * centreOfEmission(depth));
-  vec2 second = lightIn(walk, a, b, u + 0.25 + 0.25 * centreOfEmission(segment.depth - depth));
-  vec2 light = mix(second, first, opacityOf(depth) / max(segment.piece.a, 1e-30));
-  return vec4(segment.piece.rgb * light.x + segment.piece.a * light.y, segment.piece.a);
-}
+vec4 litBy(vec4 piece, vec2 light) { return vec4(piece.rgb * light.x + piece.a * light.y, piece.a); }
 
-// Of the context, over the last segment. For the shares of the quarters, extinction is taken to change evenly along the
-// segment: a half then has an eighth of the rise from half to half less in its first quarter than in the middle.
+// Of the context, over the last segment.
 vec4 contextPiece(Walk walk, ivec3 cell) {
   RayPoint front = walk.front, back = walk.back;
   vec3 a = withinCell(walk.ray, cell, front.s), b = withinCell(walk.ray, cell, back.s);
   float middle = entryBetween(entryOf(storedIn(walk.field, 0.5 * (a + b)))), size = 0.5 * (back.s - front.s);
   Segment first = segmentBetween(front.entry, middle, size), second = segmentBetween(middle, back.entry, size);
-  float rise = 0.25 * (second.depth - first.depth);
-  vec2 shares = 0.5 - 0.5 * clamp(rise / max(vec2(first.depth, second.depth), 1e-30), -0.5, 0.5);
-  return over(litHalf(walk, a, b, 0.0, first, shares.x), litHalf(walk, a, b, 0.5, second, shares.y));
+  LightPlaces places = lightPlaces(first, second);
+  vec2 minor = lightIn(walk, a, b, places.minor);
+  vec2 major = mix(lightIn(walk, a, b, places.major.y), lightIn(walk, a, b, places.major.x), places.share);
+  return over(litBy(first.piece, places.behind ? minor : major), litBy(second.piece, places.behind ? major : minor));
 }
 #else
-// Of the context, over the last segment. Lit, in two halves: a segment is opaque mostly where its values are greatest, and
-// the light has to be taken there. Segments of a refined grid are short enough for one light each.
+// Of the context, over the last segment. Segments of a refined grid are short enough for one light each.
 vec4 contextPiece(Walk walk, ivec3 cell) {
   RayPoint front = walk.front, back = walk.back;
-#if REFINEMENT == 1
-  if (LIT) {
-    bool rises = back.entry > front.entry;
-    float perEntry = (back.s - front.s) / abs(back.entry - front.entry);
-    Level level = levelOf(perEntry);
-    RayPoint middle = between(front, back, 0.5);
-    middle.entry = 0.5 * (front.entry + back.entry);
-    vec4 seenInFront = seenFrom(front.entry, rises, level), seenBetween = seenFrom(middle.entry, rises, level),
-         seenBehind = seenFrom(back.entry, rises, level);
-    Segment first = segmentOver(front.entry, seenInFront, middle.entry, seenBetween, perEntry, level);
-    Segment second = segmentOver(middle.entry, seenBetween, back.entry, seenBehind, perEntry, level);
-    return over(litPiece(walk, front, middle, first), litPiece(walk, middle, back, second));
-  }
-#endif
   return litPiece(walk, front, back, segmentBetween(front.entry, back.entry, back.s - front.s));
 }
 #endif
@@ -361,6 +342,7 @@ Walk walkFrom(Ray ray, Cut cut, bool visible) {
   classify(walk.back, cell);
   walk.front = walk.back;
   walk.result = vec4(0.0);
+  walk.last = vec4(0.0);
   walk.left = visible ? 1 : 0;
   return walk;
 }
@@ -395,12 +377,12 @@ void leapAhead(inout Walk walk, out Face face, out Block behind) {
   } while (leaps);
 }
 
-// Early ray termination uses the transmittance in front of the segment, so that the loop need not wait for the segment's
-// own opacity.
 void composite(inout Walk walk, Block crossed, vec4 piece) {
-  float transmittance = 1.0 - walk.result.a;
-  if (goesOn(walk) && crossed.empty == 0) walk.result += transmittance * piece;
-  bool more = goesOn(walk) && isInVolume(walk.block.cell) && transmittance >= integral.leastTransmittance;
+  if (goesOn(walk) && crossed.empty == 0) {
+    walk.result += (1.0 - walk.result.a) * piece;
+    if (piece.a > 0.0) walk.last = piece;
+  }
+  bool more = goesOn(walk) && isInVolume(walk.block.cell) && 1.0 - walk.result.a >= integral.leastTransmittance;
 #if CLIPPED
   more = more && walk.back.s < walk.ray.sOut;
 #endif
@@ -494,7 +476,10 @@ void integrate(inout Walk walks[RAYS]) {
   } while (anyGoesOn(walks));
 }
 
+// What a terminated ray has not come to is taken to look like its last segment in lit pictures, and half of it like the
+// ray so far in unlit ones, whose other errors are no greater than that.
 vec4 colourOf(Walk walk) {
-  bool terminated = 1.0 - walk.result.a < integral.leastTransmittance;
-  return terminated ? compensateTermination(walk.result) : walk.result;
+  float transmittance = 1.0 - walk.result.a;
+  if (transmittance >= integral.leastTransmittance) return walk.result;
+  return LIT ? walk.result + transmittance / walk.last.a * walk.last : compensateTermination(walk.result);
 }
