@@ -42,7 +42,7 @@ class FocusLayerPass {
   /// from face to face of the cells. Rays are traced through every pitch-th pixel of every pitch-th row (a power of
   /// two); of a quincunx, which has a pitch of 2, also through the pixels in the middle between four of those. A pixel
   /// between them is interpolated where the estimated error is within `tolerance`, else it gets a ray of its own. Early
-  /// ray termination may change a colour by half the tolerance, of lit pictures by twice the tolerance.
+  /// ray termination may change a colour by half the tolerance, of lit pictures by three times the tolerance.
   struct Sampling {
     std::optional<double> maxError{};
     int pitch = 1;

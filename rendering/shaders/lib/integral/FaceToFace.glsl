@@ -166,7 +166,7 @@ vec4 litPiece(Walk walk, RayPoint front, RayPoint back, Segment segment) {
 #if OCCLUDED
   light = occluded(light, mix(front.open, back.open, u));
 #endif
-  return vec4(segment.piece.rgb * light.x + segment.piece.a * light.y, segment.piece.a);
+  return litBy(segment.piece, light);
 }
 
 #if WHOLE_CELLS
@@ -191,8 +191,6 @@ vec2 lightIn(Walk walk, vec3 a, vec3 b, float u) {
 #endif
   return light;
 }
-
-vec4 litBy(vec4 piece, vec2 light) { return vec4(piece.rgb * light.x + piece.a * light.y, piece.a); }
 
 // Of the context, over the last segment.
 vec4 contextPiece(Walk walk, ivec3 cell) {

@@ -10,10 +10,12 @@ vec4 over(vec4 front, vec4 back) { return front + (1.0 - front.a) * back; }
 // (1 - exp(-x)) / x, by its series where the difference would cancel.
 float relativeOpacity(float x) { return x < 1e-2 ? 1.0 - x * (0.5 - x * (1.0 / 6.0)) : (1.0 - exp(-x)) / x; }
 
-// Premultiplied colour and opacity of a piece of ray of one material. Shaded colour = colour · light.x + light.y.
+// A premultiplied piece under a light. Shaded colour = colour · light.x + light.y.
+vec4 litBy(vec4 piece, vec2 light) { return vec4(piece.rgb * light.x + piece.a * light.y, piece.a); }
+
+// Premultiplied colour and opacity of a piece of ray of one material.
 vec4 pieceOf(vec4 material, float lengthOfPiece, vec2 light) {
-  return vec4(material.rgb * light.x + material.a * light.y, material.a)
-         * (lengthOfPiece * relativeOpacity(material.a * lengthOfPiece));
+  return litBy(material, light) * (lengthOfPiece * relativeOpacity(material.a * lengthOfPiece));
 }
 
 // Where in a piece of one material what is seen of it comes from on average, 0 to 1 from its front: ∫ x exp(-depth·x) dx
