@@ -19,7 +19,9 @@ namespace {
 /// at most. The rest of a lit ray that keeps no bound is taken to look like its last segment; it may be wrong by all of
 /// it, but rarely is.
 double leastTransmittance(const FocusLayerPass::Sampling& sampling, bool lit) {
-  return sampling.maxError ? *sampling.maxError / 4.0 : sampling.tolerance * (lit ? 3.0 : 1.0);
+  if (sampling.maxError) return *sampling.maxError / 4.0;
+  constexpr double most = 0.5;  // that a ray may leave; one that has met nothing goes on, whatever the tolerance
+  return std::min(sampling.tolerance * (lit ? 3.0 : 1.0), most);
 }
 
 /// The share of the bound that the estimated errors of a ray's cells may sum to. The rest covers the ray's termination

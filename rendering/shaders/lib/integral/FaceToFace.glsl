@@ -52,7 +52,7 @@ struct Walk {
   CellField field;        // of that segment's cell
 #endif
   vec4 result;            // colour and opacity so far, premultiplied
-  vec4 last;              // of the last segment that shows anything
+  vec4 last;              // of the last segment that shows anything to speak of
   int left;               // 1: the ray goes on
 };
 
@@ -378,7 +378,7 @@ void leapAhead(inout Walk walk, out Face face, out Block behind) {
 void composite(inout Walk walk, Block crossed, vec4 piece) {
   if (goesOn(walk) && crossed.empty == 0) {
     walk.result += (1.0 - walk.result.a) * piece;
-    if (piece.a > 0.0) walk.last = piece;
+    if (piece.a > 1e-6) walk.last = piece;
   }
   bool more = goesOn(walk) && isInVolume(walk.block.cell) && 1.0 - walk.result.a >= integral.leastTransmittance;
 #if CLIPPED
