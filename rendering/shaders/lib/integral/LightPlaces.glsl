@@ -10,7 +10,7 @@ struct LightPlaces {
   float share;  // of what is seen of those, how much is of the first
 };
 
-// centreOfEmission() by a rational function with the same limits, within 0.013 of it: an exponential and a division less.
+// centreOfEmission() by a rational function with the same limits, within 0.015 of it: an exponential and a division less.
 float nearCentreOfEmission(float depth) { return (6.0 + 0.674 * depth) / (12.0 + depth * (3.348 + 0.674 * depth)); }
 
 LightPlaces lightPlaces(Segment first, Segment second) {
