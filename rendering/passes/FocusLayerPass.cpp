@@ -20,7 +20,7 @@ namespace {
 /// it, but rarely is.
 double leastTransmittance(const FocusLayerPass::Sampling& sampling, bool lit) {
   if (sampling.maxError) return *sampling.maxError / 4.0;
-  constexpr double most = 0.5;  // that a ray may leave; one that has met nothing goes on, whatever the tolerance
+  constexpr double most = 0.5;  // below 1, so that a ray that has met nothing goes on, whatever the tolerance
   return std::min(sampling.tolerance * (lit ? 3.0 : 1.0), most);
 }
 

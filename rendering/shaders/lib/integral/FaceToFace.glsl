@@ -158,17 +158,6 @@ Segment segmentBetween(float front, float back, float size) {
   return segmentOver(front, seenInFront, back, seenBehind, perEntry, level);
 }
 
-// A piece of the context, lit as at the centre of its emission.
-vec4 litPiece(Walk walk, RayPoint front, RayPoint back, Segment segment) {
-  if (!LIT) return segment.piece;
-  float u = centreOfEmission(segment.depth), s = mix(front.s, back.s, u);
-  vec2 light = behindCut(lightOfGated(mix(front.gated, back.gated, u), walk.ray.world), walk.cut, s);
-#if OCCLUDED
-  light = occluded(light, mix(front.open, back.open, u));
-#endif
-  return litBy(segment.piece, light);
-}
-
 #if WHOLE_CELLS
 // At a position within the cell that the last segment is in.
 RayPoint pointIn(Walk walk, vec3 w, float s) {
@@ -204,10 +193,18 @@ vec4 contextPiece(Walk walk, ivec3 cell) {
   return over(litBy(first.piece, places.behind ? minor : major), litBy(second.piece, places.behind ? major : minor));
 }
 #else
-// Of the context, over the last segment. Segments of a refined grid are short enough for one light each.
+// Of the context, over the last segment. Lit, it is one of a refined grid, short enough for one light, taken at the centre
+// of its emission.
 vec4 contextPiece(Walk walk, ivec3 cell) {
   RayPoint front = walk.front, back = walk.back;
-  return litPiece(walk, front, back, segmentBetween(front.entry, back.entry, back.s - front.s));
+  Segment segment = segmentBetween(front.entry, back.entry, back.s - front.s);
+  if (!LIT) return segment.piece;
+  float u = centreOfEmission(segment.depth), s = mix(front.s, back.s, u);
+  vec2 light = behindCut(lightOfGated(mix(front.gated, back.gated, u), walk.ray.world), walk.cut, s);
+#if OCCLUDED
+  light = occluded(light, mix(front.open, back.open, u));
+#endif
+  return litBy(segment.piece, light);
 }
 #endif
 

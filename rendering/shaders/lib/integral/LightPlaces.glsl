@@ -1,5 +1,6 @@
 // Where along a segment of two halves its light is taken: in one place of the half of which less is seen, in two of the
-// other. There light that changes evenly is what it is on average. Extinction is taken to change evenly along the segment.
+// other. Each place is the centre of what is seen of its part, where light that changes evenly has its mean. Extinction is
+// taken to change evenly along the segment.
 #include "lib/PreIntegration.glsl"
 
 // Of a segment, 0 at its front to 1 at its back.
