@@ -119,7 +119,9 @@ void bindFaint(const GpuScene& scene, gl::ShaderProgram& program) {
   const FaintIndex& faint = scene.faint();
   if (!faint.any()) return;
   program.bind("faintIndex", faint.texture());
-  program.set(FaintBlock{faint.origin(), faint.texture().size(), scene.grid().dims - 1});
+  program.set("faintOrigin", faint.origin());
+  program.set("faintSize", faint.texture().size());
+  program.set("lastVoxel", scene.grid().dims - 1);
 }
 
 gl::Define faintDefine(const GpuScene& scene) { return {"FAINT_LABELS", scene.faint().any()}; }
@@ -171,19 +173,19 @@ gl::Define derivativeDefine(const GpuScene& scene) {
 
 gl::Choice lightChoice(bool lit) { return {"light", lit ? "lib/light/Lit.glsl" : "lib/light/Unlit.glsl"}; }
 
-void bindLight(const GpuScene& scene, gl::ShaderProgram& program, const Camera::Axes& axes, const Shading& shading) {
+void bindLight(const GpuScene& scene, gl::ShaderProgram& program, const Camera::Axes& axes, const Shading& shading,
+               const gl::Buffer* nodes) {
   LightBlock light = lightBlock(axes, shading);
   light.gradientOrigin = scene.gradientOrigin();
+  if (nodes) {
+    const OccluderCells& cells = scene.occluders().cells();
+    light.lastNode = cells.dims - 1;
+    light.nodesPerVoxel = 1.0f / glm::vec3(cells.side);
+    nodes->bind(occlusionNodesBinding);
+  }
   program.set(light);
   program.bind("gradientTexels", scene.gradient());
   if (scene.refinement() > 1) program.bind("normalTexels", scene.normalCoefficients());
-}
-
-void bindOcclusion(const GpuScene& scene, gl::ShaderProgram& program, const gl::Buffer* nodes) {
-  if (!nodes) return;
-  const OccluderCells& cells = scene.occluders().cells();
-  nodes->bind(occlusionNodesBinding);
-  program.set(OcclusionNodesBlock{cells.dims - 1, 1.0f / glm::vec3(cells.side)});
 }
 
 gl::Define occlusionDefine(const gl::Buffer* nodes) { return {"OCCLUDED", nodes != nullptr}; }

@@ -60,11 +60,11 @@ gl::Define derivativeDefine(const GpuScene& scene);
 
 /// What `#include <light>` stands for.
 gl::Choice lightChoice(bool lit);
-/// lib/light/Lit.glsl, for a view with these axes.
-void bindLight(const GpuScene& scene, gl::ShaderProgram& program, const Camera::Axes& axes, const Shading& shading);
-/// lib/light/Occlusion.glsl: what OcclusionPass has written, null in pictures without ambient occlusion and shadows;
-/// `program` was compiled with occlusionDefine(nodes).
-void bindOcclusion(const GpuScene& scene, gl::ShaderProgram& program, const gl::Buffer* nodes);
+/// lib/light/Lit.glsl, for a view with these axes, and of lib/light/Occlusion.glsl what OcclusionPass has written:
+/// `nodes` is null in pictures without ambient occlusion and shadows, and `program` was compiled with
+/// occlusionDefine(nodes).
+void bindLight(const GpuScene& scene, gl::ShaderProgram& program, const Camera::Axes& axes, const Shading& shading,
+               const gl::Buffer* nodes);
 gl::Define occlusionDefine(const gl::Buffer* nodes);
 /// The storage block of those nodes.
 inline constexpr unsigned occlusionNodesBinding = 6;

@@ -45,14 +45,6 @@ struct alignas(16) TransferBlock {
   int firstLevel = 0;
 };
 
-/// shaders/lib/FaintLabels.glsl.
-struct alignas(16) FaintBlock {
-  static constexpr const char* name = "FaintBlock";
-  glm::ivec3 origin;
-  alignas(16) glm::ivec3 size;
-  alignas(16) glm::ivec3 last;
-};
-
 /// shaders/lib/focus/Index.glsl.
 struct alignas(16) FocusBlock {
   static constexpr const char* name = "FocusBlock";
@@ -71,6 +63,8 @@ struct alignas(16) LightBlock {
   float ambient, diffuse, specular, shininess, meanIncidence;
   glm::ivec3 gradientOrigin;
   float certainLength;
+  alignas(16) glm::ivec3 lastNode{0};
+  alignas(16) glm::vec3 nodesPerVoxel{0.0f};
 };
 
 /// shaders/Occluders.comp.
@@ -94,23 +88,10 @@ struct alignas(16) OcclusionBlock {
   int towardsLight;
 };
 
-/// shaders/lib/light/Occlusion.glsl.
-struct alignas(16) OcclusionNodesBlock {
-  static constexpr const char* name = "OcclusionNodesBlock";
-  alignas(16) glm::ivec3 last;
-  alignas(16) glm::vec3 perVoxel;
-};
-
 /// shaders/lib/integral/Settings.glsl.
 struct alignas(16) IntegralBlock {
   static constexpr const char* name = "IntegralBlock";
-  float leastTransmittance, maxError;
-};
-
-/// shaders/lib/opening/Open.glsl.
-struct alignas(16) CutFaceBlock {
-  static constexpr const char* name = "CutFaceBlock";
-  float depth, share;
+  float leastTransmittance, maxError, cutFaceDepth, cutFaceShare;
 };
 
 /// shaders/RemovedParts.comp.

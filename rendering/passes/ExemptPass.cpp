@@ -34,10 +34,9 @@ void ExemptPass::run(Steps& steps, const GpuScene& gpu, const Look& look, const 
     bindTransferSegments(gpu, program);
     bindFaint(gpu, program);
     bindLabels(gpu.exemptLabels(), program);
-    program.set(FocusLayerPass::integralBlock(bounded, look.shading.enabled));
+    program.set(FocusLayerPass::integralBlock(gpu, bounded, look.shading.enabled));
     program.bind("picture", picture);
-    if (lit) bindLight(gpu, program, rays.axes(), look.shading);
-    bindOcclusion(gpu, program, occlusion);
+    if (lit) bindLight(gpu, program, rays.axes(), look.shading, occlusion);
     program.bind("exempted", exempted, gl::Access::Write);
     program.dispatch(tile);
   });

@@ -99,9 +99,12 @@ int shownOf(const FocusLayerPass::ExplodedStretch* stretch, const gl::Texture* f
 
 }  // namespace
 
-IntegralBlock FocusLayerPass::integralBlock(const Sampling& sampling, bool lit) {
+IntegralBlock FocusLayerPass::integralBlock(const GpuScene& gpu, const Sampling& sampling, bool lit) {
+  const glm::dvec3 spacing = gpu.grid().spacing;
   return {static_cast<float>(leastTransmittance(sampling, lit)),
-          static_cast<float>(shareOfBound * sampling.maxError.value_or(0.0))};
+          static_cast<float>(shareOfBound * sampling.maxError.value_or(0.0)),
+          static_cast<float>(lighting::wallDepthVoxels * std::min({spacing.x, spacing.y, spacing.z})),
+          static_cast<float>(lighting::wallShare)};
 }
 
 gl::Choice FocusLayerPass::openingChoice(const Drawn& drawn) {
@@ -152,18 +155,12 @@ gl::ShaderProgram& FocusLayerPass::prepared(bool listed, const Drawn& drawn) {
   else
     bindPreIntegration(gpu, program);
   bindFaint(gpu, program);
-  program.set(integralBlock(sampling, look.shading.enabled));
+  program.set(integralBlock(gpu, sampling, look.shading.enabled));
   if (opening) {
     if (opening->hole) program.bind("hole", *opening->hole);
     program.bind("rayStart", opening->rayStart);
     program.bind("hitPoints", opening->hitPoints);
     if (opening->pixelStarts && !isGhosted(drawn.look)) program.bind("pixelStarts", *opening->pixelStarts);
-  }
-  if (opening || rays.isClipped()) {
-    const glm::dvec3 spacing = gpu.grid().spacing;
-    program.set(
-        CutFaceBlock{static_cast<float>(lighting::wallDepthVoxels * std::min({spacing.x, spacing.y, spacing.z})),
-                     static_cast<float>(lighting::wallShare)});
   }
   if (stretch) {
     program.set("resumes", resumes ? 1 : 0);
@@ -173,8 +170,7 @@ gl::ShaderProgram& FocusLayerPass::prepared(bool listed, const Drawn& drawn) {
       program.set("fromPicture", static_cast<float>(stretch->fromPicture));
     }
   }
-  if (look.shading.enabled) bindLight(gpu, program, rays.axes(), look.shading);
-  bindOcclusion(gpu, program, occlusion);
+  if (look.shading.enabled) bindLight(gpu, program, rays.axes(), look.shading, occlusion);
   bindFading(gpu, program, rays.camera(), rays.distance(), fadingOf(look));
   bindFocusLook(gpu, program, look, sampling.maxError.has_value());
   return program;

@@ -52,11 +52,10 @@ void ProtectedLayerPass::run(Steps& steps, const GpuScene& gpu, const Look& look
       bindFocusLook(gpu, program, look, true);
     else
       program.bind("occupiedSkip", gpu.contextSkip());
-    program.set(FocusLayerPass::integralBlock(bounded, look.shading.enabled));
+    program.set(FocusLayerPass::integralBlock(gpu, bounded, look.shading.enabled));
     program.bind("rayStart", opening.rayStart);
     program.bind("hitPoints", opening.hitPoints);
-    if (lit) bindLight(gpu, program, rays.axes(), look.shading);
-    bindOcclusion(gpu, program, occlusion);
+    if (lit) bindLight(gpu, program, rays.axes(), look.shading, occlusion);
     program.bind("protectedLayer", protectedLayer, gl::Access::Write);
     program.dispatch(tile);
   });

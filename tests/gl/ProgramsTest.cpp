@@ -29,13 +29,11 @@ struct Linked {
 /// By source, so that each counts once.
 using Programs = std::map<std::string, Linked>;
 
-const std::vector<std::string> blockNames{RayBlock::name,       VolumeBlock::name,         TransferBlock::name,
-                                          FocusBlock::name,     LightBlock::name,          IntegralBlock::name,
-                                          CutFaceBlock::name,   OpeningCameraBlock::name,  DerivativeBlock::name,
-                                          CutawayBlock::name,   ContextLayerBlock::name,   CandidateBlock::name,
-                                          ClipBlock::name,      FaintBlock::name,          OccludersBlock::name,
-                                          OcclusionBlock::name, OcclusionNodesBlock::name, ConeBlock::name,
-                                          WallsBlock::name};
+const std::vector<std::string> blockNames{
+    RayBlock::name,       VolumeBlock::name,       TransferBlock::name,      FocusBlock::name,
+    LightBlock::name,     IntegralBlock::name,     OpeningCameraBlock::name, DerivativeBlock::name,
+    CutawayBlock::name,   ContextLayerBlock::name, CandidateBlock::name,     ClipBlock::name,
+    OccludersBlock::name, OcclusionBlock::name,    ConeBlock::name,          WallsBlock::name};
 
 constexpr std::array schedules{Schedule::Plain, Schedule::Llvmpipe};
 
@@ -138,6 +136,10 @@ TEST_F(ProgramsTest, EveryShaderIsLinkedInSeveralVariants) {
   EXPECT_GE(variants["FocusLayer.comp"], 80);
 }
 
+/// OpenGL guarantees 14, but lavapipe overwrites memory with an eighth; see crashesTheDriver() in
+/// tests/gl/SceneKinds.h.
+constexpr int mostUniformBlocks = 7;
+
 TEST_F(ProgramsTest, EachStaysWithinWhatOpenGlGuarantees) {
   // OpenGL 4.5 core, tables 23.60 to 23.72: the least that a driver may offer a compute shader.
   for (const auto& [source, linked] : programs()) {
@@ -145,7 +147,7 @@ TEST_F(ProgramsTest, EachStaysWithinWhatOpenGlGuarantees) {
     EXPECT_LE(used.images, 8) << linked.path;
     EXPECT_LE(used.samplers, 16) << linked.path;
     EXPECT_LE(used.storageBlocks, 8) << linked.path;
-    EXPECT_LE(used.uniformBlocks, 14) << linked.path;
+    EXPECT_LE(used.uniformBlocks, mostUniformBlocks) << linked.path;
     EXPECT_LE(used.groupSize.x * used.groupSize.y * used.groupSize.z, 1024) << linked.path;
     EXPECT_LE(sharedBytes(source), 32 * 1024) << linked.path;
   }
@@ -236,14 +238,14 @@ TEST_F(ProgramsTest, BlocksHaveTheLayoutOfTheirStructs) {
       {TransferBlock::name,
        {OFFSET(TransferBlock, firstMaterial), OFFSET(TransferBlock, lastMaterial), OFFSET(TransferBlock, map),
         OFFSET(TransferBlock, visibleEntries), OFFSET(TransferBlock, firstLevel)}},
-      {FaintBlock::name, {OFFSET(FaintBlock, origin), OFFSET(FaintBlock, size), OFFSET(FaintBlock, last)}},
       {FocusBlock::name,
        {OFFSET(FocusBlock, material), OFFSET(FocusBlock, range), OFFSET(FocusBlock, paletteOrigin),
         OFFSET(FocusBlock, smoothOrigin), OFFSET(FocusBlock, table), OFFSET(FocusBlock, worldFromIndexGradient)}},
       {LightBlock::name,
        {OFFSET(LightBlock, direction), OFFSET(LightBlock, ambient), OFFSET(LightBlock, diffuse),
         OFFSET(LightBlock, specular), OFFSET(LightBlock, shininess), OFFSET(LightBlock, meanIncidence),
-        OFFSET(LightBlock, gradientOrigin), OFFSET(LightBlock, certainLength)}},
+        OFFSET(LightBlock, gradientOrigin), OFFSET(LightBlock, certainLength), OFFSET(LightBlock, lastNode),
+        OFFSET(LightBlock, nodesPerVoxel)}},
       {OccludersBlock::name,
        {OFFSET(OccludersBlock, viewFromCells), OFFSET(OccludersBlock, offset), OFFSET(OccludersBlock, perDepth),
         OFFSET(OccludersBlock, dims), OFFSET(OccludersBlock, nearest), OFFSET(OccludersBlock, side),
@@ -251,9 +253,9 @@ TEST_F(ProgramsTest, BlocksHaveTheLayoutOfTheirStructs) {
       {OcclusionBlock::name,
        {OFFSET(OcclusionBlock, dims), OFFSET(OcclusionBlock, around), OFFSET(OcclusionBlock, ramp),
         OFFSET(OcclusionBlock, fade), OFFSET(OcclusionBlock, strength), OFFSET(OcclusionBlock, towardsLight)}},
-      {OcclusionNodesBlock::name, {OFFSET(OcclusionNodesBlock, last), OFFSET(OcclusionNodesBlock, perVoxel)}},
-      {IntegralBlock::name, {OFFSET(IntegralBlock, leastTransmittance), OFFSET(IntegralBlock, maxError)}},
-      {CutFaceBlock::name, {OFFSET(CutFaceBlock, depth), OFFSET(CutFaceBlock, share)}},
+      {IntegralBlock::name,
+       {OFFSET(IntegralBlock, leastTransmittance), OFFSET(IntegralBlock, maxError), OFFSET(IntegralBlock, cutFaceDepth),
+        OFFSET(IntegralBlock, cutFaceShare)}},
       {OpeningCameraBlock::name,
        {OFFSET(OpeningCameraBlock, viewFromWorld), OFFSET(OpeningCameraBlock, offset),
         OFFSET(OpeningCameraBlock, perDepth), OFFSET(OpeningCameraBlock, halfSize),

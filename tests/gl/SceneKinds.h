@@ -182,8 +182,8 @@ inline Scene clipped(Scene scene, bool grey) {
 /// That search notes the uniforms that a program's branches depend on in an array of 128 words, those of uniform buffer
 /// b from word 32 b on, counted from 1. What it notes of buffer 4 overwrites the numbers of uniforms that it has found
 /// of each buffer; of buffers 5 to 7, memory that compute programs were seen to run without; from buffer 8 on, memory
-/// of others, and a crash follows anywhere later. A program whose branches depend on an eighth buffer is therefore not
-/// to be written: plain uniforms share one buffer.
+/// of others, and a crash may follow anywhere later. No program has an eighth buffer, therefore: plain uniforms share
+/// buffer 0.
 inline bool crashesTheDriver(const SceneKind& kind) {
   const Look& look = kind.scene.look;
   const bool clipped = look.clipping.cropped || !look.clipping.planes.empty();

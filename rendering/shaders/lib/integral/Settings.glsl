@@ -8,6 +8,8 @@ UNSIGNED_TEXELS_3D(r16ui, occupiedSkip);
 struct IntegralSettings {
   float leastTransmittance;  // early ray termination: what lies behind less than that does not show
   float maxError;            // of a pixel's colour; for lib/integral/CellByCell.glsl
+  float cutFaceDepth;        // mm behind a cut face over which its own light gives way to the volume's
+  float cutFaceShare;        // of a cut face's light that is the face's own at its surface
 };
 UNIFORM_BLOCK(IntegralBlock, storedIntegral, IntegralSettings, integral);
 

@@ -10,6 +10,8 @@ struct LightSettings {
   float meanIncidence;   // |n·l| of a surface of average orientation
   ivec3 gradientOrigin;  // index of the gradient texture's first voxel
   float certainLength;   // of a gated normal, from which on it is lit in full
+  ivec3 lastNode;        // of ambient occlusion: index along each axis (lib/light/Occlusion.glsl)
+  vec3 nodesPerVoxel;
 };
 UNIFORM_BLOCK(LightBlock, storedLight, LightSettings, lighting);
 

@@ -5,15 +5,8 @@
 #define OCCLUDED 0
 #endif
 #if OCCLUDED
-#include <schedule>
 #include "lib/Grid.glsl"
 #include "lib/light/BlinnPhong.glsl"
-
-struct OcclusionNodes {
-  ivec3 last;     // index of the last node along each axis
-  vec3 perVoxel;  // nodes
-};
-UNIFORM_BLOCK(OcclusionNodesBlock, storedOcclusionNodes, OcclusionNodes, nodes);
 
 // What is left of ambient and of direct light at the centre of each cell, 16 bits each. Not a texture: of those that a
 // shader may have, none is free, and on a graphics card filtering would round the weights.
@@ -23,10 +16,10 @@ vec2 nodeAt(uint index) { return unpackUnorm2x16(nodeValues[index]); }
 
 // What is left of ambient and of direct light at a position in the cell frame.
 vec2 openAt(vec3 position) {
-  vec3 at = clamp((voxelPosition(position) - 0.5) * nodes.perVoxel - 0.5, vec3(0.0), vec3(nodes.last));
+  vec3 at = clamp((voxelPosition(position) - 0.5) * lighting.nodesPerVoxel - 0.5, vec3(0.0), vec3(lighting.lastNode));
   ivec3 low = ivec3(at);
   vec3 w = at - vec3(low);
-  uvec3 dims = uvec3(nodes.last) + 1u, next = min(uvec3(nodes.last - low), uvec3(1u)) * uvec3(1u, dims.x, dims.x * dims.y);
+  uvec3 dims = uvec3(lighting.lastNode) + 1u, next = min(uvec3(lighting.lastNode - low), uvec3(1u)) * uvec3(1u, dims.x, dims.x * dims.y);
   uint first = uint(low.x) + dims.x * (uint(low.y) + dims.y * uint(low.z));
   vec2 x0 = mix(nodeAt(first), nodeAt(first + next.x), w.x);
   vec2 x1 = mix(nodeAt(first + next.y), nodeAt(first + next.y + next.x), w.x);

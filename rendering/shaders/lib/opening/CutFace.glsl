@@ -1,14 +1,8 @@
 // How a face that an opening or a clip plane cuts into the volume is lit (rendering/scene/Lighting.h).
 #include <light>
-#include <schedule>
 #include "lib/Clip.glsl"
 #include "lib/Volume.glsl"
-
-struct CutFaceSettings {
-  float depth;  // mm behind a cut face over which its own light gives way to the volume's
-  float share;  // of a cut face's light that is the face's own at its surface
-};
-UNIFORM_BLOCK(CutFaceBlock, storedCutFace, CutFaceSettings, cutFace);
+#include "lib/integral/Settings.glsl"
 
 struct Cut {
   float start;    // mm along the ray
@@ -20,7 +14,7 @@ struct Cut {
 // A cut face is lit as the face it is; the volume under it, by its own gradient.
 vec2 behindCut(vec2 volumeLight, Cut cut, float s) {
   if (!LIT || cut.share == 0.0) return volumeLight;
-  return mix(volumeLight, cut.light, cut.share * exp((cut.start - s) / cutFace.depth));
+  return mix(volumeLight, cut.light, cut.share * exp((cut.start - s) / integral.cutFaceDepth));
 }
 
 #if CLIPPED
@@ -30,7 +24,7 @@ void lightByCap(inout Cut cut, Ray ray) {
   bool byCap = cut.share == 0.0 && ray.cap >= 0;
   vec2 light = lightOf(capNormal(ray), ray.world);
   cut.light = byCap ? light : cut.light;
-  cut.share = byCap ? cutFace.share * exp((ray.sIn - cut.start) / cutFace.depth) : cut.share;
+  cut.share = byCap ? integral.cutFaceShare * exp((ray.sIn - cut.start) / integral.cutFaceDepth) : cut.share;
 }
 #endif
 
@@ -42,7 +36,7 @@ bool startsGrey(Cut cut, Ray ray) {
 #else
   float opened = cut.start;
 #endif
-  return ray.cap >= 0 && cut.onFocus == 0u && opened <= ray.sIn + 0.5 * cutFace.depth;
+  return ray.cap >= 0 && cut.onFocus == 0u && opened <= ray.sIn + 0.5 * integral.cutFaceDepth;
 }
 
 vec4 greyOf(Ray ray) {

@@ -23,7 +23,7 @@ vec3 wallNormal(ivec2 pixel, float start, vec2 hit) {
 #else
   bool hasNone = !isNone(hit.y);
 #endif
-  if (hasNone || start <= hit.x + 0.5 * cutFace.depth) return vec3(0.0);
+  if (hasNone || start <= hit.x + 0.5 * integral.cutFaceDepth) return vec3(0.0);
   ivec2 here = ivec2(placeOf(pixel));
   vec3 tangent[2];
   for (int axis = 0; axis < 2; ++axis) {
@@ -45,7 +45,7 @@ Cut cutAt(ivec2 pixel, Ray ray) {
   cut.onFocus = cut.start == hit.y ? 1u : 0u;
   if (LIT) {
     vec3 wall = wallNormal(pixel, cut.start, hit);
-    if (dot(wall, wall) > 0.0) cut.share = cutFace.share;
+    if (dot(wall, wall) > 0.0) cut.share = integral.cutFaceShare;
     cut.light = lightOf(wall, ray.world);
   }
 #if CLIPPED
