@@ -264,7 +264,8 @@ void run(const Arguments& arguments) {
   report.title = "Methods side by side";
   report.text = "Written by `methods-bench`, on " + machine.processors + ", OpenGL by " + machine.renderer +
                 "; pictures of " + std::to_string(arguments.size.x) + "×" + std::to_string(arguments.size.y) +
-                " pixels. Other programs kept " + fixed(machine.load, 1) + " processors busy.\n\n" + methodsText();
+                " pixels. In the minute before, other programs kept " + fixed(machine.load, 1) +
+                " processors busy.\n\n" + methodsText();
   std::vector<SceneFigures> scenes;
   for (const Subject& subject : subjects.here) {
     SceneMeasurement measurement(app::loadScene(subject.options).scene, subject.aroundFocus, arguments,
