@@ -201,7 +201,10 @@ void openForScreenshot(MainWindow& window, const Request& request) {
       }
     });
   });
-  window.open([options = request.scene](const io::Progress& progress) { return readScene(options, progress); });
+  // With the defaults of a new user: preferences are not read where nothing is remembered.
+  window.open([options = request.sceneWith(window.workspace().preferences)](const io::Progress& progress) {
+    return readScene(options, progress);
+  });
 }
 
 int main(int argc, char** argv) {

@@ -44,6 +44,20 @@ TEST(Program, SavesTheWholeWindowAndExits) {
   EXPECT_EQ(image.size(), QSize(1200, 760) * scale);
 }
 
+TEST(Program, AScreenshotShowsCoarseDataAsTheWindowDoes) {
+  const std::filesystem::path scratch = tests::scratchFolder();
+  const auto picture = [&](const char* name, const QStringList& more) {
+    const QString file = qt(scratch / name);
+    run(QStringList{"--phantom", "torso", "--phantom-voxels", "32", "--size", "900x700", "--screenshot", file} + more);
+    const QImage window(file);
+    return window.copy(0, window.height() / 6, window.width() / 4, window.height() / 4);  // of a 3-D view
+  };
+  const QImage first = picture("first.png", {});
+  ASSERT_FALSE(first.isNull());
+  EXPECT_EQ(first, picture("auto.png", {"--reconstruction", "auto"}));
+  EXPECT_NE(first, picture("linear.png", {"--reconstruction", "linear"}));
+}
+
 TEST(Program, AScreenshotNamesThePatientOnlyWhenAsked) {
   const std::filesystem::path scratch = tests::scratchFolder();  // empties the folder
   const auto series = [&](const char* name, const char* patient) {
