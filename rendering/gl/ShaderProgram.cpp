@@ -118,6 +118,14 @@ int resourceCount(GLuint program, GLenum interface) {
   return count;
 }
 
+/// Splits the name of a member of the uniform block, which its own name may precede, into that of its struct and its
+/// own: "rays" and "anchor" of "Uniforms.rays.anchor", "walls" and "plane" of "walls.plane[0]".
+std::pair<std::string, std::string> structOf(const std::string& uniform) {
+  const std::size_t last = uniform.rfind('.'), before = uniform.rfind('.', last - 1);
+  const std::size_t first = before == std::string::npos ? 0 : before + 1;
+  return {uniform.substr(first, last - first), uniform.substr(last + 1, uniform.find('[') - last - 1)};
+}
+
 template <std::size_t Count>
 std::array<GLint, Count> resourceValues(GLuint program, GLenum interface, int index,
                                         const std::array<GLenum, Count>& properties) {
@@ -180,7 +188,7 @@ ShaderProgram::ShaderProgram(ShaderProgram&& other) noexcept
       hasRun_(other.hasRun_),
       uniforms_(std::move(other.uniforms_)),
       textures_(std::move(other.textures_)),
-      blocks_(std::move(other.blocks_)),
+      block_(std::move(other.block_)),
       source_(std::move(other.source_)) {}
 
 ShaderProgram& ShaderProgram::operator=(ShaderProgram&& other) noexcept {
@@ -189,20 +197,25 @@ ShaderProgram& ShaderProgram::operator=(ShaderProgram&& other) noexcept {
   std::swap(hasRun_, other.hasRun_);
   std::swap(uniforms_, other.uniforms_);
   std::swap(textures_, other.textures_);
-  std::swap(blocks_, other.blocks_);
+  std::swap(block_, other.block_);
   std::swap(source_, other.source_);
   return *this;
 }
 
-/// Finds the active uniforms and blocks, and gives each texture a unit and each block a binding of its own.
+/// Finds the active uniforms, those of the uniform block too, and gives each texture a unit of its own.
 void ShaderProgram::inspect() {
   unsigned images = 0, samplers = 0;
   for (int i = 0; i < resourceCount(name_, GL_UNIFORM); ++i) {
     const auto [type, location, block] =
         resourceValues<3>(name_, GL_UNIFORM, i, {GL_TYPE, GL_LOCATION, GL_BLOCK_INDEX});
-    if (block >= 0) continue;
-    const auto kind = static_cast<unsigned>(type);
     std::string name = resourceName(name_, GL_UNIFORM, static_cast<GLuint>(i));
+    if (block >= 0) {
+      const auto [offset] = resourceValues<1>(name_, GL_UNIFORM, i, {GL_OFFSET});
+      const auto [at, isFirst] = block_.offsets.emplace(structOf(name).first, offset);
+      if (!isFirst) at->second = std::min(at->second, static_cast<std::size_t>(offset));
+      continue;
+    }
+    const auto kind = static_cast<unsigned>(type);
     if (isImage(kind) || isSampler(kind)) {
       const unsigned unit = isImage(kind) ? images++ : samplers++;
       glProgramUniform1i(name_, location, static_cast<GLint>(unit));
@@ -211,13 +224,10 @@ void ShaderProgram::inspect() {
       uniforms_.emplace(std::move(name), Uniform{location, kind});
     }
   }
-  for (int i = 0; i < resourceCount(name_, GL_UNIFORM_BLOCK); ++i) {
-    const auto [size] = resourceValues<1>(name_, GL_UNIFORM_BLOCK, i, {GL_BUFFER_DATA_SIZE});
-    glUniformBlockBinding(name_, static_cast<GLuint>(i), static_cast<GLuint>(i));
-    Block& block = blocks_[resourceName(name_, GL_UNIFORM_BLOCK, static_cast<GLuint>(i))];
-    block.binding = i;
-    block.size = static_cast<std::size_t>(size);
-  }
+  if (resourceCount(name_, GL_UNIFORM_BLOCK) == 0) return;
+  const auto [size] = resourceValues<1>(name_, GL_UNIFORM_BLOCK, 0, {GL_BUFFER_DATA_SIZE});
+  glUniformBlockBinding(name_, 0, 0);
+  block_.bytes.resize(static_cast<std::size_t>(size));
 }
 
 void ShaderProgram::assertDeclared([[maybe_unused]] std::string_view name) const {
@@ -257,21 +267,28 @@ void ShaderProgram::set(std::string_view name, glm::vec3 value) {
   if (const Uniform* u = find(name, {GL_FLOAT_VEC3})) glProgramUniform3f(name_, u->location, value.x, value.y, value.z);
 }
 
-void ShaderProgram::setBlock(std::string_view name, std::span<const std::byte> bytes) {
+void ShaderProgram::setStruct(std::string_view name, std::span<const std::byte> bytes) {
   assertDeclared(name);
-  const auto at = blocks_.find(name);
-  if (at == blocks_.end()) return;
-  Block& block = at->second;
-  assert(bytes.size() == block.size);
-  if (std::ranges::equal(bytes, block.bytes)) return;
-  block.bytes.assign(bytes.begin(), bytes.end());
-  if (block.buffer) {
-    block.buffer.write(bytes);
-    return;
+  const auto at = block_.offsets.find(name);
+  if (at == block_.offsets.end()) return;
+  assert(at->second + bytes.size() <= block_.bytes.size());
+  const std::span<std::byte> held = std::span(block_.bytes).subspan(at->second, bytes.size());
+  if (std::ranges::equal(bytes, held)) return;
+  std::ranges::copy(bytes, held.begin());
+  block_.isUploaded = false;
+}
+
+void ShaderProgram::bindBlock() {
+  if (block_.bytes.empty()) return;
+  if (!block_.buffer) {
+    block_.buffer = Buffer(block_.bytes);
+    constexpr std::string_view label = "uniform block";  // for debuggers, and for who counts what pictures hold
+    glObjectLabel(GL_BUFFER, block_.buffer.name(), static_cast<GLsizei>(label.size()), label.data());
+  } else if (!block_.isUploaded) {
+    block_.buffer.write(block_.bytes);
   }
-  block.buffer = Buffer(bytes);
-  const std::string label = "uniform block " + at->first;  // for debuggers, and for who counts what pictures hold
-  glObjectLabel(GL_BUFFER, block.buffer.name(), static_cast<GLsizei>(label.size()), label.data());
+  block_.isUploaded = true;
+  glBindBufferBase(GL_UNIFORM_BUFFER, 0, block_.buffer.name());
 }
 
 void ShaderProgram::bind(std::string_view name, const Texture& texture, Access access) {
@@ -283,7 +300,7 @@ void ShaderProgram::bind(std::string_view name, const Texture& texture, Access a
   at->access = access;
 }
 
-/// Makes the program current, with its textures and blocks.
+/// Makes the program current, with its textures and uniforms.
 void ShaderProgram::use() {
   if (!std::exchange(hasRun_, true)) ++programsRun;
   glUseProgram(name_);
@@ -297,8 +314,7 @@ void ShaderProgram::use() {
       glBindTextureUnit(bound.unit, bound.texture);
     }
   }
-  for (const auto& [name, block] : blocks_)
-    glBindBufferBase(GL_UNIFORM_BUFFER, static_cast<GLuint>(block.binding), block.buffer.name());
+  bindBlock();
 }
 
 void ShaderProgram::dispatch(glm::ivec2 size, glm::ivec2 groupSize) {
@@ -332,21 +348,20 @@ ProgramResources ShaderProgram::resources() const {
   ProgramResources used;
   for (const TextureUnit& texture : textures_) ++(texture.isImage ? used.images : used.samplers);
   used.storageBlocks = resourceCount(name_, GL_SHADER_STORAGE_BLOCK);
-  used.uniformBlocks = static_cast<int>(blocks_.size());
+  used.uniformBlocks = resourceCount(name_, GL_UNIFORM_BLOCK);
   if (isCompute_) glGetProgramiv(name_, GL_COMPUTE_WORK_GROUP_SIZE, &used.groupSize.x);
   return used;
 }
 
-std::vector<std::pair<std::string, int>> ShaderProgram::blockLayout(std::string_view block) const {
+std::vector<std::pair<std::string, int>> ShaderProgram::structLayout(std::string_view name) const {
   std::vector<std::pair<std::string, int>> members;
-  const auto at = blocks_.find(block);
-  if (at == blocks_.end()) return members;
+  const auto at = block_.offsets.find(name);
+  if (at == block_.offsets.end()) return members;
   for (int i = 0; i < resourceCount(name_, GL_UNIFORM); ++i) {
-    const auto [index, offset] = resourceValues<2>(name_, GL_UNIFORM, i, {GL_BLOCK_INDEX, GL_OFFSET});
-    if (index != at->second.binding) continue;
-    const std::string name = resourceName(name_, GL_UNIFORM, static_cast<GLuint>(i));
-    const std::string member = name.substr(name.rfind('.') + 1);
-    members.emplace_back(member.substr(0, member.find('[')), offset);
+    const auto [block, offset] = resourceValues<2>(name_, GL_UNIFORM, i, {GL_BLOCK_INDEX, GL_OFFSET});
+    if (block < 0) continue;
+    const auto [parent, member] = structOf(resourceName(name_, GL_UNIFORM, static_cast<GLuint>(i)));
+    if (parent == name) members.emplace_back(member, offset - static_cast<int>(at->second));
   }
   return members;
 }

@@ -75,10 +75,10 @@ class ShaderProgram {
   void set(std::string_view uniform, glm::ivec3 value);
   void set(std::string_view uniform, glm::vec2 value);
   void set(std::string_view uniform, glm::vec3 value);
-  /// A uniform block: a struct with its std140 layout, and its name as `Block::name`.
+  /// A struct of the uniform block, with its std140 layout, and the name that it has there as `Block::name`.
   template <class Block>
   void set(const Block& block) {
-    setBlock(Block::name, std::as_bytes(std::span(&block, 1)));
+    setStruct(Block::name, std::as_bytes(std::span(&block, 1)));
   }
   /// A texture, at a unit of the program's own, as the source declares it: as a sampler, or as an image with `access`.
   /// It must live until the program has run.
@@ -95,9 +95,9 @@ class ShaderProgram {
   void drawFullScreen();
 
   ProgramResources resources() const;
-  /// Offset in bytes of each member of a uniform block, by the name that it has in the struct that the block holds;
-  /// empty when the variant does not use the block.
-  std::vector<std::pair<std::string, int>> blockLayout(std::string_view block) const;
+  /// Offset in bytes of each member of a struct of the uniform block, from the struct's start; empty when the program
+  /// has no block.
+  std::vector<std::pair<std::string, int>> structLayout(std::string_view name) const;
 
   /// How many programs have run for the first time so far on this thread. Drivers compile when a program first runs, so
   /// a time that was taken while the number grew is no measure of the next run.
@@ -122,16 +122,17 @@ class ShaderProgram {
     Access access = Access::Read;
   };
   struct Block {
-    int binding = 0;
-    std::size_t size = 0;
-    std::vector<std::byte> bytes;  ///< what `buffer` holds
+    std::map<std::string, std::size_t, std::less<>> offsets;  ///< of its structs, in bytes
+    std::vector<std::byte> bytes;
     Buffer buffer;
+    bool isUploaded = false;  ///< `buffer` holds `bytes`
   };
 
   void inspect();
   /// Null: the variant does not use it.
   const Uniform* find(std::string_view uniform, std::initializer_list<unsigned> types) const;
-  void setBlock(std::string_view name, std::span<const std::byte> bytes);
+  void setStruct(std::string_view name, std::span<const std::byte> bytes);
+  void bindBlock();
   void use();
   void assertDeclared(std::string_view name) const;
 
@@ -139,7 +140,7 @@ class ShaderProgram {
   bool isCompute_ = false, hasRun_ = false;
   std::map<std::string, Uniform, std::less<>> uniforms_;  ///< active, outside of blocks; no textures
   std::vector<TextureUnit> textures_;
-  std::map<std::string, Block, std::less<>> blocks_;
+  Block block_;
   std::string source_;  ///< of all stages, to assert names; empty in release builds
 };
 

@@ -1,6 +1,6 @@
 #pragma once
-// The uniform blocks of the shaders, in std140 layout: a member here is the one of the same name and place in the GLSL
-// struct that the block holds. tests/gl/ShaderProgramTest compares the offsets.
+// What shaders/lib/Uniforms.glsl declares, in std140 layout: structs of the shaders' one uniform block, with the name
+// that each has there, and members of the same name and place as in GLSL. tests/gl/ProgramsTest compares the offsets.
 
 #include <array>
 
@@ -15,7 +15,7 @@ using Std140Mat3 = glm::mat3x4;
 
 /// shaders/lib/PixelRay.glsl.
 struct alignas(16) RayBlock {
-  static constexpr const char* name = "RayBlock";
+  static constexpr const char* name = "rays";
   Std140Mat3 cellsFromView, worldFromView;
   glm::vec3 anchor;
   float distance;
@@ -26,20 +26,20 @@ struct alignas(16) RayBlock {
 
 /// shaders/lib/Clip.glsl.
 struct alignas(16) ClipBlock {
-  static constexpr const char* name = "ClipBlock";
+  static constexpr const char* name = "clipping";
   std::array<glm::vec4, mostHalfSpaces> planes, normals;
   glm::vec2 grey{0.0f};
 };
 
 /// shaders/lib/Grid.glsl.
 struct alignas(16) VolumeBlock {
-  static constexpr const char* name = "VolumeBlock";
+  static constexpr const char* name = "volume";
   glm::ivec3 dims;
 };
 
 /// shaders/lib/Transfer.glsl.
 struct alignas(16) TransferBlock {
-  static constexpr const char* name = "TransferBlock";
+  static constexpr const char* name = "transfer";
   glm::vec4 firstMaterial, lastMaterial;
   glm::vec2 map, visibleEntries;
   int firstLevel = 0;
@@ -47,7 +47,7 @@ struct alignas(16) TransferBlock {
 
 /// shaders/lib/focus/Index.glsl.
 struct alignas(16) FocusBlock {
-  static constexpr const char* name = "FocusBlock";
+  static constexpr const char* name = "focus";
   glm::vec4 material{0.0f};
   alignas(16) glm::vec2 range{0.0f};
   alignas(16) glm::ivec3 paletteOrigin{0};
@@ -58,7 +58,7 @@ struct alignas(16) FocusBlock {
 
 /// shaders/lib/light/BlinnPhong.glsl.
 struct alignas(16) LightBlock {
-  static constexpr const char* name = "LightBlock";
+  static constexpr const char* name = "lighting";
   glm::vec3 direction;
   float ambient, diffuse, specular, shininess, meanIncidence;
   glm::ivec3 gradientOrigin;
@@ -69,7 +69,7 @@ struct alignas(16) LightBlock {
 
 /// shaders/Occluders.comp.
 struct alignas(16) OccludersBlock {
-  static constexpr const char* name = "OccludersBlock";
+  static constexpr const char* name = "occluders";
   Std140Mat3 viewFromCells{1.0f};
   glm::vec3 offset{0.0f};
   float perDepth = 0.0f;
@@ -81,7 +81,7 @@ struct alignas(16) OccludersBlock {
 
 /// shaders/Occlusion.comp.
 struct alignas(16) OcclusionBlock {
-  static constexpr const char* name = "OcclusionBlock";
+  static constexpr const char* name = "occlusion";
   glm::ivec3 dims;
   int around;
   glm::vec2 ramp, fade, strength;
@@ -90,13 +90,13 @@ struct alignas(16) OcclusionBlock {
 
 /// shaders/lib/integral/Settings.glsl.
 struct alignas(16) IntegralBlock {
-  static constexpr const char* name = "IntegralBlock";
+  static constexpr const char* name = "integral";
   float leastTransmittance, maxError, cutFaceDepth, cutFaceShare;
 };
 
 /// shaders/RemovedParts.comp.
 struct alignas(16) OpeningCameraBlock {
-  static constexpr const char* name = "OpeningCameraBlock";
+  static constexpr const char* name = "opening";
   Std140Mat3 viewFromWorld;
   glm::vec3 offset;
   float perDepth;
@@ -107,14 +107,14 @@ struct alignas(16) OpeningCameraBlock {
 
 /// shaders/lib/Cones.glsl.
 struct alignas(16) ConeBlock {
-  static constexpr const char* name = "ConeBlock";
+  static constexpr const char* name = "cones";
   glm::ivec2 origin, tops;
   float slope, perDepth;
 };
 
 /// shaders/lib/Curvature.glsl.
 struct alignas(16) DerivativeBlock {
-  static constexpr const char* name = "DerivativeBlock";
+  static constexpr const char* name = "derivative";
   Std140Mat3 worldFromDerivative;
   glm::vec3 factor;
   float scale;
@@ -122,25 +122,25 @@ struct alignas(16) DerivativeBlock {
 
 /// shaders/Composite.comp.
 struct alignas(16) CutawayBlock {
-  static constexpr const char* name = "CutawayBlock";
+  static constexpr const char* name = "cutaway";
   glm::vec2 widths;
   alignas(16) glm::vec3 borderColour;
 };
 struct alignas(16) ContextLayerBlock {
-  static constexpr const char* name = "ContextLayerBlock";
+  static constexpr const char* name = "contextLook";
   glm::vec3 colour;
   float strength, curvatureWeight, silhouetteWeight, illuminationWeight, valueWeight, curvatureScale;
 };
 
 /// shaders/Walls.comp.
 struct alignas(16) WallsBlock {
-  static constexpr const char* name = "WallsBlock";
+  static constexpr const char* name = "walls";
   std::array<glm::vec4, 3> plane, across, down, extent, metric;
 };
 
 /// shaders/lib/Candidate.glsl.
 struct alignas(16) CandidateBlock {
-  static constexpr const char* name = "CandidateBlock";
+  static constexpr const char* name = "candidates";
   glm::vec3 sphereCentre;
   float sphereRadius;
   alignas(16) glm::vec3 focusLower;

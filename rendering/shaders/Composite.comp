@@ -2,6 +2,7 @@
 #include <schedule>
 #include "lib/None.glsl"
 #include "lib/Region.glsl"
+#include "lib/Uniforms.glsl"
 #if CONTEXT_LAYER
 #include "lib/TransferTables.glsl"
 #endif
@@ -11,12 +12,6 @@ layout(rgba32f) uniform writeonly image2D picture;
 TEXELS_2D(rgba32f, focusLayer);
 TEXELS_2D(rg32f, hitPoints);
 TEXELS_2D(r32f, distances);
-
-struct CutawaySettings {
-  vec2 widths;        // w_open, w_border in rendered pixels
-  vec3 borderColour;
-};
-UNIFORM_BLOCK(CutawayBlock, storedCutaway, CutawaySettings, cutaway);
 
 // Pixels across the box that a ray stands for.
 #if SCATTERED
@@ -81,16 +76,6 @@ uniform sampler2D rayStart;
 TEXELS_2D(rgba32f, contextLayer);
 TEXELS_2D(r32f, silhouette);
 
-struct ContextLayerSettings {
-  vec3 colour;
-  float strength;           // scales the layer's opacity
-  float curvatureWeight;    // opacity of sharp bends
-  float silhouetteWeight;   // opacity of what turns away from the eye
-  float illuminationWeight; // from the flat colour to the colour as the surface is lit
-  float valueWeight;        // from `colour` to the context's own
-  float curvatureScale;     // mm: makes curvature dimensionless; the derivative volume's spacing
-};
-UNIFORM_BLOCK(ContextLayerBlock, storedContextLayer, ContextLayerSettings, look);
 #endif
 
 void main() {
@@ -117,11 +102,11 @@ void main() {
   isRemoved = isRemoved && texelFetch(rayStart, pixel, 0).r > hit.x;
 #endif
   if (isRemoved && !isNone(context.x)) {
-    float bend = sqrt(0.5 * dot(context.xy, context.xy)) * look.curvatureScale;
+    float bend = sqrt(0.5 * dot(context.xy, context.xy)) * contextLook.curvatureScale;
     float rim = texelOf(silhouette, pixel).r;
     // Edges come out as lines: both terms rise steeply.
-    float opacity = look.curvatureWeight * smoothstep(0.10, 0.40, bend);
-    opacity = look.strength * clamp(opacity + look.silhouetteWeight * smoothstep(0.30, 0.85, rim), 0.0, 1.0);
+    float opacity = contextLook.curvatureWeight * smoothstep(0.10, 0.40, bend);
+    opacity = contextLook.strength * clamp(opacity + contextLook.silhouetteWeight * smoothstep(0.30, 0.85, rim), 0.0, 1.0);
 #if EDITED
     opacity = min(opacity * texelOf(editMap, pixel).g, 1.0);
 #endif
@@ -131,8 +116,8 @@ void main() {
     // A surface lies where opacity begins: what is opaque next to its value gives the colour.
     float entry = floor(clamp(entryOf(context.w) + 0.5, 0.0, LAST_ENTRY));
     vec4 own = materialAt(entry - 1.0) + materialAt(entry) + materialAt(entry + 1.0);
-    vec3 colour = own.a > 0.0 ? mix(look.colour, own.rgb / own.a, look.valueWeight) : look.colour;
-    colour *= mix(1.0, context.z, look.illuminationWeight);
+    vec3 colour = own.a > 0.0 ? mix(contextLook.colour, own.rgb / own.a, contextLook.valueWeight) : contextLook.colour;
+    colour *= mix(1.0, context.z, contextLook.illuminationWeight);
     result = vec4(colour, 1.0) * opacity + result * (1.0 - opacity);
   }
 #endif

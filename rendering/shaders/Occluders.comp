@@ -3,6 +3,7 @@
 #include <schedule>
 #include "lib/Clip.glsl"
 #include "lib/Region.glsl"
+#include "lib/Uniforms.glsl"
 #if OPENED
 #include "lib/PixelRay.glsl"
 TEXELS_2D(rg32f, hitPoints);
@@ -12,17 +13,6 @@ TEXELS_2D(r32f, rayStart);
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(std430, binding = 4) readonly buffer OccluderCells { vec4 extinctions[]; };  // context, kept, exempt; 1/mm
 layout(std430, binding = 5) writeonly buffer OccludingMedium { float medium[]; };   // 1/mm
-
-struct OccludersSettings {
-  mat3 viewFromCells;  // of the picture that the opening is cut for: mm from its anchor point, for a cell's coordinates
-  vec3 offset;         // there, of the corner of the first cell
-  float perDepth;      // 1/mm: how that picture widens behind the anchor plane; 0 where rays are parallel
-  ivec3 dims;          // cells
-  float nearest;       // view depth in mm before which nothing is removed
-  vec3 side;           // voxels
-  float width;         // mm over which edges are softened
-};
-UNIFORM_BLOCK(OccludersBlock, storedOccluders, OccludersSettings, occluders);
 
 // What is left of the context at a place in cell coordinates.
 #if OPENED

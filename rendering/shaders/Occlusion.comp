@@ -3,20 +3,12 @@
 #include <schedule>
 #include "lib/None.glsl"
 #include "lib/Region.glsl"
+#include "lib/Uniforms.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(std430, binding = 5) readonly buffer OccludingMedium { float medium[]; };            // 1/mm
 layout(std430, binding = 6) writeonly buffer OcclusionNodeValues { uint nodeValues[]; };    // lib/light/Occlusion.glsl
 layout(std430, binding = 7) readonly buffer OcclusionDirections { vec4 directions[]; };     // cells per mm
-
-struct OcclusionSettings {
-  ivec3 dims;        // cells
-  int around;        // directions all around, the first ones
-  vec2 ramp, fade;   // mm: from where to where the medium's weight rises and, near a point, falls
-  vec2 strength;     // of occlusion and shadow, 0 to 1
-  int towardsLight;  // directions towards the light, behind those
-};
-UNIFORM_BLOCK(OcclusionBlock, storedOcclusion, OcclusionSettings, occlusion);
 
 const float OPAQUE = 14.0;  // optical depth: less than 1e-6 passes
 

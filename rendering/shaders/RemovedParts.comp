@@ -3,6 +3,7 @@
 #include <schedule>
 #include "lib/PixelRay.glsl"
 #include "lib/Region.glsl"
+#include "lib/Uniforms.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(r32f) uniform writeonly image2D rayStart;
@@ -19,16 +20,6 @@ const float SLIVER = 0.01, SKIN = 0.5, BEHIND = 1.0;
 layout(rg32f) uniform writeonly image2D editMap;
 uniform sampler2D openingEdits;
 #endif
-
-struct OpeningCamera {
-  mat3 viewFromWorld;
-  vec3 offset;        // mm, in the opening's view axes: from its anchor point to that of this picture's rays
-  float perDepth;     // 1/mm: how the picture widens behind the anchor plane; 0 where rays are parallel
-  vec2 halfSize;      // mm on the anchor plane at the right and top edge
-  ivec2 pictureSize;
-  float nearest;      // view depth in mm before which nothing is removed: near the eye, or behind the plane of the rays
-};
-UNIFORM_BLOCK(OpeningCameraBlock, storedOpeningCamera, OpeningCamera, opening);
 
 // This picture's ray in the opening's view axes: mm from the opening's anchor point, at s = 0 and per mm.
 struct Line {

@@ -4,6 +4,7 @@
 // INSIDE: 0 behind the picture, around the volume; 1 before the focus layer, in the space that the opening removed.
 #include "lib/PixelRay.glsl"
 #include "lib/Region.glsl"
+#include "lib/Uniforms.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(rgba32f) uniform writeonly image2D walled;
@@ -15,18 +16,9 @@ TEXELS_2D(rg32f, hitPoints);
 TEXELS_2D(r32f, rayStart);
 #endif
 
-const int WALLS = 3;             // as many as there may be; those not in use have no extent
 const float ALONG_WALL = 1e-7;   // cosine below which a ray runs along a wall
 
 // Affine functions of a position in the cell frame: xyz·position + w.
-struct WallSettings {
-  vec4 plane[WALLS];         // mm before the wall
-  vec4 across[WALLS];        // the place on it: u
-  vec4 down[WALLS];          // and v, in voxels
-  vec4 extent[WALLS];        // voxels along u and v; first row in `greys`
-  vec4 metric[WALLS];        // mm on the wall: x of u, x of v, y of v; width of lines
-};
-UNIFORM_BLOCK(WallsBlock, storedWalls, WallSettings, walls);
 
 struct LinePiece {
   vec4 ends;           // mm on the wall: from, to

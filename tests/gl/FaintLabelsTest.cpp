@@ -80,9 +80,6 @@ std::vector<glm::vec4> faceToFace(const Scene& scene, const Camera& camera, Sche
   return texelsOf<glm::vec4>(image);
 }
 
-/// Lit, the driver crashes on it; see crashesTheDriver() in tests/gl/SceneKinds.h.
-bool isDrawnFaceToFace(bool lit) { return !lit || !gl::description().starts_with("zink"); }
-
 double rmsOf(const Scene& scene, const Camera& camera, Schedule schedule) {
   return errorsOf(faceToFace(scene, camera, schedule), reference::picture(scene, camera, size, {}, {}).focusLayer).rms;
 }
@@ -191,7 +188,6 @@ Scene refined(int n, bool lit) {
 TEST_F(FaintLabelsTest, PicturesWithoutABoundAreOfSecondOrder) {
   for (const bool lit : {false, true})
     for (const Schedule schedule : schedules) {
-      if (!isDrawnFaceToFace(lit)) continue;
       const Camera camera = Camera::fromAngles(30.0, 20.0, refined(16, lit).volume->grid);
       std::vector<double> errors;
       for (const int n : {16, 32, 64}) errors.push_back(rmsOf(refined(n, lit), camera, schedule));
@@ -206,7 +202,6 @@ TEST_F(FaintLabelsTest, PicturesWithoutABoundAreOfSecondOrder) {
 TEST_F(FaintLabelsTest, PicturesWithoutABoundAreNearTheReference) {
   for (const auto& [name, focus] : focuses())
     for (const bool lit : {false, true}) {
-      if (!isDrawnFaceToFace(lit)) continue;
       Scene scene = body(lit);
       scene.look.focus = focus;
       scene.look.cutaway.enabled = false;

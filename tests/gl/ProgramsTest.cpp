@@ -62,7 +62,7 @@ Drawn drawAll() {
     Linked& linked = all.programs[source];
     linked.path = path;
     linked.resources = program.resources();
-    for (const std::string& block : blockNames) linked.blocks[block] = program.blockLayout(block);
+    for (const std::string& block : blockNames) linked.blocks[block] = program.structLayout(block);
   });
   for (std::size_t i = 0; i < schedules.size(); ++i) {
     // One renderer for all scenes: a program is linked once.
@@ -136,10 +136,6 @@ TEST_F(ProgramsTest, EveryShaderIsLinkedInSeveralVariants) {
   EXPECT_GE(variants["FocusLayer.comp"], 80);
 }
 
-/// OpenGL guarantees 14, but lavapipe overwrites memory with an eighth; see crashesTheDriver() in
-/// tests/gl/SceneKinds.h.
-constexpr int mostUniformBlocks = 7;
-
 TEST_F(ProgramsTest, EachStaysWithinWhatOpenGlGuarantees) {
   // OpenGL 4.5 core, tables 23.60 to 23.72: the least that a driver may offer a compute shader.
   for (const auto& [source, linked] : programs()) {
@@ -147,7 +143,7 @@ TEST_F(ProgramsTest, EachStaysWithinWhatOpenGlGuarantees) {
     EXPECT_LE(used.images, 8) << linked.path;
     EXPECT_LE(used.samplers, 16) << linked.path;
     EXPECT_LE(used.storageBlocks, 8) << linked.path;
-    EXPECT_LE(used.uniformBlocks, mostUniformBlocks) << linked.path;
+    EXPECT_LE(used.uniformBlocks, 1) << linked.path << ": shaders/lib/Uniforms.glsl is the one";
     EXPECT_LE(used.groupSize.x * used.groupSize.y * used.groupSize.z, 1024) << linked.path;
     EXPECT_LE(sharedBytes(source), 32 * 1024) << linked.path;
   }
@@ -279,12 +275,17 @@ TEST_F(ProgramsTest, BlocksHaveTheLayoutOfTheirStructs) {
 #undef OFFSET
   std::map<std::string, int> compared;
   for (const auto& [source, linked] : programs())
-    for (const auto& [block, members] : linked.blocks)
+    for (const auto& [block, members] : linked.blocks) {
+      // A program's first member of a struct stands at its start, because drivers leave out none.
+      if (!members.empty()) {
+        EXPECT_EQ(members.size(), expected.at(block).size()) << block;
+      }
       for (const auto& [member, offset] : members) {
         ASSERT_TRUE(expected.at(block).contains(member)) << block << '.' << member;
         EXPECT_EQ(static_cast<std::size_t>(offset), expected.at(block).at(member)) << block << '.' << member;
         ++compared[block];
       }
+    }
   for (const std::string& block : blockNames) EXPECT_GT(compared[block], 0) << block << " is in no program";
 }
 

@@ -175,22 +175,6 @@ inline Scene clipped(Scene scene, bool grey) {
   return scene;
 }
 
-/// lavapipe of Mesa 22.3 crashes while it prepares most programs of pictures that have no bound on their error and are
-/// clipped, or lit with faint labels: its search for uniforms to inline reads a buffer that is not there. llvmpipe
-/// draws them all.
-///
-/// That search notes the uniforms that a program's branches depend on in an array of 128 words, those of uniform buffer
-/// b from word 32 b on, counted from 1. What it notes of buffer 4 overwrites the numbers of uniforms that it has found
-/// of each buffer; of buffers 5 to 7, memory that compute programs were seen to run without; from buffer 8 on, memory
-/// of others, and a crash may follow anywhere later. No program has an eighth buffer, therefore: plain uniforms share
-/// buffer 0.
-inline bool crashesTheDriver(const SceneKind& kind) {
-  const Look& look = kind.scene.look;
-  const bool clipped = look.clipping.cropped || !look.clipping.planes.empty();
-  const bool faint = look.shading.enabled && faintLabels(kind.scene).any();
-  return gl::description().starts_with("zink") && !kind.view.maxError && (clipped || faint);
-}
-
 /// All of them for one voxel type; of the others, whose shaders differ in how they read a voxel alone, every seventh.
 inline std::vector<SceneKind> allSceneKinds() {
   std::vector<SceneKind> kinds, others;
@@ -309,7 +293,6 @@ inline std::vector<SceneKind> allSceneKinds() {
       kinds.push_back({kinds[i].name + ", smooth edges", kinds[i].scene, kinds[i].view});
       kinds.back().scene.look.edges = Edges::Smooth;
     }
-  std::erase_if(kinds, crashesTheDriver);
   return kinds;
 }
 

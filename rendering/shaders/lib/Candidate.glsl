@@ -2,6 +2,7 @@
 #include <schedule>
 #include "lib/Clip.glsl"
 #include "lib/Ray.glsl"
+#include "lib/Uniforms.glsl"
 
 struct CandidateView {  // right, up and forward in cells per mm
   vec4 right;           // w: 1 where the view from the opposite side is wanted too
@@ -9,14 +10,6 @@ struct CandidateView {  // right, up and forward in cells per mm
   vec4 forward;
 };
 layout(std430, binding = 2) readonly buffer Views { CandidateView views[]; };
-
-struct CandidateSettings {
-  vec3 sphereCentre;   // cell frame
-  float sphereRadius;  // mm
-  vec3 focusLower;     // cell frame: nothing of the focus lies outside
-  vec3 focusUpper;
-};
-UNIFORM_BLOCK(CandidateBlock, storedCandidates, CandidateSettings, candidates);
 
 // s = 0 at the plane through the centre; position in -1…1 across the image.
 Ray candidateRay(uint view, vec2 position) {

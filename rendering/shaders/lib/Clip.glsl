@@ -3,17 +3,10 @@
 // CLIPPED is 0 where nothing clips: nothing of this file is compiled then. 2: capped faces show values in grey.
 #include <schedule>
 #include "lib/Ray.glsl"
+#include "lib/Uniforms.glsl"
 
 #if CLIPPED
-const int HALF_SPACES = 12;        // as many as there may be; those not in use keep everything
 const float ALONG_PLANE = 1e-7;    // cosine below which a ray runs along a plane
-
-struct ClipSettings {
-  vec4 planes[HALF_SPACES];   // cell frame: mm before the plane are xyz·position + w
-  vec4 normals[HALF_SPACES];  // unit, world
-  vec2 grey;                  // of a capped face: stored value · x + y
-};
-UNIFORM_BLOCK(ClipBlock, storedClip, ClipSettings, clipping);
 
 // Shortens a ray to what is kept of it.
 void clipToHalfSpaces(inout Ray ray) {

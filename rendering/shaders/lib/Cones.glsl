@@ -3,14 +3,7 @@
 // no cone stands. rendering/passes/ConePass.h has the formula.
 #include <schedule>
 #include "lib/None.glsl"
-
-struct ConeSettings {
-  ivec2 origin;    // pixel of the picture that the pyramid begins at
-  ivec2 tops;      // squares of the top level
-  float slope;     // mm of depth per pixel beside the axis, on the anchor plane
-  float perDepth;  // 1/mm, the reciprocal of the anchor plane's depth; 0 where rays are parallel
-};
-UNIFORM_BLOCK(ConeBlock, storedCones, ConeSettings, cones);
+#include "lib/Uniforms.glsl"
 
 layout(std430, binding = 0) buffer ConeDepths { float coneDepths[]; };
 

@@ -2,6 +2,7 @@
 // cubic B-spline over the derivative volume (Kindlmann, Whitaker, Tasdizen, Möller, Vis 2003, section 3).
 #include <schedule>
 #include "lib/Grid.glsl"
+#include "lib/Uniforms.glsl"
 
 // Smoothed field, coarser where the scan is fine.
 #if DERIVATIVE_BYTES == 2
@@ -9,12 +10,6 @@ TEXELS_3D(r16, derivativeVolume);
 #else
 TEXELS_3D(r32f, derivativeVolume);
 #endif
-struct DerivativeSettings {
-  mat3 worldFromDerivative;  // gradient: world (1/mm) from derivative index (the inverse transpose)
-  vec3 factor;               // volume voxels per derivative voxel
-  float scale;               // real value per texel unit
-};
-UNIFORM_BLOCK(DerivativeBlock, storedDerivative, DerivativeSettings, derivative);
 uniform float contextMargin;  // mm: hits nearer than this to the box's entry or to the focus are no surface of their own
 
 // Cubic B-spline weights of the four neighbours at offset f in [0, 1), and their first and second derivatives.

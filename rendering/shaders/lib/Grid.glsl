@@ -3,11 +3,7 @@
 // Of a spline it is finer than the voxels' own, by REFINEMENT cells along the side of a voxel, an odd number (see
 // rendering/gpu/RefinedVolume.h). What belongs to the voxels, such as the focus, lies in cells of their own grid.
 #include <schedule>
-
-struct VolumeSettings {
-  ivec3 dims;  // voxels
-};
-UNIFORM_BLOCK(VolumeBlock, storedVolume, VolumeSettings, volume);
+#include "lib/Uniforms.glsl"
 
 // The first u' > u, at most 1, where from a to b, both within a cell (0 to 1), another voxel becomes the nearest: half way
 // between voxel centres, which is in the middle of cells of a finer grid, too.

@@ -5,21 +5,10 @@
 #include "lib/Clip.glsl"
 #include "lib/Grid.glsl"
 #include "lib/Ray.glsl"
+#include "lib/Uniforms.glsl"
 #if SCATTERED
 #include "lib/EdgeList.glsl"
 #endif
-
-struct RaySettings {
-  mat3 cellsFromView;  // cells per mm along the view's right, up and forward
-  mat3 worldFromView;  // columns: right, up, forward as unit vectors in world space
-  vec3 anchor;         // cell frame: where the view axis meets the anchor plane
-  float distance;      // mm from the eye (or the plane through it) to the anchor plane
-  vec2 halfSize;       // mm on the anchor plane at the picture's right and top edge
-  vec2 spread;         // the same for the rays' directions; 0 where rays are parallel
-  float depth;         // mm, the distance again; 1 where rays are parallel
-  ivec2 pictureSize;
-};
-UNIFORM_BLOCK(RayBlock, storedRays, RaySettings, rays);
 
 // Where the ray of an invocation runs through the picture, in pixels from its top left, and whether it has one. SCATTERED:
 // through places between pixel centres; an invocation's `pixel` is then its own place in the images of such rays.

@@ -15,16 +15,7 @@
 //                       lib/Transfer.glsl's tables, and entry = stored value · y + z there; 0 where it is of one material
 #include <schedule>
 #include "lib/Traversal.glsl"
-
-struct FocusSettings {
-  vec4 material;                // colour, extinction (1/mm)
-  vec2 range;                   // of a value focus, stored values, closed
-  ivec3 paletteOrigin;          // index of the palette texture's first voxel
-  vec3 smoothOrigin;            // cell frame: outer corner of the smoothed indicator's first texel
-  vec4 table;                   // as focusTable() has it, where all of the focus has one
-  mat3 worldFromIndexGradient;  // gradients: world (1/mm) from index
-};
-UNIFORM_BLOCK(FocusBlock, storedFocus, FocusSettings, focus);
+#include "lib/Uniforms.glsl"
 
 UNSIGNED_TEXELS_3D(r32ui, focusBricks);  // 0: none of it, 1: all of the brick, n ≥ 2: slot n - 2 of focusCells
 UNSIGNED_TEXELS_3D(r16ui, focusSkip);

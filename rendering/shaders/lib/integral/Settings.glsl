@@ -1,17 +1,10 @@
 // What both integrals read beside the volume: where nothing shows, and when a ray ends.
 #include <schedule>
 #include "lib/Traversal.glsl"
+#include "lib/Uniforms.glsl"
 
 // Where nothing shows, as emptyAround() reads it.
 UNSIGNED_TEXELS_3D(r16ui, occupiedSkip);
-
-struct IntegralSettings {
-  float leastTransmittance;  // early ray termination: what lies behind less than that does not show
-  float maxError;            // of a pixel's colour; for lib/integral/CellByCell.glsl
-  float cutFaceDepth;        // mm behind a cut face over which its own light gives way to the volume's
-  float cutFaceShare;        // of a cut face's light that is the face's own at its surface
-};
-UNIFORM_BLOCK(IntegralBlock, storedIntegral, IntegralSettings, integral);
 
 // Where the look opens to labels of other levels of importance than the focus's, too (rendering/scene/Importance.h).
 #ifndef IMPORTANCE_LEVELS

@@ -12,9 +12,8 @@
 
 const bool IN_STEP = true;
 
-#define UNIFORM_BLOCK(Block, stored, Struct, name)             \
-  layout(std140) uniform Block { Struct name; } stored;        \
-  Struct name = stored.name
+#define STORED_UNIFORMS stored
+#define UNIFORM(Struct, name) Struct name = stored.name;
 
 #define TEXELS_2D(format, name) layout(format) uniform readonly image2D name
 #define TEXELS_3D(format, name) layout(format) uniform readonly image3D name

@@ -5,8 +5,9 @@
 // slowest one.
 const bool IN_STEP = false;
 
-// A uniform block that holds one struct, read as `name`. `stored` is a name that only the other schedule needs.
-#define UNIFORM_BLOCK(Block, stored, Struct, name) layout(std140) uniform Block { Struct name; }
+// The name of the uniform block, if it has one, and a copy of one of its structs, which only the other schedule makes.
+#define STORED_UNIFORMS
+#define UNIFORM(Struct, name)
 
 // Textures of one level, read texel by texel. `format` is a name that only the other schedule needs.
 #define TEXELS_2D(format, name) uniform sampler2D name
