@@ -75,7 +75,6 @@ uniform sampler2D rayStart;
 #if CONTEXT_LAYER
 TEXELS_2D(rgba32f, contextLayer);
 TEXELS_2D(r32f, silhouette);
-
 #endif
 
 void main() {

@@ -18,8 +18,6 @@ TEXELS_2D(r32f, rayStart);
 
 const float ALONG_WALL = 1e-7;   // cosine below which a ray runs along a wall
 
-// Affine functions of a position in the cell frame: xyz·position + w.
-
 struct LinePiece {
   vec4 ends;           // mm on the wall: from, to
   vec4 colourAndLine;  // the line's number in w

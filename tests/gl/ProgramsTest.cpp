@@ -276,7 +276,7 @@ TEST_F(ProgramsTest, BlocksHaveTheLayoutOfTheirStructs) {
   std::map<std::string, int> compared;
   for (const auto& [source, linked] : programs())
     for (const auto& [block, members] : linked.blocks) {
-      // A program's first member of a struct stands at its start, because drivers leave out none.
+      // ShaderProgram takes a struct to start at its first active member, so a driver must leave out none.
       if (!members.empty()) {
         EXPECT_EQ(members.size(), expected.at(block).size()) << block;
       }

@@ -133,7 +133,7 @@ struct ContextLayerSettings {
   float curvatureScale;     // mm: makes curvature dimensionless; the derivative volume's spacing
 };
 
-// Walls.comp
+// Walls.comp: affine functions of a position in the cell frame, xyz·position + w.
 struct WallSettings {
   vec4 plane[WALLS];         // mm before the wall
   vec4 across[WALLS];        // the place on it: u

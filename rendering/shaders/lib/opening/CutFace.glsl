@@ -1,8 +1,8 @@
 // How a face that an opening or a clip plane cuts into the volume is lit (rendering/scene/Lighting.h).
 #include <light>
 #include "lib/Clip.glsl"
+#include "lib/Uniforms.glsl"
 #include "lib/Volume.glsl"
-#include "lib/integral/Settings.glsl"
 
 struct Cut {
   float start;    // mm along the ray
