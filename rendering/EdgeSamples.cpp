@@ -90,7 +90,7 @@ const gl::Texture& EdgeSamples::addLayers(PassChain& chain, const RayFrame& rays
   const Look& look = frame.scene.look;
   const GpuScene& gpu = *chain.gpu;
   const Regions regions(&region, 1);
-  const gl::Buffer* occlusion = chain.occlusionOfFrame();
+  const gl::Texture* occlusion = chain.occlusionOfFrame();
   const FocusLayerPass::Sampling sampling = FocusLayerPass::followingEveryRay(frame.sampling);
   std::optional<FocusLayerPass::Opening> cut;
   if (frame.hasCutaway)

@@ -75,7 +75,7 @@ struct PassChain {
   gl::Texture openedHits;
   gl::Texture pickedHit;
   gl::Texture faces, hole;                   ///< of RemovedPass
-  gl::Buffer occlusionNodes;                 ///< of OcclusionPass; empty without ambient occlusion and shadows
+  gl::Texture occlusionNodes;                ///< of OcclusionPass; empty without ambient occlusion and shadows
   std::unique_ptr<EdgeSamples> edgeSamples;  ///< null where edges are not smooth
 
   /// Stages 1 to 4 of the camera that cuts the opening, where that is another than the picture's.
@@ -260,7 +260,7 @@ struct PassChain {
   }
 
   /// What the passes that draw light read of it.
-  const gl::Buffer* occlusionOfFrame() const { return occlusionNodes ? &occlusionNodes : nullptr; }
+  const gl::Texture* occlusionOfFrame() const { return occlusionNodes ? &occlusionNodes : nullptr; }
   std::uint64_t occlusionVersion() const { return occlusionNodes ? occlusion.version() : 0; }
   glm::dvec2 widthsInPixels(const Scene& scene) const;
   /// What the rays through the pixels' centres see, without the background; a plain volume rendering has nothing laid

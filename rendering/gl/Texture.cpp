@@ -37,9 +37,11 @@ Traits traits(Format format) {
     case Format::R16UI:
       return {GL_R16UI, GL_RED_INTEGER, GL_UNSIGNED_SHORT, 2};
     case Format::R32UI:
+      return {GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, 4};
+    case Format::RGBA32UI:
       break;
   }
-  return {GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, 4};
+  return {GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT, 16};
 }
 
 void setSampling(GLuint name, Filter filter) {

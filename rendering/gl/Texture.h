@@ -15,7 +15,7 @@ class AllocationError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-enum class Format : std::uint8_t { R8, R16, R32F, RG32F, RGB10A2, BGRA8, RGBA32F, R8UI, R16UI, R32UI };
+enum class Format : std::uint8_t { R8, R16, R32F, RG32F, RGB10A2, BGRA8, RGBA32F, R8UI, R16UI, R32UI, RGBA32UI };
 /// Bytes of one texel, and what upload() and read() exchange per texel: the format's own components, tightly packed
 /// (RGB10A2: red in the lowest bits of 32; BGRA8: bytes of blue, green, red, alpha, as Qt's images have them).
 std::size_t bytesPerTexel(Format format);

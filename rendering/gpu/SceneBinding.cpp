@@ -174,21 +174,21 @@ gl::Define derivativeDefine(const GpuScene& scene) {
 gl::Choice lightChoice(bool lit) { return {"light", lit ? "lib/light/Lit.glsl" : "lib/light/Unlit.glsl"}; }
 
 void bindLight(const GpuScene& scene, gl::ShaderProgram& program, const Camera::Axes& axes, const Shading& shading,
-               const gl::Buffer* nodes) {
+               const gl::Texture* nodes) {
   LightBlock light = lightBlock(axes, shading);
   light.gradientOrigin = scene.gradientOrigin();
   if (nodes) {
     const OccluderCells& cells = scene.occluders().cells();
     light.lastNode = cells.dims - 1;
     light.nodesPerVoxel = 1.0f / glm::vec3(cells.side);
-    nodes->bind(occlusionNodesBinding);
+    program.bind("occlusionNodes", *nodes);
   }
   program.set(light);
   program.bind("gradientTexels", scene.gradient());
   if (scene.refinement() > 1) program.bind("normalTexels", scene.normalCoefficients());
 }
 
-gl::Define occlusionDefine(const gl::Buffer* nodes) { return {"OCCLUDED", nodes != nullptr}; }
+gl::Define occlusionDefine(const gl::Texture* nodes) { return {"OCCLUDED", nodes != nullptr}; }
 
 void bindFading(const GpuScene& scene, gl::ShaderProgram& program, const Camera& camera, double distance,
                 const std::optional<MethodStages::Fading>& fading) {

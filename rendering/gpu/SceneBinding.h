@@ -64,10 +64,8 @@ gl::Choice lightChoice(bool lit);
 /// `nodes` is null in pictures without ambient occlusion and shadows, and `program` was compiled with
 /// occlusionDefine(nodes).
 void bindLight(const GpuScene& scene, gl::ShaderProgram& program, const Camera::Axes& axes, const Shading& shading,
-               const gl::Buffer* nodes);
-gl::Define occlusionDefine(const gl::Buffer* nodes);
-/// The storage block of those nodes.
-inline constexpr unsigned occlusionNodesBinding = 6;
+               const gl::Texture* nodes);
+gl::Define occlusionDefine(const gl::Texture* nodes);
 /// That of lib/FocalDistance.glsl.
 inline constexpr unsigned focalDistancesBinding = 5;
 /// lib/Fading.glsl, and of a focal region lib/FocalRegion.glsl or lib/FocalDistance.glsl, or of a ghost

@@ -84,7 +84,7 @@ struct alignas(16) OcclusionBlock {
   static constexpr const char* name = "occlusion";
   glm::ivec3 dims;
   int around;
-  glm::vec2 ramp, fade, strength;
+  glm::vec2 strength;
   int towardsLight;
 };
 

@@ -6,7 +6,7 @@ namespace fenestra {
 
 void ExemptPass::run(Steps& steps, const GpuScene& gpu, const Look& look, const RayFrame& rays,
                      const gl::Texture& picture, const FocusLayerPass::Sampling& sampling, Regions regions,
-                     gl::Texture& exempted, const gl::Buffer* occlusion) {
+                     gl::Texture& exempted, const gl::Texture* occlusion) {
   FocusLayerPass::Sampling bounded = sampling;
   bounded.maxError = 0.25 * sampling.maxError.value_or(FocusLayerPass::usualBound);
   steps.add(regions, [this, &gpu, &look, &rays, &picture, bounded, &exempted, occlusion](Regions tile) {

@@ -26,7 +26,7 @@ class ExemptPass {
   /// of the sampling's bound on the error of a colour, or where it has none, of the usual one. `gpu` has exempt labels.
   void run(Steps& steps, const GpuScene& gpu, const Look& look, const RayFrame& rays, const gl::Texture& picture,
            const FocusLayerPass::Sampling& sampling, Regions regions, gl::Texture& exempted,
-           const gl::Buffer* occlusion = nullptr);
+           const gl::Texture* occlusion = nullptr);
 
  private:
   gl::ShaderVariants programs_;

@@ -69,7 +69,7 @@ class FocusLayerPass {
   /// OcclusionPass; null: neither ambient occlusion nor shadows.
   void run(Steps& steps, const GpuScene& gpu, const Look& look, const RayFrame& rays,
            const std::optional<Opening>& opening, const Sampling& sampling, Regions regions, gl::Texture& focusLayer,
-           const gl::Buffer* occlusion = nullptr);
+           const gl::Texture* occlusion = nullptr);
 
   /// What a stretch of the rays of an exploded view shows: a part of the context, up to the focus's first hit or from
   /// there on, or the focus.
@@ -94,7 +94,7 @@ class FocusLayerPass {
     const RayFrame& rays;
     std::optional<Opening> opening;
     Sampling sampling;
-    const gl::Buffer* occlusion;
+    const gl::Texture* occlusion;
     const ExplodedStretch* stretch = nullptr;  ///< of an exploded view
     const gl::Texture* focusHits = nullptr;
     bool resumes = false;  ///< other stretches lie before it

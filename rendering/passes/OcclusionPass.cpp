@@ -1,5 +1,7 @@
 #include "rendering/passes/OcclusionPass.h"
 
+#include <algorithm>
+#include <limits>
 #include <vector>
 
 #include "rendering/gpu/SceneBinding.h"
@@ -7,22 +9,58 @@
 namespace fenestra {
 namespace {
 
-/// Storage blocks, as the shaders number them.
-enum Block : unsigned { mediumBlock = 5, directionsBlock = 7 };
+/// A cell that a ray goes through, counted from the one in whose centre it begins, and its weight in mm; as a texel.
+using Step = glm::vec4;
 
-/// All of a pass's directions in cells per mm, as many as there are all around first.
-std::vector<glm::vec4> directionsInCells(const Grid& grid, glm::ivec3 side, const Shading& shading, glm::dvec3 light,
-                                         const occlusion::Directions& directions) {
-  std::vector<glm::dvec3> all;
-  if (shading.occlusion > 0.0) all = occlusion::allAround(directions.around);
+/// Of a ray in a direction in cells per mm, as far as a weight or a medium of `dims` cells reaches; a weight of 0 ends
+/// them.
+std::vector<Step> stepsAlong(glm::dvec3 direction, const occlusion::Weight& weight, glm::ivec3 dims) {
+  std::vector<Step> steps;
+  glm::ivec3 at(0);
+  double s = 0.0;
+  while (s < weight.fadeTo && glm::all(glm::lessThan(glm::abs(at), dims))) {
+    double next = std::numeric_limits<double>::infinity();
+    int crossed = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (direction[axis] == 0.0) continue;
+      const double face = (at[axis] + (direction[axis] > 0.0 ? 0.5 : -0.5)) / direction[axis];
+      if (face >= next) continue;
+      next = face;
+      crossed = axis;
+    }
+    const double to = std::clamp(next, s, weight.fadeTo), of = weight.upTo(to) - weight.upTo(s);
+    if (of > 0.0) steps.push_back(Step(glm::dvec4(at, of)));
+    s = to;
+    at[crossed] += direction[crossed] > 0.0 ? 1 : -1;
+  }
+  steps.push_back(Step(0.0f));
+  return steps;
+}
+
+/// Steps in all of a pass's directions, a row each: those all around first.
+gl::Texture stepsOf(const GpuScene& gpu, const Shading& shading, glm::dvec3 light,
+                    const occlusion::Directions& directions) {
+  const OccluderCells& cells = gpu.occluders().cells();
+  const glm::dmat3 indexFromWorld(gpu.grid().indexFromWorld());
+  const double side = cells.sideLength(gpu.grid());
+  std::vector<std::vector<Step>> rows;
+  const auto add = [&](const std::vector<glm::dvec3>& each, const occlusion::Weight& weight) {
+    for (const glm::dvec3 direction : each)
+      rows.push_back(stepsAlong(indexFromWorld * direction / glm::dvec3(cells.side), weight, cells.dims));
+  };
+  if (shading.occlusion > 0.0) add(occlusion::allAround(directions.around), occlusion::nearWeight(side));
   if (shading.shadow > 0.0)
-    for (const glm::dvec3 each : occlusion::towards(light, occlusion::lightRadius, directions.towardsLight))
-      all.push_back(each);
-  const glm::dmat3 indexFromWorld(grid.indexFromWorld());
-  std::vector<glm::vec4> result;
-  for (const glm::dvec3 each : all)
-    result.push_back(glm::vec4(glm::dvec4(indexFromWorld * each / glm::dvec3(side), 0.0)));
-  return result;
+    add(occlusion::towards(light, occlusion::lightRadius, directions.towardsLight), occlusion::farWeight(side));
+  std::size_t longest = 0;
+  for (const std::vector<Step>& row : rows) longest = std::max(longest, row.size());
+  std::vector<Step> texels;
+  for (std::vector<Step>& row : rows) {
+    row.resize(longest, Step(0.0f));
+    texels.insert(texels.end(), row.begin(), row.end());
+  }
+  gl::Texture steps = gl::Texture::make2D(gl::Format::RGBA32F, glm::ivec2(longest, rows.size()));
+  steps.upload<Step>(texels);
+  return steps;
 }
 
 OccludersBlock occludersBlock(const GpuScene& gpu, const RayFrame* rays) {
@@ -51,28 +89,23 @@ OccludersBlock occludersBlock(const GpuScene& gpu, const RayFrame* rays) {
 }
 
 OcclusionBlock occlusionBlock(const GpuScene& gpu, const Shading& shading, const occlusion::Directions& directions) {
-  const OccluderCells& cells = gpu.occluders().cells();
-  const occlusion::Weight weight = occlusion::nearWeight(cells.sideLength(gpu.grid()));
-  return {cells.dims,
-          shading.occlusion > 0.0 ? directions.around : 0,
-          glm::vec2(weight.from, weight.to),
-          glm::vec2(weight.fadeFrom, weight.fadeTo),
-          glm::vec2(shading.occlusion, shading.shadow),
-          shading.shadow > 0.0 ? directions.towardsLight : 0};
+  return {gpu.occluders().cells().dims, shading.occlusion > 0.0 ? directions.around : 0,
+          glm::vec2(shading.occlusion, shading.shadow), shading.shadow > 0.0 ? directions.towardsLight : 0};
 }
 
 }  // namespace
 
 void OcclusionPass::run(Steps& steps, const GpuScene& gpu, const Shading& shading, glm::dvec3 light, const Clip& clip,
                         const std::optional<Opening>& opening, const occlusion::Directions& directions,
-                        gl::Buffer& nodes) {
+                        gl::Texture& nodes) {
   const OccluderCells& cells = gpu.occluders().cells();
-  const std::size_t count = cells.extinction.size();
-  if (medium_.bytes() != count * sizeof(float)) medium_ = gl::Buffer::zeroed(count * sizeof(float));
-  if (nodes.bytes() != count * sizeof(std::uint32_t)) nodes = gl::Buffer::zeroed(count * sizeof(std::uint32_t));
-  const std::vector<glm::vec4> inCells = directionsInCells(gpu.grid(), cells.side, shading, light, directions);
-  directions_ = gl::Buffer(std::as_bytes(std::span(inCells)));
+  steps_ = stepsOf(gpu, shading, light, directions);
   const glm::ivec2 size(cells.dims.x, cells.dims.y * cells.dims.z);
+  if (glm::ivec2(medium_.size()) != size) {
+    medium_ = gl::Texture::make2D(gl::Format::R32F, size);
+    nodeValues_ = gl::Texture::make2D(gl::Format::R32UI, size);
+  }
+  if (glm::ivec2(nodes.size()) != size) nodes = gl::Texture::make2D(gl::Format::RGBA32UI, size);
 
   steps.add(size, [this, &gpu, clip, opening](Regions tile) {
     gl::ShaderProgram& program = occluders_.get(
@@ -86,15 +119,25 @@ void OcclusionPass::run(Steps& steps, const GpuScene& gpu, const Shading& shadin
     if (!clip.kept.empty()) program.set(clip.block(gpu.grid()));
     program.set(occludersBlock(gpu, opening ? &opening->rays : nullptr));
     gpu.occluders().bind();
-    medium_.bind(mediumBlock);
+    program.bind("medium", medium_, gl::Access::Write);
     program.dispatch(tile);
   });
+  constexpr int cellsTogether = 4;  // of Occlusion.comp
+  const int layers = (cells.dims.z + cellsTogether - 1) / cellsTogether;
+  steps.add(glm::ivec2(cells.dims.x, cells.dims.y * layers),
+            [this, &gpu, block = occlusionBlock(gpu, shading, directions)](Regions tile) {
+              gl::ShaderProgram& program = occlusion_.get({{}, {scheduleChoice(gpu.schedule())}});
+              program.set(block);
+              program.bind("medium", medium_);
+              program.bind("steps", steps_);
+              program.bind("nodeValues", nodeValues_, gl::Access::Write);
+              program.dispatch(tile);
+            });
   steps.add(size, [this, &gpu, block = occlusionBlock(gpu, shading, directions), &nodes](Regions tile) {
     gl::ShaderProgram& program = nodes_.get({{}, {scheduleChoice(gpu.schedule())}});
     program.set(block);
-    medium_.bind(mediumBlock);
-    directions_.bind(directionsBlock);
-    nodes.bind(occlusionNodesBinding);
+    program.bind("nodeValues", nodeValues_);
+    program.bind("occlusionNodes", nodes, gl::Access::Write);
     program.dispatch(tile);
   });
 }

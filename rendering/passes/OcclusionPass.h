@@ -17,28 +17,33 @@ namespace fenestra {
 class OcclusionPass {
  public:
   explicit OcclusionPass(const gl::SharedPrograms& programs = std::make_shared<gl::ComputePrograms>())
-      : occluders_("Occluders.comp", programs), nodes_("Occlusion.comp", programs) {}
+      : occluders_("Occluders.comp", programs),
+        occlusion_("Occlusion.comp", programs),
+        nodes_("OcclusionNodes.comp", programs) {}
   /// Of the camera that cuts the opening: its first hits, and where its rays start.
   struct Opening {
     const RayFrame& rays;
     const gl::Texture& hitPoints;
     const gl::Texture& rayStart;
   };
-  /// Writes a word a cell of GpuScene::occluders(), x fastest: what is left of ambient light in its lower 16 bits and
-  /// of direct light in its upper ones, 65535 for all of it. `light`: towards the light, unit, world. `gpu` has
+  /// Writes a texel a cell of GpuScene::occluders(), the cells' z below y: what is left of light at the centres of the
+  /// cell, of that behind it along x, along y, and along both, or of the last one. The lower 16 bits are of ambient
+  /// light and the upper ones of direct light, 65535 for all of it. `light`: towards the light, unit, world. `gpu` has
   /// occluders.
   void run(Steps& steps, const GpuScene& gpu, const Shading& shading, glm::dvec3 light, const Clip& clip,
-           const std::optional<Opening>& opening, const occlusion::Directions& directions, gl::Buffer& nodes);
+           const std::optional<Opening>& opening, const occlusion::Directions& directions, gl::Texture& nodes);
   void release() {
     medium_ = {};
-    directions_ = {};
+    nodeValues_ = {};
+    steps_ = {};
   }
-  std::size_t bytes() const { return medium_.bytes() + directions_.bytes(); }
+  std::size_t bytes() const { return medium_.bytes() + nodeValues_.bytes() + steps_.bytes(); }
 
  private:
-  gl::ShaderVariants occluders_, nodes_;
-  gl::Buffer medium_;      ///< extinction of each cell as the volume is cut open, 1/mm
-  gl::Buffer directions_;  ///< cells per mm
+  gl::ShaderVariants occluders_, occlusion_, nodes_;
+  gl::Texture medium_;      ///< extinction of each cell as the volume is cut open, 1/mm; z below y
+  gl::Texture nodeValues_;  ///< what is left of light at each cell's centre: 16 bits of ambient, 16 of direct light
+  gl::Texture steps_;       ///< of rays in each direction
 };
 
 }  // namespace fenestra

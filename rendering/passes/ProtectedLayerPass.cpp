@@ -9,7 +9,7 @@
 namespace fenestra {
 
 gl::ShaderProgram& ProtectedLayerPass::program(const GpuScene& gpu, bool lit, const RayFrame& rays,
-                                               const gl::Buffer* occlusion, Shown shown) {
+                                               const gl::Texture* occlusion, Shown shown) {
   const bool labelsAlone = shown == Shown::ProtectedLabels, withFocus = shown == Shown::AllWithFocus;
   gl::Variant variant{{volumeDefine(gpu),
                        refinementDefine(gpu),
@@ -36,7 +36,7 @@ gl::ShaderProgram& ProtectedLayerPass::program(const GpuScene& gpu, bool lit, co
 
 void ProtectedLayerPass::run(Steps& steps, const GpuScene& gpu, const Look& look, const RayFrame& rays,
                              const FocusLayerPass::Opening& opening, const FocusLayerPass::Sampling& sampling,
-                             Regions regions, gl::Texture& protectedLayer, const gl::Buffer* occlusion, Shown shown) {
+                             Regions regions, gl::Texture& protectedLayer, const gl::Texture* occlusion, Shown shown) {
   FocusLayerPass::Sampling bounded = sampling;
   bounded.maxError = 0.5 * sampling.maxError.value_or(std::max(FocusLayerPass::usualBound, 4.0 * sampling.tolerance));
   steps.add(regions, [this, &gpu, &look, &rays, opening, bounded, &protectedLayer, occlusion, shown](Regions tile) {

@@ -31,10 +31,10 @@ class ProtectedLayerPass {
   /// where it has none, of four times its tolerance. For ProtectedLabels, `gpu` has some.
   void run(Steps& steps, const GpuScene& gpu, const Look& look, const RayFrame& rays,
            const FocusLayerPass::Opening& opening, const FocusLayerPass::Sampling& sampling, Regions regions,
-           gl::Texture& protectedLayer, const gl::Buffer* occlusion = nullptr, Shown shown = Shown::ProtectedLabels);
+           gl::Texture& protectedLayer, const gl::Texture* occlusion = nullptr, Shown shown = Shown::ProtectedLabels);
 
  private:
-  gl::ShaderProgram& program(const GpuScene& gpu, bool lit, const RayFrame& rays, const gl::Buffer* occlusion,
+  gl::ShaderProgram& program(const GpuScene& gpu, bool lit, const RayFrame& rays, const gl::Texture* occlusion,
                              Shown shown);
 
   gl::ShaderVariants programs_;

@@ -12,7 +12,7 @@ TEXELS_2D(r32f, rayStart);
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(std430, binding = 4) readonly buffer OccluderCells { vec4 extinctions[]; };  // context, kept, exempt; 1/mm
-layout(std430, binding = 5) writeonly buffer OccludingMedium { float medium[]; };   // 1/mm
+layout(r32f) uniform writeonly image2D medium;                                      // 1/mm, a cell a texel, z below y
 
 // What is left of the context at a place in cell coordinates.
 #if OPENED
@@ -60,5 +60,5 @@ void main() {
       sum += mix(extinction.z, visibleShare(place) * extinction.x + extinction.y, clippedShare(place));
     }
   }
-  medium[index] = 0.125 * sum;
+  imageStore(medium, at, vec4(0.125 * sum));
 }

@@ -10,7 +10,8 @@
 #include "lib/Traversal.glsl"
 #include "lib/Volume.glsl"
 
-// Where the context is transparent, as emptyAround() reads it.
+// Where there is none of the focus, and where the context is transparent, as emptyAround() reads them.
+UNSIGNED_TEXELS_3D(r16ui, focusSkip);
 UNSIGNED_TEXELS_3D(r16ui, contextSkip);
 
 // Open intervals of stored values in which the context is transparent, for each of its functions (lib/FaintLabels.glsl).
@@ -52,8 +53,8 @@ void moveOn(inout Search search, Ray ray, float sEnd, Block block) {
 
 // `ofFocus` chooses the field.
 void leap(inout Search search, const bool ofFocus, Ray ray, float sEnd) {
-  int empty = ofFocus ? withoutFocusAround(search.cell)
-                      : emptyAround(texelOf(contextSkip, search.cell >> BRICK_SHIFT).r, search.cell);
+  ivec3 brick = search.cell >> BRICK_SHIFT;
+  int empty = emptyAround(ofFocus ? texelOf(focusSkip, brick).r : texelOf(contextSkip, brick).r, search.cell);
   bool found = empty == 0;
   if (ofFocus) found = found && mayHoldFocus(focusCellAt(focusSlot(search.cell), search.cell));
   if (found)

@@ -86,7 +86,6 @@ struct OccludersSettings {
 struct OcclusionSettings {
   ivec3 dims;        // cells
   int around;        // directions all around, the first ones
-  vec2 ramp, fade;   // mm: from where to where the medium's weight rises and, near a point, falls
   vec2 strength;     // of occlusion and shadow, 0 to 1
   int towardsLight;  // directions towards the light, behind those
 };

@@ -4,7 +4,6 @@
 // These files and None.glsl share one interface; `#include <focus>` names the one that the scene needs:
 //   HAS_FOCUS           false: there is none, and what stands behind it is never compiled
 //   focusSlot           what the index says of a cell's brick; 0: none of the focus
-//   withoutFocusAround  what around a cell holds none of the focus, as emptyAround() has it
 //   FocusCell           what the index says of a cell
 //   mayHoldFocus        false: none of the focus in the cell
 //   focusAt, focusAlong the field at a point, and its Bernstein coefficients along a path, both within the cell
@@ -18,7 +17,6 @@
 #include "lib/Uniforms.glsl"
 
 UNSIGNED_TEXELS_3D(r32ui, focusBricks);  // 0: none of it, 1: all of the brick, n ≥ 2: slot n - 2 of focusCells
-UNSIGNED_TEXELS_3D(r16ui, focusSkip);
 layout(std430, binding = 0) readonly buffer FocusCells { uint focusCells[]; };
 
 const bool HAS_FOCUS = true;
@@ -26,7 +24,6 @@ const bool HAS_FOCUS = true;
 const int CELLS_PER_BRICK = BRICK_SIDE * BRICK_SIDE * BRICK_SIDE;
 
 uint focusSlot(ivec3 cell) { return texelOf(focusBricks, voxelCell(cell) >> BRICK_SHIFT).r; }
-int withoutFocusAround(ivec3 cell) { return emptyAround(texelOf(focusSkip, cell >> BRICK_SHIFT).r, cell); }
 
 // Number of a cell in focusCells.
 int cellInSlot(uint slot, ivec3 cell) {

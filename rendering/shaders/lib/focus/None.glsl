@@ -7,7 +7,6 @@ struct FocusCell {
 };
 
 uint focusSlot(ivec3 cell) { return 0u; }
-int withoutFocusAround(ivec3 cell) { return 0; }
 FocusCell focusCellAt(uint slot, ivec3 cell) { return FocusCell(0u); }
 bool mayHoldFocus(FocusCell cell) { return false; }
 float focusAt(FocusCell cell, vec3 within, float stored) { return 0.0; }

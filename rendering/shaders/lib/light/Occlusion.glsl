@@ -8,24 +8,25 @@
 #include "lib/Grid.glsl"
 #include "lib/light/BlinnPhong.glsl"
 
-// What is left of ambient and of direct light at the centre of each cell, 16 bits each. Not a texture: of those that a
-// shader may have, none is free, and on a graphics card filtering would round the weights.
-layout(std430, binding = 6) readonly buffer OcclusionNodeValues { uint nodeValues[]; };
+// What is left of ambient and of direct light, 16 bits each, at the centres of a cell and of the next ones along x, y, and
+// both: four in a texel, because reading them one by one costs more than the rest. The cells' z is below y.
+UNSIGNED_TEXELS_2D(rgba32ui, occlusionNodes);
 
-vec2 nodeAt(uint index) { return unpackUnorm2x16(nodeValues[index]); }
+// Between the four centres of a texel. By itself: a graphics card's filter would round the weights.
+vec2 openBetween(uvec4 nodes, vec2 w) {
+  return mix(mix(unpackUnorm2x16(nodes.x), unpackUnorm2x16(nodes.y), w.x),
+             mix(unpackUnorm2x16(nodes.z), unpackUnorm2x16(nodes.w), w.x), w.y);
+}
 
 // What is left of ambient and of direct light at a position in the cell frame.
 vec2 openAt(vec3 position) {
   vec3 at = clamp((voxelPosition(position) - 0.5) * lighting.nodesPerVoxel - 0.5, vec3(0.0), vec3(lighting.lastNode));
   ivec3 low = ivec3(at);
   vec3 w = at - vec3(low);
-  uvec3 dims = uvec3(lighting.lastNode) + 1u, next = min(uvec3(lighting.lastNode - low), uvec3(1u)) * uvec3(1u, dims.x, dims.x * dims.y);
-  uint first = uint(low.x) + dims.x * (uint(low.y) + dims.y * uint(low.z));
-  vec2 x0 = mix(nodeAt(first), nodeAt(first + next.x), w.x);
-  vec2 x1 = mix(nodeAt(first + next.y), nodeAt(first + next.y + next.x), w.x);
-  vec2 x2 = mix(nodeAt(first + next.z), nodeAt(first + next.z + next.x), w.x);
-  vec2 x3 = mix(nodeAt(first + next.z + next.y), nodeAt(first + next.z + next.y + next.x), w.x);
-  return mix(mix(x0, x1, w.y), mix(x2, x3, w.y), w.z);
+  int rows = lighting.lastNode.y + 1;
+  uvec4 front = texelOf(occlusionNodes, ivec2(low.x, low.y + rows * low.z));
+  uvec4 back = texelOf(occlusionNodes, ivec2(low.x, low.y + rows * min(low.z + 1, lighting.lastNode.z)));
+  return mix(openBetween(front, w.xy), openBetween(back, w.xy), w.z);
 }
 
 // The same light where so much of it is left.
