@@ -106,30 +106,13 @@ int sharedBytes(const std::string& source) {
 TEST_F(ProgramsTest, EveryShaderIsLinkedInSeveralVariants) {
   std::map<std::string, int> variants;
   for (const auto& [source, linked] : programs()) ++variants[linked.path];
-  for (const char* path : {"HitPoints.comp",
-                           "PullPushAnalysis.comp",
-                           "PullPushSynthesis.comp",
-                           "FocusMask.comp",
-                           "FocusTiles.comp",
-                           "DistanceRows.comp",
-                           "DistanceColumns.comp",
-                           "RayStart.comp",
-                           "EditMap.comp",
-                           "ProtectedLayer.comp",
-                           "ContextLayer.comp",
-                           "Composite.comp",
-                           "ConeDepths.comp",
-                           "ConeStart.comp",
-                           "Occluders.comp",
-                           "Occlusion.comp",
-                           "OcclusionNodes.comp",
-                           "EdgePixels.comp",
-                           "EdgeMeans.comp",
-                           "CandidateHits.comp",
-                           "CandidateOutlines.comp",
-                           "CandidateVisibility.comp",
-                           "CandidateEnds.comp",
-                           "Walls.comp"})
+  for (const char* path :
+       {"HitPoints.comp",         "PullPushAnalysis.comp",    "PullPushSynthesis.comp", "FocusMask.comp",
+        "FocusTiles.comp",        "DistanceRows.comp",        "DistanceColumns.comp",   "RayStart.comp",
+        "EditMap.comp",           "ProtectedLayer.comp",      "ContextLayer.comp",      "Composite.comp",
+        "ConeDepths.comp",        "ConeStart.comp",           "Occluders.comp",         "Occlusion.comp",
+        "OcclusionNodes.comp",    "EdgePixels.comp",          "EdgeMeans.comp",         "CandidateHits.comp",
+        "CandidateOutlines.comp", "CandidateVisibility.comp", "CandidateEnds.comp",     "Walls.comp"})
     EXPECT_GE(variants[path], 2) << path << ": one for each schedule at least";
   for (const char* path : {"PixelsBetween.comp", "CandidateEdges.comp"}) EXPECT_GE(variants[path], 1) << path;
   for (const char* path : {"CandidateAreas.comp", "CandidateSums.comp"})
