@@ -413,13 +413,10 @@ TEST_F(Brush, PictureMatchesTheReference) {
 
 /// What depends on strokes, bit for bit.
 void expectSamePicture(const Layers& a, const Layers& b, const std::string& after) {
-  const auto same = [](const auto& x, const auto& y) {
-    return x.size() == y.size() && (x.empty() || std::memcmp(x.data(), y.data(), x.size() * sizeof x[0]) == 0);
-  };
-  EXPECT_TRUE(same(a.tStart, b.tStart)) << after;
-  EXPECT_TRUE(same(a.edits, b.edits)) << after;
-  EXPECT_TRUE(same(a.focusLayer, b.focusLayer)) << after;
-  EXPECT_TRUE(same(a.final, b.final)) << after;
+  EXPECT_TRUE(sameBits(a.tStart, b.tStart)) << after;
+  EXPECT_TRUE(sameBits(a.edits, b.edits)) << after;
+  EXPECT_TRUE(sameBits(a.focusLayer, b.focusLayer)) << after;
+  EXPECT_TRUE(sameBits(a.final, b.final)) << after;
 }
 
 void expectPaintingGivesTheSameBits(Quality quality) {

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -19,6 +19,12 @@
 #include "tests/support/Scenes.h"
 
 namespace fenestra::tests {
+
+/// Whether both hold the same bits.
+template <class T>
+bool sameBits(const std::vector<T>& a, const std::vector<T>& b) {
+  return std::ranges::equal(std::as_bytes(std::span(a)), std::as_bytes(std::span(b)));
+}
 
 class GlTest : public ::testing::Test {
  protected:

@@ -314,11 +314,6 @@ double worstColour(const std::vector<glm::vec4>& here, const std::vector<glm::dv
   return worst;
 }
 
-template <class T>
-bool sameBits(const std::vector<T>& a, const std::vector<T>& b) {
-  return std::ranges::equal(std::as_bytes(std::span(a)), std::as_bytes(std::span(b)));
-}
-
 /// Every so many pixels of a picture, `enough` of them.
 struct Some {
   std::vector<std::size_t> pixels;

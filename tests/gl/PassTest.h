@@ -83,12 +83,6 @@ std::vector<T> texelsOf(const gl::Texture& image) {
   return texels;
 }
 
-/// Whether both hold the same bits.
-template <class T>
-bool sameBits(const std::vector<T>& a, const std::vector<T>& b) {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
-}
-
 inline std::vector<gl::Region> whole(glm::ivec2 size) { return {{glm::ivec2(0), size}}; }
 
 /// Disjoint parts of odd sizes that make up the picture.

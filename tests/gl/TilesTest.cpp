@@ -1,7 +1,6 @@
 // Pictures that are drawn a tile at a time: the same bits as in one run, in every stage, wherever the tiles are cut and
 // whatever was dropped half way before.
 
-#include <cstring>
 #include <random>
 
 #include "rendering/passes/Steps.h"
@@ -12,11 +11,6 @@ namespace fenestra::tests {
 namespace {
 
 using Tiles = GlTest;
-
-template <class T>
-bool sameBits(const std::vector<T>& a, const std::vector<T>& b) {
-  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
-}
 
 void expectSameStages(const Layers& a, const Layers& b) {
   EXPECT_EQ(a.size, b.size);
