@@ -12,8 +12,8 @@ namespace {
 /// A cell that a ray goes through, counted from the one in whose centre it begins, and its weight in mm; as a texel.
 using Step = glm::vec4;
 
-/// Of a ray in a direction in cells per mm, as far as a weight or a medium of `dims` cells reaches; a weight of 0 ends
-/// them.
+/// The steps of a ray in a direction (cells per mm), as far as the weight or a medium of `dims` cells reaches. The last
+/// one has a weight of 0.
 std::vector<Step> stepsAlong(glm::dvec3 direction, const occlusion::Weight& weight, glm::ivec3 dims) {
   std::vector<Step> steps;
   glm::ivec3 at(0);
@@ -28,8 +28,8 @@ std::vector<Step> stepsAlong(glm::dvec3 direction, const occlusion::Weight& weig
       next = face;
       crossed = axis;
     }
-    const double to = std::clamp(next, s, weight.fadeTo), of = weight.upTo(to) - weight.upTo(s);
-    if (of > 0.0) steps.push_back(Step(glm::dvec4(at, of)));
+    const double to = std::clamp(next, s, weight.fadeTo), weighted = weight.upTo(to) - weight.upTo(s);
+    if (weighted > 0.0) steps.push_back(Step(glm::dvec4(at, weighted)));
     s = to;
     at[crossed] += direction[crossed] > 0.0 ? 1 : -1;
   }

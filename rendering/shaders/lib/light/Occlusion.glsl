@@ -9,10 +9,11 @@
 #include "lib/light/BlinnPhong.glsl"
 
 // What is left of ambient and of direct light, 16 bits each, at the centres of a cell and of the next ones along x, y, and
-// both: four in a texel, because reading them one by one costs more than the rest. The cells' z is below y.
+// both: four in a texel, so that a sample takes two reads and not eight. The cells' z is below y.
 UNSIGNED_TEXELS_2D(rgba32ui, occlusionNodes);
 
-// Between the four centres of a texel. By itself: a graphics card's filter would round the weights.
+// Interpolated between the four centres of a texel, here and not by the texture unit, because graphics cards round its
+// weights to 8 bits.
 vec2 openBetween(uvec4 nodes, vec2 w) {
   return mix(mix(unpackUnorm2x16(nodes.x), unpackUnorm2x16(nodes.y), w.x),
              mix(unpackUnorm2x16(nodes.z), unpackUnorm2x16(nodes.w), w.x), w.y);
