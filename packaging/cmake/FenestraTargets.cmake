@@ -56,17 +56,30 @@ function(fenestra_embed NAME)
   target_compile_features(fenestra_${NAME} PUBLIC cxx_std_20)
 endfunction()
 
-# fenestra_test(NAME SOURCES... LIBS libs... [LABELS ...])
-# A GoogleTest executable whose cases ctest lists one by one.
+# fenestra_test(NAME SOURCES... LIBS libs... [LABEL label] [TIMEOUT seconds] [EXHAUSTIVE cases...])
+# A GoogleTest executable whose cases ctest lists one by one. The cases of EXHAUSTIVE, in the words of GoogleTest's filter,
+# have the label `exhaustive`: `packaging/test` runs them only where it is asked for all.
 function(fenestra_test NAME)
-  cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;LIBS;LABELS" ${ARGN})
+  cmake_parse_arguments(ARG "" "TIMEOUT;LABEL" "SOURCES;LIBS;EXHAUSTIVE" ${ARGN})
   add_executable(${NAME} ${ARG_SOURCES})
   target_link_libraries(${NAME} PRIVATE ${ARG_LIBS} fenestra_test_support)
   fenestra_own_code(${NAME})
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 120)
   endif()
-  gtest_discover_tests(${NAME} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS "${ARG_LABELS}"
+  set(filter)
+  if(ARG_EXHAUSTIVE)
+    list(JOIN ARG_EXHAUSTIVE ":" exhaustive)
+    fenestra_discover(${NAME} ${NAME}_exhaustive "${exhaustive}" ${ARG_TIMEOUT} exhaustive)
+    set(filter "-${exhaustive}")
+  endif()
+  fenestra_discover(${NAME} ${NAME}_cases "${filter}" ${ARG_TIMEOUT} "${ARG_LABEL}")
+endfunction()
+
+# fenestra_discover(NAME LIST FILTER TIMEOUT LABEL): the cases of an executable that the filter lets pass.
+function(fenestra_discover NAME LIST FILTER TIMEOUT LABEL)
+  gtest_discover_tests(${NAME} TEST_FILTER "${FILTER}" TEST_LIST ${LIST} DISCOVERY_TIMEOUT 60
+                       PROPERTIES TIMEOUT ${TIMEOUT} LABELS "${LABEL}"
                          # Answers and compiled shaders are kept in the build folder, not in the user's home.
                          ENVIRONMENT "XDG_CACHE_HOME=${PROJECT_BINARY_DIR}/cache")
 endfunction()
