@@ -12,6 +12,8 @@ Section boundsSection(const Options& options, const TruthStore& truths);
 
 /// Every setting's and peer's time against its error.
 Section sweepSection(const Options& options, const TruthStore& truths);
+/// The error bound with each kind of look, on the ten scenes and on random pictures.
+Section looksSection(const Options& options, const TruthStore& truths);
 /// Error and time under random transfer functions.
 Section randomSection(const Options& options, const TruthStore& truths);
 /// Each stage's error in its own unit.

@@ -1,0 +1,171 @@
+#include <functional>
+#include <iostream>
+
+#include "app/benchmark/Text.h"
+#include "rendering/gpu/GpuScene.h"
+#include "rendering/reference/Picture.h"
+#include "tests/bench/RandomLooks.h"
+#include "tests/bench/Sections.h"
+
+namespace fenestra::bench {
+namespace {
+
+constexpr int randomPictures = 50;
+constexpr const char* noRoom = "no room";
+const std::vector<double> bounds{4.0, 2.0, 1.0, 0.5};
+
+/// One of the choices for how a scene looks, and how it is made.
+struct Kind {
+  const char* name;
+  std::function<void(Scene&)> apply;
+  bool isSpline = false;  ///< a scene has one of these at most
+};
+
+/// The inner three quarters of the volume, cut by an oblique plane through its centre.
+void clip(Scene& scene) {
+  const Grid& grid = scene.volume->grid;
+  const CropFrame frame(grid);
+  const glm::dvec3 margin = (frame.high - frame.low) / 8.0, normal = glm::normalize(glm::dvec3(1.0, 2.0, 0.5));
+  Clipping& clipping = scene.look.clipping;
+  clipping.cropped = true;
+  clipping.box = {frame.low + margin, frame.high - margin};
+  clipping.planes = {{normal, glm::dot(normal, grid.centre())}};
+}
+
+const std::vector<Kind>& kinds() {
+  static const std::vector<Kind> all{
+      {"curved", [](Scene& scene) { scene.look.reconstruction = Reconstruction::Cubic; }, true},
+      {"smoothed more", [](Scene& scene) { scene.look.reconstruction = Reconstruction::Smoother; }, true},
+      {"label surfaces", [](Scene& scene) { scene.look.labelSmoothing = LabelSmoothing::Strong; }},
+      {"occlusion and shadow",
+       [](Scene& scene) {
+         scene.look.shading.enabled = true;
+         scene.look.shading.occlusion = 0.6;
+         scene.look.shading.shadow = 0.5;
+       }},
+      {"smooth edges", [](Scene& scene) { scene.look.edges = Edges::Smooth; }},
+      {"clipped", clip}};
+  return all;
+}
+
+/// Errors of one picture with each bound, in 1/255 of the worst channel.
+std::vector<Distribution> errorsWithin(Renderer& renderer, const Scene& scene, const Camera& camera,
+                                       const Options& options) {
+  Measurable what{{}, scene, options.views.size, {camera}, {}, {}};
+  what.pixels = sampledPixels(options.views.size, 2 * options.views.pixelBlock);
+  const std::vector<glm::dvec4> truth =
+      reference::picture(scene, camera, what.size, reference::PictureOptions{.pixels = what.pixels}).final;
+  std::vector<Distribution> errors;
+  for (const double bound : bounds) {
+    View view{camera, what.size};
+    view.maxError = bound;
+    renderer.render(scene, view);
+    errors.push_back(errorsOf(renderer.readLayers().final, truth, what).channel);
+  }
+  return errors;
+}
+
+/// A row: what was drawn, the 99.99th percentile with each bound, and whether all are kept.
+std::vector<std::string> row(std::vector<std::string> cells, const std::vector<Distribution>& errors) {
+  bool isWithin = true;
+  for (std::size_t i = 0; i < bounds.size(); ++i) {
+    const double nearly = errors[i].percentile(99.99);
+    cells.push_back(number(nearly));
+    isWithin = isWithin && nearly <= bounds[i];
+  }
+  cells.emplace_back(isWithin ? "yes" : "no");
+  return cells;
+}
+
+Table tableOf(const std::string& name, std::vector<std::string> columns) {
+  for (const double bound : bounds) columns.push_back("within " + number(bound));
+  columns.emplace_back("kept");
+  return {name, std::move(columns), {}};
+}
+
+/// Every kind of look on each scene.
+Table ofScenes(const Subjects& subjects, const Options& options) {
+  Table table = tableOf("looks", {"scene", "look"});
+  for (const Subject& subject : subjects.here) {
+    const Scene plain = app::loadScene(subject.options).scene;
+    const auto gpu = std::make_shared<GpuScene>();
+    Renderer renderer(gpu);
+    for (const Kind& kind : kinds()) {
+      Scene scene = plain;
+      kind.apply(scene);
+      const Camera camera = cameraPath(scene, 1, options.views.projection()).front();
+      const std::vector<Distribution> errors = errorsWithin(renderer, scene, camera, options);
+      table.rows.push_back(row({subject.name, kind.name}, errors));
+      if (!gpu->reductionNotice().empty()) table.rows.back().back() = noRoom;
+      std::cerr << plainText({"", table.columns, {table.rows.back()}});
+    }
+  }
+  return table;
+}
+
+/// Gives a scene a random transfer function and about half of the kinds of look, whose names it returns.
+std::string makeRandom(Scene& scene, std::mt19937& random) {
+  std::bernoulli_distribution half(0.5);
+  scene.look.context = {};
+  scene.look.context.function = randomTransfer(scene.volume->range, random);
+  scene.look.cutaway.enabled = half(random);
+  scene.look.shading.enabled = half(random);
+  std::string names;
+  bool hasSpline = false;
+  for (const Kind& kind : kinds()) {
+    if (!half(random) || (kind.isSpline && hasSpline)) continue;
+    kind.apply(scene);
+    hasSpline = hasSpline || kind.isSpline;
+    names += (names.empty() ? "" : ", ") + std::string(kind.name);
+  }
+  return names;
+}
+
+/// Pictures of which all is random but the data and the focus: a table of all, and one of what they come to.
+std::vector<Table> ofRandomPictures(const Subjects& subjects, const Options& options) {
+  Table all = tableOf("random-looks", {"scene", "look"});
+  all.isLong = true;
+  std::vector<Distribution> greatest(bounds.size());
+  std::mt19937 random(1);
+  for (int picture = 0; picture < randomPictures && !subjects.here.empty(); ++picture) {
+    const Subject& subject = subjects.here[static_cast<std::size_t>(picture) % subjects.here.size()];
+    Scene scene = app::loadScene(subject.options).scene;
+    const std::string names = makeRandom(scene, random);
+    const Camera camera = randomCamera(scene.volume->grid, random);
+    const auto gpu = std::make_shared<GpuScene>();
+    Renderer renderer(gpu);
+    const std::vector<Distribution> errors = errorsWithin(renderer, scene, camera, options);
+    all.rows.push_back(row({subject.name, names}, errors));
+    if (!gpu->reductionNotice().empty())
+      all.rows.back().back() = noRoom;
+    else
+      for (std::size_t i = 0; i < bounds.size(); ++i) greatest[i].add(errors[i].percentile(99.99));
+    std::cerr << plainText({"", all.columns, {all.rows.back()}});
+  }
+  Table summary{"random-looks-summary", {"bound", "random pictures", "greatest 99.99 %"}, {}};
+  for (std::size_t i = 0; i < bounds.size(); ++i)
+    summary.rows.push_back({number(bounds[i]), std::to_string(greatest[i].count()), number(greatest[i].max())});
+  return {summary, all};
+}
+
+}  // namespace
+
+Section looksSection(const Options& options, const TruthStore&) {
+  Section section;
+  section.title = "The error bound with every kind of look";
+  section.text =
+      "The 99.99th percentile of the errors in 1/255 of the worst channel against the reference, of one view with each "
+      "bound: of the ten scenes with one kind of look each, then of " +
+      std::to_string(randomPictures) +
+      " pictures with a random transfer function, view and looks, half of them opened and half lit. Where a scan is "
+      "too large to be drawn with curves, the window says so and draws it straight: no room.";
+  Options small = options;
+  small.views.phantomVoxels = 96;
+  const Subjects subjects = boundSubjects(small.views);
+  for (const std::string& missing : subjects.missing) section.text += "\n\n" + missing;
+  section.tables.push_back(ofScenes(subjects, small));
+  for (Table& table : ofRandomPictures(subjects, small)) section.tables.push_back(std::move(table));
+  return section;
+}
+
+}  // namespace fenestra::bench

@@ -1,0 +1,19 @@
+#pragma once
+// Transfer functions and views at random, for errors on what nobody chose.
+
+#include <random>
+
+#include "rendering/scene/Camera.h"
+#include "rendering/scene/TransferFunction.h"
+#include "rendering/scene/Volume.h"
+
+namespace fenestra::bench {
+
+/// Two to seven nodes anywhere in the range of values, some of them clear, the others of all opacities from 0.003 to
+/// 0.9 over 1 mm alike.
+TransferFunction randomTransfer(ValueRange range, std::mt19937& random);
+
+/// From anywhere but the poles, in perspective or in parallel projection.
+Camera randomCamera(const Grid& grid, std::mt19937& random);
+
+}  // namespace fenestra::bench
