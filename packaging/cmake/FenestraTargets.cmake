@@ -73,13 +73,15 @@ function(fenestra_test NAME)
     fenestra_discover(${NAME} ${NAME}_exhaustive "${exhaustive}" ${ARG_TIMEOUT} exhaustive)
     set(filter "-${exhaustive}")
   endif()
-  fenestra_discover(${NAME} ${NAME}_cases "${filter}" ${ARG_TIMEOUT} "${ARG_LABEL}")
+  fenestra_discover(${NAME} ${NAME}_cases "${filter}" ${ARG_TIMEOUT} ${ARG_LABEL})
 endfunction()
 
-# fenestra_discover(NAME LIST FILTER TIMEOUT LABEL): the cases of an executable that the filter lets pass.
-function(fenestra_discover NAME LIST FILTER TIMEOUT LABEL)
-  gtest_discover_tests(${NAME} TEST_FILTER "${FILTER}" TEST_LIST ${LIST} DISCOVERY_TIMEOUT 60
-                       PROPERTIES TIMEOUT ${TIMEOUT} LABELS "${LABEL}"
-                         # Answers and compiled shaders are kept in the build folder, not in the user's home.
-                         ENVIRONMENT "XDG_CACHE_HOME=${PROJECT_BINARY_DIR}/cache")
+# fenestra_discover(NAME LIST FILTER TIMEOUT [LABEL]): the cases of an executable that the filter lets pass.
+function(fenestra_discover NAME LIST FILTER TIMEOUT)
+  # Answers and compiled shaders are kept in the build folder, not in the user's home.
+  set(properties TIMEOUT ${TIMEOUT} ENVIRONMENT "XDG_CACHE_HOME=${PROJECT_BINARY_DIR}/cache")
+  if(ARGN)
+    list(APPEND properties LABELS ${ARGN})
+  endif()
+  gtest_discover_tests(${NAME} TEST_FILTER "${FILTER}" TEST_LIST ${LIST} DISCOVERY_TIMEOUT 60 PROPERTIES ${properties})
 endfunction()
