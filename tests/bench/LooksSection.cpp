@@ -11,14 +11,18 @@ namespace fenestra::bench {
 namespace {
 
 constexpr int randomPictures = 50;
-constexpr const char* noRoom = "no room";
 const std::vector<double> bounds{4.0, 2.0, 1.0, 0.5};
 
 /// One of the choices for how a scene looks, and how it is made.
 struct Kind {
   const char* name;
   std::function<void(Scene&)> apply;
-  bool isSpline = false;  ///< a scene has one of these at most
+  /// A scene has one spline at most, and surfaces of labels where these are its focus.
+  enum class Group { Spline, Labels, Other } group = Group::Other;
+
+  bool isFor(const Scene& scene) const {
+    return group != Group::Labels || std::holds_alternative<LabelFocus>(scene.look.focus);
+  }
 };
 
 /// The inner three quarters of the volume, cut by an oblique plane through its centre.
@@ -34,9 +38,10 @@ void clip(Scene& scene) {
 
 const std::vector<Kind>& kinds() {
   static const std::vector<Kind> all{
-      {"curved", [](Scene& scene) { scene.look.reconstruction = Reconstruction::Cubic; }, true},
-      {"smoothed more", [](Scene& scene) { scene.look.reconstruction = Reconstruction::Smoother; }, true},
-      {"label surfaces", [](Scene& scene) { scene.look.labelSmoothing = LabelSmoothing::Strong; }},
+      {"curved", [](Scene& scene) { scene.look.reconstruction = Reconstruction::Cubic; }, Kind::Group::Spline},
+      {"smoothed more", [](Scene& scene) { scene.look.reconstruction = Reconstruction::Smoother; },
+       Kind::Group::Spline},
+      {"label surfaces", [](Scene& scene) { scene.look.labelSmoothing = LabelSmoothing::Strong; }, Kind::Group::Labels},
       {"occlusion and shadow",
        [](Scene& scene) {
          scene.look.shading.enabled = true;
@@ -48,32 +53,37 @@ const std::vector<Kind>& kinds() {
   return all;
 }
 
-/// Errors of one picture with each bound, in 1/255 of the worst channel.
-std::vector<Distribution> errorsWithin(Renderer& renderer, const Scene& scene, const Camera& camera,
-                                       const Options& options) {
+/// Errors of one picture with each bound, in 1/255 of the worst channel; empty where the scan has no room.
+std::vector<Distribution> errorsWithin(const Scene& scene, const Camera& camera, const Options& options) {
   Measurable what{{}, scene, options.views.size, {camera}, {}, {}};
   what.pixels = sampledPixels(options.views.size, 2 * options.views.pixelBlock);
-  const std::vector<glm::dvec4> truth =
-      reference::picture(scene, camera, what.size, reference::PictureOptions{.pixels = what.pixels}).final;
-  std::vector<Distribution> errors;
+  const auto gpu = std::make_shared<GpuScene>();
+  Renderer renderer(gpu);
+  std::vector<std::vector<glm::vec4>> pictures;
   for (const double bound : bounds) {
     View view{camera, what.size};
     view.maxError = bound;
     renderer.render(scene, view);
-    errors.push_back(errorsOf(renderer.readLayers().final, truth, what).channel);
+    if (!gpu->reductionNotice().empty()) return {};
+    pictures.push_back(renderer.readLayers().final);
   }
+  const std::vector<glm::dvec4> truth =
+      reference::picture(scene, camera, what.size, reference::PictureOptions{.pixels = what.pixels}).final;
+  std::vector<Distribution> errors;
+  for (const std::vector<glm::vec4>& picture : pictures) errors.push_back(errorsOf(picture, truth, what).channel);
   return errors;
 }
 
 /// A row: what was drawn, the 99.99th percentile with each bound, and whether all are kept.
 std::vector<std::string> row(std::vector<std::string> cells, const std::vector<Distribution>& errors) {
   bool isWithin = true;
-  for (std::size_t i = 0; i < bounds.size(); ++i) {
+  for (std::size_t i = 0; i < errors.size(); ++i) {
     const double nearly = errors[i].percentile(99.99);
     cells.push_back(number(nearly));
     isWithin = isWithin && nearly <= bounds[i];
   }
-  cells.emplace_back(isWithin ? "yes" : "no");
+  cells.resize(cells.size() + bounds.size() - errors.size());
+  cells.emplace_back(errors.empty() ? "no room" : isWithin ? "yes" : "no");
   return cells;
 }
 
@@ -88,15 +98,12 @@ Table ofScenes(const Subjects& subjects, const Options& options) {
   Table table = tableOf("looks", {"scene", "look"});
   for (const Subject& subject : subjects.here) {
     const Scene plain = app::loadScene(subject.options).scene;
-    const auto gpu = std::make_shared<GpuScene>();
-    Renderer renderer(gpu);
     for (const Kind& kind : kinds()) {
+      if (!kind.isFor(plain)) continue;
       Scene scene = plain;
       kind.apply(scene);
       const Camera camera = cameraPath(scene, 1, options.views.projection()).front();
-      const std::vector<Distribution> errors = errorsWithin(renderer, scene, camera, options);
-      table.rows.push_back(row({subject.name, kind.name}, errors));
-      if (!gpu->reductionNotice().empty()) table.rows.back().back() = noRoom;
+      table.rows.push_back(row({subject.name, kind.name}, errorsWithin(scene, camera, options)));
       std::cerr << plainText({"", table.columns, {table.rows.back()}});
     }
   }
@@ -113,9 +120,10 @@ std::string makeRandom(Scene& scene, std::mt19937& random) {
   std::string names;
   bool hasSpline = false;
   for (const Kind& kind : kinds()) {
-    if (!half(random) || (kind.isSpline && hasSpline)) continue;
+    const bool isSpline = kind.group == Kind::Group::Spline;
+    if (!half(random) || !kind.isFor(scene) || (isSpline && hasSpline)) continue;
     kind.apply(scene);
-    hasSpline = hasSpline || kind.isSpline;
+    hasSpline = hasSpline || isSpline;
     names += (names.empty() ? "" : ", ") + std::string(kind.name);
   }
   return names;
@@ -132,14 +140,9 @@ std::vector<Table> ofRandomPictures(const Subjects& subjects, const Options& opt
     Scene scene = app::loadScene(subject.options).scene;
     const std::string names = makeRandom(scene, random);
     const Camera camera = randomCamera(scene.volume->grid, random);
-    const auto gpu = std::make_shared<GpuScene>();
-    Renderer renderer(gpu);
-    const std::vector<Distribution> errors = errorsWithin(renderer, scene, camera, options);
+    const std::vector<Distribution> errors = errorsWithin(scene, camera, options);
     all.rows.push_back(row({subject.name, names}, errors));
-    if (!gpu->reductionNotice().empty())
-      all.rows.back().back() = noRoom;
-    else
-      for (std::size_t i = 0; i < bounds.size(); ++i) greatest[i].add(errors[i].percentile(99.99));
+    for (std::size_t i = 0; i < errors.size(); ++i) greatest[i].add(errors[i].percentile(99.99));
     std::cerr << plainText({"", all.columns, {all.rows.back()}});
   }
   Table summary{"random-looks-summary", {"bound", "random pictures", "greatest 99.99 %"}, {}};
