@@ -42,6 +42,11 @@ double Distribution::percentile(double percent) const {
   return values_[static_cast<std::size_t>(std::ceil(percent / 100.0 * static_cast<double>(values_.size() - 1)))];
 }
 
+std::size_t Distribution::countAbove(double limit) const {
+  return static_cast<std::size_t>(
+      std::count_if(values_.begin(), values_.end(), [&](double value) { return value > limit; }));
+}
+
 double Distribution::rms() const {
   double sum = 0.0;
   for (const double value : values_) sum += value * value;

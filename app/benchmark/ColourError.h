@@ -18,6 +18,7 @@ class Distribution {
   double percentile(double percent) const;
   double median() const { return percentile(50.0); }
   double max() const { return percentile(100.0); }
+  std::size_t countAbove(double limit) const;
   double rms() const;
 
  private:

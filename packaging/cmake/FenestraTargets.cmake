@@ -58,7 +58,7 @@ endfunction()
 
 # fenestra_test(NAME SOURCES... LIBS libs... [LABEL label] [TIMEOUT seconds] [EXHAUSTIVE cases...])
 # A GoogleTest executable whose cases ctest lists one by one. The cases of EXHAUSTIVE, in the words of GoogleTest's filter,
-# have the label `exhaustive`: `packaging/test` runs them only where it is asked for all.
+# have the label `exhaustive` and five times the time: `packaging/test` runs them only where it is asked for all.
 function(fenestra_test NAME)
   cmake_parse_arguments(ARG "" "TIMEOUT;LABEL" "SOURCES;LIBS;EXHAUSTIVE" ${ARGN})
   add_executable(${NAME} ${ARG_SOURCES})
@@ -70,7 +70,8 @@ function(fenestra_test NAME)
   set(filter)
   if(ARG_EXHAUSTIVE)
     list(JOIN ARG_EXHAUSTIVE ":" exhaustive)
-    fenestra_discover(${NAME} ${NAME}_exhaustive "${exhaustive}" ${ARG_TIMEOUT} exhaustive)
+    math(EXPR longer "5 * ${ARG_TIMEOUT}")
+    fenestra_discover(${NAME} ${NAME}_exhaustive "${exhaustive}" ${longer} exhaustive)
     set(filter "-${exhaustive}")
   endif()
   fenestra_discover(${NAME} ${NAME}_cases "${filter}" ${ARG_TIMEOUT} ${ARG_LABEL})
