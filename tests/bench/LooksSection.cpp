@@ -74,7 +74,7 @@ std::vector<Distribution> errorsWithin(const Scene& scene, const Camera& camera,
   return errors;
 }
 
-/// What several pictures come to, with each bound.
+/// The errors of all pixels of several pictures, with each bound.
 using Sums = std::vector<Distribution>;
 
 /// The greatest error of a picture with each bound, and how many pixels are beyond theirs; adds it to the sums.
