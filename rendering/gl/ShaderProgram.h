@@ -75,10 +75,10 @@ class ShaderProgram {
   void set(std::string_view uniform, glm::ivec3 value);
   void set(std::string_view uniform, glm::vec2 value);
   void set(std::string_view uniform, glm::vec3 value);
-  /// A struct of the uniform block, with its std140 layout, and the name that it has there as `Block::name`.
-  template <class Block>
-  void set(const Block& block) {
-    setStruct(Block::name, std::as_bytes(std::span(&block, 1)));
+  /// A struct of the uniform block, with its std140 layout, and the name that it has there as `Struct::name`.
+  template <class Struct>
+  void set(const Struct& uniforms) {
+    setStruct(Struct::name, std::as_bytes(std::span(&uniforms, 1)));
   }
   /// A texture, at a unit of the program's own, as the source declares it: as a sampler, or as an image with `access`.
   /// It must live until the program has run.

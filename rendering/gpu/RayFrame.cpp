@@ -10,19 +10,19 @@
 
 namespace fenestra {
 
-ClipBlock Clip::block(const Grid& grid) const {
-  ClipBlock block;
-  block.planes.fill({0.0f, 0.0f, 0.0f, 1.0f});
-  block.normals.fill(glm::vec4(0.0f));
+ClipUniforms Clip::uniforms(const Grid& grid) const {
+  ClipUniforms uniforms;
+  uniforms.planes.fill({0.0f, 0.0f, 0.0f, 1.0f});
+  uniforms.normals.fill(glm::vec4(0.0f));
   const glm::dmat3 worldFromIndex(grid.worldFromIndex());
   for (std::size_t i = 0; i < kept.size(); ++i) {
     const glm::dvec3 inCells = glm::transpose(worldFromIndex) * kept[i].normal;
     const double atOrigin = kept[i].distance(grid.origin) - glm::dot(inCells, glm::dvec3(1.0));
-    block.planes[i] = glm::vec4(glm::dvec4(inCells, atOrigin));
-    block.normals[i] = glm::vec4(glm::dvec4(kept[i].normal, 0.0));
+    uniforms.planes[i] = glm::vec4(glm::dvec4(inCells, atOrigin));
+    uniforms.normals[i] = glm::vec4(glm::dvec4(kept[i].normal, 0.0));
   }
-  if (grey) block.grey = glm::vec2(*grey);
-  return block;
+  if (grey) uniforms.grey = glm::vec2(*grey);
+  return uniforms;
 }
 
 RayFrame::RayFrame(const Camera& camera, glm::ivec2 size, const Grid& grid, Clip clip, int refinement)
@@ -40,17 +40,17 @@ RayFrame::RayFrame(const Camera& camera, glm::ivec2 size, const Grid& grid, Clip
   }
 }
 
-void RayFrame::setBlocks(gl::ShaderProgram& program) const {
+void RayFrame::setUniforms(gl::ShaderProgram& program) const {
   const Grid grid = refinement_ > 1 ? refined(grid_, refinement_) : grid_;
   const glm::dmat4 indexFromWorld = grid.indexFromWorld();
   const glm::dmat3 worldFromView(axes_.right, axes_.up, axes_.forward);
   const glm::dvec3 anchor = glm::dvec3(indexFromWorld * glm::dvec4(camera_.eye + axes_.forward * distance_, 1.0)) + 1.0;
-  program.set(RayBlock{Std140Mat3(glm::mat3(glm::dmat3(indexFromWorld) * worldFromView)),
-                       Std140Mat3(glm::mat3(worldFromView)), glm::vec3(anchor), static_cast<float>(distance_),
-                       glm::vec2(halfSize_), perspective() ? glm::vec2(halfSize_) : glm::vec2(0.0f),
-                       perspective() ? static_cast<float>(distance_) : 1.0f, size_});
-  program.set(VolumeBlock{grid.dims});
-  if (isClipped()) program.set(clip_.block(grid));
+  program.set(RayUniforms{Std140Mat3(glm::mat3(glm::dmat3(indexFromWorld) * worldFromView)),
+                          Std140Mat3(glm::mat3(worldFromView)), glm::vec3(anchor), static_cast<float>(distance_),
+                          glm::vec2(halfSize_), perspective() ? glm::vec2(halfSize_) : glm::vec2(0.0f),
+                          perspective() ? static_cast<float>(distance_) : 1.0f, size_});
+  program.set(VolumeUniforms{grid.dims});
+  if (isClipped()) program.set(clip_.uniforms(grid));
   if (scatter_) scatter_->bind(program);
 }
 
@@ -71,7 +71,7 @@ RayFrame RayFrame::scattered(const Scatter& scatter) const {
   return frame;
 }
 
-OpeningCameraBlock RayFrame::seenFrom(const RayFrame& other) const {
+OpeningCameraUniforms RayFrame::seenFrom(const RayFrame& other) const {
   const glm::dmat3 viewFromWorld = glm::transpose(glm::dmat3(axes_.right, axes_.up, axes_.forward));
   const auto anchor = [](const RayFrame& frame) { return frame.camera_.eye + frame.axes_.forward * frame.distance_; };
   constexpr double nearest = 1e-3;  // of the way from the eye to the anchor plane

@@ -7,7 +7,7 @@
 
 #include "rendering/gl/ShaderProgram.h"
 #include "rendering/gpu/Bricks.h"
-#include "rendering/gpu/UniformBlocks.h"
+#include "rendering/gpu/Uniforms.h"
 #include "rendering/scene/Camera.h"
 #include "rendering/scene/Clipping.h"
 
@@ -19,9 +19,9 @@ struct Clip {
   std::optional<glm::dvec2> grey = {};  ///< of capped faces: coded value · x + y, 0..1; see Clipping::grey
   bool operator==(const Clip&) const = default;
 
-  /// For shaders/lib/Clip.glsl: the define and, unless nothing clips, the block.
+  /// For shaders/lib/Clip.glsl: the define and, unless nothing clips, the struct of uniforms.
   gl::Define define() const { return {"CLIPPED", kept.empty() ? 0 : grey ? 2 : 1}; }
-  ClipBlock block(const Grid& grid) const;
+  ClipUniforms uniforms(const Grid& grid) const;
 };
 
 /// Pixels of a list that several rays each are drawn for, between pixel centres (rendering/scene/EdgeRays.h). They
@@ -45,7 +45,7 @@ class RayFrame {
   RayFrame(const Camera& camera, glm::ivec2 size, const Grid& grid, Clip clip = {}, int refinement = 1);
 
   /// For lib/PixelRay.glsl; `program` was compiled with clipDefine() and scatterDefine().
-  void setBlocks(gl::ShaderProgram& program) const;
+  void setUniforms(gl::ShaderProgram& program) const;
   gl::Define clipDefine() const { return clip_.define(); }
   gl::Define scatterDefine() const { return {"SCATTERED", isScattered() ? 1 : 0}; }
   /// The same picture's rays between pixel centres.
@@ -61,7 +61,7 @@ class RayFrame {
   /// World from the cell frame of shaders (shaders/lib/Ray.glsl).
   glm::dmat4 worldFromCells() const;
   /// For shaders/RemovedParts.comp: how rays of `other`, of a camera on the same volume, run through this picture.
-  OpeningCameraBlock seenFrom(const RayFrame& other) const;
+  OpeningCameraUniforms seenFrom(const RayFrame& other) const;
   bool perspective() const { return camera_.projection == Projection::Perspective; }
   /// World position of s on pixel (i, j)'s ray, and t there.
   glm::dvec3 worldPosition(glm::dvec2 pixel, double s) const;

@@ -15,7 +15,7 @@ enum Block : unsigned { focusCellsBlock = 0, gapsBlock = 1, segmentOfEntryBlock 
 void bindVolume(const GpuScene& scene, gl::ShaderProgram& program) {
   program.bind("volumeTexels", scene.volume().texture);
   if (scene.refinement() > 1) program.bind("splineTexels", scene.splineCoefficients());
-  program.set(VolumeBlock{scene.drawnGrid().dims});
+  program.set(VolumeUniforms{scene.drawnGrid().dims});
 }
 
 gl::Define volumeDefine(const GpuScene& scene) {
@@ -41,23 +41,23 @@ gl::Choice focusChoice(const GpuScene& scene) {
   return {"focus", "lib/focus/None.glsl"};
 }
 
-void bindFocus(const GpuScene& scene, gl::ShaderProgram& program, FocusBlock block) {
+void bindFocus(const GpuScene& scene, gl::ShaderProgram& program, FocusUniforms uniforms) {
   if (scene.focusKind() == FocusIndex::Kind::None) return;
   program.bind("focusBricks", scene.focusBricks());
   scene.focusCells().bind(focusCellsBlock);
   if (scene.focusKind() == FocusIndex::Kind::Values) {
     const ValueRange coded = scene.volume().codedFromReal(scene.focusValues());
-    block.range = glm::vec2(coded.low, coded.high);
+    uniforms.range = glm::vec2(coded.low, coded.high);
   }
-  program.set(block);
+  program.set(uniforms);
 }
 
 void bindFocusLook(const GpuScene& scene, gl::ShaderProgram& program, const Look& look, bool bounded) {
   program.bind("occupiedSkip", scene.occupiedSkip());
-  FocusBlock focus{.material = glm::vec4(glm::vec3(scene.focusMaterial()),
-                                         look.focusAppearance.extinction * scene.focusMaterial().a),
-                   .paletteOrigin = scene.focusOrigin(),
-                   .table = scene.focusTable()};
+  FocusUniforms focus{.material = glm::vec4(glm::vec3(scene.focusMaterial()),
+                                            look.focusAppearance.extinction * scene.focusMaterial().a),
+                      .paletteOrigin = scene.focusOrigin(),
+                      .table = scene.focusTable()};
   if (scene.focusPaletteIndex()) {
     program.bind("focusPaletteIndex", scene.focusPaletteIndex());
     program.bind("focusPalette", scene.focusPalette());
@@ -88,7 +88,7 @@ void bindLabelHits(const GpuScene& scene, const KeptLabels& labels, gl::ShaderPr
   program.bind("focusBricks", labels.bricks);
   program.bind("focusSkip", labels.skip);
   labels.cells.bind(focusCellsBlock);
-  program.set(FocusBlock());
+  program.set(FocusUniforms());
 }
 
 gl::Choice importanceChoice(const KeptLabels& labels) {
@@ -103,7 +103,7 @@ void bindLabels(const KeptLabels& labels, gl::ShaderProgram& program) {
   program.bind("focusBricks", labels.bricks);
   program.bind("occupiedSkip", labels.skip);
   labels.cells.bind(focusCellsBlock);
-  program.set(FocusBlock());
+  program.set(FocusUniforms());
 }
 
 void bindFirstHit(const GpuScene& scene, gl::ShaderProgram& program) {
@@ -128,8 +128,8 @@ gl::Define faintDefine(const GpuScene& scene) { return {"FAINT_LABELS", scene.fa
 
 void bindTransfer(const GpuScene& scene, gl::ShaderProgram& program) {
   program.bind("transferTables", scene.transferTables());
-  program.set(TransferBlock{scene.firstMaterial(), scene.lastMaterial(), scene.transferMap(), scene.visibleEntries(),
-                            scene.preIntegrationLevel()});
+  program.set(TransferUniforms{scene.firstMaterial(), scene.lastMaterial(), scene.transferMap(), scene.visibleEntries(),
+                               scene.preIntegrationLevel()});
 }
 
 void bindPreIntegration(const GpuScene& scene, gl::ShaderProgram& program) {
@@ -160,8 +160,8 @@ void bindDerivative(const GpuScene& scene, gl::ShaderProgram& program) {
       glm::dmat3(glm::dvec3(1.0 / factor.x, 0.0, 0.0), glm::dvec3(0.0, 1.0 / factor.y, 0.0),
                  glm::dvec3(0.0, 0.0, 1.0 / factor.z)) *
       glm::dmat3(scene.grid().indexFromWorld());
-  program.set(DerivativeBlock{Std140Mat3(glm::mat3(glm::transpose(derivativeFromWorld))), glm::vec3(factor),
-                              static_cast<float>(derivative.texelScale)});
+  program.set(DerivativeUniforms{Std140Mat3(glm::mat3(glm::transpose(derivativeFromWorld))), glm::vec3(factor),
+                                 static_cast<float>(derivative.texelScale)});
   // A surface this near to the box's entry is where the scan ends; this near to the focus it is the focus's own.
   const glm::dvec3 spacing = scene.grid().spacing;
   program.set("contextMargin", static_cast<float>(0.5 * std::min({spacing.x, spacing.y, spacing.z})));
@@ -175,7 +175,7 @@ gl::Choice lightChoice(bool lit) { return {"light", lit ? "lib/light/Lit.glsl" :
 
 void bindLight(const GpuScene& scene, gl::ShaderProgram& program, const Camera::Axes& axes, const Shading& shading,
                const gl::Texture* nodes) {
-  LightBlock light = lightBlock(axes, shading);
+  LightUniforms light = lightUniforms(axes, shading);
   light.gradientOrigin = scene.gradientOrigin();
   if (nodes) {
     const OccluderCells& cells = scene.occluders().cells();
@@ -235,7 +235,7 @@ gl::Define fadingDefine(const std::optional<MethodStages::Fading>& fading) {
   return {"FADING", fading->region->shape == FocalShape::Distance ? 4 : 2};
 }
 
-LightBlock lightBlock(const Camera::Axes& axes, const Shading& shading) {
+LightUniforms lightUniforms(const Camera::Axes& axes, const Shading& shading) {
   return {glm::vec3(lightDirection(axes, shading)),
           static_cast<float>(shading.ambient),
           static_cast<float>(shading.diffuse),

@@ -3,7 +3,7 @@
 
 #include "rendering/gl/ShaderProgram.h"
 #include "rendering/gpu/GpuScene.h"
-#include "rendering/gpu/UniformBlocks.h"
+#include "rendering/gpu/Uniforms.h"
 
 namespace fenestra {
 
@@ -18,8 +18,8 @@ gl::Choice integralChoice(const GpuScene& scene, bool bounded);
 
 /// What `#include <focus>` stands for.
 gl::Choice focusChoice(const GpuScene& scene);
-/// The focus's index; nothing without a focus. The block's other members are for passes that show the focus.
-void bindFocus(const GpuScene& scene, gl::ShaderProgram& program, FocusBlock block = {});
+/// The focus's index; nothing without a focus. The other members are for passes that show the focus.
+void bindFocus(const GpuScene& scene, gl::ShaderProgram& program, FocusUniforms uniforms = {});
 
 /// How the focus looks, for passes that show it; with its index. `program` was compiled with focusDefines() and has the
 /// integral of integralChoice(scene, bounded).
@@ -75,6 +75,6 @@ void bindFading(const GpuScene& scene, gl::ShaderProgram& program, const Camera&
                 const std::optional<MethodStages::Fading>& fading);
 gl::Define fadingDefine(const std::optional<MethodStages::Fading>& fading);
 /// Light as Lighting.h describes it, for a view with these axes.
-LightBlock lightBlock(const Camera::Axes& axes, const Shading& shading);
+LightUniforms lightUniforms(const Camera::Axes& axes, const Shading& shading);
 
 }  // namespace fenestra

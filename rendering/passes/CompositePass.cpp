@@ -5,7 +5,7 @@
 namespace fenestra {
 namespace {
 
-ContextLayerBlock blockOf(const ContextLayer& layer, const DerivativeVolume& derivative) {
+ContextLayerUniforms uniformsOf(const ContextLayer& layer, const DerivativeVolume& derivative) {
   return {glm::vec3(layer.colour),
           static_cast<float>(layer.strength),
           static_cast<float>(layer.curvatureWeight),
@@ -63,11 +63,11 @@ void CompositePass::run(Steps& steps, const GpuScene& gpu, const Inputs& inputs,
         program.set("faintOpacity", static_cast<float>(method.faintOpacity));
     }
     if (inputs.rayStart && hasLayer) program.bind("rayStart", *inputs.rayStart);
-    program.set(CutawayBlock{glm::vec2(inputs.widths), glm::vec3(look.cutaway.borderColour)});
+    program.set(CutawayUniforms{glm::vec2(inputs.widths), glm::vec3(look.cutaway.borderColour)});
     if (hasLayer) {
       program.bind("contextLayer", *inputs.contextLayer);
       program.bind("silhouette", *inputs.silhouette);
-      program.set(blockOf(look.contextLayer, gpu.derivative()));
+      program.set(uniformsOf(look.contextLayer, gpu.derivative()));
       bindTransfer(gpu, program);
     }
     program.bind("picture", picture, gl::Access::Write);

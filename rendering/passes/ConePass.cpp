@@ -1,6 +1,6 @@
 #include "rendering/passes/ConePass.h"
 
-#include "rendering/gpu/UniformBlocks.h"
+#include "rendering/gpu/Uniforms.h"
 
 namespace fenestra {
 namespace {
@@ -9,14 +9,14 @@ namespace {
 constexpr unsigned depthsBinding = 0;
 constexpr int topLevel = 8, topSide = 1 << topLevel;
 
-ConeBlock blockOf(const RayFrame& rays, const gl::Region& around, double slope) {
-  ConeBlock block;
-  block.origin = around.origin;
+ConeUniforms uniformsOf(const RayFrame& rays, const gl::Region& around, double slope) {
+  ConeUniforms uniforms;
+  uniforms.origin = around.origin;
   // One square at least, so that the shaders need not ask whether there is any.
-  block.tops = glm::max((around.size + topSide - 1) / topSide, 1);
-  block.slope = static_cast<float>(slope * rays.pixelSize(rays.distance()));
-  block.perDepth = rays.perspective() ? static_cast<float>(1.0 / rays.distance()) : 0.0f;
-  return block;
+  uniforms.tops = glm::max((around.size + topSide - 1) / topSide, 1);
+  uniforms.slope = static_cast<float>(slope * rays.pixelSize(rays.distance()));
+  uniforms.perDepth = rays.perspective() ? static_cast<float>(1.0 / rays.distance()) : 0.0f;
+  return uniforms;
 }
 
 }  // namespace
@@ -24,35 +24,35 @@ ConeBlock blockOf(const RayFrame& rays, const gl::Region& around, double slope) 
 void ConePass::run(Steps& steps, Schedule schedule, const RayFrame& rays, const gl::Texture& hitPoints,
                    const gl::Region& around, const Cones& cones, gl::Texture& starts,
                    const std::optional<Level>& level) {
-  const ConeBlock block = blockOf(rays, around, cones.slope);
+  const ConeUniforms uniforms = uniformsOf(rays, around, cones.slope);
   std::size_t squares = 0;
   for (int below = 0; below <= topLevel; ++below)
-    squares += static_cast<std::size_t>(block.tops.x << below) * static_cast<std::size_t>(block.tops.y << below);
+    squares += static_cast<std::size_t>(uniforms.tops.x << below) * static_cast<std::size_t>(uniforms.tops.y << below);
   if (depths_.bytes() != squares * sizeof(float)) depths_ = gl::Buffer::zeroed(squares * sizeof(float));
 
-  steps.add(block.tops << topLevel, [this, schedule, &rays, &hitPoints, block, cones](Regions tile) {
+  steps.add(uniforms.tops << topLevel, [this, schedule, &rays, &hitPoints, uniforms, cones](Regions tile) {
     gl::ShaderProgram& program =
         depthsProgram_.get({{{"SILHOUETTE", cones.onSilhouette}, rays.clipDefine()}, {scheduleChoice(schedule)}});
-    rays.setBlocks(program);
-    program.set(block);
+    rays.setUniforms(program);
+    program.set(uniforms);
     program.bind("hitPoints", hitPoints);
     depths_.bind(depthsBinding);
     program.dispatch(tile);
   });
   for (int below = topLevel - 1; below >= 0; --below)
-    steps.add(block.tops << below, [this, schedule, block, below](Regions tile) {
+    steps.add(uniforms.tops << below, [this, schedule, uniforms, below](Regions tile) {
       gl::ShaderProgram& program = levelProgram_.get({{}, {scheduleChoice(schedule)}});
-      program.set(block);
+      program.set(uniforms);
       program.set("below", below);
       depths_.bind(depthsBinding);
       program.dispatch(tile);
     });
-  steps.add(rays.size(), [this, schedule, &rays, &hitPoints, block, &starts, level](Regions tile) {
+  steps.add(rays.size(), [this, schedule, &rays, &hitPoints, uniforms, &starts, level](Regions tile) {
     const int levels = !level ? 0 : level->isLowest ? 1 : 2;
     gl::ShaderProgram& program =
         startProgram_.get({{rays.clipDefine(), {"IMPORTANCE_LEVELS", levels}}, {scheduleChoice(schedule)}});
-    rays.setBlocks(program);
-    program.set(block);
+    rays.setUniforms(program);
+    program.set(uniforms);
     program.bind("hitPoints", hitPoints);
     const gl::Access access = levels == 2 ? gl::Access::ReadWrite : gl::Access::Write;
     program.bind("coneStart", starts, access);

@@ -8,10 +8,10 @@ gl::ShaderProgram& ContextLayerPass::prepared(const GpuScene& gpu, const Shading
   gl::ShaderProgram& program = programs_.get(
       {{volumeDefine(gpu), refinementDefine(gpu), rays.clipDefine(), rays.scatterDefine(), derivativeDefine(gpu)},
        {scheduleChoice(gpu.schedule())}});
-  rays.setBlocks(program);
+  rays.setUniforms(program);
   bindVolume(gpu, program);
   bindDerivative(gpu, program);
-  program.set(lightBlock(rays.axes(), shading));
+  program.set(lightUniforms(rays.axes(), shading));
   return program;
 }
 

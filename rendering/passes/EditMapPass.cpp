@@ -76,7 +76,7 @@ void EditMapPass::run(Steps& steps, Schedule schedule, const RayFrame& rays, con
   steps.add(regions, [this, schedule, &rays, inputs, grid, &editMap](Regions tile) {
     gl::ShaderProgram& program =
         programs_.get({{inputs.define(), rays.clipDefine(), rays.scatterDefine()}, {scheduleChoice(schedule)}});
-    rays.setBlocks(program);
+    rays.setUniforms(program);
     inputs.bind(program);
     strokes_.bind(strokesBlock);
     lines_.bind(linesBlock);

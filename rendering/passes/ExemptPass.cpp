@@ -29,12 +29,12 @@ void ExemptPass::run(Steps& steps, const GpuScene& gpu, const Look& look, const 
                                                  lightChoice(lit),
                                                  {"opening", "lib/opening/Exempt.glsl"},
                                                  integralChoice(gpu, true)}});
-    rays.setBlocks(program);
+    rays.setUniforms(program);
     bindVolume(gpu, program);
     bindTransferSegments(gpu, program);
     bindFaint(gpu, program);
     bindLabels(gpu.exemptLabels(), program);
-    program.set(FocusLayerPass::integralBlock(gpu, bounded, look.shading.enabled));
+    program.set(FocusLayerPass::integralUniforms(gpu, bounded, look.shading.enabled));
     program.bind("picture", picture);
     if (lit) bindLight(gpu, program, rays.axes(), look.shading, occlusion);
     program.bind("exempted", exempted, gl::Access::Write);

@@ -99,7 +99,7 @@ int shownOf(const FocusLayerPass::ExplodedStretch* stretch, const gl::Texture* f
 
 }  // namespace
 
-IntegralBlock FocusLayerPass::integralBlock(const GpuScene& gpu, const Sampling& sampling, bool lit) {
+IntegralUniforms FocusLayerPass::integralUniforms(const GpuScene& gpu, const Sampling& sampling, bool lit) {
   const glm::dvec3 spacing = gpu.grid().spacing;
   return {static_cast<float>(leastTransmittance(sampling, lit)),
           static_cast<float>(shareOfBound * sampling.maxError.value_or(0.0)),
@@ -148,14 +148,14 @@ gl::ShaderProgram& FocusLayerPass::program(bool listed, const Drawn& drawn) {
 gl::ShaderProgram& FocusLayerPass::prepared(bool listed, const Drawn& drawn) {
   const auto& [gpu, look, rays, opening, sampling, occlusion, stretch, focusHits, resumes] = drawn;
   gl::ShaderProgram& program = this->program(listed, drawn);
-  rays.setBlocks(program);
+  rays.setUniforms(program);
   bindVolume(gpu, program);
   if (sampling.maxError)
     bindTransferSegments(gpu, program);
   else
     bindPreIntegration(gpu, program);
   bindFaint(gpu, program);
-  program.set(integralBlock(gpu, sampling, look.shading.enabled));
+  program.set(integralUniforms(gpu, sampling, look.shading.enabled));
   if (opening) {
     if (opening->hole) program.bind("hole", *opening->hole);
     program.bind("rayStart", opening->rayStart);

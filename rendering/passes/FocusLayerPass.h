@@ -8,7 +8,7 @@
 #include "rendering/gl/Texture.h"
 #include "rendering/gpu/GpuScene.h"
 #include "rendering/gpu/RayFrame.h"
-#include "rendering/gpu/UniformBlocks.h"
+#include "rendering/gpu/Uniforms.h"
 #include "rendering/passes/Steps.h"
 
 namespace fenestra {
@@ -60,7 +60,7 @@ class FocusLayerPass {
     return {.maxError = sampling.maxError, .tolerance = sampling.tolerance, .roughSteps = sampling.roughSteps};
   }
   /// What a sampling means to the integrals.
-  static IntegralBlock integralBlock(const GpuScene& gpu, const Sampling& sampling, bool lit);
+  static IntegralUniforms integralUniforms(const GpuScene& gpu, const Sampling& sampling, bool lit);
   /// A pixel's result depends on the ray starts within this many pixels of it: an interpolated pixel on those up to
   /// four half sides of the lattice's squares away, at each size of the squares; a cut face's normal on the next
   /// pixels.

@@ -20,7 +20,7 @@ void HitPointPass::add(Steps& steps, const GpuScene& scene, const RayFrame& rays
     gl::ShaderProgram& program = programs_.get(
         {{volumeDefine(scene), refinementDefine(scene), faintDefine(scene), rays.clipDefine(), rays.scatterDefine()},
          {scheduleChoice(scene.schedule()), focusChoice(scene)}});
-    rays.setBlocks(program);
+    rays.setUniforms(program);
     bindFirstHit(scene, program);
     bindFaint(scene, program);
     program.set("pixelOffset", offset);

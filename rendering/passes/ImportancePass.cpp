@@ -14,7 +14,7 @@ void ImportancePass::run(Steps& steps, const GpuScene& gpu, const KeptLabels& le
                                                  rays.scatterDefine(),
                                                  {"HIGHER", isHigher}},
                                                 {scheduleChoice(gpu.schedule()), importanceChoice(level)}});
-    rays.setBlocks(program);
+    rays.setUniforms(program);
     bindLabelHits(gpu, level, program);
     bindFaint(gpu, program);
     program.bind("hitPoints", hitPoints);

@@ -25,7 +25,7 @@ void LensPass::run(Steps& steps, const GpuScene& gpu, const RayFrame& rays, cons
   steps.add(regions, [this, &gpu, &rays, &hitPoints, sightBase, sightDirection, otherwise, &surface](Regions tile) {
     gl::ShaderProgram& program = programs_.get(
         {{refinementDefine(gpu), rays.clipDefine(), derivativeDefine(gpu)}, {scheduleChoice(gpu.schedule())}});
-    rays.setBlocks(program);
+    rays.setUniforms(program);
     bindDerivative(gpu, program);
     program.set("sightBase", sightBase);
     program.set("sightDirection", sightDirection);

@@ -63,16 +63,16 @@ gl::Texture stepsOf(const GpuScene& gpu, const Shading& shading, glm::dvec3 ligh
   return steps;
 }
 
-OccludersBlock occludersBlock(const GpuScene& gpu, const RayFrame* rays) {
+OccludersUniforms occludersUniforms(const GpuScene& gpu, const RayFrame* rays) {
   const OccluderCells& cells = gpu.occluders().cells();
   const Grid& grid = gpu.grid();
   const double side = cells.sideLength(grid);
-  OccludersBlock block;
-  block.dims = cells.dims;
-  block.side = glm::vec3(cells.side);
+  OccludersUniforms uniforms;
+  uniforms.dims = cells.dims;
+  uniforms.side = glm::vec3(cells.side);
   // Half a cell lies around each of the eight points of a cell that are looked at.
-  block.width = static_cast<float>(0.5 * side);
-  if (!rays) return block;
+  uniforms.width = static_cast<float>(0.5 * side);
+  if (!rays) return uniforms;
   const Camera::Axes& axes = rays->axes();
   const glm::dmat3 viewFromWorld = glm::transpose(glm::dmat3(axes.right, axes.up, axes.forward));
   const glm::dmat4 worldFromIndex = grid.worldFromIndex();
@@ -80,15 +80,16 @@ OccludersBlock occludersBlock(const GpuScene& gpu, const RayFrame* rays) {
   const glm::dvec3 corner(worldFromIndex * glm::dvec4(glm::dvec3(-0.5), 1.0));
   glm::dmat3 worldFromCells(worldFromIndex);
   for (int axis = 0; axis < 3; ++axis) worldFromCells[axis] *= cells.side[axis];
-  block.viewFromCells = Std140Mat3(glm::mat3(viewFromWorld * worldFromCells));
-  block.offset = glm::vec3(viewFromWorld * (corner - anchor));
-  block.perDepth = rays->perspective() ? static_cast<float>(1.0 / rays->distance()) : 0.0f;
+  uniforms.viewFromCells = Std140Mat3(glm::mat3(viewFromWorld * worldFromCells));
+  uniforms.offset = glm::vec3(viewFromWorld * (corner - anchor));
+  uniforms.perDepth = rays->perspective() ? static_cast<float>(1.0 / rays->distance()) : 0.0f;
   constexpr double nearest = 1e-3;  // of the way from the eye to the anchor plane
-  block.nearest = static_cast<float>(rays->distance() * (rays->perspective() ? nearest - 1.0 : -1.0));
-  return block;
+  uniforms.nearest = static_cast<float>(rays->distance() * (rays->perspective() ? nearest - 1.0 : -1.0));
+  return uniforms;
 }
 
-OcclusionBlock occlusionBlock(const GpuScene& gpu, const Shading& shading, const occlusion::Directions& directions) {
+OcclusionUniforms occlusionUniforms(const GpuScene& gpu, const Shading& shading,
+                                    const occlusion::Directions& directions) {
   return {gpu.occluders().cells().dims, shading.occlusion > 0.0 ? directions.around : 0,
           glm::vec2(shading.occlusion, shading.shadow), shading.shadow > 0.0 ? directions.towardsLight : 0};
 }
@@ -111,31 +112,32 @@ void OcclusionPass::run(Steps& steps, const GpuScene& gpu, const Shading& shadin
     gl::ShaderProgram& program = occluders_.get(
         {{{"OPENED", opening.has_value()}, clip.define(), {"SCATTERED", 0}}, {scheduleChoice(gpu.schedule())}});
     if (opening) {
-      opening->rays.setBlocks(program);
+      opening->rays.setUniforms(program);
       program.bind("hitPoints", opening->hitPoints);
       program.bind("rayStart", opening->rayStart);
     }
     // In cells of the voxels' own grid.
-    if (!clip.kept.empty()) program.set(clip.block(gpu.grid()));
-    program.set(occludersBlock(gpu, opening ? &opening->rays : nullptr));
+    if (!clip.kept.empty()) program.set(clip.uniforms(gpu.grid()));
+    program.set(occludersUniforms(gpu, opening ? &opening->rays : nullptr));
     gpu.occluders().bind();
     program.bind("medium", medium_, gl::Access::Write);
     program.dispatch(tile);
   });
-  constexpr int cellsTogether = 4;  // of Occlusion.comp
+  constexpr int cellsTogether = 4;
   const int layers = (cells.dims.z + cellsTogether - 1) / cellsTogether;
-  steps.add(glm::ivec2(cells.dims.x, cells.dims.y * layers),
-            [this, &gpu, block = occlusionBlock(gpu, shading, directions)](Regions tile) {
-              gl::ShaderProgram& program = occlusion_.get({{}, {scheduleChoice(gpu.schedule())}});
-              program.set(block);
-              program.bind("medium", medium_);
-              program.bind("steps", steps_);
-              program.bind("nodeValues", nodeValues_, gl::Access::Write);
-              program.dispatch(tile);
-            });
-  steps.add(size, [this, &gpu, block = occlusionBlock(gpu, shading, directions), &nodes](Regions tile) {
+  steps.add(
+      glm::ivec2(cells.dims.x, cells.dims.y * layers),
+      [this, &gpu, uniforms = occlusionUniforms(gpu, shading, directions)](Regions tile) {
+        gl::ShaderProgram& program = occlusion_.get({{{"CELLS", cellsTogether}}, {scheduleChoice(gpu.schedule())}});
+        program.set(uniforms);
+        program.bind("medium", medium_);
+        program.bind("steps", steps_);
+        program.bind("nodeValues", nodeValues_, gl::Access::Write);
+        program.dispatch(tile);
+      });
+  steps.add(size, [this, &gpu, uniforms = occlusionUniforms(gpu, shading, directions), &nodes](Regions tile) {
     gl::ShaderProgram& program = nodes_.get({{}, {scheduleChoice(gpu.schedule())}});
-    program.set(block);
+    program.set(uniforms);
     program.bind("nodeValues", nodeValues_);
     program.bind("occlusionNodes", nodes, gl::Access::Write);
     program.dispatch(tile);

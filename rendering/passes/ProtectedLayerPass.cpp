@@ -42,7 +42,7 @@ void ProtectedLayerPass::run(Steps& steps, const GpuScene& gpu, const Look& look
   steps.add(regions, [this, &gpu, &look, &rays, opening, bounded, &protectedLayer, occlusion, shown](Regions tile) {
     const bool lit = look.shading.enabled;
     gl::ShaderProgram& program = this->program(gpu, lit, rays, occlusion, shown);
-    rays.setBlocks(program);
+    rays.setUniforms(program);
     bindVolume(gpu, program);
     bindTransferSegments(gpu, program);
     bindFaint(gpu, program);
@@ -52,7 +52,7 @@ void ProtectedLayerPass::run(Steps& steps, const GpuScene& gpu, const Look& look
       bindFocusLook(gpu, program, look, true);
     else
       program.bind("occupiedSkip", gpu.contextSkip());
-    program.set(FocusLayerPass::integralBlock(gpu, bounded, look.shading.enabled));
+    program.set(FocusLayerPass::integralUniforms(gpu, bounded, look.shading.enabled));
     program.bind("rayStart", opening.rayStart);
     program.bind("hitPoints", opening.hitPoints);
     if (lit) bindLight(gpu, program, rays.axes(), look.shading, occlusion);

@@ -21,7 +21,7 @@ void RayStartPass::run(Steps& steps, Schedule schedule, const RayFrame& rays, co
     gl::ShaderProgram& program =
         programs_.get({{{"EDITED", editMap != nullptr}, inputs.define(), rays.clipDefine(), rays.scatterDefine()},
                        {scheduleChoice(schedule)}});
-    rays.setBlocks(program);
+    rays.setUniforms(program);
     inputs.bind(program);
     if (editMap) program.bind("editMap", *editMap);
     program.bind("rayStart", rayStart, gl::Access::Write);

@@ -7,7 +7,7 @@ void RemovedPass::run(Steps& steps, Schedule schedule, const RayFrame& rays, con
   steps.add(opening.rays.size(), [this, schedule, opening, &faces](Regions tile) {
     gl::ShaderProgram& program =
         faces_.get({{opening.rays.clipDefine(), opening.rays.scatterDefine()}, {scheduleChoice(schedule)}});
-    opening.rays.setBlocks(program);
+    opening.rays.setUniforms(program);
     program.bind("hitPoints", opening.hitPoints);
     program.bind("rayStart", opening.rayStart);
     program.bind("focusFilled", opening.focusFilled);
@@ -27,7 +27,7 @@ void RemovedPass::runParts(Steps& steps, Schedule schedule, const RayFrame& rays
               gl::ShaderProgram& program =
                   parts_.get({{{"EDITED", opening.editMap != nullptr}, rays.clipDefine(), rays.scatterDefine()},
                               {scheduleChoice(schedule)}});
-              rays.setBlocks(program);
+              rays.setUniforms(program);
               program.set(opening.rays.seenFrom(rays));
               program.set("firstHole", holes ? -1e30f : 1e30f);
               program.set("voxel", static_cast<float>(voxel));

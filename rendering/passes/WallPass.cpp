@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "rendering/gpu/UniformBlocks.h"
+#include "rendering/gpu/Uniforms.h"
 
 namespace fenestra {
 namespace {
@@ -11,11 +11,11 @@ glm::vec4 rowOf(const glm::dmat4& matrix, int row) {
   return {matrix[0][row], matrix[1][row], matrix[2][row], matrix[3][row]};
 }
 
-WallsBlock blockOf(const std::vector<Wall>& walls, const Grid& grid, const RayFrame& rays) {
-  WallsBlock block;
-  for (auto* rows : {&block.plane, &block.across, &block.down}) rows->fill(glm::vec4(0.0f));
-  block.extent.fill(glm::vec4(0.0f));
-  block.metric.fill(glm::vec4(1.0f));
+WallUniforms uniformsOf(const std::vector<Wall>& walls, const Grid& grid, const RayFrame& rays) {
+  WallUniforms uniforms;
+  for (auto* rows : {&uniforms.plane, &uniforms.across, &uniforms.down}) rows->fill(glm::vec4(0.0f));
+  uniforms.extent.fill(glm::vec4(0.0f));
+  uniforms.metric.fill(glm::vec4(1.0f));
   const glm::dmat4 worldFromCells = rays.worldFromCells();
   const std::vector<int> rows = WallImages::firstRows(walls);
   for (std::size_t i = 0; i < walls.size(); ++i) {
@@ -25,14 +25,14 @@ WallsBlock blockOf(const std::vector<Wall>& walls, const Grid& grid, const RayFr
     glm::dmat4 placeFromCells(linear * glm::dmat3(worldFromCells));
     // Subtracting the origins first keeps the precision where both are metres away.
     placeFromCells[3] = glm::dvec4(linear * (glm::dvec3(worldFromCells[3]) - wall.origin), 1.0);
-    block.across[i] = rowOf(placeFromCells, 0);
-    block.down[i] = rowOf(placeFromCells, 1);
-    block.plane[i] = rowOf(placeFromCells, 2);
+    uniforms.across[i] = rowOf(placeFromCells, 0);
+    uniforms.down[i] = rowOf(placeFromCells, 1);
+    uniforms.plane[i] = rowOf(placeFromCells, 2);
     const glm::dmat2 mm = wall.mmFromPlace();
-    block.extent[i] = glm::vec4(wall.size, rows[i], 0.0f);
-    block.metric[i] = glm::vec4(mm[0].x, mm[1].x, mm[1].y, lineWidth(wall, grid));
+    uniforms.extent[i] = glm::vec4(wall.size, rows[i], 0.0f);
+    uniforms.metric[i] = glm::vec4(mm[0].x, mm[1].x, mm[1].y, lineWidth(wall, grid));
   }
-  return block;
+  return uniforms;
 }
 
 }  // namespace
@@ -44,11 +44,11 @@ void WallPass::run(Steps& steps, const GpuScene& gpu, const Scene& scene, const 
   const Grid& grid = scene.volume->grid;
   const std::vector<Wall> walls = wallsAt(which, grid, slices, rays.camera());
   images_.update(scene, walls, which, slices);
-  const WallsBlock block = blockOf(walls, grid, rays);
-  steps.add(regions, [this, &gpu, block, &rays, opening, &picture, outputs](Regions tile) {
+  const WallUniforms uniforms = uniformsOf(walls, grid, rays);
+  steps.add(regions, [this, &gpu, uniforms, &rays, opening, &picture, outputs](Regions tile) {
     gl::ShaderProgram& program = programs_.get({{{"INSIDE", opening.has_value()}}, {scheduleChoice(gpu.schedule())}});
-    rays.setBlocks(program);
-    program.set(block);
+    rays.setUniforms(program);
+    program.set(uniforms);
     images_.bindLines();
     program.bind("greys", images_.greys());
     program.bind("picture", picture);

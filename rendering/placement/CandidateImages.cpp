@@ -184,13 +184,13 @@ gl::ShaderProgram& CandidateImages::prepared(gl::ShaderVariants& programs, const
       {{volumeDefine(gpu), refinementDefine(gpu), clip_.define()}, {scheduleChoice(gpu.schedule()), focusChoice(gpu)}});
   bindFirstHit(gpu, program);
   const Grid grid = gpu.drawnGrid();
-  if (!clip_.kept.empty()) program.set(clip_.block(grid));
+  if (!clip_.kept.empty()) program.set(clip_.uniforms(grid));
   // The box widened by a voxel and clipped to the volume: the 0.5 level lies at most half a voxel outside the box.
   const glm::vec3 low(gpu.drawnCells(glm::dvec3(gpu.focus().box->low))),
       high(gpu.drawnCells(glm::dvec3(gpu.focus().box->high + 2)));
-  program.set(CandidateBlock{(glm::vec3(grid.dims) + 1.0f) * 0.5f,  // index (dims-1)/2 in the cell frame
-                             static_cast<float>(grid.boundingRadius()), glm::max(low, 0.5f),
-                             glm::min(high, glm::vec3(grid.dims) + 0.5f)});
+  program.set(CandidateUniforms{(glm::vec3(grid.dims) + 1.0f) * 0.5f,  // index (dims-1)/2 in the cell frame
+                                static_cast<float>(grid.boundingRadius()), glm::max(low, 0.5f),
+                                glm::min(high, glm::vec3(grid.dims) + 0.5f)});
   return program;
 }
 

@@ -1,5 +1,6 @@
 // The medium that casts shadows, second step: what is left of ambient and of direct light at the centre of each cell.
-// rendering/scene/Occlusion.h defines it. An invocation has CELLS cells, one behind the other along z.
+// rendering/scene/Occlusion.h defines it. An invocation has CELLS cells, one behind the other along z: four,
+// for a vector holds them.
 #include <schedule>
 #include "lib/Region.glsl"
 #include "lib/Uniforms.glsl"
@@ -11,7 +12,6 @@ TEXELS_2D(r32f, medium);  // 1/mm, a cell a texel, z below y
 TEXELS_2D(rgba32f, steps);
 layout(r32ui) uniform writeonly uimage2D nodeValues;  // 16 bits each
 
-const int CELLS = 4;
 const float OPAQUE = 14.0;  // optical depth: less than 1e-6 passes
 
 bool isWithin(int at, int count) { return uint(at) < uint(count); }

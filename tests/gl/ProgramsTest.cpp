@@ -10,7 +10,7 @@
 
 #include <unistd.h>
 
-#include "rendering/gpu/UniformBlocks.h"
+#include "rendering/gpu/Uniforms.h"
 #include "rendering/placement/Placer.h"
 #include "tests/gl/GlTest.h"
 #include "tests/gl/SceneKinds.h"
@@ -30,10 +30,10 @@ struct Linked {
 using Programs = std::map<std::string, Linked>;
 
 const std::vector<std::string> blockNames{
-    RayBlock::name,       VolumeBlock::name,       TransferBlock::name,      FocusBlock::name,
-    LightBlock::name,     IntegralBlock::name,     OpeningCameraBlock::name, DerivativeBlock::name,
-    CutawayBlock::name,   ContextLayerBlock::name, CandidateBlock::name,     ClipBlock::name,
-    OccludersBlock::name, OcclusionBlock::name,    ConeBlock::name,          WallsBlock::name};
+    RayUniforms::name,       VolumeUniforms::name,       TransferUniforms::name,      FocusUniforms::name,
+    LightUniforms::name,     IntegralUniforms::name,     OpeningCameraUniforms::name, DerivativeUniforms::name,
+    CutawayUniforms::name,   ContextLayerUniforms::name, CandidateUniforms::name,     ClipUniforms::name,
+    OccludersUniforms::name, OcclusionUniforms::name,    ConeUniforms::name,          WallUniforms::name};
 
 constexpr std::array schedules{Schedule::Plain, Schedule::Llvmpipe};
 
@@ -209,53 +209,56 @@ TEST_F(ProgramsTest, BlocksHaveTheLayoutOfTheirStructs) {
 #define OFFSET(Block, member) \
   { #member, offsetof(Block, member) }
   const std::map<std::string, Layout> expected{
-      {RayBlock::name,
-       {OFFSET(RayBlock, cellsFromView), OFFSET(RayBlock, worldFromView), OFFSET(RayBlock, anchor),
-        OFFSET(RayBlock, distance), OFFSET(RayBlock, halfSize), OFFSET(RayBlock, spread), OFFSET(RayBlock, depth),
-        OFFSET(RayBlock, pictureSize)}},
-      {ClipBlock::name, {OFFSET(ClipBlock, planes), OFFSET(ClipBlock, normals), OFFSET(ClipBlock, grey)}},
-      {VolumeBlock::name, {OFFSET(VolumeBlock, dims)}},
-      {TransferBlock::name,
-       {OFFSET(TransferBlock, firstMaterial), OFFSET(TransferBlock, lastMaterial), OFFSET(TransferBlock, map),
-        OFFSET(TransferBlock, visibleEntries), OFFSET(TransferBlock, firstLevel)}},
-      {FocusBlock::name,
-       {OFFSET(FocusBlock, material), OFFSET(FocusBlock, range), OFFSET(FocusBlock, paletteOrigin),
-        OFFSET(FocusBlock, smoothOrigin), OFFSET(FocusBlock, table), OFFSET(FocusBlock, worldFromIndexGradient)}},
-      {LightBlock::name,
-       {OFFSET(LightBlock, direction), OFFSET(LightBlock, ambient), OFFSET(LightBlock, diffuse),
-        OFFSET(LightBlock, specular), OFFSET(LightBlock, shininess), OFFSET(LightBlock, meanIncidence),
-        OFFSET(LightBlock, gradientOrigin), OFFSET(LightBlock, certainLength), OFFSET(LightBlock, lastNode),
-        OFFSET(LightBlock, nodesPerVoxel)}},
-      {OccludersBlock::name,
-       {OFFSET(OccludersBlock, viewFromCells), OFFSET(OccludersBlock, offset), OFFSET(OccludersBlock, perDepth),
-        OFFSET(OccludersBlock, dims), OFFSET(OccludersBlock, nearest), OFFSET(OccludersBlock, side),
-        OFFSET(OccludersBlock, width)}},
-      {OcclusionBlock::name,
-       {OFFSET(OcclusionBlock, dims), OFFSET(OcclusionBlock, around), OFFSET(OcclusionBlock, strength),
-        OFFSET(OcclusionBlock, towardsLight)}},
-      {IntegralBlock::name,
-       {OFFSET(IntegralBlock, leastTransmittance), OFFSET(IntegralBlock, maxError), OFFSET(IntegralBlock, cutFaceDepth),
-        OFFSET(IntegralBlock, cutFaceShare)}},
-      {OpeningCameraBlock::name,
-       {OFFSET(OpeningCameraBlock, viewFromWorld), OFFSET(OpeningCameraBlock, offset),
-        OFFSET(OpeningCameraBlock, perDepth), OFFSET(OpeningCameraBlock, halfSize),
-        OFFSET(OpeningCameraBlock, pictureSize), OFFSET(OpeningCameraBlock, nearest)}},
-      {ConeBlock::name,
-       {OFFSET(ConeBlock, origin), OFFSET(ConeBlock, tops), OFFSET(ConeBlock, slope), OFFSET(ConeBlock, perDepth)}},
-      {DerivativeBlock::name,
-       {OFFSET(DerivativeBlock, worldFromDerivative), OFFSET(DerivativeBlock, factor), OFFSET(DerivativeBlock, scale)}},
-      {CutawayBlock::name, {OFFSET(CutawayBlock, widths), OFFSET(CutawayBlock, borderColour)}},
-      {ContextLayerBlock::name,
-       {OFFSET(ContextLayerBlock, colour), OFFSET(ContextLayerBlock, strength),
-        OFFSET(ContextLayerBlock, curvatureWeight), OFFSET(ContextLayerBlock, silhouetteWeight),
-        OFFSET(ContextLayerBlock, illuminationWeight), OFFSET(ContextLayerBlock, valueWeight),
-        OFFSET(ContextLayerBlock, curvatureScale)}},
-      {WallsBlock::name,
-       {OFFSET(WallsBlock, plane), OFFSET(WallsBlock, across), OFFSET(WallsBlock, down), OFFSET(WallsBlock, extent),
-        OFFSET(WallsBlock, metric)}},
-      {CandidateBlock::name,
-       {OFFSET(CandidateBlock, sphereCentre), OFFSET(CandidateBlock, sphereRadius), OFFSET(CandidateBlock, focusLower),
-        OFFSET(CandidateBlock, focusUpper)}}};
+      {RayUniforms::name,
+       {OFFSET(RayUniforms, cellsFromView), OFFSET(RayUniforms, worldFromView), OFFSET(RayUniforms, anchor),
+        OFFSET(RayUniforms, distance), OFFSET(RayUniforms, halfSize), OFFSET(RayUniforms, spread),
+        OFFSET(RayUniforms, depth), OFFSET(RayUniforms, pictureSize)}},
+      {ClipUniforms::name, {OFFSET(ClipUniforms, planes), OFFSET(ClipUniforms, normals), OFFSET(ClipUniforms, grey)}},
+      {VolumeUniforms::name, {OFFSET(VolumeUniforms, dims)}},
+      {TransferUniforms::name,
+       {OFFSET(TransferUniforms, firstMaterial), OFFSET(TransferUniforms, lastMaterial), OFFSET(TransferUniforms, map),
+        OFFSET(TransferUniforms, visibleEntries), OFFSET(TransferUniforms, firstLevel)}},
+      {FocusUniforms::name,
+       {OFFSET(FocusUniforms, material), OFFSET(FocusUniforms, range), OFFSET(FocusUniforms, paletteOrigin),
+        OFFSET(FocusUniforms, smoothOrigin), OFFSET(FocusUniforms, table),
+        OFFSET(FocusUniforms, worldFromIndexGradient)}},
+      {LightUniforms::name,
+       {OFFSET(LightUniforms, direction), OFFSET(LightUniforms, ambient), OFFSET(LightUniforms, diffuse),
+        OFFSET(LightUniforms, specular), OFFSET(LightUniforms, shininess), OFFSET(LightUniforms, meanIncidence),
+        OFFSET(LightUniforms, gradientOrigin), OFFSET(LightUniforms, certainLength), OFFSET(LightUniforms, lastNode),
+        OFFSET(LightUniforms, nodesPerVoxel)}},
+      {OccludersUniforms::name,
+       {OFFSET(OccludersUniforms, viewFromCells), OFFSET(OccludersUniforms, offset),
+        OFFSET(OccludersUniforms, perDepth), OFFSET(OccludersUniforms, dims), OFFSET(OccludersUniforms, nearest),
+        OFFSET(OccludersUniforms, side), OFFSET(OccludersUniforms, width)}},
+      {OcclusionUniforms::name,
+       {OFFSET(OcclusionUniforms, dims), OFFSET(OcclusionUniforms, around), OFFSET(OcclusionUniforms, strength),
+        OFFSET(OcclusionUniforms, towardsLight)}},
+      {IntegralUniforms::name,
+       {OFFSET(IntegralUniforms, leastTransmittance), OFFSET(IntegralUniforms, maxError),
+        OFFSET(IntegralUniforms, cutFaceDepth), OFFSET(IntegralUniforms, cutFaceShare)}},
+      {OpeningCameraUniforms::name,
+       {OFFSET(OpeningCameraUniforms, viewFromWorld), OFFSET(OpeningCameraUniforms, offset),
+        OFFSET(OpeningCameraUniforms, perDepth), OFFSET(OpeningCameraUniforms, halfSize),
+        OFFSET(OpeningCameraUniforms, pictureSize), OFFSET(OpeningCameraUniforms, nearest)}},
+      {ConeUniforms::name,
+       {OFFSET(ConeUniforms, origin), OFFSET(ConeUniforms, tops), OFFSET(ConeUniforms, slope),
+        OFFSET(ConeUniforms, perDepth)}},
+      {DerivativeUniforms::name,
+       {OFFSET(DerivativeUniforms, worldFromDerivative), OFFSET(DerivativeUniforms, factor),
+        OFFSET(DerivativeUniforms, scale)}},
+      {CutawayUniforms::name, {OFFSET(CutawayUniforms, widths), OFFSET(CutawayUniforms, borderColour)}},
+      {ContextLayerUniforms::name,
+       {OFFSET(ContextLayerUniforms, colour), OFFSET(ContextLayerUniforms, strength),
+        OFFSET(ContextLayerUniforms, curvatureWeight), OFFSET(ContextLayerUniforms, silhouetteWeight),
+        OFFSET(ContextLayerUniforms, illuminationWeight), OFFSET(ContextLayerUniforms, valueWeight),
+        OFFSET(ContextLayerUniforms, curvatureScale)}},
+      {WallUniforms::name,
+       {OFFSET(WallUniforms, plane), OFFSET(WallUniforms, across), OFFSET(WallUniforms, down),
+        OFFSET(WallUniforms, extent), OFFSET(WallUniforms, metric)}},
+      {CandidateUniforms::name,
+       {OFFSET(CandidateUniforms, sphereCentre), OFFSET(CandidateUniforms, sphereRadius),
+        OFFSET(CandidateUniforms, focusLower), OFFSET(CandidateUniforms, focusUpper)}}};
 #undef OFFSET
   std::map<std::string, int> compared;
   for (const auto& [source, linked] : programs())

@@ -1,5 +1,5 @@
 // The numbers that a scene or a view sets, in one uniform block: structs, each read by its name. They mirror those of
-// rendering/gpu/UniformBlocks.h. One block, because lavapipe of Mesa 22.3 overwrites its own memory with a fourth: its search
+// rendering/gpu/Uniforms.h. One block, because lavapipe of Mesa 22.3 overwrites its own memory with a fourth: its search
 // for uniforms to inline notes those that a program's branches depend on in an array of 128 words on the stack, of buffer b
 // from word 32 b on. Plain uniforms are buffer 0.
 #include <schedule>
@@ -8,7 +8,7 @@ const int HALF_SPACES = 12;  // as many as there may be; those not in use keep e
 const int WALLS = 3;         // as many as there may be; those not in use have no extent
 
 // lib/PixelRay.glsl
-struct RaySettings {
+struct RayUniforms {
   mat3 cellsFromView;  // cells per mm along the view's right, up and forward
   mat3 worldFromView;  // columns: right, up, forward as unit vectors in world space
   vec3 anchor;         // cell frame: where the view axis meets the anchor plane
@@ -20,19 +20,19 @@ struct RaySettings {
 };
 
 // lib/Grid.glsl
-struct VolumeSettings {
+struct VolumeUniforms {
   ivec3 dims;  // voxels
 };
 
 // lib/Clip.glsl
-struct ClipSettings {
+struct ClipUniforms {
   vec4 planes[HALF_SPACES];   // cell frame: mm before the plane are xyz·position + w
   vec4 normals[HALF_SPACES];  // unit, world
   vec2 grey;                  // of a capped face: stored value · x + y
 };
 
 // lib/Transfer.glsl
-struct TransferSettings {
+struct TransferUniforms {
   vec4 firstMaterial, lastMaterial;  // beyond the tables' ends
   vec2 map;                          // entry = stored value · x + y
   vec2 visibleEntries;               // nothing shows up to the first or from the second on
@@ -40,7 +40,7 @@ struct TransferSettings {
 };
 
 // lib/focus/Index.glsl
-struct FocusSettings {
+struct FocusUniforms {
   vec4 material;                // colour, extinction (1/mm)
   vec2 range;                   // of a value focus, stored values, closed
   ivec3 paletteOrigin;          // index of the palette texture's first voxel
@@ -50,7 +50,7 @@ struct FocusSettings {
 };
 
 // lib/integral/Settings.glsl
-struct IntegralSettings {
+struct IntegralUniforms {
   float leastTransmittance;  // early ray termination: what lies behind less than that does not show
   float maxError;            // of a pixel's colour; for lib/integral/CellByCell.glsl
   float cutFaceDepth;        // mm behind a cut face over which its own light gives way to the volume's
@@ -58,7 +58,7 @@ struct IntegralSettings {
 };
 
 // lib/light/BlinnPhong.glsl
-struct LightSettings {
+struct LightUniforms {
   vec3 direction;        // world, towards the light
   float ambient;
   float diffuse;
@@ -72,7 +72,7 @@ struct LightSettings {
 };
 
 // Occluders.comp
-struct OccludersSettings {
+struct OccludersUniforms {
   mat3 viewFromCells;  // of the picture that the opening is cut for: mm from its anchor point, for a cell's coordinates
   vec3 offset;         // there, of the corner of the first cell
   float perDepth;      // 1/mm: how that picture widens behind the anchor plane; 0 where rays are parallel
@@ -83,7 +83,7 @@ struct OccludersSettings {
 };
 
 // Occlusion.comp
-struct OcclusionSettings {
+struct OcclusionUniforms {
   ivec3 dims;        // cells
   int around;        // directions all around, the first ones
   vec2 strength;     // of occlusion and shadow, 0 to 1
@@ -91,7 +91,7 @@ struct OcclusionSettings {
 };
 
 // RemovedParts.comp
-struct OpeningCamera {
+struct OpeningCameraUniforms {
   mat3 viewFromWorld;
   vec3 offset;        // mm, in the opening's view axes: from its anchor point to that of this picture's rays
   float perDepth;     // 1/mm: how the picture widens behind the anchor plane; 0 where rays are parallel
@@ -101,7 +101,7 @@ struct OpeningCamera {
 };
 
 // lib/Cones.glsl
-struct ConeSettings {
+struct ConeUniforms {
   ivec2 origin;    // pixel of the picture that the pyramid begins at
   ivec2 tops;      // squares of the top level
   float slope;     // mm of depth per pixel beside the axis, on the anchor plane
@@ -109,20 +109,20 @@ struct ConeSettings {
 };
 
 // lib/Curvature.glsl
-struct DerivativeSettings {
+struct DerivativeUniforms {
   mat3 worldFromDerivative;  // gradient: world (1/mm) from derivative index (the inverse transpose)
   vec3 factor;               // volume voxels per derivative voxel
   float scale;               // real value per texel unit
 };
 
 // Composite.comp
-struct CutawaySettings {
+struct CutawayUniforms {
   vec2 widths;        // w_open, w_border in rendered pixels
   vec3 borderColour;
 };
 
 // Composite.comp
-struct ContextLayerSettings {
+struct ContextLayerUniforms {
   vec3 colour;
   float strength;           // scales the layer's opacity
   float curvatureWeight;    // opacity of sharp bends
@@ -133,7 +133,7 @@ struct ContextLayerSettings {
 };
 
 // Walls.comp: affine functions of a position in the cell frame, xyz·position + w.
-struct WallSettings {
+struct WallUniforms {
   vec4 plane[WALLS];         // mm before the wall
   vec4 across[WALLS];        // the place on it: u
   vec4 down[WALLS];          // and v, in voxels
@@ -142,7 +142,7 @@ struct WallSettings {
 };
 
 // lib/Candidate.glsl
-struct CandidateSettings {
+struct CandidateUniforms {
   vec3 sphereCentre;   // cell frame
   float sphereRadius;  // mm
   vec3 focusLower;     // cell frame: nothing of the focus lies outside
@@ -150,38 +150,38 @@ struct CandidateSettings {
 };
 
 layout(std140) uniform Uniforms {
-  RaySettings rays;
-  VolumeSettings volume;
-  ClipSettings clipping;
-  TransferSettings transfer;
-  FocusSettings focus;
-  IntegralSettings integral;
-  LightSettings lighting;
-  OccludersSettings occluders;
-  OcclusionSettings occlusion;
-  OpeningCamera opening;
-  ConeSettings cones;
-  DerivativeSettings derivative;
-  CutawaySettings cutaway;
-  ContextLayerSettings contextLook;
-  WallSettings walls;
-  CandidateSettings candidates;
+  RayUniforms rays;
+  VolumeUniforms volume;
+  ClipUniforms clipping;
+  TransferUniforms transfer;
+  FocusUniforms focus;
+  IntegralUniforms integral;
+  LightUniforms lighting;
+  OccludersUniforms occluders;
+  OcclusionUniforms occlusion;
+  OpeningCameraUniforms opening;
+  ConeUniforms cones;
+  DerivativeUniforms derivative;
+  CutawayUniforms cutaway;
+  ContextLayerUniforms contextLook;
+  WallUniforms walls;
+  CandidateUniforms candidates;
 }
 STORED_UNIFORMS;
 
-UNIFORM(RaySettings, rays)
-UNIFORM(VolumeSettings, volume)
-UNIFORM(ClipSettings, clipping)
-UNIFORM(TransferSettings, transfer)
-UNIFORM(FocusSettings, focus)
-UNIFORM(IntegralSettings, integral)
-UNIFORM(LightSettings, lighting)
-UNIFORM(OccludersSettings, occluders)
-UNIFORM(OcclusionSettings, occlusion)
-UNIFORM(OpeningCamera, opening)
-UNIFORM(ConeSettings, cones)
-UNIFORM(DerivativeSettings, derivative)
-UNIFORM(CutawaySettings, cutaway)
-UNIFORM(ContextLayerSettings, contextLook)
-UNIFORM(WallSettings, walls)
-UNIFORM(CandidateSettings, candidates)
+UNIFORM(RayUniforms, rays)
+UNIFORM(VolumeUniforms, volume)
+UNIFORM(ClipUniforms, clipping)
+UNIFORM(TransferUniforms, transfer)
+UNIFORM(FocusUniforms, focus)
+UNIFORM(IntegralUniforms, integral)
+UNIFORM(LightUniforms, lighting)
+UNIFORM(OccludersUniforms, occluders)
+UNIFORM(OcclusionUniforms, occlusion)
+UNIFORM(OpeningCameraUniforms, opening)
+UNIFORM(ConeUniforms, cones)
+UNIFORM(DerivativeUniforms, derivative)
+UNIFORM(CutawayUniforms, cutaway)
+UNIFORM(ContextLayerUniforms, contextLook)
+UNIFORM(WallUniforms, walls)
+UNIFORM(CandidateUniforms, candidates)

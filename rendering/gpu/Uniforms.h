@@ -14,7 +14,7 @@ namespace fenestra {
 using Std140Mat3 = glm::mat3x4;
 
 /// shaders/lib/PixelRay.glsl.
-struct alignas(16) RayBlock {
+struct alignas(16) RayUniforms {
   static constexpr const char* name = "rays";
   Std140Mat3 cellsFromView, worldFromView;
   glm::vec3 anchor;
@@ -25,20 +25,20 @@ struct alignas(16) RayBlock {
 };
 
 /// shaders/lib/Clip.glsl.
-struct alignas(16) ClipBlock {
+struct alignas(16) ClipUniforms {
   static constexpr const char* name = "clipping";
   std::array<glm::vec4, mostHalfSpaces> planes, normals;
   glm::vec2 grey{0.0f};
 };
 
 /// shaders/lib/Grid.glsl.
-struct alignas(16) VolumeBlock {
+struct alignas(16) VolumeUniforms {
   static constexpr const char* name = "volume";
   glm::ivec3 dims;
 };
 
 /// shaders/lib/Transfer.glsl.
-struct alignas(16) TransferBlock {
+struct alignas(16) TransferUniforms {
   static constexpr const char* name = "transfer";
   glm::vec4 firstMaterial, lastMaterial;
   glm::vec2 map, visibleEntries;
@@ -46,7 +46,7 @@ struct alignas(16) TransferBlock {
 };
 
 /// shaders/lib/focus/Index.glsl.
-struct alignas(16) FocusBlock {
+struct alignas(16) FocusUniforms {
   static constexpr const char* name = "focus";
   glm::vec4 material{0.0f};
   alignas(16) glm::vec2 range{0.0f};
@@ -57,7 +57,7 @@ struct alignas(16) FocusBlock {
 };
 
 /// shaders/lib/light/BlinnPhong.glsl.
-struct alignas(16) LightBlock {
+struct alignas(16) LightUniforms {
   static constexpr const char* name = "lighting";
   glm::vec3 direction;
   float ambient, diffuse, specular, shininess, meanIncidence;
@@ -68,7 +68,7 @@ struct alignas(16) LightBlock {
 };
 
 /// shaders/Occluders.comp.
-struct alignas(16) OccludersBlock {
+struct alignas(16) OccludersUniforms {
   static constexpr const char* name = "occluders";
   Std140Mat3 viewFromCells{1.0f};
   glm::vec3 offset{0.0f};
@@ -80,7 +80,7 @@ struct alignas(16) OccludersBlock {
 };
 
 /// shaders/Occlusion.comp.
-struct alignas(16) OcclusionBlock {
+struct alignas(16) OcclusionUniforms {
   static constexpr const char* name = "occlusion";
   glm::ivec3 dims;
   int around;
@@ -89,13 +89,13 @@ struct alignas(16) OcclusionBlock {
 };
 
 /// shaders/lib/integral/Settings.glsl.
-struct alignas(16) IntegralBlock {
+struct alignas(16) IntegralUniforms {
   static constexpr const char* name = "integral";
   float leastTransmittance, maxError, cutFaceDepth, cutFaceShare;
 };
 
 /// shaders/RemovedParts.comp.
-struct alignas(16) OpeningCameraBlock {
+struct alignas(16) OpeningCameraUniforms {
   static constexpr const char* name = "opening";
   Std140Mat3 viewFromWorld;
   glm::vec3 offset;
@@ -106,14 +106,14 @@ struct alignas(16) OpeningCameraBlock {
 };
 
 /// shaders/lib/Cones.glsl.
-struct alignas(16) ConeBlock {
+struct alignas(16) ConeUniforms {
   static constexpr const char* name = "cones";
   glm::ivec2 origin, tops;
   float slope, perDepth;
 };
 
 /// shaders/lib/Curvature.glsl.
-struct alignas(16) DerivativeBlock {
+struct alignas(16) DerivativeUniforms {
   static constexpr const char* name = "derivative";
   Std140Mat3 worldFromDerivative;
   glm::vec3 factor;
@@ -121,25 +121,25 @@ struct alignas(16) DerivativeBlock {
 };
 
 /// shaders/Composite.comp.
-struct alignas(16) CutawayBlock {
+struct alignas(16) CutawayUniforms {
   static constexpr const char* name = "cutaway";
   glm::vec2 widths;
   alignas(16) glm::vec3 borderColour;
 };
-struct alignas(16) ContextLayerBlock {
+struct alignas(16) ContextLayerUniforms {
   static constexpr const char* name = "contextLook";
   glm::vec3 colour;
   float strength, curvatureWeight, silhouetteWeight, illuminationWeight, valueWeight, curvatureScale;
 };
 
 /// shaders/Walls.comp.
-struct alignas(16) WallsBlock {
+struct alignas(16) WallUniforms {
   static constexpr const char* name = "walls";
   std::array<glm::vec4, 3> plane, across, down, extent, metric;
 };
 
 /// shaders/lib/Candidate.glsl.
-struct alignas(16) CandidateBlock {
+struct alignas(16) CandidateUniforms {
   static constexpr const char* name = "candidates";
   glm::vec3 sphereCentre;
   float sphereRadius;
