@@ -126,14 +126,14 @@ std::vector<glm::ivec3> FocusSmooth::tilesNear(const std::vector<std::size_t>& b
 }
 
 void FocusSmooth::read(glm::ivec3 tile, Bits& bits) const {
-  constexpr int side = blockSide / brickSide;
+  constexpr int bricks = blockSide / brickSide;
   const auto orRow = [&](glm::ivec3 brick, int y, int z, std::uint32_t four) {
     bits[static_cast<std::size_t>(brick.y * brickSide + y + blockSide * (brick.z * brickSide + z))] |=
         four << (brick.x * brickSide);
   };
   // A block beyond the volume holds what one at its last brick does once the edge is repeated.
   const glm::ivec3 first = glm::min(tile / brickSide - 1, dims_ / brickSide);
-  const glm::ivec3 low = glm::max(-first, 0), high = glm::min(index_.bricks - first, side);
+  const glm::ivec3 low = glm::max(-first, 0), high = glm::min(index_.bricks - first, bricks);
   glm::ivec3 brick;
   for (brick.z = low.z; brick.z < high.z; ++brick.z)
     for (brick.y = low.y; brick.y < high.y; ++brick.y)

@@ -225,7 +225,7 @@ TEST(Placement, JointSearchFindsWhatTryingEveryPairFinds) {
 
 TEST(Placement, TheNearerSideIsC1AndFarPairsGiveWayToEquallyGoodNearOnes) {
   // Opposite views see the same: only their depth tells them apart. The focus is near the left side.
-  const glm::dvec3 left(1.0, 0.0, 0.0), anterior(0.0, -1.0, 0.0);
+  const glm::dvec3 left(1.0, 0.0, 0.0);
   for (const Region region : {Region::Stream, Region::SemiSphere}) {
     std::vector<Candidate> candidates = candidatesOf(4, [](glm::dvec3) { return 0.5; });
     seeEverything(candidates);
