@@ -73,11 +73,7 @@ class LongTasks : public Window {
     waitUntilDrawn();
   }
 
-#if defined(__SANITIZE_ADDRESS__)  // takes two to three times as long
-  static constexpr double allowed = 300.0;  ///< ms
-#else
-  static constexpr double allowed = 100.0;
-#endif
+  static constexpr double allowed = 100.0;  ///< ms
   const fs::path folder_ = tests::scratchFolder();
 };
 
