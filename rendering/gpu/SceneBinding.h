@@ -18,7 +18,7 @@ gl::Choice integralChoice(const GpuScene& scene, bool bounded);
 
 /// What `#include <focus>` stands for.
 gl::Choice focusChoice(const GpuScene& scene);
-/// The focus's index; nothing without a focus. The other members are for passes that show the focus.
+/// The focus's index; nothing without a focus. `uniforms` holds what passes that show the focus read besides.
 void bindFocus(const GpuScene& scene, gl::ShaderProgram& program, FocusUniforms uniforms = {});
 
 /// How the focus looks, for passes that show it; with its index. `program` was compiled with focusDefines() and has the

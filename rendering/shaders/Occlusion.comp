@@ -1,6 +1,6 @@
 // The medium that casts shadows, second step: what is left of ambient and of direct light at the centre of each cell.
 // rendering/scene/Occlusion.h defines it. An invocation has CELLS cells, one behind the other along z: four,
-// for a vector holds them.
+// because a vec4 holds a number for each.
 #include <schedule>
 #include "lib/Region.glsl"
 #include "lib/Uniforms.glsl"
