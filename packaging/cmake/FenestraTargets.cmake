@@ -23,7 +23,8 @@ function(fenestra_precompile TARGET HEADERS)
   endif()
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     # ccache needs the first. GCC 12 loses places in precompiled headers, and then reports false array bounds.
-    target_compile_options(${TARGET} PRIVATE -fpch-preprocess -Wno-array-bounds -Wno-stringop-overflow)
+    target_compile_options(${TARGET} PRIVATE -fpch-preprocess -Wno-array-bounds -Wno-stringop-overflow
+                           -Wno-stringop-overread)
   endif()
 endfunction()
 
