@@ -128,11 +128,13 @@ TEST(GuideText, OptionsAndCommandsAreThoseOfThePrograms) {
 #ifndef FENESTRA_WINDOW
   options.insert("--screenshot");  // of the window's program alone
 #endif
-  for (const Program& program : programs())
+  for (const Program& program : programs()) {
+    options.merge(optionsInHelp(program, ""));
     for (const std::string& command : program.commands) {
       options.merge(optionsInHelp(program, command));
       commands.insert(command);
     }
+  }
   std::size_t checked = 0;
   for (const fs::path& page : pages()) {
     const std::string text = contentsOf(page.string());
