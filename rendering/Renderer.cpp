@@ -8,14 +8,6 @@
 
 namespace fenestra {
 
-std::string_view nameOf(Pass pass) {
-  constexpr std::array<std::string_view, passCount> names{
-      "hit points", "important hits", "pull-push",   "cones",         "distance map",    "edit map",
-      "ray start",  "occlusion",      "focus layer", "faint layer",   "protected layer", "context layer",
-      "lens",       "walls",          "composite",   "exempt labels", "edges",           "edge rays"};
-  return names[static_cast<std::size_t>(pass)];
-}
-
 Renderer::Renderer(std::shared_ptr<GpuScene> gpuScene) : chain_(std::make_unique<PassChain>(std::move(gpuScene))) {}
 Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;

@@ -5,72 +5,21 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <string_view>
 #include <vector>
 
+#include "rendering/Layers.h"
+#include "rendering/PickedPlace.h"
 #include "rendering/scene/BrushStroke.h"
 #include "rendering/scene/Scene.h"
 #include "rendering/scene/View.h"
+#include "rendering/stages/Pass.h"
 
 namespace fenestra {
 
 class GpuScene;
 struct PassChain;
 
-enum class Pass : std::uint8_t {
-  HitPoints,
-  Importance,
-  PullPush,
-  Cones,
-  DistanceMap,
-  EditMap,
-  RayStart,
-  Occlusion,
-  FocusLayer,
-  FaintLayer,
-  ProtectedLayer,
-  ContextLayer,
-  Lens,
-  Walls,
-  Composite,
-  Exempt,
-  Edges,
-  EdgeRays
-};
-inline constexpr std::size_t passCount = 18;
-std::string_view nameOf(Pass pass);
-
-/// Row-major from the top of the picture; t in mm along the pixel's ray (see Camera), NaN where there is nothing.
-struct Layers {
-  glm::ivec2 size{0};
-  /// tFocus: with several levels of importance, of what the ray is opened to; see rendering/scene/Importance.h.
-  std::vector<float> tContext, tFocus, tFocusFilled, tStart;
-  std::vector<float> distance;            ///< px, 0 inside the focus projection (the opening, where cones cut
-                                          ///< it), +inf beyond w_open + w_border
-  std::vector<glm::vec2> edits;           ///< of brush strokes: EditMapPass's output
-  std::vector<glm::vec4> focusLayer;      ///< premultiplied RGBA
-  std::vector<glm::vec4> faintLayer;      ///< premultiplied RGBA of all that is removed, before it is made faint
-  std::vector<glm::vec4> protectedLayer;  ///< premultiplied RGBA, in front of the focus layer
-  std::vector<glm::vec4> contextLayer;    ///< κ1, κ2 (1/mm), illumination, value (real units)
-  /// Of the context's first surface, where a lens reads it: its normal along the view's right, up and forward, 0 where
-  /// there is none; mm to the lens's middle, NaN where there is no surface before the focus.
-  std::vector<glm::vec4> lens;
-  std::vector<glm::vec4> walls;  ///< premultiplied RGBA of slices that stand as walls, before they are laid
-  std::vector<glm::vec4> final;  ///< premultiplied RGBA
-};
-
-struct PassStats {
-  std::uint64_t runs = 0;     ///< since the renderer was made
-  std::uint64_t pixels = 0;   ///< shaded by the last run: under a changed brush stroke only, or the whole picture
-  double milliseconds = 0.0;  ///< GPU time of the last run; 0 until timing is on
-};
-
 /// Needs a current OpenGL 4.5 context in every call, always the same one or one that shares with it. Move-only.
-/// A place of the volume, world, and the unit direction there of a ray that meets it.
-struct PickedPlace {
-  glm::dvec3 place, ray;
-};
-
 class Renderer {
  public:
   /// `gpuScene` may be shared by several renderers whose contexts share objects: voxels are uploaded once.
