@@ -86,6 +86,8 @@ class FocusLayerPass {
   void runExploded(Steps& steps, const GpuScene& gpu, const Look& look, const std::vector<ExplodedStretch>& stretches,
                    const gl::Texture* focusHits, const Sampling& sampling, Regions regions, gl::Texture& focusLayer);
   std::size_t bytes() const { return list_.bytes(); }
+  /// Drops the list of pixels.
+  void release() { list_ = {}; }
 
  private:
   struct Drawn {
