@@ -63,7 +63,7 @@ class Chain {
   std::optional<Frame> frame_;
   bool isDrawing_ = false;
   std::size_t begun_ = 0;  ///< stages of the list
-  Steps steps_;            ///< of the stage begun last
+  Steps steps_;            ///< what the stage begun last has still to do
 };
 
 }  // namespace fenestra

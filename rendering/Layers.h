@@ -15,12 +15,12 @@ struct Layers {
   std::vector<float> tContext, tFocus, tFocusFilled, tStart;
   std::vector<float> distance;            ///< px, 0 inside the focus projection (the opening, where cones cut
                                           ///< it), +inf beyond w_open + w_border
-  std::vector<glm::vec2> edits;           ///< of brush strokes: EditMapPass's output
+  std::vector<glm::vec2> edits;           ///< what strokes change, as EditMapPass has it
   std::vector<glm::vec4> focusLayer;      ///< premultiplied RGBA
   std::vector<glm::vec4> faintLayer;      ///< premultiplied RGBA of all that is removed, before it is made faint
   std::vector<glm::vec4> protectedLayer;  ///< premultiplied RGBA, in front of the focus layer
   std::vector<glm::vec4> contextLayer;    ///< κ1, κ2 (1/mm), illumination, value (real units)
-  /// Of the context's first surface, where a lens reads it: its normal along the view's right, up and forward, 0 where
+  /// The context's first surface, where a lens reads it: its normal along the view's right, up and forward, 0 where
   /// there is none; mm to the lens's middle, NaN where there is no surface before the focus.
   std::vector<glm::vec4> lens;
   std::vector<glm::vec4> walls;  ///< premultiplied RGBA of slices that stand as walls, before they are laid

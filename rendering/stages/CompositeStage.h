@@ -13,7 +13,7 @@ struct CompositeKey {
   Version focusLayer, walls;  ///< walls inside the opening
   Version distances;
   Version contextLayer, protectedLayer, faintLayer, lens;  ///< none for what the picture does not have
-  std::optional<std::uint64_t> ownColours;                 ///< of the context layer: version of the transfer functions
+  std::optional<std::uint64_t> ownColours;                 ///< the transfer functions' version, with a context layer
   MethodStages method;
   glm::dvec2 widths;
   glm::dvec3 borderColour;

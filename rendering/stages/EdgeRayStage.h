@@ -58,8 +58,8 @@ class EdgeRayStage : public KeyedStage<EdgeRayKey> {
   ContextLayerPass contextLayerPass_{gpu().programs()};
   CompositePass compositePass_{gpu().programs()};
   ExemptPass exemptPass_{gpu().programs()};
-  std::deque<RayFrame> rays_;                                           ///< of each batch
-  std::deque<std::vector<FocusLayerPass::ExplodedStretch>> stretches_;  ///< of each batch of an exploded view
+  std::deque<RayFrame> rays_;                                           ///< those of one batch each
+  std::deque<std::vector<FocusLayerPass::ExplodedStretch>> stretches_;  ///< one list a batch, in an exploded view
   /// Images of the rays of a batch, while it is drawn; those that the scene does not use stay empty.
   gl::Texture hits_, edits_, starts_, distances_, hole_, focusLayer_, protectedLayer_, contextLayer_, silhouette_,
       composed_, exempted_;

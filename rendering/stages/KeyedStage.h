@@ -25,7 +25,7 @@ class KeyedStage : public Stage {
   }
 
  protected:
-  Version version() const { return version_; }  ///< of the images
+  Version version() const { return version_; }  ///< tells states of the images apart
   /// What the images were made from; empty where that is not known: before the first run, and after one that was
   /// dropped half way.
   const std::optional<Key>& lastKey() const { return key_; }

@@ -7,11 +7,11 @@
 namespace fenestra {
 
 struct OcclusionKey {
-  Version starts, hits;          ///< of the camera that cuts the opening; none without one
+  Version starts, hits;          ///< those of the camera that cuts the opening; none without one
   std::optional<Camera> camera;  ///< that one
   std::uint64_t occluders;
   glm::dvec3 light;     ///< 0 without shadows
-  glm::dvec2 strength;  ///< of occlusion and shadow
+  glm::dvec2 strength;  ///< x: occlusion; y: shadow
   Clip clip;
   occlusion::Directions directions;
   bool operator==(const OcclusionKey&) const = default;

@@ -7,7 +7,7 @@
 
 namespace fenestra {
 
-/// In the order in which they run.
+/// In the order in which they run. A stage counts its runs as one of them; several stages may count as the same.
 enum class Pass : std::uint8_t {
   HitPoints,
   Importance,
@@ -28,7 +28,7 @@ enum class Pass : std::uint8_t {
   Edges,
   EdgeRays
 };
-inline constexpr std::size_t passCount = 18;
+inline constexpr std::size_t passCount = static_cast<std::size_t>(Pass::EdgeRays) + 1;
 std::string_view nameOf(Pass pass);
 
 struct PassStats {

@@ -8,7 +8,7 @@ namespace fenestra {
 
 struct RemovedKey {
   Version hits;           ///< the picture's
-  Version openingStarts;  ///< of the camera that cuts the opening
+  Version openingStarts;  ///< those of the camera that cuts the opening
   OpeningView opening;
   glm::dvec2 widths;
   ProjectedStrokes strokes;
