@@ -64,7 +64,7 @@ TEST_F(DroppedStrokes, LeaveNoTrace) {
     EXPECT_FALSE(expected[0].final == expected[1].final);
     EXPECT_FALSE(expected[1].final == expected[3].final);
     Renderer kept(gpu);
-    for (int round = 0; round < 40; ++round) {
+    for (int round = 0; round < 20; ++round) {
       for (std::size_t drops = random() % 3; drops > 0; --drops) {
         kept.begin(states[random() % states.size()], kind.view);
         for (std::size_t slices = random() % 150; slices > 0 && !kept.advance(0.0); --slices) {
