@@ -34,8 +34,8 @@ class FocusLayerPass {
     const gl::Texture& rayStart;
     /// Where another camera cuts the opening; see RemovedPass. Needs a sampling with a bound on the error.
     const gl::Texture* hole = nullptr;
-    /// Of scattered rays, whose the others are: the ray starts of the picture's pixels. They tell the cut face's
-    /// normal.
+    /// For scattered rays, to which the other images belong: the ray starts of the picture's pixels, which tell the
+    /// normal of a cut face.
     const gl::Texture* pixelStarts = nullptr;
   };
   /// How the integral is found: cell by cell within a bound on the error of a pixel's colour (0..1), or without one
@@ -52,10 +52,10 @@ class FocusLayerPass {
     bool roughSteps = false;
     bool operator==(const Sampling&) const = default;
   };
-  /// Of pictures of draft or normal quality, for which no bound is asked, where only the integral within a bound can
+  /// For pictures of draft or normal quality, for which no bound is asked, where only the integral within a bound can
   /// draw what they show.
   static constexpr double usualBound = 4.0 / 255.0;
-  /// The same with a ray through every pixel.
+  /// That sampling with a ray through every pixel.
   static Sampling followingEveryRay(const Sampling& sampling) {
     return {.maxError = sampling.maxError, .tolerance = sampling.tolerance, .roughSteps = sampling.roughSteps};
   }
@@ -76,7 +76,7 @@ class FocusLayerPass {
   enum class Stretch : std::uint8_t { Before, InFocus, Behind };
   struct ExplodedStretch {
     Stretch shown = Stretch::Before;
-    /// Of the picture's camera, moved back by the part's translation, and clipped to the part.
+    /// The rays of the picture's camera, moved back by the part's translation, and clipped to the part.
     RayFrame rays;
     double fromPicture = 0.0;  ///< s on these rays less s on the picture's rays, where both see the same place
   };
@@ -86,6 +86,8 @@ class FocusLayerPass {
   void runExploded(Steps& steps, const GpuScene& gpu, const Look& look, const std::vector<ExplodedStretch>& stretches,
                    const gl::Texture* focusHits, const Sampling& sampling, Regions regions, gl::Texture& focusLayer);
   std::size_t bytes() const { return list_.bytes(); }
+  /// Drops the list of pixels.
+  void release() { list_ = {}; }
 
  private:
   struct Drawn {
@@ -95,7 +97,7 @@ class FocusLayerPass {
     std::optional<Opening> opening;
     Sampling sampling;
     const gl::Texture* occlusion;
-    const ExplodedStretch* stretch = nullptr;  ///< of an exploded view
+    const ExplodedStretch* stretch = nullptr;  ///< in an exploded view
     const gl::Texture* focusHits = nullptr;
     bool resumes = false;  ///< other stretches lie before it
   };
