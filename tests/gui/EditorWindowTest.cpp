@@ -15,7 +15,7 @@
 #include "io/TransferFunctionFile.h"
 #include "tests/gui/WindowFixture.h"
 #include "tests/support/TestData.h"
-#include "viewer/NoticeBar.h"
+#include "viewer/bars/NoticeBar.h"
 #include "viewer/panels/AppearancePanel.h"
 
 namespace fenestra::viewer {

@@ -19,8 +19,8 @@
 
 #include "tests/gui/PseudoLocale.h"
 #include "tests/gui/WindowFixture.h"
-#include "viewer/Guide.h"
-#include "viewer/GuideWindow.h"
+#include "viewer/guide/Guide.h"
+#include "viewer/guide/GuideWindow.h"
 #include "viewer/panels/SliderSpin.h"
 
 namespace fenestra::viewer {

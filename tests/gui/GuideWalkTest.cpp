@@ -18,7 +18,7 @@
 #include "app/SceneOptions.h"
 #include "tests/gui/Likeness.h"
 #include "tests/gui/WindowFixture.h"
-#include "viewer/Tour.h"
+#include "viewer/guide/Tour.h"
 #include "viewer/panels/CutawayPanel.h"
 
 namespace fenestra::viewer {

@@ -13,9 +13,9 @@
 #include "io/ImageWriter.h"
 #include "tests/gui/WindowFixture.h"
 #include "tests/support/TestData.h"
-#include "viewer/NoticeBar.h"
-#include "viewer/PictureDialog.h"
-#include "viewer/PictureExports.h"
+#include "viewer/bars/NoticeBar.h"
+#include "viewer/dialogs/PictureDialog.h"
+#include "viewer/exports/PictureExports.h"
 #include "viewer/model/Paths.h"
 
 namespace fenestra::viewer {
