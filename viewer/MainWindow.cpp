@@ -92,9 +92,7 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
   setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
 
   connectModels();  // before the views connect, so that the models are up to date when a view draws
-  views_ = new ViewArea(workspace_.document, workspace_.cursor, workspace_.cameras, workspace_.options,
-                        workspace_.brush, workspace_.carving, workspace_.selection, workspace_.measuring, gl_,
-                        setup.atRest.value_or(workspace_.preferences.atRest()), setup.chooseSchedule);
+  views_ = new ViewArea(workspace_, gl_, setup.atRest.value_or(workspace_.preferences.atRest()), setup.chooseSchedule);
   views_->warmUp(setup.expected);
   notices_ = new NoticeBar;
   sessions_ = new Sessions(*this, workspace_, loader_, *notices_,
@@ -154,25 +152,6 @@ QWidget* MainWindow::makeCentre() {
 
 void MainWindow::connectModels() {
   connect(&workspace_.document, &Document::volumeChanged, this, &MainWindow::followVolume);
-  // The left button does one thing at a time.
-  Brush& brush = workspace_.brush;
-  Carving& carving = workspace_.carving;
-  SelectionBrush& selection = workspace_.selection;
-  connect(&brush, &Brush::activeChanged, this, [&carving, &selection](bool active) {
-    if (!active) return;
-    carving.setActive(false);
-    selection.setActive(false);
-  });
-  connect(&carving, &Carving::activeChanged, this, [&brush, &selection](bool active) {
-    if (!active) return;
-    brush.setActive(false);
-    selection.setActive(false);
-  });
-  connect(&selection, &SelectionBrush::activeChanged, this, [&brush, &carving](bool active) {
-    if (!active) return;
-    brush.setActive(false);
-    carving.setActive(false);
-  });
   connect(&workspace_.placement, &PlacementController::leaving, this, [this] {
     workspace_.document.history().push(tr("Place cameras"), std::make_shared<CamerasChange>(workspace_.cameras));
   });

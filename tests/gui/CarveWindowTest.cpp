@@ -216,8 +216,10 @@ TEST_F(CarveWindow, StrokesWaitWhileTheContextIsTaken) {
 }
 
 TEST_F(CarveWindow, PressedBesideTheVolumeItDoesNothing) {
+  const Camera camera = cameras().camera(0);
   carve(volume(0), {4, 4}, {30, 4});
   EXPECT_TRUE(document().removals().empty());
+  EXPECT_EQ(cameras().camera(0), camera) << "the view does not turn";
   EXPECT_EQ(steps(), 0);
 }
 

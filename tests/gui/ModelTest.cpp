@@ -1,5 +1,6 @@
 // The models behind the window, without widgets and without OpenGL.
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -11,11 +12,13 @@
 #include <QSignalSpy>
 
 #include "tests/support/TestData.h"
+#include "viewer/model/ActiveTool.h"
 #include "viewer/model/Document.h"
 #include "viewer/model/DrawingTurns.h"
 #include "viewer/model/FramePacer.h"
 #include "viewer/model/Preferences.h"
 #include "viewer/model/SliceCursor.h"
+#include "viewer/model/StrokeMode.h"
 #include "viewer/model/ViewLink.h"
 
 namespace fenestra::viewer {
@@ -512,6 +515,25 @@ TEST(Preferences, QualityAtRestIsRememberedAndNonsenseIsNot) {
   QSettings().setValue(QStringLiteral("picture/quality"), 77);
   QSettings().setValue(QStringLiteral("picture/maxError"), QStringLiteral("nan"));
   EXPECT_EQ(Preferences().atRest(), Effort{});
+}
+
+TEST(ActiveTool, OneModeAtMostHasTheLeftButton) {
+  StrokeMode first, second, third;
+  ActiveTool tool({&first, &second, &third});
+  const auto active = [&] { return int{first.isActive()} + int{second.isActive()} + int{third.isActive()}; };
+  int most = 0;
+  QObject::connect(&tool, &ActiveTool::changed, &tool, [&] { most = std::max(most, active()); });
+  EXPECT_EQ(tool.mode(), nullptr);
+  EXPECT_FALSE(tool.putDown());
+  for (StrokeMode* mode : {&first, &second, &third, &first}) {
+    mode->setActive(true);
+    EXPECT_EQ(tool.mode(), mode);
+    EXPECT_EQ(active(), 1);
+  }
+  EXPECT_EQ(most, 1) << "also while listeners hear of it";
+  EXPECT_TRUE(tool.putDown());
+  EXPECT_EQ(tool.mode(), nullptr);
+  EXPECT_EQ(active(), 0);
 }
 
 TEST(FramePacer, TellsTheLastFrameAndForgetsWhatAnotherQualityCost) {

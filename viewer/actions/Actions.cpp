@@ -105,13 +105,7 @@ void Actions::stop() {
     targets_.grower.cancel();
   else if (targets_.workspace.placement.isBusy())
     targets_.workspace.placement.cancel();
-  else if (targets_.workspace.brush.isActive())
-    targets_.workspace.brush.setActive(false);
-  else if (targets_.workspace.carving.isActive())
-    targets_.workspace.carving.setActive(false);
-  else if (targets_.workspace.selection.isActive())
-    targets_.workspace.selection.setActive(false);
-  else if (!targets_.workspace.measuring.stop())
+  else if (!targets_.workspace.tool.putDown() && !targets_.workspace.measuring.stop())
     targets_.views.showAll();
 }
 

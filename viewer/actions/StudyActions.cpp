@@ -78,15 +78,15 @@ void Actions::makeMeasureMenu() {
   Document& document = targets_.workspace.document;
   MeasureMode& mode = targets_.workspace.measuring;
   ViewOptions& options = targets_.workspace.options;
-  struct Tool {
+  struct Entry {
     const char *text, *key, *icon;
     MeasureKind kind;
   };
   QList<QAction*> tools;
-  for (const Tool& tool : {Tool{QT_TR_NOOP("&Distance"), "D", "distance", MeasureKind::Distance},
-                           Tool{QT_TR_NOOP("&Angle"), "A", "angle", MeasureKind::Angle},
-                           Tool{QT_TR_NOOP("&Ellipse"), "Q", "ellipse", MeasureKind::Ellipse},
-                           Tool{QT_TR_NOOP("&Rectangle"), "B", "rectangle", MeasureKind::Rectangle}}) {
+  for (const Entry& tool : {Entry{QT_TR_NOOP("&Distance"), "D", "distance", MeasureKind::Distance},
+                            Entry{QT_TR_NOOP("&Angle"), "A", "angle", MeasureKind::Angle},
+                            Entry{QT_TR_NOOP("&Ellipse"), "Q", "ellipse", MeasureKind::Ellipse},
+                            Entry{QT_TR_NOOP("&Rectangle"), "B", "rectangle", MeasureKind::Rectangle}}) {
     QAction* made =
         volumeAction(tr(tool.text), QKeySequence(QLatin1String(tool.key)), [&mode, &options, kind = tool.kind] {
           options.setMeasures(true);  // or what is drawn would not show

@@ -7,16 +7,13 @@
 #include <QPainter>
 
 #include "rendering/scene/Outline.h"
-#include "viewer/model/Document.h"
-#include "viewer/model/MeasureMode.h"
 #include "viewer/model/OpeningEdge.h"
 #include "viewer/model/PatientLines.h"
-#include "viewer/model/SelectionBrush.h"
-#include "viewer/model/SliceCursor.h"
-#include "viewer/model/ViewOptions.h"
+#include "viewer/model/Workspace.h"
 #include "viewer/style/FocusRing.h"
 #include "viewer/style/InterpolatedPlanes.h"
 #include "viewer/style/Overlay.h"
+#include "viewer/tools/Canvas.h"
 
 namespace fenestra::viewer {
 namespace {
@@ -43,35 +40,19 @@ QList<QPolygonF> polygonsOf(const std::vector<std::vector<glm::dvec2>>& loops) {
 
 }  // namespace
 
-SliceView::SliceView(SlicePlane plane, Document& document, SliceCursor& cursor, ViewOptions& options, Carving& carving,
-                     SelectionBrush& selection, MeasureMode& measuring, OpeningEdge& opening, QWidget* parent)
+SliceView::SliceView(SlicePlane plane, Workspace& workspace, OpeningEdge& opening, QWidget* parent)
     : QWidget(parent),
-      document_(document),
-      cursor_(cursor),
-      options_(options),
+      document_(workspace.document),
+      cursor_(workspace.cursor),
+      options_(workspace.options),
       opening_(opening),
-      carving_(carving),
-      carveTool_(carving, document, spaceCanvas()),
-      clipTool_(document,
-                {.widgetFromWorld = [this](glm::dvec3 world) { return std::optional(widgetFromWorld(world)); },
-                 .axes =
-                     [this] {
-                       return std::array{glm::normalize(geometry_.right), -glm::normalize(geometry_.down)};
-                     },
-                 .section = [this]() -> std::optional<ClipTool::Canvas::Section> {
-                   return ClipTool::Canvas::Section{geometry_.worldFromPixel(0.0, 0.0, slice_),
-                                                    glm::normalize(glm::cross(geometry_.right, geometry_.down))};
-                 },
-                 .shows = [this] { return options_.clipHandles(); }}),
-      measureTool_(measuring, document,
-                   {.widgetFromWorld = [this](glm::dvec3 world) { return widgetFromWorld(world); },
-                    .worldFromWidget = [this](QPointF position) { return worldFromWidget(position); },
-                    .geometry = [this]() -> const SliceGeometry& { return geometry_; },
-                    .slice = [this] { return slice_; },
-                    .shows = [this] { return options_.measures(); }}),
-      selection_(selection),
-      selectionTool_(selection, document, spaceCanvas()),
-      toleranceWheel_(document) {
+      canvas_(makeCanvas()),
+      carveTool_(workspace.carving, document_, *canvas_),
+      selectionTool_(workspace.selection, document_, *canvas_),
+      toleranceWheel_(document_),
+      clipTool_(document_, options_, workspace.tool, *canvas_),
+      measureTool_(workspace.measuring, document_, options_, *canvas_),
+      tools_({&carveTool_, &selectionTool_, &toleranceWheel_, &clipTool_, &measureTool_}) {
   geometry_.plane = plane;
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
@@ -79,34 +60,36 @@ SliceView::SliceView(SlicePlane plane, Document& document, SliceCursor& cursor, 
   setAttribute(Qt::WA_OpaquePaintEvent);
   setObjectName(QStringLiteral("slice%1").arg(static_cast<int>(plane)));
 
-  connect(&document, &Document::volumeChanged, this, &SliceView::readGeometry);
-  connect(&document, &Document::windowChanged, this, &SliceView::invalidate);
-  connect(&document, &Document::focusChanged, this, &SliceView::invalidate);
-  connect(&document, &Document::labelSettingsChanged, this, &SliceView::invalidate);
-  connect(&document, &Document::labelsChanged, this, [this] {
+  connect(&document_, &Document::volumeChanged, this, &SliceView::readGeometry);
+  connect(&document_, &Document::windowChanged, this, &SliceView::invalidate);
+  connect(&document_, &Document::focusChanged, this, &SliceView::invalidate);
+  connect(&document_, &Document::labelSettingsChanged, this, &SliceView::invalidate);
+  connect(&document_, &Document::labelsChanged, this, [this] {
     labels_.clear();
     invalidate();
   });
-  connect(&options, &ViewOptions::changed, this, &SliceView::invalidate);
-  connect(&cursor, &SliceCursor::moved, this, &SliceView::followCursor);
-  connect(&document, &Document::measuresChanged, this, [this] { update(); });
-  connect(&document, &Document::clippingChanged, this, [this] { update(); });
-  connect(&document, &Document::removalsChanged, this, [this] {
+  connect(&options_, &ViewOptions::changed, this, &SliceView::invalidate);
+  connect(&cursor_, &SliceCursor::moved, this, &SliceView::followCursor);
+  connect(&document_, &Document::measuresChanged, this, [this] { update(); });
+  connect(&document_, &Document::clippingChanged, this, [this] { update(); });
+  connect(&document_, &Document::removalsChanged, this, [this] {
     removedOutline_.reset();
     update();
   });
-  connect(&carving, &Carving::changed, this, [this] { update(); });
   connect(&opening, &OpeningEdge::changed, this, [this] {
     openingOutline_.reset();
     update();
   });
-  connect(&selection, &SelectionBrush::changed, this, qOverload<>(&QWidget::update));
-  connect(&measuring, &MeasureMode::changed, this, [this] {
-    setCursor(measureTool_.pointer(last_));
+  const auto showTools = [this] {
+    setCursor(tools_.pointer(last_));
     update();
-  });
+  };
+  connect(&workspace.tool, &ActiveTool::changed, this, showTools);
+  connect(&workspace.measuring, &MeasureMode::changed, this, showTools);
   readGeometry();
 }
+
+SliceView::~SliceView() = default;
 
 void SliceView::readGeometry() {
   if (!document_.hasVolume()) return;
@@ -320,12 +303,8 @@ void SliceView::draw(QPainter& painter, bool marks) {
 void SliceView::drawMarks(QPainter& painter, bool interpolated) const {
   if (options_.labels()) drawSeeds(painter);
   if (options_.crosshair()) drawCrosshair(painter);
-  measureTool_.draw(painter, rect());
-  clipTool_.draw(painter);
-  carveTool_.draw(painter);
-  selectionTool_.draw(painter);
-
   const QRectF view = rect();
+  tools_.draw(painter, view);
   drawEdgeLetters(painter, view, geometry_.right, geometry_.down);
   drawScaleBar(painter, view, 1.0 / pixelsPerMm());
   QStringList title{planeName(geometry_.plane)};

@@ -2,11 +2,9 @@
 // One anatomical plane through the volume: grey values under the window, label colours, focus outline, crosshair.
 // Plain QWidget and QImage, so it works where 3-D cannot start.
 //
-// Left click: crosshair and focus, see clickStructure(); left drag: window/level, or a measure, see MeasureTool, or the
-// crop box and clip planes, see ClipTool, or carving, see CarveTool, or painting of the region in focus, see
-// SelectionTool;
-// middle: pan; right drag or Ctrl+wheel: zoom; wheel and arrows: slices; Alt+wheel: tolerance of the region in focus;
-// Shift+move: crosshair.
+// Left click: crosshair and focus, see clickStructure(); left drag: window/level, unless a tool takes it; middle: pan;
+// right drag or Ctrl+wheel: zoom; wheel and arrows: slices; Shift+move: crosshair. The tools: CarveTool, SelectionTool,
+// ToleranceWheel, ClipTool, MeasureTool.
 
 #include <memory>
 #include <optional>
@@ -25,21 +23,23 @@
 #include "viewer/tools/MeasureTool.h"
 #include "viewer/tools/SelectionTool.h"
 #include "viewer/tools/ToleranceWheel.h"
+#include "viewer/tools/ViewTools.h"
 
 namespace fenestra::viewer {
 
 class Document;
-class MeasureMode;
 class OpeningEdge;
-class SelectionBrush;
+class SliceCanvas;
 class SliceCursor;
 class ViewOptions;
+struct Workspace;
 
 class SliceView : public QWidget {
   Q_OBJECT
  public:
-  SliceView(SlicePlane plane, Document& document, SliceCursor& cursor, ViewOptions& options, Carving& carving,
-            SelectionBrush& selection, MeasureMode& measuring, OpeningEdge& opening, QWidget* parent = nullptr);
+  /// `workspace` and `opening` outlive this.
+  SliceView(SlicePlane plane, Workspace& workspace, OpeningEdge& opening, QWidget* parent = nullptr);
+  ~SliceView() override;
 
   SlicePlane plane() const { return geometry_.plane; }
   const SliceGeometry& sliceGeometry() const { return geometry_; }
@@ -103,7 +103,8 @@ class SliceView : public QWidget {
   /// Window and level: one line, or one for each where that would reach the edge's letter.
   QStringList windowText(const QFontMetrics& metrics) const;
   bool inPicture(glm::dvec3 world) const;
-  SpaceCanvas spaceCanvas();
+  class ToolCanvas;
+  std::unique_ptr<SliceCanvas> makeCanvas();
   const QList<QPolygonF>& removedOutline() const;
   /// Of the focus, and of the opening.
   void drawOutlines(QPainter& painter) const;
@@ -150,14 +151,14 @@ class SliceView : public QWidget {
     glm::dvec3 cursor;
   };
   std::optional<BeforeClick> beforeClick_;
-  Carving& carving_;
+  const std::unique_ptr<SliceCanvas> canvas_;  ///< this view, as tools see it
   CarveTool carveTool_;
+  SelectionTool selectionTool_;
+  ToleranceWheel toleranceWheel_;
   ClipTool clipTool_;
   MeasureTool measureTool_;
-  SelectionBrush& selection_;
-  SelectionTool selectionTool_;
-  bool measured_ = false;  ///< the tool took the last press
-  ToleranceWheel toleranceWheel_;
+  ViewTools tools_;
+  bool toolTookPress_ = false;
   double wheel_ = 0.0;  ///< wheel angle that is not yet a whole notch, in eighths of a degree
 };
 

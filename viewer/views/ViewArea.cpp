@@ -8,13 +8,12 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
-#include "viewer/model/ViewLink.h"
+#include "viewer/model/Workspace.h"
 
 namespace fenestra::viewer {
 
-ViewArea::ViewArea(Document& document, SliceCursor& cursor, ViewLink& cameras, ViewOptions& options, Brush& brush,
-                   Carving& carving, SelectionBrush& selection, MeasureMode& measuring, const GlSupport& gl,
-                   const Effort& atRest, const ScenePreparation::ChooseSchedule& chooseSchedule, QWidget* parent)
+ViewArea::ViewArea(Workspace& workspace, const GlSupport& gl, const Effort& atRest,
+                   const ScenePreparation::ChooseSchedule& chooseSchedule, QWidget* parent)
     : QWidget(parent),
       pacer_(std::make_shared<FramePacer>(atRest)),
       rows_(new QSplitter(Qt::Vertical)),
@@ -40,9 +39,10 @@ ViewArea::ViewArea(Document& document, SliceCursor& cursor, ViewLink& cameras, V
   if (gl.available) {
     preparation_ = std::make_shared<ScenePreparation>(chooseSchedule);
     const VolumeView::Shared shared{preparation_, pacer_, std::make_shared<DrawingTurns>(*pacer_),
-                                    std::make_shared<ContextFlight>(document, cameras), gl.software};
+                                    std::make_shared<ContextFlight>(workspace.document, workspace.cameras),
+                                    gl.software};
     for (int index = 0; index < ViewLink::count; ++index) {
-      auto* view = new VolumeView(index, document, cursor, cameras, options, brush, carving, selection, shared);
+      auto* view = new VolumeView(index, workspace, shared);
       connectView(view);
       connect(view, &VolumeView::failed, this, &ViewArea::failed);
       connect(view, &VolumeView::reduced, this, &ViewArea::reduced);
@@ -62,7 +62,7 @@ ViewArea::ViewArea(Document& document, SliceCursor& cursor, ViewLink& cameras, V
     upper_->addWidget(reason);
   }
   for (const SlicePlane plane : {SlicePlane::Axial, SlicePlane::Sagittal, SlicePlane::Coronal}) {
-    auto* view = new SliceView(plane, document, cursor, options, carving, selection, measuring, opening_);
+    auto* view = new SliceView(plane, workspace, opening_);
     connectView(view);
     connect(view, &SliceView::measureMenuRequested, this, &ViewArea::measureMenuRequested);
     connect(view, &SliceView::picked, this, &ViewArea::picked);

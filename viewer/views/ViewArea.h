@@ -20,9 +20,9 @@ class ViewArea : public QWidget {
   Q_OBJECT
  public:
   /// Without OpenGL a text in place of the 3-D views says why; the slices work all the same.
-  ViewArea(Document& document, SliceCursor& cursor, ViewLink& cameras, ViewOptions& options, Brush& brush,
-           Carving& carving, SelectionBrush& selection, MeasureMode& measuring, const GlSupport& gl,
-           const Effort& atRest, const ScenePreparation::ChooseSchedule& chooseSchedule, QWidget* parent = nullptr);
+  /// `workspace` outlives this.
+  ViewArea(Workspace& workspace, const GlSupport& gl, const Effort& atRest,
+           const ScenePreparation::ChooseSchedule& chooseSchedule, QWidget* parent = nullptr);
 
   const std::vector<VolumeView*>& volumeViews() const { return volumes_; }  ///< empty without OpenGL
   const std::vector<SliceView*>& sliceViews() const { return slices_; }     ///< axial, sagittal, coronal

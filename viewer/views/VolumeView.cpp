@@ -11,14 +11,10 @@
 #include "rendering/gl/Context.h"
 #include "rendering/gl/ShaderProgram.h"
 #include "rendering/scene/Walls.h"
-#include "viewer/model/Brush.h"
-#include "viewer/model/Document.h"
-#include "viewer/model/SelectionBrush.h"
-#include "viewer/model/SliceCursor.h"
-#include "viewer/model/ViewLink.h"
-#include "viewer/model/ViewOptions.h"
+#include "viewer/model/Workspace.h"
 #include "viewer/style/FocusRing.h"
 #include "viewer/style/Overlay.h"
+#include "viewer/tools/Canvas.h"
 #include "viewer/views/PictureSurface.h"
 #include "viewer/views/RenderProblem.h"
 
@@ -37,23 +33,23 @@ double now() {
 
 }  // namespace
 
-VolumeView::VolumeView(int index, Document& document, SliceCursor& cursor, ViewLink& cameras, ViewOptions& options,
-                       Brush& brush, Carving& carving, SelectionBrush& selection, Shared shared, QWidget* parent)
+VolumeView::VolumeView(int index, Workspace& workspace, Shared shared, QWidget* parent)
     : QWidget(parent),
       index_(index),
-      document_(document),
-      cursor_(cursor),
-      cameras_(cameras),
-      options_(options),
-      brush_(brush),
-      carving_(carving),
-      brushTool_(brush, document, canvas()),
-      carveTool_(carving, document, spaceCanvas([](const Hit& hit) { return hit.start; })),
-      selection_(selection),
-      selectionTool_(selection, document, spaceCanvas([this](const Hit& hit) { return surfaceAt(hit); })),
-      clipTool_(document, clipCanvas()),
-      wallTool_(document, cursor, wallCanvas()),
-      toleranceWheel_(document),
+      document_(workspace.document),
+      cursor_(workspace.cursor),
+      cameras_(workspace.cameras),
+      options_(workspace.options),
+      brush_(workspace.brush),
+      active_(workspace.tool),
+      canvas_(makeCanvas()),
+      brushTool_(workspace.brush, document_, *canvas_),
+      carveTool_(workspace.carving, document_, *canvas_),
+      selectionTool_(workspace.selection, document_, *canvas_),
+      toleranceWheel_(document_),
+      clipTool_(document_, options_, active_, *canvas_),
+      wallTool_(document_, cursor_, options_, active_, *canvas_),
+      tools_({&brushTool_, &carveTool_, &selectionTool_, &toleranceWheel_, &clipTool_, &wallTool_}),
       shared_(std::move(shared)),
       surface_(
           PictureSurface::make(shared_.software, *this, {.paint = [this] { paint(); }, .shown = [this] { shown(); }})) {
@@ -66,23 +62,23 @@ VolumeView::VolumeView(int index, Document& document, SliceCursor& cursor, ViewL
   connect(&hover_, &QTimer::timeout, this, &VolumeView::readUnderMouse);
   connect(&rest_, &QTimer::timeout, this, &VolumeView::settle);
   connect(&refining_, &QTimer::timeout, this, &VolumeView::refine);
-  connect(&document, &Document::volumeChanged, this, [this] {
+  connect(&document_, &Document::volumeChanged, this, [this] {
     problem_.clear();  // another volume may fit where the last one did not
     shared_.preparation->forgetFailure();
     reduction_.clear();
   });
   // A scene is prepared and about to be drawn: no other one is prepared before it.
   const auto isAwaited = std::make_shared<bool>(false);
-  connect(&document, &Document::sceneChanged, this, [this, isAwaited] {
+  connect(&document_, &Document::sceneChanged, this, [this, isAwaited] {
     disturb(ViewLink::count);
     if (!*isAwaited) prepare();
   });
-  connect(&document, &Document::strokesChanged, this, &VolumeView::refresh);
+  connect(&document_, &Document::strokesChanged, this, &VolumeView::refresh);
   followTools();
-  connect(&cameras, &ViewLink::changed, this, [this](int view) {
+  connect(&cameras_, &ViewLink::changed, this, [this](int view) {
     if (view == index_) follow();
   });
-  connect(&cameras, &ViewLink::released, this, &VolumeView::settleAtOnce);
+  connect(&cameras_, &ViewLink::released, this, &VolumeView::settleAtOnce);
   connect(shared_.flight.get(), &ContextFlight::moved, this, &VolumeView::redraw);
   connect(shared_.turns.get(), &DrawingTurns::turn, this, [this, isAwaited](int view) {
     if (view == index_ && !*isAwaited) draw(shownScene());
@@ -111,7 +107,7 @@ VolumeView::VolumeView(int index, Document& document, SliceCursor& cursor, ViewL
       settle();
     }
   });
-  connect(&options, &ViewOptions::changed, this, [this] { repaintSurface(); });
+  connect(&options_, &ViewOptions::changed, this, [this] { repaintSurface(); });
 }
 
 VolumeView::~VolumeView() {
@@ -394,90 +390,6 @@ void VolumeView::drawTimed(const Scene& scene, const View& view, Effort effort, 
   const bool usual = firstRuns == gl::ShaderProgram::firstRuns() && before == after;
   pacer.drew(effort, now() - start, usual);
   followed_ = pacer.frames();
-}
-
-std::optional<QPointF> VolumeView::widgetFromWorld(glm::dvec3 world) const {
-  return widgetFromWorld(world, shownCamera());
-}
-
-std::optional<QPointF> VolumeView::widgetFromWorld(glm::dvec3 world, const Camera& camera) const {
-  if (!document_.hasVolume()) return std::nullopt;
-  const double aspect = static_cast<double>(width()) / std::max(1, height());
-  const glm::dvec4 clip = camera.clipFromWorld(aspect, document_.scene().volume->grid) * glm::dvec4(world, 1.0);
-  if (!(clip.w > 0.0)) return std::nullopt;
-  return QPointF(0.5 * (clip.x / clip.w + 1.0) * width(), 0.5 * (1.0 - clip.y / clip.w) * height());
-}
-
-glm::dvec3 VolumeView::shownAt(glm::dvec3 world) const {
-  return picture_ && picture_->isShown() ? picture_->shown().shownAt(world) : world;
-}
-
-glm::dvec2 VolumeView::pixelAt(QPointF position) const {
-  const glm::ivec2 size = picture_->shownView().size;
-  return {position.x() / width() * size.x, position.y() / height() * size.y};
-}
-
-BrushTool::Canvas VolumeView::canvas() {
-  return {
-      .view = index_,
-      .pick = [this](QPointF position, BrushMode mode, std::optional<glm::dvec3> before) -> std::optional<BrushPoint> {
-        std::optional<BrushPoint> point;
-        attemptOnPicture([&] { point = picture_->shown().pickBrush(pixelAt(position), mode, before); });
-        return point;
-      },
-      .picture = [this]() -> std::vector<std::uint8_t> {
-        std::vector<std::uint8_t> picture;
-        attemptOnPicture([&] {
-          picture_->draw(shownScene(), viewFor(shared_.pacer->atRest()), true);
-          surface_->take(picture_->shown());
-          picture = picture_->shown().readPicture();
-        });
-        return picture;
-      },
-      .redraw = [this] { repaintSurface(); },
-  };
-}
-
-ClipTool::Canvas VolumeView::clipCanvas() {
-  return {.widgetFromWorld = [this](glm::dvec3 world) { return widgetFromWorld(world); },
-          .axes =
-              [this] {
-                const Camera::Axes axes = shownCamera().axes();
-                return std::array{axes.right, axes.up};
-              },
-          .section = []() -> std::optional<ClipTool::Canvas::Section> { return std::nullopt; },
-          .shows = [this] { return options_.clipHandles() && !takesStrokes(); }};
-}
-
-WallTool::Canvas VolumeView::wallCanvas() {
-  return {.widgetFromWorld = [this](glm::dvec3 world) { return widgetFromWorld(world); },
-          .axes =
-              [this] {
-                const Camera::Axes axes = shownCamera().axes();
-                return std::array{axes.right, axes.forward};
-              },
-          .shows = [this] { return options_.crosshair() && !brush_.isActive(); }};
-}
-
-std::optional<VolumeView::Hit> VolumeView::pick(QPointF position) {
-  std::optional<Hit> hit;
-  attemptOnPicture([&] {
-    Renderer& picture = picture_->shown();
-    const std::optional<PickedPlace> picked = picture.pickPlace(pixelAt(position));
-    if (!picked) return;
-    const std::optional<BrushPoint> opened = picture.pickBrush(pixelAt(position), BrushMode::Open);
-    const bool moved = picture.movesContext();
-    hit = Hit{picked->place, moved ? picked->ray : rayThrough(position), opened ? opened->removed : 0.0, moved};
-  });
-  return hit;
-}
-
-double VolumeView::mmPerPixel(const Camera& camera) const {
-  const double seen =
-      camera.projection == Projection::Orthographic
-          ? camera.orthographicHeight
-          : 2.0 * glm::distance(camera.eye, camera.target) * std::tan(glm::radians(camera.verticalFov) * 0.5);
-  return seen / std::max(1, height());
 }
 
 }  // namespace fenestra::viewer

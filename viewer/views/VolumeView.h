@@ -30,18 +30,22 @@
 #include "viewer/tools/ClipTool.h"
 #include "viewer/tools/SelectionTool.h"
 #include "viewer/tools/ToleranceWheel.h"
+#include "viewer/tools/ViewTools.h"
 #include "viewer/tools/WallTool.h"
 #include "viewer/views/RefinedPicture.h"
 #include "viewer/views/ScenePreparation.h"
 
 namespace fenestra::viewer {
 
+class ActiveTool;
+class Brush;
 class Document;
+class PictureCanvas;
 class PictureSurface;
-class SelectionBrush;
 class SliceCursor;
 class ViewLink;
 class ViewOptions;
+struct Workspace;
 
 /// A picture at full quality, and what it shows.
 struct FinishedPicture {
@@ -64,9 +68,8 @@ class VolumeView : public QWidget {
     bool software = false;
   };
 
-  /// `index` is the camera's place in `cameras`.
-  VolumeView(int index, Document& document, SliceCursor& cursor, ViewLink& cameras, ViewOptions& options, Brush& brush,
-             Carving& carving, SelectionBrush& selection, Shared shared, QWidget* parent = nullptr);
+  /// `index` is the camera's place in the workspace's cameras. The workspace outlives this.
+  VolumeView(int index, Workspace& workspace, Shared shared, QWidget* parent = nullptr);
   ~VolumeView() override;
 
   int index() const { return index_; }
@@ -97,7 +100,6 @@ class VolumeView : public QWidget {
   const BrushTool& brushTool() const { return brushTool_; }
   const ClipTool& clipTool() const { return clipTool_; }
   const WallTool& wallTool() const { return wallTool_; }
-  const CarveTool& carveTool() const { return carveTool_; }
   /// What draws the scene's pictures, for others that need its context.
   ScenePreparation& preparation() { return *shared_.preparation; }
   /// Runs `work` with the pictures' OpenGL context current. Returns false without running it where the driver has lost
@@ -202,20 +204,15 @@ class VolumeView : public QWidget {
   void readUnderMouse();
   void click(const Hit& hit, Qt::KeyboardModifiers modifiers);
   glm::dvec2 pixelAt(QPointF position) const;
-  BrushTool::Canvas canvas();
-  ClipTool::Canvas clipCanvas();
-  WallTool::Canvas wallCanvas();
+  class ToolCanvas;
+  std::unique_ptr<PictureCanvas> makeCanvas();
   /// Draws other slices, where there are walls.
   void moveWalls();
-  /// `pointOf` is the point that a tool takes of a hit.
-  SpaceCanvas spaceCanvas(std::function<glm::dvec3(const Hit&)> pointOf);
-  /// The left button paints or carves instead of turning the view.
-  bool takesStrokes() const;
   /// Keeps an event of a stroke for replay(), while nothing can be read of the picture. True: it is kept.
   bool keepsForLater(const QMouseEvent& event);
   /// Handles what was kept, on the picture that it was meant for.
   void replay();
-  /// Shows what the brushes, carving and the slices change.
+  /// Shows what the stroke modes and the slices change.
   void followTools();
   double mmPerPixel(const Camera& camera) const;
   std::optional<QPointF> widgetFromWorld(glm::dvec3 world, const Camera& camera) const;
@@ -226,16 +223,17 @@ class VolumeView : public QWidget {
   SliceCursor& cursor_;
   ViewLink& cameras_;
   ViewOptions& options_;
-  Brush& brush_;
-  Carving& carving_;
+  const Brush& brush_;
+  const ActiveTool& active_;
+  const std::unique_ptr<PictureCanvas> canvas_;  ///< this view, as tools see it
   BrushTool brushTool_;
   CarveTool carveTool_;
-  SelectionBrush& selection_;
   SelectionTool selectionTool_;
+  ToleranceWheel toleranceWheel_;
   ClipTool clipTool_;
   WallTool wallTool_;
-  std::vector<std::unique_ptr<QMouseEvent>> waiting_;  ///< of strokes, see keepsForLater()
-  ToleranceWheel toleranceWheel_;
+  ViewTools tools_;
+  std::vector<std::unique_ptr<QMouseEvent>> waiting_;  ///< events of strokes, see keepsForLater()
   Shared shared_;
   PictureSurface* surface_;
 

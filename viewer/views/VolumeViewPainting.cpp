@@ -58,11 +58,7 @@ void VolumeView::drawOverlay() {
   // Here and not among the marks: saved pictures name nobody.
   if (options_.text() && !options_.hidesPatient())
     drawStudyText(painter, view, patientLines(document_.study().patient, document_.study().series), 0);
-  wallTool_.draw(painter);
-  clipTool_.draw(painter);
-  brushTool_.draw(painter, view);
-  carveTool_.draw(painter);
-  selectionTool_.draw(painter);
+  tools_.draw(painter, view);
   drawWaiting(painter);
   // Filled, because OpenGL leaves out lines along the rim.
   if (hasFocus())
