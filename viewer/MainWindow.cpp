@@ -52,9 +52,9 @@
 namespace fenestra::viewer {
 namespace {
 
-constexpr int layoutVersion = 4;  ///< of the docks and toolbars; a saved layout of another version is not restored
+constexpr int layoutVersion = 4;  ///< of docks and toolbars; layouts saved with another version are ignored
 
-constexpr int recognisedMilliseconds = 10000;  ///< that the status bar shows a remark
+constexpr int recognisedMilliseconds = 10000;  ///< how long the status bar shows a remark
 
 QString describe(const io::SeriesInfo& series) {
   return QStringLiteral("%1 %2×%3×%4")
@@ -65,7 +65,7 @@ QString describe(const io::SeriesInfo& series) {
       .trimmed();
 }
 
-/// What a study needs of its voxels, while it is read in the background.
+/// Adds what the window derives from the voxels. Runs in the background, after the study was read.
 void prepare(Study& study) {
   Scene& scene = study.scene;
   if (!scene.table) {
@@ -110,8 +110,7 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
   actions_ = new Actions({*this, workspace_, loader_, grower_, *files_, *exports_, *pictures_, *verification_,
                           *sessions_, *views_, gl_, [this] { resetLayout(); }, *panels_.cutaway, *guide_, *tour_});
   setStatusBar(new StatusBar(workspace_.document, *views_, gl_));
-  // Not above the pictures: they would be drawn anew in another size with each click.
-  // Also what waits for a job that is stopping.
+  // Below the pictures: a bar above them would resize them, and each click would draw them again.
   statusBar()->addPermanentWidget(
       new LoadingBar(grower_.job(), tr("Growing the region"), [this] { grower_.cancel(); }));
   statusBar()->addPermanentWidget(new LoadingBar(labelEditor_.job(), tr("Editing the label")));
@@ -129,7 +128,7 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
   restoreLayout();
 }
 
-// Widgets that are hidden lay out and read what they show: while the document is there, not when QWidget ends.
+// Hiding makes widgets lay out and read the document: do so while the document exists, not in ~QWidget().
 MainWindow::~MainWindow() { hide(); }
 
 QWidget* MainWindow::makeCentre() {
@@ -313,7 +312,7 @@ void MainWindow::studyOpened() {
     });
     notices_->addGeometry(*study.geometry, [this](io::Regularise choice) { sessions_->regularise(choice); });
   }
-  // Nothing is odd about what was recognised: no notice takes room of the pictures for it.
+  // Recognised data is no problem, so the status bar shows it, and no notice takes room from the pictures.
   for (const io::Warning& warning : warnings)
     if (warning.kind == io::Warning::Kind::Recognised)
       statusBar()->showMessage(QString::fromStdString(warning.text), recognisedMilliseconds);
@@ -390,7 +389,7 @@ QImage MainWindow::picture(Patient patient) {
     return without;
   }
   QPixmap pixmap = grab();
-  // Of an OpenGL widget grab() paints the marks first and the picture over them.
+  // grab() paints an OpenGL widget's picture over its marks, so the 3-D views are painted again.
   QPainter painter(&pixmap);
   for (VolumeView* view : views_->volumeViews())
     if (view->isVisible()) painter.drawImage(view->mapTo(this, QPoint(0, 0)), view->grabSurface());

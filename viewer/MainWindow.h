@@ -38,9 +38,9 @@ class MainWindow : public QMainWindow {
  public:
   struct Setup {
     GlSupport gl;
-    std::optional<Effort> atRest = {};  ///< of the 3-D views when nothing moves; unset: as remembered
-    Focus expected = {};                ///< the kind of focus that the first study is likely to have
-    ScenePreparation::ChooseSchedule chooseSchedule = {};  ///< unset: by the renderer's name
+    std::optional<Effort> atRest = {};                     ///< how 3-D views are drawn at rest; unset: as remembered
+    Focus expected = {};                                   ///< the kind of focus that the first study is likely to have
+    ScenePreparation::ChooseSchedule chooseSchedule = {};  ///< unset: the renderer's name decides
     bool remember = true;                                  ///< restore and save layout, recent files and `atRest`
   };
 
@@ -49,7 +49,7 @@ class MainWindow : public QMainWindow {
 
   /// Reads a study and shows it. The open study stays until then.
   void open(StudyLoader::Reader read);
-  /// As FileOpener.
+  /// See FileOpener::open().
   void open(const std::vector<std::filesystem::path>& paths);
   void openLabels(const std::filesystem::path& path);
   /// An entry in the File menu and on the welcome page for data that comes with the program. The guided tour takes the
@@ -93,8 +93,8 @@ class MainWindow : public QMainWindow {
   void connectPanels();
   void connectLoader();
   void restoreLayout();
-  /// Panels and views as they are when the program runs for the first time.
   void applyPreference(Preference which);
+  /// Lays panels and views out as on the program's first run.
   void resetLayout();
   /// Moves crosshair and cameras to a new volume, before any view draws it.
   void followVolume();
@@ -112,10 +112,10 @@ class MainWindow : public QMainWindow {
   StudyLoader loader_;
   RegionGrower grower_{workspace_.document};
   LabelEditor labelEditor_{workspace_.document};
-  LoadJob focusSearch_;  ///< of goToFocus()
+  LoadJob focusSearch_;  ///< runs for goToFocus()
 
   ViewArea* views_;
-  std::unique_ptr<PreviewBackend> previews_;  ///< goes before the views that it draws with
+  std::unique_ptr<PreviewBackend> previews_;  ///< draws with a view, and is destroyed before it
   NoticeBar* notices_;
   Sessions* sessions_;
   FileOpener* files_;
@@ -128,7 +128,7 @@ class MainWindow : public QMainWindow {
   Panels panels_;
   Guide* guide_;
   Actions* actions_;
-  QByteArray firstState_, firstViews_;  ///< of resetLayout()
+  QByteArray firstState_, firstViews_;  ///< the layout that resetLayout() restores
 };
 
 }  // namespace fenestra::viewer

@@ -84,8 +84,8 @@ class Actions : public QObject {
   void addRegionEntries(QMenu& menu);
   void makeHelpMenu();
   void fillRecentMenu();
-  /// Cancels reading, growing or placing; without any, puts the brushes down, then the measuring tool; without these,
-  /// shows all views.
+  /// Does the first of these that applies: cancels reading, exporting, verifying, growing or placing; puts the active
+  /// tool down; ends measuring; shows all views.
   void stop();
 
   Targets targets_;

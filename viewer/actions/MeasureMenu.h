@@ -1,5 +1,5 @@
 #pragma once
-// What can be done with a measure: the menu of a right click on it, and the menu bar's entries.
+// Commands for a measure: the menu of a right click on it, and entries of the menu bar.
 
 #include <optional>
 

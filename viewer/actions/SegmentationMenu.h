@@ -14,8 +14,8 @@ namespace fenestra::viewer {
 
 class StudyLoader;
 
-/// How a segmentation is called: by its description, or the file's name where it has none; or, because either may name
-/// the patient, by neither.
+/// Full: with the description, or the file's name where there is none. Nameless: without either, because both may name
+/// the patient.
 enum class SegmentationTitle : std::uint8_t { Full, Nameless };
 /// "Liver (SEG): liver, tumour and 3 more"; nameless "SEG: liver, tumour and 3 more".
 QString titleOf(const io::SegmentationInfo& segmentation, SegmentationTitle kind);

@@ -1,5 +1,5 @@
 #pragma once
-// What a right click on a picture offers.
+// The menu of a right click on a picture.
 
 #include <glm/glm.hpp>
 

@@ -22,7 +22,7 @@ class ViewCommands : public QObject {
 
   /// Turns the 3-D view that was used last to look from a side of the patient.
   void face(StandardView side);
-  /// The slice with the keyboard focus, or else both cameras.
+  /// Resets the slice that has the keyboard focus, or else both cameras.
   void resetActiveView();
   void resetAllViews();
   /// Freezes both views' openings for the cameras as they are, or lets them follow the cameras again; a step.
@@ -33,7 +33,7 @@ class ViewCommands : public QObject {
 
   Workspace& workspace_;
   ViewArea& views_;
-  int lastCamera_ = 0;  ///< of the 3-D view used last
+  int lastCamera_ = 0;  ///< the camera of the 3-D view that was used last
 };
 
 }  // namespace fenestra::viewer

@@ -69,7 +69,7 @@ void StatusBar::pointAt(glm::dvec3 world) {
 void StatusBar::showFrame() {
   const std::optional<FramePacer::Measured>& last = views_.pacer().last();
   if (!last) return;
-  // At rest the views show what was refined; the last frame may be one in which another view still moved.
+  // At rest the views show refined pictures; the last measured frame may be one in which another view still moved.
   const Effort effort = views_.isSettled() ? views_.pacer().atRest() : last->effort;
   const double milliseconds = last->milliseconds;
   QString text = milliseconds < 1000.0 ? tr("%1 ms").arg(milliseconds, 0, 'f', milliseconds < 10.0 ? 1 : 0)

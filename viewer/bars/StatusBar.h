@@ -29,7 +29,7 @@ class StatusBar : public QStatusBar {
   const Document& document_;
   const ViewArea& views_;
   QLabel *pointer_, *frame_;
-  QElapsedTimer sinceFrame_;  ///< since the last text of frame_
+  QElapsedTimer sinceFrame_;  ///< since the text of frame_ last changed
 };
 
 }  // namespace fenestra::viewer

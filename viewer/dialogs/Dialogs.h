@@ -1,5 +1,5 @@
 #pragma once
-// The window's explanations.
+// The list of keys and mouse actions, and the dialog about the program.
 
 #include <optional>
 
@@ -21,7 +21,7 @@ struct MenuKey {
 QList<MenuKey> menuKeys(const QMenuBar& menus);
 /// What the mouse does (viewer/dialogs/Gestures.h) and the keys of the menus, as a table.
 QString keysHtml(const QMenuBar& menus);
-/// The same as a page of the user guide.
+/// As keysHtml(), as a page of the user guide.
 QString keysPageHtml(const QMenuBar& menus);
 void showKeys(const QMenuBar& menus, QWidget* parent);
 void showAbout(const GlSupport& gl, std::optional<Schedule> schedule, QWidget* parent);

@@ -1,7 +1,6 @@
 #pragma once
-// What the mouse does in the views and in the editor of transfer functions, and the keys that only these take: the part
-// of the key list that has no menu entry. tests/gui/ConventionsTest.cpp performs each of these and each key of the
-// menus.
+// What the mouse does in the views and in the editor of transfer functions, and the keys that only these take: the key
+// list shows them beside the keys of the menus. tests/gui/ConventionsTest.cpp performs each entry and each menu key.
 
 #include <array>
 

@@ -17,7 +17,7 @@ class PictureDialog : public QDialog {
   Q_OBJECT
  public:
   enum class What { Picture, Turntable };
-  /// Offers the views that are on screen; there is at least one. Of a turntable only the 3-D views can be taken.
+  /// Offers the views that are on screen, of which there is at least one; for a turntable, only 3-D views.
   /// `views` and `maker` outlive this.
   PictureDialog(What what, const ViewArea& views, const PictureMaker& maker, QWidget* parent = nullptr);
 

@@ -1,5 +1,5 @@
 #pragma once
-// Window and level by number. What is typed shows at once; the slices' own gestures show here.
+// Window and level by number. A typed number takes effect at once, and a drag on a slice changes the numbers.
 
 #include <QDialog>
 #include <QDoubleSpinBox>

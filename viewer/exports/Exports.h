@@ -1,5 +1,5 @@
 #pragma once
-// Labels and the focus's surface to files, in the background.
+// Writes labels, measures and the focus's surface to files, in the background.
 
 #include <filesystem>
 

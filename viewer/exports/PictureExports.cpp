@@ -111,7 +111,7 @@ void PictureExports::writePicture(const std::filesystem::path& png, const Pictur
 void PictureExports::writeTurntable(const std::filesystem::path& file, const PictureMaker::Request& request, int frames,
                                     int framesPerSecond) {
   cancel();
-  // The dialog asked about NAME.png, and a cancelled turntable removes what it has written.
+  // The dialog asked about NAME.png only, and a cancelled turntable removes the files that it has written.
   if (toQString(file).endsWith(pictureEnding, Qt::CaseInsensitive))
     for (int number = 1; number <= frames; ++number)
       if (const std::filesystem::path frame = frameFile(file, number); std::filesystem::exists(frame)) {

@@ -28,10 +28,10 @@ class PictureExports : public QObject {
   /// Ask for views, size and file.
   void choosePicture();
   void chooseTurntable();
-  /// The active view, as it is on screen.
+  /// Copies the active view as it is on screen.
   void copyPicture();
 
-  /// Failures become notices, and leave no file. What is being exported is dropped.
+  /// Failures become notices, and leave no file. A running export is dropped first.
   void writePicture(const std::filesystem::path& png, const PictureMaker::Request& request);
   /// `file` is a film with the ending .mp4; or names the pictures: NAME.png gives NAME-0001.png and so on. Nothing is
   /// written where one of these exists already.
@@ -56,8 +56,8 @@ class PictureExports : public QObject {
   ViewArea& views_;
   NoticeBar& notices_;
   PictureMaker maker_;
-  LoadJob writer_;             ///< of PNG files
-  std::filesystem::path png_;  ///< that the picture being made is for
+  LoadJob writer_;             ///< writes PNG files
+  std::filesystem::path png_;  ///< the file of the picture being made
   std::unique_ptr<Turntable> turntable_;
 };
 

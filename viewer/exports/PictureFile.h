@@ -1,5 +1,5 @@
 #pragma once
-// Pictures of the window as files.
+// Writes pictures of the window to files.
 
 #include <filesystem>
 #include <optional>

@@ -31,7 +31,7 @@ reference::Certificate certified(const FinishedPicture& picture, const io::Progr
   throw io::Cancelled();
 }
 
-/// What stands below the statement.
+/// The text below the statement.
 QString detailsOf(const reference::Certificate& certificate) {
   const QLocale locale;
   return Verification::tr(
@@ -45,7 +45,7 @@ QString detailsOf(const reference::Certificate& certificate) {
 
 QString statement(const reference::Certificate& certificate) {
   const QLocale locale;
-  // Rounded down, so that what is said stays true.
+  // Rounded down, so that the statement stays true.
   const QString share = locale.toString(std::floor(certificate.share * 1e4 + 1e-9) / 100.0);
   const QString within = locale.toString(certificate.within);
   if (certificate.confidence >= 1.0)

@@ -36,7 +36,7 @@ class Verification : public QObject {
                std::function<io::Session()> session);
 
   /// Verifies the active 3-D view's picture, or else the first on screen, as soon as it is drawn at full quality; then
-  /// shows what was found. What runs already is dropped.
+  /// shows the result. A running verification is dropped.
   void start();
   void cancel();
   bool isBusy() const { return awaited_ || job_.isRunning(); }
@@ -55,7 +55,7 @@ class Verification : public QObject {
   ViewArea& views_;
   NoticeBar& notices_;
   const std::function<io::Session()> session_;
-  VolumeView* awaited_ = nullptr;  ///< until its picture is at full quality
+  VolumeView* awaited_ = nullptr;  ///< the view whose picture is not yet at full quality
   LoadJob job_, writer_;
 };
 

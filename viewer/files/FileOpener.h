@@ -1,5 +1,5 @@
 #pragma once
-// Opening data as a user does it: from dialogs, dropped onto the window, or named together on the command line.
+// Opens data as a user does it: from dialogs, dropped onto the window, or named together on the command line.
 
 #include <filesystem>
 #include <string>
@@ -41,7 +41,7 @@ class FileOpener : public QObject {
 
  private:
   void openSeries(const std::string& series);
-  /// Reads what `paths` names, to be shown as the study before it, with the user's own defaults.
+  /// Reads the data at `paths`, with the look of the open study and the user's own defaults.
   StudyLoader::Reader readerOf(const PathsToOpen& paths) const;
 
   QWidget& window_;

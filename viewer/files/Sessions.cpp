@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Between two copies: a crash loses a minute of work at most.
+/// Time between two copies: a crash loses a minute of work at most.
 constexpr int autosaveMilliseconds = 60000;
 
 FileKind sessionKind() { return {Sessions::tr("Sessions"), QLatin1String(io::sessionEnding)}; }

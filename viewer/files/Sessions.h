@@ -1,5 +1,6 @@
 #pragma once
-// Opening and saving sessions as a user does it: the questions to ask, the window's title, and recovery after a crash.
+// Opens and saves sessions as a user does it: asks the questions, shows the window's title, and recovers work after a
+// crash.
 
 #include <functional>
 #include <memory>
@@ -26,7 +27,7 @@ struct SessionQuestions {
   std::function<std::optional<std::filesystem::path>(const std::filesystem::path& suggested)> saveWhere;
   /// A session to open, or none.
   std::function<std::optional<std::filesystem::path>()> openWhich;
-  /// Where the data is now that the session does not find, or none.
+  /// Where the data is that the session does not find, or none.
   std::function<std::optional<std::filesystem::path>(const io::DataMissing& missing)> dataWhere;
   /// What to do with work recovered after a crash: Save restores it, Discard removes it.
   std::function<Answer(const QDateTime& saved)> restoreWork;
@@ -48,8 +49,8 @@ class Sessions : public QObject {
 
   void open(const std::filesystem::path& file);
   void open(Reader read);
-  /// Reads the open study's slices again, placed in another way; everything else stays as it is. What could be undone
-  /// goes.
+  /// Reads the open study's slices again and places them in another way. The history is cleared; everything else stays
+  /// as it is.
   void regularise(io::Regularise choice);
   /// To be called when the window shows a new study. Restores the window from the study's session, if it has one.
   void studyShown();
@@ -61,10 +62,10 @@ class Sessions : public QObject {
   /// Whether the open study may be closed: it is saved, or the user saves it now or discards the changes.
   bool mayGo();
 
-  /// Starts saving copies to `folder`, and offers to restore the copies of a run that crashed. True when the user
-  /// restores one.
   /// Whether unsaved work is copied in case of a crash, once startRecovery() says where.
   void setKeepsCopies(bool keeps);
+  /// Starts saving copies to `folder`, and offers to restore the copies of a run that crashed. True when the user
+  /// restores one.
   bool startRecovery(const std::filesystem::path& folder);
   /// $XDG_STATE_HOME/fenestra/sessions; ~/.local/state replaces an unset variable.
   static std::filesystem::path recoveryFolder();
@@ -81,7 +82,7 @@ class Sessions : public QObject {
   std::filesystem::path copiesFolder_;  ///< empty before startRecovery()
   bool keepsCopies_ = true;
   SessionQuestions questions_;
-  std::optional<AbandonedSession> restoring_;  ///< being opened
+  std::optional<AbandonedSession> restoring_;  ///< the copy being opened
 };
 
 }  // namespace fenestra::viewer

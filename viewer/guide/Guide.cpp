@@ -34,7 +34,7 @@ Guide::Guide(QMainWindow& window) : QObject(&window), window_(window), place_(QS
   connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) { follow(now); });
   for (QDockWidget* dock : window.findChildren<QDockWidget*>())
     connect(dock, &QDockWidget::visibilityChanged, this, [this, dock](bool visible) {
-      // Docks come into sight when the window does; later, because the user chose their tab.
+      // All docks come into sight with the window. After that, one comes into sight because the user chose its tab.
       if (visible && window_.isVisible() && window_.isActiveWindow()) place_ = placeOf(*dock);
     });
 }

@@ -1,6 +1,6 @@
 #pragma once
-// Opens the user guide at the page of what the user works with: the view or panel that has the keyboard's focus, or the
-// tab that was brought to the front last.
+// Opens the user guide at the page on the view or panel that has the keyboard's focus, or on the tab that was brought
+// to the front last.
 
 #include <QObject>
 #include <QPointer>
@@ -17,7 +17,7 @@ class Guide : public QObject {
   /// `window` owns this; it has its menus when the guide is opened, and its docks now.
   explicit Guide(QMainWindow& window);
 
-  /// The page, with a heading after a #, that open() would show.
+  /// The page that open() would show, with a heading after a #.
   const QString& place() const { return place_; }
   void open() { open(place_); }
   void open(const QString& place);

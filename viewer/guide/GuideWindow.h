@@ -15,8 +15,8 @@ namespace fenestra::viewer {
 
 /// A page of the guide, as its index lists it.
 struct GuidePage {
-  QString file;   ///< as "focus.md"
-  QString title;  ///< as the index calls it
+  QString file;   ///< such as "focus.md"
+  QString title;  ///< its title in the index
 };
 /// All pages, in the order in which they are read.
 QList<GuidePage> guidePages();
@@ -57,9 +57,9 @@ class GuideWindow : public QWidget {
 
  private:
   QWidget* makeBar();
-  /// Selects the next place of what is searched for; goes on at the other end of the page.
+  /// Selects the next place where the text is found; goes on at the other end of the page.
   void find(QTextDocument::FindFlags flags);
-  /// The same while it is typed: the selected place stays as long as it fits.
+  /// As find(), after the text has changed: the selected place stays as long as it fits.
   void findTyped();
   void showPlace(const QUrl& place);
 

@@ -130,7 +130,7 @@ QList<Tour::Step> Tour::allSteps() const {
 
 void Tour::resizeEvent(QResizeEvent* event) {
   QFrame::resizeEvent(event);
-  // The same for all steps, so that the pictures below keep their size.
+  // All steps have one height, so that the pictures below keep their size.
   int height = 0;
   for (const Step& step : allSteps())
     height =
@@ -150,7 +150,7 @@ void Tour::setPhantom(std::function<bool()> open) {
 void Tour::start() {
   if (!phantom_) return;
   end();
-  opens_ = true;  // before it is read, which may be done at once
+  opens_ = true;  // set first, because reading may end at once
   if (!phantom_()) opens_ = false;
 }
 
@@ -216,7 +216,7 @@ void Tour::doNext() {
       return;
     }
     move.act();
-    // What was done may have ended the tour.
+    // The action may have ended the tour.
     if (!moves_.isEmpty()) moves_.removeFirst();
   }
   if (animated_ && !pointer_->isHidden()) QTimer::singleShot(travelMilliseconds, pointer_, &QWidget::hide);

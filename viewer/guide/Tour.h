@@ -1,5 +1,5 @@
 #pragma once
-// The guided tour: does the first minute on a built-in phantom with the mouse, a step at a time, and says what it does.
+// The guided tour: moves the mouse through the first minute on a built-in phantom, and explains each step.
 // The user guide's page on the first minute has the same steps.
 
 #include <functional>
@@ -40,14 +40,14 @@ class Tour : public QFrame {
   void next();
   void end();
 
-  /// Of the steps, from 0; empty while there is no tour.
+  /// The present step, from 0; empty while there is no tour.
   std::optional<int> step() const { return step_; }
   int steps() const;
   /// The mouse is doing something.
   bool isActing() const { return !moves_.isEmpty(); }
-  /// Off: the mouse is where it acts at once. On by default.
+  /// On by default. Off: the mouse jumps to where it acts.
   void setAnimated(bool on) { animated_ = on; }
-  /// Does what a step does, without the bar. Needs the phantom.
+  /// Performs a step without showing the bar. Needs the phantom.
   void perform(int step);
 
  Q_SIGNALS:
@@ -61,7 +61,7 @@ class Tour : public QFrame {
     QString title, text;
     void (Tour::*act)();  ///< may be null
   };
-  /// One thing that the mouse does: it goes to a place in a widget, and there something happens.
+  /// One action of the mouse: it goes to a place in a widget, and then `act` is called.
   struct Move {
     QPointer<QWidget> widget;
     QPointF at;

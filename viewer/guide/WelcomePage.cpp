@@ -42,7 +42,7 @@ QLabel* larger(const QString& text, double factor) {
   return label;
 }
 
-/// What draws the 3-D views.
+/// The device that draws the 3-D views.
 QString hardwareText(const GlSupport& gl) {
   if (!gl.available) return WelcomePage::tr("3-D views are not available here; slices work. %1").arg(gl.problem);
   if (gl.software)

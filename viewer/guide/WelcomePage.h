@@ -1,6 +1,6 @@
 #pragma once
-// The window before anything is open: the built-in phantoms, the guided tour and the user's own data; what was opened
-// last; and what draws the 3-D views here.
+// The page that the window shows before anything is open: the built-in phantoms, the guided tour, the user's own data,
+// recent studies, and which device draws the 3-D views.
 
 #include <QFrame>
 

@@ -1,5 +1,5 @@
 #pragma once
-// How the brush paints, the same in both 3-D views. The document holds the painted strokes.
+// How the brush paints, in both 3-D views alike. The document holds the painted strokes.
 
 #include <QString>
 

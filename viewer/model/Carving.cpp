@@ -9,7 +9,7 @@
 namespace fenestra::viewer {
 namespace {
 
-/// With further points between those of a path, no farther apart than `most` mm.
+/// The path with more points, no farther apart than `most` mm.
 std::vector<glm::dvec3> withoutGaps(const std::vector<glm::dvec3>& path, double most) {
   std::vector<glm::dvec3> closer;
   for (const glm::dvec3& point : path) {
@@ -48,7 +48,8 @@ Removal carvedAlong(const std::vector<glm::dvec3>& stroke, const CarvingSettings
 }
 
 double bentBy(const Removal& plane, glm::dvec2 moved, const Camera::Axes& axes) {
-  constexpr double leastSeen = 0.3;  // of the normal's length: below, small moves would bend far
+  // Share of the normal's length that the view must show: with less, small moves would bend the plane far.
+  constexpr double leastSeen = 0.3;
   const glm::dvec3 normal = StrokePlane(plane.points, plane.direction).normal;
   const glm::dvec2 seen(glm::dot(normal, axes.right), glm::dot(normal, axes.up));
   const double length2 = glm::dot(seen, seen);

@@ -1,5 +1,5 @@
 #pragma once
-// How the mouse carves a volume, the same in all views. The document holds what has been removed.
+// How the mouse carves a volume, in all views alike. The document holds the removals.
 
 #include <QObject>
 
@@ -73,7 +73,7 @@ class Carving : public StrokeMode {
   const CarvingSettings& settings() const { return settings_; }
   void setSettings(const CarvingSettings& settings);
 
-  /// The document's method is one of those that nothing but carving opens.
+  /// The document's method opens the view by carving alone.
   bool isOffered() const;
 
  private:

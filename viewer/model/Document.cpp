@@ -8,7 +8,7 @@
 namespace fenestra::viewer {
 namespace {
 
-/// Bytes that the growths of regions may hold together; the latest stays whatever its size. A growth has one a voxel.
+/// Bytes that the growths of regions may hold together, one for each voxel; the latest stays whatever its size.
 constexpr std::size_t mostGrownBytes = std::size_t{256} << 20;
 
 }  // namespace
@@ -61,7 +61,7 @@ void Document::show(Look look) {
   const bool cutaway = differs(&Look::method, &Look::cutaway, &Look::contextLayer);
   const bool clipping = differs(&Look::clipping), removals = differs(&Look::removals);
   const bool strokes = differs(&Look::strokes);
-  if (strokes) before.strokes = now.strokes;  // they alone leave the scene as it is
+  if (strokes) before.strokes = now.strokes;  // nothing else leaves 3-D pictures as they are
   const bool scene = now != before;
   if (focus) Q_EMIT focusChanged();
   if (labels) Q_EMIT labelSettingsChanged();

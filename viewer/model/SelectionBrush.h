@@ -1,5 +1,5 @@
 #pragma once
-// How the mouse paints the region in focus, the same in all views. The document holds the strokes.
+// How the mouse paints the region in focus, in all views alike. The document holds the strokes.
 
 #include <QObject>
 

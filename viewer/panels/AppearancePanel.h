@@ -28,7 +28,7 @@ class AppearancePanel : public ScrollingPanel {
  private:
   void show();
 
-  // Controls for settings of the look itself; showSettings() shows what it says.
+  // Controls for settings of the look itself; showSettings() updates them.
   template <class E>
   QComboBox* makeChoice(E Look::*member);
   ColourButton* makeColour(glm::dvec3 Look::*member);

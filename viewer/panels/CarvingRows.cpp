@@ -64,7 +64,7 @@ CarvingRows::CarvingRows(Document& document, Carving& carving, QWidget* parent)
   connect(&carving_, &Carving::changed, this, &CarvingRows::show);
   connect(&document_, &Document::removalsChanged, this, &CarvingRows::show);
   connect(&document_, &Document::cutawayChanged, this, [this] {
-    // The method says which tool is likely to be wanted.
+    // The user most likely wants the method's own shape.
     const MethodKind kind = document_.look().method.kind;
     if (std::exchange(method_, kind) == kind) return;
     CarvingSettings settings = carving_.settings();

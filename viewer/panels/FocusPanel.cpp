@@ -165,7 +165,7 @@ void FocusPanel::showStudy() {
     box->setSuffix(suffix);
   }
   const QSignalBlocker quietLow(low_), quietHigh(high_);
-  // To start from: bone where the data has some, otherwise the upper quarter of the range.
+  // A range to start from: bone where the data has some, otherwise the upper quarter of the values.
   constexpr double bone = 300.0;  // HU
   const bool holdsBone = volume.isInHounsfieldUnits() && volume.range.high > 2.0 * bone;
   low_->setValue(holdsBone ? bone : volume.range.high - 0.25 * span);

@@ -162,7 +162,7 @@ void TransferFunctionEditor::showNode() {
   const auto& nodes = function.nodes;
   const TransferFunction::Node& node = nodes[*selected];
   const QSignalBlocker quietValue(value_), quietOpacity(opacity_);
-  // As far as the neighbours allow; a box's corner lies on its edge.
+  // A node moves as far as its neighbours allow; a box's corner stays on its edge.
   const bool own = hasNodes(target, document_);
   const ValueRange all = own ? ValueRange{-1e9, 1e9} : document_.scene().volume->range;
   double low = all.low, high = all.high;

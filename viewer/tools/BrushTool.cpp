@@ -130,7 +130,8 @@ void BrushTool::refresh() {
   obstacle_.reset();
   if (!mouse_ || !brush_.isActive()) return;
   const BrushSettings& settings = brush_.settings();
-  // The mouse's place, then the disc where the profile is at least half, or the stroke would change next to nothing.
+  // The mouse's place, and points around it where the profile is a half: a stroke that meets less changes almost
+  // nothing.
   constexpr std::size_t around = 8;
   std::array<std::optional<BrushPoint>, 1 + around> points;
   points[0] = under_ = canvas_.pickBrush(*mouse_, settings.mode, {});
@@ -197,7 +198,7 @@ void BrushTool::draw(QPainter& painter, const QRectF& view) const {
   double width = 0.0;
   for (const QString& text : lines) width = std::max(width, painter.fontMetrics().horizontalAdvance(text) + 4.0);
   QRectF box(at.x() - 0.5 * width, at.y() + radius + 4.0, width, line * static_cast<double>(lines.size()));
-  // Above the ring when the arrow points down, because the arrow then takes the place below.
+  // Above the ring when the arrow points down and takes the place below.
   if ((deep && !adds) || box.bottom() > view.bottom()) box.moveBottom(at.y() - radius - 4.0);
   box.moveLeft(std::clamp(box.left(), view.left(), std::max(view.left(), view.right() - width)));
   box.setHeight(line);

@@ -3,8 +3,8 @@
 // Positions and radii are in device-independent pixels of the view.
 //
 // Left drag: paint. Shift or Alt with left drag up and down, or with the wheel: depth, or amount in modes without
-// depth. Ctrl+left drag is left to the view, which rotates. Where a stroke can have no effect, the text at the ring
-// says why, and Space does what would let it.
+// depth. The view rotates on Ctrl+left drag. Where a stroke can have no effect, the text at the ring says why, and
+// Space applies the remedy.
 
 #include <cstdint>
 #include <optional>
@@ -38,7 +38,7 @@ class BrushTool : public Tool {
   /// Ring, softness and depth under the mouse.
   void draw(QPainter& painter, const QRectF& view) const override;
 
-  /// What keeps a stroke at the mouse from changing the picture.
+  /// Why a stroke at the mouse would not change the picture.
   std::optional<BrushObstacle> obstacle() const { return obstacle_; }
 
  private:

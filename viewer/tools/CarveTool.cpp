@@ -12,7 +12,7 @@
 namespace fenestra::viewer {
 namespace {
 
-constexpr double mostBetweenPoints = 2.0;  ///< mm, of a stroke of a saw or a plane
+constexpr double mostBetweenPoints = 2.0;  ///< mm, in strokes of a saw or a plane
 
 }  // namespace
 

@@ -47,7 +47,7 @@ class CarveTool : public Tool {
   Document& document_;
   Canvas& canvas_;
   std::optional<QPointF> mouse_;     ///< position; empty outside the view
-  std::optional<glm::dvec3> under_;  ///< what is seen there
+  std::optional<glm::dvec3> under_;  ///< the point that is seen there
   std::vector<glm::dvec3> stroke_;   ///< being drawn
   std::optional<QPointF> bentFrom_;  ///< where a drag of the plane began; stroke_ holds the point there
 };

@@ -17,7 +17,7 @@
 namespace fenestra::viewer {
 namespace {
 
-/// Sine of the angle between a plane and a slice below which they do not cut each other to speak of.
+/// Sine of the angle between a plane and a slice below which they count as parallel.
 constexpr double leastAngle = 0.1;
 constexpr double arrowShare = 0.3;  ///< length of a plane's arrow over the radius of the volume
 

@@ -63,7 +63,7 @@ class ClipTool : public Tool {
   const Canvas& canvas_;
   std::optional<Handle> grip_;  ///< being dragged
   Clipping before_;             ///< at the press
-  Clipping held_;               ///< as the press or the drag's last move left it
+  Clipping held_;               ///< after the press or the last move
   QPointF pressed_;
 };
 

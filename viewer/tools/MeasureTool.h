@@ -55,7 +55,7 @@ class MeasureTool : public Tool {
   const ViewOptions& options_;
   const SliceCanvas& canvas_;
   std::optional<Grip> grip_;   ///< being dragged
-  std::vector<Measure> held_;  ///< all, as the press or the drag's last move left them
+  std::vector<Measure> held_;  ///< all measures after the press or the last move
   glm::dvec3 gripped_{0.0};    ///< where the mouse was last, world
   bool dragging_ = false;      ///< has moved since the press
   QPointF pressed_;

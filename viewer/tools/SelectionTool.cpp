@@ -11,7 +11,7 @@
 namespace fenestra::viewer {
 namespace {
 
-/// Of the radius: anchors nearer to the last one change hardly any voxel.
+/// Share of the radius: an anchor nearer to the last one would change hardly any voxel.
 constexpr double leastStep = 0.2;
 
 }  // namespace

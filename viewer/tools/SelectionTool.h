@@ -37,7 +37,7 @@ class SelectionTool : public Tool {
   Document& document_;
   Canvas& canvas_;
   std::optional<QPointF> mouse_;           ///< empty outside the view
-  std::optional<glm::dvec3> under_;        ///< what the view shows there
+  std::optional<glm::dvec3> under_;        ///< the point that the view shows there
   std::optional<SelectionStroke> stroke_;  ///< being painted
 };
 

@@ -20,7 +20,7 @@ class ToleranceWheel : public Tool {
  private:
   Document& document_;
   QTimer pause_;        ///< runs out when the turning has ended
-  double angle_ = 0.0;  ///< that is not yet a whole step, in eighths of a degree
+  double angle_ = 0.0;  ///< turned by, less whole steps; eighths of a degree
 };
 
 }  // namespace fenestra::viewer

@@ -13,7 +13,7 @@
 namespace fenestra::viewer {
 namespace {
 
-constexpr double sliceMilliseconds = 20.0;  ///< of drawing between two looks at the window's events
+constexpr double sliceMilliseconds = 20.0;  ///< of drawing before the window handles events again
 
 }  // namespace
 

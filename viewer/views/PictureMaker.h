@@ -39,7 +39,7 @@ class PictureMaker : public QObject {
   bool isMaking() const { return timer_.isActive(); }
 
  Q_SIGNALS:
-  /// Of the present request: opaque, RGB.
+  /// The picture of the present request: opaque, RGB.
   void made(const QImage& picture);
   /// There is no picture; `problem` is one line.
   void failed(const QString& problem);
@@ -54,8 +54,8 @@ class PictureMaker : public QObject {
   ViewArea& views_;
   Request request_;
   QImage picture_;
-  std::size_t next_ = 0;              ///< of request_.volumes
-  std::optional<Renderer> renderer_;  ///< of the view being drawn
+  std::size_t next_ = 0;              ///< the next of request_.volumes
+  std::optional<Renderer> renderer_;  ///< draws the present view
   View view_;
   QTimer timer_;
 };

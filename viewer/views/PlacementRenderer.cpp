@@ -15,7 +15,7 @@ namespace {
 /// Time that one slice may block the window: a frame at 30 Hz (33 ms), less a margin for slices slower than the last.
 constexpr double sliceMilliseconds = 20.0;
 constexpr std::size_t mostPerSlice = 256;
-constexpr int turnMilliseconds = 4;  ///< that a slice waits for the context, so as not to ask without a pause
+constexpr int turnMilliseconds = 4;  ///< before a slice asks for the context again
 
 }  // namespace
 

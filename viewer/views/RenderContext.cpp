@@ -29,7 +29,7 @@ bool RenderContext::run(const std::function<void()>& work) {
   }
   QSurface* surface = before ? before->surface() : nullptr;
   if (!context_.makeCurrent(&surface_)) return false;
-  // Whatever `work` throws.
+  // Also where `work` throws.
   struct Restore {
     QOpenGLContext &own, *before;
     QSurface* surface;
@@ -48,7 +48,7 @@ void RenderContext::makeCurrentAndRun(const Work& work) {
   try {
     if (!context_.makeCurrent(&surface_)) throw std::runtime_error("OpenGL has lost its context; start Fenestra again");
     work(stop_);
-    gl::finish();  // the widgets' contexts may use what was made
+    gl::finish();  // so that the widgets' contexts can use the new objects
   } catch (...) {
     error_ = std::current_exception();
   }
@@ -82,7 +82,7 @@ void RenderContext::runBehind(Work work, Done done) {
 
 void RenderContext::finish() {
   thread_->wait();
-  thread_.release()->deleteLater();  // it may be the sender
+  thread_.release()->deleteLater();  // this may be called from its signal
   if (const Done done = std::exchange(done_, {})) done(std::exchange(error_, nullptr));
   Q_EMIT freed();
 }

@@ -16,7 +16,7 @@
 namespace fenestra::viewer {
 namespace {
 
-/// What of a method decides on programs.
+/// The parts of a method that decide on programs.
 Method programsOf(const Method& method) {
   Method result;
   result.kind = method.kind;
@@ -26,7 +26,7 @@ Method programsOf(const Method& method) {
   return result;
 }
 
-/// A few voxels of CT with a focus of the kind: what draws them draws a patient.
+/// A few voxels of CT with a focus of the kind; the programs that draw them also draw a patient.
 Scene sampleScene(const Focus& kind) {
   constexpr int side = 16;
   auto volume = std::make_shared<Volume>();
@@ -65,8 +65,8 @@ View middleOf(View view) {
   return view;
 }
 
-/// Brings `gpuScene` up to date. Whether only a focus has changed by it, and the programs that drew the one before draw
-/// this one: drivers compile programs again for other textures.
+/// Brings `gpuScene` up to date. True where only the focus has changed and its textures are of the kind they were: for
+/// others, drivers compile the programs again.
 bool followsFocus(GpuScene& gpuScene, const Scene& scene) {
   GpuScene::Versions before = gpuScene.versions();
   const bool hadNormals{gpuScene.focusSmooth()};
@@ -89,7 +89,7 @@ ScenePreparation::Kind ScenePreparation::kindOf(const Scene& scene, const View& 
   const Look& look = scene.look;
   const auto* labels = std::get_if<LabelFocus>(&look.focus);
   ShownVolume volume = shownVolume(scene);
-  volume.removed = nullptr;  // the same programs draw what is left
+  volume.removed = nullptr;  // what remains is drawn by the same programs
   return {.volume = std::move(volume),
           .focus = look.focus.index(),
           .manyLabels = labels && labels->labels.size() > 1,
@@ -178,7 +178,7 @@ void ScenePreparation::goOn() {
         while (!*isDone && !stop) *isDone = trial.advance(0.0);
       },
       [this, isDone](std::exception_ptr error) {
-        // A driver that refuses programs is told of when a picture needs them.
+        // A driver's error is reported once a picture needs the programs.
         if (error) samples_.clear();
         if (!*isDone) return;
         samples_.pop_front();
@@ -198,7 +198,7 @@ void ScenePreparation::forgetFailure() {
 }
 
 void ScenePreparation::start(const Scene& scene, const View& view, const Kind& kind) {
-  // Programs of another volume are compiled again in no time where they are the same.
+  // For another volume, compiling the same programs again takes almost no time.
   std::erase_if(known_, [&](const Kind& known) { return known.volume != kind.volume; });
   const bool isNew = scheduledFor_.lock() != scene.volume;
   const bool hasPrograms = isKnown(kind);

@@ -28,7 +28,7 @@ QRgb blend(int grey, glm::dvec3 colour, int percent) {
   return qRgb(channel(colour.r), channel(colour.g), channel(colour.b));
 }
 
-/// Lines in pixels whose centres are whole numbers, in pixels from the picture's corner.
+/// Turns pixels whose centres are whole numbers into pixels from the picture's corner.
 QList<QPolygonF> polygonsOf(const std::vector<std::vector<glm::dvec2>>& loops) {
   QList<QPolygonF> polygons;
   for (const std::vector<glm::dvec2>& loop : loops) {
@@ -162,7 +162,7 @@ class SliceView::Tints {
     static const Tint none;
     const float value = view_.values_[pixel];
     if (values_ && value >= values_->low && value <= values_->high) return focus_;
-    // 0, no step, lies beyond all others then.
+    // Makes 0, which stands for no step, greater than all steps.
     if (!view_.steps_.empty() && static_cast<std::uint16_t>(view_.steps_[pixel] - 1) < lastStep_) return focus_;
     return labels_.empty() ? none : labels_[view_.labels_[pixel]];
   }
@@ -274,7 +274,7 @@ bool SliceView::inPicture(glm::dvec3 world) const {
 void SliceView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   draw(painter, true);
-  // Here and not among the marks: saved pictures name nobody.
+  // Not one of the marks, because saved pictures must not name the patient.
   if (document_.hasVolume() && options_.text() && !options_.hidesPatient())
     drawStudyText(painter, rect(), patientLines(document_.study().patient, document_.study().series), 1);
   if (document_.hasVolume() && hasFocus()) {
@@ -328,8 +328,8 @@ void SliceView::drawOutlines(QPainter& painter) const {
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setBrush(Qt::NoBrush);
-  // Line by line, and no wider than a pixel where the line allows: Qt draws those ten times as fast as one path of all
-  // lines, and lines of a focus by values are many.
+  // Line by line, and no wider than a pixel where possible: Qt draws these ten times as fast as one path of all lines,
+  // and a focus by values has many.
   const auto drawLines = [&painter](const QList<QPolygonF>& lines, const QPen& pen) {
     painter.setPen(pen);
     for (const QPolygonF& line : lines) painter.drawPolygon(line);

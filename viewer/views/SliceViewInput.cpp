@@ -48,7 +48,7 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
   if (!dragging_ && std::hypot(total.x(), total.y()) <= clickSlack) return;
   dragging_ = true;
   if (buttons & Qt::LeftButton) {
-    // A drag over 250 pixels doubles the width. A very narrow window changes faster, or it could not be widened.
+    // A drag over 250 pixels doubles the width. A very narrow window changes faster, so that it can be widened at all.
     const ValueRange range = document_.scene().volume->range;
     const double perPixel = std::max(windowAtPress_.width, 0.02 * (range.high - range.low)) / 250.0;
     const double least = std::max(1e-4 * (range.high - range.low), 1e-9);

@@ -67,7 +67,7 @@ VolumeView::VolumeView(int index, Workspace& workspace, Shared shared, QWidget* 
     shared_.preparation->forgetFailure();
     reduction_.clear();
   });
-  // A scene is prepared and about to be drawn: no other one is prepared before it.
+  // Set while a prepared scene is about to be drawn: no other scene is prepared before that.
   const auto isAwaited = std::make_shared<bool>(false);
   connect(&document_, &Document::sceneChanged, this, [this, isAwaited] {
     disturb(ViewLink::count);
@@ -87,8 +87,8 @@ VolumeView::VolumeView(int index, Workspace& workspace, Shared shared, QWidget* 
     if (isNew_) repaintSurface();
   });
   connect(&shared_.preparation->context(), &RenderContext::freed, this, [this, isAwaited] {
-    // What was prepared is drawn before anything changes the scene again, or a slider that is drawn along would keep
-    // the views from drawing; each still in an event of its own.
+    // The prepared scene is drawn before the next change, or a slider that is dragged would keep the views from
+    // drawing. Each view draws in an event of its own.
     const auto drawPrepared = [this, isAwaited] {
       *isAwaited = false;
       const Scene scene = shownScene(), held = shared_.preparation->held(scene);
@@ -173,7 +173,7 @@ void VolumeView::settle() {
 
 void VolumeView::settleAtOnce() {
   if (!rest_.isActive()) return;
-  // A frame that is still due is left out: the picture at rest follows, with a draft before it where it takes long.
+  // A moving frame that is still due is left out: the picture at rest follows, after a draft where it takes long.
   rest_.stop();
   settle();
 }
@@ -226,7 +226,7 @@ void VolumeView::refined(Effort effort) {
     stopRefining();
     settled_ = true;
     attemptOnPicture([this] { reportStarts(); });
-    // Or else the first frame of a drag would wait for its programs.
+    // Compile ahead, so that the first frame of a drag need not wait for its programs.
     if (const Effort moving = pacer.moving(ViewLink::count); moving != effort)
       shared_.preparation->prepareAhead(shownScene(), viewFor(moving));
   }
@@ -245,7 +245,7 @@ void VolumeView::refresh() {
 
 void VolumeView::moveWalls() {
   if (!document_.hasVolume() || !dependsOnSlices(document_.look())) return;
-  // While something else moves, its pictures show the slices, too.
+  // The pictures of a motion show the slices, too.
   if (due_ == Due::Motion || rest_.isActive())
     disturb(ViewLink::count);
   else
@@ -330,7 +330,7 @@ View VolumeView::viewFor(Effort effort) const {
       .quality = effort.quality,
       .maxError = effort.maxError,
       .frozen = cameras_.frozen()[static_cast<std::size_t>(index_)],
-      // Other pictures do not depend on them, and need not be drawn again when they change.
+      // Left out of pictures that do not depend on them, which then need not be drawn again when slices move.
       .slices = dependsOnSlices(document_.look())
                     ? ShownSlices{cursor_.position(), document_.window(), document_.isInverted()}
                     : ShownSlices{},
@@ -382,7 +382,7 @@ void VolumeView::drawTimed(const Scene& scene, const View& view, Effort effort, 
   picture_->draw(scene, view, effort == pacer.atRest());
   gl::finish();
   // The first picture of a kind also compiles programs or uploads voxels. Tables of the transfer function and colours
-  // are made anew with each move of a drag: they belong to what its next picture will take.
+  // are made anew with each move of a drag, so their time is part of the next picture's, too.
   GpuScene::Versions after = gpuScene.versions();
   after.transfer = before.transfer;
   after.gaps = before.gaps;

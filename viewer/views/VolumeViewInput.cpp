@@ -22,7 +22,7 @@ namespace fenestra::viewer {
 namespace {
 
 constexpr double clickSlack = 4.0;  ///< device-independent pixels between press and release of a click
-/// Until what lies under the mouse is read: a moving mouse reads nothing.
+/// Delay before the picture is read under the mouse: a moving mouse reads nothing.
 constexpr int hoverMilliseconds = 40;
 constexpr double arrowTurn = glm::pi<double>() / 36.0;  ///< 5 degrees
 
@@ -97,7 +97,7 @@ bool VolumeView::keepsForLater(const QMouseEvent& event) {
 }
 
 void VolumeView::replay() {
-  // What is held up once more is kept again.
+  // An event that is held up once more is kept again.
   for (const std::unique_ptr<QMouseEvent>& event : std::exchange(waiting_, {})) {
     if (event->type() == QEvent::MouseMove)
       mouseMoveEvent(event.get());
@@ -116,7 +116,7 @@ void VolumeView::followTools() {
     repaintSurface();
   });
   connect(&shared_.preparation->context(), &RenderContext::freed, this, &VolumeView::replay);
-  // Another volume, or another place of the camera, is not what a stroke was meant for.
+  // A stroke was not meant for another volume, nor for another place of the camera.
   connect(&document_, &Document::volumeChanged, this, [this] { waiting_.clear(); });
   connect(&cameras_, &ViewLink::changed, this, [this](int view) {
     if (view == index_) waiting_.clear();

@@ -35,7 +35,7 @@ void VolumeView::paint() {
 QImage VolumeView::grabSurface() { return surface_->grab(); }
 
 void VolumeView::present() {
-  // Such as a view that was hidden; not one that skips a frame while its last picture comes onto the screen.
+  // A view that was hidden asks for its turn here; one that skips a frame does not, while its new picture is painted.
   if (!isNew_ && (due_ != Due::Nothing || !picture_)) askToDraw();
   if (!picture_ || !picture_->isShown()) return;
   isTimed_ |= std::exchange(isNew_, false);
@@ -55,7 +55,7 @@ void VolumeView::drawOverlay() {
   }
   if (!document_.hasVolume()) return;
   drawMarks(painter, shownCamera());
-  // Here and not among the marks: saved pictures name nobody.
+  // Not one of the marks, because saved pictures must not name the patient.
   if (options_.text() && !options_.hidesPatient())
     drawStudyText(painter, view, patientLines(document_.study().patient, document_.study().series), 0);
   tools_.draw(painter, view);

@@ -92,13 +92,13 @@ std::optional<VolumeView::Hit> VolumeView::pick(QPointF position) {
 }
 
 glm::dvec3 VolumeView::seenAt(const Hit& hit) const {
-  if (hit.moved) return surfaceAt(hit);  // behind its part, the ray sees other places of the volume
+  if (hit.moved) return surfaceAt(hit);  // behind the moved part, the ray crosses other places of the volume
   return seenPoint(shownScene(), hit.start, hit.ray, hit.removed).value_or(hit.start + halfVoxel() * hit.ray);
 }
 
 glm::dvec3 VolumeView::surfaceAt(const Hit& hit) const {
   const glm::dvec3 seen = hit.removed > 0.0 ? seenAt(hit) : hit.start;
-  // The start lies on the surface between two voxels. Half a voxel further along the ray is the voxel that is seen.
+  // The start lies on the surface between two voxels; the voxel that is seen lies half a voxel further along the ray.
   return glm::dot(seen - hit.start, hit.ray) < 0.0 ? seen : hit.start + halfVoxel() * hit.ray;
 }
 
