@@ -1,12 +1,10 @@
 #include "viewer/MainWindow.h"
 
-#include <algorithm>
 #include <memory>
 
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDragEnterEvent>
-#include <QMenu>
 #include <QPainter>
 #include <QScreen>
 #include <QStackedWidget>
@@ -17,10 +15,10 @@
 #include "rendering/gpu/FocusIndex.h"
 #include "rendering/segmentation/Table.h"
 #include "viewer/DockHeights.h"
+#include "viewer/StudyNotices.h"
 #include "viewer/UndoKeys.h"
 #include "viewer/actions/Actions.h"
 #include "viewer/actions/MeasureMenu.h"
-#include "viewer/actions/SegmentationMenu.h"
 #include "viewer/actions/StructureMenu.h"
 #include "viewer/bars/LoadingBar.h"
 #include "viewer/bars/NoticeBar.h"
@@ -53,17 +51,6 @@ namespace fenestra::viewer {
 namespace {
 
 constexpr int layoutVersion = 4;  ///< of docks and toolbars; layouts saved with another version are ignored
-
-constexpr int recognisedMilliseconds = 10000;  ///< how long the status bar shows a remark
-
-QString describe(const io::SeriesInfo& series) {
-  return QStringLiteral("%1 %2×%3×%4")
-      .arg(QString::fromStdString(series.modality))
-      .arg(series.dims.x)
-      .arg(series.dims.y)
-      .arg(series.dims.z)
-      .trimmed();
-}
 
 /// Adds what the window derives from the voxels. Runs in the background, after the study was read.
 void prepare(Study& study) {
@@ -103,6 +90,7 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
   pictures_ = new PictureExports(*this, workspace_.document, *views_, *notices_);
   verification_ = new Verification(*this, workspace_.document, *views_, *notices_,
                                    [this] { return sessions_->controller().session(); });
+  studyNotices_ = new StudyNotices(*this, workspace_, loader_, *files_, *sessions_, *notices_);
   setCentralWidget(makeCentre());
   panels_ = makePanels(*this, workspace_);
   guide_ = new Guide(*this);
@@ -294,58 +282,9 @@ void MainWindow::studyOpened() {
   sessions_->studyShown();
   const std::filesystem::path& path = study.sessionFile.empty() ? study.path : study.sessionFile;
   if (!path.empty()) workspace_.preferences.addRecent(path);
-  if (!study.otherSeries.empty() && !study.restoresSession)
-    notices_->add(NoticeBar::Kind::Warning,
-                  study.series.times > 1
-                      ? tr("There are %n time points here; this is number %1.", nullptr, study.series.times)
-                            .arg(study.series.time)
-                      : tr("There are %n series here; this is the largest, %1.", nullptr,
-                           static_cast<int>(study.otherSeries.size()) + 1)
-                            .arg(describe(study.series)),
-                  {{tr("Choose…"), [this] { files_->chooseSeries(); }}});
-  offerSegmentations();
-  std::vector<io::Warning> warnings = study.warnings;
-  if (study.geometry) {
-    const std::vector<io::Warning>& findings = study.geometry->findings;
-    std::erase_if(warnings, [&](const io::Warning& warning) {
-      return std::find(findings.begin(), findings.end(), warning) != findings.end();
-    });
-    notices_->addGeometry(*study.geometry, [this](io::Regularise choice) { sessions_->regularise(choice); });
-  }
-  // Recognised data is no problem, so the status bar shows it, and no notice takes room from the pictures.
-  for (const io::Warning& warning : warnings)
-    if (warning.kind == io::Warning::Kind::Recognised)
-      statusBar()->showMessage(QString::fromStdString(warning.text), recognisedMilliseconds);
-  std::erase_if(warnings, [](const auto& warning) { return warning.kind == io::Warning::Kind::Recognised; });
-  notices_->addWarnings(warnings);
+  studyNotices_->show();
   if (study.placeCameras) workspace_.placement.placeAutomatically();
   Q_EMIT opened();
-}
-
-void MainWindow::offerSegmentations() {
-  const Study& study = workspace_.document.study();
-  if (study.segmentations.empty() || workspace_.document.labels()) return;
-  if (study.segmentations.size() == 1) {
-    const io::SegmentationInfo& only = study.segmentations.front();
-    const QString text = tr("A segmentation of this series lies beside it: %1.");
-    notices_->add(NoticeBar::Kind::Warning, text.arg(titleOf(only, SegmentationTitle::Full)),
-                  {{tr("Open"), [this, file = only.file] { loader_.openLabels(file); }}},
-                  text.arg(titleOf(only, SegmentationTitle::Nameless)));
-    return;
-  }
-  notices_->add(
-      NoticeBar::Kind::Warning,
-      tr("%n segmentations of this series lie beside it.", nullptr, static_cast<int>(study.segmentations.size())),
-      {{tr("Choose…"), [this] {
-          // From the event loop: the notice may be gone while the menu is open.
-          QTimer::singleShot(0, this, [this] {
-            QMenu menu;
-            fillSegmentationMenu(
-                menu, workspace_.document.study().segmentations,
-                workspace_.options.hidesPatient() ? SegmentationTitle::Nameless : SegmentationTitle::Full, loader_);
-            menu.exec(QCursor::pos());
-          });
-        }}});
 }
 
 void MainWindow::showError(const QString& message) { notices_->add(NoticeBar::Kind::Error, message); }

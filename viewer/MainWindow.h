@@ -29,6 +29,7 @@ class NoticeBar;
 class PictureExports;
 class Verification;
 class Sessions;
+class StudyNotices;
 class Tour;
 class ViewArea;
 class WelcomePage;
@@ -100,8 +101,6 @@ class MainWindow : public QMainWindow {
   void followVolume();
   void studyOpened();
   void showError(const QString& message);
-  /// Says which segmentations lie beside the series, with a way to open one.
-  void offerSegmentations();
   /// Moves the crosshair to the centre of the focus once another thread has found it.
   void goToFocus();
   /// Nothing is being read, measured or drawn.
@@ -119,6 +118,7 @@ class MainWindow : public QMainWindow {
   NoticeBar* notices_;
   Sessions* sessions_;
   FileOpener* files_;
+  StudyNotices* studyNotices_;
   Exports* exports_;
   PictureExports* pictures_;
   Verification* verification_;

@@ -26,6 +26,8 @@ class AppearancePanel : public ScrollingPanel {
   QCheckBox* hidesTable() const { return table_; }
 
  private:
+  void layOut();
+  void fitToVolume();
   void show();
 
   // Controls for settings of the look itself; showSettings() updates them.

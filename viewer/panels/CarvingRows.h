@@ -23,6 +23,9 @@ class CarvingRows : public QWidget {
   QComboBox* shape() const { return shape_; }
 
  private:
+  void layOut();
+  /// Chooses the shape that suits another method.
+  void followMethod();
   void show();
 
   Document& document_;

@@ -40,6 +40,8 @@ class TransferFunctionEditor : public QWidget {
   void failed(const QString& message);
 
  private:
+  void setUpControls();
+  void layOut();
   void fillPresets();
   /// A built-in preset's id or a file.
   void takeFunction(const std::string& presetOrPath);

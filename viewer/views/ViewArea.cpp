@@ -1,7 +1,6 @@
 #include "viewer/views/ViewArea.h"
 
 #include <algorithm>
-#include <type_traits>
 
 #include <QApplication>
 #include <QDataStream>
@@ -29,38 +28,56 @@ ViewArea::ViewArea(Workspace& workspace, const GlSupport& gl, const Effort& atRe
     splitter->setHandleWidth(3);
   }
 
-  const auto connectView = [this](auto* view) {
-    using View = std::remove_pointer_t<decltype(view)>;
-    connect(view, &View::pointed, this, &ViewArea::pointed);
-    connect(view, &View::left, this, &ViewArea::left);
-    connect(view, &View::menuRequested, this, &ViewArea::menuRequested);
-    connect(view, &View::maximiseRequested, this, [this, view] { toggleMaximised(view); });
-  };
-  if (gl.available) {
-    preparation_ = std::make_shared<ScenePreparation>(chooseSchedule);
-    const VolumeView::Shared shared{preparation_, pacer_, std::make_shared<DrawingTurns>(*pacer_),
-                                    std::make_shared<ContextFlight>(workspace.document, workspace.cameras),
-                                    gl.software};
-    for (int index = 0; index < ViewLink::count; ++index) {
-      auto* view = new VolumeView(index, workspace, shared);
-      connectView(view);
-      connect(view, &VolumeView::failed, this, &ViewArea::failed);
-      connect(view, &VolumeView::reduced, this, &ViewArea::reduced);
-      connect(view, &VolumeView::drawn, this, &ViewArea::drawn);
-      connect(view, &VolumeView::raysStarted, &opening_, &OpeningEdge::set);
-      upper_->addWidget(view);
-      volumes_.push_back(view);
-    }
-  } else {
-    auto* reason =
-        new QLabel(tr("3-D views are not available here.\n\n%1\n\nThe slices below work without it.").arg(gl.problem));
-    reason->setObjectName(QStringLiteral("noOpenGl"));
-    reason->setAlignment(Qt::AlignCenter);
-    reason->setWordWrap(true);
-    reason->setMargin(24);
-    reason->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    upper_->addWidget(reason);
+  if (gl.available)
+    addVolumeViews(workspace, gl, chooseSchedule);
+  else
+    addReason(gl);
+  addSliceViews(workspace);
+  rows_->setSizes({560, 440});
+  active_ = volumes_.empty() ? static_cast<QWidget*>(slices_.front()) : volumes_.front();
+  connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
+    for (const auto& [name, view] : namedViews())
+      if (view == now) active_ = view;
+  });
+}
+
+template <class View>
+void ViewArea::connectView(View* view) {
+  connect(view, &View::pointed, this, &ViewArea::pointed);
+  connect(view, &View::left, this, &ViewArea::left);
+  connect(view, &View::menuRequested, this, &ViewArea::menuRequested);
+  connect(view, &View::maximiseRequested, this, [this, view] { toggleMaximised(view); });
+}
+
+void ViewArea::addVolumeViews(Workspace& workspace, const GlSupport& gl,
+                              const ScenePreparation::ChooseSchedule& chooseSchedule) {
+  preparation_ = std::make_shared<ScenePreparation>(chooseSchedule);
+  const VolumeView::Shared shared{preparation_, pacer_, std::make_shared<DrawingTurns>(*pacer_),
+                                  std::make_shared<ContextFlight>(workspace.document, workspace.cameras), gl.software};
+  for (int index = 0; index < ViewLink::count; ++index) {
+    auto* view = new VolumeView(index, workspace, shared);
+    connectView(view);
+    connect(view, &VolumeView::failed, this, &ViewArea::failed);
+    connect(view, &VolumeView::reduced, this, &ViewArea::reduced);
+    connect(view, &VolumeView::drawn, this, &ViewArea::drawn);
+    connect(view, &VolumeView::raysStarted, &opening_, &OpeningEdge::set);
+    upper_->addWidget(view);
+    volumes_.push_back(view);
   }
+}
+
+void ViewArea::addReason(const GlSupport& gl) {
+  auto* reason =
+      new QLabel(tr("3-D views are not available here.\n\n%1\n\nThe slices below work without it.").arg(gl.problem));
+  reason->setObjectName(QStringLiteral("noOpenGl"));
+  reason->setAlignment(Qt::AlignCenter);
+  reason->setWordWrap(true);
+  reason->setMargin(24);
+  reason->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  upper_->addWidget(reason);
+}
+
+void ViewArea::addSliceViews(Workspace& workspace) {
   for (const SlicePlane plane : {SlicePlane::Axial, SlicePlane::Sagittal, SlicePlane::Coronal}) {
     auto* view = new SliceView(plane, workspace, opening_);
     connectView(view);
@@ -70,12 +87,6 @@ ViewArea::ViewArea(Workspace& workspace, const GlSupport& gl, const Effort& atRe
     lower_->addWidget(view);
     slices_.push_back(view);
   }
-  rows_->setSizes({560, 440});
-  active_ = volumes_.empty() ? static_cast<QWidget*>(slices_.front()) : volumes_.front();
-  connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
-    for (const auto& [name, view] : namedViews())
-      if (view == now) active_ = view;
-  });
 }
 
 std::optional<Schedule> ViewArea::schedule() const {

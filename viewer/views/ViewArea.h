@@ -70,6 +70,14 @@ class ViewArea : public QWidget {
   void drawn();
 
  private:
+  void addVolumeViews(Workspace& workspace, const GlSupport& gl,
+                      const ScenePreparation::ChooseSchedule& chooseSchedule);
+  /// Says in place of the 3-D views why there are none.
+  void addReason(const GlSupport& gl);
+  void addSliceViews(Workspace& workspace);
+  /// Passes on the signals that all kinds of views have.
+  template <class View>
+  void connectView(View* view);
   /// Every view with its name in a session.
   std::vector<std::pair<std::string, QWidget*>> namedViews() const;
 

@@ -62,52 +62,56 @@ VolumeView::VolumeView(int index, Workspace& workspace, Shared shared, QWidget* 
   connect(&hover_, &QTimer::timeout, this, &VolumeView::readUnderMouse);
   connect(&rest_, &QTimer::timeout, this, &VolumeView::settle);
   connect(&refining_, &QTimer::timeout, this, &VolumeView::refine);
+  followScene();
+  followTools();
+}
+
+void VolumeView::followScene() {
   connect(&document_, &Document::volumeChanged, this, [this] {
     problem_.clear();  // another volume may fit where the last one did not
     shared_.preparation->forgetFailure();
     reduction_.clear();
   });
-  // Set while a prepared scene is about to be drawn: no other scene is prepared before that.
-  const auto isAwaited = std::make_shared<bool>(false);
-  connect(&document_, &Document::sceneChanged, this, [this, isAwaited] {
+  connect(&document_, &Document::sceneChanged, this, [this] {
     disturb(ViewLink::count);
-    if (!*isAwaited) prepare();
+    if (!isPreparedDue_) prepare();
   });
   connect(&document_, &Document::strokesChanged, this, &VolumeView::refresh);
-  followTools();
   connect(&cameras_, &ViewLink::changed, this, [this](int view) {
     if (view == index_) follow();
   });
   connect(&cameras_, &ViewLink::released, this, &VolumeView::settleAtOnce);
   connect(shared_.flight.get(), &ContextFlight::moved, this, &VolumeView::redraw);
-  connect(shared_.turns.get(), &DrawingTurns::turn, this, [this, isAwaited](int view) {
-    if (view == index_ && !*isAwaited) draw(shownScene());
+  connect(shared_.turns.get(), &DrawingTurns::turn, this, [this](int view) {
+    if (view == index_ && !isPreparedDue_) draw(shownScene());
   });
   connect(shared_.turns.get(), &DrawingTurns::roundEnded, this, [this] {
     if (isNew_) repaintSurface();
   });
-  connect(&shared_.preparation->context(), &RenderContext::freed, this, [this, isAwaited] {
-    // The prepared scene is drawn before the next change, or a slider that is dragged would keep the views from
-    // drawing. Each view draws in an event of its own.
-    const auto drawPrepared = [this, isAwaited] {
-      *isAwaited = false;
-      const Scene scene = shownScene(), held = shared_.preparation->held(scene);
-      draw(held);
-      if (isNew_) repaintSurface();
-      if (held == scene || !isNew_) return;
-      settled_ = false;
-      due_ = Due::Motion;
-      rest_.start(restMilliseconds);
-      askToDraw();
-    };
-    if (due_ != Due::Nothing || !picture_) {
-      *isAwaited = true;
-      QMetaObject::invokeMethod(this, drawPrepared, Qt::QueuedConnection);
-    } else if (!settled_ && !rest_.isActive() && !refining_.isActive()) {
-      settle();
-    }
-  });
+  connect(&shared_.preparation->context(), &RenderContext::freed, this, &VolumeView::contextFreed);
   connect(&options_, &ViewOptions::changed, this, [this] { repaintSurface(); });
+}
+
+void VolumeView::contextFreed() {
+  if (due_ != Due::Nothing || !picture_) {
+    // Each view draws in an event of its own.
+    isPreparedDue_ = true;
+    QMetaObject::invokeMethod(this, &VolumeView::drawPrepared, Qt::QueuedConnection);
+  } else if (!settled_ && !rest_.isActive() && !refining_.isActive()) {
+    settle();
+  }
+}
+
+void VolumeView::drawPrepared() {
+  isPreparedDue_ = false;
+  const Scene scene = shownScene(), held = shared_.preparation->held(scene);
+  draw(held);
+  if (isNew_) repaintSurface();
+  if (held == scene || !isNew_) return;
+  settled_ = false;
+  due_ = Due::Motion;
+  rest_.start(restMilliseconds);
+  askToDraw();
 }
 
 VolumeView::~VolumeView() {

@@ -136,6 +136,10 @@ class VolumeView : public QWidget {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
+  /// Connects what changes the scene and the cameras.
+  void followScene();
+  void contextFreed();
+  void drawPrepared();
   /// Draws a changing scene; `views` 3-D views draw with each change.
   void disturb(int views);
   /// Has another thread bring the scene up to date while this one paints the slices.
@@ -212,7 +216,7 @@ class VolumeView : public QWidget {
   bool keepsForLater(const QMouseEvent& event);
   /// Handles the events that were kept, on the picture that they were meant for.
   void replay();
-  /// Shows what the stroke modes and the slices change.
+  /// Connects what the stroke modes and the slices change.
   void followTools();
   double mmPerPixel(const Camera& camera) const;
   std::optional<QPointF> widgetFromWorld(glm::dvec3 world, const Camera& camera) const;
@@ -253,6 +257,9 @@ class VolumeView : public QWidget {
   double refinedFor_ = 0.0;           ///< ms
   bool compiled_ = false;             ///< programs were compiled meanwhile, so refinedFor_ says nothing about speed
   bool held_ = false;
+  /// A prepared scene is about to be drawn. It is drawn before the next change, or a slider that is dragged would keep
+  /// the views from drawing.
+  bool isPreparedDue_ = false;
   bool startsDue_ = true;  ///< raysStarted() is to be reported
   bool settled_ = false;   ///< the last picture shows the present scene at full quality
   QTimer rest_;            ///< fires a moment after the last change
