@@ -12,10 +12,11 @@
 #include "viewer/jobs/LabelEditor.h"
 #include "viewer/jobs/RegionGrower.h"
 #include "viewer/jobs/StudyLoader.h"
+#include "viewer/model/FramePacer.h"
 #include "viewer/model/PreviewBackend.h"
 #include "viewer/model/Workspace.h"
+#include "viewer/views/ChooseSchedule.h"
 #include "viewer/views/GlSupport.h"
-#include "viewer/views/VolumeView.h"
 
 class QStackedWidget;
 
@@ -39,10 +40,10 @@ class MainWindow : public QMainWindow {
  public:
   struct Setup {
     GlSupport gl;
-    std::optional<Effort> atRest = {};                     ///< how 3-D views are drawn at rest; unset: as remembered
-    Focus expected = {};                                   ///< the kind of focus that the first study is likely to have
-    ScenePreparation::ChooseSchedule chooseSchedule = {};  ///< unset: the renderer's name decides
-    bool remember = true;                                  ///< restore and save layout, recent files and `atRest`
+    std::optional<Effort> atRest = {};   ///< how 3-D views are drawn at rest; unset: as remembered
+    Focus expected = {};                 ///< the kind of focus that the first study is likely to have
+    ChooseSchedule chooseSchedule = {};  ///< unset: the renderer's name decides
+    bool remember = true;                ///< restore and save layout, recent files and `atRest`
   };
 
   explicit MainWindow(const Setup& setup, QWidget* parent = nullptr);

@@ -177,7 +177,7 @@ TEST_F(CarveWindow, StrokesWaitWhileTheContextIsTaken) {
   std::atomic<bool> done{false};
   const auto end = qScopeGuard([&] {  // also where an assertion fails
     done = true;
-    volume(0)->preparation().context().stop();
+    volume(0)->preparation().glContext().stop();
   });
   const auto takeContext = [&] {
     done = false;

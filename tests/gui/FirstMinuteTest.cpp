@@ -92,7 +92,7 @@ class FirstMinute : public Window {
   void expectOpen() {
     EXPECT_NE(cameras().camera(0), before_);
     std::size_t ofFocus = 0, open = 0;
-    volume(0)->inContext([&](const std::shared_ptr<GpuScene>& gpu) {
+    volume(0)->inGlContext([&](const std::shared_ptr<GpuScene>& gpu) {
       Renderer renderer(gpu);
       renderer.render(volume(0)->shownScene(), volume(0)->restView());
       const Layers layers = renderer.readLayers();

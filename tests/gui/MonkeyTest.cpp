@@ -237,7 +237,7 @@ class Monkey : public Window, public testing::WithParamInterface<unsigned> {
       waitUntilDrawn();
     }
     GlObjects objects;
-    volume(0)->inContext([&](const auto&) { objects = glObjects(); });
+    volume(0)->inGlContext([&](const auto&) { objects = glObjects(); });
     return objects;
   }
 

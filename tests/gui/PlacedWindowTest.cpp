@@ -59,7 +59,7 @@ TEST_F(PlacedWindow, ChoosingALabelMovesBothViewsToTheAnswer) {
 }
 
 TEST_F(PlacedWindow, MeasuringInSlicesChangesNothing) {
-  ASSERT_TRUE(volume(0)->inContext([&](const std::shared_ptr<GpuScene>& gpu) {
+  ASSERT_TRUE(volume(0)->inGlContext([&](const std::shared_ptr<GpuScene>& gpu) {
     const PlacementSettings& settings = placement().settings();
     placement::Placer placer;
     const placement::Measured& whole = placer.measure(*gpu, document().scene(), settings.sampling, settings.options);

@@ -12,17 +12,17 @@
 
 #include "rendering/gl/Texture.h"
 #include "tests/gui/WindowFixture.h"
-#include "viewer/views/RenderContext.h"
+#include "viewer/views/GlContext.h"
 
 namespace fenestra::viewer {
 namespace {
 
-TEST(RenderContext, MakesObjectsOnAnotherThread) {
-  RenderContext context;
+TEST(GlContext, MakesObjectsOnAnotherThread) {
+  GlContext context;
   gl::Texture texture;
   QThread* worker = nullptr;
   bool done = false;
-  QSignalSpy freed(&context, &RenderContext::freed);
+  QSignalSpy freed(&context, &GlContext::freed);
   context.runBehind(
       [&](const std::atomic<bool>&) {
         worker = QThread::currentThread();
@@ -46,8 +46,8 @@ TEST(RenderContext, MakesObjectsOnAnotherThread) {
   EXPECT_EQ(QOpenGLContext::currentContext(), nullptr);
 }
 
-TEST(RenderContext, PassesOnWhatWorkBehindThrows) {
-  RenderContext context;
+TEST(GlContext, PassesOnWhatWorkBehindThrows) {
+  GlContext context;
   std::string said;
   context.runBehind([](const std::atomic<bool>&) { throw std::runtime_error("no voxels"); },
                     [&](std::exception_ptr error) {
@@ -61,9 +61,9 @@ TEST(RenderContext, PassesOnWhatWorkBehindThrows) {
   EXPECT_EQ(said, "no voxels");
 }
 
-TEST(RenderContext, StopsWorkBehindWhenTheWindowNeedsIt) {
+TEST(GlContext, StopsWorkBehindWhenTheWindowNeedsIt) {
   if (!QOpenGLContext::supportsThreadedOpenGL()) GTEST_SKIP() << "there is no OpenGL on other threads here";
-  RenderContext context;
+  GlContext context;
   bool done = false;
   context.runBehind(
       [](const std::atomic<bool>& stop) {

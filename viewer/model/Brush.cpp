@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "viewer/model/ToolSettings.h"
 #include "viewer/model/Translation.h"
 
 namespace fenestra::viewer {

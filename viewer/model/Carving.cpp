@@ -5,6 +5,7 @@
 
 #include "rendering/scene/RemovedVoxels.h"
 #include "viewer/model/Document.h"
+#include "viewer/model/ToolSettings.h"
 
 namespace fenestra::viewer {
 namespace {

@@ -6,6 +6,7 @@
 #include <QVBoxLayout>
 
 #include "viewer/model/Document.h"
+#include "viewer/model/ToolSettings.h"
 #include "viewer/model/Translation.h"
 #include "viewer/panels/SliderSpin.h"
 #include "viewer/panels/StrokeList.h"

@@ -4,6 +4,7 @@
 
 #include <QMouseEvent>
 
+#include "rendering/scene/SettingWords.h"
 #include "viewer/model/Carving.h"
 #include "viewer/model/Document.h"
 #include "viewer/model/Translation.h"

@@ -11,6 +11,7 @@
 #include "rendering/scene/Framing.h"
 #include "rendering/scene/Thinned.h"
 #include "viewer/style/Overlay.h"
+#include "viewer/views/ScenePreparation.h"
 #include "viewer/views/VolumeView.h"
 
 namespace fenestra::viewer {
@@ -101,7 +102,7 @@ void PreviewRenderer::request(const Scene& scene, std::vector<LookMaker> looks, 
 void PreviewRenderer::release() {
   timer_.stop();
   if (!order_) return;
-  view_.inContext([&](const auto&) {
+  view_.inGlContext([&](const auto&) {
     order_->renderer.reset();
     order_->gpuScene.reset();
   });

@@ -82,7 +82,7 @@ bool followsFocus(GpuScene& gpuScene, const Scene& scene) {
 ScenePreparation::ScenePreparation(ChooseSchedule chooseSchedule) : chooseSchedule_(std::move(chooseSchedule)) {}
 
 ScenePreparation::~ScenePreparation() {
-  context_.run([this] { gpuScene_.reset(); });
+  glContext_.run([this] { gpuScene_.reset(); });
 }
 
 ScenePreparation::Kind ScenePreparation::kindOf(const Scene& scene, const View& view) {
@@ -119,8 +119,8 @@ bool ScenePreparation::isKnown(const Kind& kind) const {
 
 bool ScenePreparation::isReady(const Scene& scene, const View& view) {
   if (failure_ && failed_ == shownVolume(scene)) std::rethrow_exception(failure_);
-  if (context_.isBusy()) {
-    if (isAhead_) context_.askToStop();
+  if (glContext_.isBusy()) {
+    if (isAhead_) glContext_.askToStop();
     return false;
   }
   const Kind kind = kindOf(scene, view);
@@ -131,7 +131,8 @@ bool ScenePreparation::isReady(const Scene& scene, const View& view) {
 }
 
 Scene ScenePreparation::held(Scene scene) const {
-  if (!prepared_ || scheduledFor_.lock() != scene.volume || context_.isBusy() || gpuScene_->holds(scene)) return scene;
+  if (!prepared_ || scheduledFor_.lock() != scene.volume || glContext_.isBusy() || gpuScene_->holds(scene))
+    return scene;
   Scene earlier = scene;
   earlier.labels = prepared_->labels;
   earlier.structures = prepared_->structures;
@@ -146,7 +147,7 @@ Scene ScenePreparation::held(Scene scene) const {
 
 void ScenePreparation::prepareAhead(const Scene& scene, const View& view) {
   const Kind kind = kindOf(scene, view);
-  if (context_.isBusy()) return;
+  if (glContext_.isBusy()) return;
   if (isKnown(kind)) return goOn();
   isAhead_ = true;
   start(scene, view, kind);
@@ -167,10 +168,10 @@ void ScenePreparation::warmUp(const std::vector<Focus>& kinds, Quality atRest, s
 }
 
 void ScenePreparation::goOn() {
-  if (context_.isBusy() || samples_.empty()) return;
+  if (glContext_.isBusy() || samples_.empty()) return;
   isAhead_ = true;
   auto isDone = std::make_shared<bool>(false);
-  context_.runBehind(
+  glContext_.runBehind(
       [this, sample = samples_.front(), isDone](const std::atomic<bool>& stop) {
         const auto gpuScene = std::make_shared<GpuScene>(gpuScene_->programs());
         Renderer trial(gpuScene);
@@ -182,14 +183,14 @@ void ScenePreparation::goOn() {
         if (error) samples_.clear();
         if (!*isDone) return;
         samples_.pop_front();
-        if (!context_.isAskedToStop()) goOn();
+        if (!glContext_.isAskedToStop()) goOn();
       });
 }
 
-void ScenePreparation::runBehind(RenderContext::Work work, RenderContext::Done done) {
-  context_.stop();
+void ScenePreparation::runBehind(GlContext::Work work, GlContext::Done done) {
+  glContext_.stop();
   isAhead_ = false;
-  context_.runBehind(std::move(work), std::move(done));
+  glContext_.runBehind(std::move(work), std::move(done));
 }
 
 void ScenePreparation::forgetFailure() {
@@ -204,7 +205,7 @@ void ScenePreparation::start(const Scene& scene, const View& view, const Kind& k
   const bool hasPrograms = isKnown(kind);
   scheduledFor_ = scene.volume;
   auto isDone = std::make_shared<bool>(false);
-  context_.runBehind(
+  glContext_.runBehind(
       [this, scene, view, isNew, hasPrograms, isDone](const std::atomic<bool>& stop) {
         if (isNew && chooseSchedule_) chooseSchedule_(gpuScene_, scene, view);
         if (hasPrograms && followsFocus(*gpuScene_, scene)) return;

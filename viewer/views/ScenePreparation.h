@@ -11,20 +11,17 @@
 #include "rendering/ViewSampling.h"
 #include "rendering/gpu/GpuScene.h"
 #include "rendering/scene/View.h"
-#include "viewer/views/RenderContext.h"
+#include "viewer/views/ChooseSchedule.h"
+#include "viewer/views/GlContext.h"
 
 namespace fenestra::viewer {
 
 class ScenePreparation {
  public:
-  /// Makes a new volume's shaders follow the schedule that suits this machine; called with the context current.
-  using ChooseSchedule = std::function<void(const std::shared_ptr<GpuScene>&, const Scene&, const View&)>;
-
-  /// `chooseSchedule` may be empty.
   explicit ScenePreparation(ChooseSchedule chooseSchedule);
   ~ScenePreparation();
 
-  RenderContext& context() { return context_; }
+  GlContext& glContext() { return glContext_; }
   const std::shared_ptr<GpuScene>& gpuScene() const { return gpuScene_; }
 
   /// True: the picture can be drawn now, and its renderer will not be held up. False: another thread prepares it, or
@@ -34,10 +31,10 @@ class ScenePreparation {
   void prepareAhead(const Scene& scene, const View& view);
   /// Compiles what draws a CT with each kind of focus, the first one first, while nothing else is asked for.
   void warmUp(const std::vector<Focus>& kinds, Quality atRest, std::optional<double> maxError);
-  /// Other work in the context on another thread; see RenderContext. Work for a picture that may follow ends first.
-  void runBehind(RenderContext::Work work, RenderContext::Done done);
+  /// Other work in the context on another thread; see GlContext. Work for a picture that may follow ends first.
+  void runBehind(GlContext::Work work, GlContext::Done done);
   /// Another thread has the context, and a view waits for its work.
-  bool isBusy() const { return context_.isBusy() && !isAhead_; }
+  bool isBusy() const { return glContext_.isBusy() && !isAhead_; }
   /// `scene` as far as the device holds it: where its focus or its peeled layer is not prepared yet, with those that
   /// were prepared last.
   Scene held(Scene scene) const;
@@ -84,7 +81,7 @@ class ScenePreparation {
   bool isAhead_ = false;        ///< the background work is for a picture that is not due yet
   std::exception_ptr failure_;
   ShownVolume failed_;
-  RenderContext context_;
+  GlContext glContext_;
 };
 
 }  // namespace fenestra::viewer

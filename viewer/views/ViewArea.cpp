@@ -7,12 +7,15 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
+#include "viewer/model/ContextAnimation.h"
+#include "viewer/model/DrawingTurns.h"
 #include "viewer/model/Workspace.h"
+#include "viewer/views/ScenePreparation.h"
 
 namespace fenestra::viewer {
 
 ViewArea::ViewArea(Workspace& workspace, const GlSupport& gl, const Effort& atRest,
-                   const ScenePreparation::ChooseSchedule& chooseSchedule, QWidget* parent)
+                   const ChooseSchedule& chooseSchedule, QWidget* parent)
     : QWidget(parent),
       pacer_(std::make_shared<FramePacer>(atRest)),
       rows_(new QSplitter(Qt::Vertical)),
@@ -49,11 +52,11 @@ void ViewArea::connectView(View* view) {
   connect(view, &View::maximiseRequested, this, [this, view] { toggleMaximised(view); });
 }
 
-void ViewArea::addVolumeViews(Workspace& workspace, const GlSupport& gl,
-                              const ScenePreparation::ChooseSchedule& chooseSchedule) {
+void ViewArea::addVolumeViews(Workspace& workspace, const GlSupport& gl, const ChooseSchedule& chooseSchedule) {
   preparation_ = std::make_shared<ScenePreparation>(chooseSchedule);
   const VolumeView::Shared shared{preparation_, pacer_, std::make_shared<DrawingTurns>(*pacer_),
-                                  std::make_shared<ContextFlight>(workspace.document, workspace.cameras), gl.software};
+                                  std::make_shared<ContextAnimation>(workspace.document, workspace.cameras),
+                                  gl.software};
   for (int index = 0; index < ViewLink::count; ++index) {
     auto* view = new VolumeView(index, workspace, shared);
     connectView(view);

@@ -9,20 +9,24 @@
 #include <QWidget>
 
 #include "io/session/Session.h"
+#include "rendering/gpu/Schedule.h"
 #include "viewer/model/OpeningEdge.h"
+#include "viewer/views/ChooseSchedule.h"
 #include "viewer/views/GlSupport.h"
 #include "viewer/views/SliceView.h"
 #include "viewer/views/VolumeView.h"
 
 namespace fenestra::viewer {
 
+class ScenePreparation;
+
 class ViewArea : public QWidget {
   Q_OBJECT
  public:
   /// Without OpenGL a text in place of the 3-D views says why; the slices work all the same.
   /// `workspace` outlives this.
-  ViewArea(Workspace& workspace, const GlSupport& gl, const Effort& atRest,
-           const ScenePreparation::ChooseSchedule& chooseSchedule, QWidget* parent = nullptr);
+  ViewArea(Workspace& workspace, const GlSupport& gl, const Effort& atRest, const ChooseSchedule& chooseSchedule,
+           QWidget* parent = nullptr);
 
   const std::vector<VolumeView*>& volumeViews() const { return volumes_; }  ///< empty without OpenGL
   const std::vector<SliceView*>& sliceViews() const { return slices_; }     ///< axial, sagittal, coronal
@@ -70,8 +74,7 @@ class ViewArea : public QWidget {
   void drawn();
 
  private:
-  void addVolumeViews(Workspace& workspace, const GlSupport& gl,
-                      const ScenePreparation::ChooseSchedule& chooseSchedule);
+  void addVolumeViews(Workspace& workspace, const GlSupport& gl, const ChooseSchedule& chooseSchedule);
   /// Says in place of the 3-D views why there are none.
   void addReason(const GlSupport& gl);
   void addSliceViews(Workspace& workspace);

@@ -5,18 +5,25 @@
 #include <cmath>
 #include <utility>
 
+#include <QMouseEvent>
 #include <QOpenGLContext>
 #include <QPainter>
 
+#include "rendering/Renderer.h"
 #include "rendering/gl/Context.h"
 #include "rendering/gl/ShaderProgram.h"
+#include "rendering/gpu/GpuScene.h"
 #include "rendering/scene/Walls.h"
+#include "viewer/model/ContextAnimation.h"
+#include "viewer/model/DrawingTurns.h"
 #include "viewer/model/Workspace.h"
 #include "viewer/style/FocusRing.h"
 #include "viewer/style/Overlay.h"
 #include "viewer/tools/Canvas.h"
 #include "viewer/views/PictureSurface.h"
+#include "viewer/views/RefinedPicture.h"
 #include "viewer/views/RenderProblem.h"
+#include "viewer/views/ScenePreparation.h"
 
 namespace fenestra::viewer {
 namespace {
@@ -81,14 +88,14 @@ void VolumeView::followScene() {
     if (view == index_) follow();
   });
   connect(&cameras_, &ViewLink::released, this, &VolumeView::settleAtOnce);
-  connect(shared_.flight.get(), &ContextFlight::moved, this, &VolumeView::redraw);
+  connect(shared_.animation.get(), &ContextAnimation::moved, this, &VolumeView::redraw);
   connect(shared_.turns.get(), &DrawingTurns::turn, this, [this](int view) {
     if (view == index_ && !isPreparedDue_) draw(shownScene());
   });
   connect(shared_.turns.get(), &DrawingTurns::roundEnded, this, [this] {
     if (isNew_) repaintSurface();
   });
-  connect(&shared_.preparation->context(), &RenderContext::freed, this, &VolumeView::contextFreed);
+  connect(&shared_.preparation->glContext(), &GlContext::freed, this, &VolumeView::contextFreed);
   connect(&options_, &ViewOptions::changed, this, [this] { repaintSurface(); });
 }
 
@@ -116,16 +123,17 @@ void VolumeView::drawPrepared() {
 
 VolumeView::~VolumeView() {
   // GPU objects need their context when they are destroyed.
-  shared_.preparation->context().run([this] { picture_.reset(); });
+  shared_.preparation->glContext().run([this] { picture_.reset(); });
 }
 
-bool VolumeView::inContext(const std::function<void(const std::shared_ptr<GpuScene>&)>& work) {
-  return shared_.preparation->context().run([&] { work(shared_.preparation->gpuScene()); });
+bool VolumeView::inGlContext(const std::function<void(const std::shared_ptr<GpuScene>&)>& work) {
+  return shared_.preparation->glContext().run([&] { work(shared_.preparation->gpuScene()); });
 }
 
 bool VolumeView::isSettled() const {
   const bool told = index_ != 0 || !startsDue_;  // the slices draw the opening of the first view
-  return (settled_ && !isNew_ && told && !shared_.flight->isFlying()) || !problem_.isEmpty() || !document_.hasVolume();
+  return (settled_ && !isNew_ && told && !shared_.animation->isRunning()) || !problem_.isEmpty() ||
+         !document_.hasVolume();
 }
 
 void VolumeView::disturb(int views) {
@@ -271,7 +279,7 @@ void VolumeView::attempt(const std::function<void()>& work) {
     work();
   } catch (const std::exception& error) {
     stopRefining();
-    shared_.preparation->context().run([this] { picture_.reset(); });
+    shared_.preparation->glContext().run([this] { picture_.reset(); });
     problem_ = tr("The 3-D views cannot be drawn. %1").arg(describeRenderProblem(error));
     Q_EMIT failed(problem_);
     repaintSurface();
@@ -281,7 +289,7 @@ void VolumeView::attempt(const std::function<void()>& work) {
 void VolumeView::attemptOnPicture(const std::function<void()>& work) {
   ScenePreparation& preparation = *shared_.preparation;
   if (!picture_ || !picture_->isShown() || !document_.hasVolume() || preparation.isBusy()) return;
-  inContext([&](const std::shared_ptr<GpuScene>&) { attempt(work); });
+  inGlContext([&](const std::shared_ptr<GpuScene>&) { attempt(work); });
 }
 
 void VolumeView::shown() {
@@ -320,7 +328,7 @@ std::optional<FinishedPicture> VolumeView::finishedPicture() {
 
 Scene VolumeView::shownScene() const {
   Scene scene = document_.scene();
-  scene.look = shared_.flight->shown(std::move(scene.look));
+  scene.look = shared_.animation->shown(std::move(scene.look));
   scene.look.strokes = strokesIn(index_, scene.look.strokes);
   return scene;
 }
@@ -340,6 +348,8 @@ View VolumeView::viewFor(Effort effort) const {
                     : ShownSlices{},
   };
 }
+
+void VolumeView::askToDraw() { shared_.turns->ask(index_); }
 
 void VolumeView::draw(const Scene& scene) {
   const bool isDue = due_ != Due::Nothing || !picture_ || !picture_->isShown();
@@ -361,8 +371,8 @@ bool VolumeView::drawDue(const Scene& scene) {
   const View view = viewFor(effort);
   if (!shared_.preparation->isReady(scene, view)) return false;
   if (due_ == Due::Strokes && !onlyStrokes) rest_.start(restMilliseconds);
-  inContext([&](const std::shared_ptr<GpuScene>& gpuScene) {
-    if (!picture_) picture_.emplace(gpuScene);
+  inGlContext([&](const std::shared_ptr<GpuScene>& gpuScene) {
+    if (!picture_) picture_ = std::make_unique<RefinedPicture>(gpuScene);
     if (onlyStrokes)
       picture_->draw(scene, view, true);
     else

@@ -16,14 +16,13 @@
 #include <optional>
 #include <vector>
 
-#include <QMouseEvent>
+#include <QImage>
 #include <QTimer>
 #include <QWidget>
 
-#include "rendering/gpu/GpuScene.h"
 #include "rendering/scene/Opening.h"
-#include "viewer/model/ContextFlight.h"
-#include "viewer/model/DrawingTurns.h"
+#include "rendering/scene/Scene.h"
+#include "rendering/scene/View.h"
 #include "viewer/model/FramePacer.h"
 #include "viewer/tools/BrushTool.h"
 #include "viewer/tools/CarveTool.h"
@@ -32,16 +31,22 @@
 #include "viewer/tools/ToleranceWheel.h"
 #include "viewer/tools/ViewTools.h"
 #include "viewer/tools/WallTool.h"
-#include "viewer/views/RefinedPicture.h"
-#include "viewer/views/ScenePreparation.h"
+
+namespace fenestra {
+class GpuScene;
+}
 
 namespace fenestra::viewer {
 
 class ActiveTool;
 class Brush;
+class ContextAnimation;
 class Document;
+class DrawingTurns;
 class PictureCanvas;
 class PictureSurface;
+class RefinedPicture;
+class ScenePreparation;
 class SliceCursor;
 class ViewLink;
 class ViewOptions;
@@ -64,7 +69,7 @@ class VolumeView : public QWidget {
     std::shared_ptr<ScenePreparation> preparation;
     std::shared_ptr<FramePacer> pacer;
     std::shared_ptr<DrawingTurns> turns;
-    std::shared_ptr<ContextFlight> flight;
+    std::shared_ptr<ContextAnimation> animation;
     bool software = false;
   };
 
@@ -104,7 +109,7 @@ class VolumeView : public QWidget {
   ScenePreparation& preparation() { return *shared_.preparation; }
   /// Runs `work` with the pictures' OpenGL context current. Returns false without running it where the driver has lost
   /// the context.
-  bool inContext(const std::function<void(const std::shared_ptr<GpuScene>&)>& work);
+  bool inGlContext(const std::function<void(const std::shared_ptr<GpuScene>&)>& work);
 
   QSize sizeHint() const override { return {480, 380}; }
   QSize minimumSizeHint() const override { return {160, 140}; }
@@ -170,7 +175,7 @@ class VolumeView : public QWidget {
   void attemptOnPicture(const std::function<void()>& work);
   View viewFor(Effort effort) const;
   /// Asks for a turn to draw what is due.
-  void askToDraw() { shared_.turns->ask(index_); }
+  void askToDraw();
   /// Draws what is due of the scene, to be shown by the next paint.
   void draw(const Scene& scene);
   /// False: the scene is not ready to be drawn, and stays due.
@@ -241,7 +246,7 @@ class VolumeView : public QWidget {
   Shared shared_;
   PictureSurface* surface_;
 
-  std::optional<RefinedPicture> picture_;  ///< empty before the first picture, and where there is a problem
+  std::unique_ptr<RefinedPicture> picture_;  ///< null before the first picture, and where there is a problem
   QString problem_;
   QString reduction_;  ///< the last notice of reduced()
   /// What the view draws in its next turn. Nothing: it keeps its picture. Motion: the scene while something moves in

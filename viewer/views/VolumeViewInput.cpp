@@ -16,6 +16,8 @@
 #include "viewer/model/StructureClick.h"
 #include "viewer/model/ViewLink.h"
 #include "viewer/model/ViewOptions.h"
+#include "viewer/views/RefinedPicture.h"
+#include "viewer/views/ScenePreparation.h"
 #include "viewer/views/VolumeView.h"
 
 namespace fenestra::viewer {
@@ -115,7 +117,7 @@ void VolumeView::followTools() {
     setCursor(tools_.pointer(last_));
     repaintSurface();
   });
-  connect(&shared_.preparation->context(), &RenderContext::freed, this, &VolumeView::replay);
+  connect(&shared_.preparation->glContext(), &GlContext::freed, this, &VolumeView::replay);
   // A stroke was not meant for another volume, nor for another place of the camera.
   connect(&document_, &Document::volumeChanged, this, [this] { waiting_.clear(); });
   connect(&cameras_, &ViewLink::changed, this, [this](int view) {

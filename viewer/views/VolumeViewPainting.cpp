@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include <QMouseEvent>
 #include <QPainter>
 
 #include "viewer/model/Document.h"
@@ -10,6 +11,7 @@
 #include "viewer/model/ViewOptions.h"
 #include "viewer/style/Overlay.h"
 #include "viewer/views/PictureSurface.h"
+#include "viewer/views/RefinedPicture.h"
 #include "viewer/views/VolumeView.h"
 
 namespace fenestra::viewer {

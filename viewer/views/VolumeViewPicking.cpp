@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rendering/Renderer.h"
 #include "rendering/scene/SeenPoint.h"
 #include "viewer/model/Document.h"
 #include "viewer/tools/Canvas.h"
 #include "viewer/views/PictureSurface.h"
+#include "viewer/views/RefinedPicture.h"
 #include "viewer/views/VolumeView.h"
 
 namespace fenestra::viewer {

@@ -16,12 +16,12 @@
 
 namespace fenestra::viewer {
 
-class RenderContext : public QObject {
+class GlContext : public QObject {
   Q_OBJECT
  public:
   /// Needs requestOpenGl() and the QApplication.
-  RenderContext();
-  ~RenderContext() override;
+  GlContext();
+  ~GlContext() override;
 
   /// Runs `work` with the context current, and makes the context current again that was so before. Stops background
   /// work first and waits for it. False, without running `work`, where the driver gives no context. Exceptions pass

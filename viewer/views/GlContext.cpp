@@ -1,4 +1,4 @@
-#include "viewer/views/RenderContext.h"
+#include "viewer/views/GlContext.h"
 
 #include <cassert>
 #include <stdexcept>
@@ -8,19 +8,19 @@
 
 namespace fenestra::viewer {
 
-RenderContext::RenderContext() {
+GlContext::GlContext() {
   context_.setShareContext(QOpenGLContext::globalShareContext());
   context_.create();
   surface_.setFormat(context_.format());
   surface_.create();
 }
 
-RenderContext::~RenderContext() {
+GlContext::~GlContext() {
   done_ = {};
   stop();
 }
 
-bool RenderContext::run(const std::function<void()>& work) {
+bool GlContext::run(const std::function<void()>& work) {
   stop();
   QOpenGLContext* before = QOpenGLContext::currentContext();
   if (before == &context_) {
@@ -44,7 +44,7 @@ bool RenderContext::run(const std::function<void()>& work) {
   return true;
 }
 
-void RenderContext::makeCurrentAndRun(const Work& work) {
+void GlContext::makeCurrentAndRun(const Work& work) {
   try {
     if (!context_.makeCurrent(&surface_)) throw std::runtime_error("OpenGL has lost its context; start Fenestra again");
     work(stop_);
@@ -55,7 +55,7 @@ void RenderContext::makeCurrentAndRun(const Work& work) {
   context_.doneCurrent();
 }
 
-void RenderContext::runBehind(Work work, Done done) {
+void GlContext::runBehind(Work work, Done done) {
   assert(!thread_ && QOpenGLContext::currentContext() != &context_);
   done_ = std::move(done);
   error_ = nullptr;
@@ -80,18 +80,18 @@ void RenderContext::runBehind(Work work, Done done) {
   thread_->start();
 }
 
-void RenderContext::finish() {
+void GlContext::finish() {
   thread_->wait();
   thread_.release()->deleteLater();  // this may be called from its signal
   if (const Done done = std::exchange(done_, {})) done(std::exchange(error_, nullptr));
   Q_EMIT freed();
 }
 
-void RenderContext::waitFor(int milliseconds) {
+void GlContext::waitFor(int milliseconds) {
   if (thread_ && thread_->wait(static_cast<unsigned long>(milliseconds))) finish();
 }
 
-void RenderContext::stop() {
+void GlContext::stop() {
   if (!thread_) return;
   stop_ = true;
   finish();
