@@ -9,10 +9,12 @@
 #include <QThread>
 
 #include "rendering/scene/RemovedVoxels.h"
+#include "rendering/scene/SettingWords.h"
 #include "tests/gui/WindowFixture.h"
 #include "viewer/panels/CarvingRows.h"
 #include "viewer/panels/CutawayPanel.h"
 #include "viewer/panels/SliderSpin.h"
+#include "viewer/views/ScenePreparation.h"
 
 namespace fenestra::viewer {
 namespace {

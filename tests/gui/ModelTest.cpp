@@ -359,7 +359,7 @@ class ToldTurns {
     QObject::connect(&turns, &DrawingTurns::turn, &context_, [this](int view) { told_.push_back(view); });
     QObject::connect(&turns, &DrawingTurns::roundEnded, &context_, [this] { told_.push_back(-1); });
   }
-  /// Of one round of the event loop.
+  /// What one round of the event loop tells.
   std::vector<int> next() {
     told_.clear();
     QCoreApplication::processEvents();
@@ -493,7 +493,7 @@ TEST(Preferences, DefaultsOfTheLookAreTheUsers) {
   Look look;
   look.cutaway.openWidth = 17.0;
   const Look ofScene = look;
-  look.reconstruction = Reconstruction::Auto;  // of the window alone
+  look.reconstruction = Reconstruction::Auto;  // the window's own default
   EXPECT_EQ(preferences.startingLook(ofScene), look) << "else, without a choice, those of a scene";
   preferences.set(Preference::Background, 0xff8000);
   preferences.set(Preference::WidthUnit, 1);

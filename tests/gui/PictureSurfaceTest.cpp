@@ -10,6 +10,7 @@
 #include <QTest>
 
 #include "rendering/Renderer.h"
+#include "rendering/gpu/GpuScene.h"
 #include "tests/gui/WindowFixture.h"
 #include "tests/support/Scenes.h"
 #include "viewer/views/GlContext.h"

@@ -6,6 +6,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "rendering/gpu/GpuScene.h"
 #include "rendering/placement/Placer.h"
 #include "tests/gui/WindowFixture.h"
 #include "viewer/panels/CamerasPanel.h"
@@ -36,7 +37,7 @@ class PlacedWindow : public Window {
 
   PlacementForm& form() { return panel<CamerasPanel>().form(); }
 
-  static constexpr double same = 1e-9;  ///< of unit vectors after a few operations in double precision
+  static constexpr double same = 1e-9;  ///< error of unit vectors after a few operations in double precision
 };
 
 TEST_F(PlacedWindow, ChoosingALabelMovesBothViewsToTheAnswer) {

@@ -12,6 +12,8 @@
 #include <QTimer>
 
 #include "rendering/Renderer.h"
+#include "rendering/gpu/GpuScene.h"
+#include "rendering/scene/Settings.h"
 #include "tests/gui/WindowFixture.h"
 #include "viewer/panels/AppearancePanel.h"
 #include "viewer/panels/ContextLayerPanel.h"
