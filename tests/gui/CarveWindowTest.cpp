@@ -9,7 +9,6 @@
 #include <QThread>
 
 #include "rendering/scene/RemovedVoxels.h"
-#include "rendering/scene/SettingWords.h"
 #include "tests/gui/WindowFixture.h"
 #include "viewer/panels/CarvingRows.h"
 #include "viewer/panels/CutawayPanel.h"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "viewer/model/ToolSettings.h"
 #include "viewer/model/Translation.h"
 
 namespace fenestra::viewer {

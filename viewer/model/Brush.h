@@ -3,7 +3,7 @@
 
 #include <QString>
 
-#include "rendering/scene/BrushStroke.h"
+#include "rendering/scene/Settings.h"
 #include "viewer/model/StrokeMode.h"
 
 namespace fenestra::viewer {
@@ -19,6 +19,44 @@ struct BrushSettings {
   bool thisViewOnly = false;
   bool operator==(const BrushSettings&) const = default;
 };
+
+}  // namespace fenestra::viewer
+
+namespace fenestra {
+
+template <>
+inline constexpr std::tuple settingsOf<viewer::BrushSettings>{
+    Setting(&viewer::BrushSettings::radius,
+            {.key = "radius",
+             .name = "Radius",
+             .description = "Radius on the screen where a stroke begins; there it is fixed in millimetres ([ and ])",
+             .unit = "px",
+             .range = {2.0, 200.0},
+             .slider = {2.0, 100.0},
+             .step = 1.0}),
+    Setting(&viewer::BrushSettings::softness, {.key = "softness",
+                                               .name = "Softness",
+                                               .description = settingOf(&BrushStroke::softness).description,
+                                               .range = fraction,
+                                               .step = 0.05}),
+    Setting(&viewer::BrushSettings::depth,
+            {.key = "depth",
+             .name = "Depth",
+             .description = "How far what is seen moves along the line of sight at most (Shift+wheel, Shift+drag)",
+             .unit = "mm",
+             .range = {0.5, 200.0},
+             .slider = {0.5, 60.0},
+             .step = 0.5}),
+    Setting(&viewer::BrushSettings::amount,
+            {.key = "amount",
+             .name = "Amount",
+             .description = "How much of the context's edges goes or is added (Shift+wheel, Shift+drag)",
+             .range = fraction,
+             .step = 0.05})};
+
+}  // namespace fenestra
+
+namespace fenestra::viewer {
 
 /// Whether a mode moves the ray start, by `depth`; the others change the context layer, by `amount`.
 bool movesRayStart(BrushMode mode);

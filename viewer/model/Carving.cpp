@@ -5,7 +5,6 @@
 
 #include "rendering/scene/RemovedVoxels.h"
 #include "viewer/model/Document.h"
-#include "viewer/model/ToolSettings.h"
 
 namespace fenestra::viewer {
 namespace {

@@ -5,6 +5,7 @@
 
 #include "rendering/scene/Camera.h"
 #include "rendering/scene/Removal.h"
+#include "rendering/scene/Settings.h"
 #include "viewer/model/StrokeMode.h"
 
 namespace fenestra::viewer {
@@ -18,6 +19,41 @@ struct CarvingSettings {
   double depth = 0.0;     ///< mm, of saw and plane; 0: without an end
   bool operator==(const CarvingSettings&) const = default;
 };
+
+}  // namespace fenestra::viewer
+
+namespace fenestra {
+
+template <>
+inline constexpr std::tuple settingsOf<viewer::CarvingSettings>{
+    Setting(&viewer::CarvingSettings::size,
+            {.key = "carving_size",
+             .name = "Size",
+             .description = "Radius of the ball, half the side of the box, thickness of the saw; of the plane, how far "
+                            "around the mouse a drag bends it",
+             .unit = "mm",
+             .range = {0.5, 500.0},
+             .slider = {1.0, 60.0},
+             .step = 0.5}),
+    Setting(&viewer::CarvingSettings::softness, {.key = "carving_softness",
+                                                 .name = "Soft rim",
+                                                 .description = "Width across which what is carved fades",
+                                                 .unit = "mm",
+                                                 .range = {0.0, 100.0},
+                                                 .slider = {0.0, 30.0},
+                                                 .step = 0.5}),
+    Setting(&viewer::CarvingSettings::depth,
+            {.key = "carving_depth",
+             .name = "Depth",
+             .description = "How deep the saw cuts, or how far the plane's side reaches; at 0 through everything",
+             .unit = "mm",
+             .range = {0.0, 2000.0},
+             .slider = {0.0, 200.0},
+             .step = 1.0})};
+
+}  // namespace fenestra
+
+namespace fenestra::viewer {
 
 /// What a stroke over those points removes; `axes` are the view's, with forward along the line of sight. Between two
 /// points a box leaves no gap. A saw's stroke that comes back to

@@ -3,6 +3,7 @@
 
 #include <QObject>
 
+#include "rendering/scene/Settings.h"
 #include "viewer/model/StrokeMode.h"
 
 namespace fenestra::viewer {
@@ -12,6 +13,30 @@ struct SelectionBrushSettings {
   double softness = 0.0;
   bool operator==(const SelectionBrushSettings&) const = default;
 };
+
+}  // namespace fenestra::viewer
+
+namespace fenestra {
+
+template <>
+inline constexpr std::tuple settingsOf<viewer::SelectionBrushSettings>{
+    Setting(&viewer::SelectionBrushSettings::radius, {.key = "selection_radius",
+                                                      .name = "Radius",
+                                                      .description = "Radius of the ball that paints the region",
+                                                      .unit = "mm",
+                                                      .range = {0.1, 1000.0},
+                                                      .slider = {1.0, 60.0},
+                                                      .step = 0.5}),
+    Setting(&viewer::SelectionBrushSettings::softness,
+            {.key = "selection_softness",
+             .name = "Softness",
+             .description = "The outer share of the ball that paints only where values are like those inside",
+             .range = fraction,
+             .step = 0.05})};
+
+}  // namespace fenestra
+
+namespace fenestra::viewer {
 
 class SelectionBrush : public StrokeMode {
   Q_OBJECT

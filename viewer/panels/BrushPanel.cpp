@@ -5,8 +5,8 @@
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
+#include "viewer/model/Brush.h"
 #include "viewer/model/Document.h"
-#include "viewer/model/ToolSettings.h"
 #include "viewer/model/Translation.h"
 #include "viewer/panels/SliderSpin.h"
 #include "viewer/panels/StrokeList.h"

@@ -5,8 +5,8 @@
 #include <QFormLayout>
 #include <QHBoxLayout>
 
+#include "viewer/model/Carving.h"
 #include "viewer/model/Document.h"
-#include "viewer/model/ToolSettings.h"
 #include "viewer/panels/SliderSpin.h"
 
 namespace fenestra::viewer {

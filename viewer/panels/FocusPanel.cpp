@@ -10,7 +10,7 @@
 
 #include "viewer/model/Document.h"
 #include "viewer/model/PlacementController.h"
-#include "viewer/model/ToolSettings.h"
+#include "viewer/model/SelectionBrush.h"
 #include "viewer/model/ViewLink.h"
 #include "viewer/panels/LabelEditPanel.h"
 #include "viewer/panels/LabelList.h"
