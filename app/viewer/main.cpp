@@ -21,8 +21,8 @@
 #include "io/PhantomFile.h"
 #include "io/base/SessionName.h"
 #include "viewer/MainWindow.h"
-#include "viewer/Sessions.h"
-#include "viewer/Tour.h"
+#include "viewer/files/Sessions.h"
+#include "viewer/guide/Tour.h"
 #include "viewer/jobs/ReadStudy.h"
 #include "viewer/style/Style.h"
 

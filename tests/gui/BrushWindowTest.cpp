@@ -10,7 +10,7 @@
 
 #include "tests/gui/WindowFixture.h"
 #include "tests/support/TestData.h"
-#include "viewer/NoticeBar.h"
+#include "viewer/bars/NoticeBar.h"
 #include "viewer/model/Paths.h"
 #include "viewer/panels/BrushPanel.h"
 #include "viewer/panels/SliderSpin.h"

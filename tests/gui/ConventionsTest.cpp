@@ -17,12 +17,12 @@
 
 #include "tests/gui/WindowFixture.h"
 #include "tests/support/TestData.h"
-#include "viewer/Dialogs.h"
-#include "viewer/Gestures.h"
-#include "viewer/Guide.h"
-#include "viewer/GuideWindow.h"
-#include "viewer/Sessions.h"
-#include "viewer/WindowLevelDialog.h"
+#include "viewer/dialogs/Dialogs.h"
+#include "viewer/dialogs/Gestures.h"
+#include "viewer/dialogs/WindowLevelDialog.h"
+#include "viewer/files/Sessions.h"
+#include "viewer/guide/Guide.h"
+#include "viewer/guide/GuideWindow.h"
 #include "viewer/panels/AppearancePanel.h"
 
 namespace fenestra::viewer {

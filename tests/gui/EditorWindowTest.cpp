@@ -15,7 +15,7 @@
 #include "io/TransferFunctionFile.h"
 #include "tests/gui/WindowFixture.h"
 #include "tests/support/TestData.h"
-#include "viewer/NoticeBar.h"
+#include "viewer/bars/NoticeBar.h"
 #include "viewer/panels/AppearancePanel.h"
 
 namespace fenestra::viewer {
@@ -362,7 +362,7 @@ TEST_F(EditorWindow, EachLabelInFocusHasALevelAndAColour) {
   EXPECT_EQ(plot().target(), FunctionTarget()) << "its label has left the focus";
 }
 
-/// Of any channel, 0 to 255.
+/// The greatest difference in any channel, 0 to 255; 256 for other sizes.
 int greatestDifference(const QImage& a, const QImage& b) {
   if (a.size() != b.size()) return 256;
   int most = 0;

@@ -9,10 +9,10 @@
 #include "tests/gui/WindowFixture.h"
 #include "tests/io/DicomWriter.h"
 #include "tests/support/TestData.h"
-#include "viewer/FileOpener.h"
-#include "viewer/NoticeBar.h"
-#include "viewer/PictureExports.h"
-#include "viewer/SeriesChooser.h"
+#include "viewer/bars/NoticeBar.h"
+#include "viewer/dialogs/SeriesChooser.h"
+#include "viewer/exports/PictureExports.h"
+#include "viewer/files/FileOpener.h"
 #include "viewer/panels/AppearancePanel.h"
 
 namespace fenestra::viewer {

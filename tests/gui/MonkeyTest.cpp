@@ -106,7 +106,7 @@ class Monkey : public Window, public testing::WithParamInterface<unsigned> {
     Window::SetUp();
     // Dialogs and menus wait for an answer: the monkey waits a moment and leaves them.
     QObject::connect(&closer_, &QTimer::timeout, [this] {
-      QDrag::cancel();  // of selected text: Qt waits until the display's own mouse is released
+      QDrag::cancel();  // a drag of selected text waits for the display's own mouse
       if (QWidget* popup = QApplication::activePopupWidget()) {
         event_ += "; closed " + nameOf(*popup);
         popup->close();
@@ -237,7 +237,7 @@ class Monkey : public Window, public testing::WithParamInterface<unsigned> {
       waitUntilDrawn();
     }
     GlObjects objects;
-    volume(0)->inContext([&](const auto&) { objects = glObjects(); });
+    volume(0)->inGlContext([&](const auto&) { objects = glObjects(); });
     return objects;
   }
 

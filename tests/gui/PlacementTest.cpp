@@ -21,7 +21,7 @@
 namespace fenestra::viewer {
 namespace {
 
-constexpr double tolerance = 1e-9;  ///< of unit vectors after a few operations in double precision
+constexpr double tolerance = 1e-9;  ///< error of unit vectors after a few operations in double precision
 constexpr int patience = 5000;      ///< ms; reached only when something hangs
 
 /// The direction whose descriptors are best.

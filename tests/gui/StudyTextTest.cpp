@@ -14,8 +14,8 @@
 #include "tests/gui/WindowFixture.h"
 #include "tests/io/DicomWriter.h"
 #include "tests/support/TestData.h"
-#include "viewer/Sessions.h"
-#include "viewer/WindowLevelDialog.h"
+#include "viewer/dialogs/WindowLevelDialog.h"
+#include "viewer/files/Sessions.h"
 #include "viewer/jobs/ReadStudy.h"
 #include "viewer/model/PatientLines.h"
 

@@ -89,7 +89,7 @@ QString placeOf(const QObject* object) {
   return place;
 }
 
-/// Of a window and everything in it.
+/// The untranslated texts of a window and everything in it.
 QStringList untranslatedIn(const QWidget& window) {
   QStringList found;
   QList<const QWidget*> widgets{&window};

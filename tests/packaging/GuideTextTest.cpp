@@ -133,11 +133,11 @@ TEST(GuideText, EveryPageIsInTheIndexAndEveryPictureInAPage) {
 }
 
 TEST(GuideText, TheProgramHoldsEveryPageAndPicture) {
-  const std::string listed = contentsOf(FENESTRA_SOURCE_DIR "/viewer/guide.qrc");
+  const std::string listed = contentsOf(FENESTRA_SOURCE_DIR "/viewer/guide/guide.qrc");
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(guide)) {
     if (!entry.is_regular_file()) continue;
     const std::string file = entry.path().lexically_relative(guide).generic_string();
-    EXPECT_NE(listed.find("<file alias=\"" + file + "\">../resources/guide/" + file + "</file>"), std::string::npos)
+    EXPECT_NE(listed.find("<file alias=\"" + file + "\">../../resources/guide/" + file + "</file>"), std::string::npos)
         << file;
   }
 }

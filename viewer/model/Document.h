@@ -24,24 +24,24 @@ namespace fenestra::viewer {
 
 /// A data set as read, ready to be shown.
 struct Study {
-  Scene scene;                                         ///< as the user set it: its focus may be a region
-  std::shared_ptr<const segmentation::Growth> growth;  ///< of that region, or null
-  std::optional<OpeningView> frozen;                   ///< what C1's opening is frozen for, without a session
+  Scene scene;                                         ///< as the user set it; its focus may be a region
+  std::shared_ptr<const segmentation::Growth> growth;  ///< the growth of that region, or null
+  std::optional<OpeningView> frozen;                   ///< the view that C1's opening is frozen for, without a session
   std::optional<Camera> camera;                        ///< where to look from first; unset: from anterior
   std::optional<Framing> visible;                      ///< the part that `scene` shows, for a camera to frame
-  std::optional<glm::dvec3> focusCentre;               ///< of `scene`, world mm; where the crosshair goes first
+  std::optional<glm::dvec3> focusCentre;               ///< the crosshair's first place, world mm
   bool placeCameras = false;                           ///< place both for the focus once the study is open
   std::filesystem::path path;                          ///< what the user opened; empty for a phantom
   io::SeriesInfo series;
   io::PatientText patient;
   std::vector<io::SeriesInfo> otherSeries;
-  std::vector<io::SegmentationInfo> segmentations;  ///< of the series, in what was opened
+  std::vector<io::SegmentationInfo> segmentations;  ///< found beside the series
   std::vector<io::Warning> warnings;
-  std::optional<io::GeometryReport> geometry;  ///< its findings are among the warnings, too
-  io::Session session;                ///< where the data are; all of the session that the study was opened from
-  bool restoresSession = false;       ///< there is one: the window becomes what it says
-  std::filesystem::path sessionFile;  ///< its file; empty without one
-  bool isRecovered = false;           ///< nobody saved it yet: it comes from a crash's copy, or was read again
+  std::optional<io::GeometryReport> geometry;  ///< its findings are also among the warnings
+  io::Session session;                         ///< where the data are, or the whole session that was opened
+  bool restoresSession = false;                ///< the window is to be restored from `session`
+  std::filesystem::path sessionFile;           ///< its file; empty without one
+  bool isRecovered = false;                    ///< not saved yet: recovered after a crash, or read again
 };
 
 class Document : public QObject {
@@ -49,20 +49,20 @@ class Document : public QObject {
  public:
   using QObject::QObject;
 
-  /// Shows a study with its scene's look and, where it comes from a session, that session's display window. Nothing of
-  /// what was open before can be undone then.
+  /// Shows a study with its scene's look and, where it comes from a session, that session's display window. Clears the
+  /// history.
   void open(Study study);
-  /// A label map on the volume's grid, or null. A focus made of the old map's labels goes with it, and so do their
-  /// settings and what could be undone.
+  /// Sets a label map on the volume's grid, or none. Clears the old labels' settings, a focus made of them, and the
+  /// history.
   void setLabels(std::shared_ptr<const LabelMap> labels, io::SessionData from = {});
   /// Changes the labels, with another focus, as one step. `after` is what `edit` makes of labels().
   void editLabels(const QString& name, segmentation::LabelEdit edit, std::shared_ptr<const LabelMap> after,
                   Focus focus);
-  /// Which state the labels are in: another after each edit, and the earlier one after its undo.
+  /// The number of the labels' state: a new one after each edit, the earlier one after an undo.
   std::uint64_t labelsRevision() const { return labelsRevision_; }
   /// Whether study().session names a file that holds the labels as they are; true without labels.
   bool labelsAreInFile() const { return !labels() || labelsRevision_ == filedRevision_; }
-  /// The labels of that revision are in a file; an empty one: in none.
+  /// Notes that the labels of that revision are in a file, or in none where `file` is empty.
   void noteLabelsFile(std::uint64_t revision, const io::SessionData& file);
   /// Takes over the hashes of the data's contents, where `session` is of the same data.
   void noteContents(const io::Session& session);
@@ -74,7 +74,7 @@ class Document : public QObject {
   /// "CT · 512×512×245 · 1.00×1.00×1.00 mm": nothing that could name a patient.
   QString description() const;
 
-  /// What the user edits: what undo and redo move through, and what a session keeps.
+  /// What the user edits: undo and redo change it, and a session keeps it.
   const Look& look() const { return study_.scene.look; }
   /// Changes the look as one step, named as the Edit menu shows it ("Undo NAME"). All setters below that change the
   /// look call this; window and level, crosshair and how a view is turned by hand are no steps.
@@ -94,13 +94,13 @@ class Document : public QObject {
   void setFocus(Focus focus);
   /// The region in the focus, or null.
   const RegionFocus* region() const { return std::get_if<RegionFocus>(&focus()); }
-  /// What region() shows, of which isWhole() tells whether all of it is grown. Null without a region, and until a first
-  /// part of it is there; the scene shows the focus before it until then.
+  /// The growth of region(); isWhole() tells whether it is complete. Null without a region, and until a first part is
+  /// grown; until then the scene shows the focus before it.
   const segmentation::Growth* growth() const;
   bool isWhole() const { return growth() && growth() != preview_.growth.get(); }
   /// The region in the focus has to be grown: see RegionGrower.
   bool awaitsGrowth() const { return region() && !isWhole(); }
-  /// What was grown from `seeds`: a first part of it, or all.
+  /// Sets the growth from `seeds`: a first part of it, or the whole.
   void setGrowth(const RegionFocus& seeds, std::shared_ptr<const segmentation::Growth> growth, bool whole);
   /// The focus becomes the region around a world position, or gets another seed.
   void growFrom(glm::dvec3 world);
@@ -108,10 +108,10 @@ class Document : public QObject {
   /// A stroke over the region in the focus, which begins with it where another focus is there; one that takes away
   /// changes a region alone.
   void paintSelection(SelectionStroke stroke);
-  /// What was grown of a region that `wanted` is more strokes over: that region, and its growth; the latest of several.
+  /// The latest region that `wanted` continues by more strokes, with its growth.
   std::optional<std::pair<RegionFocus, std::shared_ptr<const segmentation::Growth>>> grownBefore(
       const RegionFocus& wanted) const;
-  /// Of the region in the focus; empty: chosen from the plateaus.
+  /// Sets the tolerance of the region in the focus; empty: chosen from the plateaus.
   void setTolerance(std::optional<double> tolerance);
   /// Moves the tolerance by steps of segmentation::Levels, within those that are there.
   void moveTolerance(int steps);
@@ -149,14 +149,14 @@ class Document : public QObject {
   const BrushStrokes& strokes() const { return look().strokes; }
   void setStrokes(BrushStrokes strokes, const QString& name);
 
-  /// What is carved out of the volume.
+  /// The removals carved out of the volume.
   const Removals& removals() const { return look().removals; }
   void setRemovals(Removals removals, const QString& name);
 
-  /// Distances, angles and regions drawn on the slices, and what each says.
+  /// Distances, angles and regions drawn on the slices, and their values.
   const std::vector<Measure>& measures() const { return measures_; }
   const MeasureValues& measured(std::size_t index) const { return measured_.at(index); }
-  /// As one step, named as the Edit menu shows it.
+  /// Sets them as one step, named as the Edit menu shows it.
   void setMeasures(std::vector<Measure> measures, const QString& name);
 
   /// The study's labels; null without any.
@@ -170,7 +170,7 @@ class Document : public QObject {
   void volumeChanged();
   void labelsChanged();
   void focusChanged();
-  /// The look of single labels beside the focus.
+  /// Settings of single labels, the focus excepted.
   void labelSettingsChanged();
   void windowChanged();  ///< or inverted
   void transferFunctionChanged();
@@ -180,7 +180,7 @@ class Document : public QObject {
   void clippingChanged();
   /// Brush strokes: a small part of a 3-D picture.
   void strokesChanged();
-  /// What is carved out of the volume.
+  /// The removals carved out of the volume.
   void removalsChanged();
   void measuresChanged();
   /// After any of the above, strokes and measures excepted, that changes a 3-D picture.
@@ -202,16 +202,16 @@ class Document : public QObject {
   void updateShown();
 
   Study study_;
-  Scene whole_;  ///< as it is drawn, but for what is removed
+  Scene whole_;  ///< as it is drawn, before anything is removed
   Scene shown_;
   Sculptor sculptor_;
   Grown preview_;             ///< a first part
-  std::vector<Grown> grown_;  ///< wholes for undo to come back to, the latest last; see mostGrownBytes
+  std::vector<Grown> grown_;  ///< complete ones for undo, the latest last; see mostGrownBytes
   std::uint64_t labelsRevision_ = 0, filedRevision_ = 0, lastRevision_ = 0;
   WindowLevel window_;
   bool inverted_ = false;
   std::vector<Measure> measures_;
-  std::vector<MeasureValues> measured_;  ///< of each of measures_
+  std::vector<MeasureValues> measured_;  ///< the values of each of measures_
   History history_;
 };
 
