@@ -15,7 +15,7 @@ struct Scene;
 class FocusVoxels {
  public:
   FocusVoxels() = default;
-  /// Of the shown volume (Scene.h). A scene that does not open its focus has one, too. Runs on all cores.
+  /// Finds the focus of the shown volume (Scene.h), also in a scene that does not open it. Runs on all cores.
   explicit FocusVoxels(const Scene& scene);
 
   bool holds(glm::ivec3 voxel) const {

@@ -30,8 +30,8 @@ namespace fenestra {
 /// a ray that starts deeper, on a cone within a less important label, has none. Where another camera cuts the opening,
 /// the most important labels stand for the focus.
 ///
-/// Levels count for a focus of labels with the method Importance; a value focus and a grown region have one. Of labels
-/// that are not in focus, those that are hidden or not visible have level 0.
+/// Levels count for a focus of labels with the method Importance; a value focus and a grown region have one. A label
+/// that is not in focus and is hidden or not visible has level 0.
 
 /// The level of importance of a label of structuresOf(scene).
 int importanceOf(const Scene& scene, std::uint16_t label);

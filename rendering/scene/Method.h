@@ -53,13 +53,13 @@ enum class LensFade : std::uint8_t { Distance, Curvature, Depth };
 /// Whether ClearView's lens lies over the middle of the focus or over the crosshair, which follows the last pick.
 enum class LensPlace : std::uint8_t { OverFocus, OverCrosshair };
 
-/// Of a focal region. The box is a cube along the patient's axes; Distance follows the shape of the focus.
+/// Shape of a focal region. The box is a cube along the patient's axes; Distance follows the shape of the focus.
 enum class FocalShape : std::uint8_t { Sphere, Box, Distance };
 
 /// Where the slices of Walls stand: around the volume (ExoVis of its authors), or where they lie in the patient, inside
 /// the opening (in-place).
 enum class WallPlacement : std::uint8_t { Around, Inside };
-/// Of an exploded view: how many planes cut the volume into parts, and along what the planes lie.
+/// How many planes cut the volume of an exploded view into parts, and what the planes follow.
 enum class ExplosionPlanes : std::uint8_t { One, Two, Three };
 enum class ExplosionAxes : std::uint8_t { Patient, View };
 /// The side of the patient that a layer is peeled off.
@@ -107,8 +107,8 @@ struct Method {
 /// What a method decides on in a picture of an opening. All else is the same for every method: hits, brush, integral,
 /// context layer, border.
 ///
-/// Of what the opening removes, E (premultiplied colour, of opacity a), a method may keep a share w per pixel, laid
-/// over what the ray shows behind it, F:
+/// A method may keep a share w per pixel of what the opening removes, E (premultiplied colour, of opacity a). It is
+/// laid over what the ray shows behind it, F:
 ///
 ///   w E + (1 - w a) F  =  w (E + (1 - a) F) + (1 - w) F
 ///
@@ -186,7 +186,7 @@ struct MethodStages {
   /// So the region shows as it is, and around it the contours, in proportion to the gradient, the fainter the farther
   /// outside. Its authors, too, draw contours by the gradient outside of the region; this formula is the program's own.
   ///
-  /// Of a ghost, m is less than 1 only where the opening removes something, before the ray's start: on rays that meet
+  /// With a ghost, m is less than 1 only where the opening removes something, before the ray's start: on rays that meet
   /// the focus, and on those that start behind the context's first surface; where another camera cuts the opening, also
   /// in the hole behind that (rendering/passes/RemovedPass.h). There, with v the ray's direction and ‖∇f‖ not limited
   /// to 1,

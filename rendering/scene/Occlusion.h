@@ -5,9 +5,9 @@
 // Medium. Cells of whole voxels, mostCells of them at most along an axis, hold the mean extinction (1/mm) of their
 // voxels: each counts with the extinction of its own value, of the focus or of the context's function at it; what lies
 // outside the volume counts as empty. The mean counts up to mostDepth a cell: more is as good as opaque. Hidden labels
-// and the table are air. Of the part that an opening removes nothing counts, nor of what is clipped, unless a label is
-// protected or exempt from it: both are found at eight points of a cell (see visibleShare() and clippedShare()), and
-// the cell's extinction is the mean of what is seen there.
+// and the table are air. What an opening removes does not count, nor does what is clipped, unless its label is
+// protected from the one or exempt from the other: both are found at eight points of a cell (see visibleShare() and
+// clippedShare()), and the cell's extinction is the mean of what is seen there.
 //
 // Field. At the centre x of each cell, with the side h of a cubic cell of the same volume,
 //
@@ -57,7 +57,7 @@ struct Directions {
   int around = 24, towardsLight = 8;
   bool operator==(const Directions&) const = default;
 };
-/// Of a picture that is soon replaced.
+/// Fewer directions, for a picture that is soon replaced.
 inline constexpr Directions draftDirections{10, 3};
 
 /// Unit vectors, spread evenly (spherical Fibonacci points): all around, or within `radius` degrees of a direction.

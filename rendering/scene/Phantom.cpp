@@ -186,7 +186,7 @@ class RowCaster {
     return intervals_;
   }
 
-  /// The same, cut into disjoint segments.
+  /// That line, cut into disjoint segments.
   const std::vector<Phantom::Segment>& segments(double y) {
     intervals(y);
     resolve(intervals_, ends_, segments_);

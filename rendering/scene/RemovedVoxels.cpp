@@ -18,7 +18,7 @@ constexpr double unbounded = std::numeric_limits<double>::infinity();
 /// mm, negative inside.
 using Distance = std::function<double(glm::dvec3 world)>;
 
-/// Of a removal's part: its signed distance, and what of the world it lies in.
+/// A part of a removal: its signed distance, and the box of the world that holds it.
 struct Solid {
   Distance distance;
   glm::dvec3 low{-unbounded}, high{unbounded};  ///< world mm, without the rim
@@ -36,7 +36,7 @@ double distanceToLine(Vector p, Vector a, Vector b) {
   return glm::length(p - (a + t * along));
 }
 
-/// Of a box around the origin by half its sides.
+/// Signed distance to a box around the origin, by half its sides.
 template <class Vector>
 double distanceToBox(Vector p, Vector half) {
   const Vector beyond = glm::abs(p) - half;
@@ -192,7 +192,7 @@ struct Spread {
 /// and the eigenvalues; the greatest first.
 std::pair<glm::dmat3, glm::dvec3> eigenvectorsOf(glm::dmat3 a) {
   glm::dmat3 vectors(1.0);
-  constexpr int sweeps = 24;  // each squares what is left beside the diagonal
+  constexpr int sweeps = 24;  // each squares the size of the elements off the diagonal
   for (int sweep = 0; sweep < sweeps; ++sweep)
     for (const auto& [p, q] : {std::pair(0, 1), std::pair(0, 2), std::pair(1, 2)}) {
       if (a[p][q] == 0.0) continue;

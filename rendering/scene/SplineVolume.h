@@ -11,7 +11,7 @@
 // deviation of √(4/3) voxels instead of √(1/3). f is C² in each. In the half voxel between the outermost centres and
 // the volume's border f goes on as it is at the centres' plane.
 //
-// Of hidden voxels the coefficients become air, after the filter: near them f is then a mean of air and what is shown,
+// The coefficients of hidden voxels become air, after the filter: near them f is then a mean of air and what is shown,
 // with non-negative weights. Filtered after the voxels were hidden, f would overshoot beside that step.
 
 #include <array>
