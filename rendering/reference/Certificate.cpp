@@ -31,7 +31,8 @@ glm::dvec3 overBackground(glm::dvec4 premultiplied, glm::dvec3 background) {
   return glm::dvec3(premultiplied) + (1.0 - premultiplied.a) * background;
 }
 
-/// Of each sampled pixel, in 1/255.
+/// Greatest difference of a channel at each sampled pixel, over the background, in 1/255; infinite where a value is
+/// NaN.
 std::vector<double> differences(std::span<const glm::vec4> picture, const std::vector<glm::dvec4>& exact,
                                 const std::vector<glm::ivec2>& pixels, glm::ivec2 size, const Look& look) {
   std::vector<double> result;

@@ -49,7 +49,7 @@ struct Medium {
     if (fading && fading->ghost) ghosting.emplace(*fading->ghost);
     if (scene.look.shading.enabled && focus.hasLabels()) focusNormals.emplace(scene.volume->grid, focus);
   }
-  /// Of labels alone, as part of the context.
+  /// The medium of some labels alone, as part of the context.
   static Medium ofLabels(const Scene& what, const Camera& camera, const std::vector<std::uint16_t>& labels,
                          const Occlusion* occluded) {
     Medium medium(what, camera, FocusField(*structuresOf(what), labels), occluded);

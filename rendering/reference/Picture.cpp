@@ -217,7 +217,7 @@ void addContextLayer(const Frame& frame, const Rays& rays, const std::vector<Cut
   for (std::size_t i = 0; i < cut.size(); ++i) {
     uncut.push_back(cut[i].ray);
     tContext.push_back(rays.tContext(i));
-    // Of a surface that another camera's opening leaves, the edges show in itself.
+    // Where another camera's opening leaves the context's surface in place, no edges are laid over it: it shows itself.
     const bool stays = rays.stages.apart && !(rays.start(i) > rays.tContext(i));
     tFocus.push_back(stays ? nothing : rays.tFocus(i));
   }
@@ -251,7 +251,7 @@ Picture drawn(const Frame& frame, const Rays& rays) {
   const bool guarded = frame.pixels && !labelsWith(LabelRole::Protected, scene).empty();
   const MethodStages method = stagesOf(scene.look.method);
   const bool hasFaint = frame.pixels && method.keepsRemoved();
-  // Of each of so many layers, and half of what is left beside exempt labels.
+  // Each layer has an equal share of the tolerance, and half of it where exempt labels are drawn beside them.
   const double tolerance =
       frame.tolerance / (1.0 + guarded + hasFaint) * (scene.look.clipping.exempt.empty() ? 1.0 : 0.5);
   FocusLayer layer = focusLayer(scene, frame.camera, cut, tolerance, frame.occlusion);

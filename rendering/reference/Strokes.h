@@ -15,7 +15,7 @@ struct Edits {
 /// `tStart` is stage 4's (rayStart), before any stroke.
 Edits edits(const BrushStrokes& strokes, const Camera& camera, glm::ivec2 size, const HitPoints& hits,
             const Image& tStart);
-/// The same of the rays through some places of the picture, one element each.
+/// Edits of the rays through some places of the picture, one element each.
 Edits edits(const BrushStrokes& strokes, const Camera& camera, glm::ivec2 size, const HitPoints& hits,
             const Image& tStart, const std::vector<glm::dvec2>& places);
 
