@@ -55,7 +55,7 @@ function(fenestra_library NAME)
   fenestra_own_code(${target})
   if(ARG_FOR_MODULES)
     set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
-    # Nobody replaces our functions: calls among them stay as fast as in a program.
+    # No other module replaces our functions at load time, so calls among them are as fast as in a program.
     target_compile_options(${target} PRIVATE -fno-semantic-interposition)
     fenestra_precompile(${target} Standard.h)
   elseif(ARG_PRECOMPILED)

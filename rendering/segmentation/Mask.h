@@ -19,7 +19,8 @@ struct Mask {
 
 /// The region of `growth` at a step.
 Mask maskAt(const Growth& growth, int step);
-/// The same into a mask of an earlier step, whose memory is used again: for a slider.
+/// Sets a mask of another step to the region of `growth` at `step`. Uses its memory again, so that a slider allocates
+/// none.
 void setMask(Mask& mask, const Growth& growth, int step);
 /// The voxels of `labels` that have the value `label`.
 Mask maskOf(const LabelMap& labels, std::uint16_t label);

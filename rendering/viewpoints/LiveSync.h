@@ -32,7 +32,7 @@
 // the structure a ray runs towards the camera. The stretch of the structure in which it begins hides nothing: its end
 // is what the camera sees. Behind it the ray is attenuated by what the transfer function and the rest of the focus show
 // (exp of minus the integral of extinction), and stopped where it meets the structure again. Gaps of two voxels or less
-// within the structure are no end of it. Of what is clipped nothing counts. A structure that is hidden from everywhere
+// within the structure are no end of it. Clipped material does not count. A structure that is hidden from everywhere
 // has the score 0 everywhere; then the other criteria decide. The opening of the context is not considered.
 
 #include <array>

@@ -1,7 +1,7 @@
 #pragma once
 // Descriptors of views that camera placement is compared with: their definitions, and their values for the candidates.
 //
-// A focus has n surface points of equal area A/n (FocusSurface). Of view v, d(v) is the unit direction towards the
+// A focus has n surface points of equal area A/n (FocusSurface). For view v, d(v) is the unit direction towards the
 // camera, and p(v), p(z|v), p(z) are those of the ViewChannel whose elements z are the points, each a polygon of the
 // area A/n with the point's normal n_z: where v sees it, its projected area is
 //
@@ -50,8 +50,8 @@ namespace fenestra::placement {
 enum class ViewDescriptor : std::uint8_t {
   /// H(Z|v) = −Σ_z p(z|v) log p(z|v) [1, 2]; bit, from 0 to log n; high.
   Entropy,
-  /// The same with the labels in focus as elements z [2]; bit, from 0 to the logarithm of their number; high. There is
-  /// none of a single structure.
+  /// H(Z|v) with the labels in focus as elements z [2]; bit, from 0 to the logarithm of their number; high. A focus of
+  /// one structure has no such value.
   StructureEntropy,
   /// I(v;Z) = Σ_z p(z|v) log(p(z|v) / p(z)) [3]; bit, from 0; low.
   MutualInformation,
