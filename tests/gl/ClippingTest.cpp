@@ -30,7 +30,7 @@ Scene body() {
   return scene;
 }
 
-/// The same with a rod of label 2 through everything.
+/// body() with a rod of label 2 through all of it.
 Scene bodyWithRod() {
   Scene scene = body();
   const glm::dvec3 middle = (glm::dvec3(scene.volume->grid.dims) - 1.0) * 0.5;

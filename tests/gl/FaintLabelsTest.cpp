@@ -55,7 +55,7 @@ Layers drawn(const Scene& scene, const View& view, Schedule schedule) {
   return renderer.readLayers();
 }
 
-/// Of the finished picture in 1/255, from the renderer's own starts.
+/// Errors of the finished picture in 1/255, where the reference takes the renderer's own ray starts.
 Errors pictureErrors(const Scene& scene, const View& view, const Layers& layers) {
   reference::Stages stages;
   if (hasCutaway(scene)) {
@@ -165,7 +165,7 @@ TEST_F(FaintLabelsTest, BoundsHoldBesideFunctionsOfTheFocusAndClipping) {
   }
 }
 
-/// The same body on a grid of n voxels along each axis; the labels change at the same planes for every even n.
+/// One body on a grid of n voxels along each axis; the labels change at the same planes for every even n.
 Scene refined(int n, bool lit) {
   const double spacing = 40.0 / n;
   Scene scene;

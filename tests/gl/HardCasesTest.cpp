@@ -354,7 +354,7 @@ TEST_P(HardCases, everyStage) {
 
   EXPECT_LE(worstColour(layers.focusLayer, truth.focusLayer, pixels), GetParam().colourLimit) << "focus layer";
   EXPECT_LE(worstColour(layers.final, truth.final, pixels), GetParam().colourLimit) << "final";
-  // The same frame twice, bit for bit; of large pictures once is enough.
+  // A second renderer draws the frame to the bit; large pictures are drawn once only, to save time.
   if (stride > 1000) return;
   Renderer again(std::make_shared<GpuScene>());
   again.render(shot.scene, view);
@@ -378,8 +378,8 @@ double worstOfFocusLayer(const Shot& shot) {
 TEST_P(HardCases, withOcclusionAndShadow) {
   Shot shot = GetParam().make();
   shot.scene.look.shading.enabled = true;
-  // Of a focus of everything, one of these pixels is off by 1.03 without occlusion, too. Amounts that change no colour
-  // have the reference integrate in the same pieces as it does below.
+  // In the case focusEverything, one of these pixels is off by 1.03 even without occlusion, so that error is the limit.
+  // Amounts that change no colour have the reference integrate in the same pieces as it does below.
   shot.scene.look.shading.occlusion = shot.scene.look.shading.shadow = 1e-12;
   const double without = worstOfFocusLayer(shot);
   shot.scene.look.shading.occlusion = 0.9;

@@ -33,7 +33,7 @@ std::vector<glm::vec4> draw(const Scene& scene, const RayFrame& rays, const Made
   gpu.update(scene);
   const glm::ivec2 size = rays.size();
   const gl::Texture hits = imageOf(made.texels, size);
-  // Of the line of sight to it the pass finds its own hit.
+  // The pass itself finds where the line of sight to the focus's middle meets the context.
   const glm::dvec3 focus = reference::focusCentre(scene);
   LensPass pass;
   gl::Texture surface = blank<glm::vec4>(size);

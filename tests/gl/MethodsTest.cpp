@@ -201,7 +201,7 @@ TEST_F(Methods, FocalRegionsKeepTheirBoundAtAnySize) {
   }
 }
 
-/// Of a sheared grid, of one voxel along an axis, of a spline; and of a focus that changes, by value too.
+/// On a sheared grid, on one of a single voxel along an axis, and in a spline; while the focus changes, by value, too.
 TEST_F(Methods, FocalDistancesFollowTheGridAndTheFocus) {
   const Method method{
       .kind = MethodKind::FocalRegion, .focalShape = FocalShape::Distance, .focalSize = 2.5, .focalFallOff = 4.0};
@@ -307,7 +307,7 @@ TEST_F(Methods, TheBorderFollowsTheRimOfWhatConesOpen) {
   stages.tCones = widened(layers.tStart);
   const StageErrors errors =
       compareMaps(layers.distance, reference::distanceMap(reference::openedBy(stages), size, 5.0), 1.0);
-  // Squared distances are integers: what is left is one rounding of a square root.
+  // Squared distances are integers, so the only error is one rounding of a square root.
   EXPECT_LE(errors.max(), 1e-5);
   int inBorder = 0;
   for (std::size_t i = 0; i < layers.distance.size(); ++i)
