@@ -13,7 +13,7 @@ namespace fenestra::bench {
 /// A figure of a method that cannot be told.
 inline constexpr double notTold = std::numeric_limits<double>::quiet_NaN();
 
-/// Of a method on one scene, over all views.
+/// Figures of a method on one scene, over all views.
 struct MethodFigures {
   std::string name;
   double seen = 0.0, leastSeen = 0.0;  ///< share of the focus: mean, and of the worst view

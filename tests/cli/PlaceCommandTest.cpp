@@ -93,7 +93,7 @@ TEST_F(PlaceCommand, PlaceReportsDescriptors) {
     EXPECT_LE(each["choice"]["degrees_from_c1"].get<double>(), 180.0);
     EXPECT_EQ(io::readPicture(at("seen/" + name + ".png")).size, glm::ivec2(80, 60));
   }
-  // Of one channel, I2 orders views as entropy does, reversed.
+  // H(Z) is the same for all views of a channel, so I2 orders them as entropy does, reversed.
   EXPECT_EQ(json["descriptors"]["i2"]["choice"]["index"], json["descriptors"]["entropy"]["choice"]["index"]);
   const Json& views = json["representative_views"]["views"];
   EXPECT_EQ(views[0]["index"], json["descriptors"]["entropy"]["choice"]["index"]);

@@ -76,7 +76,7 @@ TEST_F(LabelListWindow, AClickIn3DMeetsAProtectedStructureInTheOpening) {
   constexpr std::uint16_t shield = 3;
   const glm::dvec3 before(17.0, -32.0, 17.0);  // in front of the marker, as the camera looks from anterior
   Study study = markedBall();
-  const auto volume = std::const_pointer_cast<Volume>(study.scene.volume);  // nobody else has them yet
+  const auto volume = std::const_pointer_cast<Volume>(study.scene.volume);  // not shared yet
   const auto labels = std::const_pointer_cast<LabelMap>(study.scene.labels);
   const Grid& grid = volume->grid;
   for (int i = 0; i < 6 * 6 * 6; ++i) {

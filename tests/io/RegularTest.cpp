@@ -195,7 +195,7 @@ TEST(Regular, ARodAlongTheTableStaysStraight) {
           }
         ASSERT_GT(weight, 100.0);
         const glm::dvec3 centre = sum / weight;
-        // Of a cross section at right angles to the gantry: the rod's axis where the plane's centroid lies.
+        // The centroid of the rod's cross section in a plane lies on the rod's axis.
         EXPECT_LE(glm::distance(glm::dvec2(centre), rod), 0.01) << "plane " << z;
       }
     }

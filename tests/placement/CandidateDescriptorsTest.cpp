@@ -63,7 +63,7 @@ TEST_F(DescriptorsTest, AnImageIsTheOneThatPlacementMeasures) {
     for (const Candidate& candidate : before) {
       const FocusImage image = images.image(gpu(), candidate.direction, side, kept);
       const auto outlines = outlinesOf(image);
-      // The same polygons, summed in single precision there.
+      // The candidate sums the same polygons in single precision.
       EXPECT_NEAR(areaWithin(outlines), candidate.sums.count, 1e-5 * candidate.sums.count);
       double depth = 0.0, pixels = 0.0;
       for (const float each : image.depth)

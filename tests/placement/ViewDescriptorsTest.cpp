@@ -381,8 +381,8 @@ TEST(FocusImage, DepthsOfABallAndOfAPlate) {
   EXPECT_EQ(depthEntropy(plate, 3.0, 3.0), 0.0);
   EXPECT_EQ(depthEntropy(plate, -10.0, 2.0), 0.0);  // beyond the last bin
   EXPECT_TRUE(std::isnan(depthEntropy(disc(0.0, {39.5, 39.5}, 80, flat), -10.0, 10.0)));
-  // Of a ball, the area at depths of the near half is proportional to the height above its middle: bin k of 16 there
-  // has (2k + 1)/256.
+  // The area of a ball's near half per unit of depth is proportional to the height above the ball's middle: bin k of
+  // the 16 there has (2k + 1)/256.
   const double radius = 300.0;
   std::vector<double> shares;
   for (int k = 0; k < 16; ++k) shares.push_back((2.0 * k + 1.0) / 256.0);

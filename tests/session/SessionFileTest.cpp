@@ -270,7 +270,8 @@ TEST(SessionFile, KeepsPathsRelative) {
   io::writeSession(deep, session);
   EXPECT_EQ(pathOf(deep), "../../patient's  é");
   EXPECT_EQ(io::readSession(deep).volume.path, folder / "patient's  é");
-  EXPECT_EQ(readFile(deep).find(folder.string()), std::string::npos) << "the folders above are nobody's business";
+  EXPECT_EQ(readFile(deep).find(folder.string()), std::string::npos)
+      << "a session must not name the folders above its own";
 
   session.volume.path = folder / "sessions" / "mine";
   io::writeSession(deep, session);

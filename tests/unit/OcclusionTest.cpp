@@ -101,7 +101,8 @@ TEST(AmbientOcclusion, OfAHalfSpaceIsTheClosedForm) {
   const double all = near.upTo(near.fadeTo);
   for (const int z : {44, 36, 33, 30, 29, 27, 22}) {
     const double height = z + 0.5 - surface;
-    // Of a direction with cosine μ to the plane, W(|height| / μ) lies on this side of the plane.
+    // A ray whose direction has cosine u to the plane's normal reaches the plane after |height| / u; the weight up to
+    // there lies on this side of it.
     const auto passed = [&](double u) { return near.upTo(std::min(std::abs(height) / u, near.fadeTo)); };
     const double away = meanOf([&](double u) { return height > 0.0 ? 1.0 : std::exp(-extinction * passed(u)); });
     const double into =

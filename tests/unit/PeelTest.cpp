@@ -170,7 +170,7 @@ TEST(PeeledScene, GradientsFollowTheJacobian) {
     ++compared;
   });
   EXPECT_GT(compared, 500);
-  // Trilinear values of a linear f are exact, so that what is left is the central difference's own error: a sixth of
+  // Trilinear values of a linear f are exact, so that the only error is the central difference's own: a sixth of
   // the third derivative, which of an angle at the distance ρ from the roll's axis is 2/ρ² of the first, ρ ≥ 16 - 1.
   EXPECT_LT(worst, 2.0 / (6.0 * 15.0 * 15.0));
 }

@@ -16,7 +16,7 @@ namespace {
 
 using namespace tests;
 
-/// Of one material throughout, with L = -p ln g,
+/// The depth τ after `length` mm of one material, with L = -p ln g:
 ///
 ///   τ' = κ exp(-L exp(-σ τ)),   w = exp(-σ τ):   w' = -σ κ w exp(-L w),   Ei(L) - Ei(L w) = σ κ t
 ///

@@ -162,7 +162,7 @@ TEST(ReferenceWalls, InsideTheOpeningTheyShowInWhatIsRemoved) {
   EXPECT_TRUE(picture(scene, camera, size, options).walls.empty()) << "without an opening there is none";
 }
 
-/// Of three walls, the nearest within the opening: analytic depths along oblique rays.
+/// A ray shows the nearest of three walls that it meets within the opening: analytic depths along oblique rays.
 TEST(ReferenceWalls, TheNearestWallShows) {
   const Scene scene = openedBlock();
   const Camera camera = Camera::fromAngles(35.0, 25.0, grid);
