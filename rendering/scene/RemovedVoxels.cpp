@@ -131,7 +131,7 @@ Solid solidOf(const Removal& part) {
   return planeOf(part);
 }
 
-/// Each line of a ball's path and each box of a box's is a part of its own: it lies in little of the volume.
+/// Each line of a ball's path and each box of a box's is a part of its own, so that each covers little of the volume.
 void addParts(const Removal& removal, std::vector<Removal>& parts) {
   const std::size_t count = removal.points.size();
   const bool isBall = removal.shape == RemovalShape::Ball;
@@ -158,7 +158,7 @@ double widestRim(const Removal& part, const Grid& grid) {
   return std::max(part.softness, 2.0 * glm::length(grid.spacing));
 }
 
-/// What of the grid a part can reach.
+/// The voxels of the grid that a part can reach.
 VoxelSpan spanOf(const Removal& part, const Solid& solid, const Grid& grid) {
   const double rim = widestRim(part, grid);
   if (!std::isfinite(solid.low.x)) return {glm::ivec3(0), grid.dims};

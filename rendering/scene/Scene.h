@@ -28,9 +28,9 @@ struct Scene {
 /// removed. Slices show all.
 ShownVolume shownVolume(const Scene& scene);
 
-/// The look's reconstruction, of Auto what that stands for: Smooth where the voxels are wider than the pixels of a
-/// picture of the whole volume and mostSplineVoxels at most; else Linear. No camera counts, so that pictures do not
-/// change their kind.
+/// The look's reconstruction. Auto stands for Smooth where the voxels are wider than the pixels of a picture of the
+/// whole volume and mostSplineVoxels at most, else for Linear. It does not depend on the camera, so that pictures do
+/// not change their kind.
 Reconstruction reconstructionOf(const Scene& scene);
 /// Some 180³. On the device a lit voxel of a spline takes up to 190 bytes, so these take about 1 GiB.
 inline constexpr std::size_t mostSplineVoxels = 5'800'000;

@@ -1,5 +1,5 @@
 #pragma once
-// What a click on a picture means: of all that its ray passes, the thing that shows most.
+// What a click on a picture means: the thing that shows most among all that its ray passes.
 
 #include <optional>
 

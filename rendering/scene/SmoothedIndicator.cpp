@@ -106,7 +106,7 @@ class Smoothing {
   /// Finds by blocks of cells how much more than the 0/1 indicator's surface the surface encloses.
   template <std::size_t points>
   void measure(const Rule<points>& rule);
-  /// As exactly as a thin structure needs; of a large surface's many cells, errors cancel.
+  /// Measures as exactly as a thin structure needs; in a large surface's many cells, errors cancel.
   void measureWell() {
     constexpr std::size_t large = 4096;  // tiles
     cut_ < large ? measure(fine) : measure(coarse);
@@ -120,7 +120,7 @@ class Smoothing {
   /// Sets each tile's slot: 0 or 1 where its voxels are alike, else `mixed`.
   template <class T>
   void findTiles(std::span<const T> labels);
-  /// Lists the tiles that are mixed or touch one that is not as they are.
+  /// Lists the tiles that are mixed or touch a tile that differs from them.
   void findActive();
   /// Calls work(number, first voxel) for the tiles with the numbers below `count`.
   template <class Work>
@@ -144,8 +144,8 @@ class Smoothing {
   std::vector<std::uint8_t> wanted_;  ///< by label
   std::vector<glm::ivec3> active_;    ///< tiles with values of their own; those with a cell that is cut come first
   std::size_t cut_ = 0;               ///< number of those
-  /// Sums over the blocks of those tiles, a cell in that of its last corner: how much more is inside than of the 0/1
-  /// indicator, in cells, and by how much more with values greater by 1.
+  /// Sums over the blocks of those tiles, where a cell counts in the block of its last corner: by how many cells more
+  /// is inside than with the 0/1 indicator, and how many more would be with values greater by 1.
   std::vector<glm::vec2> parts_;
   std::vector<float> volumes_;  ///< inside the 0/1 indicator's surface
 };

@@ -44,7 +44,7 @@ class SplineVolume {
   enum class Ends { Even, Held };
 
   /// `shown` is Cubic, Smooth or Smoother. NaN counts as the volume's least value, ±Inf as the ends of its range. Runs
-  /// on all cores, and takes 8 bytes a voxel. `ends`: of the latter two.
+  /// on all cores, and takes 8 bytes a voxel. `ends` applies to Smooth and Smoother.
   explicit SplineVolume(const ShownVolume& shown, Ends ends = Ends::Even);
 
   glm::ivec3 dims() const { return dims_; }  ///< voxels
