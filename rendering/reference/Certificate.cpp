@@ -55,8 +55,8 @@ double roundedUp(double value, int digits) {
   return std::ceil(value * scale) / scale;
 }
 
-/// The least difference of which the wanted share of all pixels is within, by the order of the measured ones: no more
-/// of them may exceed it than leastShare allows.
+/// The least difference that the wanted share of all pixels keeps to. It is one of the measured differences: no more of
+/// these may exceed it than leastShare allows.
 double leastWithin(std::vector<double> measured, bool all) {
   if (measured.empty()) return 0.0;
   std::sort(measured.begin(), measured.end(), std::greater());

@@ -446,7 +446,7 @@ FocusLayer protectedLayer(const Scene& scene, const Camera& camera, const std::v
 
 FocusLayer removedLayer(const Scene& scene, const Camera& camera, const std::vector<CutRay>& rays,
                         const Image& tContext, double tolerance, const Occlusion* occlusion) {
-  // With several levels of importance it removes what of the focus hides more important labels.
+  // With several levels of importance it removes those parts of the focus that hide more important labels.
   if (!importanceLevels(scene).empty())
     return integrated(Medium(scene, camera, occlusion), removedOf(rays, tContext), tolerance);
   // Else the opening never removes any of the focus.

@@ -150,7 +150,7 @@ std::vector<LensPoint> lensOf(const Frame& frame, const Rays& rays, Picture& pic
   return points;
 }
 
-/// What shows of a colour that the opening removes, where the method keeps it faint.
+/// A colour that the opening removes, as faint as the method keeps it.
 glm::dvec4 madeFaint(glm::dvec4 colour, const MethodStages& method, glm::dvec2 place) {
   const glm::ivec2 pixel(glm::floor(place));
   colour *= faintShare(method.sparseness, method.faintOpacity, pixel.x, pixel.y);
@@ -306,8 +306,7 @@ bool isInside(glm::ivec2 pixel, glm::ivec2 size) {
 }
 constexpr std::array<glm::ivec2, 4> steps{{glm::ivec2(1, 0), glm::ivec2(0, 1), glm::ivec2(-1, 0), glm::ivec2(0, -1)}};
 
-/// The pixels, and behind them those beside them that are not among them; and where each pixel of the picture is in
-/// that list.
+/// The pixels, then their neighbours that are not among them; and where each pixel of the picture is in that list.
 struct Neighbourhood {
   std::vector<glm::ivec2> pixels;
   std::vector<std::size_t> indexOf;
@@ -329,7 +328,7 @@ Neighbourhood withNeighbours(const std::vector<glm::ivec2>& pixels, glm::ivec2 s
   return all;
 }
 
-/// Greatest difference of a channel between a pixel and one beside it, as EdgeRays.h has it.
+/// Greatest difference of a channel between a pixel and one beside it, as EdgeRays.h defines it.
 double contrastOf(const Frame& frame, const Rays& rays, const std::vector<glm::dvec4>& colours,
                   const Neighbourhood& all, std::size_t i) {
   const auto isOnBorder = [&](std::size_t k) {
@@ -353,7 +352,7 @@ double contrastOf(const Frame& frame, const Rays& rays, const std::vector<glm::d
   return contrast;
 }
 
-/// Makes the first `count` pixels of a picture those with smooth edges.
+/// Makes the edges of the first `count` pixels of a picture smooth.
 void smoothEdges(const Frame& frame, const Rays& rays, double pixelScale, const Neighbourhood& all, std::size_t count,
                  Picture& picture) {
   struct Edge {

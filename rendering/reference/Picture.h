@@ -32,8 +32,8 @@ struct PictureOptions {
 /// One element a pixel, in the order of PictureOptions::pixels.
 struct Picture {
   std::vector<glm::dvec4> focusLayer;      ///< premultiplied RGBA
-  std::vector<glm::dvec4> faintLayer;      ///< the same of all that the opening removes; empty unless it stays faint
-  std::vector<glm::dvec4> protectedLayer;  ///< the same, in front of it; empty without an opening or protected labels
+  std::vector<glm::dvec4> faintLayer;      ///< premultiplied RGBA of all that the opening removes; empty unless it stays faint
+  std::vector<glm::dvec4> protectedLayer;  ///< premultiplied RGBA, in front of it; empty without an opening or protected labels
   /// κ1 ≥ κ2 (1/mm, positive where the surface bends away from lower values), illumination, value (real units); NaN
   /// where there is no surface to draw. Empty when the scene has no context layer.
   std::vector<glm::dvec4> contextLayer;

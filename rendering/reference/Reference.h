@@ -103,14 +103,14 @@ struct Stages {
   Image editOffset, editFactor;
   std::optional<Apart> apart;  ///< where another camera cuts the opening
 };
-/// What the border runs around: known where the ray meets the focus, or a cone opens it.
+/// The area that the border runs around: its values are known where the ray meets the focus, or a cone opens it.
 Image openedBy(const Stages& stages);
 Stages geometricStages(const Scene& scene, const Camera& camera, glm::ivec2 size, double pixelScale = 1.0);
 /// Stages 1 to 4 of a view, whose opening may be frozen or have an axis offset. Where another camera cuts the opening,
 /// tFocusFilled, distance and editOffset stay empty.
 Stages geometricStages(const Scene& scene, const View& view);
 /// Stages 1 to 4 of the rays through some places of a picture, whose pixels have the stages `pixels`: as EdgeRays.h (in
-/// rendering/scene) defines them. One element a ray; `distance` is what the line around the opening goes by.
+/// rendering/scene) defines them. One element a ray; `distance` decides where the line around the opening runs.
 Stages stagesBetween(const Scene& scene, const Camera& camera, glm::ivec2 size, const Stages& pixels, double pixelScale,
                      const std::vector<glm::dvec2>& places);
 

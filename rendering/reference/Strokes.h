@@ -5,7 +5,7 @@
 
 namespace fenestra::reference {
 
-/// What the strokes make of every pixel, row by row from the top.
+/// The effect of the strokes on every pixel, row by row from the top.
 struct Edits {
   Image offset;  ///< mm that the ray start moved, negative towards the eye; 0 where the ray meets nothing
   Image factor;  ///< of the context layer's opacity where the ray meets the focus, of the border's elsewhere
