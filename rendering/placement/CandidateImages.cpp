@@ -137,7 +137,7 @@ void dispatchTiles(gl::ShaderProgram& program, std::size_t tiles, int side, glm:
   program.dispatch(groups, {1, 1});
 }
 
-/// As the shaders have it.
+/// Whether a depth is the shaders' mark for no hit.
 bool isNone(float depth) { return depth < -1e29f; }
 
 }  // namespace
@@ -227,7 +227,7 @@ FocusImage CandidateImages::image(const GpuScene& gpu, glm::dvec3 direction, int
 
   const double diameter = 2.0 * gpu.grid().boundingRadius();
   const glm::ivec2 count = tilesOver(pixels);
-  // A row and a column around the tiles, which see nothing: there the outlines close.
+  // The rows and columns around the tiles see nothing, so that the outlines close there.
   image.size = count * tileSide + 2;
   image.pixel = diameter / side;
   const std::size_t size = static_cast<std::size_t>(image.size.x) * static_cast<std::size_t>(image.size.y);

@@ -43,7 +43,7 @@ Mask shrunk(const Mask& mask, double distance);
 Mask withHolesFilled(const Mask& mask);
 /// Removes the 26-connected parts smaller than `leastVolume` mm³.
 Mask withoutIslands(const Mask& mask, double leastVolume);
-/// The largest 26-connected part alone; the first in memory of equal ones.
+/// The largest 26-connected part alone; among equal ones the first in memory.
 Mask largestPart(const Mask& mask);
 
 }  // namespace fenestra::segmentation

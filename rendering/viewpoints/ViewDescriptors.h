@@ -46,7 +46,7 @@
 
 namespace fenestra::placement {
 
-/// Each with its unit, its range, and what of it is best. Logarithms are to base 2.
+/// Each with its unit, its range, and whether high or low values are best. Logarithms are to base 2.
 enum class ViewDescriptor : std::uint8_t {
   /// H(Z|v) = −Σ_z p(z|v) log p(z|v) [1, 2]; bit, from 0 to log n; high.
   Entropy,
@@ -126,7 +126,7 @@ class DescribedViews {
 /// The candidate that a descriptor would choose by its values, ties to the lowest index; empty where all are NaN.
 std::optional<std::size_t> choiceBy(ViewDescriptor descriptor, const std::vector<double>& values);
 /// Rank correlation of what a descriptor prefers by its values with a list of one value for each candidate: positive
-/// where what it holds for better has a greater value there.
+/// where the views that it prefers have greater values there.
 double preferenceCorrelation(ViewDescriptor descriptor, const std::vector<double>& values,
                              const std::vector<double>& with);
 
