@@ -384,7 +384,7 @@ TEST_F(Brush, PictureMatchesTheReference) {
     return layersOf(without, view);
   }();
 
-  // The renderer's own stages 1 to 4: what is compared is what the picture makes of them.
+  // The renderer's own stages 1 to 4, so that only the stages after them are compared.
   reference::Stages stages;
   stages.hits = reference::hitPoints(scene, view.camera, view.size);
   stages.hits.tContext = widened(layers.tContext);
@@ -411,7 +411,7 @@ TEST_F(Brush, PictureMatchesTheReference) {
   EXPECT_GT(edited, 60u);
 }
 
-/// What depends on strokes, bit for bit.
+/// Expects that the layers that depend on strokes are equal, bit for bit.
 void expectSamePicture(const Layers& a, const Layers& b, const std::string& after) {
   EXPECT_TRUE(sameBits(a.tStart, b.tStart)) << after;
   EXPECT_TRUE(sameBits(a.edits, b.edits)) << after;

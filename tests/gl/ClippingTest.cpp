@@ -186,7 +186,7 @@ TEST_F(ClippingTest, RaysFromFaceToFaceEndWhereTheyAreClipped) {
       const View view{camera, size, 1.0, Quality::Normal};
       Renderer renderer(gpuWith(schedule));
       renderer.render(scene, view);
-      // What a segment hides of itself: of second order in its depth, 1/255 at most here.
+      // The self-attenuation of a segment is of second order in its depth: 1/255 at most here.
       EXPECT_LE(worstOf(scene, view, renderer.readLayers()), 1.0) << each.name;
     }
 }
@@ -295,7 +295,7 @@ TEST_F(ClippingTest, SplinesAreTheReferences) {
         }
 }
 
-/// What all labels together keep is what there was, where labels are everything.
+/// Where every voxel has a label and all labels are exempt, clipping removes nothing.
 TEST_F(ClippingTest, WhereEverythingIsExemptNothingIsClipped) {
   Scene scene = body();
   scene.look.focus = std::monostate{};

@@ -112,7 +112,7 @@ TEST_F(Exploded, AtDegreeZeroItIsThePlainPictureToTheBit) {
   }
 }
 
-/// Nothing but a focus in its place: a context without extinction shows no parts.
+/// The context has no extinction, so that only the focus shows, in its place.
 TEST_F(Exploded, TheFocusStaysInItsPlace) {
   Scene scene = body(3, ExplosionAxes::Patient, 0.8);
   for (TransferFunction::Node& node : scene.look.context.function.nodes) node.properties.extinction = 0.0;
@@ -125,7 +125,7 @@ TEST_F(Exploded, TheFocusStaysInItsPlace) {
   EXPECT_GT(std::count_if(there.begin(), there.end(), [](const glm::vec4& pixel) { return pixel.a > 0.9f; }), 10);
 }
 
-/// What is picked in the exploded view is the place in the volume: where the picture shows that place again.
+/// A pick in the exploded view gives the place in the volume, which the picture shows where the pick was made.
 TEST_F(Exploded, PicksAreOfTheVolumeAndShowWhereTheyWerePicked) {
   for (const ExplosionAxes axes : {ExplosionAxes::Patient, ExplosionAxes::View}) {
     const Scene scene = body(3, axes, 0.8);

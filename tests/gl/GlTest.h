@@ -1,6 +1,6 @@
 #pragma once
-// What every test of the renderer shares: one windowless context, an error check at the end, and the comparison with
-// the double-precision reference.
+// Shared by every test of the renderer: one windowless context, an error check at the end, and the comparison with the
+// double-precision reference.
 
 #include <algorithm>
 #include <cmath>

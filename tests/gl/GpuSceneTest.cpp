@@ -1,4 +1,4 @@
-// What a scene on the GPU tells about it on the CPU.
+// Facts about a scene on the GPU that the CPU can ask for.
 
 #include <optional>
 

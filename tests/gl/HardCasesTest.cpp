@@ -264,7 +264,7 @@ std::vector<HardCase> hardCases() {
   };
 }
 
-/// What holds for any picture of the reference, whatever is in it.
+/// Checks that hold for any picture of the reference, whatever its contents.
 void expectSound(const reference::Picture& picture, double tolerance) {
   for (std::size_t i = 0; i < picture.final.size(); ++i) {
     EXPECT_LE(picture.error[i], tolerance);
@@ -433,8 +433,7 @@ double worstOfOpened(const Shot& shot) {
 
 TEST_P(HardCases, withEachMethod) {
   Shot shot = GetParam().make();
-  // Single ones of so many pixels are off with the adaptive cutaway, too: of a focus of everything, and of opaque
-  // voxels.
+  // A few of so many pixels are off with the adaptive cutaway, too, in the cases focusEverything and of opaque voxels.
   double limit = std::max(GetParam().colourLimit, worstOfOpened(shot));
   // At such a distance rounding tilts a cone's wall, whose normal is found from the rays' starts beside it.
   if (GetParam().name == std::string("aThousandKilometresAway")) limit = 4.1;
@@ -468,7 +467,7 @@ TEST_P(HardCases, withEachMethod) {
       least = std::max(GetParam().colourLimit, worstOfOpened(shot));
       shot.scene.look.method = method;
     }
-    // What lies behind shows through by the error of the opacity, beside that of the colour.
+    // The wall behind shows through by the error of the opacity, which adds to that of the colour.
     const auto walls = stagesOf(method).walls;
     if (walls && walls->placement == WallPlacement::Around) least *= 2.0;
     // Inside this sheet the light jumps (see the case), by more where the layer before it is gone and it lies in air:

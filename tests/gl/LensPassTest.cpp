@@ -1,4 +1,4 @@
-// What ClearView's lens reads of the context's surface, of hits that are given, against the reference.
+// The values that ClearView's lens reads of the context's surface, at given hits, against the reference.
 
 #include "rendering/passes/LensPass.h"
 
@@ -26,7 +26,7 @@ Scene body(const Grid& grid) {
   return scene;
 }
 
-/// The pass's image, and the same over parts.
+/// The pass's image, drawn as a whole; parts must give the same.
 std::vector<glm::vec4> draw(const Scene& scene, const RayFrame& rays, const MadeHits& made, Schedule schedule) {
   GpuScene gpu;
   gpu.setSchedule(schedule);

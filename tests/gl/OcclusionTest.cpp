@@ -252,7 +252,7 @@ TEST_F(OcclusionTest, ChangesLeaveNothingBehind) {
   expectFresh(denser, "a clearer focus");
 }
 
-/// Off, no program has any of it.
+/// While it is off, no program contains any of its code.
 TEST_F(OcclusionTest, OffItIsInNoProgram) {
   std::set<std::string> paths;
   int with = 0;

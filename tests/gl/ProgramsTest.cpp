@@ -48,7 +48,7 @@ void place(Scene scene, Schedule schedule) {
   placer.measure(gpu, scene, {.count = 12}, options);
 }
 
-/// What the scenes link under both schedules, and the pictures that come of it.
+/// The programs that the scenes link under both schedules, and the pictures that they draw.
 struct Drawn {
   Programs programs;
   std::vector<SceneKind> kinds;

@@ -175,7 +175,7 @@ inline Scene clipped(Scene scene, bool grey) {
   return scene;
 }
 
-/// All of them for one voxel type; of the others, whose shaders differ in how they read a voxel alone, every seventh.
+/// All kinds for one voxel type; every seventh for the others, whose shaders differ in how they read a voxel alone.
 inline std::vector<SceneKind> allSceneKinds() {
   std::vector<SceneKind> kinds, others;
   addSceneKinds<std::int16_t>("int16", kinds);

@@ -1,5 +1,5 @@
-// Pictures that are drawn a tile at a time: the same bits as in one run, in every stage, wherever the tiles are cut and
-// whatever was dropped half way before.
+// Pictures that are drawn a tile at a time: every stage has the bits of a single run, wherever the tiles are cut, and
+// whichever picture was abandoned half way before.
 
 #include <random>
 
@@ -56,7 +56,7 @@ TEST_F(Tiles, MakeTheSamePictureAsOneRunInEveryKindOfScene) {
     }
 }
 
-/// A change of scene or view, each of which reaches other stages.
+/// A change of scene or view; each change affects different stages.
 struct Change {
   std::string name;
   std::function<void(Scene&, View&)> apply;
