@@ -132,7 +132,7 @@ TEST(Explosion, ASymmetricSceneHasASymmetricLayout) {
         for (int k = 0; k < std::min(planes, 2); ++k) {
           glm::dvec3 mirrored = view.translation(i);
           mirrored[k] = -mirrored[k];
-          // What the iteration leaves, and rounding of the samples' means.
+          // The distance from rest at which the iteration stops, and rounding of the samples' means.
           EXPECT_LT(glm::distance(view.translation(i ^ (std::size_t{1} << k)), mirrored), 1e-6) << planes << ", " << i;
         }
     }

@@ -1,5 +1,5 @@
 #pragma once
-// What the references of contexts that fade have in common: the gradient they fade by, the focus they leave, and the
+// Shared tests of the references of contexts that fade: the gradient they fade by, the focus they leave, and the
 // tolerance they keep.
 
 #include <algorithm>

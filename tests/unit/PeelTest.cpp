@@ -70,7 +70,7 @@ TEST(Peel, EachSideAndTurnHasADirectionOfThePatient) {
   }
 }
 
-/// shownAt() rolls up, sourceOf() unrolls: each is the other's inverse, of all of the layer.
+/// shownAt() rolls up, sourceOf() unrolls: each is the other's inverse in all of the layer.
 TEST(Peel, TheInverseIsExact) {
   std::mt19937 random(7);
   const auto between = [&](double low, double high) {
@@ -133,7 +133,7 @@ TEST(Peel, OpensTheFocusesExtent) {
   }
 }
 
-/// What a peeled volume's gradient is to converge to: (I + ∂D/∂x)ᵀ ∇f, here of a linear f.
+/// The limit of a peeled volume's gradient: (I + ∂D/∂x)ᵀ ∇f, here of a linear f.
 TEST(PeeledScene, GradientsFollowTheJacobian) {
   const glm::dvec3 slope(3.0, -5.0, 4.0);
   Scene scene = block({.amount = 0.9, .depth = 0.0, .radius = 12.0, .margin = 6.0});

@@ -121,7 +121,7 @@ TEST(ReferenceFading, IsTheLimitOfItsAuthorsSum) {
         const glm::dvec4 coarse = composited(scene, camera, {i, j}, 4000),
                          fine = composited(scene, camera, {i, j}, 8000);
         const glm::dvec4 found = here.final[static_cast<std::size_t>(j * size.x + i)];
-        // What is left is of second order in steps of 0.01 mm, and the reference's tolerance of 1e-5.
+        // The remaining error is of second order in steps of 0.01 mm; the reference has a tolerance of 1e-5.
         EXPECT_LT(glm::distance(found, 2.0 * fine - coarse), 3e-5) << i << ", " << j;
         greatest = std::max(greatest, found.a);
       }

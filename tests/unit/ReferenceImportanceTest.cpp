@@ -50,7 +50,7 @@ void setLevels(Scene& scene, std::initializer_list<std::pair<std::uint16_t, int>
   for (const auto& [label, level] : levels) put(scene.look.labels, {.label = label, .importance = level});
 }
 
-/// What is seen of one label, and how far pixels lie beside it.
+/// The picture of one label, and how far pixels lie beside it.
 class Disc {
  public:
   Disc(const Scene& scene, std::uint16_t label) {

@@ -67,7 +67,7 @@ void expectAgreement(const Scene& scene) {
     moved += here->peel.sourceOf(world).part >= Peel::Part::Negative;
   });
   EXPECT_GT(moved, 300u);
-  // Ties: of means of 64 integers one in 64 is a half, and rounds as the last bit falls.
+  // One in 64 means of 64 integers is a tie, and rounds by its last bit.
   EXPECT_LE(off, count / 200);
   EXPECT_EQ(otherLabels, 0u);
   if (scene.look.clipping.cropped) {

@@ -1,4 +1,4 @@
-// What is removed from a volume: coverages against the reference, and pictures against closed forms.
+// Removed parts of a volume: coverages against the reference, and pictures against closed forms.
 
 #include <gtest/gtest.h>
 
@@ -194,7 +194,7 @@ TEST(Removal, ASawThroughASlabLeavesWhatItsBladeSpares) {
   const Grid grid = gridOf({40, 20, 40});
   const double extinction = 0.05, width = 6.0, depth = 9.0;
   Scene scene = block(grid);
-  // Between the block's value and air, opacity follows the value: of a rim it is what the coverage leaves.
+  // Extinction is linear from air to the block's value, so in a rim it is in proportion to what the coverage leaves.
   scene.look.context.function = {{{0.0, {glm::dvec3(1.0), 0.0}}, {200.0, {glm::dvec3(1.0), extinction}}}};
   // The points lie on the block's face, at y = -0.5.
   scene.look.removals = {sawAlong({{19.5, -0.5, 5.0}, {19.5, -0.5, 34.0}}, depth, width)};
