@@ -46,7 +46,7 @@ TEST_F(ScheduleCommand, TheFasterOneIsFoundOnceAndKept) {
   const bool plain = answer["plain_ms"] <= answer["llvmpipe_ms"];
   EXPECT_EQ(answer["schedule"], plain ? "plain" : "llvmpipe");
   EXPECT_EQ(used(), answer["schedule"]);
-  // Not tried again: the kept answer is followed, whatever it says.
+  // The trial is not repeated: the kept answer is followed, whatever it says.
   nlohmann::json turned = kept;
   turned[key]["schedule"] = plain ? "llvmpipe" : "plain";
   std::ofstream(answers()) << turned;

@@ -37,7 +37,7 @@ class Conventions : public Window {
     const QKeyCombination key = QKeySequence(QLatin1String(keys))[0];
     QTest::keyClick(window_.get(), key.key(), key.keyboardModifiers());
   }
-  /// What is done opens a dialog, which is closed again.
+  /// The action opens a dialog, which is closed again.
   template <class Action>
   void expectDialogOf(const Action& action) {
     bool opened = false;

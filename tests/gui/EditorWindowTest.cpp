@@ -391,8 +391,8 @@ TEST_F(EditorWindow, ALabelInFocusIsShownByValueAndByOneMaterialAgain) {
   EXPECT_TRUE(editor().byValue()->isChecked());
   EXPECT_EQ(document().labelSetting(body), LabelSetting{.label = body}) << "only the label that was chosen";
   waitUntilDrawn();
-  // At first the function is constant and the same. By value, normal quality lights a segment in two halves, not in
-  // one.
+  // At first the function is constant and equals the material. By value, normal quality lights a segment in two halves,
+  // not in one.
   EXPECT_LE(greatestDifference(picture(volume(0)), material), 8);
 
   ASSERT_EQ(plot().function().nodes.size(), 2u);

@@ -253,7 +253,7 @@ TEST_F(LabelListWindow, TheShareThatIsSeenShowsOnceCamerasArePlaced) {
   waitUntilDrawn();
   const auto share = placement().share(marker);
   ASSERT_TRUE(share);
-  // The only label in focus: what is seen of it is what is seen of the focus.
+  // This is the only label in focus, so its share is that of the focus.
   EXPECT_NEAR(share->both, placement().share().value(), 1e-12);
   EXPECT_LE(std::max(share->c1, share->c2), share->both);
   EXPECT_GE(share->c1 + share->c2, share->both);

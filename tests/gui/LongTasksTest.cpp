@@ -50,7 +50,7 @@ TimedApplication& application() { return static_cast<TimedApplication&>(*qApp); 
 class LongTasks : public Window {
  protected:
   /// The longest block of the GUI thread while `task` runs, in ms: the least of up to three runs, because another
-  /// program may hold a processor for longer than any event takes. What blocks does so in every run.
+  /// program may hold a processor for longer than any event takes. A task that really blocks does so in every run.
   template <class Task>
   double longestBlock(const Task& task) {
     constexpr int runs = 3;
@@ -120,7 +120,8 @@ TEST_F(LongTasks, ATurntableIsExportedWhileTheWindowAnswers) {
             allowed);
 }
 
-/// What the events of a drag do at once. The pictures that follow are paced by FramePacer; window-bench measures them.
+/// Time in the events of a drag themselves. The pictures that follow are paced by FramePacer; window-bench measures
+/// them.
 TEST_F(LongTasks, ATransferFunctionIsDraggedWhileTheWindowAnswers) {
   writeBall(folder_ / "a", 256, 300, "1.2.5.1");
   openFolder(folder_ / "a");

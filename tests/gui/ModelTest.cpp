@@ -352,14 +352,14 @@ TEST(FramePacer, ViewsRefineInTurnTheLeaderFirst) {
   EXPECT_TRUE(pacer.mayRefine(1));
 }
 
-/// What DrawingTurns tells, in its order: the number of a view, or -1 for the end of a round.
+/// The events of DrawingTurns, in order: the number of a view, or -1 for the end of a round.
 class ToldTurns {
  public:
   explicit ToldTurns(DrawingTurns& turns) {
     QObject::connect(&turns, &DrawingTurns::turn, &context_, [this](int view) { told_.push_back(view); });
     QObject::connect(&turns, &DrawingTurns::roundEnded, &context_, [this] { told_.push_back(-1); });
   }
-  /// What one round of the event loop tells.
+  /// The events of one round of the event loop.
   std::vector<int> next() {
     told_.clear();
     QCoreApplication::processEvents();

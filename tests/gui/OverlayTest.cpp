@@ -173,7 +173,7 @@ TEST_F(Window, AScaleBarStandsInParallelViewsAlone) {
     SCOPED_TRACE(view->objectName().toStdString());
     const int pixels = barLength(picture(view));
     ASSERT_GT(pixels, 0);
-    // Device pixels, of which either end may be off by one.
+    // Device pixels; either end may be off by one.
     const double mm = (pixels - 1) / (pixelsPerMm * window_->devicePixelRatioF());
     EXPECT_LT(roundness(mm), 2.0 / (pixels - 1)) << mm << " mm";
   };
@@ -274,7 +274,8 @@ TEST_F(Window, TheCrosshairIsOverTheSamePointInAllFiveViews) {
     EXPECT_NEAR(at->x(), seen->x(), tolerance);
     EXPECT_NEAR(at->y(), seen->y(), tolerance);
   };
-  // A slice cuts the cube through its centre: half a voxel, of which a view shows some 50, for voxels cut in two.
+  // A slice cuts the cube through its centre; a view shows some 50 voxels, and voxels cut in two move the edge by half
+  // of one.
   for (SliceView* view : views().sliceViews()) expectOverMarker(view, true, 0.02);
   // In 3-D the cube is seen from outside: its near face is 9 mm closer to the eye, and off the view's middle by a
   // third.

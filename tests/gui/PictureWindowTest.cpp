@@ -101,7 +101,7 @@ TEST_F(PictureWindow, APictureOf4000By3000IsTheWindowOnADenserScreen) {
   const QImage saved = load(folder_ / "large.png");
   ASSERT_EQ(saved.size(), QSize(4000, 3000));
   const auto placeOf = [&](const QWidget* view) { return QRect(view->mapTo(&views(), QPoint(0, 0)), view->size()); };
-  // What a screen of four times the density would show of a slice, text and lines included.
+  // A slice as a screen of four times the density shows it, text and lines included.
   for (SliceView* view : views().sliceViews()) {
     QImage dense(view->size() * scale, QImage::Format_RGB32);
     dense.setDevicePixelRatio(scale);

@@ -382,7 +382,7 @@ class Picking : public Placement {
     Placement::SetUp();
     change([](PlacementSettings& settings) { settings.byPick = true; });
   }
-  /// What a pick on the first label, at the corner of the volume, leads to.
+  /// The views rated for a pick on the first label, at the corner of the volume.
   placement::RatedViews rated(glm::dvec3 last) {
     return placement::rateViews(document_.scene(), {document_.scene().labels, {1}}, corner, 4,
                                 placement_.settings().liveSync, placement_.settings().options, last);

@@ -1,5 +1,5 @@
-// What names a patient stays where it was read from. A study whose files name one is opened, looked at and worked on
-// with the patient hidden; nothing that the window then shows, keeps, prints or writes may hold a word of it.
+// Data that names a patient stays where it was read from. A study whose files name one is opened, looked at and worked
+// on with the patient hidden; nothing that the window then shows, keeps, prints or writes may hold a word of it.
 
 #include <iostream>
 

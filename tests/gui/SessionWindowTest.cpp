@@ -471,7 +471,7 @@ TEST_F(SessionWindow, KeptLabelsSurviveACrash) {
   controller().autosave();
   controller().waitUntilSaved();
   EXPECT_FALSE(document().labelsAreInFile()) << "a copy is no save";
-  // What a crash leaves: both files, without a lock.
+  // The files after a crash: both, without a lock.
   const fs::path left = folder_ / "left";
   fs::create_directory(left);
   for (const auto& entry : fs::directory_iterator(kept))

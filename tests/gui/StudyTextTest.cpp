@@ -72,7 +72,7 @@ class StudyWindow : public Window {
     Window::SetUp();
     open(studyOfSomebody());
   }
-  /// What a view shows on screen.
+  /// The picture of a view on screen.
   QImage onScreen(QWidget* view) { return view->grab().toImage(); }
 };
 

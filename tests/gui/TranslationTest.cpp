@@ -54,7 +54,7 @@ QStringList unmarkedWords(QString text) {
   return words;
 }
 
-/// What a widget itself shows, or would show.
+/// The texts that a widget itself shows, or would show.
 QStringList textsOf(const QWidget& widget) {
   QStringList texts{widget.toolTip(), widget.statusTip(), widget.whatsThis()};
   if (widget.isWindow() || qobject_cast<const QDockWidget*>(&widget)) texts << widget.windowTitle();

@@ -22,7 +22,7 @@ namespace {
 /// Heights of slices in mm along the table.
 using Heights = std::vector<double>;
 
-/// Stored steps of what a field tells: fine enough for a hundredth of a millimetre, over 130 mm in 16 bits.
+/// Steps in which a field stores its values: fine enough for a hundredth of a millimetre, over 130 mm in 16 bits.
 constexpr double unit = 0.002;
 
 /// A series of 24 × `rows` pixels whose gantry is tilted by so many degrees around x.

@@ -172,7 +172,7 @@ TEST_F(HostileSession, SizeIsBoundedBeforeReading) {
   }
   EXPECT_NE(errorOf([&] { io::readSession(file_); }).find("larger than 128 MB"), std::string::npos);
   EXPECT_NE(errorOf([&] { io::readStrokes(file_); }).find("larger than 128 MB"), std::string::npos);
-  // What 60 MB can hold the most of: one byte a value, one member in five.
+  // The elements that 60 MB holds most of: one byte a value, one member in five.
   std::string zeros;
   zeros.reserve(60 << 20);
   while (zeros.size() < (60u << 20)) zeros += "0,";

@@ -1,5 +1,5 @@
-// A session's data: found where they are, where they moved to, or not; changed data is said; and nothing of the patient
-// is in the file.
+// A session's data: found in their place, where they moved to, or not; changed data gives a warning; and the file holds
+// nothing of the patient.
 
 #include <chrono>
 
@@ -279,7 +279,7 @@ TEST_F(OpenSession, ContentsAreThoseOfSha256sum) {
       << "names and their order do not count";
 }
 
-/// What a patient is called, known by and was born: nowhere in a session, nor anything that leads there.
+/// A session holds no patient's name, identifier or date of birth, nor anything that leads to them.
 TEST_F(OpenSession, HoldsNothingOfThePatient) {
   const fs::path folder = project_ / "scan";
   fs::create_directories(folder);

@@ -299,7 +299,7 @@ TEST(SessionFile, IsWholeWheneverSavingIsKilled) {
   io::writeSession(file, a);
   std::mt19937 random(1);
   int halfWritten = 0, sawA = 0, sawB = 0;
-  // On a busy machine fewer of the moments fall into a save: more of them are tried then.
+  // On a busy machine fewer of the moments fall into a save, so more of them are tried.
   constexpr int kills = 200, mostKills = 10 * kills;
   const auto sawEnough = [&] { return halfWritten > kills / 10 && sawA > 0 && sawB > 0; };
   for (int kill = 0; kill < kills || (!sawEnough() && kill < mostKills); ++kill) {
@@ -308,7 +308,7 @@ TEST(SessionFile, IsWholeWheneverSavingIsKilled) {
     const pid_t child = ::fork();
     ASSERT_GE(child, 0);
     if (child == 0) {
-      // What writeSession does once the text is made; before that, the file is not touched.
+      // The second half of writeSession, once the text is made; before that, the file is not touched.
       io::writeText(file, textOfB);
       if (::write(ready[1], "", 1) != 1) ::_exit(1);
       for (;;) {
