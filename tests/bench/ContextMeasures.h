@@ -32,7 +32,7 @@
 
 namespace fenestra::bench {
 
-/// What a picture's method does along its rays; elements are pixels, row by row from the top.
+/// The effect of a picture's method along its rays; elements are pixels, row by row from the top.
 struct MethodRays {
   std::vector<float> starts;  ///< t, mm; of a ghost, where it ends; empty: rays start where they enter
   std::vector<float> shares;  ///< w, of what lies before the starts; empty: nothing of it stays

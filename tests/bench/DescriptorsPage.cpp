@@ -21,7 +21,7 @@ namespace {
 
 using namespace placement;
 
-/// What descriptors are correlated with.
+/// The measures that descriptors are correlated with.
 constexpr std::array<const char*, 4> comparedWith{"visibility (vd1)", "coverage (vd2)", "location (vd3)",
                                                   "share of the surface seen"};
 

@@ -1,4 +1,4 @@
-// What is measured of a method: a slab of haze before a ball in closed form, and the opacity of every method's picture
+// The measures of a method: a slab of haze before a ball in closed form, and the opacity of every method's picture
 // against the reference.
 
 #include <cmath>

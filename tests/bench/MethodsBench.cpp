@@ -104,7 +104,7 @@ double medianOf(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-/// What a method does along the rays of its last picture.
+/// The effect of a method along the rays of its last picture.
 MethodRays raysOf(const Scene& scene, glm::ivec2 size, Layers& layers) {
   if (!scene.look.cutaway.enabled) return {};
   const MethodStages stages = stagesOf(scene.look.method);

@@ -1,6 +1,6 @@
 #pragma once
-// The page of what each method shows, leaves and costs: its tables, with the best of each column marked, and what they
-// say of the adaptive cutaway.
+// The page of what each method shows, leaves and costs: its tables, with the best of each column marked, and sentences
+// on the adaptive cutaway.
 
 #include <limits>
 #include <string>

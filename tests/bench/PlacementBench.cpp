@@ -64,7 +64,7 @@ struct Deviation {
   double c1 = 0.0, c2 = 0.0, lost = 0.0, lostByC2 = 0.0;
 };
 
-/// What a pair of cameras is judged by.
+/// The measures of a pair of cameras.
 struct PairMeasures {
   double degrees = 0.0;  ///< between C1 and C2
   double share = 0.0;    ///< of the focus's surface that at least one of them sees

@@ -1,6 +1,7 @@
 #pragma once
-// What rays meet in a volume, in short stretches: what a statistic over many rays needs, where the reference's exact
-// pieces would take too long. By the CPU, in double precision, with the parts of the reference; trilinear values alone.
+// The structures that rays meet in a volume, in short stretches, for statistics over many rays, where the reference's
+// exact pieces would take too long. On the CPU, in double precision, with the parts of the reference; trilinear values
+// alone.
 
 #include <cstdint>
 #include <optional>

@@ -18,9 +18,9 @@ Section looksSection(const Options& options, const TruthStore& truths);
 Section randomSection(const Options& options, const TruthStore& truths);
 /// Each stage's error in its own unit.
 Section stageSection(const Options& options, const TruthStore& truths);
-/// What each pass takes; these three need no reference pictures.
+/// The time of each pass; these three need no reference pictures.
 Section passSection(const Options& options, const TruthStore& truths);
-/// What a slider's move takes.
+/// The time of a slider's move.
 Section updateSection(const Options& options, const TruthStore& truths);
 /// Memory and passes of each kind of scene.
 Section memorySection(const Options& options, const TruthStore& truths);

@@ -1,5 +1,5 @@
 #pragma once
-// What the report measures: data, views and pixels, the same for the renderer and for its peers.
+// The subjects of the report: data, views and pixels, the same for the renderer and for its peers.
 
 #include <string>
 #include <vector>
@@ -13,7 +13,7 @@ class App;
 
 namespace fenestra::bench {
 
-/// What the renderer and its peers must agree on for their pictures to be compared.
+/// Settings that the renderer and its peers must share so that their pictures can be compared.
 struct Views {
   glm::ivec2 size{700, 650};
   int cameras = 3;          ///< along the path

@@ -126,7 +126,7 @@ TEST(ArchitectureCheck, ReportsRoomsThatAreDrawnWrongly) {
             "scene is not drawn; window → gl does not lead down; garden is drawn, and is no room");
 }
 
-// What follows feeds made-up projects to the checks: a check that reports nothing would prove nothing.
+// The following tests feed made-up projects to the checks: a check that reports nothing would prove nothing.
 
 TEST(ArchitectureCheck, ReadsTheRule) {
   const LayerRule rule = layerRule(madeUpRule);

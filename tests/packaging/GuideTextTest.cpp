@@ -57,7 +57,7 @@ std::vector<Link> linksIn(const fs::path& page) {
   return links;
 }
 
-/// What is wrong with a page's links to files; a line each. The guide links nothing else, because it is read offline.
+/// The faults of a page's links to files, a line each. The guide links nothing else, because it is read offline.
 std::string brokenLinks(const fs::path& page) {
   std::string broken;
   for (const Link& link : linksIn(page)) {

@@ -1,4 +1,4 @@
-// View descriptors of what the GPU measures, against closed forms and against placement's own measures.
+// View descriptors from measurements on the GPU, against closed forms and against placement's own measures.
 
 #include <cmath>
 #include <cstring>
@@ -9,7 +9,7 @@
 namespace fenestra::placement {
 namespace {
 
-/// Square pixels inside outlines: the sum of the signed areas of polygons, of which holes run the other way round.
+/// Square pixels inside outlines: the sum of the signed areas of polygons, where holes run the other way round.
 double areaWithin(const std::vector<std::vector<glm::dvec2>>& outlines) {
   double area = 0.0;
   for (const std::vector<glm::dvec2>& outline : outlines)

@@ -124,7 +124,7 @@ TEST(ViewDescriptors, ViewsThatShareNothingTellAllApart) {
   const ViewChannel channel({{1.0, 1.0, 0.0, 0.0}, {0.0, 0.0, 3.0, 3.0}, {0.0, 0.0, 0.0, 0.0}});
   EXPECT_NEAR(channel.entropy(0), 1.0, rounding);
   EXPECT_NEAR(channel.viewShare(1), 0.75, rounding);
-  // p(z) of what a view sees is p(v) p(z|v).
+  // For the elements that a view sees, p(z) is p(v) p(z|v).
   EXPECT_NEAR(channel.mutualInformation(0), 2.0, rounding);
   EXPECT_NEAR(channel.mutualInformation(1), std::log2(4.0 / 3.0), rounding);
   // The Jensen–Shannon divergence of disjoint distributions is the entropy of their weights.
@@ -252,8 +252,8 @@ TEST(ViewDescriptors, CurvatureOfSpheresCylindersAndSaddles) {
 }
 
 TEST(ViewDescriptors, CurvatureEntropyOfABallAndASaddle) {
-  // Half of the points are of a ball, half of a plate far away: from the side where both show, in the ratio of what is
-  // seen of them.
+  // Half of the points lie on a ball, half on a plate far away; from the side both show, in the ratio of their visible
+  // points.
   SurfacePoints surface = ball(10.0, 4);
   const std::size_t ofBall = surface.normals.size();
   for (int y = 0; y < 16; ++y)

@@ -70,7 +70,7 @@ TEST(Curve, BeginsBehindASpeckWhereAStructureFollows) {
   EXPECT_NEAR(volumeAt(structure), 3375.0 * 0.343, 1e-9) << "and the block is begun with";
   // Large enough to be what was meant.
   EXPECT_NEAR(volumeAt(curve(1.7, 7)), 125.0 * 4.913, 1e-9);
-  // What follows fills more than half of all.
+  // The next plateau fills more than half of the volume.
   EXPECT_NEAR(volumeAt(curve(0.7, 18)), 125.0 * 0.343, 1e-9);
 }
 
