@@ -71,7 +71,7 @@ function(fenestra_own_code TARGET)
   target_compile_options(${TARGET} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Werror)
   if(FENESTRA_SANITIZE)
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-      # With sanitizers GCC 12 calls parts of std::regex and std::optional uninitialised that are not (GCC bug 105562).
+      # With sanitizers GCC 12 reports initialised parts of std::regex and std::optional as uninitialised (GCC bug 105562).
       target_compile_options(${TARGET} PRIVATE -Wno-maybe-uninitialized)
     endif()
     target_compile_options(${TARGET} PUBLIC -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)

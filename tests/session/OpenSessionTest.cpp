@@ -173,7 +173,7 @@ TEST_F(OpenSession, SearchesBesideAndBelowByName) {
   writeStudy(project_ / "study", 7);
   const io::OpenedSession opened = io::openSession(file);
   EXPECT_EQ(opened.session.volume.path, project_ / "study")
-      << "what is at its place is taken, and that it changed is said";
+      << "the study at the stored place is taken, with a warning that it changed";
   EXPECT_TRUE(hasWarning(opened.warnings, Kind::ChangedData));
   EXPECT_TRUE(hasWarning(opened.warnings, Kind::MovedData));
   EXPECT_EQ(opened.session.labels.path, project_ / "data" / "labels.nii.gz");
