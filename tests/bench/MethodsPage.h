@@ -10,7 +10,7 @@
 
 namespace fenestra::bench {
 
-/// A figure of a method that cannot be told.
+/// Stands for a figure that cannot be measured.
 inline constexpr double notTold = std::numeric_limits<double>::quiet_NaN();
 
 /// Figures of a method on one scene, over all views.
@@ -32,8 +32,8 @@ struct SceneFigures {
   std::vector<MethodFigures> methods;  ///< the adaptive cutaway first
 };
 
-/// The scene's table, and beside which methods the adaptive cutaway is not best. Best is what is as good as the best by
-/// the digits that the table has.
+/// The scene's table, and the methods that beat the adaptive cutaway. Methods are equal where the digits in the table
+/// are.
 Section sectionOf(const SceneFigures& scene);
 
 /// In how many scenes each method is best, by column.

@@ -14,7 +14,7 @@
 
 namespace fenestra::bench {
 
-/// A part of a ray along which nothing is taken to change: all is as in its middle.
+/// A part of a ray that counts as uniform, with the values of its middle.
 struct Stretch {
   double begin = 0.0, end = 0.0;  ///< t, mm
   double extinction = 0.0;        ///< 1/mm, > 0
@@ -40,8 +40,9 @@ class RaySampler {
   /// `scene` must outlive it.
   explicit RaySampler(const Scene& scene);
 
-  /// From `from` mm on, in stretches of at most half the finest spacing. Context is, as everywhere, what has an opacity
-  /// above 1/255 over 1 mm; less is left out. `light` is that of the camera. Empty where `from` is NaN.
+  /// From `from` mm on, in stretches of at most half the finest spacing. Context is, as everywhere, a value with an
+  /// opacity above 1/255 over 1 mm; fainter ones are left out. `light` is that of the camera. Empty where `from` is
+  /// NaN.
   SampledRay along(const reference::Ray& ray, double from, const reference::Light& light) const;
 
   const Scene& scene() const { return scene_; }

@@ -7,7 +7,7 @@
 
 namespace fenestra::bench {
 
-/// The error bound on ten scenes: what is asked for against what is measured.
+/// The error bound on ten scenes: the bound against the measured errors.
 Section boundsSection(const Options& options, const TruthStore& truths);
 
 /// Every setting's and peer's time against its error.

@@ -42,8 +42,8 @@ struct Subjects {
 };
 /// The report's data: a phantom, a CT head, a labelled torso, an MR head; those that `views` asks for.
 Subjects reportSubjects(const Views& views);
-/// Those that methods are compared on: a small structure behind a rib, a skull, a deep one in a labelled brain, organs
-/// and a vessel of a labelled torso.
+/// The subjects on which methods are compared: a small structure behind a rib, a skull, a deep one in a labelled brain,
+/// organs and a vessel of a labelled torso.
 Subjects methodSubjects(const Views& views);
 /// Ten scenes of every kind, for the error bound.
 Subjects boundSubjects(const Views& views);
@@ -57,7 +57,7 @@ inline constexpr double litLimit = 16.0;
 /// How often the path is gone along, for the times' median.
 inline constexpr int pathRounds = 3;
 
-/// Millimetres between samples, of so many per voxel at the finest spacing.
+/// Millimetres between samples, from their number per voxel at the finest spacing.
 double stepLength(const Grid& grid, double samplesPerVoxel);
 
 }  // namespace fenestra::bench

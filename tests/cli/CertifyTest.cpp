@@ -1,4 +1,4 @@
-// fenestra-cli render --certify: what it states, held against whole reference pictures.
+// fenestra-cli render --certify: its statements against whole reference pictures.
 
 #include <cmath>
 

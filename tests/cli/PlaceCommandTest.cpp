@@ -54,7 +54,7 @@ TEST_F(PlaceCommand, PlaceReportsBothCamerasAndDrawsTheMap) {
   EXPECT_GE(placed({"--sequential", "--refine"})["c1"]["quality"].get<double>(),
             0.99 * usual["c1"]["quality"].get<double>());
   EXPECT_NE(placed({"--sequential", "--weights", "1,0,0"})["c1"]["index"], usual["c1"]["index"]);
-  // The organs end at the top of the phantom's volume: looking down on them is worth what the weight says.
+  // The organs end at the top of the phantom's volume: a view down on them is worth as much as the weight says.
   const auto endFaces = [](const Json& placement) {
     return std::max(placement["c1"]["descriptors"]["end_face"].get<double>(),
                     placement["c2"]["descriptors"]["end_face"].get<double>());

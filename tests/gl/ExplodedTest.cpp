@@ -46,7 +46,7 @@ View viewOf(const Scene& scene, double azimuth, double elevation, Projection pro
   return view;
 }
 
-/// Pixels whose colour is off by more than so many 1/255.
+/// Number of pixels whose colour is off by more than a limit in 1/255.
 template <class Colour>
 int beyond(double bound, const std::vector<glm::vec4>& picture, const std::vector<Colour>& truth) {
   EXPECT_EQ(picture.size(), truth.size());

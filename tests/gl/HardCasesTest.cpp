@@ -195,7 +195,7 @@ std::vector<HardCase> hardCases() {
       // In the middle of a sheet one voxel thick its normal turns over, and where it is nearly zero the context's light
       // holds instead: a jump that points may lie to either side of; found 1.1.
       missing(1.5, withLabels("focusThinnerThanAStep", [](glm::ivec3 i) { return i.y == 10 ? 1 : 0; })),
-      // Smoothed, a chessboard is flat: its normals are at the edge of being none at all; found 5.2.
+      // A smoothed chessboard is flat, so that its normals are hardly longer than 0; found 5.2.
       missing(6.0, withLabels("focusLikeAChessboard", [](glm::ivec3 i) { return (i.x + i.y + i.z) % 2; })),
       with("focusOfTwoColours",
            [](Shot& shot) {
@@ -218,7 +218,7 @@ std::vector<HardCase> hardCases() {
       withWidths("openingNearlyThePicture", 70.0, 5.0),
       withWidths("openingWiderThanThePicture", 500.0, 500.0),
       withWidths("openingInMillimetres", 6.5, 1.0, WidthUnit::Millimetre),
-      // A piece of a cell knows to second order what it hides of itself, and here that is nothing; found 8.9.
+      // A piece of a cell has its self-attenuation to second order, which is far from enough here; found 8.9.
       missing(10.0, with("spikeNarrowerThanAVoxelsValues",
                          [=](Shot& shot) {
                            const OpticalProperties spike{{0.2, 0.8, 0.3}, 40.0};
@@ -298,7 +298,7 @@ void expectContextLayerMatches(const Layers& layers, const reference::Picture& t
     EXPECT_NEAR(here.z, there.z, 1e-3) << "illumination at " << pixels[i];
     EXPECT_NEAR(here.w, there.w, 1e-3 * valueRange) << "value at " << pixels[i];
   }
-  // Whether a ray that grazes a surface meets it is rounding's to say.
+  // Rounding decides whether a ray that grazes a surface meets it.
   EXPECT_LE(grazing, std::max<std::size_t>(1, truth.contextLayer.size() / 1000));
 }
 

@@ -69,7 +69,7 @@ gl::Texture imageOf(const std::vector<T>& texels, glm::ivec2 size) {
   return image;
 }
 
-/// An image for a pass to write: what no pass writes, so that a pixel that is left out shows.
+/// The value of an image's pixels before a pass. No pass writes it, so that a pixel that is left out shows.
 inline constexpr float unwritten = -12345.0f;
 template <class T>
 gl::Texture blank(glm::ivec2 size) {

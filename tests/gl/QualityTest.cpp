@@ -168,7 +168,7 @@ TEST_F(QualityErrors, NormalLightsAFocusOfValuesByTheNormalsInItsCells) {
 
 TEST_F(QualityErrors, NormalStepsOverNoThinLayer) {
   // Values that run evenly, and a layer a fifth of a voxel thick, nearly transparent: from face to face it is exact but
-  // for what it hides of itself.
+  // for its self-attenuation.
   const Grid grid = gridOf({40, 40, 40});
   Scene scene;
   scene.volume = volumeOf<std::int16_t>(grid, [](glm::ivec3 i) { return 100 * i.x + 60 * i.y; });

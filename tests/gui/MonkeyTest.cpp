@@ -300,8 +300,8 @@ TEST_P(Monkey, TheWindowSurvivesAndAnswers) {
     // has run once: of an opening (14), and of a picked pixel, strokes, what an opening camera removes (two), protected
     // structures and context edges; and their buffers: three of strokes, and one of rays between those of the lattice.
     // The window may hold a few dialogs that leave it usable. Some widgets are made when they are first needed and
-    // kept, such as Qt's rubber band of a dragged dock. What grew with one of a hundred of 10 000 events would be far
-    // more.
+    // kept, such as Qt's rubber band of a dragged dock. A leak in one of a hundred events would make far more of 10
+    // 000.
     constexpr int renderers = 4, imagesOfPasses = 14 + 6, buffersOfPasses = 4, dialogs = 4, madeOnce = 10;
     if (half == 1) {
       EXPECT_LE(objects.kept(), before.kept() + renderers * (imagesOfPasses + buffersOfPasses));

@@ -43,7 +43,7 @@ TEST(Overlay, TextStandsOutFromBrightTissueAtBothDensities) {
          {QColor(Qt::white), QColor(190, 190, 190), QColor(225, 205, 160), QColor(Qt::black)}) {
       SCOPED_TRACE(background.name().toStdString() + " at " + std::to_string(ratio));
       const QImage image = corner(background, ratio), onBlack = corner(Qt::black, ratio);
-      // Letters: what is bright over black as well.
+      // Letters are the pixels that are bright over black as well.
       const auto isLetter = [&](int x, int y) {
         return onBlack.rect().contains(x, y) && luminance(onBlack.pixel(x, y)) > 0.4;
       };
@@ -68,8 +68,8 @@ TEST(Overlay, TextStandsOutFromBrightTissueAtBothDensities) {
         }
       ASSERT_GT(letterCount, 50);
       ASSERT_GT(besideCount, 50);
-      // 4.5 is what WCAG 2.1 asks of text (success criterion 1.4.3). Smoothing lowers what is reached, at single
-      // density to 6.5 even over black.
+      // WCAG 2.1 asks for a contrast of 4.5 (success criterion 1.4.3). Smoothing lowers the contrast: at single density
+      // to 6.5 even over black.
       EXPECT_GT(contrast(letters / letterCount, beside / besideCount), 4.5);
     }
 }

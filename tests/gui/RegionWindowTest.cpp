@@ -66,7 +66,7 @@ TEST_F(RegionWindow, AClickPlacesTheCamerasOnTheStructure) {
   EXPECT_TRUE(region().automatic()->isChecked());
   EXPECT_EQ(region().slider()->value(), document().regionStep());
 
-  // Its tolerance and further seeds refine what the cameras look at: they stay.
+  // Its tolerance and further seeds refine the region that the cameras look at, so that the cameras stay.
   const Camera placed = cameras().camera(0);
   wheel(slice(SlicePlane::Axial), 3, Qt::AltModifier);
   waitUntilDrawn();

@@ -61,7 +61,7 @@ TEST(PatientLines, ComeFromTheDicomFiles) {
   const Study study = readStudy({folder, {}, {}}, {}, {});
   EXPECT_EQ(patientLines(study.patient, study.series),
             (QStringList{"Müller, Jörg", "ID 0815", "M · 1961-12-31", "Schädel", "2019-07-05"}));
-  // And stay out of what is written.
+  // The session holds none of these texts.
   const std::string session = io::textOf(study.session, folder / "s.fenestra");
   for (const char* secret : {"ller", "0815", "19611231", "Sch"}) EXPECT_EQ(session.find(secret), std::string::npos);
 }
@@ -83,7 +83,7 @@ TEST_F(StudyWindow, OneKeyHidesThePatientAndTheStudy) {
   EXPECT_TRUE(options().hidesPatient());
   const QImage without = onScreen(axial);
   EXPECT_NE(without, with);
-  // As of data that says nothing.
+  // The picture is that of data that names no patient.
   open(markedBall());
   EXPECT_EQ(onScreen(axial), without);
   QTest::keyClick(window_.get(), Qt::Key_H);

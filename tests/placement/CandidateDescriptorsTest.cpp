@@ -111,8 +111,8 @@ TEST_F(DescriptorsTest, ABallInClosedForm) {
     // Trilinear interpolation moves the surface inwards by up to (1/8)(2/r) voxels; chords, see ABallInClosedForm.
     EXPECT_NEAR(lengths[v], 2.0 * pi * r / diameter, 2.0 * pi * 0.03 / diameter);
     EXPECT_NEAR(turnings[v], 2.0 * pi, 0.05);
-    // As of evenly spread points with exact normals (ViewDescriptorsTest). Points of a surface are spread less evenly
-    // than a lattice, and normals err by up to two degrees.
+    // The limits are those of evenly spread points with exact normals (ViewDescriptorsTest). Points of a surface are
+    // spread less evenly than a lattice, and normals err by up to two degrees.
     const double points = static_cast<double>(measured().surfacePoints);
     EXPECT_NEAR(entropies[v], std::log2(0.5 * points) - 1.0 + 0.5 / std::log(2.0), 0.05);
     EXPECT_NEAR(stabilities[v], stabilities[0], 0.1);

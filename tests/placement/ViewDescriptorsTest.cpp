@@ -156,7 +156,7 @@ TEST(ViewDescriptors, BothInformationsAddUpToTheChannels) {
 }
 
 TEST(ViewDescriptors, DivergenceIsInformationLostByMixingTwoViews) {
-  // Feixas et al., equation for D(v, w): what clustering the two views takes from I(V;Z), over p(v) + p(w).
+  // Feixas et al., equation for D(v, w): the loss of I(V;Z) when the two views are clustered, over p(v) + p(w).
   const std::vector<std::vector<double>> areas = randomAreas(2, 20);
   const ViewChannel channel(areas);
   const double all =

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Reads, and writes what was read. Any other exception than io::Error ends the test.
+/// Reads a file and writes the result. Any other exception than io::Error ends the test.
 void readSomehow(const fs::path& file) {
   try {
     const io::Session session = io::readSession(file);
@@ -132,7 +132,8 @@ TEST_F(HostileSession, PathsThatAreNotRelativeAreRefused) {
   EXPECT_NE(errorFrom(withPath("")).find("either a volume or a phantom"), std::string::npos);
 }
 
-/// A session may point anywhere with "..": what is there is no more than looked at unless it is what the session names.
+/// A session may point anywhere with "..": a file there is looked at, but not opened unless it is the one that the
+/// session names.
 TEST_F(HostileSession, WhatLiesOutsideIsNotOpenedUnlessItsContentsAreNamed) {
   const fs::path inside = folder_ / "sent";
   fs::create_directory(inside);
@@ -165,7 +166,7 @@ TEST_F(HostileSession, WhatLiesOutsideIsNotOpenedUnlessItsContentsAreNamed) {
 TEST_F(HostileSession, SizeIsBoundedBeforeReading) {
   const long before = peakMegabytes();
   const auto start = std::chrono::steady_clock::now();
-  // A text of 1 GB: the file's size tells.
+  // A text of 1 GB is refused by the file's size.
   {
     std::ofstream(file_, std::ios::binary) << R"({"format": "fenestra-session", "version": 2, "maximised": ")";
     fs::resize_file(file_, std::uintmax_t{1} << 30);

@@ -49,7 +49,7 @@ class OpenSession : public testing::Test {
     }
   }
 
-  /// A session for what is in the project's folder.
+  /// A session for the files in the project's folder.
   fs::path save(const fs::path& file, const fs::path& volume, const fs::path& labels = {}) {
     const io::OpenedVolume opened = io::openVolume(volume);
     io::Session session;

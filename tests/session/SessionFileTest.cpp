@@ -278,7 +278,7 @@ TEST(SessionFile, KeepsPathsRelative) {
   EXPECT_EQ(pathOf(deep), ".");
   EXPECT_EQ(io::readSession(deep).volume.path, folder / "sessions" / "mine");
 
-  // By a link, ".." is what the system takes it for.
+  // Behind a link, ".." is resolved as the system does.
   fs::create_directory_symlink(folder / "sessions" / "mine", folder / "link");
   session.volume.path = folder / "patient's  é";
   io::writeSession(folder / "link" / "b.fenestra", session);
@@ -335,7 +335,7 @@ TEST(SessionFile, IsWholeWheneverSavingIsKilled) {
         fs::remove(entry.path());
       }
   }
-  // Otherwise the moments were none in which saving could have been hurt.
+  // Otherwise no process was stopped at a moment in which a save could have been damaged.
   EXPECT_GT(halfWritten, kills / 10);
   EXPECT_GT(sawA, 0);
   EXPECT_GT(sawB, 0);

@@ -1,6 +1,6 @@
 #pragma once
-// One scene in every kind of use, from a plain volume to all that there is: what a feature costs, and that it costs
-// nothing while it is off.
+// One scene in every kind of use, from a plain volume to all features at once, to measure what a feature costs, and
+// that it costs nothing while it is off.
 
 #include <string>
 #include <vector>

@@ -84,7 +84,7 @@ TEST(Explosion, PartsStayOnTheirSidesAndMoveOutMostly) {
   EXPECT_LT(held, all / 10);
 }
 
-/// Random points of any two parts: what separates them is a plane of the cut, so no translation brings them together.
+/// Random points of any two parts: a plane of the cut separates them, so no translation brings them together.
 TEST(Explosion, PartsAreDisjointAndInTheOrderOfEveryRay) {
   std::mt19937 random(5);
   forEachView([&](const MethodStages::Explosion& explosion, const Grid& grid, glm::dvec3 middle, const Camera& camera) {

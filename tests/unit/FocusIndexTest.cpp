@@ -186,7 +186,7 @@ TEST(FocusIndex, FollowsLabelsThatJoinAndLeaveAsIfMadeFromScratch) {
         EXPECT_EQ(index.cells.size(), scratch.cells.size());
         EXPECT_EQ(index.occupied(), scratch.occupied());
 
-        // What it says has changed, and nothing else.
+        // Exactly the reported parts have changed.
         std::set<std::size_t> cells, flipped, layers;
         std::size_t at = 0;
         forEachVoxel(dims + 1, [&](glm::ivec3 cell) {

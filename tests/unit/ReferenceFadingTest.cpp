@@ -46,7 +46,7 @@ TEST(ReferenceFading, OfOneMaterialIsTheExponentialIntegral) {
             integrateFading(state, sharpness, 7.0, {tolerance, tolerance / 7.0, 1e-13}, [&](double) {
               return FadingPoint{extinction, slope, exponent, colour};
             });
-            // An ulp of 1 is what opacity can hold, and behind so little light nothing is followed.
+            // Opacity cannot be finer than an ulp of 1, and a ray is not followed behind so little light.
             wrong = std::abs(std::exp(-state.depth) - std::exp(-tau));
             EXPECT_LE(wrong, state.error + 2e-13) << "the estimate covers the error";
             const glm::dvec3 off = glm::abs(state.colour + std::expm1(-tau) * colour);
@@ -149,7 +149,7 @@ TEST(ReferenceFading, WithoutReachOrOffItIsPlainRendering) {
   }
 }
 
-/// A context of one value has no gradient and fades altogether; the focus does not, nor what lies in it.
+/// A context of one value has no gradient and fades altogether; the focus and its contents do not.
 TEST(ReferenceFading, TheFocusKeepsItsOpacity) {
   Scene scene = hazyRamp(true);
   scene.volume = volumeOf<float>(gridOf({20, 30, 20}), [](glm::ivec3 i) { return i == glm::ivec3(0) ? 1.0 : 0.0; });

@@ -199,7 +199,7 @@ TEST(ReferenceFocalRegion, LiesAroundTheMiddleOfTheFocus) {
           << i << ", " << j;
 }
 
-/// The focus shows as its surroundings, so the sum knows none.
+/// The focus looks like its surroundings, so the sum leaves it out.
 TEST(ReferenceFocalRegion, ByDistanceFollowsTheShapeOfTheFocus) {
   Scene scene = evenRamp(regionOf(FocalShape::Distance, 3.2, 4.0));
   scene.labels =

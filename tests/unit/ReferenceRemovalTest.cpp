@@ -94,7 +94,7 @@ double worstOf(const Removals& removals, const Grid& grid) {
 }
 
 TEST(Removal, CoveragesAreTheReferences) {
-  // Half a step of rounding, and what differences of 1e-5 mm make of a bent plane's gradient.
+  // Half a step of rounding, and the error of a bent plane's gradient by differences of 1e-5 mm.
   constexpr double tolerance = 0.5 + 1e-3;
   std::mt19937 random(5);
   for (int round = 0; round < 3; ++round)
@@ -327,7 +327,7 @@ TEST(Removal, TakesHitsAndVoxelsFromALabelFocus) {
 }
 
 TEST(Removal, TakesCellsFromAFocusOfAir) {
-  // Air belongs to the focus: what is carved out of the tissue around it does not.
+  // Air belongs to the focus; the parts carved out of the tissue around it do not.
   const Grid grid = gridOf({20, 20, 20});
   Scene scene = valueScene(
       grid, [](glm::ivec3 v) { return glm::length(glm::dvec3(v) - 9.5) < 5.0 ? 0.0 : 100.0; }, -10.0, 10.0);

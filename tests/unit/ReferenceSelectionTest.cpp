@@ -24,7 +24,7 @@ Method ghosted(double strength, double edge, double outline) {
   return {.kind = MethodKind::Selection, .ghostStrength = strength, .ghostEdge = edge, .ghostOutline = outline};
 }
 
-/// Haze of one extinction, and behind it, seen from the front, what is in focus: all values of 2 and more.
+/// Haze of one extinction, and behind it, seen from the front, the focus: all values of 2 and more.
 Scene haze(const Method& method) {
   Scene scene;
   scene.look.context.function = {{{-10.0, {colour, extinction}}, {200.0, {colour, extinction}}}};

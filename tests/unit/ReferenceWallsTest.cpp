@@ -188,7 +188,7 @@ TEST(ReferenceWalls, TheNearestWallShows) {
     for (std::size_t i = 0; i < rays.size(); ++i) {
       if (!std::isfinite(nearest[i])) continue;
       ++compared;
-      // Another wall's rim may lie before it, half transparent: a pixel wide, of walls of some 30 pixels.
+      // Another wall's half transparent rim may lie before it: a pixel wide, on walls of some 30 pixels.
       seen += walls[i].a == (offset > 0.0 ? 1.0 : 0.0);
     }
   }
