@@ -33,6 +33,8 @@ class EdgePass {
   void blend(Steps& steps, Schedule schedule, const Scatter& batch, const gl::Texture& picture,
              const gl::Texture& drawn, gl::Texture& smoothed);
   std::size_t bytes() const { return list_.bytes(); }
+  /// Drops the list.
+  void release() { list_ = {}; }
 
  private:
   gl::ShaderVariants find_, means_;

@@ -92,6 +92,8 @@ class FocusLayerPass {
   void runExploded(Steps& steps, const GpuScene& gpu, const Look& look, const std::vector<ExplodedStretch>& stretches,
                    const gl::Texture* focusHits, const Sampling& sampling, Regions regions, gl::Texture& focusLayer);
   std::size_t bytes() const { return list_.bytes(); }
+  /// Drops the list of pixels.
+  void release() { list_ = {}; }
 
  private:
   struct Drawn {
@@ -101,7 +103,7 @@ class FocusLayerPass {
     std::optional<Opening> opening;
     Sampling sampling;
     const gl::Texture* occlusion;
-    const ExplodedStretch* stretch = nullptr;  ///< of an exploded view
+    const ExplodedStretch* stretch = nullptr;  ///< in an exploded view
     const gl::Texture* focusHits = nullptr;
     bool resumes = false;  ///< other stretches lie before it
   };
