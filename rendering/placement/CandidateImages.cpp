@@ -181,7 +181,8 @@ std::vector<Candidate> CandidateImages::measure(const GpuScene& gpu, const std::
 
 gl::ShaderProgram& CandidateImages::prepared(gl::ShaderVariants& programs, const GpuScene& gpu) {
   gl::ShaderProgram& program = programs.get(
-      {{volumeDefine(gpu), refinementDefine(gpu), clip_.define()}, {scheduleChoice(gpu.schedule()), focusChoice(gpu)}});
+      gl::Variant{{}, {scheduleChoice(gpu.schedule()), focusChoice(gpu), oneFunctionChoice(), clip_.choice()}} +
+      searchVariant(gpu));
   bindFirstHit(gpu, program);
   const Grid grid = gpu.drawnGrid();
   if (!clip_.kept.empty()) program.set(clip_.uniforms(grid));
@@ -280,7 +281,7 @@ void CandidateImages::measureImages(const GpuScene& gpu, std::vector<Candidate>&
       ends.bind(endsBlock);
       dispatchTiles(prepared(ends_, gpu), tiles.size(), side, groupsFor(tiles.size()));
     }
-    const gl::Variant summed{{{"END_FACES", endFaces ? 1 : 0}}, {}};
+    const gl::Variant summed{{}, {{"ends", endFaces ? "lib/ends/Faces.glsl" : "lib/ends/None.glsl"}}};
     dispatchTiles(areas_.get(summed), tiles.size(), side, groupsFor((tiles.size() + tileSide - 1) / tileSide));
 
     std::vector<Sums> totals(ranges.size());

@@ -16,7 +16,7 @@ const float OPAQUE = 14.0;  // optical depth: less than 1e-6 passes
 
 bool isWithin(int at, int count) { return uint(at) < uint(count); }
 
-// Of CELLS cells from one on; 0 outside.
+// The medium of CELLS cells from one on; 0 outside.
 vec4 mediumFrom(ivec3 cell) {
   bool beside = isWithin(cell.x, occlusion.dims.x) && isWithin(cell.y, occlusion.dims.y);
   vec4 found;

@@ -362,7 +362,7 @@ TEST_F(ClippingTest, CostsNothingWithoutClipping) {
   EXPECT_EQ(renderer.imageBytes(), bytes);
   EXPECT_EQ(sources.size(), programs);
   EXPECT_GT(programs, 5u);
-  for (const std::string& source : sources) EXPECT_EQ(source.find("#define CLIPPED 1"), std::string::npos);
+  for (const std::string& source : sources) EXPECT_EQ(source.find("CLIPS = true"), std::string::npos);
 }
 
 TEST_F(ClippingTest, APickOnACappedFaceIsOnItsPlane) {
