@@ -1,23 +1,17 @@
 #include "app/ClipOptions.h"
 
-#include <charconv>
-#include <system_error>
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
-#include "app/LabelOptions.h"
 #include "app/OptionHelpers.h"
-#include "app/SceneOptions.h"
 
 namespace fenestra::app {
 namespace {
-
-/// mm for people to read.
-std::string tenths(double value) {
-  std::array<char, 32> text{};
-  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, 1);
-  return error == std::errc() ? std::string(text.data(), end) : "?";
-}
 
 /// "LOW:HIGH", either of which may be missing.
 std::optional<std::array<std::optional<double>, 2>> endsIn(const std::string& text) {
@@ -32,10 +26,10 @@ std::optional<std::array<std::optional<double>, 2>> endsIn(const std::string& te
   return ends;
 }
 
-std::optional<ClipChanges::Ends> cropIn(const std::string& text) {
+std::optional<io::ClipChanges::Ends> cropIn(const std::string& text) {
   const std::vector<std::string> parts = io::split(text, ',');
   if (parts.size() != 3) return std::nullopt;
-  ClipChanges::Ends ends;
+  io::ClipChanges::Ends ends;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto pair = endsIn(parts[axis]);
     if (!pair) return std::nullopt;
@@ -91,7 +85,7 @@ void addPlanes(CLI::App& command, Clipping& clipping) {
 
 }  // namespace
 
-void addClipping(CLI::App& command, ClipChanges& changes, Clipping& clipping) {
+void addClipping(CLI::App& command, io::ClipChanges& changes, Clipping& clipping) {
   addParsed(
       command, "--crop", "L0:L1,P0:P1,S0:S1|none",
       "show only the inside of a box: mm (LPS) along the volume's own axes nearest to L, P and S; a missing end is "
@@ -122,29 +116,6 @@ void addClipping(CLI::App& command, ClipChanges& changes, Clipping& clipping) {
               clipping.grey = WindowLevel{(*window)[0], (*window)[1]};
               return true;
             });
-}
-
-void setClipping(const SceneOptions& options, Scene& scene) {
-  const ClipChanges& changes = options.clipChanges;
-  Clipping& clipping = scene.look.clipping;
-  const CropFrame frame(scene.volume->grid);
-  if (changes.crop) {
-    clipping.cropped = true;
-    for (int axis = 0; axis < 3; ++axis) {
-      const auto& [low, high] = (*changes.crop)[static_cast<std::size_t>(axis)];
-      clipping.box.low[axis] = low.value_or(frame.low[axis]);
-      clipping.box.high[axis] = high.value_or(frame.high[axis]);
-      if (!(std::max(clipping.box.low[axis], frame.low[axis]) < std::min(clipping.box.high[axis], frame.high[axis])))
-        throw io::Error(options.source(), std::string("has nothing inside --crop along ") + "LPS"[axis],
-                        "it reaches from " + tenths(frame.low[axis]) + " to " + tenths(frame.high[axis]) + " mm there");
-    }
-  }
-  if (!changes.exempt.empty()) {
-    const auto file = options.labels.empty() ? std::filesystem::path(options.source()) : options.labels;
-    const auto& labels = structuresOf(scene);
-    if (!labels) throw io::Error(file, "has no labels to exempt from clipping", "name a label map with --labels");
-    clipping.exempt = resolveLabels(*labels, changes.exempt, file);
-  }
 }
 
 }  // namespace fenestra::app

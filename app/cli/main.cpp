@@ -14,8 +14,8 @@
 #include <CLI/CLI.hpp>
 
 #include "app/Completion.h"
-#include "app/Growing.h"
 #include "app/OptionHelpers.h"
+#include "app/RegionOptions.h"
 #include "app/SceneOptions.h"
 #include "app/ScheduleChoice.h"
 #include "app/WallOptions.h"
@@ -36,7 +36,7 @@ constexpr int done = 0, failed = 1, misused = 2;
 /// A command: its options, and how to run it; false is a failure that was already reported.
 struct Command {
   CLI::App* app;
-  const app::VolumeOptions* source;  ///< what an error that names no file is about; may be null
+  const io::DataRequest* source;  ///< what an error that names no file is about; may be null
   std::function<bool()> run;
 };
 
@@ -235,11 +235,11 @@ int run(const Command& command) {
 
 Command addInfo(CLI::App& program, InfoOptions& options) {
   CLI::App* command = program.add_subcommand("info", "geometry, type, value range, series and warnings, as JSON");
-  app::addVolumeOptions(*command, options.volume);
+  app::addVolumeOptions(*command, options.data);
   command->add_flag("--descriptions", options.descriptions,
                     "also the series' descriptions, free texts that may name the patient");
   requireSource(*command);
-  return {command, &options.volume, [&] { return info(options), true; }};
+  return {command, &options.data, [&] { return info(options), true; }};
 }
 
 Command addConvert(CLI::App& program, ConvertOptions& options) {
@@ -247,26 +247,26 @@ Command addConvert(CLI::App& program, ConvertOptions& options) {
       "convert",
       "write the volume's real values to .mha, .nii.gz, .nii or .nrrd; with --labels, --focus-labels or a .dcm, the "
       "label map instead, .dcm being a DICOM segmentation");
-  app::addLabelOptions(*command, options.scene);
+  app::addLabelOptions(*command, options.data, options.labels);
   command->add_option("-o,--output", options.output, "file to write")->required()->type_name("FILE");
   requireSource(*command);
-  return {command, &options.scene, [&] { return convert(options), true; }};
+  return {command, &options.data, [&] { return convert(options), true; }};
 }
 
 Command addSurface(CLI::App& program, SurfaceOptions& options) {
   CLI::App* command = program.add_subcommand("surface", "the focus as a closed surface of triangles");
-  app::addSceneOptions(*command, options.scene);
+  app::addSceneOptions(*command, options.study);
   command->add_option("-o,--output", options.output, "STL, PLY or OBJ to write")->required()->type_name("FILE");
   app::addChoice<io::SurfaceFrame>(*command, "--frame", "axes of the coordinates in mm, default lps",
                                    {{"lps", io::SurfaceFrame::Lps}, {"ras", io::SurfaceFrame::Ras}}, options.frame);
   command->add_flag("--raw-surface", options.raw, "the level set as it is, without smoothing");
   requireSource(*command);
-  return {command, &options.scene, [&] { return surface(options), true; }};
+  return {command, &options.study, [&] { return surface(options), true; }};
 }
 
 Command addSlice(CLI::App& program, SliceOptions& options) {
   CLI::App* command = program.add_subcommand("slice", "one slice as PNG, a pixel a voxel, radiological convention");
-  app::addVolumeOptions(*command, options.volume);
+  app::addVolumeOptions(*command, options.data);
   app::addChoice<SlicePlane>(
       *command, "--plane", "default axial",
       {{"axial", SlicePlane::Axial}, {"sagittal", SlicePlane::Sagittal}, {"coronal", SlicePlane::Coronal}},
@@ -279,14 +279,14 @@ Command addSlice(CLI::App& program, SliceOptions& options) {
   command->add_option("--level", options.level, "centre of the display window");
   command->add_option("-o,--output", options.output, "PNG to write")->required()->type_name("FILE");
   requireSource(*command);
-  return {command, &options.volume, [&] { return slice(options), true; }};
+  return {command, &options.data, [&] { return slice(options), true; }};
 }
 
 Command addRender(CLI::App& program, RenderOptions& options) {
   CLI::App* command = program.add_subcommand("render", "a picture with the adaptive cutaway");
-  app::addSceneOptions(*command, options.scene);
+  app::addSceneOptions(*command, options.study);
   command->option_defaults()->group("Picture");
-  app::addWallOptions(*command, options.scene);
+  app::addWallOptions(*command, options.study);
   command->option_defaults()->group("Options");
   CLI::Option* output = command->add_option("-o,--output", options.output, "PNG to write")->type_name("FILE");
   CLI::Option* layers =
@@ -326,17 +326,17 @@ Command addRender(CLI::App& program, RenderOptions& options) {
     const bool referenceLayers = reference->count() && layers->count();
     if (!output->count() && !referenceLayers) throw CLI::RequiredError("--output");
   });
-  return {command, &options.scene, [&] { return render(options), true; }};
+  return {command, &options.study, [&] { return render(options), true; }};
 }
 
 Command addPlace(CLI::App& program, PlaceOptions& options) {
   CLI::App* command =
       program.add_subcommand("place", "the best view of the focus and one that complements it, as JSON");
-  app::addSceneOptions(*command, options.scene,
+  app::addSceneOptions(*command, options.study,
                        [&options](const io::Session& session) { useAsDefaults(session, options); });
   addPlacementOptions(*command, options);
   requireSource(*command);
-  return {command, &options.scene, [&] {
+  return {command, &options.study, [&] {
             // A session may ask for a refinement, whose candidates crowd where the paper's quality is best.
             if (!options.descriptors.isEmpty()) options.sampling.refined = false;
             return place(options), true;
@@ -346,14 +346,14 @@ Command addPlace(CLI::App& program, PlaceOptions& options) {
 Command addGrow(CLI::App& program, GrowOptions& options) {
   CLI::App* command = program.add_subcommand(
       "grow", "the structure around a point as a label map (0 and 1); its tolerance, volume and plateaus as JSON");
-  app::addVolumeOptions(*command, options.volume);
+  app::addVolumeOptions(*command, options.data);
   app::addSeedOptions(*command, options.region)->required();
   command->add_flag("--curve", options.curve, "also the volume at every tolerance");
   command->add_option("-o,--output", options.output, ".nii.gz, .nii, .nrrd or .mha to write")
       ->required()
       ->type_name("FILE");
   requireSource(*command);
-  return {command, &options.volume, [&] { return grow(options), true; }};
+  return {command, &options.data, [&] { return grow(options), true; }};
 }
 
 Command addBenchmark(CLI::App& program, BenchmarkOptions& options) {

@@ -15,15 +15,15 @@
 
 #include "app/Completion.h"
 #include "app/SceneOptions.h"
-#include "app/SceneSession.h"
 #include "app/ScheduleChoice.h"
 #include "io/ImageWriter.h"
 #include "io/PhantomFile.h"
 #include "io/base/SessionName.h"
+#include "io/study/Interpret.h"
+#include "io/study/ReadStudy.h"
 #include "viewer/MainWindow.h"
 #include "viewer/Sessions.h"
 #include "viewer/Tour.h"
-#include "viewer/jobs/ReadStudy.h"
 #include "viewer/style/Style.h"
 
 namespace fenestra::viewer {
@@ -51,34 +51,12 @@ void handleQtMessage(QtMsgType type, const QMessageLogContext&, const QString& m
   if (type == QtCriticalMsg) tell(message.toStdString());
 }
 
-Study readScene(const app::SceneOptions& options, const io::Progress& progress) {
-  app::LoadedScene loaded = app::loadScene(options, progress);
-  Study study;
-  study.session = app::sessionOf(options, loaded);
-  study.restoresSession = loaded.session.has_value();
-  if (study.restoresSession) study.sessionFile = options.path;
-  study.scene = std::move(loaded.asSet);
-  study.growth = std::move(loaded.growth);
-  study.camera = loaded.view.camera;
-  study.frozen = loaded.view.frozen;
-  study.placeCameras = loaded.placed.has_value();
-  study.path = study.session.volume.path;
-  study.series = std::move(loaded.volume.series);
-  study.patient = std::move(loaded.volume.patient);
-  study.otherSeries = std::move(loaded.volume.otherSeries);
-  study.segmentations = std::move(loaded.volume.segmentations);
-  study.warnings = std::move(loaded.warnings);
-  study.geometry = std::move(loaded.volume.geometry);
-  return study;
-}
-
 StudyLoader::SampleReader phantomReader(const std::string& name) {
-  app::SceneOptions options;
-  options.phantom = name;
-  return [options](const Look& look, const io::Progress& progress) {
-    app::SceneOptions looked = options;
-    looked.look = look;
-    return readScene(looked, progress);
+  return [name](const Look& look, const io::Progress& progress) {
+    io::StudyRequest request;
+    request.phantom = name;
+    request.look = look;
+    return io::readStudy(request, progress);
   };
 }
 
@@ -96,7 +74,7 @@ void saveScreenshot(MainWindow& window, const std::filesystem::path& path, MainW
 
 /// What the command line asks for.
 struct Request {
-  app::SceneOptions scene;
+  io::StudyRequest study;
   std::filesystem::path screenshot;                           ///< empty: stay open
   MainWindow::Patient patient = MainWindow::Patient::Hidden;  ///< in the screenshot
   std::optional<Effort> atRest;                               ///< unset: as remembered
@@ -105,14 +83,14 @@ struct Request {
   /// A session or a preset sets all of them, too.
   bool setsBackground = false, setsUnit = false, setsReconstruction = false;
 
-  /// The scene as asked for, where nothing was said with the user's own defaults.
-  app::SceneOptions sceneWith(const Preferences& preferences) const {
-    app::SceneOptions options = scene;
-    const Look own = preferences.startingLook(scene.look);
-    if (!setsBackground) options.look.background = own.background;
-    if (!setsUnit) options.look.cutaway.unit = own.cutaway.unit;
-    if (!setsReconstruction) options.look.reconstruction = own.reconstruction;
-    return options;
+  /// The study as asked for, where nothing was said with the user's own defaults.
+  io::StudyRequest studyWith(const Preferences& preferences) const {
+    io::StudyRequest asked = study;
+    const Look own = preferences.startingLook(study.look);
+    if (!setsBackground) asked.look.background = own.background;
+    if (!setsUnit) asked.look.cutaway.unit = own.cutaway.unit;
+    if (!setsReconstruction) asked.look.reconstruction = own.reconstruction;
+    return asked;
   }
 };
 
@@ -124,8 +102,8 @@ std::optional<int> parse(int argc, char** argv, Request& request) {
       "fenestra"};
   program.set_version_flag("--version", FENESTRA_VERSION);
   app::addCompletionOption(program);
-  app::SceneOptions& options = request.scene;
-  app::addSceneOptions(program, options);
+  io::StudyRequest& study = request.study;
+  app::addSceneOptions(program, study);
   app::addScheduleOption(program, request.schedule);
   std::vector<std::string> morePaths;
   program.add_option("MORE", morePaths, "further slices of PATH's folder, or a label map")->type_name("PATH ...");
@@ -140,11 +118,11 @@ std::optional<int> parse(int argc, char** argv, Request& request) {
   try {
     program.parse(argc, argv);
     if (!morePaths.empty()) {
-      std::vector<std::filesystem::path> paths{options.path};
+      std::vector<std::filesystem::path> paths{study.path};
       paths.insert(paths.end(), morePaths.begin(), morePaths.end());
-      const PathsToOpen chosen = interpret(paths);
-      options.path = chosen.volume;
-      if (!chosen.labels.empty()) options.labels = chosen.labels;
+      const io::DataRequest chosen = io::interpret(paths);
+      study.path = chosen.path;
+      if (!chosen.labels.empty()) study.labels = chosen.labels;
     }
   } catch (const CLI::Success& success) {
     return program.exit(success);
@@ -153,16 +131,16 @@ std::optional<int> parse(int argc, char** argv, Request& request) {
     return misused;
   } catch (const io::Error& error) {
     tell(error.what());
-    return io::isSession(options.path) ? failed : misused;
+    return io::isSession(study.path) ? failed : misused;
   }
-  const bool hasLook = io::isSession(options.path) || options.preset;
+  const bool hasLook = io::isSession(study.path) || study.preset;
   request.setsBackground = hasLook || program.count("--background") > 0;
   request.setsUnit = hasLook || program.count("--width-unit") > 0;
   request.setsReconstruction = hasLook || program.count("--reconstruction") > 0;
   request.welcomes = argc <= 1;
-  if (options.empty()) options.phantom = "torso";
+  if (study.empty()) study.phantom = "torso";
   if (program.count("--quality") + program.count("--max-error") > 0)
-    request.atRest = Effort{.quality = options.quality, .maxError = options.maxError};
+    request.atRest = Effort{.quality = study.quality, .maxError = study.maxError};
   return std::nullopt;
 }
 
@@ -178,13 +156,7 @@ void setUp(QApplication& application) {
 /// Offers to restore work after a crash; otherwise opens what `request` names.
 void openInWindow(MainWindow& window, const Request& request) {
   if (window.sessions().startRecovery(Sessions::recoveryFolder()) || request.welcomes) return;
-  const app::SceneOptions options = request.sceneWith(window.workspace().preferences);
-  window.sessions().open([options](const io::SessionPlaces& places, const io::Progress& progress) {
-    app::SceneOptions where = options;
-    if (!places.volume.empty()) where.data = places.volume;
-    if (!places.labels.empty()) where.labels = places.labels;
-    return readScene(where, progress);
-  });
+  window.sessions().open([study = request.studyWith(window.workspace().preferences)] { return study; });
 }
 
 /// Opens what `request` names, saves the window once it is drawn, and ends the program.
@@ -202,8 +174,8 @@ void openForScreenshot(MainWindow& window, const Request& request) {
     });
   });
   // With the defaults of a new user: preferences are not read where nothing is remembered.
-  window.open([options = request.sceneWith(window.workspace().preferences)](const io::Progress& progress) {
-    return readScene(options, progress);
+  window.open([study = request.studyWith(window.workspace().preferences)](const io::Progress& progress) {
+    return io::readStudy(study, progress);
   });
 }
 
@@ -221,7 +193,7 @@ int main(int argc, char** argv) {
   MainWindow window(
       {.gl = gl,
        .atRest = request.atRest,
-       .expected = app::expectedFocus(request.scene),
+       .expected = io::expectedFocus(request.study),
        .chooseSchedule = [asked = request.schedule, software = gl.software](
                              const std::shared_ptr<GpuScene>& gpu, const Scene& scene,
                              const View& view) { app::chooseScheduleQuickly(asked, software, gpu, scene, view); },
@@ -230,7 +202,7 @@ int main(int argc, char** argv) {
   std::partition(phantoms.begin(), phantoms.end(), [](const std::string& name) { return name == Tour::phantom; });
   for (const std::string& name : phantoms)
     window.addSample(QString::fromStdString(io::loadPhantom(name).name), phantomReader(name));
-  if (request.scene.size) window.resize(request.scene.size->x, request.scene.size->y);
+  if (request.study.size) window.resize(request.study.size->x, request.study.size->y);
   window.show();
   if (stays)
     openInWindow(window, request);

@@ -1,11 +1,10 @@
-#include "app/Growing.h"
+#include "app/RegionOptions.h"
 
-#include <algorithm>
-#include <sstream>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "app/OptionHelpers.h"
-#include "io/base/Error.h"
-#include "rendering/segmentation/Painting.h"
 
 namespace fenestra::app {
 namespace {
@@ -41,22 +40,6 @@ std::optional<SelectionStroke> parseBall(const std::string& text) {
   if (!centre || !radius || !(*radius > 0.0) || !softness || !(*softness >= 0.0 && *softness <= 1.0))
     return std::nullopt;
   return SelectionStroke{{{(*centre)[0], (*centre)[1], (*centre)[2]}}, *radius, *softness, parts[0] == "ball"};
-}
-
-std::string textOf(glm::dvec3 position) {
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text << position.x << ',' << position.y << ',' << position.z;
-  return text.str();
-}
-
-void checkSeeds(const Grid& grid, const std::vector<glm::dvec3>& seeds, const std::string& option,
-                const std::string& source) {
-  for (const glm::dvec3 seed : seeds) {
-    if (segmentation::voxelAt(grid, seed)) continue;
-    throw io::Error(source, "does not reach to " + option + " " + textOf(seed),
-                    "the volume's centre is " + textOf(grid.centre()) + " (mm, LPS)");
-  }
 }
 
 }  // namespace
@@ -98,29 +81,6 @@ CLI::Option* addSelectOption(CLI::App& command, RegionFocus& region) {
       ->expected(1)
       ->take_all()
       ->allow_extra_args(false);
-}
-
-std::shared_ptr<const segmentation::Growth> grow(const Volume& volume, const RegionFocus& region,
-                                                 const std::string& source, const io::Progress& progress) {
-  checkSeeds(volume.grid, region.inside, "--seed", source);
-  checkSeeds(volume.grid, region.outside, "--outside", source);
-  for (const SelectionStroke& ball : region.painted)
-    if (segmentation::boxOf(ball, volume.grid).empty())
-      throw io::Error(
-          source, "has no voxel within --select " + textOf(ball.anchors.front()),
-          "enlarge the ball, or move it; the volume's centre is " + textOf(volume.grid.centre()) + " (mm, LPS)");
-  segmentation::Progress onward;
-  if (progress) onward = [&](double fraction) { return progress(fraction, "growing the region"); };
-  std::optional<segmentation::Growth> growth =
-      segmentation::growRegion(volume, region, segmentation::wholeOf(volume.grid.dims), onward);
-  if (!growth) throw io::Cancelled();
-  const double size = growth->curve.volume[static_cast<std::size_t>(growth->stepOf(region))];
-  if (size == 0.0 && !region.painted.empty())
-    throw io::Error(source, "has no voxel in what --select selects", "enlarge a ball, or take less away");
-  if (size == 0.0)
-    throw io::Error(source, "has no region of this tolerance around the seed",
-                    region.tolerance ? "raise --tolerance" : "choose another --seed, or remove an --outside");
-  return std::make_shared<const segmentation::Growth>(std::move(*growth));
 }
 
 }  // namespace fenestra::app
