@@ -1,16 +1,13 @@
 #pragma once
 // --crop, --clip-plane and what else clips pictures (rendering/scene/Clipping.h).
 
+#include "app/Options.h"
 #include "io/study/StudyRequest.h"
 #include "rendering/scene/Clipping.h"
-
-namespace CLI {
-class App;
-}
 
 namespace fenestra::app {
 
 /// Adds --crop, --clip-plane, --clip-exempt and --clip-grey. What needs no data goes into `clipping` while parsing.
-void addClipping(CLI::App& command, io::ClipChanges& changes, Clipping& clipping);
+void addClipping(Command command, io::ClipChanges& changes, Clipping& clipping);
 
 }  // namespace fenestra::app

@@ -7,9 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
-#include "app/OptionHelpers.h"
+#include "app/Numbers.h"
 
 namespace fenestra::app {
 namespace {
@@ -49,8 +47,8 @@ bool readPairs(const std::string& text, std::vector<std::pair<std::string, T>>& 
   return true;
 }
 
-void addLabelList(CLI::App& command, const char* name, const char* description, std::vector<std::string>& labels) {
-  addParsed(command, name, "LABEL,...", description, [&labels](const std::string& text) {
+void addLabelList(Command command, const char* name, const char* description, std::vector<std::string>& labels) {
+  command.add(name, "LABEL,...", description, [&labels](const std::string& text) {
     labels = io::split(text, ',');
     return std::find(labels.begin(), labels.end(), "") == labels.end();
   });
@@ -69,38 +67,36 @@ std::optional<io::LabelChanges::Function> functionIn(const std::string& text) {
 
 }  // namespace
 
-void addFocusTransfer(CLI::App& command, io::LabelChanges& changes) {
-  const std::string name = "--focus-transfer", form = "[LABEL=]PRESET|FILE.json|none";
-  command
-      .add_option_function<std::vector<std::string>>(
-          name,
-          [=, &changes](const std::vector<std::string>& texts) {
-            changes.functions.clear();
-            for (const std::string& text : texts) {
-              const auto function = functionIn(text);
-              if (!function) throw CLI::ValidationError(name, "\"" + text + "\" is not " + form);
-              changes.functions.push_back(*function);
-            }
-          },
-          "optical properties of the focus by value, as --transfer-function has those of all else: of one label, by "
-          "value or name, or of all that is in focus. May be given several times. none: one colour and extinction")
-      ->type_name(form)
-      ->allow_extra_args(false);
+void addFocusTransfer(Command command, io::LabelChanges& changes) {
+  const std::string form = "[LABEL=]PRESET|FILE.json|none";
+  command.addRepeated(
+      "--focus-transfer", form,
+      "optical properties of the focus by value, as --transfer-function has those of all else: of one label, by "
+      "value or name, or of all that is in focus. May be given several times. none: one colour and extinction",
+      [form, &changes](const std::vector<std::string>& texts) {
+        changes.functions.clear();
+        for (const std::string& text : texts) {
+          const auto function = functionIn(text);
+          if (!function) throw WrongValue{"\"" + text + "\" is not " + form};
+          changes.functions.push_back(*function);
+        }
+      });
 }
 
-void addLabelSettings(CLI::App& command, io::LabelChanges& changes) {
+void addLabelSettings(Command command, io::LabelChanges& changes) {
   addLabelList(command, "--hidden", "labels, by value or name, that 3-D pictures leave out", changes.hidden);
   addLabelList(command, "--protected", "labels, by value or name, that are never cut away, though they hide the focus",
                changes.guarded);
-  addParsed(command, "--label-opacity", "LABEL=0..1,...",
-            "opacity of labels, in focus or not: the share of what 10 mm of them have otherwise; 0 hides",
-            [&changes](const std::string& text) { return readPairs(text, changes.opacities, shareIn); });
-  addParsed(command, "--label-colour", "LABEL=#rrggbb,...", "colours of labels, in place of the label map's",
-            [&changes](const std::string& text) { return readPairs(text, changes.colours, colourIn); });
-  addParsed(command, "--importance-levels", "LABEL=0..4,...",
-            "levels of importance of labels, by value or name, for the method importance: what hides a more important "
-            "label is opened. Labels in focus have 4 by default, all else 0",
-            [&changes](const std::string& text) { return readPairs(text, changes.importance, levelIn); });
+  command.add("--label-opacity", "LABEL=0..1,...",
+              "opacity of labels, in focus or not: the share of what 10 mm of them have otherwise; 0 hides",
+              [&changes](const std::string& text) { return readPairs(text, changes.opacities, shareIn); });
+  command.add("--label-colour", "LABEL=#rrggbb,...", "colours of labels, in place of the label map's",
+              [&changes](const std::string& text) { return readPairs(text, changes.colours, colourIn); });
+  command.add(
+      "--importance-levels", "LABEL=0..4,...",
+      "levels of importance of labels, by value or name, for the method importance: what hides a more important "
+      "label is opened. Labels in focus have 4 by default, all else 0",
+      [&changes](const std::string& text) { return readPairs(text, changes.importance, levelIn); });
 }
 
 }  // namespace fenestra::app

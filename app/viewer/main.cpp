@@ -7,8 +7,6 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
 #include <QApplication>
 #include <QIcon>
 #include <QLocale>
@@ -96,27 +94,31 @@ struct Request {
 
 /// Reads the command line into `request`. Returns an exit code when the program should end at once.
 std::optional<int> parse(int argc, char** argv, Request& request) {
-  CLI::App program{
+  app::Program program(
       "Fenestra: looks into medical volumes with an adaptive cutaway.\nNot for diagnostic use.\n"
       "Without arguments it offers phantoms, a guided tour and the data opened last.",
-      "fenestra"};
-  program.set_version_flag("--version", FENESTRA_VERSION);
+      "fenestra", FENESTRA_VERSION);
   app::addCompletionOption(program);
+  const app::Command options = program.options();
   io::StudyRequest& study = request.study;
-  app::addSceneOptions(program, study);
-  app::addScheduleOption(program, request.schedule);
+  app::addSceneOptions(options, study);
+  app::addScheduleOption(options, request.schedule);
   std::vector<std::string> morePaths;
-  program.add_option("MORE", morePaths, "further slices of PATH's folder, or a label map")->type_name("PATH ...");
-  program
-      .add_option_function<std::string>(
-          "--screenshot", [&](const std::string& path) { request.screenshot = path; },
-          "save the whole window once everything is drawn, and exit")
-      ->type_name("OUT.png");
-  program.add_flag_callback(
-      "--with-patient", [&] { request.patient = MainWindow::Patient::Shown; },
-      "let the screenshot show the patient's name, number, sex and dates");
+  options.addValue("MORE", morePaths, "further slices of PATH's folder, or a label map").as("PATH ...");
+  options.add("--screenshot", "OUT.png", "save the whole window once everything is drawn, and exit",
+              [&](const std::string& path) {
+                request.screenshot = path;
+                return true;
+              });
+  bool withPatient = false;
+  options.addFlag("--with-patient", withPatient, "let the screenshot show the patient's name, number, sex and dates");
   try {
-    program.parse(argc, argv);
+    const app::Program::Parsed parsed = program.parse(argc, argv);
+    if (parsed.exitCode) return parsed.exitCode;
+    if (!parsed.mistake.empty()) {
+      tell(parsed.mistake + "; see --help");
+      return misused;
+    }
     if (!morePaths.empty()) {
       std::vector<std::filesystem::path> paths{study.path};
       paths.insert(paths.end(), morePaths.begin(), morePaths.end());
@@ -124,22 +126,18 @@ std::optional<int> parse(int argc, char** argv, Request& request) {
       study.path = chosen.path;
       if (!chosen.labels.empty()) study.labels = chosen.labels;
     }
-  } catch (const CLI::Success& success) {
-    return program.exit(success);
-  } catch (const CLI::ParseError& error) {
-    tell(std::string(error.what()) + "; see --help");
-    return misused;
   } catch (const io::Error& error) {
     tell(error.what());
     return io::isSession(study.path) ? failed : misused;
   }
+  if (withPatient) request.patient = MainWindow::Patient::Shown;
   const bool hasLook = io::isSession(study.path) || study.preset;
-  request.setsBackground = hasLook || program.count("--background") > 0;
-  request.setsUnit = hasLook || program.count("--width-unit") > 0;
-  request.setsReconstruction = hasLook || program.count("--reconstruction") > 0;
+  request.setsBackground = hasLook || options.isGiven("--background");
+  request.setsUnit = hasLook || options.isGiven("--width-unit");
+  request.setsReconstruction = hasLook || options.isGiven("--reconstruction");
   request.welcomes = argc <= 1;
   if (study.empty()) study.phantom = "torso";
-  if (program.count("--quality") + program.count("--max-error") > 0)
+  if (options.isGiven("--quality") || options.isGiven("--max-error"))
     request.atRest = Effort{.quality = study.quality, .maxError = study.maxError};
   return std::nullopt;
 }
