@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/Numbers.h"
+#include "app/options/Numbers.h"
 
 namespace fenestra::app {
 namespace {

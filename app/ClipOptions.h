@@ -1,7 +1,7 @@
 #pragma once
 // --crop, --clip-plane and what else clips pictures (rendering/scene/Clipping.h).
 
-#include "app/Options.h"
+#include "app/options/Options.h"
 #include "io/study/StudyRequest.h"
 #include "rendering/scene/Clipping.h"
 

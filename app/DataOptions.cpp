@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "app/Numbers.h"
-#include "app/WordOptions.h"
+#include "app/options/Numbers.h"
+#include "app/options/WordOptions.h"
 #include "io/PhantomFile.h"
 #include "io/VolumeReader.h"
 #include "io/base/SessionName.h"

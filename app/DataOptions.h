@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/Options.h"
+#include "app/options/Options.h"
 #include "io/study/StudyRequest.h"
 
 namespace fenestra::app {

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/Numbers.h"
+#include "app/options/Numbers.h"
 
 namespace fenestra::app {
 namespace {

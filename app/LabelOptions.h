@@ -1,7 +1,7 @@
 #pragma once
 // Labels on the command line, by value or name: how single ones are shown.
 
-#include "app/Options.h"
+#include "app/options/Options.h"
 #include "io/study/StudyRequest.h"
 
 namespace fenestra::app {

@@ -8,8 +8,8 @@
 #include <optional>
 #include <string>
 
-#include "app/Numbers.h"
-#include "app/WordOptions.h"
+#include "app/options/Numbers.h"
+#include "app/options/WordOptions.h"
 #include "io/TransferFunctionFile.h"
 #include "rendering/scene/Lighting.h"
 #include "rendering/scene/LookStyle.h"

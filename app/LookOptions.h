@@ -2,7 +2,7 @@
 // The options that say how a volume is looked at, most of them made from the declarations of settings
 // (rendering/scene/Settings.h): name, form, range, help text and default. `request` must outlive `command`.
 
-#include "app/Options.h"
+#include "app/options/Options.h"
 #include "io/study/StudyRequest.h"
 
 namespace fenestra::app {

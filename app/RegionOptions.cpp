@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/Numbers.h"
+#include "app/options/Numbers.h"
 
 namespace fenestra::app {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 // The seeds and balls of a region on the command line. `region` must outlive `command`.
 
-#include "app/Options.h"
+#include "app/options/Options.h"
 #include "rendering/scene/Focus.h"
 
 namespace fenestra::app {

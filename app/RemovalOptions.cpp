@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/Numbers.h"
+#include "app/options/Numbers.h"
 #include "rendering/scene/RemovedVoxels.h"
 #include "rendering/scene/SettingWords.h"
 

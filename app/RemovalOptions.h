@@ -1,7 +1,7 @@
 #pragma once
 // --carve and --bend: what is removed from a volume (rendering/scene/Removal.h).
 
-#include "app/Options.h"
+#include "app/options/Options.h"
 #include "rendering/scene/Removal.h"
 
 namespace fenestra::app {

@@ -9,10 +9,10 @@
 #include "app/DataOptions.h"
 #include "app/LabelOptions.h"
 #include "app/LookOptions.h"
-#include "app/Numbers.h"
 #include "app/RegionOptions.h"
 #include "app/RemovalOptions.h"
-#include "app/WordOptions.h"
+#include "app/options/Numbers.h"
+#include "app/options/WordOptions.h"
 #include "io/session/SessionFile.h"
 
 namespace fenestra::app {

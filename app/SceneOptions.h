@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "app/Options.h"
+#include "app/options/Options.h"
 #include "io/study/StudyRequest.h"
 
 namespace fenestra::app {

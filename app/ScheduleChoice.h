@@ -6,7 +6,7 @@
 #include <memory>
 #include <optional>
 
-#include "app/Options.h"
+#include "app/options/Options.h"
 #include "rendering/ScheduleTrial.h"
 
 namespace fenestra::app {

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "app/Numbers.h"
+#include "app/options/Numbers.h"
 #include "rendering/scene/Setting.h"
 
 namespace fenestra::app {

@@ -1,7 +1,7 @@
 #pragma once
 // The options for the slices that walls show.
 
-#include "app/Options.h"
+#include "app/options/Options.h"
 #include "io/study/StudyRequest.h"
 
 namespace fenestra::app {

@@ -14,15 +14,15 @@
 #include <utility>
 #include <vector>
 
-#include "app/Completion.h"
 #include "app/DataOptions.h"
-#include "app/Numbers.h"
 #include "app/RegionOptions.h"
 #include "app/SceneOptions.h"
 #include "app/ScheduleChoice.h"
 #include "app/WallOptions.h"
 #include "app/cli/Commands.h"
 #include "app/cli/Report.h"
+#include "app/options/Completion.h"
+#include "app/options/Numbers.h"
 #include "rendering/egl/EglContext.h"
 #include "rendering/gl/ShaderProgram.h"
 #include "rendering/gl/Texture.h"

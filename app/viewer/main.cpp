@@ -11,9 +11,9 @@
 #include <QIcon>
 #include <QLocale>
 
-#include "app/Completion.h"
 #include "app/SceneOptions.h"
 #include "app/ScheduleChoice.h"
+#include "app/options/Completion.h"
 #include "io/ImageWriter.h"
 #include "io/PhantomFile.h"
 #include "io/base/SessionName.h"

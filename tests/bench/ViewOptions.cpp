@@ -2,8 +2,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/Numbers.h"
-#include "app/Options.h"
+#include "app/options/Numbers.h"
+#include "app/options/Options.h"
 #include "tests/bench/Subjects.h"
 
 namespace fenestra::bench {

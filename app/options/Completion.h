@@ -1,7 +1,7 @@
 #pragma once
 // Completion of a program's options in bash, zsh and fish, made from the options themselves.
 
-#include "app/Options.h"
+#include "app/options/Options.h"
 
 namespace fenestra::app {
 

@@ -1,8 +1,8 @@
-#include "app/Options.h"
+#include "app/options/Options.h"
 
 #include <CLI/CLI.hpp>
 
-#include "app/Numbers.h"
+#include "app/options/Numbers.h"
 
 namespace fenestra::app {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "app/Options.h"
+#include "app/options/Options.h"
 #include "rendering/scene/SettingWords.h"
 
 namespace fenestra::app {

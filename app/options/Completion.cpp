@@ -1,4 +1,4 @@
-#include "app/Completion.h"
+#include "app/options/Completion.h"
 
 #include <algorithm>
 #include <cctype>
