@@ -1,23 +1,15 @@
 #include "app/ClipOptions.h"
 
-#include <charconv>
-#include <system_error>
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
 
-#include <CLI/CLI.hpp>
-
-#include "app/LabelOptions.h"
-#include "app/OptionHelpers.h"
-#include "app/SceneOptions.h"
+#include "app/options/Numbers.h"
 
 namespace fenestra::app {
 namespace {
-
-/// mm for people to read.
-std::string tenths(double value) {
-  std::array<char, 32> text{};
-  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, 1);
-  return error == std::errc() ? std::string(text.data(), end) : "?";
-}
 
 /// "LOW:HIGH", either of which may be missing.
 std::optional<std::array<std::optional<double>, 2>> endsIn(const std::string& text) {
@@ -32,16 +24,16 @@ std::optional<std::array<std::optional<double>, 2>> endsIn(const std::string& te
   return ends;
 }
 
-std::optional<ClipChanges::Ends> cropIn(const std::string& text) {
+std::optional<io::ClipChanges::Ends> cropIn(const std::string& text) {
   const std::vector<std::string> parts = io::split(text, ',');
   if (parts.size() != 3) return std::nullopt;
-  ClipChanges::Ends ends;
+  io::ClipChanges::Ends ends;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto pair = endsIn(parts[axis]);
     if (!pair) return std::nullopt;
     ends[axis] = *pair;
     if ((*pair)[0] && (*pair)[1] && !(*(*pair)[0] < *(*pair)[1]))
-      throw CLI::ValidationError("--crop", "\"" + parts[axis] + "\" holds nothing: give the lower end first");
+      throw WrongValue{"\"" + parts[axis] + "\" holds nothing: give the lower end first"};
   }
   return ends;
 }
@@ -59,41 +51,36 @@ std::optional<HalfSpace> planeIn(const std::string& text) {
     return std::nullopt;
   }
   const double length = glm::length(normal);
-  if (!(length > 1e-12) || !std::isfinite(length))
-    throw CLI::ValidationError("--clip-plane", "\"" + text + "\" has a normal of no length");
+  if (!(length > 1e-12) || !std::isfinite(length)) throw WrongValue{"\"" + text + "\" has a normal of no length"};
   normal /= length;
   if (const auto six = parseNumbers<double, 6>(text, ','))
     offset = glm::dot(normal, glm::dvec3((*six)[0], (*six)[1], (*six)[2]));
   return HalfSpace{normal, offset};
 }
 
-void addPlanes(CLI::App& command, Clipping& clipping) {
-  const std::string name = "--clip-plane", form = "NX,NY,NZ,D|X,Y,Z,NX,NY,NZ|none";
-  command
-      .add_option_function<std::vector<std::string>>(
-          name,
-          [=, &clipping](const std::vector<std::string>& texts) {
-            clipping.planes.clear();
-            for (const std::string& text : texts) {
-              if (text == "none") continue;
-              const auto plane = planeIn(text);
-              if (!plane) throw CLI::ValidationError(name, "\"" + text + "\" is not " + form);
-              clipping.planes.push_back(*plane);
-            }
-            if (clipping.planes.size() > Clipping::mostPlanes)
-              throw CLI::ValidationError(name, "is given more than three times");
-          },
-          "show only what lies before a plane: where NX·L + NY·P + NZ·S is at least D, mm along the normal, or on the "
-          "side that the normal at the point X,Y,Z (LPS, mm) shows to. Up to three times; none: not even a session's")
-      ->type_name(form)
-      ->allow_extra_args(false);
+void addPlanes(Command command, Clipping& clipping) {
+  const std::string form = "NX,NY,NZ,D|X,Y,Z,NX,NY,NZ|none";
+  command.addRepeated(
+      "--clip-plane", form,
+      "show only what lies before a plane: where NX·L + NY·P + NZ·S is at least D, mm along the normal, or on the "
+      "side that the normal at the point X,Y,Z (LPS, mm) shows to. Up to three times; none: not even a session's",
+      [form, &clipping](const std::vector<std::string>& texts) {
+        clipping.planes.clear();
+        for (const std::string& text : texts) {
+          if (text == "none") continue;
+          const auto plane = planeIn(text);
+          if (!plane) throw WrongValue{"\"" + text + "\" is not " + form};
+          clipping.planes.push_back(*plane);
+        }
+        if (clipping.planes.size() > Clipping::mostPlanes) throw WrongValue{"is given more than three times"};
+      });
 }
 
 }  // namespace
 
-void addClipping(CLI::App& command, ClipChanges& changes, Clipping& clipping) {
-  addParsed(
-      command, "--crop", "L0:L1,P0:P1,S0:S1|none",
+void addClipping(Command command, io::ClipChanges& changes, Clipping& clipping) {
+  command.add(
+      "--crop", "L0:L1,P0:P1,S0:S1|none",
       "show only the inside of a box: mm (LPS) along the volume's own axes nearest to L, P and S; a missing end is "
       "the volume's. none: not even a session's",
       [&](const std::string& text) {
@@ -104,47 +91,25 @@ void addClipping(CLI::App& command, ClipChanges& changes, Clipping& clipping) {
         return changes.crop.has_value();
       });
   addPlanes(command, clipping);
-  addParsed(command, "--clip-exempt", "LABEL,...|none", "labels, by value or name, that are never clipped",
-            [&](const std::string& text) {
-              clipping.exempt.clear();
-              changes.exempt = text == "none" ? std::vector<std::string>() : io::split(text, ',');
-              return std::none_of(changes.exempt.begin(), changes.exempt.end(),
-                                  [](const std::string& label) { return label.empty(); });
-            });
-  addParsed(command, "--clip-grey", "WIDTH,LEVEL|none",
-            "show values on the clipped faces in grey with this window, opaque, as slices do; default as the transfer "
-            "function shows them",
-            [&clipping](const std::string& text) {
-              clipping.grey.reset();
-              if (text == "none") return true;
-              const auto window = parseNumbers<double, 2>(text, ',');
-              if (!window || !((*window)[0] > 0.0)) return false;
-              clipping.grey = WindowLevel{(*window)[0], (*window)[1]};
-              return true;
-            });
-}
-
-void setClipping(const SceneOptions& options, Scene& scene) {
-  const ClipChanges& changes = options.clipChanges;
-  Clipping& clipping = scene.look.clipping;
-  const CropFrame frame(scene.volume->grid);
-  if (changes.crop) {
-    clipping.cropped = true;
-    for (int axis = 0; axis < 3; ++axis) {
-      const auto& [low, high] = (*changes.crop)[static_cast<std::size_t>(axis)];
-      clipping.box.low[axis] = low.value_or(frame.low[axis]);
-      clipping.box.high[axis] = high.value_or(frame.high[axis]);
-      if (!(std::max(clipping.box.low[axis], frame.low[axis]) < std::min(clipping.box.high[axis], frame.high[axis])))
-        throw io::Error(options.source(), std::string("has nothing inside --crop along ") + "LPS"[axis],
-                        "it reaches from " + tenths(frame.low[axis]) + " to " + tenths(frame.high[axis]) + " mm there");
-    }
-  }
-  if (!changes.exempt.empty()) {
-    const auto file = options.labels.empty() ? std::filesystem::path(options.source()) : options.labels;
-    const auto& labels = structuresOf(scene);
-    if (!labels) throw io::Error(file, "has no labels to exempt from clipping", "name a label map with --labels");
-    clipping.exempt = resolveLabels(*labels, changes.exempt, file);
-  }
+  command.add("--clip-exempt", "LABEL,...|none", "labels, by value or name, that are never clipped",
+              [&](const std::string& text) {
+                clipping.exempt.clear();
+                changes.exempt = text == "none" ? std::vector<std::string>() : io::split(text, ',');
+                return std::none_of(changes.exempt.begin(), changes.exempt.end(),
+                                    [](const std::string& label) { return label.empty(); });
+              });
+  command.add(
+      "--clip-grey", "WIDTH,LEVEL|none",
+      "show values on the clipped faces in grey with this window, opaque, as slices do; default as the transfer "
+      "function shows them",
+      [&clipping](const std::string& text) {
+        clipping.grey.reset();
+        if (text == "none") return true;
+        const auto window = parseNumbers<double, 2>(text, ',');
+        if (!window || !((*window)[0] > 0.0)) return false;
+        clipping.grey = WindowLevel{(*window)[0], (*window)[1]};
+        return true;
+      });
 }
 
 }  // namespace fenestra::app

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/OptionHelpers.h"
+#include "app/options/Numbers.h"
 #include "rendering/scene/RemovedVoxels.h"
 #include "rendering/scene/SettingWords.h"
 
@@ -14,17 +14,11 @@ namespace {
 
 using Parts = std::vector<std::string>;
 
-std::optional<glm::dvec3> vectorIn(const std::string& text) {
-  const auto numbers = parseNumbers<double, 3>(text, ',');
-  if (!numbers) return std::nullopt;
-  return glm::dvec3((*numbers)[0], (*numbers)[1], (*numbers)[2]);
-}
-
 /// "L,P,S;L,P,S;..."
 std::optional<std::vector<glm::dvec3>> pointsIn(const std::string& text) {
   std::vector<glm::dvec3> points;
   for (const std::string& each : io::split(text, ';')) {
-    const auto point = vectorIn(each);
+    const auto point = parseVector(each);
     if (!point) return std::nullopt;
     points.push_back(*point);
   }
@@ -48,7 +42,7 @@ bool takePoints(const std::string& text, Removal& removal) {
 
 bool takeVector(const Parts& parts, std::size_t at, glm::dvec3& target) {
   if (at >= parts.size()) return true;
-  const auto vector = vectorIn(parts[at]);
+  const auto vector = parseVector(parts[at]);
   if (vector) target = *vector;
   return vector.has_value();
 }
@@ -110,33 +104,28 @@ std::optional<Removal> planeIn(const std::string& text) {
 
 /// An option that may be given several times; `owns` says which removals are of its kind.
 template <class Parse, class Owns>
-void addRepeated(CLI::App& command, Removals& removals, const std::string& name, const std::string& form,
-                 const std::string& description, Parse parse, Owns owns) {
-  command
-      .add_option_function<std::vector<std::string>>(
-          name,
-          [=, &removals](const std::vector<std::string>& texts) {
-            std::erase_if(removals, owns);
-            for (const std::string& text : texts) {
-              if (text == "none") continue;
-              const std::optional<Removal> removal = parse(text);
-              if (!removal) throw CLI::ValidationError(name, "\"" + text + "\" is not " + form);
-              if (!removesAnything(*removal))
-                throw CLI::ValidationError(name, "\"" + text + "\" removes nothing: its lengths must be above 0, and " +
-                                                     "its directions have a length and lie apart");
-              removals.push_back(*removal);
-            }
-          },
-          description)
-      ->type_name(form)
-      ->allow_extra_args(false);
+void addKind(Command command, Removals& removals, const std::string& name, const std::string& form,
+             const std::string& description, Parse parse, Owns owns) {
+  command.addRepeated(name, form, description, [=, &removals](const std::vector<std::string>& texts) {
+    std::erase_if(removals, owns);
+    for (const std::string& text : texts) {
+      if (text == "none") continue;
+      const std::optional<Removal> removal = parse(text);
+      if (!removal) throw WrongValue{"\"" + text + "\" is not " + form};
+      if (!removesAnything(*removal))
+        throw WrongValue{"\"" + text +
+                         "\" removes nothing: its lengths must be above 0, and its directions have a length and lie "
+                         "apart"};
+      removals.push_back(*removal);
+    }
+  });
 }
 
 }  // namespace
 
-void addRemovals(CLI::App& command, Removals& removals) {
+void addRemovals(Command command, Removals& removals) {
   const auto isPlane = [](const Removal& removal) { return removal.shape == RemovalShape::Plane; };
-  addRepeated(
+  addKind(
       command, removals, "--carve",
       "ball:POINTS:RADIUS[:SOFT]|box:POINTS:SIDES[:SOFT[:FORWARD:UP]]|"
       "saw:POINTS:DIRECTION:DEPTH:WIDTH[:SOFT]|none",
@@ -145,7 +134,7 @@ void addRemovals(CLI::App& command, Removals& removals) {
       "across, along UP and along FORWARD; DEPTH 0 has no end; SOFT is the width of the rim. Can be given several "
       "times; none: not even a session's",
       carvingIn, [isPlane](const Removal& removal) { return !isPlane(removal); });
-  addRepeated(
+  addKind(
       command, removals, "--bend", "POINTS:TOWARDS[:DEPTH[:EXTENT[:SOFT]]][:drag=L,P,S,MM,RADIUS]...|none",
       "remove what lies on the side TOWARDS (a direction, L,P,S) of a plane through POINTS (L,P,S;L,P,S;...) by their "
       "principal axes, down to DEPTH mm and EXTENT mm to each side; 0 has no end. Each drag bends the plane by MM at a "

@@ -1,16 +1,13 @@
 #pragma once
 // --carve and --bend: what is removed from a volume (rendering/scene/Removal.h).
 
+#include "app/options/Options.h"
 #include "rendering/scene/Removal.h"
-
-namespace CLI {
-class App;
-}
 
 namespace fenestra::app {
 
 /// Each option, where it is given, takes the place of what `removals` holds of its kind: --bend of planes, --carve of
 /// all others.
-void addRemovals(CLI::App& command, Removals& removals);
+void addRemovals(Command command, Removals& removals);
 
 }  // namespace fenestra::app

@@ -6,7 +6,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/OptionHelpers.h"
 #include "io/base/AtomicFile.h"
 #include "io/base/Error.h"
 #include "rendering/gpu/GpuScene.h"
@@ -54,9 +53,9 @@ void keepAnswer(const fs::path& file, const std::string& key, const ScheduleTime
 
 }  // namespace
 
-void addScheduleOption(CLI::App& command, std::optional<Schedule>& schedule) {
-  addParsed(
-      command, "--schedule", "plain|llvmpipe",
+void addScheduleOption(Command command, std::optional<Schedule>& schedule) {
+  command.add(
+      "--schedule", "plain|llvmpipe",
       "how shaders lay out their work; the same picture, faster or slower. Default: what is faster on this machine",
       [&schedule](const std::string& text) {
         schedule = scheduleNamed(text);

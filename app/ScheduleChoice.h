@@ -6,16 +6,13 @@
 #include <memory>
 #include <optional>
 
+#include "app/options/Options.h"
 #include "rendering/ScheduleTrial.h"
-
-namespace CLI {
-class App;
-}
 
 namespace fenestra::app {
 
 /// Adds --schedule.
-void addScheduleOption(CLI::App& command, std::optional<Schedule>& schedule);
+void addScheduleOption(Command command, std::optional<Schedule>& schedule);
 
 /// `asked`, or the answer kept for such a volume. Needs a current context.
 std::optional<Schedule> knownSchedule(std::optional<Schedule> asked, const Volume& volume);

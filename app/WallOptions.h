@@ -1,14 +1,12 @@
 #pragma once
 // The options for the slices that walls show.
 
-#include "app/SceneOptions.h"
+#include "app/options/Options.h"
+#include "io/study/StudyRequest.h"
 
 namespace fenestra::app {
 
-/// Adds --crosshair, --window and --level. `options` must outlive `command`.
-void addWallOptions(CLI::App& command, SceneOptions& options);
-
-/// Of a session, or those of the options in its place.
-ShownSlices slicesOf(const SceneOptions& options, const Volume& volume);
+/// Adds --crosshair, --window and --level. `request` must outlive `command`.
+void addWallOptions(Command command, io::StudyRequest& request);
 
 }  // namespace fenestra::app

@@ -1,3 +1,5 @@
+#include "io/LabelReader.h"
+
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -8,7 +10,6 @@
 
 #include "io/LabelColours.h"
 #include "io/Probe.h"
-#include "io/VolumeReader.h"
 #include "io/base/Archive.h"
 #include "io/base/LabelReading.h"
 #include "io/base/Memory.h"

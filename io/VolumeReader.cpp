@@ -130,14 +130,8 @@ template <class Read>
 auto readArchive(const fs::path& path, const OpenOptions& options, const Read& read) {
   OpenOptions inside = options;
   // Unpacking and reading take about as long as each other.
-  const auto half = [&options](double begin) -> Progress {
-    if (!options.progress) return {};
-    return [&options, begin](double fraction, std::string_view doing) {
-      return options.progress(begin + 0.5 * fraction, doing);
-    };
-  };
-  const UnpackedArchive archive(path, half(0.0));
-  inside.progress = half(0.5);
+  const UnpackedArchive archive(path, partOf(options.progress, 0.0, 0.5));
+  inside.progress = partOf(options.progress, 0.5, 1.0);
   try {
     const fs::path content = contentOf(archive);
     if (formatOf(content) == Format::Archive)

@@ -53,15 +53,16 @@ namespace {
 constexpr int layoutVersion = 4;  ///< of docks and toolbars; layouts saved with another version are ignored
 
 /// Adds what the window derives from the voxels. Runs in the background, after the study was read.
-void prepare(Study& study) {
-  Scene& scene = study.scene;
+void prepare(io::Study& study) {
+  SetScene& scene = study.scene;
   if (!scene.table) {
     scene.table = segmentation::tableOf(*scene.volume);
     if (scene.table->count > 0 && scene.look.hideTable)
       study.warnings.push_back({io::Warning::Kind::Other, segmentation::tableNotice, {}});
   }
-  study.visible = visibleFraming(shownVolume(scene), scene.look.context.shifted());
-  study.focusCentre = focusCentre(scene);
+  const Scene shown = sceneOf(scene);
+  if (!study.view) study.visible = visibleFraming(shownVolume(shown), shown.look.context.shifted());
+  study.focusCentre = focusCentre(shown);
 }
 
 }  // namespace
@@ -248,14 +249,15 @@ void MainWindow::resetLayout() {
 }
 
 void MainWindow::followVolume() {
-  const Study& study = workspace_.document.study();
+  const io::Study& study = workspace_.document.study();
   const Grid& grid = study.scene.volume->grid;
   ViewLink& cameras = workspace_.cameras;
   workspace_.cursor.setGrid(grid);
   focusSearch_.cancel();
   if (study.focusCentre) workspace_.cursor.moveTo(*study.focusCentre);
-  cameras.place(study.camera.value_or(
-      Camera::standard(StandardView::Anterior, study.visible.value_or(grid), cameras.projection())));
+  cameras.place(study.view
+                    ? study.view->camera
+                    : Camera::standard(StandardView::Anterior, study.visible.value_or(grid), cameras.projection()));
 }
 
 void MainWindow::open(StudyLoader::Reader read) { loader_.open(std::move(read)); }
@@ -275,15 +277,15 @@ void MainWindow::addSample(const QString& name, StudyLoader::SampleReader read) 
 }
 
 void MainWindow::studyOpened() {
-  const Study& study = workspace_.document.study();
+  const io::Study& study = workspace_.document.study();
   pages_->setCurrentWidget(views_);
   notices_->clear();
   tour_->studyOpened();
   sessions_->studyShown();
-  const std::filesystem::path& path = study.sessionFile.empty() ? study.path : study.sessionFile;
+  const std::filesystem::path& path = study.sessionFile.empty() ? study.session.volume.path : study.sessionFile;
   if (!path.empty()) workspace_.preferences.addRecent(path);
   studyNotices_->show();
-  if (study.placeCameras) workspace_.placement.placeAutomatically();
+  if (study.placed) workspace_.placement.placeAutomatically();
   Q_EMIT opened();
 }
 

@@ -48,7 +48,7 @@ void StudyNotices::show() {
 }
 
 void StudyNotices::offerSeries() {
-  const Study& study = workspace_.document.study();
+  const io::Study& study = workspace_.document.study();
   if (study.otherSeries.empty() || study.restoresSession) return;
   notices_.add(
       NoticeBar::Kind::Warning,
@@ -61,7 +61,7 @@ void StudyNotices::offerSeries() {
 }
 
 void StudyNotices::offerSegmentations() {
-  const Study& study = workspace_.document.study();
+  const io::Study& study = workspace_.document.study();
   if (study.segmentations.empty() || workspace_.document.labels()) return;
   if (study.segmentations.size() == 1) {
     const io::SegmentationInfo& only = study.segmentations.front();
@@ -87,7 +87,7 @@ void StudyNotices::offerSegmentations() {
 }
 
 void StudyNotices::warn() {
-  const Study& study = workspace_.document.study();
+  const io::Study& study = workspace_.document.study();
   std::vector<io::Warning> warnings = study.warnings;
   if (study.geometry) {
     const std::vector<io::Warning>& findings = study.geometry->findings;

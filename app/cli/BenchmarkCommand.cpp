@@ -11,6 +11,7 @@
 #include "app/benchmark/BenchmarkPage.h"
 #include "app/cli/Report.h"
 #include "io/base/AtomicFile.h"
+#include "io/study/ReadStudy.h"
 #include "rendering/egl/EglContext.h"
 #include "rendering/gpu/GpuScene.h"
 
@@ -40,21 +41,21 @@ void benchmark(const BenchmarkOptions& options) {
   const egl::EglContext context;
   const double contextTime = millisecondsSince(starting);
 
-  app::SceneOptions phantom;
+  io::StudyRequest phantom;
   phantom.phantom = "torso";
   const auto reading = std::chrono::steady_clock::now();
-  const app::LoadedScene loaded = app::loadScene(phantom);
+  const io::Study study = io::readStudy(phantom);
   const double readingTime = millisecondsSince(reading);
 
   const auto gpu = std::make_shared<GpuScene>();
   bench::BenchmarkOptions measured{.isQuick = options.isQuick};
   if (options.size) measured.size = *options.size;
-  View view = loaded.view;
+  View view = *study.view;
   view.size = measured.size;
-  app::chooseSchedule(options.schedule, gpu, loaded.scene, view);
+  app::chooseSchedule(options.schedule, gpu, study.drawn.scene(), view);
   const io::Progress progress = progressOnTerminal();
   bench::BenchmarkResult result =
-      bench::runBenchmark(gpu, loaded.scene, measured, [&](double share, std::string_view doing) {
+      bench::runBenchmark(gpu, study.drawn.scene(), measured, [&](double share, std::string_view doing) {
         if (progress) progress(share, doing);
       });
   result.context = contextTime;

@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <optional>
 
-#include "app/SceneOptions.h"
 #include "app/cli/DescriptorReport.h"
+#include "io/study/StudyRequest.h"
 #include "io/surface/Surface.h"
 #include "rendering/gpu/Schedule.h"
 #include "rendering/placement/Placer.h"
@@ -16,19 +16,20 @@
 namespace fenestra::cli {
 
 struct InfoOptions {
-  app::VolumeOptions volume;
+  io::DataRequest data;
   bool descriptions = false;  ///< also the series' free texts, which may hold anything the operator typed
 };
 void info(const InfoOptions& options);
 
 struct ConvertOptions {
-  app::SceneOptions scene;  ///< its volume, labels and focus labels; with labels, the label map is written
+  io::DataRequest data;
+  std::vector<std::string> labels;  ///< those to write, by value or name; with any, or a file of them, no voxels are
   std::filesystem::path output;
 };
 void convert(const ConvertOptions& options);
 
 struct SliceOptions {
-  app::VolumeOptions volume;
+  io::DataRequest data;
   SlicePlane plane = SlicePlane::Axial;
   std::optional<double> at;  ///< mm along S, L or P; the middle slice when neither is given
   std::optional<int> index;
@@ -38,7 +39,7 @@ struct SliceOptions {
 void slice(const SliceOptions& options);
 
 struct SurfaceOptions {
-  app::SceneOptions scene;
+  io::StudyRequest study;
   std::filesystem::path output;
   io::SurfaceFrame frame = io::SurfaceFrame::Lps;
   bool raw = false;  ///< without smoothing
@@ -47,7 +48,7 @@ struct SurfaceOptions {
 void surface(const SurfaceOptions& options);
 
 struct RenderOptions {
-  app::SceneOptions scene;
+  io::StudyRequest study;
   std::filesystem::path output, layers, stats, session, look;  ///< empty: not written
   std::optional<Schedule> schedule;                            ///< empty: the faster one
   int repeat = 1;                                              ///< frames, each from the first pass on
@@ -58,7 +59,7 @@ struct RenderOptions {
 void render(const RenderOptions& options);
 
 struct PlaceOptions {
-  app::SceneOptions scene;
+  io::StudyRequest study;
   placement::Sampling sampling;
   placement::Options placement;
   bool joint = placement::jointByDefault;
@@ -77,7 +78,7 @@ void place(const PlaceOptions& options);
 void placeByPick(const PlaceOptions& options);
 
 struct GrowOptions {
-  app::VolumeOptions volume;
+  io::DataRequest data;
   RegionFocus region;  ///< with an inside seed
   bool curve = false;  ///< also the volume at every tolerance
   std::filesystem::path output;

@@ -7,12 +7,14 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/LabelOptions.h"
 #include "app/cli/Report.h"
 #include "io/ImageWriter.h"
 #include "io/LabelWriter.h"
 #include "io/VolumeWriter.h"
 #include "io/base/Text.h"
+#include "io/base/Words.h"
+#include "io/study/LabelNames.h"
+#include "io/study/ReadStudy.h"
 #include "io/surface/Surface.h"
 
 namespace fenestra::cli {
@@ -152,20 +154,19 @@ Json describe(const io::Session& session) {
 }  // namespace
 
 void info(const InfoOptions& options) {
-  const app::OpenedData data = app::openData(options.volume, progressOnTerminal());
-  const io::OpenedVolume& opened = data.volume;
-  const Volume& volume = *opened.volume;
+  const io::Study study = io::openData(options.data, progressOnTerminal());
+  const Volume& volume = *study.scene.volume;
   const Grid& grid = volume.grid;
   Json windows = Json::array();
   for (const WindowLevel& window : volume.windows)
     windows.push_back({{"width", window.width}, {"level", window.level}});
   Json others = Json::array();
-  for (const io::SeriesInfo& series : opened.otherSeries) others.push_back(describe(series, options.descriptions));
+  for (const io::SeriesInfo& series : study.otherSeries) others.push_back(describe(series, options.descriptions));
   const glm::dmat3& d = grid.direction;
   const WindowLevel shown = volume.defaultWindow();
   Json json{
-      {"source", options.volume.source()},
-      {"format", opened.format},
+      {"source", options.data.source()},
+      {"format", study.format},
       {"dims", list(grid.dims)},
       {"spacing", list(grid.spacing)},
       {"origin", list(grid.origin)},
@@ -178,36 +179,36 @@ void info(const InfoOptions& options) {
       {"modality", nameOf(volume.modality)},
       {"windows", std::move(windows)},
       {"default_window", {{"width", shown.width}, {"level", shown.level}}},
-      {"series", describe(opened.series, options.descriptions)},
+      {"series", describe(study.series, options.descriptions)},
       {"other_series", std::move(others)},
-      {"segmentations", describe(opened.segmentations, options.descriptions)},
-      {"geometry", describe(opened.geometry)},
-      {"warnings", describe(opened.warnings)},
+      {"segmentations", describe(study.segmentations, options.descriptions)},
+      {"geometry", describe(study.geometry)},
+      {"warnings", describe(study.warnings)},
   };
-  if (data.session) json["session"] = describe(*data.session);
+  if (study.restoresSession) json["session"] = describe(study.session);
   printJson(json);
 }
 
 void convert(const ConvertOptions& options) {
-  const app::SceneOptions& scene = options.scene;
-  const app::OpenedData data = app::openData(scene, scene.labels, progressOnTerminal());
-  printWarnings(data.volume.warnings);
+  const io::Study study = io::openData(options.data, progressOnTerminal());
+  printWarnings(study.warnings);
   const bool segmentation = io::lowered(options.output.extension().string()) == ".dcm";
-  if (scene.labels.empty() && scene.focusLabels.empty() && !segmentation)
-    return io::writeVolume(*data.volume.volume, options.output);
-  const std::filesystem::path source = scene.labels.empty() ? std::filesystem::path(scene.source()) : scene.labels;
-  if (!data.labels) throw io::Error(source, "has no labels to write", "name a label map with --labels");
+  if (options.data.labels.empty() && options.labels.empty() && !segmentation)
+    return io::writeVolume(*study.scene.volume, options.output);
+  const std::shared_ptr<const LabelMap>& labels = study.scene.labels;
+  const std::filesystem::path source = options.data.labelSource();
+  if (!labels) throw io::Error(source, "has no labels to write", "name a label map with --labels");
   io::LabelOutput output;
-  if (!scene.focusLabels.empty()) output.only = app::resolveLabels(*data.labels, scene.focusLabels, source);
-  output.series = data.volume.series.files;
-  io::writeLabels(*data.labels, options.output, output, progressOnTerminal());
+  if (!options.labels.empty()) output.only = io::resolveLabels(*labels, options.labels, source);
+  output.series = study.series.files;
+  io::writeLabels(*labels, options.output, output, progressOnTerminal());
 }
 
 void surface(const SurfaceOptions& options) {
-  const app::LoadedScene loaded = app::loadScene(options.scene, progressOnTerminal());
-  printWarnings(loaded.warnings);
+  const io::Study study = io::readStudy(options.study, progressOnTerminal());
+  printWarnings(study.warnings);
   const io::Surface surface =
-      io::extractSurface(loaded.scene, options.scene.source(), {.smooth = !options.raw}, progressOnTerminal());
+      io::extractSurface(study.drawn.scene(), options.study.source(), {.smooth = !options.raw}, progressOnTerminal());
   io::writeSurface(surface, options.output, options.frame);
   glm::dvec3 low = surface.points.front(), high = low;
   for (const glm::dvec3& point : surface.points) {
@@ -222,15 +223,15 @@ void surface(const SurfaceOptions& options) {
 }
 
 void slice(const SliceOptions& options) {
-  const io::OpenedVolume opened = app::openData(options.volume, progressOnTerminal()).volume;
-  printWarnings(opened.warnings);
-  const Volume& volume = *opened.volume;
+  const io::Study study = io::openData(options.data, progressOnTerminal());
+  printWarnings(study.warnings);
+  const Volume& volume = *study.scene.volume;
   const SliceGeometry geometry = sliceGeometry(volume.grid, options.plane);
   int index = geometry.count / 2;
   if (options.at) index = geometry.sliceAt(*options.at);
   if (options.index) index = *options.index;
   if (index < 0 || index >= geometry.count)
-    throw io::Error(options.volume.source(),
+    throw io::Error(options.data.source(),
                     "there is no " + std::string(nameOf(options.plane)) + " slice " + std::to_string(index),
                     "slices run from 0 to " + std::to_string(geometry.count - 1));
   WindowLevel window = volume.defaultWindow();

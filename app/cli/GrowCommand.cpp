@@ -4,10 +4,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/Growing.h"
 #include "app/cli/Commands.h"
 #include "app/cli/Report.h"
 #include "io/LabelWriter.h"
+#include "io/study/GrowRegion.h"
+#include "io/study/ReadStudy.h"
 #include "rendering/segmentation/Mask.h"
 
 namespace fenestra::cli {
@@ -44,19 +45,19 @@ Json curveOf(const Growth& growth) {
 }  // namespace
 
 void grow(const GrowOptions& options) {
-  const app::OpenedData data = app::openData(options.volume, progressOnTerminal());
-  printWarnings(data.volume.warnings);
-  const Volume& volume = *data.volume.volume;
-  const auto grown = app::grow(volume, options.region, options.volume.source(), progressOnTerminal());
+  const io::Study study = io::openData(options.data, progressOnTerminal());
+  printWarnings(study.warnings);
+  const Volume& volume = *study.scene.volume;
+  const auto grown = io::growWholeRegion(volume, options.region, options.data.source(), progressOnTerminal());
   const Growth& growth = *grown;
   const int step = growth.stepOf(options.region);
   const Mask mask = maskAt(growth, step);
-  io::writeLabels(*labelMapOf(mask, {1, "region", regionColour}), options.output, {.series = data.volume.series.files},
+  io::writeLabels(*labelMapOf(mask, {1, "region", regionColour}), options.output, {.series = study.series.files},
                   progressOnTerminal());
   Json plateaus = Json::array();
   for (const Plateau& plateau : growth.curve.plateaus) plateaus.push_back(describe(growth, plateau));
   Json json{
-      {"source", options.volume.source()},
+      {"source", options.data.source()},
       {"seeds", listOf(options.region.inside)},
       {"outside", listOf(options.region.outside)},
       {"tolerance", options.region.tolerance.value_or(growth.toleranceOf(step))},

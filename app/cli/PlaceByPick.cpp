@@ -6,6 +6,7 @@
 
 #include "app/cli/Commands.h"
 #include "app/cli/Report.h"
+#include "io/study/ReadStudy.h"
 #include "rendering/segmentation/PickedStructure.h"
 #include "rendering/viewpoints/LiveSync.h"
 #include "rendering/viewpoints/Sphere.h"
@@ -43,14 +44,14 @@ Json structureJson(const PickedStructure& picked, const LocalShape& shape) {
 }  // namespace
 
 void placeByPick(const PlaceOptions& options) {
-  const app::LoadedScene loaded = app::loadScene(options.scene, progressOnTerminal());
-  printWarnings(loaded.warnings);
-  const Scene& scene = loaded.scene;
+  const io::Study study = io::readStudy(options.study, progressOnTerminal());
+  printWarnings(study.warnings);
+  const Scene& scene = study.drawn.scene();
   const glm::dvec3 pick = *options.pick;
   const auto start = std::chrono::steady_clock::now();
   const PickedStructure picked = segmentation::pickedStructure(scene, pick);
   if (!picked.labels)
-    throw io::Error(options.scene.source(), "has nothing to look at for --pick: " + picked.problem,
+    throw io::Error(options.study.source(), "has nothing to look at for --pick: " + picked.problem,
                     "choose a --pick in a structure, in mm (L,P,S)");
   const RatedViews views = rateViews(scene, {picked.labels, picked.values}, pick, *sideOf(options.sampling.count),
                                      options.liveSync, options.placement);
@@ -60,7 +61,7 @@ void placeByPick(const PlaceOptions& options) {
   const auto cameraJson = [&](std::optional<std::size_t> index) -> Json {
     if (!index) return nullptr;
     Json json = viewJson(views, *index);
-    const Camera camera = cameraAt(pick, views.directions[*index], framed, loaded.view.camera.projection);
+    const Camera camera = cameraAt(pick, views.directions[*index], framed, study.view->camera.projection);
     json["camera"] = {{"eye", listOf(camera.eye)}, {"target", listOf(camera.target)}, {"up", listOf(camera.axes().up)}};
     return json;
   };

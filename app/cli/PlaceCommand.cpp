@@ -8,6 +8,7 @@
 #include "app/cli/Commands.h"
 #include "app/cli/QualityMap.h"
 #include "app/cli/Report.h"
+#include "io/study/ReadStudy.h"
 #include "rendering/egl/EglContext.h"
 #include "rendering/gpu/GpuScene.h"
 
@@ -55,20 +56,20 @@ Json cameraJson(const Measured& measured, std::optional<std::size_t> index, cons
 /// Pictures of the chosen cameras, unless --size asks for another size.
 constexpr glm::ivec2 thumbnail{320, 240};
 
-void describe(const PlaceOptions& options, const app::LoadedScene& loaded, const std::shared_ptr<GpuScene>& gpu,
+void describe(const PlaceOptions& options, const io::Study& study, const std::shared_ptr<GpuScene>& gpu,
               const Measured& measured, std::size_t c1, const Framing& framed, Json& json) {
   const Weights& weights = options.placement.weights;
-  const Projection projection = loaded.view.camera.projection;
+  const Projection projection = study.view->camera.projection;
   const DescribedViews views =
-      describeViews(*gpu, loaded.scene, measured, options.sampling, options.descriptors.needsImages());
+      describeViews(*gpu, study.drawn.scene(), measured, options.sampling, options.descriptors.needsImages());
   const DescribedPlacement placed{
       measured, views, c1, [&](std::size_t index) { return cameraJson(measured, index, weights, framed, projection); }};
   addDescriptors(json, options.descriptors, placed);
   if (options.descriptors.pictures.empty()) return;
-  View view = loaded.view;
-  view.size = options.scene.size.value_or(thumbnail);
-  view.pixelScale *= static_cast<double>(view.size.x) / loaded.view.size.x;  // openings as wide as in a whole picture
-  writeDescriptorPictures(options.descriptors, placed, gpu, loaded.scene, view, [&](std::size_t index) {
+  View view = *study.view;
+  view.size = options.study.size.value_or(thumbnail);
+  view.pixelScale *= static_cast<double>(view.size.x) / study.view->size.x;  // openings as wide as in a whole picture
+  writeDescriptorPictures(options.descriptors, placed, gpu, study.drawn.scene(), view, [&](std::size_t index) {
     return Camera::fromDirection(measured.candidates[index].direction, framed, projection);
   });
 }
@@ -77,9 +78,9 @@ void describe(const PlaceOptions& options, const app::LoadedScene& loaded, const
 
 void place(const PlaceOptions& options) {
   if (options.pick) return placeByPick(options);
-  const app::LoadedScene loaded = app::loadScene(options.scene, progressOnTerminal());
-  printWarnings(loaded.warnings);
-  const Scene& scene = loaded.scene;
+  const io::Study study = io::readStudy(options.study, progressOnTerminal());
+  printWarnings(study.warnings);
+  const Scene& scene = study.drawn.scene();
   egl::EglContext context;
   const auto gpu = std::make_shared<GpuScene>();
   if (const auto known = app::knownSchedule(options.schedule, *scene.volume)) gpu->setSchedule(*known);
@@ -100,12 +101,12 @@ void place(const PlaceOptions& options) {
   const auto choosing = std::chrono::steady_clock::now();
   const Placement placement = choose(*measured, options.placement, options.joint);
   const double chooseTime = millisecondsSince(choosing);
-  if (!placement.c1) throw io::Error(options.scene.source(), placement.note, placementHint);
+  if (!placement.c1) throw io::Error(options.study.source(), placement.note, placementHint);
 
   if (!options.map.empty()) writeQualityMap(options.map, *measured, options.placement.weights, placement);
   const Weights& weights = options.placement.weights;
   const Framing framed = visibleFraming(shownVolume(scene), scene.look.context.shifted());
-  const Projection projection = loaded.view.camera.projection;
+  const Projection projection = study.view->camera.projection;
   const auto standard = bestStandardPair(measured->candidates, measured->surfacePoints);
   Json json = {
       {"c1", cameraJson(*measured, placement.c1, weights, framed, projection)},
@@ -126,7 +127,7 @@ void place(const PlaceOptions& options) {
     for (std::size_t i = 0; i < measured->candidates.size(); ++i)
       json["all"].push_back(candidateJson(*measured, i, weights));
   }
-  if (!options.descriptors.isEmpty()) describe(options, loaded, gpu, *measured, *placement.c1, framed, json);
+  if (!options.descriptors.isEmpty()) describe(options, study, gpu, *measured, *placement.c1, framed, json);
   printJson(json);
 }
 

@@ -9,16 +9,16 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/CameraFile.h"
-#include "app/SceneSession.h"
 #include "app/ScheduleChoice.h"
 #include "app/cli/Report.h"
 #include "io/ImageWriter.h"
 #include "io/base/AtomicFile.h"
-#include "io/proof/PictureProof.h"
+#include "io/session/CameraFile.h"
 #include "io/session/LookFile.h"
-#include "io/session/OpenSession.h"
 #include "io/session/SessionFile.h"
+#include "io/study/PictureProof.h"
+#include "io/study/ReadStudy.h"
+#include "io/study/SessionData.h"
 #include "rendering/Renderer.h"
 #include "rendering/egl/EglContext.h"
 #include "rendering/gpu/GpuScene.h"
@@ -48,7 +48,7 @@ void writeLayers(const fs::path& folder, const Layers& layers, const View& view,
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw io::Error(folder, "cannot be made: " + error.message(), "choose a folder you may write to");
-  app::writeCamera(folder / "camera.json", {view.camera, view.size}, grid);
+  io::writeCamera(folder / "camera.json", {view.camera, view.size}, grid);
   writeLayer(folder, "t_context", layers.size, layers.tContext);
   writeLayer(folder, "t_focus", layers.size, layers.tFocus);
   writeLayer(folder, "t_focus_filled", layers.size, layers.tFocusFilled);
@@ -147,49 +147,49 @@ Json statistics(const std::string& description, const View& view, const Renderer
 }
 
 /// The best view or its complement among the default candidates, in the projection that the view has.
-Camera placedCamera(const fs::path& source, const app::LoadedScene& loaded, GpuScene& gpuScene) {
+Camera placedCamera(const fs::path& source, const io::Study& study, GpuScene& gpuScene) {
+  const Scene& scene = study.drawn.scene();
   placement::Placer placer;
-  const placement::Measured& measured = placer.measure(gpuScene, loaded.scene, {}, {});
+  const placement::Measured& measured = placer.measure(gpuScene, scene, {}, {});
   const placement::Placement placement = placement::choose(measured, {}, placement::jointByDefault);
-  const std::optional<std::size_t> chosen = *loaded.placed == app::PlacedView::Best ? placement.c1 : placement.c2;
+  const std::optional<std::size_t> chosen = *study.placed == io::PlacedView::Best ? placement.c1 : placement.c2;
   if (!chosen) throw io::Error(source, placement.note, placementHint);
-  const Framing framed = visibleFraming(shownVolume(loaded.scene), loaded.scene.look.context.shifted());
-  return Camera::fromDirection(measured.candidates[*chosen].direction, framed, loaded.view.camera.projection);
+  const Framing framed = visibleFraming(shownVolume(scene), scene.look.context.shifted());
+  return Camera::fromDirection(measured.candidates[*chosen].direction, framed, study.view->camera.projection);
 }
 
 /// With the data's contents.
-io::Session sessionToSave(const app::SceneOptions& options, const app::LoadedScene& loaded) {
-  io::Session session = app::sessionOf(options, loaded);
+io::Session sessionToSave(const io::Study& study) {
+  io::Session session = io::sessionOf(study);
   io::noteContents(session, progressOnTerminal());
   return session;
 }
 
-io::PngText prove(const RenderOptions& options, const app::LoadedScene& loaded, const io::Session& session,
+io::PngText prove(const RenderOptions& options, const Scene& scene, const View& view, const io::Session& session,
                   const std::vector<glm::vec4>& picture) {
-  const View& view = loaded.view;
   const reference::CertificateOptions sample{
       .pixels = *options.certify, .seed = options.certifySeed, .within = errorBound(view)};
-  return io::proofOf(reference::certify(picture, loaded.scene, view, sample), session);
+  return io::proofOf(reference::certify(picture, scene, view, sample), session);
 }
 
 }  // namespace
 
 void render(const RenderOptions& options) {
-  app::LoadedScene loaded = app::loadScene(options.scene, progressOnTerminal());
-  printWarnings(loaded.warnings);
-  const Scene& scene = loaded.scene;
-  View& view = loaded.view;
+  io::Study study = io::readStudy(options.study, progressOnTerminal());
+  printWarnings(study.warnings);
+  Scene scene = study.drawn.scene();
+  View& view = *study.view;
   std::optional<egl::EglContext> context;
-  if (loaded.placed || !options.reference) context.emplace();
+  if (study.placed || !options.reference) context.emplace();
   const auto gpuScene = context ? std::make_shared<GpuScene>() : nullptr;
   if (context) app::chooseSchedule(options.schedule, gpuScene, scene, view);
-  if (loaded.placed) view.camera = placedCamera(options.scene.source(), loaded, *gpuScene);
+  if (study.placed) view.camera = placedCamera(options.study.source(), study, *gpuScene);
   io::Session session;
-  if (!options.session.empty() || options.certify) session = sessionToSave(options.scene, loaded);
+  if (!options.session.empty() || options.certify) session = sessionToSave(study);
   if (!options.session.empty()) io::writeSession(options.session, session);
-  if (!options.look.empty()) io::writeLook(options.look, io::presetOf(options.look.stem().string(), loaded.asSet));
-  const bool second = loaded.placed == app::PlacedView::Dual;
-  loaded.scene.look.strokes = strokesIn(second ? 1 : options.scene.viewOfSession, loaded.scene.look.strokes);
+  if (!options.look.empty()) io::writeLook(options.look, io::presetOf(options.look.stem().string(), study.scene));
+  const bool second = study.placed == io::PlacedView::Dual;
+  scene.look.strokes = strokesIn(second ? 1 : study.viewIndex, scene.look.strokes);
   if (options.reference) {
     const Layers layers = referenceLayers(scene, view);
     if (!options.layers.empty()) writeLayers(options.layers, layers, view, scene.volume->grid);
@@ -213,7 +213,7 @@ void render(const RenderOptions& options) {
   printReduction(*gpuScene);
   std::optional<io::PngText> proof;
   if (options.certify) {
-    proof = prove(options, loaded, session, renderer.readLayers().final);
+    proof = prove(options, scene, view, session, renderer.readLayers().final);
     printJson(Json::parse(proof->text));
   }
   io::writePng(options.output, view.size, 3, withoutAlpha(picture), proof);

@@ -6,7 +6,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "io/VolumeReader.h"
+#include "io/base/Reading.h"
 
 namespace fenestra {
 class GpuScene;

@@ -6,21 +6,23 @@
 #include <exception>
 #include <functional>
 #include <iostream>
+#include <limits>
 #include <new>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <utility>
+#include <vector>
 
-#include <CLI/CLI.hpp>
-
-#include "app/Completion.h"
-#include "app/Growing.h"
-#include "app/OptionHelpers.h"
+#include "app/DataOptions.h"
+#include "app/RegionOptions.h"
 #include "app/SceneOptions.h"
 #include "app/ScheduleChoice.h"
 #include "app/WallOptions.h"
 #include "app/cli/Commands.h"
 #include "app/cli/Report.h"
+#include "app/options/Completion.h"
+#include "app/options/Numbers.h"
 #include "rendering/egl/EglContext.h"
 #include "rendering/gl/ShaderProgram.h"
 #include "rendering/gl/Texture.h"
@@ -33,18 +35,15 @@ namespace {
 
 constexpr int done = 0, failed = 1, misused = 2;
 
-/// A command: its options, and how to run it; false is a failure that was already reported.
-struct Command {
-  CLI::App* app;
-  const app::VolumeOptions* source;  ///< what an error that names no file is about; may be null
+/// A command that can be run; false is a failure that was already reported.
+struct Runnable {
+  app::Command command;
+  const io::DataRequest* source;  ///< what an error that names no file is about; may be null
   std::function<bool()> run;
 };
 
-void requireSource(CLI::App& command) {
-  command.final_callback([&command] {
-    if (!command.get_option("PATH")->count() && !command.get_option("--phantom")->count())
-      throw CLI::RequiredError("PATH or --phantom");
-  });
+void requireSource(app::Command command) {
+  if (!command.isGiven("PATH") && !command.isGiven("--phantom")) throw app::MissingOption{"PATH or --phantom"};
 }
 
 /// The numbers of HEALPix directions nearest to `count`.
@@ -66,130 +65,131 @@ std::string joined(const std::vector<std::string>& list) {
   return text;
 }
 
-void addDescriptorOptions(CLI::App& command, PlaceOptions& options) {
-  CLI::Option* descriptors =
+void addDescriptorOptions(app::Command command, PlaceOptions& options) {
+  const app::Option descriptors =
       command
-          .add_option_function<std::string>(
-              "--descriptors",
-              [&options](const std::string& names) {
-                if (!selectDescriptors(names, options.descriptors))
-                  throw CLI::ValidationError("--descriptors", "\"" + names + "\" names no descriptors; there are " +
-                                                                  joined(descriptorNames()));
-              },
-              "also what other view descriptors say of every direction: their values, the camera that each would "
-              "choose, and rank correlations with the paper's three; names, default all: " +
-                  joined(descriptorNames()))
-          ->type_name("[NAME,...]")
-          ->expected(0, 1)
-          ->default_str(descriptorNames().front())
-          ->excludes(command.get_option("--refine"));
+          .add("--descriptors", "[NAME,...]",
+               "also what other view descriptors say of every direction: their values, the camera that each would "
+               "choose, and rank correlations with the paper's three; names, default all: " +
+                   joined(descriptorNames()),
+               [&options](const std::string& names) {
+                 if (!selectDescriptors(names, options.descriptors))
+                   throw app::WrongValue{"\"" + names + "\" names no descriptors; there are " +
+                                         joined(descriptorNames())};
+                 return true;
+               })
+          .orElse(descriptorNames().front())
+          .excludes(command.option("--refine"));
   command
-      .add_option("--pictures", options.descriptors.pictures,
-                  "folder for a PNG from each of those cameras, 320x240 or as --size says")
-      ->type_name("FOLDER")
-      ->needs(descriptors);
+      .addValue("--pictures", options.descriptors.pictures,
+                "folder for a PNG from each of those cameras, 320x240 or as --size says")
+      .as("FOLDER")
+      .needs(descriptors);
 }
 
-void addPickOptions(CLI::App& command, PlaceOptions& options) {
-  CLI::Option* pick = app::addParsed(command, "--pick", "L,P,S",
-                                     "instead of the focus: the structure at a point, mm, by LiveSync: its label, or "
-                                     "the region that grows there",
-                                     [&options](const std::string& text) {
-                                       const auto point = app::parseNumbers<double, 3>(text, ',');
-                                       if (point) options.pick = {(*point)[0], (*point)[1], (*point)[2]};
-                                       return point.has_value();
-                                     });
+/// Three numbers between commas that are 0 or more.
+std::optional<glm::dvec3> weightsIn(const std::string& text) {
+  const std::optional<glm::dvec3> weights = app::parseVector(text);
+  return weights && glm::all(glm::greaterThanEqual(*weights, glm::dvec3(0.0))) ? weights : std::nullopt;
+}
+
+void addPickOptions(app::Command command, PlaceOptions& options) {
+  const app::Option pick = command.add("--pick", "L,P,S",
+                                       "instead of the focus: the structure at a point, mm, by LiveSync: its label, or "
+                                       "the region that grows there",
+                                       [&options](const std::string& text) {
+                                         options.pick = app::parseVector(text);
+                                         return options.pick.has_value();
+                                       });
   for (const char* other : {"--descriptors", "--refine", "--map", "--joint", "--sequential", "--weights"})
-    pick->excludes(command.get_option(other));
+    pick.excludes(command.option(other));
   const placement::LiveSyncWeights usual;
-  app::addParsed(command, "--pick-weights", "O,S,V",
-                 "of the patient's orientation, the structure's shape and its visibility, 0 or more each, default " +
-                     text(usual.orientation) + "," + text(usual.shape) + "," + text(usual.visibility),
-                 [&options](const std::string& text) {
-                   const auto weights = app::parseNumbers<double, 3>(text, ',');
-                   if (!weights || std::any_of(weights->begin(), weights->end(), [](double w) { return w < 0.0; }))
-                     return false;
-                   options.liveSync.weights.orientation = (*weights)[0];
-                   options.liveSync.weights.shape = (*weights)[1];
-                   options.liveSync.weights.visibility = (*weights)[2];
-                   return true;
-                 })
-      ->needs(pick);
+  command
+      .add("--pick-weights", "O,S,V",
+           "of the patient's orientation, the structure's shape and its visibility, 0 or more each, default " +
+               text(usual.orientation) + "," + text(usual.shape) + "," + text(usual.visibility),
+           [&options](const std::string& text) {
+             const std::optional<glm::dvec3> weights = weightsIn(text);
+             if (weights) options.liveSync.weights = {weights->x, weights->y, weights->z};
+             return weights.has_value();
+           })
+      .needs(pick);
   app::addNumber(command, "--reach", 1.0, 1000.0, "MM",
                  "how far from the point its structure counts, default " + text(options.liveSync.reach),
                  options.liveSync.reach)
-      ->needs(pick);
+      .needs(pick);
 }
 
-void addPlacementOptions(CLI::App& command, PlaceOptions& options) {
-  command.option_defaults()->group("Placement");
-  command
-      .add_option_function<std::string>(
-          "--samples",
-          [&options](const std::string& text) {
-            constexpr int most = 12288;
-            const std::optional<int> count = app::parseNumber<int>(text);
-            if (!count || *count < 12 || *count > most)
-              throw CLI::ValidationError("--samples", "\"" + text + "\" is not a number from 12 to 12288");
-            if (!placement::sideOf(*count))
-              throw CLI::ValidationError("--samples", "there are 12·n² directions, not " + text + "; the nearest are " +
-                                                          nearestCounts(*count));
-            options.sampling.count = *count;
-          },
-          "directions to try, 12·n² of them: 12, 48, 108, 192 (default), 300, 432, ...")
-      ->type_name("N");
-  command.add_flag("--refine", options.sampling.refined,
-                   "instead: 48 directions, then finer where the views are best, as fine as 12288");
+/// The number of directions to try.
+bool takeSamples(const std::string& text, int& target) {
+  constexpr int most = 12288;
+  const std::optional<int> count = app::parseNumber<int>(text);
+  if (!count || *count < 12 || *count > most)
+    throw app::WrongValue{"\"" + text + "\" is not a number from 12 to 12288"};
+  if (!placement::sideOf(*count))
+    throw app::WrongValue{"there are 12·n² directions, not " + text + "; the nearest are " + nearestCounts(*count)};
+  target = *count;
+  return true;
+}
+
+void addWeights(app::Command command, placement::Weights& weights) {
+  const placement::Weights usual;
+  command.add("--weights", "V,C,L",
+              "of visibility (depth; negative prefers near), coverage and location, default " + text(usual.visibility) +
+                  "," + text(usual.coverage) + "," + text(usual.location),
+              [&weights](const std::string& text) {
+                const std::optional<glm::dvec3> given = app::parseVector(text);
+                if (!given) return false;
+                weights.visibility = given->x;
+                weights.coverage = given->y;
+                weights.location = given->z;
+                return true;
+              });
+  const auto add = [&](const char* name, const char* of, double& weight) {
+    app::addNumber(command, name, -1e6, 1e6, "WEIGHT", "of " + std::string(of) + ", default " + text(weight), weight);
+  };
+  add("--entropy", "the seen surface's entropy", weights.entropy);
+  add("--mutual-information", "how typical a view is of the surface", weights.mutualInformation);
+  add("--stability", "the likeness to neighbouring views", weights.stability);
+  add("--orientation", "the nearness to a standard view", weights.orientation);
+  add("--end-face", "the share of the focus seen through a cut end of the scan", weights.endFace);
+}
+
+void addPlacementOptions(app::Command command, PlaceOptions& options) {
+  command.group("Placement");
+  command.add("--samples", "N", "directions to try, 12·n² of them: 12, 48, 108, 192 (default), 300, 432, ...",
+              [&options](const std::string& text) { return takeSamples(text, options.sampling.count); });
+  command.addFlag("--refine", options.sampling.refined,
+                  "instead: 48 directions, then finer where the views are best, as fine as 12288");
   app::addChoice<placement::Region>(
       command, "--region", "where the second camera may be, seen from the first, default semi-sphere",
       {{"stream", placement::Region::Stream}, {"semi-sphere", placement::Region::SemiSphere}},
       options.placement.region);
   app::addNumber(command, "--delta", 0.0, 90.0, "DEGREES", "half width of the stream, default 15",
                  options.placement.streamHalfWidth);
-  const placement::Weights usual;
-  app::addParsed(command, "--weights", "V,C,L",
-                 "of visibility (depth; negative prefers near), coverage and location, default " +
-                     text(usual.visibility) + "," + text(usual.coverage) + "," + text(usual.location),
-                 [&options](const std::string& text) {
-                   const auto weights = app::parseNumbers<double, 3>(text, ',');
-                   if (!weights) return false;
-                   options.placement.weights.visibility = (*weights)[0];
-                   options.placement.weights.coverage = (*weights)[1];
-                   options.placement.weights.location = (*weights)[2];
-                   return true;
-                 });
-  const auto addWeight = [&](const char* name, const char* of, double& weight) {
-    app::addNumber(command, name, -1e6, 1e6, "WEIGHT", "of " + std::string(of) + ", default " + text(weight), weight);
-  };
-  addWeight("--entropy", "the seen surface's entropy", options.placement.weights.entropy);
-  addWeight("--mutual-information", "how typical a view is of the surface",
-            options.placement.weights.mutualInformation);
-  addWeight("--stability", "the likeness to neighbouring views", options.placement.weights.stability);
-  addWeight("--orientation", "the nearness to a standard view", options.placement.weights.orientation);
-  addWeight("--end-face", "the share of the focus seen through a cut end of the scan",
-            options.placement.weights.endFace);
-  CLI::Option* joint = command.add_flag("--joint", options.joint, "search both cameras at once (default)");
-  CLI::Option* sequential = command.add_flag("!--sequential", options.joint,
-                                             "first the best view, then the best one beside it, as the paper");
-  joint->excludes(sequential);
+  addWeights(command, options.placement.weights);
+  const app::Option joint = command.addFlag("--joint", options.joint, "search both cameras at once (default)");
+  const app::Option sequential =
+      command.addFlag("!--sequential", options.joint, "first the best view, then the best one beside it, as the paper");
+  joint.excludes(sequential);
   app::addNumber(command, "--share-weight", 0.0, 1.0, "0..1",
                  "of the surface seen by either camera in the joint search, the rest is quality's; default " +
                      text(options.placement.shareWeight),
                  options.placement.shareWeight)
-      ->excludes(sequential);
+      .excludes(sequential);
   command
-      .add_option("--side", options.sampling.side,
-                  "pixels across the model in a candidate's image, default 128; a small focus gets more")
-      ->check(CLI::Range(8, 2048))
-      ->type_name("PIXELS");
+      .addValue("--side", options.sampling.side,
+                "pixels across the model in a candidate's image, default 128; a small focus gets more")
+      .within(8, 2048)
+      .as("PIXELS");
   app::addChoice<bool>(command, "--json", "the two cameras, or also every candidate; default cameras",
                        {{"cameras", false}, {"all", true}}, options.everyCandidate);
-  command.add_option("--map", options.map, "PNG of the quality over the sphere, the cameras marked")->type_name("FILE");
+  command.addValue("--map", options.map, "PNG of the quality over the sphere, the cameras marked").as("FILE");
   addDescriptorOptions(command, options);
   addPickOptions(command, options);
   app::addScheduleOption(command, options.schedule);
-  command.add_option("--repeat", options.repeat, "measurements to make and time")->check(CLI::Range(1, 1000));
-  command.option_defaults()->group("Options");
+  command.addValue("--repeat", options.repeat, "measurements to make and time").within(1, 1000);
+  command.group("Options");
 }
 
 void useAsDefaults(const io::Session& session, PlaceOptions& options) {
@@ -209,8 +209,8 @@ int fail(const std::string& what) {
   return failed;
 }
 
-int run(const Command& command) {
-  const std::string source = command.source ? command.source->source() : command.app->get_name();
+int run(const Runnable& command) {
+  const std::string source = command.source ? command.source->source() : command.command.name();
   try {
     return command.run() ? done : failed;
   } catch (const io::Error& error) {
@@ -233,168 +233,166 @@ int run(const Command& command) {
   }
 }
 
-Command addInfo(CLI::App& program, InfoOptions& options) {
-  CLI::App* command = program.add_subcommand("info", "geometry, type, value range, series and warnings, as JSON");
-  app::addVolumeOptions(*command, options.volume);
-  command->add_flag("--descriptions", options.descriptions,
-                    "also the series' descriptions, free texts that may name the patient");
-  requireSource(*command);
-  return {command, &options.volume, [&] { return info(options), true; }};
+Runnable addInfo(app::Program& program, InfoOptions& options) {
+  const app::Command command = program.addCommand("info", "geometry, type, value range, series and warnings, as JSON");
+  app::addVolumeOptions(command, options.data);
+  command.addFlag("--descriptions", options.descriptions,
+                  "also the series' descriptions, free texts that may name the patient");
+  command.atLast([command] { requireSource(command); });
+  return {command, &options.data, [&] { return info(options), true; }};
 }
 
-Command addConvert(CLI::App& program, ConvertOptions& options) {
-  CLI::App* command = program.add_subcommand(
+Runnable addConvert(app::Program& program, ConvertOptions& options) {
+  const app::Command command = program.addCommand(
       "convert",
       "write the volume's real values to .mha, .nii.gz, .nii or .nrrd; with --labels, --focus-labels or a .dcm, the "
       "label map instead, .dcm being a DICOM segmentation");
-  app::addLabelOptions(*command, options.scene);
-  command->add_option("-o,--output", options.output, "file to write")->required()->type_name("FILE");
-  requireSource(*command);
-  return {command, &options.scene, [&] { return convert(options), true; }};
+  app::addVolumeOptions(command, options.data);
+  command.group("Labels");
+  app::addLabelChoice(command, options.data, options.labels);
+  command.group("Options");
+  command.addValue("-o,--output", options.output, "file to write").required().as("FILE");
+  command.atLast([command] { requireSource(command); });
+  return {command, &options.data, [&] { return convert(options), true; }};
 }
 
-Command addSurface(CLI::App& program, SurfaceOptions& options) {
-  CLI::App* command = program.add_subcommand("surface", "the focus as a closed surface of triangles");
-  app::addSceneOptions(*command, options.scene);
-  command->add_option("-o,--output", options.output, "STL, PLY or OBJ to write")->required()->type_name("FILE");
-  app::addChoice<io::SurfaceFrame>(*command, "--frame", "axes of the coordinates in mm, default lps",
+Runnable addSurface(app::Program& program, SurfaceOptions& options) {
+  const app::Command command = program.addCommand("surface", "the focus as a closed surface of triangles");
+  app::addSceneOptions(command, options.study);
+  command.addValue("-o,--output", options.output, "STL, PLY or OBJ to write").required().as("FILE");
+  app::addChoice<io::SurfaceFrame>(command, "--frame", "axes of the coordinates in mm, default lps",
                                    {{"lps", io::SurfaceFrame::Lps}, {"ras", io::SurfaceFrame::Ras}}, options.frame);
-  command->add_flag("--raw-surface", options.raw, "the level set as it is, without smoothing");
-  requireSource(*command);
-  return {command, &options.scene, [&] { return surface(options), true; }};
+  command.addFlag("--raw-surface", options.raw, "the level set as it is, without smoothing");
+  command.atLast([command] { requireSource(command); });
+  return {command, &options.study, [&] { return surface(options), true; }};
 }
 
-Command addSlice(CLI::App& program, SliceOptions& options) {
-  CLI::App* command = program.add_subcommand("slice", "one slice as PNG, a pixel a voxel, radiological convention");
-  app::addVolumeOptions(*command, options.volume);
+Runnable addSlice(app::Program& program, SliceOptions& options) {
+  const app::Command command =
+      program.addCommand("slice", "one slice as PNG, a pixel a voxel, radiological convention");
+  app::addVolumeOptions(command, options.data);
   app::addChoice<SlicePlane>(
-      *command, "--plane", "default axial",
+      command, "--plane", "default axial",
       {{"axial", SlicePlane::Axial}, {"sagittal", SlicePlane::Sagittal}, {"coronal", SlicePlane::Coronal}},
       options.plane);
-  CLI::Option* at = command->add_option("--at", options.at, "mm along S (axial), L (sagittal) or P (coronal)");
-  command->add_option("--index", options.index, "slice number, growing the same way; the middle one otherwise")
-      ->excludes(at);
-  command->add_option("--window", options.width, "width of the display window; the file's own otherwise")
-      ->check(CLI::PositiveNumber);
-  command->add_option("--level", options.level, "centre of the display window");
-  command->add_option("-o,--output", options.output, "PNG to write")->required()->type_name("FILE");
-  requireSource(*command);
-  return {command, &options.volume, [&] { return slice(options), true; }};
+  const app::Option at = command.addValue("--at", options.at, "mm along S (axial), L (sagittal) or P (coronal)");
+  command.addValue("--index", options.index, "slice number, growing the same way; the middle one otherwise")
+      .excludes(at);
+  command.addValue("--window", options.width, "width of the display window; the file's own otherwise").positive();
+  command.addValue("--level", options.level, "centre of the display window");
+  command.addValue("-o,--output", options.output, "PNG to write").required().as("FILE");
+  command.atLast([command] { requireSource(command); });
+  return {command, &options.data, [&] { return slice(options), true; }};
 }
 
-Command addRender(CLI::App& program, RenderOptions& options) {
-  CLI::App* command = program.add_subcommand("render", "a picture with the adaptive cutaway");
-  app::addSceneOptions(*command, options.scene);
-  command->option_defaults()->group("Picture");
-  app::addWallOptions(*command, options.scene);
-  command->option_defaults()->group("Options");
-  CLI::Option* output = command->add_option("-o,--output", options.output, "PNG to write")->type_name("FILE");
-  CLI::Option* layers =
-      command->add_option("--layers", options.layers, "folder for every stage, as .mha")->type_name("FOLDER");
-  CLI::Option* stats = command->add_option("--stats", options.stats, "JSON of times and memory to write")
-                           ->type_name("FILE")
-                           ->needs(output);
-  command->add_option("--save-session", options.session, "what is shown as a session, for the window or for later")
-      ->type_name("FILE.fenestra");
-  command->add_option("--save-look", options.look, "how the volume is looked at as a preset, for --look and the window")
-      ->type_name("FILE.json");
-  CLI::Option* repeat =
-      command->add_option("--repeat", options.repeat, "frames to draw and time, each from the first pass on")
-          ->check(CLI::Range(1, 10000))
-          ->needs(output);
-  app::addScheduleOption(*command, options.schedule);
-  CLI::Option* reference =
-      command->add_flag("--reference", options.reference,
-                        "the picture, its layers or both in double precision on the CPU, without OpenGL; takes minutes "
-                        "where the renderer takes seconds");
-  reference->excludes(stats)->excludes(repeat);
-  CLI::Option* certify =
+/// What render writes, and how it draws.
+void addRenderOptions(app::Command command, RenderOptions& options) {
+  const app::Option output = command.addValue("-o,--output", options.output, "PNG to write").as("FILE");
+  const app::Option layers =
+      command.addValue("--layers", options.layers, "folder for every stage, as .mha").as("FOLDER");
+  const app::Option stats =
+      command.addValue("--stats", options.stats, "JSON of times and memory to write").as("FILE").needs(output);
+  command.addValue("--save-session", options.session, "what is shown as a session, for the window or for later")
+      .as("FILE.fenestra");
+  command.addValue("--save-look", options.look, "how the volume is looked at as a preset, for --look and the window")
+      .as("FILE.json");
+  const app::Option repeat =
+      command.addValue("--repeat", options.repeat, "frames to draw and time, each from the first pass on")
+          .within(1, 10000)
+          .needs(output);
+  app::addScheduleOption(command, options.schedule);
+  const app::Option reference =
+      command.addFlag("--reference", options.reference,
+                      "the picture, its layers or both in double precision on the CPU, without OpenGL; takes minutes "
+                      "where the renderer takes seconds");
+  reference.excludes(stats).excludes(repeat);
+  const app::Option certify =
       command
-          ->add_option("--certify", options.certify,
-                       "compares N random pixels with the reference and says, as JSON and in the PNG, how much of the "
-                       "picture is within --max-error, or without it within which error 99.9 % of it is")
-          ->type_name("[N]")
-          ->expected(0, 1)
-          ->default_str(std::to_string(reference::CertificateOptions{}.pixels))
-          ->check(CLI::Range(1, 100'000'000))
-          ->needs(output)
-          ->excludes(reference);
-  command->add_option("--certify-seed", options.certifySeed, "that chooses the pixels")->needs(certify);
-  command->final_callback([=] {
-    if (!command->get_option("PATH")->count() && !command->get_option("--phantom")->count())
-      throw CLI::RequiredError("PATH or --phantom");
-    const bool referenceLayers = reference->count() && layers->count();
-    if (!output->count() && !referenceLayers) throw CLI::RequiredError("--output");
+          .addValue("--certify", options.certify,
+                    "compares N random pixels with the reference and says, as JSON and in the PNG, how much of the "
+                    "picture is within --max-error, or without it within which error 99.9 % of it is")
+          .as("[N]")
+          .orElse(std::to_string(reference::CertificateOptions{}.pixels))
+          .within(1, 100'000'000)
+          .needs(output)
+          .excludes(reference);
+  command.addValue("--certify-seed", options.certifySeed, "that chooses the pixels").needs(certify);
+  command.atLast([=] {
+    requireSource(command);
+    const bool referenceLayers = reference.isGiven() && layers.isGiven();
+    if (!output.isGiven() && !referenceLayers) throw app::MissingOption{"--output"};
   });
-  return {command, &options.scene, [&] { return render(options), true; }};
 }
 
-Command addPlace(CLI::App& program, PlaceOptions& options) {
-  CLI::App* command =
-      program.add_subcommand("place", "the best view of the focus and one that complements it, as JSON");
-  app::addSceneOptions(*command, options.scene,
+Runnable addRender(app::Program& program, RenderOptions& options) {
+  const app::Command command = program.addCommand("render", "a picture with the adaptive cutaway");
+  app::addSceneOptions(command, options.study);
+  command.group("Picture");
+  app::addWallOptions(command, options.study);
+  command.group("Options");
+  addRenderOptions(command, options);
+  return {command, &options.study, [&] { return render(options), true; }};
+}
+
+Runnable addPlace(app::Program& program, PlaceOptions& options) {
+  const app::Command command =
+      program.addCommand("place", "the best view of the focus and one that complements it, as JSON");
+  app::addSceneOptions(command, options.study,
                        [&options](const io::Session& session) { useAsDefaults(session, options); });
-  addPlacementOptions(*command, options);
-  requireSource(*command);
-  return {command, &options.scene, [&] {
+  addPlacementOptions(command, options);
+  command.atLast([command] { requireSource(command); });
+  return {command, &options.study, [&] {
             // A session may ask for a refinement, whose candidates crowd where the paper's quality is best.
             if (!options.descriptors.isEmpty()) options.sampling.refined = false;
             return place(options), true;
           }};
 }
 
-Command addGrow(CLI::App& program, GrowOptions& options) {
-  CLI::App* command = program.add_subcommand(
+Runnable addGrow(app::Program& program, GrowOptions& options) {
+  const app::Command command = program.addCommand(
       "grow", "the structure around a point as a label map (0 and 1); its tolerance, volume and plateaus as JSON");
-  app::addVolumeOptions(*command, options.volume);
-  app::addSeedOptions(*command, options.region)->required();
-  command->add_flag("--curve", options.curve, "also the volume at every tolerance");
-  command->add_option("-o,--output", options.output, ".nii.gz, .nii, .nrrd or .mha to write")
-      ->required()
-      ->type_name("FILE");
-  requireSource(*command);
-  return {command, &options.volume, [&] { return grow(options), true; }};
+  app::addVolumeOptions(command, options.data);
+  app::addSeedOptions(command, options.region).required();
+  command.addFlag("--curve", options.curve, "also the volume at every tolerance");
+  command.addValue("-o,--output", options.output, ".nii.gz, .nii, .nrrd or .mha to write").required().as("FILE");
+  command.atLast([command] { requireSource(command); });
+  return {command, &options.data, [&] { return grow(options), true; }};
 }
 
-Command addBenchmark(CLI::App& program, BenchmarkOptions& options) {
-  CLI::App* command = program.add_subcommand(
+Runnable addBenchmark(app::Program& program, BenchmarkOptions& options) {
+  const app::Command command = program.addCommand(
       "benchmark", "how fast this machine draws the built-in phantom, compared with machines of the project's report");
   command
-      ->add_option("-o,--output", options.output,
-                   "page (.md) or JSON (.json) to write; JSON to standard output otherwise")
-      ->type_name("FILE")
-      ->check([](const std::string& path) {
+      .addValue("-o,--output", options.output, "page (.md) or JSON (.json) to write; JSON to standard output otherwise")
+      .as("FILE")
+      .refusing([](const std::string& path) {
         return path.ends_with(".md") || path.ends_with(".json") ? std::string()
                                                                 : path + " ends in neither .md nor .json";
       });
-  command->add_flag("--quick", options.isQuick, "in about twenty seconds instead of some minutes, without errors");
-  app::addParsed(*command, "--size", "WxH", "pictures in pixels, default 700x650, that of the figures to compare with",
-                 [&options](const std::string& text) {
-                   const auto size = app::parseNumbers<int, 2>(text, 'x');
-                   if (!size || (*size)[0] < 1 || (*size)[1] < 1) return false;
-                   options.size = glm::ivec2((*size)[0], (*size)[1]);
-                   return true;
-                 });
-  app::addScheduleOption(*command, options.schedule);
+  command.addFlag("--quick", options.isQuick, "in about twenty seconds instead of some minutes, without errors");
+  command.add("--size", "WxH", "pictures in pixels, default 700x650, that of the figures to compare with",
+              [&options](const std::string& text) {
+                options.size = app::parseSize(text, std::numeric_limits<int>::max());
+                return options.size.has_value();
+              });
+  app::addScheduleOption(command, options.schedule);
   return {command, nullptr, [&] { return benchmark(options), true; }};
 }
 
-Command addCompare(CLI::App& program, CompareOptions& options) {
-  CLI::App* command = program.add_subcommand("compare", "errors between two pictures or layers, as JSON");
-  command->add_option("A", options.a, "PNG or .mha")->required()->type_name("");
-  command->add_option("B", options.b, "of the same size")->required()->type_name("");
+Runnable addCompare(app::Program& program, CompareOptions& options) {
+  const app::Command command = program.addCommand("compare", "errors between two pictures or layers, as JSON");
+  command.addValue("A", options.a, "PNG or .mha").required().as("");
+  command.addValue("B", options.b, "of the same size").required().as("");
   return {command, nullptr, [&] { return compare(options); }};
 }
 
 int main(int argc, char** argv) {
-  CLI::App program{
+  app::Program program(
       "Fenestra without a window: looks into medical volumes and pictures them with an adaptive cutaway.\n"
       "Not for diagnostic use.",
-      "fenestra-cli"};
-  program.require_subcommand(1);
-  program.set_version_flag("--version", FENESTRA_VERSION);
+      "fenestra-cli", FENESTRA_VERSION);
   app::addCompletionOption(program);
-  program.get_formatter()->column_width(40);
+  program.setHelpColumn(40);
   InfoOptions infoOptions;
   ConvertOptions convertOptions;
   SliceOptions sliceOptions;
@@ -409,22 +407,18 @@ int main(int argc, char** argv) {
                             addPlace(program, placeOptions),        addGrow(program, growOptions),
                             addSurface(program, surfaceOptions),    addCompare(program, compareOptions),
                             addBenchmark(program, benchmarkOptions)};
-
   try {
-    program.parse(argc, argv);
-  } catch (const CLI::Success& success) {
-    return program.exit(success);
-  } catch (const CLI::ParseError& error) {
-    const bool named = !program.get_subcommands().empty() || error.get_name() == "ValidationError";
-    const std::string what =
-        named ? error.what() : "expected info, convert, slice, render, place, grow, surface, compare or benchmark";
-    std::cerr << oneLine("fenestra-cli: " + what + "; see --help") << '\n';
-    return misused;
+    const app::Program::Parsed parsed = program.parse(argc, argv);
+    if (parsed.exitCode) return *parsed.exitCode;
+    if (!parsed.mistake.empty()) {
+      std::cerr << oneLine("fenestra-cli: " + parsed.mistake + "; see --help") << '\n';
+      return misused;
+    }
   } catch (const io::Error& error) {  // of a session, which is read while parsing
     return fail(error.what());
   }
-  for (const Command& each : commands)
-    if (each.app->parsed()) return run(each);
+  for (const Runnable& each : commands)
+    if (each.command.isNamed()) return run(each);
   return misused;
 }
 

@@ -7,23 +7,21 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
 #include <QApplication>
 #include <QIcon>
 #include <QLocale>
 
-#include "app/Completion.h"
 #include "app/SceneOptions.h"
-#include "app/SceneSession.h"
 #include "app/ScheduleChoice.h"
+#include "app/options/Completion.h"
 #include "io/ImageWriter.h"
 #include "io/PhantomFile.h"
 #include "io/base/SessionName.h"
+#include "io/study/Interpret.h"
+#include "io/study/ReadStudy.h"
 #include "viewer/MainWindow.h"
 #include "viewer/files/Sessions.h"
 #include "viewer/guide/Tour.h"
-#include "viewer/jobs/ReadStudy.h"
 #include "viewer/style/Style.h"
 
 namespace fenestra::viewer {
@@ -51,34 +49,12 @@ void handleQtMessage(QtMsgType type, const QMessageLogContext&, const QString& m
   if (type == QtCriticalMsg) tell(message.toStdString());
 }
 
-Study readScene(const app::SceneOptions& options, const io::Progress& progress) {
-  app::LoadedScene loaded = app::loadScene(options, progress);
-  Study study;
-  study.session = app::sessionOf(options, loaded);
-  study.restoresSession = loaded.session.has_value();
-  if (study.restoresSession) study.sessionFile = options.path;
-  study.scene = std::move(loaded.asSet);
-  study.growth = std::move(loaded.growth);
-  study.camera = loaded.view.camera;
-  study.frozen = loaded.view.frozen;
-  study.placeCameras = loaded.placed.has_value();
-  study.path = study.session.volume.path;
-  study.series = std::move(loaded.volume.series);
-  study.patient = std::move(loaded.volume.patient);
-  study.otherSeries = std::move(loaded.volume.otherSeries);
-  study.segmentations = std::move(loaded.volume.segmentations);
-  study.warnings = std::move(loaded.warnings);
-  study.geometry = std::move(loaded.volume.geometry);
-  return study;
-}
-
 StudyLoader::SampleReader phantomReader(const std::string& name) {
-  app::SceneOptions options;
-  options.phantom = name;
-  return [options](const Look& look, const io::Progress& progress) {
-    app::SceneOptions looked = options;
-    looked.look = look;
-    return readScene(looked, progress);
+  return [name](const Look& look, const io::Progress& progress) {
+    io::StudyRequest request;
+    request.phantom = name;
+    request.look = look;
+    return io::readStudy(request, progress);
   };
 }
 
@@ -96,7 +72,7 @@ void saveScreenshot(MainWindow& window, const std::filesystem::path& path, MainW
 
 /// What the command line asks for.
 struct Request {
-  app::SceneOptions scene;
+  io::StudyRequest study;
   std::filesystem::path screenshot;                           ///< empty: stay open
   MainWindow::Patient patient = MainWindow::Patient::Hidden;  ///< in the screenshot
   std::optional<Effort> atRest;                               ///< unset: as remembered
@@ -105,64 +81,64 @@ struct Request {
   /// A session or a preset sets all of them, too.
   bool setsBackground = false, setsUnit = false, setsReconstruction = false;
 
-  /// The scene as asked for, where nothing was said with the user's own defaults.
-  app::SceneOptions sceneWith(const Preferences& preferences) const {
-    app::SceneOptions options = scene;
-    const Look own = preferences.startingLook(scene.look);
-    if (!setsBackground) options.look.background = own.background;
-    if (!setsUnit) options.look.cutaway.unit = own.cutaway.unit;
-    if (!setsReconstruction) options.look.reconstruction = own.reconstruction;
-    return options;
+  /// The study as asked for, where nothing was said with the user's own defaults.
+  io::StudyRequest studyWith(const Preferences& preferences) const {
+    io::StudyRequest asked = study;
+    const Look own = preferences.startingLook(study.look);
+    if (!setsBackground) asked.look.background = own.background;
+    if (!setsUnit) asked.look.cutaway.unit = own.cutaway.unit;
+    if (!setsReconstruction) asked.look.reconstruction = own.reconstruction;
+    return asked;
   }
 };
 
 /// Reads the command line into `request`. Returns an exit code when the program should end at once.
 std::optional<int> parse(int argc, char** argv, Request& request) {
-  CLI::App program{
+  app::Program program(
       "Fenestra: looks into medical volumes with an adaptive cutaway.\nNot for diagnostic use.\n"
       "Without arguments it offers phantoms, a guided tour and the data opened last.",
-      "fenestra"};
-  program.set_version_flag("--version", FENESTRA_VERSION);
+      "fenestra", FENESTRA_VERSION);
   app::addCompletionOption(program);
-  app::SceneOptions& options = request.scene;
-  app::addSceneOptions(program, options);
-  app::addScheduleOption(program, request.schedule);
+  const app::Command options = program.options();
+  io::StudyRequest& study = request.study;
+  app::addSceneOptions(options, study);
+  app::addScheduleOption(options, request.schedule);
   std::vector<std::string> morePaths;
-  program.add_option("MORE", morePaths, "further slices of PATH's folder, or a label map")->type_name("PATH ...");
-  program
-      .add_option_function<std::string>(
-          "--screenshot", [&](const std::string& path) { request.screenshot = path; },
-          "save the whole window once everything is drawn, and exit")
-      ->type_name("OUT.png");
-  program.add_flag_callback(
-      "--with-patient", [&] { request.patient = MainWindow::Patient::Shown; },
-      "let the screenshot show the patient's name, number, sex and dates");
+  options.addValue("MORE", morePaths, "further slices of PATH's folder, or a label map").as("PATH ...");
+  options.add("--screenshot", "OUT.png", "save the whole window once everything is drawn, and exit",
+              [&](const std::string& path) {
+                request.screenshot = path;
+                return true;
+              });
+  bool withPatient = false;
+  options.addFlag("--with-patient", withPatient, "let the screenshot show the patient's name, number, sex and dates");
   try {
-    program.parse(argc, argv);
-    if (!morePaths.empty()) {
-      std::vector<std::filesystem::path> paths{options.path};
-      paths.insert(paths.end(), morePaths.begin(), morePaths.end());
-      const PathsToOpen chosen = interpret(paths);
-      options.path = chosen.volume;
-      if (!chosen.labels.empty()) options.labels = chosen.labels;
+    const app::Program::Parsed parsed = program.parse(argc, argv);
+    if (parsed.exitCode) return parsed.exitCode;
+    if (!parsed.mistake.empty()) {
+      tell(parsed.mistake + "; see --help");
+      return misused;
     }
-  } catch (const CLI::Success& success) {
-    return program.exit(success);
-  } catch (const CLI::ParseError& error) {
-    tell(std::string(error.what()) + "; see --help");
-    return misused;
+    if (!morePaths.empty()) {
+      std::vector<std::filesystem::path> paths{study.path};
+      paths.insert(paths.end(), morePaths.begin(), morePaths.end());
+      const io::DataRequest chosen = io::interpret(paths);
+      study.path = chosen.path;
+      if (!chosen.labels.empty()) study.labels = chosen.labels;
+    }
   } catch (const io::Error& error) {
     tell(error.what());
-    return io::isSession(options.path) ? failed : misused;
+    return io::isSession(study.path) ? failed : misused;
   }
-  const bool hasLook = io::isSession(options.path) || options.preset;
-  request.setsBackground = hasLook || program.count("--background") > 0;
-  request.setsUnit = hasLook || program.count("--width-unit") > 0;
-  request.setsReconstruction = hasLook || program.count("--reconstruction") > 0;
+  if (withPatient) request.patient = MainWindow::Patient::Shown;
+  const bool hasLook = io::isSession(study.path) || study.preset;
+  request.setsBackground = hasLook || options.isGiven("--background");
+  request.setsUnit = hasLook || options.isGiven("--width-unit");
+  request.setsReconstruction = hasLook || options.isGiven("--reconstruction");
   request.welcomes = argc <= 1;
-  if (options.empty()) options.phantom = "torso";
-  if (program.count("--quality") + program.count("--max-error") > 0)
-    request.atRest = Effort{.quality = options.quality, .maxError = options.maxError};
+  if (study.empty()) study.phantom = "torso";
+  if (options.isGiven("--quality") || options.isGiven("--max-error"))
+    request.atRest = Effort{.quality = study.quality, .maxError = study.maxError};
   return std::nullopt;
 }
 
@@ -178,13 +154,7 @@ void setUp(QApplication& application) {
 /// Offers to restore work after a crash; otherwise opens what `request` names.
 void openInWindow(MainWindow& window, const Request& request) {
   if (window.sessions().startRecovery(Sessions::recoveryFolder()) || request.welcomes) return;
-  const app::SceneOptions options = request.sceneWith(window.workspace().preferences);
-  window.sessions().open([options](const io::SessionPlaces& places, const io::Progress& progress) {
-    app::SceneOptions where = options;
-    if (!places.volume.empty()) where.data = places.volume;
-    if (!places.labels.empty()) where.labels = places.labels;
-    return readScene(where, progress);
-  });
+  window.sessions().open([study = request.studyWith(window.workspace().preferences)] { return study; });
 }
 
 /// Opens what `request` names, saves the window once it is drawn, and ends the program.
@@ -202,8 +172,8 @@ void openForScreenshot(MainWindow& window, const Request& request) {
     });
   });
   // With the defaults of a new user: preferences are not read where nothing is remembered.
-  window.open([options = request.sceneWith(window.workspace().preferences)](const io::Progress& progress) {
-    return readScene(options, progress);
+  window.open([study = request.studyWith(window.workspace().preferences)](const io::Progress& progress) {
+    return io::readStudy(study, progress);
   });
 }
 
@@ -221,7 +191,7 @@ int main(int argc, char** argv) {
   MainWindow window(
       {.gl = gl,
        .atRest = request.atRest,
-       .expected = app::expectedFocus(request.scene),
+       .expected = io::expectedFocus(request.study),
        .chooseSchedule = [asked = request.schedule, software = gl.software](
                              const std::shared_ptr<GpuScene>& gpu, const Scene& scene,
                              const View& view) { app::chooseScheduleQuickly(asked, software, gpu, scene, view); },
@@ -230,7 +200,7 @@ int main(int argc, char** argv) {
   std::partition(phantoms.begin(), phantoms.end(), [](const std::string& name) { return name == Tour::phantom; });
   for (const std::string& name : phantoms)
     window.addSample(QString::fromStdString(io::loadPhantom(name).name), phantomReader(name));
-  if (request.scene.size) window.resize(request.scene.size->x, request.scene.size->y);
+  if (request.study.size) window.resize(request.study.size->x, request.study.size->y);
   window.show();
   if (stays)
     openInWindow(window, request);

@@ -18,6 +18,8 @@ namespace fenestra::io {
 
 /// Called now and then, from one thread at a time, with a fraction in [0, 1] and what is being done; false cancels.
 using Progress = std::function<bool(double fraction, std::string_view doing)>;
+/// The part of a progress bar from `begin` to `end`; empty where `progress` is.
+Progress partOf(const Progress& progress, double begin, double end);
 
 /// What was noticed about a file's geometry or content that the user must know; the volume is still usable.
 struct Warning {
@@ -52,7 +54,7 @@ struct GeometryReport {
   static constexpr double tolerance = 0.01;
 
   /// What was found, in which files and how large; the last one is of Kind::Placement. OpenedVolume's warnings hold
-  /// them too.
+  /// them, too.
   std::vector<Warning> findings;
   Regularise applied = Regularise::Off;  ///< Linear, Cubic or Off
   double scannedStep = 0.0, step = 0.0;  ///< mm along the normal: the series' own, and between the planes shown
@@ -119,16 +121,20 @@ struct SegmentationInfo {
   std::vector<std::string> structures;  ///< their names, in the file's order
 };
 
-struct OpenedVolume {
-  std::shared_ptr<const Volume> volume;
-  std::string format;  ///< "DICOM", "NIfTI", "NRRD", "MetaImage", "MGH", "Analyze", "raw"
+/// What is known of an open volume beside its voxels.
+struct VolumeInfo {
+  std::string format;  ///< "DICOM", "NIfTI", "NRRD", "MetaImage", "MGH", "Analyze", "raw", "phantom"
   SeriesInfo series;
   PatientText patient;
   std::vector<SeriesInfo> otherSeries;
   std::vector<SegmentationInfo> segmentations;  ///< of the series, among the files that were opened with it
-  std::vector<Warning> warnings;
-  std::optional<Modality> modality;        ///< told by OpenOptions or recognised; unset: the file's own
+  std::optional<Modality> modality;             ///< told by OpenOptions or recognised; unset: the file's own
   std::optional<GeometryReport> geometry;  ///< of a series whose slices do not lie straight behind each other, evenly
+};
+
+struct OpenedVolume : VolumeInfo {
+  std::shared_ptr<const Volume> volume;
+  std::vector<Warning> warnings;  ///< the geometry's findings, too
 };
 
 struct OpenedLabels {

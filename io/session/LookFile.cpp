@@ -36,26 +36,25 @@ void members(auto& io, json::Is<LookPreset> auto& preset) {
               {"Labels that are shown by value while they are in focus; others have one colour and extinction"});
 }
 
-LookPreset presetOf(const std::string& name, const Scene& scene) {
+LookPreset presetOf(const std::string& name, const SetScene& scene) {
   LookPreset preset{name, scene.volume->unit, styleOf(scene.look), {}, {}};
-  if (const auto& labels = structuresOf(scene))
-    for (const Label& label : labels->labels)
+  if (scene.labels)
+    for (const Label& label : scene.labels->labels)
       if (const auto function = settingFor(scene.look.labels, label.value).function)
         preset.labels.push_back({keyOf(label), *function});
   return preset;
 }
 
-Look restyled(const Scene& scene, const LookPreset& preset) {
-  Scene result = scene;
+Look restyled(const SetScene& scene, const LookPreset& preset) {
+  SetScene result = scene;
   result.look = fenestra::restyled(scene.look, preset.look);
   setLabelFunctions(result, preset);
   return result.look;
 }
 
-void setLabelFunctions(Scene& scene, const LookPreset& preset) {
-  const auto& labels = structuresOf(scene);
-  if (!labels) return;
-  for (const Label& label : labels->labels) {
+void setLabelFunctions(SetScene& scene, const LookPreset& preset) {
+  if (!scene.labels) return;
+  for (const Label& label : scene.labels->labels) {
     LabelSetting setting = settingFor(scene.look.labels, label.value);
     const auto named = std::find_if(preset.labels.begin(), preset.labels.end(),
                                     [&](const LabelFunction& each) { return each.label == keyOf(label); });

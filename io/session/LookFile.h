@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "io/base/Error.h"
-#include "rendering/scene/Scene.h"
+#include "rendering/scene/SetScene.h"
 
 namespace fenestra::io {
 
@@ -36,11 +36,11 @@ struct LookPreset {
 };
 
 /// How a scene is looked at, as a preset.
-LookPreset presetOf(const std::string& name, const Scene& scene);
+LookPreset presetOf(const std::string& name, const SetScene& scene);
 /// The scene's look in the style of a preset, its labels' functions included.
-Look restyled(const Scene& scene, const LookPreset& preset);
+Look restyled(const SetScene& scene, const LookPreset& preset);
 /// Gives the scene's labels the functions that the preset names, and no others.
-void setLabelFunctions(Scene& scene, const LookPreset& preset);
+void setLabelFunctions(SetScene& scene, const LookPreset& preset);
 
 /// Throws Error.
 LookPreset readLook(const std::filesystem::path& file);

@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "io/VolumeReader.h"
 #include "io/base/Contents.h"
+#include "io/base/Reading.h"
 #include "rendering/scene/Camera.h"
 #include "rendering/scene/Look.h"
 #include "rendering/scene/Measure.h"

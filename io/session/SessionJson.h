@@ -2,7 +2,7 @@
 // The members of a session in JSON: what readSession takes, writeSession writes and sessionSchema publishes. Private to
 // io/session.
 
-#include "io/base/ModalityWords.h"
+#include "io/base/Words.h"
 #include "io/session/SceneJson.h"
 #include "io/session/Session.h"
 

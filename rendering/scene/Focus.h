@@ -38,7 +38,7 @@ struct SelectionStroke {
 };
 
 /// The region grown from seeds, and painted, see rendering/segmentation. What draws a scene knows labels and values
-/// alone: a scene is drawn as segmentation::shownScene makes it, and as one without a focus otherwise.
+/// alone: segmentation::DrawnScene makes that of it.
 struct RegionFocus {
   std::vector<glm::dvec3>
       inside;  ///< world mm; the first is the click, at least one lies in the volume, or none is there

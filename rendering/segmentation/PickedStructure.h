@@ -20,7 +20,7 @@ struct PickedStructure {
 
 /// The region in focus, where it holds the point; else the label at the point; else the region that grows there by the
 /// automatic tolerance, within previewBox(), so that the answer comes at once. `pick` is in world mm, `scene` as it is
-/// drawn (shownScene). There is none outside the volume, in air (below -950 HU; where values are no Hounsfield units,
+/// drawn (DrawnScene). There is none outside the volume, in air (below -950 HU; where values are no Hounsfield units,
 /// the lowest fiftieth of their range; both as means of 3³ voxels), and where no voxel joins.
 PickedStructure pickedStructure(const Scene& scene, glm::dvec3 pick, const Progress& progress = {});
 

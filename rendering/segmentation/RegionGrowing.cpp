@@ -276,18 +276,6 @@ int Growth::stepOf(const RegionFocus& settings) const {
   return settings.tolerance ? stepOf(*settings.tolerance) : curve.automatic;
 }
 
-Scene shownScene(Scene scene, const Growth& growth) {
-  const auto* region = std::get_if<RegionFocus>(&scene.look.focus);
-  if (!region) return scene;
-  LabelFocus labels;
-  for (int label = 1; label <= growth.stepOf(*region); ++label)
-    labels.labels.push_back(static_cast<std::uint16_t>(label));
-  if (!scene.labels) scene.look.labels.clear();
-  scene.structures = std::exchange(scene.labels, growth.steps);
-  scene.look.focus = labels.labels.empty() ? Focus() : Focus(std::move(labels));
-  return scene;
-}
-
 bool canGrow(const Volume& volume, const RegionFocus& region) {
   return std::any_of(region.inside.begin(), region.inside.end(),
                      [&](glm::dvec3 seed) { return voxelAt(volume.grid, seed).has_value(); }) ||

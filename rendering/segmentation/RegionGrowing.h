@@ -24,8 +24,8 @@ inline constexpr glm::dvec3 regionColour{0.95, 0.72, 0.30};
 /// Every region that can be grown from the seeds. A tolerance is a threshold of `steps`: nothing is flooded again.
 struct Growth {
   /// On the volume's grid, UInt8: the first step that holds the voxel, 0 where no tolerance reaches. What was painted
-  /// belongs to every step, what was taken away to none. As a label map,
-  /// the region of step n is the labels 1 … n, see shownScene.
+  /// belongs to every step, what was taken away to none. As a label map, the region of step n is the labels 1 … n, see
+  /// DrawnScene.
   std::shared_ptr<const LabelMap> steps;
   VoxelBox box;        ///< where `steps` may be other than 0
   double noise = 1.0;  ///< Noise::unit, real values
@@ -37,10 +37,6 @@ struct Growth {
   /// The step of the settings: their tolerance's, or the automatic one.
   int stepOf(const RegionFocus& settings) const;
 };
-
-/// The scene as it is drawn: a region in its focus becomes the labels of `growth`, which was grown from it. Another
-/// focus stays as it is.
-Scene shownScene(Scene scene, const Growth& growth);
 
 /// Whether a seed of the region lies in the volume, or a stroke that adds to it reaches there.
 bool canGrow(const Volume& volume, const RegionFocus& region);

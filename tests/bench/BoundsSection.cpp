@@ -22,8 +22,8 @@ Section boundsSection(const Options& options, const TruthStore& truths) {
   const Subjects subjects = boundSubjects(options.views);
   for (const std::string& missing : subjects.missing) section.text += "\n\n" + missing;
   for (const Subject& subject : subjects.here) {
-    const app::LoadedScene loaded = app::loadScene(subject.options);
-    const Measurable what = prepare(subject.name, loaded.scene, oneView, truths);
+    const io::Study study = io::readStudy(subject.options);
+    const Measurable what = prepare(subject.name, study.drawn.scene(), oneView, truths);
     Renderer renderer(std::make_shared<GpuScene>());
     const std::vector<Setting> settings = boundSettings({4.0, 2.0, 1.0, 0.5});
     const std::vector<Measured> measured = measure(renderer, what, settings, rounds);

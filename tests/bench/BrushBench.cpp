@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "app/SceneOptions.h"
+#include "io/study/ReadStudy.h"
 #include "rendering/Renderer.h"
 #include "rendering/egl/EglContext.h"
 #include "rendering/gpu/GpuScene.h"
@@ -36,11 +36,11 @@ double median(std::vector<double> values) {
 }
 
 void measure(BrushMode mode, const std::string& name) {
-  app::SceneOptions options;
+  io::StudyRequest options;
   options.phantom = "torso";
-  app::LoadedScene loaded = app::loadScene(options);
-  Scene& scene = loaded.scene;
-  View view = loaded.view;
+  io::Study study = io::readStudy(options);
+  Scene scene = study.drawn.scene();
+  View view = *study.view;
   view.size = {700, 650};
   const auto gpu = std::make_shared<GpuScene>();
   Renderer painting(gpu), whole(gpu);

@@ -25,11 +25,11 @@ std::string passesBetween(const std::array<PassStats, passCount>& before,
 std::string mebibytes(std::size_t bytes) { return fixed(static_cast<double>(bytes) / (1 << 20), 2); }
 
 /// The phantom as it opens.
-app::LoadedScene phantomScene(const Options& options) {
-  app::SceneOptions scene;
+io::Study phantomScene(const Options& options) {
+  io::StudyRequest scene;
   scene.phantom = "torso";
   scene.phantomVoxels = options.views.phantomVoxels;
-  return app::loadScene(scene);
+  return io::readStudy(scene);
 }
 
 }  // namespace
@@ -42,13 +42,14 @@ Section passSection(const Options& options, const TruthStore&) {
   const Subjects subjects = reportSubjects(options.views);
   for (const Subject& subject : subjects.here) {
     std::cerr << "passes: " << subject.name << '\n';
-    const app::LoadedScene loaded = app::loadScene(subject.options);
-    const std::vector<Camera> path = cameraPath(loaded.scene, options.views.cameras + 1, options.views.projection());
+    const io::Study study = io::readStudy(subject.options);
+    const std::vector<Camera> path =
+        cameraPath(study.drawn.scene(), options.views.cameras + 1, options.views.projection());
     Renderer renderer(std::make_shared<GpuScene>());
     renderer.setTiming(true);
     std::array<Distribution, passCount> times;
     for (std::size_t i = 0; i < path.size(); ++i) {
-      renderer.render(loaded.scene, {path[i], options.views.size});
+      renderer.render(study.drawn.scene(), {path[i], options.views.size});
       if (i == 0) continue;  // uploads and compiles
       for (std::size_t pass = 0; pass < passCount; ++pass) times[pass].add(renderer.stats()[pass].milliseconds);
     }
@@ -71,9 +72,9 @@ Section updateSection(const Options& options, const TruthStore&) {
       "again. The share is of the median of full frames drawn in turns with it, as the camera moves. A drag of the "
       "transfer function rebuilds the empty-space skipping: that time alone is the row named so.";
   Table table{"updates", {"change", "passes that run", "least ms", "median ms", "most ms", "share"}, {}};
-  const app::LoadedScene loaded = phantomScene(options);
-  const Scene& scene = loaded.scene;
-  const View view{loaded.view.camera, options.views.size};
+  const io::Study study = phantomScene(options);
+  const Scene& scene = study.drawn.scene();
+  const View view{study.view->camera, options.views.size};
   const auto gpu = std::make_shared<GpuScene>();
   Renderer renderer(gpu);
   renderer.render(scene, view);
@@ -148,8 +149,9 @@ Section memorySection(const Options& options, const TruthStore&) {
       "The phantom torso, " + std::to_string(options.views.phantomVoxels) +
       " voxels a side, as scenes that use more and more. Graphics memory in MiB by resource, images at the picture's "
       "size included, main memory of the voxels and labels, and the passes that run.";
-  const app::LoadedScene loaded = phantomScene(options);
-  const std::vector<tests::FeatureScene> scenes = tests::featureScenes(loaded.scene, ValueFocus{{200.0, 3000.0}});
+  const io::Study study = phantomScene(options);
+  const std::vector<tests::FeatureScene> scenes =
+      tests::featureScenes(study.drawn.scene(), ValueFocus{{200.0, 3000.0}});
   std::vector<std::string> names;
   std::vector<std::vector<GpuScene::Resource>> all;
   Table table{"memory", {"scene"}, {}};
@@ -158,7 +160,7 @@ Section memorySection(const Options& options, const TruthStore&) {
     const auto gpu = std::make_shared<GpuScene>();
     Renderer renderer(gpu);
     const auto before = renderer.stats();
-    renderer.render(kind.scene, {loaded.view.camera, options.views.size});
+    renderer.render(kind.scene, {study.view->camera, options.views.size});
     passes.push_back(passesBetween(before, renderer.stats()));
     all.push_back(gpu->resources());
     all.back().push_back({"images", renderer.imageBytes()});

@@ -41,12 +41,12 @@ struct Row {
 };
 
 Row measure(const Structure& structure) {
-  const app::LoadedScene loaded = app::loadScene(structure.scene);
+  const io::Study study = io::readStudy(structure.scene);
   GpuScene gpu;
-  gpu.update(loaded.scene);
+  gpu.update(study.drawn.scene());
   Placer placer;
-  const Measured& measured = placer.measure(gpu, loaded.scene, {}, {});
-  const DescribedViews views = describeViews(gpu, loaded.scene, measured, {}, true);
+  const Measured& measured = placer.measure(gpu, study.drawn.scene(), {}, {});
+  const DescribedViews views = describeViews(gpu, study.drawn.scene(), measured, {}, true);
   std::array<std::vector<double>, comparedWith.size()> lists;
   std::vector<Candidate> spread;
   for (std::size_t i = 0; i < measured.spread; ++i) {

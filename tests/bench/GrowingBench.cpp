@@ -20,6 +20,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "io/LabelReader.h"
 #include "io/PhantomFile.h"
 #include "io/VolumeReader.h"
 #include "rendering/segmentation/Flood.h"

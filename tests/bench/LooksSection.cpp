@@ -101,7 +101,7 @@ Table tableOf(const std::string& name) {
 Table ofScenes(const Subjects& subjects, const Options& options, Sums& sums) {
   Table table = tableOf("looks");
   for (const Subject& subject : subjects.here) {
-    const Scene plain = app::loadScene(subject.options).scene;
+    const Scene plain = io::readStudy(subject.options).drawn.scene();
     for (const Kind& kind : kinds()) {
       if (!kind.isFor(plain)) continue;
       Scene scene = plain;
@@ -140,7 +140,7 @@ Table ofRandomPictures(const Subjects& subjects, const Options& options, Sums& s
   std::mt19937 random(1);
   for (int picture = 0; picture < randomPictures && !subjects.here.empty(); ++picture) {
     const Subject& subject = subjects.here[static_cast<std::size_t>(picture) % subjects.here.size()];
-    Scene scene = app::loadScene(subject.options).scene;
+    Scene scene = io::readStudy(subject.options).drawn.scene();
     const std::string names = makeRandom(scene, random);
     const Camera camera = randomCamera(scene.volume->grid, random);
     table.rows.push_back(row({subject.name, names}, errorsWithin(scene, camera, options), sums));

@@ -268,7 +268,7 @@ void run(const Arguments& arguments) {
                 " processors busy.\n\n" + methodsText();
   std::vector<SceneFigures> scenes;
   for (const Subject& subject : subjects.here) {
-    SceneMeasurement measurement(app::loadScene(subject.options).scene, subject.aroundFocus, arguments,
+    SceneMeasurement measurement(io::readStudy(subject.options).drawn.scene(), subject.aroundFocus, arguments,
                                  machine.isSoftware, programs);
     scenes.push_back(measurement.measure(subject.id, subject.name));
     report.sections = {summaryOf(scenes)};

@@ -22,7 +22,7 @@
 #include <QImage>
 #include <QPainter>
 
-#include "app/SceneOptions.h"
+#include "io/study/ReadStudy.h"
 #include "rendering/Renderer.h"
 #include "rendering/egl/EglContext.h"
 #include "rendering/gpu/GpuScene.h"
@@ -43,7 +43,7 @@ const fs::path figures = FENESTRA_FIGURES;
 
 struct Row {
   std::string name, caption;
-  app::SceneOptions options;
+  io::StudyRequest options;
   double zoom = 1.0;
   double raise = 0.0;  ///< mm that the camera is moved up
 };
@@ -64,13 +64,13 @@ struct Sheet {
 class Rows {
  public:
   void phantom(const std::string& name, const std::string& caption) {
-    app::SceneOptions options;
+    io::StudyRequest options;
     options.phantom = name;
     add({name, caption, std::move(options), 1.15});
   }
   void ranged(const std::string& name, const std::string& caption, const fs::path& path, ValueRange focus,
-              app::ViewAngles camera, double zoom) {
-    app::SceneOptions options;
+              io::ViewAngles camera, double zoom) {
+    io::StudyRequest options;
     options.path = tests::findTestData(path);
     options.focusRange = focus;
     options.camera = camera;
@@ -78,8 +78,8 @@ class Rows {
     add({name, caption, std::move(options), zoom});
   }
   void labelled(const std::string& name, const std::string& caption, const fs::path& path, const fs::path& labels,
-                std::vector<std::string> focus, app::ViewAngles camera, double zoom, double raise = 0.0) {
-    app::SceneOptions options;
+                std::vector<std::string> focus, io::ViewAngles camera, double zoom, double raise = 0.0) {
+    io::StudyRequest options;
     options.path = tests::findTestData(path);
     options.labels = tests::findTestData(labels);
     options.focusLabels = std::move(focus);
@@ -211,8 +211,8 @@ PeelSide sideTowards(const Camera& camera) {
 
 /// One row's pictures, from left to right.
 std::vector<QImage> drawn(const Row& row, const Sheet& sheet) {
-  const app::LoadedScene loaded = app::loadScene(row.options);
-  View view = loaded.view;
+  const io::Study study = io::readStudy(row.options);
+  View view = *study.view;
   view.camera = view.camera.zoomed(row.zoom).panned(0.0, row.raise);
   view.size = finer * glm::ivec2(sheet.cell.width(), sheet.cell.height());
   view.pixelScale = view.size.x / methodPictureWidth;
@@ -220,7 +220,7 @@ std::vector<QImage> drawn(const Row& row, const Sheet& sheet) {
   Renderer renderer(std::make_shared<GpuScene>());
   std::vector<QImage> pictures;
   for (const Column& column : sheet.columns) {
-    Scene scene = loaded.scene;
+    Scene scene = study.drawn.scene();
     column.apply(scene.look);
     scene.look.method.peelSide = sideTowards(view.camera);
     renderer.render(scene, view);

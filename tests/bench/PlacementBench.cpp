@@ -13,7 +13,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/SceneOptions.h"
+#include "io/study/ReadStudy.h"
 #include "rendering/egl/EglContext.h"
 #include "rendering/placement/Placer.h"
 #include "rendering/viewpoints/Sphere.h"
@@ -151,9 +151,9 @@ double errorOfQuality(CandidateImages& images, const GpuScene& gpu, int side, co
 }
 
 Row measureStructure(const Structure& structure) {
-  const app::LoadedScene loaded = app::loadScene(structure.scene);
+  const io::Study study = io::readStudy(structure.scene);
   GpuScene gpu;
-  gpu.update(loaded.scene);
+  gpu.update(study.drawn.scene());
   Row row;
   row.name = structure.name;
 
@@ -186,7 +186,7 @@ Row measureStructure(const Structure& structure) {
   Sampling sampling;
   const auto measureAnew = [&] {
     placer.forget();
-    placer.measure(gpu, loaded.scene, sampling, options);
+    placer.measure(gpu, study.drawn.scene(), sampling, options);
   };
   sampling.refined = true;
   row.refine = timed(measureAnew);
@@ -200,12 +200,12 @@ Row measureStructure(const Structure& structure) {
   row.measure = timed(measureAnew);
   row.images = timed([&] { images.measure(gpu, ringDirections(4), {}, side); });
   row.ends = timed([&] { images.measure(gpu, ringDirections(4), {}, side, true); });
-  const Measured& measured = placer.measure(gpu, loaded.scene, sampling, options);
+  const Measured& measured = placer.measure(gpu, study.drawn.scene(), sampling, options);
   row.choose = timed([&] { choose(measured, options, false); });
   row.chooseJoint = timed([&] { choose(measured, options, true); });
   row.dual = timed([&] { chooseDual(measured, {0.0, -1.0, 0.0}, options); });
-  const std::vector<Candidate> many1200 =
-      images.measure(gpu, ringDirections(10), sampleSurface(loaded.scene, gpu.focus(), sampling.surfacePoints), side);
+  const std::vector<Candidate> many1200 = images.measure(
+      gpu, ringDirections(10), sampleSurface(study.drawn.scene(), gpu.focus(), sampling.surfacePoints), side);
   row.chooseJointOfMany =
       timed([&] { jointSearch(many1200, static_cast<std::size_t>(measured.surfacePoints), options); });
 
@@ -216,7 +216,7 @@ Row measureStructure(const Structure& structure) {
   row.stream = choose(measured, stream, false).share;
   const Placement joint = choose(measured, options, true);
   row.joint = joint.share;
-  const FocusSurface many = sampleSurface(loaded.scene, gpu.focus(), manyPoints);
+  const FocusSurface many = sampleSurface(study.drawn.scene(), gpu.focus(), manyPoints);
   const std::vector<Candidate> pair = images.measure(
       gpu, {measured.candidates[*joint.c1].direction, measured.candidates[*joint.c2].direction}, many, side);
   row.jointByMore = seenShare(pair[0], pair[1], many.points.size());
@@ -236,19 +236,19 @@ struct Scaled {
   double images = 0.0, measure = 0.0;
 };
 Scaled measureScaled(int voxels) {
-  app::SceneOptions options;
+  io::StudyRequest options;
   options.phantom = "torso";
   options.phantomVoxels = voxels;
-  const app::LoadedScene loaded = app::loadScene(options);
+  const io::Study study = io::readStudy(options);
   GpuScene gpu;
-  gpu.update(loaded.scene);
+  gpu.update(study.drawn.scene());
   CandidateImages images;
   const int side = CandidateImages::sideFor(gpu);
   Placer placer;
-  Scaled scaled{loaded.scene.volume->grid.dims, timed([&] { images.measure(gpu, ringDirections(4), {}, side); }),
+  Scaled scaled{study.drawn.scene().volume->grid.dims, timed([&] { images.measure(gpu, ringDirections(4), {}, side); }),
                 timed([&] {
                   placer.forget();
-                  placer.measure(gpu, loaded.scene, {}, {});
+                  placer.measure(gpu, study.drawn.scene(), {}, {});
                 })};
   return scaled;
 }

@@ -10,14 +10,14 @@ namespace fenestra::bench {
 std::vector<Structure> structures() {
   std::vector<Structure> list;
   const auto phantom = [&](const std::string& name, const std::string& body, std::vector<std::string> labels) {
-    app::SceneOptions scene;
+    io::StudyRequest scene;
     scene.phantom = body;
     scene.focusLabels = std::move(labels);
     list.push_back({name, scene, true});
   };
   const auto labelled = [&](const std::string& name, const std::string& image, const std::string& labels,
                             std::vector<std::string> focus) {
-    app::SceneOptions scene;
+    io::StudyRequest scene;
     scene.path = tests::findTestData(image);
     scene.labels = tests::findTestData(labels);
     scene.focusLabels = std::move(focus);
@@ -27,7 +27,7 @@ std::vector<Structure> structures() {
       list.push_back({name, scene});
   };
   const auto ranged = [&](const std::string& name, const std::filesystem::path& image, ValueRange range) {
-    app::SceneOptions scene;
+    io::StudyRequest scene;
     scene.path = image;
     scene.focusRange = range;
     if (image.empty())

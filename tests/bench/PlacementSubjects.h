@@ -4,13 +4,13 @@
 #include <string>
 #include <vector>
 
-#include "app/SceneOptions.h"
+#include "io/study/ReadStudy.h"
 
 namespace fenestra::bench {
 
 struct Structure {
   std::string name;
-  app::SceneOptions scene;
+  io::StudyRequest scene;
   bool isPhantom = false;
 };
 

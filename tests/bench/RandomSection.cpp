@@ -55,7 +55,7 @@ Section randomSection(const Options& options, const TruthStore&) {
   for (const Subject& subject : subjects.here) {
     constexpr std::array wanted{"phantom-plain", "phantom-head", "small-head-plain", "torso", "brain"};
     if (std::find(wanted.begin(), wanted.end(), subject.id) == wanted.end()) continue;
-    Scene scene = app::loadScene(subject.options).scene;
+    Scene scene = io::readStudy(subject.options).drawn.scene();
     scene.look.cutaway.enabled = false;
     std::mt19937 random(static_cast<std::mt19937::result_type>(std::hash<std::string>{}(subject.id)));
     Renderer renderer(std::make_shared<GpuScene>());

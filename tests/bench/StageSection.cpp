@@ -58,8 +58,8 @@ Section stageSection(const Options& options, const TruthStore& truths) {
   const glm::ivec2 size = options.views.size;
   for (const Subject& subject : subjects.here) {
     std::cerr << "stages: " << subject.name << '\n';
-    const app::LoadedScene loaded = app::loadScene(subject.options);
-    const Scene& scene = loaded.scene;
+    const io::Study study = io::readStudy(subject.options);
+    const Scene& scene = study.drawn.scene();
     const Measurable what = prepare(subject.name, scene, oneView, truths);
     const Camera& camera = what.cameras.front();
     Renderer renderer(std::make_shared<GpuScene>());

@@ -39,7 +39,7 @@ class List {
     const bool here = !subjects_.here.empty() && subjects_.here.back().id == id;
     return here ? &subjects_.here.back() : nullptr;
   }
-  app::SceneOptions* last(const std::string& id) {
+  io::StudyRequest* last(const std::string& id) {
     Subject* subject = lastSubject(id);
     return subject ? &subject->options : nullptr;
   }
@@ -93,16 +93,16 @@ Subjects boundSubjects(const Views& views) {
   List list(views);
   list.phantom("phantom", "phantom torso: organs", "torso");
   list.phantom("phantom-plain", "phantom torso: plain, unlit", "torso");
-  if (app::SceneOptions* options = list.last("phantom-plain"))
+  if (io::StudyRequest* options = list.last("phantom-plain"))
     options->look.cutaway.enabled = options->look.shading.enabled = false;
   list.phantom("phantom-head", "phantom head: tumour, ventricles", "head");
   list.ranged("head", "Visible Human head, CT: skull", headCt, {300.0, 3000.0});
   list.ranged("small-head", "small head, CT: skull", smallHeadCt, {0.6, 1.0});
   list.ranged("small-head-plain", "small head, CT: plain", smallHeadCt, {0.6, 1.0});
-  if (app::SceneOptions* options = list.last("small-head-plain")) options->look.cutaway.enabled = false;
+  if (io::StudyRequest* options = list.last("small-head-plain")) options->look.cutaway.enabled = false;
   list.labelled("torso", "torso, CT: kidneys", torsoCt, torsoLabels, {"2", "3"});
   list.labelled("torso-aorta", "torso, CT: aorta, unlit", torsoCt, torsoLabels, {"52"});
-  if (app::SceneOptions* options = list.last("torso-aorta")) options->look.shading.enabled = false;
+  if (io::StudyRequest* options = list.last("torso-aorta")) options->look.shading.enabled = false;
   list.labelled("brain", "brain, MR: hippocampus", brainMr, brainLabels, {"37", "38"});
   list.labelled("chest", "chest, CT: lungs", chestCt, chestLabels, {"right lung", "left lung"});
   return list.take();

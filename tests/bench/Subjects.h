@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "app/SceneOptions.h"
 #include "app/benchmark/Views.h"
+#include "io/study/ReadStudy.h"
 
 namespace CLI {
 class App;
@@ -32,7 +32,7 @@ void addViewOptions(CLI::App& program, Views& views);
 struct Subject {
   std::string id;  ///< for switches and file names
   std::string name;
-  app::SceneOptions options;
+  io::StudyRequest options;
   double aroundFocus = 0.0;  ///< mm along each axis, which pictures of methods frame; 0: all of the body
 };
 

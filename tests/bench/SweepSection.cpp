@@ -156,8 +156,8 @@ Section sweepSection(const Options& options, const TruthStore& truths) {
   Table limit{"limits", {"program", "step", "RMS", "99.9 %", "99.99 %", "maximum"}, {}};
   for (const Subject& subject : subjects.here) {
     std::cerr << "sweep: " << subject.name << '\n';
-    const app::LoadedScene loaded = app::loadScene(subject.options);
-    const Scene plainUnlit = plainScene(loaded.scene);
+    const io::Study study = io::readStudy(subject.options);
+    const Scene plainUnlit = plainScene(study.drawn.scene());
     const Measurable plain = prepare(subject.name, plainUnlit, options, truths);
     std::vector<Row> rows = measureAll(plain, {8.0, 4.0, 2.0, 1.0, 0.5, 0.25});
     const std::size_t ours = rows.size();
@@ -196,7 +196,7 @@ Section sweepSection(const Options& options, const TruthStore& truths) {
     }
     append(litTable, subject.name, litRows);
 
-    const std::vector<Row> own = measureAll(prepare(subject.name, loaded.scene, options, truths), {2.0, 0.5});
+    const std::vector<Row> own = measureAll(prepare(subject.name, study.drawn.scene(), options, truths), {2.0, 0.5});
     append(ownTable, subject.name, own);
     section.charts.push_back(timeAgainstError(subject.id + "-scene", subject.name + ", with cutaway and lighting",
                                               "99.99th percentile of the error, 1/255", own, nearlyMax));

@@ -1,16 +1,18 @@
+#include <limits>
+
 #include <CLI/CLI.hpp>
 
-#include "app/OptionHelpers.h"
+#include "app/options/Numbers.h"
+#include "app/options/Options.h"
 #include "tests/bench/Subjects.h"
 
 namespace fenestra::bench {
 
 void addViewOptions(CLI::App& program, Views& views) {
-  app::addParsed(program, "--size", "WxH", "picture in pixels, default 700x650", [&views](const std::string& text) {
-    const auto size = app::parseNumbers<int, 2>(text, 'x');
-    if (!size || (*size)[0] < 1 || (*size)[1] < 1) return false;
-    views.size = {(*size)[0], (*size)[1]};
-    return true;
+  app::Command(program).add("--size", "WxH", "picture in pixels, default 700x650", [&views](const std::string& text) {
+    const auto size = app::parseSize(text, std::numeric_limits<int>::max());
+    if (size) views.size = *size;
+    return size.has_value();
   });
   program.add_option("--cameras", views.cameras, "views along the path, default 3")->check(CLI::Range(1, 100));
   program.add_option("--compared", views.compared, "of them with the reference, default 2")->check(CLI::Range(1, 100));

@@ -23,8 +23,8 @@
 #include <QTimer>
 
 #include "app/SceneOptions.h"
-#include "app/SceneSession.h"
 #include "app/ScheduleChoice.h"
+#include "io/study/ReadStudy.h"
 #include "tests/gui/TimedApplication.h"
 #include "viewer/MainWindow.h"
 #include "viewer/panels/AppearancePanel.h"
@@ -64,16 +64,6 @@ class PictureTimes {
   QObject context_;
   std::vector<std::vector<double>> times_;
 };
-
-Study readStudy(const app::SceneOptions& options, const io::Progress& progress) {
-  app::LoadedScene loaded = app::loadScene(options, progress);
-  Study study;
-  study.session = app::sessionOf(options, loaded);
-  study.scene = std::move(loaded.scene);
-  study.camera = loaded.view.camera;
-  study.path = study.session.volume.path;
-  return study;
-}
 
 void wait(double milliseconds) {
   QEventLoop loop;
@@ -354,7 +344,7 @@ class Bench {
 
 int main(int argc, char** argv) {
   CLI::App program{"Measures how the window answers."};
-  app::SceneOptions options;
+  io::StudyRequest options;
   app::addSceneOptions(program, options);
   double seconds = 5.0;
   bool onlyStart = false;
@@ -374,7 +364,7 @@ int main(int argc, char** argv) {
   MainWindow window(
       {.gl = gl,
        .atRest = Effort{.quality = options.quality, .maxError = options.maxError},
-       .expected = app::expectedFocus(options),
+       .expected = io::expectedFocus(options),
        .chooseSchedule = [software = gl.software](
                              const std::shared_ptr<GpuScene>& gpu, const Scene& scene,
                              const View& view) { app::chooseScheduleQuickly({}, software, gpu, scene, view); },
@@ -389,7 +379,7 @@ int main(int argc, char** argv) {
     failed = true;
   });
   window.show();
-  window.open([options](const io::Progress& progress) { return readStudy(options, progress); });
+  window.open([options](const io::Progress& progress) { return io::readStudy(options, progress); });
   while (!opened && !failed) wait(1);
   if (failed) return 1;
   if (onlyStart) {

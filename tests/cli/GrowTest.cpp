@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/ImageWriter.h"
+#include "io/LabelReader.h"
 #include "io/PhantomFile.h"
 #include "io/VolumeReader.h"
 #include "tests/support/TestData.h"

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <stdexcept>
 
+#include "io/LabelReader.h"
 #include "io/TransferFunctionFile.h"
 #include "io/VolumeReader.h"
 #include "io/session/LookFile.h"

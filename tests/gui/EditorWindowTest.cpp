@@ -116,7 +116,7 @@ TEST_F(EditorWindow, AStudyThatArrivesDuringADragKeepsItsFunction) {
   };
   QTest::mousePress(&plot(), Qt::LeftButton, {}, from);
   moveTo(to);
-  const Study study = markedBall();
+  const io::Study study = markedBall();
   open(study);
   EXPECT_EQ(document().look(), study.scene.look);
   moveTo(from);

@@ -7,13 +7,14 @@
 #include <QPushButton>
 #include <QTest>
 
+#include "io/LabelReader.h"
+#include "io/study/ReadStudy.h"
 #include "tests/gui/WindowFixture.h"
 #include "tests/io/DicomWriter.h"
 #include "tests/io/LabelFiles.h"
 #include "tests/support/TestData.h"
 #include "viewer/bars/NoticeBar.h"
 #include "viewer/exports/Exports.h"
-#include "viewer/jobs/ReadStudy.h"
 
 namespace fenestra::viewer {
 namespace {
@@ -55,7 +56,9 @@ TEST_F(Window, SegmentationsOfTheSeriesAreOfferedByName) {
   ASSERT_TRUE(menu);
   EXPECT_FALSE(menu->isVisible());
   const fs::path folder = seriesWithSegmentation();
-  open(readStudy({folder, {}, {}}, {}, {}));
+  io::StudyRequest request;
+  request.path = folder;
+  open(io::readStudy(request));
   EXPECT_TRUE(menu->isVisible());
   ASSERT_EQ(menu->menu()->actions().size(), 1);
   EXPECT_EQ(menu->menu()->actions().front()->text(), QStringLiteral("made up (SEG): Leber, Niere"));

@@ -15,7 +15,7 @@
 #include <QTest>
 #include <QTimer>
 
-#include "app/SceneOptions.h"
+#include "io/study/ReadStudy.h"
 #include "tests/gui/Likeness.h"
 #include "tests/gui/WindowFixture.h"
 #include "viewer/guide/Tour.h"
@@ -30,16 +30,11 @@ namespace {
 constexpr double leastLikeness = 0.7;
 
 /// As the program reads its phantoms.
-Study readPhantom(const std::string& name, const Look& look, const io::Progress& progress) {
-  app::SceneOptions options;
-  options.phantom = name;
-  options.look = look;
-  app::LoadedScene loaded = app::loadScene(options, progress);
-  Study study;
-  study.scene = std::move(loaded.asSet);
-  study.camera = loaded.view.camera;
-  study.series = std::move(loaded.volume.series);
-  return study;
+io::Study readPhantom(const std::string& name, const Look& look, const io::Progress& progress) {
+  io::StudyRequest request;
+  request.phantom = name;
+  request.look = look;
+  return io::readStudy(request, progress);
 }
 
 class GuideWalk : public Window {

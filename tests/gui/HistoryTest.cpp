@@ -13,7 +13,7 @@
 namespace fenestra::viewer {
 namespace {
 
-Study study() {
+io::Study study() {
   auto volume = std::make_shared<Volume>();
   auto labels = std::make_shared<LabelMap>();
   volume->grid = labels->grid = {.dims = glm::ivec3(4)};
@@ -23,7 +23,7 @@ Study study() {
     volume->voxels.as<std::int16_t>()[i] = static_cast<std::int16_t>(10 * i);
   volume->computeRange();
   labels->labels = {{1, "first", {1, 0, 0}}, {2, "second", {0, 1, 0}}, {7, "third", {0, 0, 1}}};
-  Study made;
+  io::Study made;
   made.scene.volume = volume;
   made.scene.labels = labels;
   made.scene.look.context.function.nodes = {{100.0, {{1, 1, 1}, 0.0}}, {200.0, {{1, 1, 1}, 1.0}}};

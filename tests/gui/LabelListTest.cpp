@@ -75,7 +75,7 @@ TEST_F(LabelListWindow, RolesAreChosenInTheirColumn) {
 TEST_F(LabelListWindow, AClickIn3DMeetsAProtectedStructureInTheOpening) {
   constexpr std::uint16_t shield = 3;
   const glm::dvec3 before(17.0, -32.0, 17.0);  // in front of the marker, as the camera looks from anterior
-  Study study = markedBall();
+  io::Study study = markedBall();
   const auto volume = std::const_pointer_cast<Volume>(study.scene.volume);  // not shared yet
   const auto labels = std::const_pointer_cast<LabelMap>(study.scene.labels);
   const Grid& grid = volume->grid;
@@ -166,7 +166,7 @@ TEST_F(LabelListWindow, ANameIsChangedInPlace) {
 }
 
 TEST_F(LabelListWindow, LabelsWithoutVoxelsAreFoldedAway) {
-  Study study = markedBall();
+  io::Study study = markedBall();
   auto labels = std::make_shared<LabelMap>();
   labels->grid = study.scene.labels->grid;
   labels->voxels = Voxels(study.scene.labels->voxels.type(), study.scene.labels->voxels.count());
@@ -190,7 +190,7 @@ TEST_F(LabelListWindow, LabelsWithoutVoxelsAreFoldedAway) {
 }
 
 TEST_F(LabelListWindow, LabelsAreFoundByTheirWordsInAnyOrder) {
-  Study study = markedBall();
+  io::Study study = markedBall();
   auto labels = std::make_shared<LabelMap>();
   labels->grid = study.scene.labels->grid;
   labels->voxels = Voxels(study.scene.labels->voxels.type(), study.scene.labels->voxels.count());
@@ -217,7 +217,7 @@ TEST_F(LabelListWindow, LabelsAreFoundByTheirWordsInAnyOrder) {
 }
 
 TEST_F(LabelListWindow, LabelsOfALargeMapAreFoldedAwayOnceItIsRead) {
-  Study study;
+  io::Study study;
   auto volume = std::make_shared<Volume>();
   auto labels = std::make_shared<LabelMap>();
   volume->grid = labels->grid = {.dims = glm::ivec3(168), .spacing = glm::dvec3(1.0), .origin = glm::dvec3(0.0)};

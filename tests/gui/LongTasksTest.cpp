@@ -89,7 +89,7 @@ TEST_F(LongTasks, ThumbnailsAreMadeWhileTheWindowAnswers) {
   for (int series = 0; series < 6; ++series)
     writeBall(folder_ / std::to_string(series), 256, 40, "1.2.4." + std::to_string(series + 1));
   io::OpenedVolume opened = io::openVolume(folder_);
-  Study study;
+  io::Study study;
   study.series = std::move(opened.series);
   study.otherSeries = std::move(opened.otherSeries);
   ASSERT_EQ(study.otherSeries.size(), 5);

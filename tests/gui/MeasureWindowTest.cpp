@@ -245,7 +245,7 @@ TEST_F(MeasureWindow, ComesBackWithASession) {
   const std::vector<Measure> drawn = document().measures();
   EXPECT_EQ(window_->sessions().controller().session().measures, drawn);
   EXPECT_TRUE(window_->sessions().controller().isModified());
-  Study study = markedBall();
+  io::Study study = markedBall();
   study.session.measures = drawn;
   document().setMeasures({}, {});
   open(study);

@@ -46,7 +46,7 @@ void expectSameTurn(const std::array<Camera, 2>& before, const ViewLink& link) {
 }
 
 /// Values 0..999 along x, labels 1 for x < 3 and 7 for x > 6.
-Study study() {
+io::Study study() {
   auto volume = std::make_shared<Volume>();
   auto labels = std::make_shared<LabelMap>();
   volume->grid = labels->grid = cube();
@@ -61,7 +61,7 @@ Study study() {
   }
   volume->computeRange();
   labels->labels = {{1, "first", {1, 0, 0}}, {7, "second", {0, 1, 0}}};
-  Study made;
+  io::Study made;
   made.scene.volume = volume;
   made.scene.labels = labels;
   made.scene.look.context.function.nodes = {{100.0, {{1, 1, 1}, 0.0}}, {200.0, {{1, 1, 1}, 1.0}}};

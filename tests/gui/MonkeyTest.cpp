@@ -188,10 +188,10 @@ class Monkey : public Window, public testing::WithParamInterface<unsigned> {
 
   void load() {
     event_ = "load";
-    Study study = markedBall();
+    io::Study study = markedBall();
     if (below(2) == 0) study.scene.labels = nullptr;
     if (below(4) == 0) {
-      window_->open([](const io::Progress&) -> Study { throw io::Error("ball.nii", "is torn", "take another"); });
+      window_->open([](const io::Progress&) -> io::Study { throw io::Error("ball.nii", "is torn", "take another"); });
     } else {
       window_->open([study](const io::Progress&) { return study; });
     }

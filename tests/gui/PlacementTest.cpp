@@ -68,7 +68,7 @@ class FakeBackend : public PlacementBackend {
   placement::Measured measured_;
 };
 
-Study study() {
+io::Study study() {
   auto volume = std::make_shared<Volume>();
   auto labels = std::make_shared<LabelMap>();
   volume->grid = labels->grid = {.dims = glm::ivec3(8), .spacing = glm::dvec3(2.0)};
@@ -80,7 +80,7 @@ Study study() {
   labels->voxels.as<std::uint8_t>()[1] = 2;
   volume->computeRange();
   labels->labels = {{1, "first", {1, 0, 0}}, {2, "second", {0, 1, 0}}};
-  Study made;
+  io::Study made;
   made.scene.volume = volume;
   made.scene.labels = labels;
   made.scene.look.context.function.nodes = {{100.0, {{1, 1, 1}, 1.0}}};
@@ -133,7 +133,7 @@ TEST_F(Placement, AChosenFocusIsMeasuredAndBothCamerasFlyToTheAnswer) {
 }
 
 TEST_F(Placement, OpeningAStudyLeavesItsCameras) {
-  Study focused = study();
+  io::Study focused = study();
   focused.scene.look.focus = LabelFocus{{1}};
   document_.open(focused);
   EXPECT_FALSE(placement_.isBusy());

@@ -126,7 +126,7 @@ TEST_F(PresetWindow, ALabelsOwnFunctionGoesWithTheLook) {
   EXPECT_EQ(picture(volume(0)), seen) << "to the bit";
 
   // Other data with other values for the same names.
-  Study another = markedBall();
+  io::Study another = markedBall();
   auto labels =
       std::make_shared<LabelMap>(LabelMap{.grid = another.scene.labels->grid,
                                           .voxels = Voxels(ScalarType::UInt8, another.scene.labels->voxels.count()),
@@ -148,7 +148,7 @@ TEST_F(PresetWindow, ExportedAndImportedOnAnotherVolumeItIsTheSameLook) {
   file_ = folder_ / "mine.json";
   picker().exportPreset();
   ASSERT_TRUE(fs::exists(file_));
-  Study another = markedBall();
+  io::Study another = markedBall();
   const auto volume = std::const_pointer_cast<Volume>(another.scene.volume);  // not shared yet
   volume->slope = 2.0;
   volume->intercept = -100.0;

@@ -23,7 +23,7 @@ constexpr int patience = 30000;  ///< ms; reached only when something hangs
 const glm::dvec3 left(30.0, 30.0, 30.0), right(115.0, 30.0, 30.0);
 constexpr double radius = 16.0;
 
-Study twoBalls() {
+io::Study twoBalls() {
   auto volume = std::make_shared<Volume>();
   volume->grid.dims = {150, 60, 60};
   volume->voxels = Voxels(ScalarType::Int16, volume->grid.voxelCount());
@@ -38,7 +38,7 @@ Study twoBalls() {
         values[volume->grid.offset({x, y, z})] = static_cast<std::int16_t>(value + noise(random));
       }
   volume->computeRange();
-  Study made;
+  io::Study made;
   made.scene.volume = volume;
   made.scene.look.context.function.nodes = {{200.0, {glm::dvec3(1.0), 0.0}}, {300.0, {glm::dvec3(1.0), 1.0}}};
   return made;

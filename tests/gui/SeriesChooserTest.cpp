@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Two series: a scout of one image, and three slices with a bright left half.
-Study writeStudy(const fs::path& folder) {
+io::Study writeStudy(const fs::path& folder) {
   fs::create_directories(folder);
   for (int image = 0; image < 4; ++image) {
     tests::DicomSpec spec;
@@ -31,7 +31,7 @@ Study writeStudy(const fs::path& folder) {
     tests::writeDicom(folder / std::to_string(image), spec);
   }
   io::OpenedVolume opened = io::openVolume(folder);
-  Study study;
+  io::Study study;
   study.series = std::move(opened.series);
   study.otherSeries = std::move(opened.otherSeries);
   return study;

@@ -42,7 +42,7 @@ class SessionWindow : public Window {
     folder_ = tests::scratchFolder();
     file_ = folder_ / "work.fenestra";
     fs::create_directory(folder_ / "data");
-    const Study ball = markedBall();
+    const io::Study ball = markedBall();
     io::writeVolume(*ball.scene.volume, folder_ / "data" / "ball.nii.gz");
     Volume labels;
     labels.grid = ball.scene.labels->grid;

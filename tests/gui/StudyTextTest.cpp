@@ -11,12 +11,12 @@
 #include <QTest>
 
 #include "io/session/SessionFile.h"
+#include "io/study/ReadStudy.h"
 #include "tests/gui/WindowFixture.h"
 #include "tests/io/DicomWriter.h"
 #include "tests/support/TestData.h"
 #include "viewer/dialogs/WindowLevelDialog.h"
 #include "viewer/files/Sessions.h"
-#include "viewer/jobs/ReadStudy.h"
 #include "viewer/model/PatientLines.h"
 
 namespace fenestra::viewer {
@@ -24,8 +24,8 @@ namespace {
 
 io::PatientText somebody() { return {"Vermeer^Johanna^Maria", "QX-4711", "F", "19500102"}; }
 
-Study studyOfSomebody() {
-  Study study = markedBall();
+io::Study studyOfSomebody() {
+  io::Study study = markedBall();
   study.patient = somebody();
   study.series.modality = "CT";
   study.series.description = "Thorax 1.0 B70";
@@ -58,7 +58,9 @@ TEST(PatientLines, ComeFromTheDicomFiles) {
     spec.date = "20190705";
     tests::writeDicom(folder / std::to_string(image), spec);
   }
-  const Study study = readStudy({folder, {}, {}}, {}, {});
+  io::StudyRequest request;
+  request.path = folder;
+  const io::Study study = io::readStudy(request);
   EXPECT_EQ(patientLines(study.patient, study.series),
             (QStringList{"Müller, Jörg", "ID 0815", "M · 1961-12-31", "Schädel", "2019-07-05"}));
   // The session holds none of these texts.
@@ -192,7 +194,7 @@ TEST_F(StudyWindow, TheIKeyInverts) {
   QTest::keyClick(window_.get(), Qt::Key_1);
   EXPECT_FALSE(document().isInverted()) << "the data's own window";
 
-  Study inverted = markedBall();
+  io::Study inverted = markedBall();
   inverted.session.inverted = true;
   open(inverted);
   cursor().moveTo(markerCentre);

@@ -23,9 +23,9 @@
 namespace fenestra::viewer {
 namespace {
 
-Study torso() {
+io::Study torso() {
   const io::OpenedPhantom phantom = io::openPhantom("torso", 96);
-  Study study;
+  io::Study study;
   study.scene.volume = phantom.volume.volume;
   study.scene.labels = phantom.labels;
   study.scene.look.context.function = markedBall().scene.look.context.function;
@@ -79,7 +79,7 @@ TEST_F(Welcome, OffersPhantomsTourAndOwnData) {
 }
 
 TEST_F(Welcome, ComesBackWhenReadingFails) {
-  window_->open([](const io::Progress&) -> Study { throw io::Error("study", "is damaged", "choose another"); });
+  window_->open([](const io::Progress&) -> io::Study { throw io::Error("study", "is damaged", "choose another"); });
   EXPECT_TRUE(page().findChildren<QPushButton*>().front()->visibleRegion().isEmpty()) << "while it is read";
   ASSERT_TRUE(QTest::qWaitFor([&] { return !window_->notices().texts().isEmpty(); }, patience));
   ASSERT_TRUE(QTest::qWaitFor([&] { return button("Open a file…")->isVisible(); }, patience));

@@ -100,8 +100,8 @@ TEST_F(Window, RemembersLayoutAndRecentFilesOnlyWhenAsked) {
     cutawayDock(window)->hide();
     QSignalSpy opened(&window, &MainWindow::opened);
     window.open([](const io::Progress&) {
-      Study study = markedBall();
-      study.path = "/data/scan.nii";
+      io::Study study = markedBall();
+      study.session.volume.path = "/data/scan.nii";
       return study;
     });
     EXPECT_TRUE(opened.wait(patience));
@@ -134,7 +134,7 @@ TEST_F(Window, RemembersHowTheUserPlacesCamerasNotHowASessionDoes) {
 }
 
 TEST_F(Window, WarningsAreShownOnceEach) {
-  Study study = markedBall();
+  io::Study study = markedBall();
   study.warnings = {{io::Warning::Kind::UnevenSpacing, "slices are uneven", {"a.dcm", "b.dcm"}},
                     {io::Warning::Kind::UnevenSpacing, "slices are uneven", {"a.dcm", "b.dcm"}},
                     {io::Warning::Kind::GantryTilt, "the gantry was tilted", {}}};
@@ -235,7 +235,7 @@ TEST_F(Window, MarksPlanesThatWereNotScanned) {
 
 TEST_F(Window, ReadingCanBeCancelled) {
   const auto volumeBefore = document().scene().volume;
-  window_->open([](const io::Progress& progress) -> Study {
+  window_->open([](const io::Progress& progress) -> io::Study {
     while (progress(0.5, "reading slices")) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     throw io::Cancelled();
   });
@@ -252,8 +252,8 @@ TEST_F(Window, ReadingCanBeCancelled) {
 }
 
 TEST_F(Window, TitleAndPanelsNameNoFile) {
-  Study study = markedBall();
-  study.path = "/data/Doe^Jane/scan.nii";
+  io::Study study = markedBall();
+  study.session.volume.path = "/data/Doe^Jane/scan.nii";
   study.series.description = "Jane Doe, head";
   open(study);
   EXPECT_FALSE(window_->windowTitle().contains(QStringLiteral("Doe")));

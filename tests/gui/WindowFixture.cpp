@@ -26,7 +26,7 @@ void useScratchSettings() {
   QCoreApplication::setOrganizationName(QStringLiteral("Fenestra tests"));
 }
 
-Study markedBall() {
+io::Study markedBall() {
   auto volume = std::make_shared<Volume>();
   auto labels = std::make_shared<LabelMap>();
   volume->grid = labels->grid = {.dims = glm::ivec3(48), .spacing = glm::dvec3(2.0), .origin = glm::dvec3(-47.0)};
@@ -49,7 +49,7 @@ Study markedBall() {
       }
   volume->computeRange();
   labels->labels = {{body, "body", {0.9, 0.6, 0.5}}, {marker, "marker", {0.1, 1.0, 0.1}}};
-  Study study;
+  io::Study study;
   study.scene.volume = volume;
   study.scene.labels = labels;
   study.scene.look.context.function.nodes = {{-200.0, {{0.9, 0.6, 0.5}, 0.0}}, {0.0, {{0.9, 0.6, 0.5}, 1.0}}};
@@ -90,7 +90,7 @@ void Window::drop(const std::vector<std::filesystem::path>& paths) {
   waitUntilDrawn();
 }
 
-void Window::open(const Study& study) {
+void Window::open(const io::Study& study) {
   QSignalSpy opened(window_.get(), &MainWindow::opened);
   window_->open([study](const io::Progress&) { return study; });
   ASSERT_TRUE(opened.wait(patience));

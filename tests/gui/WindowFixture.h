@@ -24,7 +24,7 @@ constexpr std::uint16_t body = 1, marker = 2;
 inline const glm::dvec3 markerCentre(17.0, -17.0, 17.0);
 
 /// A ball of soft tissue with a green cube of bone in it, 48³ voxels of 2 mm around the world's origin.
-Study markedBall();
+io::Study markedBall();
 
 /// Preferences are stored in a folder of the test's own.
 void useScratchSettings();
@@ -36,7 +36,7 @@ class Window : public testing::Test {
   /// A window with nothing open in it.
   void makeWindow();
 
-  void open(const Study& study);
+  void open(const io::Study& study);
   /// Drops files or a folder from another program, and waits until they are shown.
   void drop(const std::vector<std::filesystem::path>& paths);
   void waitUntilDrawn();

@@ -462,7 +462,7 @@ TEST_F(Window, CrosshairGoesToAFocusThatIsChosenByNameOrOpened) {
   const auto atMarker = [&] { return glm::distance(cursor().position(), markerCentre) < 1e-6; };
   EXPECT_TRUE(QTest::qWaitFor(atMarker, patience));
 
-  Study focused = markedBall();
+  io::Study focused = markedBall();
   focused.scene.look.focus = ValueFocus{.values = {500.0, 1000.0}};  // reaches a voxel around the marker
   open(focused);
   EXPECT_TRUE(atMarker());
@@ -513,8 +513,8 @@ TEST_F(Window, NamesWhatIsUnderTheMouse) {
 }
 
 /// A ball of soft tissue over a plate, in a CT.
-Study ballOverTable() {
-  Study study = markedBall();
+io::Study ballOverTable() {
+  io::Study study = markedBall();
   auto volume = std::make_shared<Volume>();
   volume->grid = study.scene.volume->grid;
   volume->modality = Modality::CT;

@@ -5,6 +5,7 @@
 #include <archive_entry.h>
 #include <gtest/gtest.h>
 
+#include "io/LabelReader.h"
 #include "io/VolumeReader.h"
 #include "tests/io/DicomWriter.h"
 #include "tests/io/IoTesting.h"

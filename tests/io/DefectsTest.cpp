@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "io/LabelReader.h"
 #include "io/VolumeReader.h"
 #include "tests/io/Defects.h"
 #include "tests/io/IoTesting.h"

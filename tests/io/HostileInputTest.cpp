@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "io/LabelReader.h"
 #include "io/VolumeReader.h"
 #include "io/VolumeWriter.h"
 #include "tests/io/DicomWriter.h"

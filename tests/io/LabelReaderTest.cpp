@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "io/LabelColours.h"
+#include "io/LabelReader.h"
 #include "io/VolumeReader.h"
 #include "tests/io/IoTesting.h"
 #include "tests/io/LabelFiles.h"

@@ -11,6 +11,7 @@
 #include <dcmtk/dcmseg/segdoc.h>
 #include <dcmtk/dcmseg/segment.h>
 
+#include "io/LabelReader.h"
 #include "io/LabelWriter.h"
 #include "tests/io/DicomWriter.h"
 #include "tests/io/IoTesting.h"

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "io/VolumeReader.h"
+#include "io/base/Words.h"
 #include "tests/io/GdcmPeer.h"
 #include "tests/io/IoTesting.h"
 #include "tests/support/TestData.h"

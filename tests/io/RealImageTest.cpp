@@ -9,6 +9,7 @@
 #include <itkNiftiImageIO.h>
 #include <itkNrrdImageIO.h>
 
+#include "io/LabelReader.h"
 #include "io/VolumeReader.h"
 #include "tests/io/IoTesting.h"
 #include "tests/support/TestData.h"

@@ -20,6 +20,7 @@
 #include <dcmtk/dcmseg/segutils.h>
 #include <dcmtk/oflog/oflog.h>
 
+#include "io/LabelReader.h"
 #include "io/VolumeReader.h"
 #include "tests/io/IoTesting.h"
 #include "tests/io/LabelFiles.h"

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "io/LabelReader.h"
 #include "io/VolumeReader.h"
 #include "tests/io/IoTesting.h"
 #include "tests/io/LabelFiles.h"

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "io/LabelReader.h"
 #include "io/VolumeReader.h"
 #include "tests/io/DicomWriter.h"
 #include "tests/io/IoTesting.h"

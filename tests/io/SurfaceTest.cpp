@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "io/LabelReader.h"
 #include "io/VolumeReader.h"
 #include "io/surface/Surface.h"
 #include "tests/io/IoTesting.h"

@@ -212,7 +212,7 @@ void measure(const Options& options, const Peer& peer) {
   bool first = true;
   const bench::Subjects subjects = bench::reportSubjects(options.views);
   for (const bench::Subject& subject : subjects.here) {
-    const Scene scene = bench::plainScene(app::loadScene(subject.options).scene);
+    const Scene scene = bench::plainScene(io::readStudy(subject.options).drawn.scene());
     const std::vector<Camera> cameras = bench::cameraPath(scene, options.views.cameras, options.views.projection());
     for (const bool lit : {false, true}) {
       Stage stage(scene, options.views.size, lit, peer);

@@ -12,7 +12,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <nlohmann/json.hpp>
 
-#include "app/SceneOptions.h"
+#include "io/study/ReadStudy.h"
 #include "rendering/scene/TransferFunction.h"
 #include "tests/peers/PeerRuns.h"
 
@@ -169,7 +169,7 @@ void measure(const Options& options) {
   const std::vector<glm::ivec2> pixels = bench::sampledPixels(options.views.size, options.views.pixelBlock);
   Json runs = Json::array();
   for (const bench::Subject& subject : bench::reportSubjects(options.views).here) {
-    const Scene scene = bench::plainScene(app::loadScene(subject.options).scene);
+    const Scene scene = bench::plainScene(io::readStudy(subject.options).drawn.scene());
     const std::vector<Camera> cameras = bench::cameraPath(scene, options.views.cameras, options.views.projection());
     Stage stage(scene, options.views.size);
     for (std::size_t s = 0; s < settings.size(); ++s) {

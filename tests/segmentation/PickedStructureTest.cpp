@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "rendering/segmentation/DrawnScene.h"
+#include "rendering/segmentation/RegionGrowing.h"
 #include "tests/support/Scenes.h"
 
 namespace fenestra::segmentation {
@@ -53,7 +55,9 @@ TEST(PickedStructure, TheRegionInFocusIsTakenWhereItHoldsThePoint) {
   const RegionFocus region{{glm::dvec3(20.0)}, {}, {}};
   scene.look.focus = region;
   const auto growth = growRegion(*scene.volume, region, wholeOf(scene.volume->grid.dims));
-  const Scene shown = shownScene(scene, *growth);
+  DrawnScene drawn;
+  drawn.update({scene.volume, scene.labels, scene.look}, &*growth);
+  const Scene& shown = drawn.scene();
   const PickedStructure inside = pickedStructure(shown, glm::dvec3(21.0));
   EXPECT_EQ(inside.labels, growth->steps);
   EXPECT_FALSE(inside.isGrown);

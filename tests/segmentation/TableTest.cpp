@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "io/LabelReader.h"
 #include "io/VolumeReader.h"
 #include "rendering/segmentation/Table.h"
 #include "tests/support/Scenes.h"

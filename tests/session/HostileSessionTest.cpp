@@ -9,9 +9,10 @@
 
 #include <gtest/gtest.h>
 
-#include "io/session/OpenSession.h"
 #include "io/session/SessionFile.h"
 #include "io/session/StrokeFile.h"
+#include "io/study/ReadStudy.h"
+#include "io/study/SessionData.h"
 #include "tests/io/IoTesting.h"
 #include "tests/session/SessionTesting.h"
 #include "tests/support/TestData.h"
@@ -146,7 +147,9 @@ TEST_F(HostileSession, WhatLiesOutsideIsNotOpenedUnlessItsContentsAreNamed) {
   const auto missing = [&] {
     io::writeSession(inside / "a.fenestra", session);
     try {
-      io::openSession(inside / "a.fenestra");
+      io::DataRequest request;
+      request.path = inside / "a.fenestra";
+      io::openData(request);
     } catch (const io::DataMissing& error) {
       return std::string(error.what());
     }

@@ -26,12 +26,12 @@ io::LookPreset somePreset(const fs::path& folder) {
 }
 
 /// A volume with labels of those names, and unnamed ones.
-Scene sceneWith(const std::vector<Label>& labels) {
+SetScene sceneWith(const std::vector<Label>& labels) {
   auto volume = std::make_shared<Volume>();
   volume->unit = "HU";
   auto map = std::make_shared<LabelMap>();
   map->labels = labels;
-  Scene scene;
+  SetScene scene;
   scene.volume = volume;
   scene.labels = map;
   return scene;
@@ -62,14 +62,14 @@ TEST(LookFile, HoldsNothingOfTheData) {
 TEST(LookFile, LabelsAreFoundAgainByNameOrByTheValueOfUnnamedOnes) {
   const fs::path file = scratchFolder() / "a.json";
   const TransferFunction liver{{{0.0, {{1.0, 0.0, 0.0}, 0.5}}}}, unnamed{{{10.0, {{0.0, 1.0, 0.0}, 0.25}}}};
-  Scene first = sceneWith({{1, "liver"}, {2, ""}, {3, "spleen"}});
+  SetScene first = sceneWith({{1, "liver"}, {2, ""}, {3, "spleen"}});
   first.look.labels = {{.label = 1, .opacity = 0.5, .function = liver}, {.label = 2, .function = unnamed}};
   io::writeLook(file, io::presetOf("x", first));
   const io::LookPreset preset = io::readLook(file);
   ASSERT_EQ(preset.labels, (std::vector<io::LabelFunction>{{"liver", liver}, {"2", unnamed}}));
   EXPECT_EQ(io::restyled(first, preset), first.look);
 
-  Scene second = sceneWith({{1, "spleen"}, {2, ""}, {9, "liver"}});
+  SetScene second = sceneWith({{1, "spleen"}, {2, ""}, {9, "liver"}});
   second.look.labels = {{.label = 1, .role = LabelRole::Hidden, .function = liver}};
   const Look result = io::restyled(second, preset);
   EXPECT_EQ(settingFor(result.labels, 9).function, liver) << "by name, whatever its value";

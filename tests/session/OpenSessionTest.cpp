@@ -5,9 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include "io/VolumeReader.h"
 #include "io/VolumeWriter.h"
-#include "io/session/OpenSession.h"
 #include "io/session/SessionFile.h"
+#include "io/study/ReadStudy.h"
+#include "io/study/SessionData.h"
 #include "tests/io/DicomWriter.h"
 #include "tests/io/IoTesting.h"
 #include "tests/io/LabelFiles.h"
@@ -20,6 +22,21 @@ namespace {
 
 namespace fs = std::filesystem;
 using Kind = io::Warning::Kind;
+
+/// The data of a session, at the places that are given.
+io::Study openSession(const fs::path& file, const fs::path& volume = {}, const fs::path& labels = {}) {
+  io::DataRequest request;
+  request.path = file;
+  request.data = volume;
+  request.labels = labels;
+  return io::openData(request);
+}
+io::Study openOutside(const fs::path& file) {
+  io::DataRequest request;
+  request.path = file;
+  request.allowOutside = true;
+  return io::openData(request);
+}
 
 /// A study of five slices and a label map beside it, and a session for both in a folder of their own.
 class OpenSession : public testing::Test {
@@ -62,7 +79,7 @@ class OpenSession : public testing::Test {
 
   static std::string missing(const fs::path& file, io::DataMissing::Data which) {
     try {
-      io::openSession(file);
+      openSession(file);
     } catch (const io::DataMissing& error) {
       EXPECT_EQ(error.data(), which);
       return error.what();
@@ -80,10 +97,10 @@ TEST_F(OpenSession, LabelsMayBeADicomSegmentation) {
   spec.frames = {{1, glm::dvec3(0, 0, 2), {0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}}};
   writeSeg(project_ / "study" / "seg.dcm", spec);
   const fs::path file = save(project_ / "a.fenestra", project_ / "study", project_ / "study" / "seg.dcm");
-  const io::OpenedSession opened = io::openSession(file);
-  ASSERT_TRUE(opened.labels);
-  EXPECT_EQ(opened.labels->value({1, 0, 2}), 1);
-  EXPECT_EQ(opened.labels->find(1)->name, "first");
+  const io::Study opened = openSession(file);
+  ASSERT_TRUE(opened.scene.labels);
+  EXPECT_EQ(opened.scene.labels->value({1, 0, 2}), 1);
+  EXPECT_EQ(opened.scene.labels->find(1)->name, "first");
   EXPECT_EQ(kindsOf(opened.warnings), "");
 }
 
@@ -96,14 +113,14 @@ TEST_F(OpenSession, LabelsMayLieInAnArchive) {
             0);
   const fs::path member = project_ / "labels.tar" / "labels.nii";
   save(project_ / "a.fenestra", project_ / "study", member);
-  EXPECT_EQ(io::openSession(project_ / "a.fenestra").session.labels.path, member);
+  EXPECT_EQ(openSession(project_ / "a.fenestra").session.labels.path, member);
 
   // The archive lies elsewhere now: it is known by its contents.
   fs::create_directories(project_ / "moved");
   fs::rename(project_ / "labels.tar", project_ / "moved" / "labels.tar");
-  const io::OpenedSession moved = io::openSession(project_ / "a.fenestra");
+  const io::Study moved = openSession(project_ / "a.fenestra");
   EXPECT_EQ(moved.session.labels.path, project_ / "moved" / "labels.tar" / "labels.nii");
-  EXPECT_EQ(moved.labels->labels.size(), 2u);
+  EXPECT_EQ(moved.scene.labels->labels.size(), 2u);
   EXPECT_TRUE(hasWarning(moved.warnings, Kind::MovedData));
 }
 
@@ -118,10 +135,10 @@ TEST_F(OpenSession, KeepsTheTimePoint) {
     saved.volume = io::sessionVolume(file, opened);
     io::noteContents(saved);
     io::writeSession(session, saved);
-    const io::OpenedSession again = io::openSession(session);
+    const io::Study again = openSession(session);
     EXPECT_EQ(again.session.volume.time, time);
-    EXPECT_EQ(realValues(*again.volume.volume), realValues(*opened.volume));
-    EXPECT_EQ(again.volume.volume->value({0, 0, 0}), (time - 1) * 24.0);
+    EXPECT_EQ(realValues(*again.scene.volume), realValues(*opened.volume));
+    EXPECT_EQ(again.scene.volume->value({0, 0, 0}), (time - 1) * 24.0);
   }
 }
 
@@ -137,16 +154,16 @@ TEST_F(OpenSession, FilesOutsideAHeadersFolderNeedPermission) {
   io::noteContents(saved);
   io::writeSession(session, saved);
   EXPECT_NE(missing(session, io::DataMissing::Data::Volume).find("names voxels outside its folder"), std::string::npos);
-  EXPECT_EQ(io::openSession(session, {.allowOutside = true}).volume.volume->value({1, 1, 1}), 5.0);
+  EXPECT_EQ(openOutside(session).scene.volume->value({1, 1, 1}), 5.0);
 }
 
 TEST_F(OpenSession, FindsDataWhereTheyAre) {
   const fs::path file = save(project_ / "a.fenestra", project_ / "study", project_ / "labels.nii.gz");
-  const io::OpenedSession opened = io::openSession(file);
+  const io::Study opened = openSession(file);
   EXPECT_TRUE(opened.warnings.empty()) << kindsOf(opened.warnings);
-  EXPECT_EQ(opened.volume.volume->grid.dims, glm::ivec3(4, 3, 5));
-  ASSERT_TRUE(opened.labels);
-  EXPECT_EQ(opened.labels->labels.size(), 2u);
+  EXPECT_EQ(opened.scene.volume->grid.dims, glm::ivec3(4, 3, 5));
+  ASSERT_TRUE(opened.scene.labels);
+  EXPECT_EQ(opened.scene.labels->labels.size(), 2u);
   io::writeSession(project_ / "b.fenestra", opened.session);
   EXPECT_EQ(readFile(project_ / "a.fenestra"), readFile(project_ / "b.fenestra"));
 }
@@ -154,13 +171,13 @@ TEST_F(OpenSession, FindsDataWhereTheyAre) {
 TEST_F(OpenSession, KeepsWorkingWhenTheProjectMoves) {
   save(project_ / "a.fenestra", project_ / "study", project_ / "labels.nii.gz");
   fs::rename(project_, top_ / "elsewhere");
-  const io::OpenedSession opened = io::openSession(top_ / "elsewhere" / "a.fenestra");
+  const io::Study opened = openSession(top_ / "elsewhere" / "a.fenestra");
   EXPECT_TRUE(opened.warnings.empty()) << kindsOf(opened.warnings);
 }
 
 TEST_F(OpenSession, ASessionAmongTheSlicesIsNoSlice) {
   const fs::path file = save(project_ / "study" / "a.fenestra", project_ / "study");
-  EXPECT_TRUE(io::openSession(file).warnings.empty());
+  EXPECT_TRUE(openSession(file).warnings.empty());
 }
 
 TEST_F(OpenSession, SearchesBesideAndBelowByName) {
@@ -171,19 +188,19 @@ TEST_F(OpenSession, SearchesBesideAndBelowByName) {
   fs::rename(project_ / "labels.nii.gz", project_ / "data" / "labels.nii.gz");
   // A study of other voxels lies where the first one was.
   writeStudy(project_ / "study", 7);
-  const io::OpenedSession opened = io::openSession(file);
+  const io::Study opened = openSession(file);
   EXPECT_EQ(opened.session.volume.path, project_ / "study")
       << "the study at the stored place is taken, with a warning that it changed";
   EXPECT_TRUE(hasWarning(opened.warnings, Kind::ChangedData));
   EXPECT_TRUE(hasWarning(opened.warnings, Kind::MovedData));
   EXPECT_EQ(opened.session.labels.path, project_ / "data" / "labels.nii.gz");
   fs::rename(project_ / "study", project_ / "data" / "study");
-  const io::OpenedSession again = io::openSession(file);
+  const io::Study again = openSession(file);
   EXPECT_EQ(again.session.volume.path, project_ / "data" / "2026" / "study") << "equal contents, not the nearest name";
   EXPECT_FALSE(hasWarning(again.warnings, Kind::ChangedData));
   io::writeSession(file, again.session);
   EXPECT_NE(readFile(file), before);
-  EXPECT_TRUE(io::openSession(file).warnings.empty()) << "saved again, it knows where they are";
+  EXPECT_TRUE(openSession(file).warnings.empty()) << "saved again, it knows where they are";
 }
 
 TEST_F(OpenSession, SearchesByContentsWhenTheNameIsGone) {
@@ -192,7 +209,7 @@ TEST_F(OpenSession, SearchesByContentsWhenTheNameIsGone) {
   fs::rename(project_ / "study", project_ / "data" / "anonymous");
   fs::rename(project_ / "labels.nii.gz", project_ / "data" / "x.nii.gz");
   for (int i = 0; i < 7; ++i) writeFile(project_ / "data" / "decoy" / std::to_string(i), "not a slice");
-  const io::OpenedSession opened = io::openSession(file);
+  const io::Study opened = openSession(file);
   EXPECT_EQ(opened.session.volume.path, project_ / "data" / "anonymous");
   EXPECT_EQ(opened.session.labels.path, project_ / "data" / "x.nii.gz");
   EXPECT_EQ(opened.warnings.size(), 2u) << kindsOf(opened.warnings);
@@ -207,9 +224,18 @@ TEST_F(OpenSession, AsksForWhatItDoesNotFind) {
   said = missing(file, io::DataMissing::Data::Volume);
   EXPECT_NE(said.find("--data"), std::string::npos) << said;
   EXPECT_EQ(said.find('\n'), std::string::npos);
-  const io::OpenedSession opened = io::openSession(file, {top_ / "study", top_ / "labels.nii.gz"});
+  const io::Study opened = openSession(file, top_ / "study", top_ / "labels.nii.gz");
   EXPECT_TRUE(opened.warnings.empty()) << kindsOf(opened.warnings);
   EXPECT_EQ(opened.session.volume.path, top_ / "study");
+}
+
+TEST_F(OpenSession, AFolderIsFoundThatHasTheNameOfOneAboveIt) {
+  project_ = top_ / "study" / "project";
+  fs::create_directories(project_ / "data");
+  writeStudy(project_ / "study", 0);
+  const fs::path file = save(project_ / "a.fenestra", project_ / "study");
+  fs::rename(project_ / "study", project_ / "data" / "study");
+  EXPECT_EQ(openSession(file).session.volume.path, project_ / "data" / "study");
 }
 
 TEST_F(OpenSession, SaysThatDataChanged) {
@@ -217,18 +243,18 @@ TEST_F(OpenSession, SaysThatDataChanged) {
   std::string bytes = readFile(project_ / "study" / "slice2");
   bytes.back() = static_cast<char>(bytes.back() + 1);
   writeFile(project_ / "study" / "slice2", bytes);
-  io::OpenedSession opened = io::openSession(file);
+  io::Study opened = openSession(file);
   EXPECT_TRUE(hasWarning(opened.warnings, Kind::ChangedData)) << "one bit in one slice";
   io::writeSession(file, opened.session);
-  EXPECT_TRUE(io::openSession(file).warnings.empty()) << "saved again, that is what they are";
+  EXPECT_TRUE(openSession(file).warnings.empty()) << "saved again, that is what they are";
 
   // Outside the session's folder changed data is not taken without being asked for.
   fs::create_directories(top_ / "sessions");
   const fs::path outside = save(top_ / "sessions" / "a.fenestra", project_ / "study");
-  EXPECT_TRUE(io::openSession(outside).warnings.empty());
+  EXPECT_TRUE(openSession(outside).warnings.empty());
   writeStudy(project_ / "study", 7);
   EXPECT_NE(missing(outside, io::DataMissing::Data::Volume).find("is not what it was"), std::string::npos);
-  opened = io::openSession(outside, {project_ / "study", {}});
+  opened = openSession(outside, project_ / "study");
   EXPECT_TRUE(hasWarning(opened.warnings, Kind::ChangedData));
 }
 
@@ -241,18 +267,18 @@ TEST_F(OpenSession, OpensTheSeriesThatWasChosen) {
   session.volume = io::sessionVolume(project_ / "study", opened);
   io::noteContents(session);
   io::writeSession(project_ / "a.fenestra", session);
-  const io::OpenedSession again = io::openSession(project_ / "a.fenestra");
-  EXPECT_EQ(again.volume.series.id, "1.2.3.5");
-  EXPECT_EQ(again.volume.volume->range.low, 100.0);
-  EXPECT_EQ(again.volume.otherSeries.size(), 1u);
+  const io::Study again = openSession(project_ / "a.fenestra");
+  EXPECT_EQ(again.series.id, "1.2.3.5");
+  EXPECT_EQ(again.scene.volume->range.low, 100.0);
+  EXPECT_EQ(again.otherSeries.size(), 1u);
 }
 
 TEST_F(OpenSession, AStudyExportedAnewIsTakenWhereTheUserNamesIt) {
   const fs::path file = save(project_ / "a.fenestra", project_ / "study");
   fs::remove_all(project_ / "study");
   writeStudy(top_ / "export", 0, "9.8.7");
-  const io::OpenedSession opened = io::openSession(file, {top_ / "export", {}});
-  EXPECT_EQ(opened.volume.series.id, "9.8.7");
+  const io::Study opened = openSession(file, top_ / "export");
+  EXPECT_EQ(opened.series.id, "9.8.7");
   EXPECT_TRUE(hasWarning(opened.warnings, Kind::ChangedData));
 }
 
@@ -264,7 +290,7 @@ TEST_F(OpenSession, SavesWhileTheDataAreAway) {
   io::noteContents(session);
   io::writeSession(project_ / "a.fenestra", session);
   fs::rename(top_ / "away", project_ / "study");
-  EXPECT_TRUE(io::openSession(project_ / "a.fenestra").warnings.empty());
+  EXPECT_TRUE(openSession(project_ / "a.fenestra").warnings.empty());
 }
 
 TEST_F(OpenSession, ContentsAreThoseOfSha256sum) {

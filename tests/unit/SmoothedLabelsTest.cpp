@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "io/LabelReader.h"
 #include "io/PhantomFile.h"
 #include "io/VolumeReader.h"
 #include "tests/support/TestData.h"

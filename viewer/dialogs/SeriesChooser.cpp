@@ -11,7 +11,7 @@ namespace {
 
 constexpr int pictureSide = 72;  ///< device-independent pixels
 
-std::vector<io::SeriesInfo> allSeries(const Study& study) {
+std::vector<io::SeriesInfo> allSeries(const io::Study& study) {
   std::vector<io::SeriesInfo> series{study.series};
   series.insert(series.end(), study.otherSeries.begin(), study.otherSeries.end());
   return series;
@@ -25,7 +25,7 @@ QString descriptionOf(const io::SeriesInfo& series) {
 
 }  // namespace
 
-SeriesChooser::SeriesChooser(const Study& study, QWidget* parent) : QDialog(parent), open_(study.series.id) {
+SeriesChooser::SeriesChooser(const io::Study& study, QWidget* parent) : QDialog(parent), open_(study.series.id) {
   setWindowTitle(tr("Choose a series"));
   list_ = new QTreeWidget;
   list_->setRootIsDecorated(false);

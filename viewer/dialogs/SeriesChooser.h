@@ -15,7 +15,7 @@ namespace fenestra::viewer {
 class SeriesChooser : public QDialog {
   Q_OBJECT
  public:
-  explicit SeriesChooser(const Study& study, QWidget* parent = nullptr);
+  explicit SeriesChooser(const io::Study& study, QWidget* parent = nullptr);
 
   QTreeWidget* list() const { return list_; }
   /// The id of the series that is selected; empty when it is the one that is open.

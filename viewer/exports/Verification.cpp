@@ -10,8 +10,8 @@
 #include <QPushButton>
 #include <QStatusBar>
 
-#include "io/proof/PictureProof.h"
-#include "io/session/OpenSession.h"
+#include "io/study/PictureProof.h"
+#include "io/study/SessionData.h"
 #include "rendering/scene/Parallel.h"
 #include "viewer/bars/NoticeBar.h"
 #include "viewer/exports/PictureFile.h"

@@ -9,10 +9,12 @@
 #include <QUrl>
 
 #include "io/base/SessionName.h"
+#include "io/study/Interpret.h"
+#include "io/study/ReadStudy.h"
+#include "rendering/scene/LookStyle.h"
 #include "viewer/bars/NoticeBar.h"
 #include "viewer/dialogs/SeriesChooser.h"
 #include "viewer/files/Sessions.h"
-#include "viewer/jobs/ReadStudy.h"
 #include "viewer/model/Paths.h"
 #include "viewer/model/Workspace.h"
 #include "viewer/panels/FileDialog.h"
@@ -36,13 +38,17 @@ FileOpener::FileOpener(QWidget& window, Workspace& workspace, StudyLoader& loade
       window_(window),
       document_(workspace.document),
       preferences_(workspace.preferences),
+      cameras_(workspace.cameras),
       loader_(loader),
       sessions_(sessions),
       notices_(notices) {}
 
-StudyLoader::Reader FileOpener::readerOf(const PathsToOpen& paths) const {
-  const Look look = preferences_.startingLook(document_.scene().look);
-  return [paths, look](const io::Progress& progress) { return readStudy(paths, look, progress); };
+StudyLoader::Reader FileOpener::readerOf(const io::DataRequest& data) const {
+  io::StudyRequest request;
+  static_cast<io::DataRequest&>(request) = data;
+  request.look = preferences_.startingLook(styleOf(document_.look()));
+  request.projection = cameras_.projection();
+  return [request](const io::Progress& progress) { return io::readStudy(request, progress); };
 }
 
 void FileOpener::open(const std::vector<std::filesystem::path>& paths) {
@@ -52,7 +58,7 @@ void FileOpener::open(const std::vector<std::filesystem::path>& paths) {
     return;
   }
   try {
-    loader_.open(readerOf(interpret(paths)));
+    loader_.open(readerOf(io::interpret(paths)));
   } catch (const io::Error& error) {
     notices_.add(NoticeBar::Kind::Error, QString::fromUtf8(error.what()));
   }
@@ -60,8 +66,8 @@ void FileOpener::open(const std::vector<std::filesystem::path>& paths) {
 
 void FileOpener::openSeries(const std::string& series) {
   if (!sessions_.mayGo()) return;
-  PathsToOpen chosen;
-  chosen.volume = document_.study().path;
+  io::DataRequest chosen;
+  chosen.path = document_.study().session.volume.path;
   chosen.series = series;
   loader_.open(readerOf(chosen));
 }

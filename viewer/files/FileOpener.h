@@ -13,13 +13,17 @@
 class QMimeData;
 class QWidget;
 
+namespace fenestra::io {
+struct DataRequest;
+}
+
 namespace fenestra::viewer {
 
 class Document;
 class NoticeBar;
 class Preferences;
 class Sessions;
-struct PathsToOpen;
+class ViewLink;
 struct Workspace;
 
 class FileOpener : public QObject {
@@ -41,12 +45,13 @@ class FileOpener : public QObject {
 
  private:
   void openSeries(const std::string& series);
-  /// Reads the data at `paths`, with the look of the open study and the user's own defaults.
-  StudyLoader::Reader readerOf(const PathsToOpen& paths) const;
+  /// Reads data, with the look of the open study and the user's own defaults.
+  StudyLoader::Reader readerOf(const io::DataRequest& data) const;
 
   QWidget& window_;
   Document& document_;
   const Preferences& preferences_;
+  const ViewLink& cameras_;
   StudyLoader& loader_;
   Sessions& sessions_;
   NoticeBar& notices_;

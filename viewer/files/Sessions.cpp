@@ -7,8 +7,8 @@
 #include <QPushButton>
 
 #include "io/session/SessionFile.h"
+#include "io/study/ReadStudy.h"
 #include "viewer/bars/NoticeBar.h"
-#include "viewer/jobs/ReadStudy.h"
 #include "viewer/jobs/StudyLoader.h"
 #include "viewer/model/Paths.h"
 #include "viewer/model/Workspace.h"
@@ -71,6 +71,12 @@ SessionQuestions::Answer askToRestore(QWidget* parent, const QDateTime& saved) {
                                           : SessionQuestions::Answer::Cancel;
 }
 
+/// A request whose region the user can change in the window.
+io::StudyRequest editable(io::StudyRequest request) {
+  request.acceptsAnyRegion = true;
+  return request;
+}
+
 }  // namespace
 
 SessionQuestions sessionDialogs(QWidget* parent) {
@@ -124,25 +130,28 @@ void Sessions::showTitle() {
 }
 
 void Sessions::open(const fs::path& file) {
-  open([file](const io::SessionPlaces& places, const io::Progress& progress) {
-    return readSession(file, places, progress);
-  });
+  open([file] { return editable(io::requestOfSession(file)); });
 }
 
-void Sessions::open(Reader read) { open(std::move(read), {}); }
+void Sessions::open(Request request) { open(std::move(request), {}, {}); }
 
-void Sessions::open(Reader read, io::SessionPlaces places) {
-  loader_.open([read, places](const io::Progress& progress) { return read(places, progress); },
-               [this, read, places](const io::DataMissing& missing) {
-                 const std::optional<fs::path> there = questions_.dataWhere(missing);
-                 if (!there) {
-                   notices_.add(NoticeBar::Kind::Error, QString::fromUtf8(missing.what()));
-                   return;
-                 }
-                 io::SessionPlaces now = places;
-                 (missing.data() == io::DataMissing::Data::Labels ? now.labels : now.volume) = *there;
-                 open(read, now);
-               });
+void Sessions::open(Request request, const fs::path& data, const fs::path& labels) {
+  loader_.open(
+      [request, data, labels](const io::Progress& progress) {
+        io::StudyRequest asked = request();
+        if (!data.empty()) asked.data = data;
+        if (!labels.empty()) asked.labels = labels;
+        return io::readStudy(asked, progress);
+      },
+      [this, request, data, labels](const io::DataMissing& missing) {
+        const std::optional<fs::path> there = questions_.dataWhere(missing);
+        if (!there) {
+          notices_.add(NoticeBar::Kind::Error, QString::fromUtf8(missing.what()));
+          return;
+        }
+        const bool areLabels = missing.data() == io::DataMissing::Data::Labels;
+        open(request, areLabels ? data : *there, areLabels ? *there : labels);
+      });
 }
 
 void Sessions::regularise(io::Regularise choice) {
@@ -155,13 +164,17 @@ void Sessions::regularise(io::Regularise choice) {
   }
   // The choice is a change of a session that has a file, and unsaved work stays unsaved.
   const bool unsaved = controller_.isModified() || !controller_.file().empty();
-  loader_.open(
-      [session = controller_.session(), file = controller_.file(), choice, unsaved](const io::Progress& progress) {
-        Study study = readAgain(session, choice, progress);
-        study.sessionFile = file;
-        study.isRecovered = unsaved;
-        return study;
-      });
+  io::Session session = controller_.session();
+  session.autosaveOf = controller_.file();
+  io::StudyRequest request;
+  request.path = request.data = session.volume.path;
+  request.labels = session.labels.path;
+  request.regularise = choice;
+  request.isRecovered = unsaved;
+  request.startFrom(std::move(session));
+  loader_.open([request = editable(std::move(request))](const io::Progress& progress) {
+    return io::readStudy(request, progress);
+  });
 }
 
 void Sessions::choose() {
@@ -177,7 +190,7 @@ bool Sessions::save() {
 bool Sessions::saveAs() {
   fs::path suggested = controller_.file();
   if (suggested.empty()) {
-    const fs::path& data = workspace_.document.study().path;
+    const fs::path& data = workspace_.document.study().session.volume.path;
     suggested = (data.empty() ? toPath(QDir::homePath()) : fs::absolute(data).parent_path()) / "session";
     suggested += io::sessionEnding;
   }
@@ -219,11 +232,10 @@ bool Sessions::startRecovery(const fs::path& folder) {
     switch (questions_.restoreWork(abandoned.saved)) {
       case SessionQuestions::Answer::Save:
         restoring_ = abandoned;
-        open([file = abandoned.file](const io::SessionPlaces& places, const io::Progress& progress) {
-          Study study = readSession(file, places, progress);
-          study.sessionFile = std::exchange(study.session.autosaveOf, {});
-          study.isRecovered = true;
-          return study;
+        open([file = abandoned.file] {
+          io::StudyRequest request = editable(io::requestOfSession(file));
+          request.isRecovered = true;
+          return request;
         });
         return true;
       case SessionQuestions::Answer::Discard:

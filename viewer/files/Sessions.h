@@ -8,7 +8,8 @@
 
 #include <QObject>
 
-#include "io/session/OpenSession.h"
+#include "io/study/SessionData.h"
+#include "io/study/StudyRequest.h"
 #include "viewer/model/SessionController.h"
 
 class QWidget;
@@ -37,8 +38,8 @@ SessionQuestions sessionDialogs(QWidget* parent);
 class Sessions : public QObject {
   Q_OBJECT
  public:
-  /// Reads a session's study on another thread. Called again with other places when the data was not found.
-  using Reader = std::function<Study(const io::SessionPlaces&, const io::Progress&)>;
+  /// What to read, told on the reading thread. Called again when the data was not found and the user says where it is.
+  using Request = std::function<io::StudyRequest()>;
 
   /// `window` is the dialogs' parent, shows the title, and owns this; all others outlive it.
   Sessions(QWidget& window, Workspace& workspace, StudyLoader& loader, NoticeBar& notices,
@@ -48,7 +49,7 @@ class Sessions : public QObject {
   SessionQuestions& questions() { return questions_; }
 
   void open(const std::filesystem::path& file);
-  void open(Reader read);
+  void open(Request request);
   /// Reads the open study's slices again and places them in another way. The history is cleared; everything else stays
   /// as it is.
   void regularise(io::Regularise choice);
@@ -71,7 +72,8 @@ class Sessions : public QObject {
   static std::filesystem::path recoveryFolder();
 
  private:
-  void open(Reader read, io::SessionPlaces places);
+  /// With the places of data that the user has named so far; empty: none.
+  void open(Request request, const std::filesystem::path& data, const std::filesystem::path& labels);
   void showTitle();
 
   QWidget& window_;

@@ -8,7 +8,7 @@
 #include <QFutureWatcher>
 #include <QObject>
 
-#include "io/VolumeReader.h"
+#include "io/base/Reading.h"
 
 namespace fenestra::viewer {
 

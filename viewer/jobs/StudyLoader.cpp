@@ -2,6 +2,8 @@
 
 #include <QTimer>
 
+#include "io/LabelReader.h"
+
 namespace fenestra::viewer {
 
 StudyLoader::StudyLoader(Document& document, Prepare prepare, QObject* parent)
@@ -12,7 +14,7 @@ void StudyLoader::open(Reader read, Missing missing) {
       [this, read = std::move(read), missing = std::move(missing)](const io::Progress& progress) -> LoadJob::Show {
         try {
           // A shared pointer, because std::function needs a copyable capture.
-          auto study = std::make_shared<Study>(read(progress));
+          auto study = std::make_shared<io::Study>(read(progress));
           if (prepare_) prepare_(*study);
           return [this, study] {
             document_.open(std::move(*study));

@@ -7,7 +7,7 @@
 
 #include <QObject>
 
-#include "io/session/OpenSession.h"
+#include "io/study/SessionData.h"
 #include "viewer/jobs/LoadJob.h"
 #include "viewer/model/Document.h"
 
@@ -17,14 +17,14 @@ class StudyLoader : public QObject {
   Q_OBJECT
  public:
   /// Reads a study on another thread.
-  using Reader = std::function<Study(const io::Progress&)>;
-  /// The same of data that come with the program, to be looked at in that way.
-  using SampleReader = std::function<Study(const Look&, const io::Progress&)>;
+  using Reader = std::function<io::Study(const io::Progress&)>;
+  /// Reads data that come with the program, to be looked at in that way.
+  using SampleReader = std::function<io::Study(const Look&, const io::Progress&)>;
   /// Called on the GUI thread when the reader does not find a session's data.
   using Missing = std::function<void(const io::DataMissing&)>;
 
   /// Completes a study that was read, on the reading thread.
-  using Prepare = std::function<void(Study&)>;
+  using Prepare = std::function<void(io::Study&)>;
 
   explicit StudyLoader(Document& document, Prepare prepare = {}, QObject* parent = nullptr);
 

@@ -13,17 +13,16 @@ constexpr std::size_t mostGrownBytes = std::size_t{256} << 20;
 
 }  // namespace
 
-void Document::open(Study study) {
+void Document::open(io::Study study) {
   study_ = std::move(study);
   window_ = study_.session.window.value_or(study_.scene.volume->defaultWindow());
   inverted_ = study_.session.inverted;
   history_.clear();
-  whole_ = shown_ = {};
   labelsRevision_ = filedRevision_ = ++lastRevision_;
   preview_ = {};
   grown_.clear();
   if (study_.growth) grown_.push_back({std::get<RegionFocus>(study_.scene.look.focus), std::move(study_.growth)});
-  updateShown();
+  updateDrawn();
   Q_EMIT volumeChanged();
   showMeasures(study_.session.measures);
   Q_EMIT labelsChanged();
@@ -38,22 +37,11 @@ void Document::open(Study study) {
   Q_EMIT sceneChanged();
 }
 
-void Document::updateShown() {
-  const Scene before = std::exchange(whole_, study_.scene);
-  if (const segmentation::Growth* grown = growth()) {
-    whole_ = segmentation::shownScene(study_.scene, *grown);
-  } else if (region()) {
-    whole_.labels = before.labels;
-    whole_.structures = study_.scene.labels;
-    if (!whole_.structures) whole_.look.labels.clear();
-    whole_.look.focus = before.look.focus;
-  }
-  shown_ = sculptor_.of(whole_);
-}
+void Document::updateDrawn() { study_.drawn.update(study_.scene, growth()); }
 
 void Document::show(Look look) {
   Look before = std::exchange(study_.scene.look, std::move(look));
-  updateShown();
+  updateDrawn();
   const Look& now = this->look();
   const auto differs = [&](auto... members) { return ((now.*members != before.*members) || ...); };
   const bool focus = differs(&Look::focus, &Look::focusAppearance), labels = differs(&Look::labels);
@@ -89,7 +77,7 @@ void Document::setLabels(std::shared_ptr<const LabelMap> labels, io::SessionData
   study_.scene.labels = std::move(labels);
   study_.session.labels = std::move(from);
   labelsRevision_ = filedRevision_ = ++lastRevision_;
-  updateShown();
+  updateDrawn();
   Q_EMIT labelsChanged();
   if (std::holds_alternative<LabelFocus>(focus()) || !look().labels.empty() || !clipping().exempt.empty()) {
     Look without = look();
@@ -107,7 +95,7 @@ void Document::showLabels(std::shared_ptr<const LabelMap> labels, std::uint64_t 
   study_.scene.labels = std::move(labels);
   labelsRevision_ = revision;
   study_.scene.look.focus = std::move(focus);
-  updateShown();
+  updateDrawn();
   Q_EMIT labelsChanged();
   Q_EMIT focusChanged();
   Q_EMIT sceneChanged();
@@ -187,7 +175,7 @@ void Document::setGrowth(const RegionFocus& seeds, std::shared_ptr<const segment
     preview_ = {seeds, std::move(growth)};
   }
   if (!region() || !segmentation::haveSameSeeds(seeds, *region())) return;
-  updateShown();
+  updateDrawn();
   Q_EMIT focusChanged();
   Q_EMIT sceneChanged();
 }

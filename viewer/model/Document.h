@@ -11,38 +11,12 @@
 #include <QObject>
 #include <QString>
 
-#include "io/VolumeReader.h"
-#include "io/session/Session.h"
+#include "io/study/Study.h"
 #include "rendering/scene/Measure.h"
-#include "rendering/scene/Scene.h"
-#include "rendering/scene/View.h"
 #include "rendering/segmentation/LabelEdit.h"
-#include "rendering/segmentation/RegionGrowing.h"
 #include "viewer/model/History.h"
 
 namespace fenestra::viewer {
-
-/// A data set as read, ready to be shown.
-struct Study {
-  Scene scene;                                         ///< as the user set it; its focus may be a region
-  std::shared_ptr<const segmentation::Growth> growth;  ///< the growth of that region, or null
-  std::optional<OpeningView> frozen;                   ///< the view that C1's opening is frozen for, without a session
-  std::optional<Camera> camera;                        ///< where to look from first; unset: from anterior
-  std::optional<Framing> visible;                      ///< the part that `scene` shows, for a camera to frame
-  std::optional<glm::dvec3> focusCentre;               ///< the crosshair's first place, world mm
-  bool placeCameras = false;                           ///< place both for the focus once the study is open
-  std::filesystem::path path;                          ///< what the user opened; empty for a phantom
-  io::SeriesInfo series;
-  io::PatientText patient;
-  std::vector<io::SeriesInfo> otherSeries;
-  std::vector<io::SegmentationInfo> segmentations;  ///< found beside the series
-  std::vector<io::Warning> warnings;
-  std::optional<io::GeometryReport> geometry;  ///< its findings are also among the warnings
-  io::Session session;                         ///< where the data are, or the whole session that was opened
-  bool restoresSession = false;                ///< the window is to be restored from `session`
-  std::filesystem::path sessionFile;           ///< its file; empty without one
-  bool isRecovered = false;                    ///< not saved yet: recovered after a crash, or read again
-};
 
 class Document : public QObject {
   Q_OBJECT
@@ -51,7 +25,7 @@ class Document : public QObject {
 
   /// Shows a study with its scene's look and, where it comes from a session, that session's display window. Clears the
   /// history.
-  void open(Study study);
+  void open(io::Study study);
   /// Sets a label map on the volume's grid, or none. Clears the old labels' settings, a focus made of them, and the
   /// history.
   void setLabels(std::shared_ptr<const LabelMap> labels, io::SessionData from = {});
@@ -68,9 +42,9 @@ class Document : public QObject {
   void noteContents(const io::Session& session);
 
   bool hasVolume() const { return study_.scene.volume != nullptr; }
-  /// The scene as it is drawn: a region in the focus shows as labels, see segmentation::shownScene.
-  const Scene& scene() const { return shown_; }
-  const Study& study() const { return study_; }
+  /// The scene as it is drawn; study().scene is the one that the user has set.
+  const Scene& scene() const { return study_.drawn.scene(); }
+  const io::Study& study() const { return study_; }
   /// "CT · 512×512×245 · 1.00×1.00×1.00 mm": nothing that could name a patient.
   QString description() const;
 
@@ -198,13 +172,10 @@ class Document : public QObject {
   void show(Look look);
   void showLabels(std::shared_ptr<const LabelMap> labels, std::uint64_t revision, Focus focus);
   void showMeasures(std::vector<Measure> measures);
-  /// Makes the scene that is drawn from the one that the user set.
-  void updateShown();
+  /// Brings the scene that is drawn up to date with the one that is set.
+  void updateDrawn();
 
-  Study study_;
-  Scene whole_;  ///< as it is drawn, before anything is removed
-  Scene shown_;
-  Sculptor sculptor_;
+  io::Study study_;           ///< its `scene` and `drawn` follow what the user does
   Grown preview_;             ///< a first part
   std::vector<Grown> grown_;  ///< complete ones for undo, the latest last; see mostGrownBytes
   std::uint64_t labelsRevision_ = 0, filedRevision_ = 0, lastRevision_ = 0;

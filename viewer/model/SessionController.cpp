@@ -10,8 +10,8 @@
 #include <QtConcurrentRun>
 
 #include "io/LabelWriter.h"
-#include "io/session/OpenSession.h"
 #include "io/session/SessionFile.h"
+#include "io/study/SessionData.h"
 #include "viewer/model/Paths.h"
 #include "viewer/model/PlacementController.h"
 #include "viewer/model/SliceCursor.h"
@@ -111,12 +111,12 @@ io::Session SessionController::session() const {
 
 void SessionController::studyOpened() {
   dropAutosave();
-  const Study& study = parts_.document.study();
+  const io::Study& study = parts_.document.study();
   file_ = study.sessionFile;
   ownLabels_ = !file_.empty() && study.session.labels.path == labelsFile(file_) ? labelsFile(file_) : fs::path();
   recovered_ = study.isRecovered;
   copied_.reset();
-  parts_.cameras.setFrozen({study.frozen, std::nullopt});
+  parts_.cameras.setFrozen({study.view ? study.view->frozen : std::nullopt, std::nullopt});
   if (study.restoresSession) {
     const io::Session& session = study.session;
     parts_.placement.setSettings(settingsFrom(session.placement, parts_.placement.settings()));

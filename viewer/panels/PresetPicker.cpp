@@ -146,7 +146,7 @@ void PresetPicker::show() {
     if (!function.isEmpty()) row = box_->findData(function, Function);
     if (const auto& entries = library_.entries(); row < 0 && !entries.empty()) {
       // Without the names of the function's preset and file, which the user's presets do not hold.
-      Scene nameless = document_.study().scene;
+      SetScene nameless = document_.study().scene;
       nameless.look.context = styleOf(nameless.look).context;
       const auto same = std::find_if(entries.begin(), entries.end(), [&](const auto& each) {
         return io::restyled(nameless, each.preset) == nameless.look;

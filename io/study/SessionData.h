@@ -1,17 +1,23 @@
 #pragma once
-// Opens a session with its data, at their recorded place or where they have moved to.
+// Where the data of a session are: at their recorded place, or where they have moved to.
 //
 // Data at the recorded path are used when their contents are unchanged. Fenestra reports changed data and uses them
 // only within the session's folder: a session from a stranger must not open arbitrary files elsewhere. Missing data are
 // searched below the session's folder, by name and then by contents; only equal contents count as found. Otherwise the
 // user is asked.
 
-#include <memory>
-#include <vector>
+#include <filesystem>
+#include <string>
+#include <utility>
 
+#include "io/base/Error.h"
+#include "io/base/Reading.h"
 #include "io/session/Session.h"
 
 namespace fenestra::io {
+
+struct DataRequest;
+struct Study;
 
 /// The session's data are missing or have changed; the caller must say where they are.
 class DataMissing : public Error {
@@ -25,29 +31,12 @@ class DataMissing : public Error {
   Data data_;
 };
 
-/// Places of the data that the user gave; empty: the session's own. Data there are used whatever their contents.
-struct SessionPlaces {
-  std::filesystem::path volume = {}, labels = {};
-  bool allowOutside = false;                  ///< see OpenOptions
-  std::optional<Regularise> regularise = {};  ///< of the volume's slices, in place of the session's choice
-};
-
-struct OpenedSession {
-  Session session;      ///< with the paths and contents of the data that were opened
-  OpenedVolume volume;  ///< its warnings moved to `warnings`
-  std::shared_ptr<const LabelMap> labels;
-  std::vector<Warning> warnings;  ///< of the data, and which of them moved or changed
-};
-
-/// Reads the session and opens its data. Throws DataMissing, Error, Cancelled.
-OpenedSession openSession(const std::filesystem::path& file, const SessionPlaces& places = {},
-                          const Progress& progress = {});
-/// The data of `session`, as if it had been read from a file in `folder`.
-OpenedSession openSession(Session session, const std::filesystem::path& folder, const SessionPlaces& places,
-                          const Progress& progress);
+/// Opens the data of study.session, which then says where they are and what they hold. Data at places that the request
+/// names are used whatever their contents. Throws DataMissing, Error, Cancelled.
+void openSessionData(const DataRequest& request, Study& study, const Progress& progress);
 
 /// Open data as a session keeps them, without contents.
-SessionVolume sessionVolume(const std::filesystem::path& path, const OpenedVolume& volume,
+SessionVolume sessionVolume(const std::filesystem::path& path, const VolumeInfo& volume,
                             const OpenOptions& options = {});
 SessionData sessionLabels(const std::filesystem::path& path);
 /// Hashes the data that have no hash yet, which takes a while. Unreadable files leave the contents unknown, so that a

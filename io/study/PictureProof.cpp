@@ -1,4 +1,4 @@
-#include "io/proof/PictureProof.h"
+#include "io/study/PictureProof.h"
 
 #include <cmath>
 

@@ -11,16 +11,16 @@
 #include "io/base/Error.h"
 #include "rendering/scene/Camera.h"
 
-namespace fenestra::app {
+namespace fenestra::io {
 
 struct CameraFile {
   Camera camera;
   glm::ivec2 size{0};
 };
 
-/// Throws io::Error.
+/// Throws Error.
 CameraFile readCamera(const std::filesystem::path& path);
-/// `grid` is the volume's: near and far enclose it. Throws io::Error.
+/// `grid` is the volume's: near and far enclose it. Throws Error.
 void writeCamera(const std::filesystem::path& path, const CameraFile& file, const Grid& grid);
 
-}  // namespace fenestra::app
+}  // namespace fenestra::io

@@ -1,4 +1,4 @@
-#include "app/CameraFile.h"
+#include "io/session/CameraFile.h"
 
 #include <cmath>
 #include <fstream>
@@ -8,14 +8,14 @@
 
 #include "io/base/AtomicFile.h"
 
-namespace fenestra::app {
+namespace fenestra::io {
 namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 [[noreturn]] void fail(const fs::path& path, const std::string& cause) {
-  throw io::Error(path, "not a camera: " + cause, "use a camera.json that `fenestra-cli render --layers` wrote");
+  throw Error(path, "not a camera: " + cause, "use a camera.json that `fenestra-cli render --layers` wrote");
 }
 
 [[noreturn]] void fail(const fs::path& path, const char* key, const char* problem) {
@@ -49,7 +49,7 @@ double positive(const fs::path& path, const Json& root, const char* key, double 
 
 CameraFile readCamera(const fs::path& path) {
   std::error_code error;
-  if (!fs::is_regular_file(path, error)) throw io::Error(path, "no such file", "check the path");
+  if (!fs::is_regular_file(path, error)) throw Error(path, "no such file", "check the path");
   constexpr std::uintmax_t largest = 1 << 20;
   if (fs::file_size(path, error) > largest || error) fail(path, "too large");
   std::ifstream stream(path, std::ios::binary);
@@ -98,7 +98,7 @@ void writeCamera(const fs::path& path, const CameraFile& file, const Grid& grid)
       {"orthographic_height", camera.orthographicHeight},
       {"clipFromWorld", std::move(rows)},
   };
-  io::writeText(path, root.dump(2) + "\n");
+  writeText(path, root.dump(2) + "\n");
 }
 
-}  // namespace fenestra::app
+}  // namespace fenestra::io

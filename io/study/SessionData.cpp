@@ -1,14 +1,14 @@
-#include "io/session/OpenSession.h"
+#include "io/study/SessionData.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <system_error>
 
-#include "io/PhantomFile.h"
+#include "io/LabelReader.h"
+#include "io/VolumeReader.h"
 #include "io/base/Archive.h"
 #include "io/base/Contents.h"
-#include "io/session/SessionFile.h"
+#include "io/study/StudyRequest.h"
 
 namespace fenestra::io {
 namespace {
@@ -102,8 +102,11 @@ struct Opened {
 template <class Data>
 Opened(Data, Contents, std::vector<fs::path>) -> Opened<Data>;
 
-/// The same file of an archive that was found elsewhere; other data were found themselves.
+/// Where data of the path `before` are now that `found` has their contents: in an archive, the file that they were
+/// there; else `found` itself.
 fs::path memberAt(const fs::path& found, const fs::path& before) {
+  std::error_code unknown;
+  if (!fs::is_regular_file(found, unknown)) return found;
   for (fs::path archive = before.parent_path(); archive.has_relative_path(); archive = archive.parent_path())
     if (archive.filename() == found.filename()) return found / before.lexically_relative(archive);
   return found;
@@ -174,14 +177,54 @@ std::vector<fs::path> labelFilesAt(const fs::path& path, bool allowOutside) {
   return filesOf(path, labelFiles(path, allowOutside));
 }
 
-Progress part(const Progress& progress, double begin, double end) {
-  if (!progress) return {};
-  return [=](double fraction, std::string_view doing) { return progress(std::lerp(begin, end, fraction), doing); };
+OpenedVolume openSessionVolume(const DataRequest& request, SessionVolume& data, const fs::path& folder,
+                               const Progress& progress, std::vector<Warning>& warnings) {
+  const auto openAt = [&](const fs::path& path) {
+    OpenOptions options;
+    options.regularise = data.regularise;
+    options.modality = data.modality;
+    options.series = data.series;
+    if (data.time > 1) options.time = data.time;
+    options.raw = data.raw;
+    options.allowOutside = request.allowOutside;
+    options.progress = partOf(progress, 0.0, 0.7);
+    OpenedVolume volume;
+    try {
+      volume = openVolume(path, options);
+    } catch (const Error&) {
+      if (request.data.empty() || options.series.empty()) throw;
+      // A newly exported study has other UIDs.
+      options.series.clear();
+      volume = openVolume(path, options);
+    }
+    std::vector<fs::path> files = filesOf(path, volume.series.files);
+    return Opened{std::move(volume), contentsOf(files, partOf(progress, 0.7, 0.8)), files};
+  };
+  const auto filesAt = [&](const fs::path& path) {
+    OpenOptions options;
+    options.raw = data.raw;
+    options.allowOutside = request.allowOutside;
+    for (const SeriesInfo& series : listSeries(path, options))
+      if (data.series.empty() || data.series == seriesKey(series.id)) return filesOf(path, series.files);
+    return std::vector<fs::path>();
+  };
+  return openMoved(DataMissing::Data::Volume, data, request.data, folder, progress, warnings, openAt, filesAt);
+}
+
+OpenedLabels openSessionLabels(const DataRequest& request, SessionData& data, const fs::path& folder, const Grid& grid,
+                               const Progress& progress, std::vector<Warning>& warnings) {
+  const auto filesAt = [&](const fs::path& path) { return labelFilesAt(path, request.allowOutside); };
+  const auto openAt = [&](const fs::path& path) {
+    OpenedLabels labels = openLabels(path, grid, partOf(progress, 0.8, 0.9), request.allowOutside);
+    std::vector<fs::path> files = filesAt(path);
+    return Opened{std::move(labels), contentsOf(files, partOf(progress, 0.9, 1.0)), files};
+  };
+  return openMoved(DataMissing::Data::Labels, data, request.labels, folder, progress, warnings, openAt, filesAt);
 }
 
 }  // namespace
 
-SessionVolume sessionVolume(const fs::path& path, const OpenedVolume& volume, const OpenOptions& options) {
+SessionVolume sessionVolume(const fs::path& path, const VolumeInfo& volume, const OpenOptions& options) {
   SessionVolume data;
   data.path = fs::absolute(path);
   data.files = filesOf(path, volume.series.files);
@@ -213,73 +256,15 @@ void noteContents(Session& session, const Progress& progress) {
   }
 }
 
-OpenedSession openSession(const fs::path& file, const SessionPlaces& places, const Progress& progress) {
-  Session session = readSession(file);
-  if (session.phantom && (!places.volume.empty() || !places.labels.empty()))
-    throw Error(file, "shows a phantom, which is not read from files", "leave out --data and --labels");
-  return openSession(std::move(session), fs::absolute(file).parent_path(), places, progress);
-}
-
-OpenedSession openSession(Session read, const fs::path& folder, const SessionPlaces& places, const Progress& progress) {
-  OpenedSession opened;
-  opened.session = std::move(read);
-  Session& session = opened.session;
-  if (session.phantom) {
-    OpenedPhantom phantom = openPhantom(session.phantom->name, session.phantom->voxels, progress);
-    opened.volume = std::move(phantom.volume);
-    opened.labels = std::move(phantom.labels);
-    return opened;
-  }
-
-  session.volume.regularise = places.regularise.value_or(session.volume.regularise);
-  const auto openVolumeAt = [&](const fs::path& path) {
-    OpenOptions options;
-    options.regularise = session.volume.regularise;
-    options.modality = session.volume.modality;
-    options.series = session.volume.series;
-    if (session.volume.time > 1) options.time = session.volume.time;
-    options.raw = session.volume.raw;
-    options.allowOutside = places.allowOutside;
-    options.progress = part(progress, 0.0, 0.7);
-    OpenedVolume volume;
-    try {
-      volume = openVolume(path, options);
-    } catch (const Error&) {
-      if (places.volume.empty() || options.series.empty()) throw;
-      // A newly exported study has other UIDs.
-      options.series.clear();
-      volume = openVolume(path, options);
-    }
-    std::vector<fs::path> files = filesOf(path, volume.series.files);
-    return Opened{std::move(volume), contentsOf(files, part(progress, 0.7, 0.8)), files};
-  };
-  const auto volumeFilesAt = [&](const fs::path& path) {
-    OpenOptions options;
-    options.raw = session.volume.raw;
-    options.allowOutside = places.allowOutside;
-    for (const SeriesInfo& series : listSeries(path, options))
-      if (session.volume.series.empty() || session.volume.series == seriesKey(series.id))
-        return filesOf(path, series.files);
-    return std::vector<fs::path>();
-  };
-  opened.volume = openMoved(DataMissing::Data::Volume, session.volume, places.volume, folder, progress, opened.warnings,
-                            openVolumeAt, volumeFilesAt);
-  std::move(opened.volume.warnings.begin(), opened.volume.warnings.end(), std::back_inserter(opened.warnings));
-  opened.volume.warnings.clear();
-
-  if (!places.labels.empty() || !session.labels.path.empty()) {
-    const auto labelFiles = [&](const fs::path& path) { return labelFilesAt(path, places.allowOutside); };
-    const auto openLabelsAt = [&](const fs::path& path) {
-      OpenedLabels labels = openLabels(path, opened.volume.volume->grid, part(progress, 0.8, 0.9), places.allowOutside);
-      std::vector<fs::path> files = labelFiles(path);
-      return Opened{std::move(labels), contentsOf(files, part(progress, 0.9, 1.0)), files};
-    };
-    OpenedLabels labels = openMoved(DataMissing::Data::Labels, session.labels, places.labels, folder, progress,
-                                    opened.warnings, openLabelsAt, labelFiles);
-    opened.labels = std::move(labels.labels);
-    std::move(labels.warnings.begin(), labels.warnings.end(), std::back_inserter(opened.warnings));
-  }
-  return opened;
+void openSessionData(const DataRequest& request, Study& study, const Progress& progress) {
+  const fs::path folder = fs::absolute(request.path).parent_path();
+  study.session.volume.regularise = request.regularise.value_or(study.session.volume.regularise);
+  takeVolume(openSessionVolume(request, study.session.volume, folder, progress, study.warnings), study);
+  if (request.labels.empty() && study.session.labels.path.empty()) return;
+  const Grid& grid = study.scene.volume->grid;
+  OpenedLabels labels = openSessionLabels(request, study.session.labels, folder, grid, progress, study.warnings);
+  study.scene.labels = std::move(labels.labels);
+  std::move(labels.warnings.begin(), labels.warnings.end(), std::back_inserter(study.warnings));
 }
 
 }  // namespace fenestra::io

@@ -1,4 +1,4 @@
-#include "app/Completion.h"
+#include "app/options/Completion.h"
 
 #include <algorithm>
 #include <cctype>
@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/OptionHelpers.h"
+#include "io/base/Text.h"
 
 namespace fenestra::app {
 namespace {
@@ -20,30 +20,19 @@ struct Value {
   bool files = false, folders = false;
 };
 
-struct Option {
-  std::vector<std::string> names;  ///< with their dashes
-  std::string description;
-  bool takesValue = false, repeats = false;
-  Value value;
-};
-
-struct Command {
-  std::string name, description;
-  std::vector<Option> options;
-};
-
 /// The program itself comes first, then its commands.
-using Table = std::vector<Command>;
+using Table = std::vector<CommandText>;
 
 bool isWord(std::string_view text) {
   return !text.empty() &&
          std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isalnum(c) || c == '-'; });
 }
 
-Value valueOf(const std::string& form) {
+Value valueOf(const OptionText& option) {
   Value value;
-  value.form = form;
-  const std::vector<std::string> alternatives = io::split(form, '|');
+  if (!option.takesValue) return value;
+  value.form = option.form;
+  const std::vector<std::string> alternatives = io::split(option.form, '|');
   for (const std::string& each : alternatives) {
     const auto says = [&](std::string_view what) { return each.find(what) != std::string::npos; };
     value.folders = value.folders || says("FOLDER");
@@ -53,29 +42,6 @@ Value valueOf(const std::string& form) {
       value.words.push_back(each);
   }
   return value;
-}
-
-std::vector<Option> optionsOf(const CLI::App& command) {
-  std::vector<Option> options;
-  for (const CLI::Option* each : command.get_options()) {
-    Option option;
-    for (const std::string& name : each->get_snames()) option.names.push_back("-" + name);
-    for (const std::string& name : each->get_lnames()) option.names.push_back("--" + name);
-    if (option.names.empty() || each->get_group().empty()) continue;
-    option.description = each->get_description();
-    option.takesValue = each->get_items_expected_max() > 0;
-    option.repeats = each->get_items_expected_max() > 1;
-    if (option.takesValue) option.value = valueOf(each->get_type_name());
-    options.push_back(std::move(option));
-  }
-  return options;
-}
-
-Table tableOf(const CLI::App& program) {
-  Table table{{program.get_name(), program.get_description(), optionsOf(program)}};
-  for (const CLI::App* command : program.get_subcommands(std::function<bool(const CLI::App*)>{}))
-    table.push_back({command->get_name(), command->get_description(), optionsOf(*command)});
-  return table;
 }
 
 std::string joined(const std::vector<std::string>& parts, const std::string& separator) {
@@ -113,18 +79,19 @@ std::string bashScript(const Table& table) {
            << "    case $word in " << joined(commands, "|") << ") command=$word words='' paths=-f; break ;; esac\n"
            << "  done\n";
   script << "  case $command in\n";
-  for (const Command& command : table) {
+  for (const CommandText& command : table) {
     std::vector<std::string> names;
-    for (const Option& option : command.options) names.insert(names.end(), option.names.begin(), option.names.end());
+    for (const OptionText& option : command.options)
+      names.insert(names.end(), option.names.begin(), option.names.end());
     script << "    " << command.name << ") options='" << joined(names, " ") << "' ;;\n";
   }
   script << "  esac\n  case $command:$previous in\n";
-  for (const Command& command : table)
-    for (const Option& option : command.options) {
+  for (const CommandText& command : table)
+    for (const OptionText& option : command.options) {
       if (!option.takesValue) continue;
       std::vector<std::string> patterns;
       for (const std::string& name : option.names) patterns.push_back(command.name + ":" + name);
-      const Value& value = option.value;
+      const Value value = valueOf(option);
       script << "    " << joined(patterns, "|") << ") options='' words='" << joined(value.words, " ") << "' paths='"
              << (value.files     ? "-f"
                  : value.folders ? "-d"
@@ -145,20 +112,24 @@ std::string shellQuoted(std::string_view text) {
   return result + "'";
 }
 
+std::string parenthesised(const std::vector<std::string>& words) {
+  return std::string("(").append(joined(words, " ")).append(")");
+}
+
 /// What _arguments of zsh takes for one option, one a name.
-std::string zshSpecs(const Option& option) {
+std::string zshSpecs(const OptionText& option) {
   std::string action;
   if (option.takesValue) {
-    const Value& value = option.value;
-    action = ":" + replaced(value.form, ":\\", "\\") + ":";
+    const Value value = valueOf(option);
+    action.append(":").append(replaced(value.form, ":\\", "\\")).append(":");
     if (value.files)
       action += " _fenestra_words_or_files " + joined(value.words, " ");
     else if (value.folders)
       action += "_files -/";
     else
-      action += value.words.empty() ? " " : "(" + joined(value.words, " ") + ")";
+      action += value.words.empty() ? " " : parenthesised(value.words);
   }
-  const std::string before = option.repeats ? "*" : "(" + joined(option.names, " ") + ")";
+  const std::string before = option.repeats ? "*" : parenthesised(option.names);
   std::string specs;
   for (const std::string& name : option.names)
     specs +=
@@ -178,9 +149,9 @@ std::string zshScript(const Table& table) {
     script << "  local named=${words[(r)(" << joined(commands, "|") << ")]}\n"
            << "  [[ -z $named || $named == $words[CURRENT] ]] || command=$named\n";
   script << "  case $command in\n";
-  for (const Command& command : table) {
+  for (const CommandText& command : table) {
     script << "    " << command.name << ") _arguments";
-    for (const Option& option : command.options) script << zshSpecs(option);
+    for (const OptionText& option : command.options) script << zshSpecs(option);
     if (&command != &table[0] || commands.empty()) {
       script << " \\\n      '*:file:_files' ;;\n";
       continue;
@@ -196,7 +167,7 @@ std::string zshScript(const Table& table) {
   return script.str();
 }
 
-std::string fishQuoted(std::string_view text) { return "'" + replaced(text, "'\\", "\\") + "'"; }
+std::string fishQuoted(std::string_view text) { return replaced(text, "'\\", "\\").insert(0, 1, '\'') + "'"; }
 
 std::string fishScript(const Table& table) {
   const std::string& program = table[0].name;
@@ -204,7 +175,7 @@ std::string fishScript(const Table& table) {
   std::ostringstream script;
   script << "# Completion for fish, made by `" << program << " --completion fish`.\n";
   if (hasCommands) script << "complete -c " << program << " -n __fish_use_subcommand -f\n";
-  for (const Command& command : table) {
+  for (const CommandText& command : table) {
     const bool isProgram = &command == &table[0];
     std::string line = "complete -c " + program;
     if (!isProgram)
@@ -212,11 +183,11 @@ std::string fishScript(const Table& table) {
              << "\n";
     if (hasCommands)
       line += isProgram ? " -n __fish_use_subcommand" : " -n '__fish_seen_subcommand_from " + command.name + "'";
-    for (const Option& option : command.options) {
+    for (const OptionText& option : command.options) {
       script << line;
       for (const std::string& name : option.names)
         script << (name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1));
-      const Value& value = option.value;
+      const Value value = valueOf(option);
       if (option.takesValue) script << (value.files ? " -r -F" : " -x");
       if (!value.words.empty()) script << " -a " << fishQuoted(joined(value.words, " "));
       if (value.folders) script << " -a '(__fish_complete_directories)'";
@@ -228,20 +199,20 @@ std::string fishScript(const Table& table) {
 
 }  // namespace
 
-void addCompletionOption(CLI::App& program) {
-  addParsed(program, "--completion", "bash|zsh|fish", "print a script that completes the options in this shell",
-            [&program](const std::string& shell) {
-              const Table table = tableOf(program);
-              if (shell == "bash")
-                std::cout << bashScript(table);
-              else if (shell == "zsh")
-                std::cout << zshScript(table);
-              else if (shell == "fish")
-                std::cout << fishScript(table);
-              else
-                return false;
-              throw CLI::Success();
-            });
+void addCompletionOption(Program& program) {
+  program.options().add("--completion", "bash|zsh|fish", "print a script that completes the options in this shell",
+                        [&program](const std::string& shell) {
+                          const Table table = program.texts();
+                          if (shell == "bash")
+                            std::cout << bashScript(table);
+                          else if (shell == "zsh")
+                            std::cout << zshScript(table);
+                          else if (shell == "fish")
+                            std::cout << fishScript(table);
+                          else
+                            return false;
+                          throw Finished();
+                        });
 }
 
 }  // namespace fenestra::app

@@ -1,0 +1,15 @@
+#pragma once
+// The seeds and balls of a region on the command line. `region` must outlive `command`.
+
+#include "app/options/Options.h"
+#include "rendering/scene/Focus.h"
+
+namespace fenestra::app {
+
+/// Adds --seed, --outside and --tolerance; returns --seed.
+Option addSeedOptions(Command command, RegionFocus& region);
+
+/// Adds --select, balls that a region is painted by.
+Option addSelectOption(Command command, RegionFocus& region);
+
+}  // namespace fenestra::app

@@ -1,0 +1,61 @@
+#include "io/study/GrowRegion.h"
+
+#include <optional>
+#include <sstream>
+#include <utility>
+
+#include "io/base/Error.h"
+#include "rendering/segmentation/Painting.h"
+
+namespace fenestra::io {
+namespace {
+
+std::string textOf(glm::dvec3 position) {
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << position.x << ',' << position.y << ',' << position.z;
+  return text.str();
+}
+
+void checkSeeds(const Grid& grid, const std::vector<glm::dvec3>& seeds, const std::string& option,
+                const std::string& source) {
+  for (const glm::dvec3 seed : seeds) {
+    if (segmentation::voxelAt(grid, seed)) continue;
+    throw Error(source, "does not reach to " + option + " " + textOf(seed),
+                "the volume's centre is " + textOf(grid.centre()) + " (mm, LPS)");
+  }
+}
+
+void checkReach(const Grid& grid, const RegionFocus& region, const std::string& source) {
+  checkSeeds(grid, region.inside, "--seed", source);
+  checkSeeds(grid, region.outside, "--outside", source);
+  for (const SelectionStroke& ball : region.painted)
+    if (segmentation::boxOf(ball, grid).empty())
+      throw Error(source, "has no voxel within --select " + textOf(ball.anchors.front()),
+                  "enlarge the ball, or move it; the volume's centre is " + textOf(grid.centre()) + " (mm, LPS)");
+}
+
+}  // namespace
+
+std::shared_ptr<const segmentation::Growth> growRegion(const Volume& volume, const RegionFocus& region,
+                                                       const Progress& progress) {
+  segmentation::Progress onward;
+  if (progress) onward = [&](double fraction) { return progress(fraction, "growing the region"); };
+  std::optional<segmentation::Growth> growth =
+      segmentation::growRegion(volume, region, segmentation::wholeOf(volume.grid.dims), onward);
+  if (!growth) throw Cancelled();
+  return std::make_shared<const segmentation::Growth>(std::move(*growth));
+}
+
+std::shared_ptr<const segmentation::Growth> growWholeRegion(const Volume& volume, const RegionFocus& region,
+                                                            const std::string& source, const Progress& progress) {
+  checkReach(volume.grid, region, source);
+  auto growth = growRegion(volume, region, progress);
+  if (growth->curve.volume[static_cast<std::size_t>(growth->stepOf(region))] > 0.0) return growth;
+  if (!region.painted.empty())
+    throw Error(source, "has no voxel in what --select selects", "enlarge a ball, or take less away");
+  throw Error(source, "has no region of this tolerance around the seed",
+              region.tolerance ? "raise --tolerance" : "choose another --seed, or remove an --outside");
+}
+
+}  // namespace fenestra::io

@@ -1,0 +1,140 @@
+// From a request to a study: what is set and what is drawn, and what a session restores.
+
+#include <gtest/gtest.h>
+
+#include "io/LabelWriter.h"
+#include "io/VolumeWriter.h"
+#include "io/session/SessionFile.h"
+#include "io/study/ReadStudy.h"
+#include "io/study/SessionData.h"
+#include "tests/io/IoTesting.h"
+#include "tests/support/Scenes.h"
+#include "tests/support/TestData.h"
+
+namespace fenestra::tests {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A ball of 1000 HU around (20, 20, 20) in air, on a grid of 40³ mm, and a label map of its two halves.
+class ReadStudy : public testing::Test {
+ protected:
+  void SetUp() override {
+    const Grid grid = gridOf(glm::ivec3(40));
+    const auto isBall = [](glm::ivec3 index) { return glm::length(glm::dvec3(index) - 20.0) < 8.0; };
+    io::writeVolume(*volumeOf<std::int16_t>(grid, [&](glm::ivec3 index) { return isBall(index) ? 1000 : -1000; }),
+                    folder_ / "ball.nrrd");
+    io::writeLabels(*labelsOf(grid, [&](glm::ivec3 index) { return isBall(index) ? (index.x < 20 ? 1 : 2) : 0; }),
+                    folder_ / "halves.nrrd");
+  }
+
+  io::StudyRequest ball() const {
+    io::StudyRequest request;
+    request.path = folder_ / "ball.nrrd";
+    return request;
+  }
+
+  io::StudyRequest saved(io::Session session) const {
+    io::noteContents(session);
+    io::writeSession(folder_ / "a.fenestra", session);
+    return io::requestOfSession(folder_ / "a.fenestra");
+  }
+
+  fs::path folder_ = scratchFolder();
+};
+
+TEST_F(ReadStudy, DataAloneComeWithTheSessionThatNamesThem) {
+  io::DataRequest request = ball();
+  request.labels = folder_ / "halves.nrrd";
+  const io::Study study = io::openData(request);
+  EXPECT_EQ(study.format, "NRRD");
+  EXPECT_EQ(study.scene.volume->range.high, 1000.0);
+  EXPECT_EQ(study.scene.labels->labels.size(), 2u);
+  EXPECT_EQ(study.session.volume.path, fs::absolute(request.path));
+  EXPECT_EQ(study.session.labels.path, fs::absolute(request.labels));
+  EXPECT_FALSE(study.restoresSession);
+  EXPECT_FALSE(study.view) << "nobody looks at it yet";
+}
+
+TEST_F(ReadStudy, ARegionIsSetAsSeedsAndDrawnAsLabels) {
+  io::StudyRequest request = ball();
+  request.region.inside = {glm::dvec3(20.0)};
+  const io::Study study = io::readStudy(request);
+  EXPECT_TRUE(std::holds_alternative<RegionFocus>(study.scene.look.focus));
+  EXPECT_FALSE(study.scene.labels);
+  ASSERT_TRUE(study.growth);
+  EXPECT_EQ(study.drawn.scene().labels, study.growth->steps);
+  EXPECT_TRUE(std::holds_alternative<LabelFocus>(study.drawn.scene().look.focus));
+  EXPECT_EQ(study.session.look, study.scene.look) << "a session keeps what is set";
+}
+
+TEST_F(ReadStudy, WhatIsCarvedAwayIsDrawnAlone) {
+  io::StudyRequest request = ball();
+  request.labels = folder_ / "halves.nrrd";
+  request.focusLabels = {"1"};
+  Removal removal;
+  removal.points = {glm::dvec3(20.0)};
+  request.look.removals = {removal};
+  const io::Study study = io::readStudy(request);
+  EXPECT_EQ(study.scene.labels->value({17, 20, 20}), 1);
+  ASSERT_TRUE(study.drawn.scene().removed);
+  EXPECT_EQ(study.drawn.scene().labels->value({17, 20, 20}), 0);
+}
+
+TEST_F(ReadStudy, ASessionComesBackAsItWas) {
+  io::StudyRequest request = ball();
+  request.labels = folder_ / "halves.nrrd";
+  request.focusLabels = {"2"};
+  request.camera = io::ViewAngles{30.0, 10.0};
+  request.size = glm::ivec2(320, 200);
+  const io::Study first = io::readStudy(request);
+  const io::Study again = io::readStudy(saved(first.session));
+  EXPECT_TRUE(again.restoresSession);
+  EXPECT_EQ(again.sessionFile, folder_ / "a.fenestra");
+  EXPECT_EQ(again.scene.look, first.scene.look);
+  ASSERT_TRUE(again.view);
+  EXPECT_EQ(*again.view, *first.view);
+  EXPECT_TRUE(again.warnings.empty()) << kindsOf(again.warnings);
+}
+
+TEST_F(ReadStudy, ARecoveredSessionTakesThePlaceOfTheOneThatItCopies) {
+  io::Session session = io::readStudy(ball()).session;
+  session.autosaveOf = folder_ / "mine.fenestra";
+  io::StudyRequest request = saved(session);
+  request.isRecovered = true;
+  const io::Study study = io::readStudy(request);
+  EXPECT_TRUE(study.isRecovered);
+  EXPECT_EQ(study.sessionFile, folder_ / "mine.fenestra");
+  EXPECT_TRUE(study.session.autosaveOf.empty());
+}
+
+TEST_F(ReadStudy, ASessionsRegionMayComeOutEmptyForAUserToChange) {
+  io::Session session = io::readStudy(ball()).session;
+  session.look.focus = RegionFocus{{glm::dvec3(20.0), glm::dvec3(500.0)}, {}, 10.0};
+  io::StudyRequest request = saved(session);
+  EXPECT_NE(errorOf([&] { io::readStudy(request); }).find("does not reach to --seed 500,500,500"), std::string::npos);
+  request.acceptsAnyRegion = true;
+  EXPECT_TRUE(io::readStudy(request).growth);
+
+  session.look.focus = RegionFocus{{glm::dvec3(500.0)}, {}, 10.0};
+  const io::Study without = io::readStudy(saved(session));
+  EXPECT_TRUE(hasWarning(without.warnings, io::Warning::Kind::ChangedData));
+  EXPECT_TRUE(std::holds_alternative<std::monostate>(without.scene.look.focus));
+}
+
+TEST_F(ReadStudy, ProgressRunsForwardAndCancels) {
+  io::StudyRequest request = ball();
+  request.labels = folder_ / "halves.nrrd";
+  double last = 0.0;
+  const auto ascending = [&](double fraction, std::string_view) {
+    EXPECT_GE(fraction, last);
+    last = fraction;
+    return true;
+  };
+  io::readStudy(request, ascending);
+  EXPECT_GT(last, 0.5);
+  EXPECT_THROW(io::readStudy(request, [](double, std::string_view) { return false; }), io::Cancelled);
+}
+
+}  // namespace
+}  // namespace fenestra::tests
