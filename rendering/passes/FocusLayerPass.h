@@ -115,7 +115,7 @@ class FocusLayerPass {
   using Layers = std::vector<Drawn>;
   void add(Steps& steps, const Layers& layers, Regions regions, gl::Texture& focusLayer);
   /// Pixels between those of a lattice whose squares have sides of 2·halfSide: the squares' centres, or the middles of
-  /// their sides, which need all centres. Of a quincunx, the latter.
+  /// their sides, which need all centres. A quincunx needs the latter alone.
   void drawBetween(const Layers& layers, int halfSide, bool centres, Regions squares, gl::Texture& focusLayer);
 
   gl::ShaderVariants programs_, apart_, exploded_, quincunxBetween_, centresBetween_, sidesBetween_;

@@ -1,4 +1,4 @@
-// The medium that casts shadows, second step: what is left of ambient and of direct light at the centre of each cell.
+// The medium that casts shadows, second step: the shares of ambient and of direct light that reach the centre of each cell.
 // rendering/scene/Occlusion.h defines it. An invocation has CELLS cells, one behind the other along z: four,
 // because a vec4 holds a number for each.
 #include <schedule>

@@ -1,4 +1,4 @@
-// The medium that casts shadows, last step: what is left of light at four centres of cells in a texel, as
+// The medium that casts shadows, last step: the shares of light that reach four centres of cells in a texel, as
 // lib/occlusion/Nodes.glsl reads it. An invocation a cell: x, and y and z one below the other.
 #include <schedule>
 #include "lib/Region.glsl"

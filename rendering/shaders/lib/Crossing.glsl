@@ -129,8 +129,8 @@ float firstExit(vec4 b, float low, float high) {
   return u;
 }
 
-// Where the parabola of these values at 0, 1/2 and 1 is `level` or more, from and to 0 … 1; empty where from ≥ to. Of two
-// such parts, that nearer to 0.
+// Where the parabola of these values at 0, 1/2 and 1 is `level` or more, from and to 0 … 1; empty where from ≥ to. There
+// may be two such parts: then that nearer to 0.
 vec2 partAbove(vec3 values, float level) {
   float start = values.x - level, rise = values.z - values.x, bend = 4.0 * values.y - 2.0 * (values.x + values.z);
   // start + slope u - bend u²

@@ -40,7 +40,7 @@ Medium mediumOf(Part part, float size) {
   vec4 e = part.entries;
   float mean = clamp(0.25 * (e.x + e.y + e.z + e.w), segment.low, segment.high);
   Medium medium;
-  // The best line's slope is 12 times the first moment of the cubic; what is left is nearly q (u² - u + 1/6).
+  // The best line's slope is 12 times the first moment of the cubic; the rest is nearly q (u² - u + 1/6).
   medium.change = vec2(0.3 * (3.0 * (e.w - e.x) + e.z - e.y), 1.5 * (e.x - e.y - e.z + e.w));
   float extinction = max(segment.material.a + segment.slope.a * (mean - segment.anchor), 0.0);
   medium.depth = extinction * size;
@@ -138,7 +138,8 @@ vec4 integratePart(Section section, Ray ray, Cut cut, Part part, float transmitt
   // A part's allowed error is its share of the bound, by its opacity or by its length: each sums to at most 1 over the ray.
   float shown = transmittance * result.a, weight = shown / (integral.maxError * max(shown, share));
   vec2 ends = mix(vec2(section.uFrom), vec2(section.uTo), vec2(part.from, part.to));
-  float pieces = max(sqrt(weight * (colourError(medium, part.segment) + lightError(medium, lights) + openError(lights.openFront, lights.openMiddle, lights.openBack))),
+  float ofOpen = openError(lights.openFront, lights.openMiddle, lights.openBack);
+  float pieces = max(sqrt(weight * (colourError(medium, part.segment) + lightError(medium, lights) + ofOpen)),
                      piecesOfLight(section.normals, ends.x, ends.y, section.inFocus, ray.world, weight));
   if (pieces > 1.0) {
     int count = int(ceil(min(pieces, float(MOST_PIECES)))), i = 0;
