@@ -413,7 +413,7 @@ QImage MainWindow::picture(Patient patient) {
     return without;
   }
   QPixmap pixmap = grab();
-  // Of an OpenGL widget grab() paints the marks first and the picture over them.
+  // grab() paints the marks of an OpenGL widget first and its picture over them.
   QPainter painter(&pixmap);
   for (VolumeView* view : views_->volumeViews())
     if (view->isVisible()) painter.drawImage(view->mapTo(this, QPoint(0, 0)), view->grabSurface());

@@ -24,7 +24,7 @@
 namespace fenestra::viewer {
 namespace {
 
-/// Of a fresh picture to the stored one. On one machine the palette of the stored pictures leaves 0.996, and a click
+/// Likeness of a fresh picture to the stored one. On one machine the palette of the stored pictures leaves 0.996, and a click
 /// that lands a voxel further 0.96; other fonts move some letters. Without the opening, or without a panel, it is 0.03
 /// and less, which the walk checks.
 constexpr double leastLikeness = 0.7;

@@ -186,7 +186,7 @@ TEST_F(OpenSession, SearchesBesideAndBelowByName) {
   fs::create_directories(project_ / "data" / "2026");
   fs::rename(project_ / "study", project_ / "data" / "2026" / "study");
   fs::rename(project_ / "labels.nii.gz", project_ / "data" / "labels.nii.gz");
-  // Of the same name, but something else.
+  // Something else takes the name.
   writeStudy(project_ / "study", 7);
   const io::Study opened = openSession(file);
   EXPECT_EQ(opened.session.volume.path, project_ / "study")
