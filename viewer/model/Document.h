@@ -85,7 +85,7 @@ class Document : public QObject {
   /// What was grown of a region that `wanted` is more strokes over: that region, and its growth; the latest of several.
   std::optional<std::pair<RegionFocus, std::shared_ptr<const segmentation::Growth>>> grownBefore(
       const RegionFocus& wanted) const;
-  /// Of the region in the focus; empty: chosen from the plateaus.
+  /// Sets the tolerance of the region in the focus; empty: chosen from the plateaus.
   void setTolerance(std::optional<double> tolerance);
   /// Moves the tolerance by steps of segmentation::Levels, within those that are there.
   void moveTolerance(int steps);
