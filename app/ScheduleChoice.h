@@ -22,9 +22,8 @@ std::optional<Schedule> knownSchedule(std::optional<Schedule> asked, const Volum
 void chooseSchedule(std::optional<Schedule> asked, const std::shared_ptr<GpuScene>& gpuScene, const Scene& scene,
                     const View& view);
 
-/// The same for a window, whose first picture is waited for: on a software rasteriser, where a trial compiles all
-/// programs twice on the CPU that draws, nothing is tried. Without a kept answer the scene keeps the schedule made for
-/// that renderer.
+/// Chooses for a window, whose first picture is waited for: a software rasteriser, on which a trial would compile all
+/// programs twice on the CPU that draws, keeps the schedule that is made for it unless an answer is known.
 void chooseScheduleQuickly(std::optional<Schedule> asked, bool software, const std::shared_ptr<GpuScene>& gpuScene,
                            const Scene& scene, const View& view);
 

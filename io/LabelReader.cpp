@@ -211,8 +211,8 @@ LabelsOnGrid readImageLabels(const fs::path& path, Format format, const Grid& ta
   return read;
 }
 
-OpenedLabels readLabels(const fs::path& path, const Grid& target, const Progress& progress, bool allowOutside) {
-  const Format format = formatOf(path);
+OpenedLabels readLabels(const fs::path& path, Format format, const Grid& target, const Progress& progress,
+                        bool allowOutside) {
   LabelsOnGrid read = format == Format::Dicom ? readDicomLabels(path, target, progress)
                                               : readImageLabels(path, format, target, progress, allowOutside);
   const std::vector<std::uint16_t>& values = read.values;
@@ -246,13 +246,18 @@ OpenedLabels readLabels(const fs::path& path, const Grid& target, const Progress
   return opened;
 }
 
-/// The archive that holds the label map: `path` itself, or the one that it leads into. None for a plain file.
-std::optional<fs::path> archiveOf(const fs::path& path) {
-  std::optional<ArchiveMember> member = archiveMember(path);
-  checkExists(member ? member->archive : path);
-  if (member) return std::move(member->archive);
-  if (!fs::is_directory(path) && formatOf(path) == Format::Archive) return path;
-  return std::nullopt;
+/// Where a label map is.
+struct Place {
+  Format format = Format::Archive;
+  fs::path archive = {};  ///< that holds it: `path` itself, or the one that it leads into
+};
+Place placeOf(const fs::path& path) {
+  if (std::optional<ArchiveMember> member = archiveMember(path)) {
+    checkExists(member->archive);
+    return {Format::Archive, std::move(member->archive)};
+  }
+  checkExists(path);
+  return {formatOf(path), path};
 }
 
 /// The label map in an unpacked archive: the one that `path` names, or the archive's only file.
@@ -277,9 +282,9 @@ OpenedLabels readArchivedLabels(const fs::path& archivePath, const fs::path& pat
   const UnpackedArchive archive(archivePath, progress);
   try {
     const fs::path file = labelMapIn(archive, path);
-    if (formatOf(file) == Format::Archive)
-      throw Error(file, "is an archive in an archive", "unpack it and open what it holds");
-    OpenedLabels opened = readLabels(file, target, progress, allowOutside);
+    const Format format = formatOf(file);
+    if (format == Format::Archive) throw Error(file, "is an archive in an archive", "unpack it and open what it holds");
+    OpenedLabels opened = readLabels(file, format, target, progress, allowOutside);
     renameFiles(opened.warnings, [&](const fs::path& unpacked) { return archive.named(unpacked); });
     return opened;
   } catch (const Error& error) {
@@ -291,17 +296,18 @@ OpenedLabels readArchivedLabels(const fs::path& archivePath, const fs::path& pat
 
 std::vector<fs::path> labelFiles(const fs::path& path, bool allowOutside) {
   return withinMemory(path, [&]() -> std::vector<fs::path> {
-    if (auto archive = archiveOf(path)) return {*std::move(archive)};
-    const Format format = formatOf(path);
-    if (format == Format::Dicom) return {path};
-    return readImageHeader(path, format, allowOutside).source.files;
+    const Place place = placeOf(path);
+    if (place.format == Format::Archive) return {place.archive};
+    if (place.format == Format::Dicom) return {path};
+    return readImageHeader(path, place.format, allowOutside).source.files;
   });
 }
 
 OpenedLabels openLabels(const fs::path& path, const Grid& target, const Progress& progress, bool allowOutside) {
   return withinMemory(path, [&] {
-    if (const auto archive = archiveOf(path)) return readArchivedLabels(*archive, path, target, progress, allowOutside);
-    return readLabels(path, target, progress, allowOutside);
+    const Place place = placeOf(path);
+    if (place.format == Format::Archive) return readArchivedLabels(place.archive, path, target, progress, allowOutside);
+    return readLabels(path, place.format, target, progress, allowOutside);
   });
 }
 

@@ -91,7 +91,7 @@ void writeLabels(const LabelMap& labels, const std::filesystem::path& path, cons
   if (name.ends_with(".dcm")) {
     std::vector<std::uint16_t> values;
     for (const Label& label : wanted) values.push_back(label.value);
-    const bool series = !output.series.empty() && looksLikeDicom(output.series.front());
+    const bool series = !output.series.empty() && looksLikeDicom(FileStart(output.series.front()));
     return writeSegmentation(labels, values,
                              {series ? output.series : std::vector<std::filesystem::path>(), output.namesPatient}, path,
                              progress);

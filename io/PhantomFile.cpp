@@ -130,7 +130,7 @@ class Parser {
     appendChain(points, positive(shape, "radius"), shapes);
   }
 
-  /// The same shape on the other side of the body's midplane x = 0.
+  /// `shape` on the other side of the body's midplane x = 0.
   static Shape mirrored(const Shape& shape) {
     const glm::dvec3 flip(-1.0, 1.0, 1.0);
     const auto flipSolid = [&](auto solid) {

@@ -111,6 +111,16 @@ OpenedVolume openImage(ImageFile image, const OpenOptions& options) {
   return opened;
 }
 
+/// Both take any format but Archive.
+std::vector<SeriesInfo> listFormat(const fs::path& path, Format format, const OpenOptions& options) {
+  if (format == Format::Dicom) return listDicomSeries(path, options);
+  return seriesIn(readImageHeader(path, format, options.allowOutside));
+}
+OpenedVolume openFormat(const fs::path& path, Format format, const OpenOptions& options) {
+  if (format == Format::Dicom) return openDicom(path, options);
+  return openImage(readImageHeader(path, format, options.allowOutside), options);
+}
+
 /// What to open of an unpacked archive: its only file, the header of its only volume in two files, or the whole folder.
 fs::path contentOf(const UnpackedArchive& archive) {
   std::vector<fs::path> files, headers;
@@ -124,8 +134,8 @@ fs::path contentOf(const UnpackedArchive& archive) {
   return headers.size() == 1 ? headers.front() : archive.folder();
 }
 
-/// read(archive, content, options) for what an archive holds; errors name the archive. Archives in archives are
-/// refused.
+/// read(archive, content, its format, options) for what an archive holds; errors name the archive. Archives in archives
+/// are refused.
 template <class Read>
 auto readArchive(const fs::path& path, const OpenOptions& options, const Read& read) {
   OpenOptions inside = options;
@@ -134,9 +144,10 @@ auto readArchive(const fs::path& path, const OpenOptions& options, const Read& r
   inside.progress = partOf(options.progress, 0.5, 1.0);
   try {
     const fs::path content = contentOf(archive);
-    if (formatOf(content) == Format::Archive)
+    const Format format = formatOf(content);
+    if (format == Format::Archive)
       throw Error(content, "is an archive in an archive", "unpack it and open what it holds");
-    return read(archive, content, inside);
+    return withinMemory(content, [&] { return read(archive, content, format, inside); });
   } catch (const Error& error) {
     throw Error(archive.named(error.file()), error.cause(), error.hint());
   }
@@ -224,15 +235,16 @@ void checkExists(const fs::path& path) {
 
 Format formatOf(const fs::path& path) {
   if (fs::is_directory(path)) return Format::Dicom;
-  if (looksLikeNifti(path)) return Format::Nifti;
-  if (looksLikeNrrd(path)) return Format::Nrrd;
-  if (looksLikeMetaImage(path)) return Format::MetaImage;
+  const FileStart start(path);
+  if (looksLikeNifti(start)) return Format::Nifti;
+  if (looksLikeNrrd(start)) return Format::Nrrd;
+  if (looksLikeMetaImage(start)) return Format::MetaImage;
   // Before archives: it may be packed by gzip.
-  if (looksLikeMgh(path)) return Format::Mgh;
-  if (looksLikeArchive(path)) return Format::Archive;
-  if (looksLikeDicom(path)) return Format::Dicom;
+  if (looksLikeMgh(start)) return Format::Mgh;
+  if (looksLikeArchive(start)) return Format::Archive;
+  if (looksLikeDicom(start)) return Format::Dicom;
   // Last, because it has no signature.
-  if (looksLikeAnalyze(path)) return Format::Analyze;
+  if (looksLikeAnalyze(start)) return Format::Analyze;
   const std::string_view ending = lowered(path.extension().string()) == ".dcm" ? ".dcm" : volumeEnding(path);
   if (!ending.empty())
     throw Error(path, "is named " + std::string(ending) + " but its content is something else",
@@ -244,18 +256,16 @@ Format formatOf(const fs::path& path) {
 
 std::vector<SeriesInfo> listSeries(const fs::path& path, const OpenOptions& options) {
   checkExists(path);
-  return withinMemory(path, [&]() -> std::vector<SeriesInfo> {
+  return withinMemory(path, [&] {
     if (options.raw) return seriesIn(describeRaw(path, *options.raw));
     const Format format = formatOf(path);
-    if (format == Format::Archive)
-      return readArchive(path, options,
-                         [&](const UnpackedArchive&, const fs::path& content, const OpenOptions& inside) {
-                           std::vector<SeriesInfo> all = listSeries(content, inside);
-                           for (SeriesInfo& series : all) series.files = {path};
-                           return all;
-                         });
-    if (format == Format::Dicom) return listDicomSeries(path, options);
-    return seriesIn(readImageHeader(path, format, options.allowOutside));
+    if (format != Format::Archive) return listFormat(path, format, options);
+    return readArchive(path, options,
+                       [&](const UnpackedArchive&, const fs::path& content, Format held, const OpenOptions& inside) {
+                         std::vector<SeriesInfo> all = listFormat(content, held, inside);
+                         for (SeriesInfo& series : all) series.files = {path};
+                         return all;
+                       });
   });
 }
 
@@ -264,18 +274,17 @@ OpenedVolume openVolume(const fs::path& path, const OpenOptions& options) {
   return withinMemory(path, [&] {
     if (options.raw) return openImage(describeRaw(path, *options.raw), options);
     const Format format = formatOf(path);
-    if (format == Format::Archive)
-      return readArchive(path, options,
-                         [&](const UnpackedArchive& archive, const fs::path& content, const OpenOptions& inside) {
-                           OpenedVolume opened = openVolume(content, inside);
-                           renameFiles(opened, [&](const fs::path& file) { return archive.named(file); });
-                           // What sessions look for and hash.
-                           opened.series.files = {path};
-                           for (SeriesInfo& series : opened.otherSeries) series.files = {path};
-                           return opened;
-                         });
-    if (format == Format::Dicom) return openDicom(path, options);
-    return openImage(readImageHeader(path, format, options.allowOutside), options);
+    if (format != Format::Archive) return openFormat(path, format, options);
+    return readArchive(
+        path, options,
+        [&](const UnpackedArchive& archive, const fs::path& content, Format held, const OpenOptions& inside) {
+          OpenedVolume opened = openFormat(content, held, inside);
+          renameFiles(opened, [&](const fs::path& file) { return archive.named(file); });
+          // What sessions look for and hash.
+          opened.series.files = {path};
+          for (SeriesInfo& series : opened.otherSeries) series.files = {path};
+          return opened;
+        });
   });
 }
 

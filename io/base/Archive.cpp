@@ -1,10 +1,10 @@
 #include "io/base/Archive.h"
 
-#include <array>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -58,12 +58,10 @@ fs::path makePrivateFolder(const fs::path& archive) {
 
 }  // namespace
 
-bool looksLikeArchive(const fs::path& path) {
-  std::array<char, 512> bytes{};
-  const std::size_t got =
-      openStream(path, 0, Packing::None)->read(reinterpret_cast<std::byte*>(bytes.data()), bytes.size());
+bool looksLikeArchive(const FileStart& start) {
+  const std::span<const std::byte> bytes = start.stored();
   const auto startsWith = [&](std::string_view magic, std::size_t at = 0) {
-    return got >= at + magic.size() && std::memcmp(bytes.data() + at, magic.data(), magic.size()) == 0;
+    return bytes.size() >= at + magic.size() && std::memcmp(bytes.data() + at, magic.data(), magic.size()) == 0;
   };
   return startsWith("PK\x03\x04") || startsWith("PK\x05\x06") || startsWith("\x1f\x8b") || startsWith("BZh") ||
          startsWith(

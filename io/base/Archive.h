@@ -7,12 +7,13 @@
 #include <optional>
 #include <vector>
 
+#include "io/base/FileStart.h"
 #include "io/base/Reading.h"
 
 namespace fenestra::io {
 
 /// By the first bytes: zip, tar, or a stream of gzip, bzip2 or xz, whatever it holds.
-bool looksLikeArchive(const std::filesystem::path& path);
+bool looksLikeArchive(const FileStart& start);
 
 /// An archive's files in a private temporary folder, which is removed with this object.
 class UnpackedArchive {

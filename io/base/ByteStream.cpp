@@ -168,8 +168,11 @@ std::unique_ptr<ByteStream> openStream(const fs::path& file, std::uint64_t offse
 
 bool isGzip(const fs::path& file) {
   std::array<std::byte, 2> magic{};
-  return FileStream(file, 0).read(magic.data(), magic.size()) == magic.size() && magic[0] == std::byte{0x1f} &&
-         magic[1] == std::byte{0x8b};
+  return FileStream(file, 0).read(magic.data(), magic.size()) == magic.size() && startsAsGzip(magic);
+}
+
+bool startsAsGzip(std::span<const std::byte> bytes) {
+  return bytes.size() >= 2 && bytes[0] == std::byte{0x1f} && bytes[1] == std::byte{0x8b};
 }
 
 std::unique_ptr<ByteStream> openMaybeGzip(const fs::path& file) {

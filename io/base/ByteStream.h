@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <span>
 
 #include "io/base/Error.h"
 
@@ -35,6 +36,7 @@ std::unique_ptr<ByteStream> openStream(const std::filesystem::path& file, std::u
 /// The bytes of `file`, unpacked when it starts as gzip does.
 std::unique_ptr<ByteStream> openMaybeGzip(const std::filesystem::path& file);
 bool isGzip(const std::filesystem::path& file);
+bool startsAsGzip(std::span<const std::byte> bytes);
 
 /// The system's words for the last failed call.
 std::string systemCause();

@@ -19,8 +19,8 @@ struct Contents {
   bool operator==(const Contents&) const = default;
 };
 
-/// Of one file, `hash` is what sha256sum prints; of several, the SHA-256 of their sorted hashes in hexadecimal, a line
-/// each. Reads on all cores. Throws Error, Cancelled.
+/// `hash` is what sha256sum prints for one file; for several it is the SHA-256 of their sorted hashes in hexadecimal, a
+/// line each. Reads on all cores. Throws Error, Cancelled.
 Contents contentsOf(const std::vector<std::filesystem::path>& files, const Progress& progress = {});
 
 /// "sha256:HEX" of a text.

@@ -14,7 +14,7 @@
 namespace fenestra::io {
 
 inline constexpr std::uint16_t greatestLabel = 65535;
-/// Of a label whose file gives it none: openLabels() chooses one by the name.
+/// The colour of a label whose file gives it none: openLabels() chooses one by the name.
 inline constexpr glm::dvec3 noColour{-1.0};
 
 /// Labels as a reader gives them: one a voxel of the target grid, x fastest, and what is known about them.

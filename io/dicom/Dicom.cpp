@@ -104,7 +104,7 @@ Scan scanHeaders(const fs::path& path, const OpenOptions& options, PackedFiles& 
     for (std::size_t i = begin; i < end; ++i) {
       progress.step();
       try {
-        outcomes[i].dicom = looksLikeDicom(paths[i]) && paths[i].filename() != "DICOMDIR";
+        outcomes[i].dicom = looksLikeDicom(FileStart(paths[i])) && paths[i].filename() != "DICOMDIR";
         if (!outcomes[i].dicom) {
           const fs::path content = packed.contentOf(paths[i]);
           outcomes[i].dicom = content != paths[i];

@@ -21,7 +21,7 @@ class CodecError : public std::runtime_error {
 };
 
 enum class Compression : std::uint8_t { Rle, Jpeg, JpegLs, Jpeg2000, Unknown };
-/// Of a transfer syntax (DCMTK's E_TransferSyntax).
+/// `transferSyntax` is one of DCMTK's E_TransferSyntax.
 Compression compressionOf(int transferSyntax);
 
 /// Whether decoded samples are those that were compressed.

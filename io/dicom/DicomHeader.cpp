@@ -257,18 +257,18 @@ DicomFile readDicomHeader(const fs::path& path) {
   return file;
 }
 
-bool looksLikeDicom(const fs::path& file) {
+bool looksLikeDicom(const FileStart& start) {
   constexpr std::size_t preamble = 128;
   std::array<char, preamble + 4> bytes{};
-  const std::size_t got =
-      openStream(file, 0, Packing::None)->read(reinterpret_cast<std::byte*>(bytes.data()), bytes.size());
+  const std::size_t got = std::min(start.stored().size(), bytes.size());
+  std::memcpy(bytes.data(), start.stored().data(), got);
   if (got == bytes.size() && std::memcmp(bytes.data() + preamble, "DICM", 4) == 0) return true;
   // Without the preamble a dataset starts with an even, small group: 0002 or 0008, either byte order.
   const bool little = (bytes[0] == 2 || bytes[0] == 8) && bytes[1] == 0 && bytes[3] == 0;
   const bool big = bytes[0] == 0 && bytes[1] == 8 && bytes[2] == 0;
   if (got < 8 || !(little || big)) return false;
   try {
-    return !readDicomHeader(file).instance.empty();
+    return !readDicomHeader(start.path()).instance.empty();
   } catch (const Error&) {
     return false;
   }

@@ -24,7 +24,7 @@ struct PixelFormat {
   int rows = 0, columns = 0;  ///< of the stored frame
   int bitsAllocated = 0, bitsStored = 0, highBit = 0;
   bool isSigned = false;
-  /// Of integers.
+  /// The range of integers that the format can store.
   std::int64_t least() const { return isSigned ? -(std::int64_t{1} << (bitsStored - 1)) : 0; }
   std::int64_t greatest() const { return (std::int64_t{1} << (isSigned ? bitsStored - 1 : bitsStored)) - 1; }
   std::size_t frameBytes() const {

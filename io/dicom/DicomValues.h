@@ -14,7 +14,7 @@ namespace fenestra::io {
 
 /// Empty when the attribute is absent or holds no finite number there.
 std::optional<double> numberOf(DcmItem& item, const DcmTagKey& tag, unsigned long position = 0);
-/// Of any integer VR, or a number string.
+/// A value of any integer VR, or a number string.
 std::optional<std::int64_t> integerOf(DcmItem& item, const DcmTagKey& tag);
 std::string textOf(DcmItem& item, const DcmTagKey& tag);
 /// Text that an operator typed, as UTF-8; of an unknown character set only the ASCII part. `dataset` names the

@@ -1,10 +1,12 @@
 // Analyze 7.5 (.hdr with .img), either byte order. Definition: "ANALYZE 7.5 File Format", Mayo Clinic, whose struct dsr
 // has the offsets below; NIfTI-1 kept those of the first 148 bytes.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
 #include <optional>
+#include <span>
 
 #include "io/formats/ImageFile.h"
 #include "io/formats/NiftiParts.h"
@@ -18,8 +20,10 @@ constexpr std::int32_t headerBytes = 348;
 /// Fields by their offsets in bytes.
 class Header {
  public:
-  explicit Header(const fs::path& path) {
-    got_ = openMaybeGzip(path)->read(bytes_.data(), bytes_.size());
+  explicit Header(const FileStart& start) {
+    const std::span<const std::byte> first = start.unpacked();
+    got_ = std::min(first.size(), bytes_.size());
+    std::copy_n(first.begin(), got_, bytes_.begin());
     swapped_ = at<std::int32_t>(0) != headerBytes;
   }
 
@@ -91,15 +95,16 @@ fs::path headerOf(const fs::path& path) { return isPairImage(path) ? pairPartner
 
 }  // namespace
 
-bool looksLikeAnalyze(const fs::path& path) {
-  const fs::path header = headerOf(path);
+bool looksLikeAnalyze(const FileStart& start) {
+  const fs::path header = headerOf(start.path());
   std::error_code unknown;
-  return fs::is_regular_file(header, unknown) && pairPartner(header, ".img") != header && Header(header).isAnalyze();
+  if (!fs::is_regular_file(header, unknown) || pairPartner(header, ".img") == header) return false;
+  return header == start.path() ? Header(start).isAnalyze() : Header(FileStart(header)).isAnalyze();
 }
 
 ImageFile readAnalyzeHeader(const fs::path& path) {
   const fs::path headerPath = headerOf(path);
-  const Header header(headerPath);
+  const Header header{FileStart(headerPath)};
   if (!header.isAnalyze()) throw Error(headerPath, "has no Analyze header", "the file is damaged or no Analyze file");
   ImageFile image;
   image.path = path;

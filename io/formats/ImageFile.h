@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "io/base/ByteStream.h"
+#include "io/base/FileStart.h"
 #include "io/base/Reading.h"
 #include "io/base/VoxelSink.h"
 
@@ -64,11 +65,11 @@ std::string numberedName(const std::string& pattern, long number, const std::fil
 /// `name` as a header at `header` means it: relative to the header's folder.
 std::filesystem::path besideHeader(const std::filesystem::path& header, const std::string& name);
 
-bool looksLikeNifti(const std::filesystem::path& path);
-bool looksLikeNrrd(const std::filesystem::path& path);
-bool looksLikeMetaImage(const std::filesystem::path& path);
-bool looksLikeMgh(const std::filesystem::path& path);
-bool looksLikeAnalyze(const std::filesystem::path& path);
+bool looksLikeNifti(const FileStart& start);
+bool looksLikeNrrd(const FileStart& start);
+bool looksLikeMetaImage(const FileStart& start);
+bool looksLikeMgh(const FileStart& start);
+bool looksLikeAnalyze(const FileStart& start);
 
 /// Each reads the header alone and throws Error for what cannot become a scalar volume.
 ImageFile readNiftiHeader(const std::filesystem::path& path);

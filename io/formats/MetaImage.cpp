@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <string>
 
 #include "io/base/Text.h"
 #include "io/formats/ImageFile.h"
@@ -204,10 +205,19 @@ class Reader {
   int rank_ = 3;
 };
 
+/// False where readLines() would find no "NAME = VALUE" in the first line.
+bool mayStartWithField(const FileStart& start) {
+  const std::string text(reinterpret_cast<const char*>(start.stored().data()), start.stored().size());
+  const std::string line = text.substr(0, text.find('\n'));
+  if (line.find('\0') != std::string::npos) return false;
+  return line.size() == text.size() || trimmed(line).empty() || line.find('=') != std::string::npos;
+}
+
 }  // namespace
 
-bool looksLikeMetaImage(const fs::path& path) {
-  const auto header = readLines(path);
+bool looksLikeMetaImage(const FileStart& start) {
+  if (!mayStartWithField(start)) return false;
+  const auto header = readLines(start.path());
   return header && header->fields.contains("NDims") && header->fields.contains("DimSize");
 }
 

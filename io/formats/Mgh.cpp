@@ -1,9 +1,11 @@
 // FreeSurfer's MGH, plain (.mgh) or as gzip (.mgz, .mgh.gz). Definition: "MghFormat" of the FreeSurfer wiki; always
 // big-endian.
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <optional>
+#include <span>
 
 #include "io/formats/ImageFile.h"
 
@@ -46,10 +48,12 @@ std::optional<ElementType> elementType(int type) {
 }
 
 /// The format has no signature but its version, 1, as the first number.
-std::optional<Header> readHeader(const fs::path& path) {
+std::optional<Header> headerIn(const FileStart& start) {
   Header header;
-  const std::size_t got = openMaybeGzip(path)->read(header.bytes.data(), header.bytes.size());
-  if (got != header.bytes.size() || header.at<std::int32_t>(0) != 1) return std::nullopt;
+  const std::span<const std::byte> first = start.unpacked();
+  if (first.size() < header.bytes.size()) return std::nullopt;
+  std::copy_n(first.begin(), header.bytes.size(), header.bytes.begin());
+  if (header.at<std::int32_t>(0) != 1) return std::nullopt;
   for (std::size_t offset = 4; offset <= 16; offset += 4)
     if (header.at<std::int32_t>(offset) < 1) return std::nullopt;
   const std::int32_t type = header.at<std::int32_t>(20);
@@ -80,10 +84,10 @@ void readGeometry(ImageFile& image, const Header& header) {
 
 }  // namespace
 
-bool looksLikeMgh(const fs::path& path) { return readHeader(path).has_value(); }
+bool looksLikeMgh(const FileStart& start) { return headerIn(start).has_value(); }
 
 ImageFile readMghHeader(const fs::path& path) {
-  const auto header = readHeader(path);
+  const auto header = headerIn(FileStart(path));
   if (!header) throw Error(path, "has no MGH header", "the file is damaged or no MGH file");
   ImageFile image;
   image.path = path;

@@ -1,10 +1,12 @@
 // NIfTI-1 and NIfTI-2, single files and pairs, either byte order. Definitions: nifti1.h and nifti2.h of nifti_clib,
 // whose structs are used and whose functions are not: they print to the error stream, and share their names with ITK's.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
 #include <optional>
+#include <span>
 
 #include <nifti1.h>
 #include <nifti2.h>
@@ -184,10 +186,14 @@ struct Headers {
   std::optional<nifti_2_header> two;
 };
 
-/// The header at `path` as stored; empty when it is neither version's.
-std::optional<Headers> readHeaders(const fs::path& path) {
+static_assert(FileStart::mostBytes >= sizeof(nifti_2_header));
+
+/// The header as stored; empty when it is neither version's.
+std::optional<Headers> headersIn(const FileStart& start) {
   std::array<std::byte, sizeof(nifti_2_header)> bytes{};
-  const std::size_t got = openMaybeGzip(path)->read(bytes.data(), bytes.size());
+  const std::span<const std::byte> first = start.unpacked();
+  const std::size_t got = std::min(first.size(), bytes.size());
+  std::copy_n(first.begin(), got, bytes.begin());
   std::int32_t size = 0;
   std::memcpy(&size, bytes.data(), sizeof size);
   Headers headers;
@@ -255,13 +261,11 @@ void setVoxelFile(ImageFile& image, const fs::path& file) {
   image.source.packing = isGzip(file) ? Packing::Deflate : Packing::None;
 }
 
-bool looksLikeNifti(const fs::path& path) {
-  if (isPairImage(path)) {
-    const fs::path header = pairPartner(path, ".hdr");
-    std::error_code unknown;
-    return fs::is_regular_file(header, unknown) && readHeaders(header).has_value();
-  }
-  return readHeaders(path).has_value();
+bool looksLikeNifti(const FileStart& start) {
+  if (!isPairImage(start.path())) return headersIn(start).has_value();
+  const fs::path header = pairPartner(start.path(), ".hdr");
+  std::error_code unknown;
+  return fs::is_regular_file(header, unknown) && headersIn(FileStart(header)).has_value();
 }
 
 ImageFile readNiftiHeader(const fs::path& path) {
@@ -269,7 +273,7 @@ ImageFile readNiftiHeader(const fs::path& path) {
   image.path = path;
   image.format = "NIfTI";
   const fs::path headerPath = isPairImage(path) ? pairPartner(path, ".hdr") : path;
-  const auto headers = readHeaders(headerPath);
+  const auto headers = headersIn(FileStart(headerPath));
   if (!headers) throw Error(headerPath, "has no NIfTI header", "the file is damaged or no NIfTI file");
 
   const auto interpret = [&](const auto& header) {

@@ -1,10 +1,11 @@
 // NRRD, attached and detached. Definition: teem.sourceforge.net/nrrd/format.html.
 
-#include <array>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <map>
 #include <optional>
+#include <span>
 
 #include "io/base/Text.h"
 #include "io/formats/ImageFile.h"
@@ -384,11 +385,10 @@ class Reader {
 
 }  // namespace
 
-bool looksLikeNrrd(const fs::path& path) {
-  std::array<char, 7> magic{};
-  const std::size_t got =
-      openStream(path, 0, Packing::None)->read(reinterpret_cast<std::byte*>(magic.data()), magic.size());
-  return got == magic.size() && std::string_view(magic.data(), magic.size()) == "NRRD000";
+bool looksLikeNrrd(const FileStart& start) {
+  constexpr std::string_view magic = "NRRD000";
+  const std::span<const std::byte> bytes = start.stored();
+  return bytes.size() >= magic.size() && std::memcmp(bytes.data(), magic.data(), magic.size()) == 0;
 }
 
 ImageFile readNrrdHeader(const fs::path& path) { return Reader(path).read(); }

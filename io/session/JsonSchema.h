@@ -11,7 +11,7 @@ inline Value plainNumber(double number) {
   return static_cast<double>(whole) == number ? Value(whole) : Value(number);
 }
 
-/// Of a value of type T whose numbers lie in `range`; `example` gives the defaults of an object's members.
+/// The schema of a value of type T whose numbers lie in `range`; `example` gives the defaults of an object's members.
 template <class T>
 Value schemaOf(const T& example, Range range = {});
 

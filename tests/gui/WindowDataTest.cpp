@@ -145,6 +145,27 @@ TEST_F(Window, WarningsAreShownOnceEach) {
   EXPECT_TRUE(window_->notices().texts().isEmpty());
 }
 
+TEST_F(Window, OtherDataKeepTheStyleAloneOfTheLookBefore) {
+  io::Study study = markedBall();
+  Look& look = study.scene.look;
+  look.focus = LabelFocus{{1}};
+  look.labels = {{.label = 2, .role = LabelRole::Hidden}};
+  Removal removal;
+  removal.points = {glm::dvec3(0.0)};
+  look.removals = {removal};
+  look.cutaway.openWidth = 33.0;
+  open(study);
+  const std::filesystem::path other = tests::scratchFolder() / "other.nrrd";
+  io::writeVolume(*study.scene.volume, other);
+  QSignalSpy opened(window_.get(), &MainWindow::opened);
+  window_->open(std::vector{other});
+  ASSERT_TRUE(opened.wait(patience));
+  EXPECT_EQ(document().look().cutaway.openWidth, 33.0);
+  EXPECT_EQ(document().look().focus, Focus());
+  EXPECT_TRUE(document().look().labels.empty());
+  EXPECT_TRUE(document().removals().empty());
+}
+
 /// A series of four slices of which the third one of five is missing.
 std::filesystem::path writeGap() {
   const std::filesystem::path folder = tests::scratchFolder() / "gap";
