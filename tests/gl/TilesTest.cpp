@@ -35,11 +35,12 @@ Layers whole(const std::shared_ptr<GpuScene>& gpu, const Scene& scene, const Vie
 
 TEST_F(Tiles, MakeTheSamePictureAsOneRunInEveryKindOfScene) {
   const std::vector<SceneKind> kinds = allSceneKinds();
-  for (const Schedule schedule : {Schedule::Plain, Schedule::Llvmpipe})
+  for (const Schedule schedule : {Schedule::Plain, Schedule::Llvmpipe}) {
+    // One for all scenes: a program is linked once.
+    const auto gpu = std::make_shared<GpuScene>();
+    gpu->setSchedule(schedule);
     for (const SceneKind& kind : kinds) {
       SCOPED_TRACE(kind.name + ", " + std::string(nameOf(schedule)));
-      const auto gpu = std::make_shared<GpuScene>();
-      gpu->setSchedule(schedule);
       Renderer inOneRun(gpu), inTiles(gpu);
       inOneRun.render(kind.scene, kind.view);
       inTiles.begin(kind.scene, kind.view);
@@ -54,6 +55,7 @@ TEST_F(Tiles, MakeTheSamePictureAsOneRunInEveryKindOfScene) {
       }
       if (HasFailure()) return;
     }
+  }
 }
 
 /// A change of scene or view; each change affects different stages.
