@@ -106,8 +106,10 @@ glm::dvec3 Picking::explodedPosition(glm::dvec3 world) const {
                                               glm::dvec3(-1.0), glm::dvec3(grid.dims + 1))));
   const bool isInside =
       glm::all(glm::greaterThanEqual(cell, glm::ivec3(0))) && glm::all(glm::lessThanEqual(cell, grid.dims));
-  // Within a voxel of the focus, which stays in its place.
-  if (frame.explodesAroundFocus() && isInside && gpu.focus().holds(cell)) return world;
+  // Within a voxel of the focus, which stays in its place. Another view may have brought the shared scene to a state
+  // without a focus since this picture was drawn.
+  const bool hasFocus = frame.explodesAroundFocus() && gpu.focusKind() != FocusIndex::Kind::None;
+  if (hasFocus && isInside && gpu.focus().holds(cell)) return world;
   for (const ExplodedPart& part : frame.exploded->view.parts())
     if (keeps(part.kept, world)) return world + part.translation;
   return world;

@@ -197,5 +197,17 @@ TEST_F(Exploded, ThePickOfTheFocusIsItsPlace) {
   }
 }
 
+/// Marks are drawn over the last picture while another view has already brought the shared scene to its next state.
+TEST_F(Exploded, PlacesAreShownAlsoWhenTheSharedSceneHasLostItsFocus) {
+  Scene scene = body(2, ExplosionAxes::Patient, 0.5);
+  const View view = viewOf(scene, 0.0, 0.0);
+  const auto gpu = std::make_shared<GpuScene>();
+  Renderer behind(gpu), ahead(gpu);
+  behind.render(scene, view);
+  scene.look.focus = std::monostate{};
+  ahead.render(scene, view);
+  EXPECT_TRUE(std::isfinite(glm::length(behind.shownAt(scene.volume->grid.centre()))));
+}
+
 }  // namespace
 }  // namespace fenestra::tests
