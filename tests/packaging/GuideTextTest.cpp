@@ -48,8 +48,14 @@ struct Link {
   bool isPicture;
   std::string text, target;
 };
+/// Links outside of blocks of code, where brackets mean something else.
 std::vector<Link> linksIn(const fs::path& page) {
-  const std::string text = contentsOf(page.string());
+  std::string text;
+  bool isCode = false;
+  for (const std::string& line : linesOf(contentsOf(page.string()))) {
+    if (line.starts_with("```")) isCode = !isCode;
+    if (!isCode) text += line + '\n';
+  }
   const std::regex link(R"((!?)\[([^\]]*)\]\(([^)]*)\))");
   std::vector<Link> links;
   for (std::sregex_iterator found(text.begin(), text.end(), link), end; found != end; ++found)
