@@ -24,7 +24,7 @@ struct BenchmarkOptions {
   glm::ivec2 size{700, 650};  ///< of a picture, pixels; the figures of other machines are of 700×650
 };
 
-/// Of one setting in one scene.
+/// Times and errors of one setting in one scene.
 struct SettingTime {
   std::string setting;                           ///< "draft", "normal" or a bound, as "0.5"
   std::optional<double> bound;                   ///< on the error of a pixel's colour, 1/255

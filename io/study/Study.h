@@ -24,11 +24,11 @@ struct Study : VolumeInfo {
   segmentation::DrawnScene drawn;                      ///< what pictures show of both
   std::vector<Warning> warnings;                       ///< of volume, labels and focus
 
-  /// Where the data are, and what was chosen about them; all of the session that the study was opened from.
+  /// Places of the data and choices about them; the whole session where the study was opened from one.
   Session session;
   bool restoresSession = false;       ///< `session` was opened, and a window becomes what it says
   std::filesystem::path sessionFile;  ///< of that session; empty without one
-  bool isRecovered = false;           ///< nobody has saved it: see DataRequest::isRecovered
+  bool isRecovered = false;           ///< not saved yet; see DataRequest::isRecovered
 
   std::optional<View> view;          ///< the first picture to make; unset: from anterior
   int viewIndex = 0;                 ///< which of the session's views that is: 0 is C1, 1 is C2

@@ -31,7 +31,7 @@ struct DataRequest {
   std::filesystem::path labels;          ///< file of a label map; empty: the session's or phantom's own
   std::optional<Session> session;        ///< that `path` was read as, or that lay in the folder of `path`
   std::filesystem::path data;            ///< where a session's volume is now; empty: where it says
-  /// The session is a copy that nobody has saved, of the session in its `autosaveOf`, whose place it takes.
+  /// The session is an automatic copy that was not saved. It takes the place of the session that `autosaveOf` names.
   bool isRecovered = false;
 
   bool empty() const { return path.empty() && phantom.empty(); }

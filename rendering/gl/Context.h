@@ -18,7 +18,7 @@ class Texture;
 class DrawTarget {
  public:
   DrawTarget(std::uint32_t framebuffer, glm::ivec4 rectangle);
-  /// The same over the whole of a 2-D texture, whose first row is the lowest.
+  /// Draws over the whole of a 2-D texture, whose first row is the lowest.
   explicit DrawTarget(const Texture& texture);
   ~DrawTarget();
   DrawTarget(const DrawTarget&) = delete;

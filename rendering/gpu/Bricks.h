@@ -38,7 +38,7 @@ struct OctantRanges {
   std::array<std::uint8_t, 8> low{}, high{255, 255, 255, 255, 255, 255, 255, 255};
   bool operator==(const OctantRanges&) const = default;
 };
-/// Of an octant, in real values: holds all of its cells' corners.
+/// Range of an octant, in real values: it holds the values at all corners of the octant's cells.
 ValueRange rangeOf(const OctantRanges& octants, std::size_t octant, const ValueRange& brick);
 
 /// Least and greatest real value at the corners of each brick's cells; the trilinear field inside a brick lies between

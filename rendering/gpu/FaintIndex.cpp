@@ -49,7 +49,7 @@ std::vector<std::uint8_t> texelsOf(Values values, const Grid& grid, const std::v
   const auto width = static_cast<std::size_t>(size.x), height = static_cast<std::size_t>(size.y);
   std::vector<std::uint8_t> texels(width * height * static_cast<std::size_t>(size.z));
   parallelFor(static_cast<std::size_t>(size.z), 4, [&](std::size_t begin, std::size_t end) {
-    // Of a texel's row and the next ones along y and z.
+    // The row of a texel, and the next ones along y and z.
     std::array<std::vector<std::uint8_t>, 4> rows;
     for (std::size_t z = begin; z < end; ++z)
       for (std::size_t y = 0; y < height; ++y) {

@@ -15,8 +15,8 @@ struct DeviceLimits {
   int side = 0;                      ///< of a 3-D texture, in texels
   std::optional<std::size_t> bytes;  ///< for a scene's voxels; unknown: until an allocation fails
 };
-/// Of the current context: what its driver says of the memory that is free, or half of the main memory where the CPU
-/// draws.
+/// Limits of the current context. Its driver says how much memory is free; where the CPU draws, the limit is half of
+/// the main memory.
 DeviceLimits deviceLimits();
 
 /// Bytes that a volume takes on the device when each voxel stands for `factor` voxels: texture, gradients (all of

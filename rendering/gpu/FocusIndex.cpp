@@ -193,7 +193,7 @@ void forEachRun(const CellRuns& runs, glm::ivec3 dims, F&& visit) {
         visit(run.begin == 0 ? 0 : run.begin + 1, run.end == runs.cells.x ? dims.x + 1 : run.end + 1, y, z);
 }
 
-/// The same with each run cut where a brick ends: calls visit(brick's offset, begin, end, y, z).
+/// Cuts each run where a brick ends: calls visit(brick's offset, begin, end, y, z) for the parts.
 template <class F>
 void forEachPart(const CellRuns& runs, glm::ivec3 dims, glm::ivec3 bricks, F&& visit) {
   forEachRun(runs, dims, [&](int begin, int end, int y, int z) {

@@ -23,7 +23,8 @@ struct FocusIndex {
   /// Labels: cellsPerBrick bytes a slot, one a cell, bit i set when corner i (x fastest) has a label of the focus.
   /// Values: cellsPerBrick bits a slot, one a cell, set when FocusCells (rendering/scene) keep the cell.
   std::vector<std::uint32_t> cells;
-  /// Of labels whose surface the look smooths: what stands in place of the corners' bits. It is cut by the same cells.
+  /// Labels whose surface the look smooths: the indicator that replaces the corners' bits. The cells that it cuts are
+  /// those in `cells`. Null otherwise.
   std::shared_ptr<const SmoothedIndicator> smoothed;
   /// Box of the focus in index coordinates: labelled voxels, or the corners of kept cells. Empty when nothing is in
   /// focus.
@@ -48,7 +49,7 @@ std::shared_ptr<const SmoothedIndicator> smoothedIndicator(const Scene& scene);
 /// `bricks` are the volume's. Runs on all cores.
 FocusIndex buildFocusIndex(const Scene& scene, const BrickRanges& bricks);
 
-/// The same centre where no index is at hand; reads the whole volume. `scene` has a volume.
+/// As FocusIndex::centre(), without an index; reads the whole volume. `scene` has a volume.
 std::optional<glm::dvec3> focusCentre(const Scene& scene);
 
 }  // namespace fenestra

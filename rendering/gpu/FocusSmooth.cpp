@@ -52,7 +52,8 @@ void filterOnce(const Row* from, Row& to) {
     to[x] = static_cast<std::uint16_t>(from[0][x] + from[4][x] + 4 * (from[1][x] + from[3][x]) + 6 * from[2][x]);
 }
 
-/// The same of values up to 4096: exact but for all, 65536, which becomes 65535 to fit.
+/// Filters results of filterOnce, which are at most 4096. The sum is exact, but 65536, where all voxels are in the
+/// focus, becomes 65535 to fit 16 bits.
 void filterAgain(const Row* from, Row& to) {
   for (std::size_t x = 0; x < to.size(); ++x) {
     const std::uint32_t sum = from[0][x] + from[4][x] + 4u * (from[1][x] + from[3][x]) + 6u * from[2][x];

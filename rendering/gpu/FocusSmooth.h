@@ -27,7 +27,7 @@ class FocusSmooth {
   static constexpr std::size_t tileVoxels = std::size_t{tileSide} * tileSide * tileSide;
   using Tile = std::array<std::uint16_t, tileVoxels>;  ///< x fastest
 
-  /// Of an index of labels of a volume of `dims`, which it reads later on.
+  /// `index` is of labels of a volume of `dims`, and must outlive this.
   FocusSmooth(const FocusIndex& index, glm::ivec3 dims);
 
   /// All voxels that the filter can reach, with one more for gradients.
@@ -48,9 +48,9 @@ class FocusSmooth {
   glm::ivec3 tileCount() const { return box_.size / tileSide; }
   std::vector<glm::ivec3> marked(const std::vector<std::uint8_t>& marks) const;
   void read(glm::ivec3 tile, Bits& bits) const;
-  /// Of the smoothed indicator.
+  /// make() for labels with a smoothed indicator.
   void makeSmoothed(glm::ivec3 tile, Tile& voxels) const;
-  /// Of a block whose first voxel is `low`.
+  /// Repeats the voxels at the border of the volume in a block whose first voxel is `low`.
   void repeatEdge(glm::ivec3 low, Bits& bits) const;
 
   const FocusIndex& index_;

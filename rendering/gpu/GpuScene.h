@@ -93,8 +93,9 @@ class GpuScene {
   const Versions& versions() const { return versions_; }
 
   const Grid& grid() const { return shown_.volume->grid; }  ///< of the voxels that are drawn
-  /// Of a spline the device holds samples on a finer grid (see RefinedVolume.h), and so do bricks, skips and gradients:
-  /// so many along the side of a voxel. 1: the voxels themselves. The focus lies in cells of grid() either way.
+  /// Cells of the drawn grid along the side of a voxel. With a spline the device holds samples on a finer grid (see
+  /// RefinedVolume.h), on which bricks, skips and gradients lie, too; otherwise this is 1. The focus always lies in cells
+  /// of grid().
   int refinement() const { return refinement_; }
   Grid drawnGrid() const { return refinement_ > 1 ? refined(grid(), refinement_) : grid(); }
   /// A position in the cell frame of drawnGrid(), from that of grid().
@@ -104,10 +105,10 @@ class GpuScene {
   double steepestSlope() const { return fenestra::steepestSlope(*shown_.volume); }  ///< of Fading.h
   bool lowIsWhite() const { return shown_.volume->lowIsWhite; }
   const VolumeTexture& volume() const { return volumeTexture_; }
-  /// Of a spline, in coded values, R32F; the first texel along each axis is that of index -1.
+  /// With a spline, its coefficients in coded values, R32F; the first texel along each axis is that of index -1.
   const gl::Texture& splineCoefficients() const { return coefficients_; }
   const gl::Texture& gradient() const { return gradient_.texture; }
-  /// Of a spline, the coefficients of the gated normals, RGBA32F; texels as of splineCoefficients().
+  /// With a spline, the coefficients of the gated normals, RGBA32F; texels as in splineCoefficients().
   const gl::Texture& normalCoefficients() const { return normalCoefficients_; }
   glm::ivec3 gradientOrigin() const { return gradient_.origin; }  ///< index of its first texel
   const DerivativeVolume& derivative() const { return derivative_; }
@@ -120,7 +121,7 @@ class GpuScene {
   /// two rows each. An entry of the context's = coded value · map.x + map.y.
   static constexpr int tableSize = 16384, rowsPerFunction = 2;
   const gl::Texture& transferTables() const { return transferTables_; }
-  /// The same functions from node to node, one behind the other; see shaders/lib/TransferSegments.glsl.
+  /// The functions of transferTables() from node to node, one behind the other; see shaders/lib/TransferSegments.glsl.
   static constexpr int segmentsPerRow = 256;
   const gl::Texture& transferSegments() const { return transferSegments_; }
   const gl::Buffer& segmentOfEntry() const { return segmentOfEntry_; }

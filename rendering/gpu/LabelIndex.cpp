@@ -51,7 +51,7 @@ class BrickCorners {
   }
   bool any() const { return any_ != 0; }
   bool all() const { return all_ == (1u << cornerSide) - 1u; }
-  /// Of the cells (0…3, y, z), a byte each: bit i is corner i, x fastest.
+  /// The cells (0…3, y, z), a byte each: bit i is corner i, x fastest.
   std::uint32_t cells(int y, int z) const {
     static constexpr std::array<std::uint32_t, 1 << cornerSide> pairs = cornerPairs();
     return pairs[row(y, z)] | pairs[row(y + 1, z)] << 2 | pairs[row(y, z + 1)] << 4 | pairs[row(y + 1, z + 1)] << 6;

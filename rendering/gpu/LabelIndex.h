@@ -51,7 +51,7 @@ class LabelIndexer {
   Found lookAt(glm::ivec3 brick, std::span<const T> labels) const;
   /// The bricks that hold labels which have joined or left the focus; entry i of `changedUpTo` counts those below i.
   std::vector<std::size_t> concernedBricks(const std::vector<std::uint32_t>& changedUpTo) const;
-  /// Of those bricks, the ones whose cells have changed.
+  /// The bricks among `concerned` whose cells have changed.
   std::vector<Found> changedBricks(const FocusIndex& index, const std::vector<std::size_t>& concerned) const;
   void apply(FocusIndex& index, const std::vector<Found>& found, Change& change);
   std::optional<IndexBox> boxOf(const FocusIndex& index) const;

@@ -13,8 +13,8 @@
 
 namespace fenestra {
 
-/// Of emission (colour · extinction) and extinction (1/mm) from one real value to a greater one, exactly; per unit of
-/// value.
+/// Exact integrals of emission (colour · extinction) and extinction (1/mm) from one real value to a greater one, in
+/// these units times that of values.
 glm::dvec4 integrateEmission(const TransferFunction& function, double low, double high);
 
 /// Rows of `size` entries, evenly spaced over `span` (real values): emission (colour · extinction) and extinction
@@ -27,7 +27,7 @@ struct TransferTables {
   glm::vec2 visible() const;
 };
 
-/// The same function from node to node, without the tables' rounding; shaders/lib/TransferSegments.glsl reads it.
+/// A transfer function from node to node, without the tables' rounding; shaders/lib/TransferSegments.glsl reads it.
 struct TransferSegments {
   /// In order: the ends and an anchor (entries); colour and extinction (1/mm) at the anchor; their slopes (an entry).
   std::vector<std::array<glm::vec4, 3>> segments;
