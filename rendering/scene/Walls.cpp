@@ -12,7 +12,7 @@
 namespace fenestra {
 namespace {
 
-/// Of the lines where other slices cut a wall.
+/// Colour of the lines where other slices cut a wall.
 constexpr glm::dvec3 crossingColour(0.95, 0.85, 0.35);
 
 constexpr std::array planes{SlicePlane::Axial, SlicePlane::Sagittal, SlicePlane::Coronal};
@@ -92,6 +92,12 @@ glm::dvec3 colourIn(const LabelMap& map, std::uint16_t label) {
 
 std::optional<MethodStages::Walls> wallsOf(const Look& look) {
   return look.cutaway.enabled ? stagesOf(look.method).walls : std::nullopt;
+}
+
+bool dependsOnSlices(const Look& look) {
+  if (wallsOf(look)) return true;
+  const MethodStages stages = stagesOf(look.method);
+  return look.cutaway.enabled && stages.lens && stages.lens->place == LensPlace::OverCrosshair;
 }
 
 glm::dvec3 Wall::indexFromPlace(glm::dvec2 place) const {
