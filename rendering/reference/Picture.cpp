@@ -10,6 +10,7 @@
 #include "rendering/reference/Strokes.h"
 #include "rendering/reference/Walls.h"
 #include "rendering/scene/EdgeRays.h"
+#include "rendering/scene/Edges.h"
 #include "rendering/scene/Explosion.h"
 #include "rendering/scene/Fading.h"
 #include "rendering/scene/Lighting.h"

@@ -1,6 +1,5 @@
 #include "rendering/scene/Edges.h"
 
-#include "rendering/scene/Look.h"
 #include "rendering/scene/Walls.h"
 
 namespace fenestra {

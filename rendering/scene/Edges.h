@@ -1,17 +1,11 @@
 #pragma once
 // Whether the edges in a picture are smooth; EdgeRays.h says how.
 
-#include <cstdint>
-
+#include "rendering/scene/Look.h"
 #include "rendering/scene/Method.h"
 #include "rendering/scene/View.h"
 
 namespace fenestra {
-
-struct Look;
-
-/// How pictures show edges.
-enum class Edges : std::uint8_t { Off, Smooth };
 
 /// Whether the opening that a method cuts, if any, is defined between pixels, too: that of the adaptive cutaway is.
 bool opensBetweenPixels(MethodKind kind);

@@ -1,12 +1,14 @@
 #include "rendering/scene/Framing.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
+#include <mutex>
 #include <optional>
 #include <type_traits>
 
 #include "rendering/scene/Parallel.h"
-#include "rendering/scene/Scene.h"
+#include "rendering/scene/ShownVolume.h"
 #include "rendering/scene/VisibleValues.h"
 
 namespace fenestra {
@@ -84,6 +86,58 @@ double Framing::radius() const {
   double farthest = 0.0;
   for (const glm::dvec3& point : points) farthest = std::max(farthest, glm::distance(centre, point));
   return farthest;
+}
+
+Grid visibleGrid(const ShownVolume& of, const TransferFunction& context) {
+  constexpr double leastShare = 0.01;  // of the fullest slab
+  ShownVolume shown = of;
+  shown.removed = nullptr;  // cameras do not move with what is carved away
+  const Volume& volume = *shown.volume;
+  const Grid& grid = volume.grid;
+  const ShownVoxels voxels(shown);
+  std::array<std::vector<std::size_t>, 3> counts;
+  for (int axis = 0; axis < 3; ++axis)
+    counts[static_cast<std::size_t>(axis)].resize(static_cast<std::size_t>(grid.dims[axis]));
+  std::mutex mutex;
+  volume.voxels.visit([&](auto scalars) {
+    using T = std::remove_const_t<typename decltype(scalars)::value_type>;
+    const VisibleValues<T> shows(volume, context);
+    parallelFor(static_cast<std::size_t>(grid.dims.z), 4, [&](std::size_t begin, std::size_t end) {
+      auto local = counts;
+      std::vector<T> buffer;
+      for (auto& axis : local) std::fill(axis.begin(), axis.end(), std::size_t{0});
+      // Every other row is enough to find the extent.
+      for (std::size_t z = begin; z < end; ++z)
+        for (int y = static_cast<int>(z % 2); y < grid.dims.y; y += 2) {
+          const T* row = voxels.row(y, static_cast<int>(z), buffer);
+          std::size_t inRow = 0;
+          for (int x = 0; x < grid.dims.x; ++x) {
+            const std::size_t count = shows(row[x]);
+            local[0][static_cast<std::size_t>(x)] += count;
+            inRow += count;
+          }
+          local[1][static_cast<std::size_t>(y)] += inRow;
+          local[2][z] += inRow;
+        }
+      const std::scoped_lock lock(mutex);
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        for (std::size_t i = 0; i < counts[axis].size(); ++i) counts[axis][i] += local[axis][i];
+    });
+  });
+  Grid visible = grid;
+  glm::ivec3 first(0);
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::vector<std::size_t>& slabs = counts[static_cast<std::size_t>(axis)];
+    const double least = leastShare * static_cast<double>(*std::max_element(slabs.begin(), slabs.end()));
+    const auto counted = [&](std::size_t count) { return count > 0 && static_cast<double>(count) >= least; };
+    const auto low = std::find_if(slabs.begin(), slabs.end(), counted);
+    if (low == slabs.end()) return grid;
+    const auto high = std::find_if(slabs.rbegin(), slabs.rend(), counted);
+    first[axis] = static_cast<int>(low - slabs.begin());
+    visible.dims[axis] = static_cast<int>(slabs.rend() - high) - first[axis];
+  }
+  visible.origin = glm::dvec3(grid.worldFromIndex() * glm::dvec4(glm::dvec3(first), 1.0));
+  return visible;
 }
 
 Framing visibleFraming(const ShownVolume& of, const TransferFunction& context) {

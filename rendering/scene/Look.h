@@ -11,7 +11,6 @@
 #include "rendering/scene/BrushStroke.h"
 #include "rendering/scene/Clipping.h"
 #include "rendering/scene/Cutaway.h"
-#include "rendering/scene/Edges.h"
 #include "rendering/scene/Focus.h"
 #include "rendering/scene/LabelSettings.h"
 #include "rendering/scene/LabelSmoothing.h"
@@ -59,6 +58,9 @@ struct Shading {
 
 /// What lies behind the volume.
 enum class Backdrop : std::uint8_t { Plain, Gradient };
+
+/// How pictures show edges; hasSmoothEdges() of Edges.h says which pictures have them.
+enum class Edges : std::uint8_t { Off, Smooth };
 
 struct Look {
   Focus focus;

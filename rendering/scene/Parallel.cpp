@@ -1,15 +1,27 @@
 #include "rendering/scene/Parallel.h"
 
 #include <algorithm>
-#include <exception>
-#include <mutex>
 #include <utility>
-#include <vector>
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 namespace fenestra {
 namespace {
 
 thread_local Interruptible* current = nullptr;
+
+/// While it lives, its thread works for `work`.
+class WorkingFor {
+ public:
+  explicit WorkingFor(Interruptible* work) : before_(std::exchange(current, work)) {}
+  ~WorkingFor() { current = before_; }
+  WorkingFor(const WorkingFor&) = delete;
+  WorkingFor& operator=(const WorkingFor&) = delete;
+
+ private:
+  Interruptible* const before_;
+};
 
 }  // namespace
 
@@ -21,26 +33,12 @@ void parallelFor(std::size_t count, std::size_t grain, const std::function<void(
     body(0, count);
     return;
   }
-  std::mutex mutex;
-  std::exception_ptr failure;
-  const auto piece = [&](std::size_t index) {
-    try {
-      body(count * index / pieces, count * (index + 1) / pieces);
-    } catch (...) {
-      const std::scoped_lock lock(mutex);
-      if (!failure) failure = std::current_exception();
-    }
+  const auto piece = [&, outer = current](std::size_t index) {
+    const WorkingFor work(outer);
+    body(count * index / pieces, count * (index + 1) / pieces);
   };
-  {
-    std::vector<std::jthread> threads;
-    for (std::size_t index = 1; index < pieces; ++index)
-      threads.emplace_back([&piece, index, outer = current] {
-        current = outer;
-        piece(index);
-      });
-    piece(0);
-  }
-  if (failure) std::rethrow_exception(failure);
+  // Isolated: a thread that waits here takes no piece of another parallelFor(), whose caller may hold a lock.
+  tbb::this_task_arena::isolate([&] { tbb::parallel_for(std::size_t{0}, pieces, piece, tbb::static_partitioner()); });
 }
 
 Interruptible::Interruptible(std::function<bool()> goOn)

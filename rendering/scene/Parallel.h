@@ -9,8 +9,10 @@
 
 namespace fenestra {
 
-/// Calls body(begin, end) on disjoint pieces that cover [0, count), on as many threads as there are cores, and waits.
-/// The first exception thrown by a piece is rethrown. `grain` is the least number of items worth a thread.
+/// Calls body(begin, end) on disjoint pieces that cover [0, count), as many as there are cores, on oneTBB's threads and
+/// this one, which does the first piece, and waits. The pieces depend on `count`, `grain` and the cores alone. The
+/// first exception thrown by a piece is rethrown; pieces that have not begun by then are dropped. A body may call
+/// parallelFor(). `grain` is the least number of items worth a thread.
 void parallelFor(std::size_t count, std::size_t grain, const std::function<void(std::size_t, std::size_t)>& body);
 
 /// What interruptionPoint() throws.

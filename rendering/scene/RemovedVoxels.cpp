@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "rendering/scene/Parallel.h"
-#include "rendering/scene/Scene.h"
 
 namespace fenestra {
 namespace {
@@ -408,54 +407,6 @@ std::shared_ptr<const RemovedVoxels> removedVoxels(const Removals& removals, con
   const bool isAny =
       std::any_of(result->coverage.begin(), result->coverage.end(), [](std::uint8_t c) { return c > 0; });
   return isAny ? result : nullptr;
-}
-
-Scene Sculptor::of(Scene scene) {
-  if (scene.look.removals.empty()) {
-    removed_ = nullptr;
-    removals_.clear();
-  } else if (removals_ != scene.look.removals || grid_ != scene.volume->grid) {
-    removed_ = removedVoxels(scene.look.removals, scene.volume->grid, removed_);
-    removals_ = scene.look.removals;
-    grid_ = scene.volume->grid;
-  }
-  if (!removed_) {
-    labels_ = structures_ = {};
-    return scene;
-  }
-  scene.removed = removed_;
-  const bool areOne = scene.structures == scene.labels;
-  scene.labels = carved(labels_, scene.labels);
-  scene.structures = areOne ? scene.labels : carved(structures_, scene.structures);
-  return scene;
-}
-
-Sculptor::Map Sculptor::carved(Carved& kept, const Map& source) const {
-  if (kept.source == source && kept.removed == removed_) return kept.carved;
-  kept = {source, source, removed_};
-  if (!source) return nullptr;
-  const auto forEachGone = [&](const auto& use) {
-    for (int z = removed_->low.z; z < removed_->low.z + removed_->size.z; ++z)
-      for (int y = removed_->low.y; y < removed_->low.y + removed_->size.y; ++y)
-        removed_->forEachIn(y, z, [&](int x, std::uint8_t coverage) {
-          if (RemovedVoxels::isGone(coverage)) use(source->grid.offset({x, y, z}));
-        });
-  };
-  source->voxels.visit([&](auto labels) {
-    using T = std::remove_const_t<typename decltype(labels)::element_type>;
-    bool losesAny = false;
-    forEachGone([&](std::size_t at) { losesAny = losesAny || labels[at] != T{}; });
-    if (!losesAny) return;  // the map itself will do
-    auto without = std::make_shared<LabelMap>();
-    without->grid = source->grid;
-    without->labels = source->labels;
-    without->voxels = Voxels(source->voxels.type(), labels.size());
-    const auto to = without->voxels.as<T>();
-    std::copy(labels.begin(), labels.end(), to.begin());
-    forEachGone([&](std::size_t at) { to[at] = T{}; });
-    kept.carved = std::move(without);
-  });
-  return kept.carved;
 }
 
 }  // namespace fenestra

@@ -1,5 +1,5 @@
 #pragma once
-// How much of each voxel is removed, and a scene without what is removed.
+// How much of each voxel is removed.
 //
 // A voxel's coverage is that of its centre: with d the signed distance (mm) to a line of a ball's path, to a box, a
 // saw's cut or a plane's side, negative inside,
@@ -20,9 +20,6 @@
 #include "rendering/scene/Removal.h"
 
 namespace fenestra {
-
-struct LabelMap;
-struct Scene;
 
 /// Whether a removal can remove something: its numbers are finite and in their ranges, and it has a point.
 bool removesAnything(const Removal& removal);
@@ -98,26 +95,5 @@ struct RemovedVoxels {
 /// beginning of this one. Runs on all cores.
 std::shared_ptr<const RemovedVoxels> removedVoxels(const Removals& removals, const Grid& grid,
                                                    const std::shared_ptr<const RemovedVoxels>& before = nullptr);
-
-/// Makes scenes as they are drawn from scenes as a user set them: `removed` is what their looks remove, and their
-/// labels lack the voxels that are gone. What has not changed since the last scene is kept; without removals a scene
-/// stays as it is.
-class Sculptor {
- public:
-  Scene of(Scene scene);
-
- private:
-  using Map = std::shared_ptr<const LabelMap>;
-  struct Carved {
-    Map source, carved;
-    std::shared_ptr<const RemovedVoxels> removed;  ///< that was taken out of it
-  };
-  Map carved(Carved& kept, const Map& source) const;
-
-  Removals removals_;  ///< that removed_ is of
-  Grid grid_;
-  std::shared_ptr<const RemovedVoxels> removed_;
-  Carved labels_, structures_;
-};
 
 }  // namespace fenestra

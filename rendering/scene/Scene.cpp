@@ -1,11 +1,8 @@
 #include "rendering/scene/Scene.h"
 
 #include <algorithm>
-#include <array>
-#include <mutex>
-
-#include "rendering/scene/Parallel.h"
-#include "rendering/scene/VisibleValues.h"
+#include <type_traits>
+#include <utility>
 
 namespace fenestra {
 namespace {
@@ -96,56 +93,52 @@ bool hasFocusFunction(const Scene& scene) {
   });
 }
 
-Grid visibleGrid(const ShownVolume& of, const TransferFunction& context) {
-  constexpr double leastShare = 0.01;  // of the fullest slab
-  ShownVolume shown = of;
-  shown.removed = nullptr;  // cameras do not move with what is carved away
-  const Volume& volume = *shown.volume;
-  const Grid& grid = volume.grid;
-  const ShownVoxels voxels(shown);
-  std::array<std::vector<std::size_t>, 3> counts;
-  for (int axis = 0; axis < 3; ++axis)
-    counts[static_cast<std::size_t>(axis)].resize(static_cast<std::size_t>(grid.dims[axis]));
-  std::mutex mutex;
-  volume.voxels.visit([&](auto scalars) {
-    using T = std::remove_const_t<typename decltype(scalars)::value_type>;
-    const VisibleValues<T> shows(volume, context);
-    parallelFor(static_cast<std::size_t>(grid.dims.z), 4, [&](std::size_t begin, std::size_t end) {
-      auto local = counts;
-      std::vector<T> buffer;
-      for (auto& axis : local) std::fill(axis.begin(), axis.end(), std::size_t{0});
-      // Every other row is enough to find the extent.
-      for (std::size_t z = begin; z < end; ++z)
-        for (int y = static_cast<int>(z % 2); y < grid.dims.y; y += 2) {
-          const T* row = voxels.row(y, static_cast<int>(z), buffer);
-          std::size_t inRow = 0;
-          for (int x = 0; x < grid.dims.x; ++x) {
-            const std::size_t count = shows(row[x]);
-            local[0][static_cast<std::size_t>(x)] += count;
-            inRow += count;
-          }
-          local[1][static_cast<std::size_t>(y)] += inRow;
-          local[2][z] += inRow;
-        }
-      const std::scoped_lock lock(mutex);
-      for (std::size_t axis = 0; axis < 3; ++axis)
-        for (std::size_t i = 0; i < counts[axis].size(); ++i) counts[axis][i] += local[axis][i];
-    });
-  });
-  Grid visible = grid;
-  glm::ivec3 first(0);
-  for (int axis = 0; axis < 3; ++axis) {
-    const std::vector<std::size_t>& slabs = counts[static_cast<std::size_t>(axis)];
-    const double least = leastShare * static_cast<double>(*std::max_element(slabs.begin(), slabs.end()));
-    const auto counted = [&](std::size_t count) { return count > 0 && static_cast<double>(count) >= least; };
-    const auto low = std::find_if(slabs.begin(), slabs.end(), counted);
-    if (low == slabs.end()) return grid;
-    const auto high = std::find_if(slabs.rbegin(), slabs.rend(), counted);
-    first[axis] = static_cast<int>(low - slabs.begin());
-    visible.dims[axis] = static_cast<int>(slabs.rend() - high) - first[axis];
+Scene Sculptor::of(Scene scene) {
+  if (scene.look.removals.empty()) {
+    removed_ = nullptr;
+    removals_.clear();
+  } else if (removals_ != scene.look.removals || grid_ != scene.volume->grid) {
+    removed_ = removedVoxels(scene.look.removals, scene.volume->grid, removed_);
+    removals_ = scene.look.removals;
+    grid_ = scene.volume->grid;
   }
-  visible.origin = glm::dvec3(grid.worldFromIndex() * glm::dvec4(glm::dvec3(first), 1.0));
-  return visible;
+  if (!removed_) {
+    labels_ = structures_ = {};
+    return scene;
+  }
+  scene.removed = removed_;
+  const bool areOne = scene.structures == scene.labels;
+  scene.labels = carved(labels_, scene.labels);
+  scene.structures = areOne ? scene.labels : carved(structures_, scene.structures);
+  return scene;
+}
+
+Sculptor::Map Sculptor::carved(Carved& kept, const Map& source) const {
+  if (kept.source == source && kept.removed == removed_) return kept.carved;
+  kept = {source, source, removed_};
+  if (!source) return nullptr;
+  const auto forEachGone = [&](const auto& use) {
+    for (int z = removed_->low.z; z < removed_->low.z + removed_->size.z; ++z)
+      for (int y = removed_->low.y; y < removed_->low.y + removed_->size.y; ++y)
+        removed_->forEachIn(y, z, [&](int x, std::uint8_t coverage) {
+          if (RemovedVoxels::isGone(coverage)) use(source->grid.offset({x, y, z}));
+        });
+  };
+  source->voxels.visit([&](auto labels) {
+    using T = std::remove_const_t<typename decltype(labels)::element_type>;
+    bool losesAny = false;
+    forEachGone([&](std::size_t at) { losesAny = losesAny || labels[at] != T{}; });
+    if (!losesAny) return;  // the map itself will do
+    auto without = std::make_shared<LabelMap>();
+    without->grid = source->grid;
+    without->labels = source->labels;
+    without->voxels = Voxels(source->voxels.type(), labels.size());
+    const auto to = without->voxels.as<T>();
+    std::copy(labels.begin(), labels.end(), to.begin());
+    forEachGone([&](std::size_t at) { to[at] = T{}; });
+    kept.carved = std::move(without);
+  });
+  return kept.carved;
 }
 
 }  // namespace fenestra

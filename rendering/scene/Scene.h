@@ -64,8 +64,25 @@ bool hasCutaway(const Scene& scene);
 /// Whether a picture needs the shape of the context's first surface: for its edges over the focus, or for a lens.
 bool readsContextSurface(const Scene& scene);
 
-/// The part of the volume's grid that `context` shows, for a camera to frame: scans hold much air. Nearly empty slabs
-/// of voxels (a table's edge, noise) do not count. The whole grid when the context shows nothing.
-Grid visibleGrid(const ShownVolume& shown, const TransferFunction& context);
+/// Makes scenes as they are drawn from scenes as a user set them: `removed` is what their looks remove, and their
+/// labels lack the voxels that are gone. What has not changed since the last scene is kept; without removals a scene
+/// stays as it is.
+class Sculptor {
+ public:
+  Scene of(Scene scene);
+
+ private:
+  using Map = std::shared_ptr<const LabelMap>;
+  struct Carved {
+    Map source, carved;
+    std::shared_ptr<const RemovedVoxels> removed;  ///< that was taken out of it
+  };
+  Map carved(Carved& kept, const Map& source) const;
+
+  Removals removals_;  ///< that removed_ is of
+  Grid grid_;
+  std::shared_ptr<const RemovedVoxels> removed_;
+  Carved labels_, structures_;
+};
 
 }  // namespace fenestra

@@ -4,9 +4,6 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "rendering/scene/Look.h"
-#include "rendering/scene/Walls.h"
-
 namespace fenestra {
 namespace {
 
@@ -24,12 +21,6 @@ Camera turned(Camera camera, glm::dvec3 about, double offset, double direction) 
 }
 
 }  // namespace
-
-bool dependsOnSlices(const Look& look) {
-  if (wallsOf(look)) return true;
-  const MethodStages stages = stagesOf(look.method);
-  return look.cutaway.enabled && stages.lens && stages.lens->place == LensPlace::OverCrosshair;
-}
 
 glm::dvec3 placeOf(const MethodStages::Lens& lens, const ShownSlices& slices, glm::dvec3 focusCentre) {
   return lens.place == LensPlace::OverCrosshair ? slices.crosshair.value_or(focusCentre) : focusCentre;

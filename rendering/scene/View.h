@@ -13,8 +13,6 @@
 
 namespace fenestra {
 
-struct Look;
-
 /// The picture that an opening is cut for: w_open and w_border count in its pixels.
 struct OpeningView {
   Camera camera;
@@ -24,7 +22,7 @@ struct OpeningView {
 };
 
 /// Which slices walls show (rendering/scene/Walls.h), and how, and where a lens over the crosshair lies. Other pictures
-/// do not depend on it; see dependsOnSlices().
+/// do not depend on it; see dependsOnSlices() there.
 struct ShownSlices {
   std::optional<glm::dvec3> crosshair = std::nullopt;  ///< world, mm; unset: for walls, the volume's centre
   std::optional<WindowLevel> window = std::nullopt;    ///< unset: Volume::defaultWindow
@@ -46,9 +44,6 @@ struct View {
   ShownSlices slices{};
   bool operator==(const View&) const = default;
 };
-
-/// Whether a picture with such a look depends on View::slices.
-bool dependsOnSlices(const Look& look);
 
 /// The point that a lens lies over, world mm.
 glm::dvec3 placeOf(const MethodStages::Lens& lens, const ShownSlices& slices, glm::dvec3 focusCentre);

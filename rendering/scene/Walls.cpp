@@ -94,6 +94,12 @@ std::optional<MethodStages::Walls> wallsOf(const Look& look) {
   return look.cutaway.enabled ? stagesOf(look.method).walls : std::nullopt;
 }
 
+bool dependsOnSlices(const Look& look) {
+  if (wallsOf(look)) return true;
+  const MethodStages stages = stagesOf(look.method);
+  return look.cutaway.enabled && stages.lens && stages.lens->place == LensPlace::OverCrosshair;
+}
+
 glm::dvec3 Wall::indexFromPlace(glm::dvec2 place) const {
   glm::dvec3 index(slice);
   index[sides.x] = place.x;

@@ -37,6 +37,9 @@ struct Scene;
 /// none inside it.
 std::optional<MethodStages::Walls> wallsOf(const Look& look);
 
+/// Whether a look's pictures depend on View::slices.
+bool dependsOnSlices(const Look& look);
+
 /// One slice that stands as a wall.
 struct Wall {
   SlicePlane plane = SlicePlane::Axial;

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "rendering/reference/Picture.h"
+#include "rendering/scene/Edges.h"
 #include "rendering/scene/Lighting.h"
 #include "rendering/scene/Settings.h"
 #include "tests/gl/GlTest.h"

@@ -45,7 +45,9 @@ std::vector<std::string> breaches(const LayerRule& rule, const std::vector<Edge>
 /// One line for each include edge that no link line stands behind: no target of the first layer links one of the
 /// second, directly or through others.
 std::vector<std::string> unlinked(const std::map<std::string, Target>& targets, const std::vector<Edge>& edges);
-/// The layers of a cycle in their order, the first again at the end; empty when there is none.
+/// One edge for each pair of files of which X.h or X.cpp includes Y.h, sorted; X and Y are the paths without ending.
+std::vector<Edge> fileEdges(const std::vector<SourceFile>& sources);
+/// The layers, or files, of a cycle in their order, the first again at the end; empty when there is none.
 std::vector<std::string> cycleIn(const std::vector<Edge>& edges);
 
 }  // namespace fenestra::tests

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iostream>
 #include <map>
+#include <set>
 #include <sstream>
 
 #include <gtest/gtest.h>
@@ -42,6 +43,26 @@ TEST(Architecture, IncludesFollowTheRule) {
   EXPECT_GT(edges.size(), 40u) << "the sources were not found";
   EXPECT_TRUE(found.empty()) << joined(found);
   EXPECT_EQ(joined(cycleIn(edges), " → "), "");
+}
+
+/// Folders whose files still use each other in a circle. A folder whose last cycle is gone leaves the list.
+const std::set<std::string> foldersWithCycles{"app",          "io/dicom",      "io/surface",
+                                              "rendering/gl", "rendering/gpu", "viewer/model"};
+
+TEST(Architecture, FilesHaveNoCycle) {
+  const auto folderOf = [](const std::string& path) { return path.substr(0, path.rfind('/')); };
+  std::map<std::string, std::vector<Edge>> within;
+  std::vector<Edge> others;
+  const std::vector<Edge> edges = fileEdges(productSources(codeEndings));
+  EXPECT_GT(edges.size(), 1000u) << "the sources were not found";
+  for (const Edge& edge : edges) {
+    const std::string folder = folderOf(edge.from);
+    const bool isExcepted = folder == folderOf(edge.to) && foldersWithCycles.contains(folder);
+    (isExcepted ? within[folder] : others).push_back(edge);
+  }
+  EXPECT_EQ(joined(cycleIn(others), " → "), "");
+  for (const std::string& folder : foldersWithCycles)
+    EXPECT_FALSE(cycleIn(within[folder]).empty()) << folder << " has no cycle any more: take it off the list";
 }
 
 TEST(Architecture, LinkLinesFollowTheRule) {
@@ -169,6 +190,21 @@ TEST(ArchitectureCheck, ReportsLinkLinesThatBreakTheRuleOrAreMissing) {
 TEST(ArchitectureCheck, FindsNoCycleWhereThereIsNone) {
   EXPECT_TRUE(cycleIn({{"a", "b", ""}, {"a", "c", ""}, {"b", "c", ""}}).empty());
   EXPECT_EQ(joined(cycleIn({{"a", "b", ""}, {"b", "c", ""}, {"c", "b", ""}}), " "), "b c b");
+}
+
+TEST(ArchitectureCheck, FindsCyclesAmongFilesOfAFolder) {
+  std::vector<SourceFile> sources{
+      {"scene/Look.h", "#include <vector>\n#include \"scene/Edges.h\"\n"},
+      {"scene/Look.cpp", "#include \"scene/Look.h\"\n"},
+      {"scene/Edges.h", "struct Look;\n// #include \"scene/Walls.h\"\n"},
+      {"scene/Edges.cpp", "#include \"scene/Edges.h\"\n#include \"gl/Texture.h\"\n"},
+  };
+  EXPECT_EQ(fileEdges(sources), (std::vector<Edge>{{"scene/Edges", "gl/Texture", "scene/Edges.cpp:2"},
+                                                   {"scene/Look", "scene/Edges", "scene/Look.h:2"}}));
+  EXPECT_TRUE(cycleIn(fileEdges(sources)).empty());
+  // The circle closes through a .cpp file, which the compiler accepts.
+  sources[3].text += "#include \"scene/Look.h\"\n";
+  EXPECT_EQ(joined(cycleIn(fileEdges(sources)), " → "), "scene/Edges → scene/Look → scene/Edges");
 }
 
 }  // namespace

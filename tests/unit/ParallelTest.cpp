@@ -1,7 +1,12 @@
 #include "rendering/scene/Parallel.h"
 
+#include <algorithm>
 #include <atomic>
+#include <mutex>
+#include <set>
 #include <stdexcept>
+#include <thread>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -22,6 +27,63 @@ TEST(ParallelFor, rethrowsWhatAPieceThrows) {
     if (begin == 0) throw std::runtime_error("failed");
   };
   EXPECT_THROW(parallelFor(100, 1, fails), std::runtime_error);
+}
+
+TEST(ParallelFor, CutsTheItemsTheSameWayEachTime) {
+  const auto pieces = [] {
+    std::mutex mutex;
+    std::set<std::pair<std::size_t, std::size_t>> found;
+    parallelFor(1001, 10, [&](std::size_t begin, std::size_t end) {
+      const std::scoped_lock lock(mutex);
+      found.emplace(begin, end);
+    });
+    return found;
+  };
+  const auto first = pieces();
+  EXPECT_EQ(first.size(), std::min<std::size_t>(std::max(1u, std::thread::hardware_concurrency()), 100));
+  for (int again = 0; again < 20; ++again) EXPECT_EQ(pieces(), first);
+}
+
+TEST(ParallelFor, DoesTheFirstPieceOnTheCallingThread) {
+  std::thread::id first;
+  parallelFor(1000, 1, [&](std::size_t begin, std::size_t) {
+    if (begin == 0) first = std::this_thread::get_id();
+  });
+  EXPECT_EQ(first, std::this_thread::get_id());
+}
+
+TEST(ParallelFor, MayBeCalledByItsBody) {
+  std::atomic<int> visits = 0;
+  parallelFor(64, 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      parallelFor(100, 1, [&](std::size_t from, std::size_t to) { visits += static_cast<int>(to - from); });
+  });
+  EXPECT_EQ(visits, 6400);
+}
+
+TEST(ParallelFor, TakesNoOtherWorkWhileItWaitsWithALock) {
+  std::mutex mutex;
+  int visits = 0;
+  parallelFor(64, 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::scoped_lock lock(mutex);
+      std::atomic<int> inner = 0;
+      parallelFor(100, 1, [&](std::size_t from, std::size_t to) { inner += static_cast<int>(to - from); });
+      visits += inner;
+    }
+  });
+  EXPECT_EQ(visits, 6400);
+}
+
+TEST(Interruptible, StopsNestedPieces) {
+  const Interruptible work([] { return false; });
+  EXPECT_THROW(parallelFor(8, 1,
+                           [](auto, auto) {
+                             parallelFor(8, 1, [](auto, auto) {
+                               while (true) interruptionPoint();
+                             });
+                           }),
+               Interrupted);
 }
 
 TEST(Interruptible, StopsThePiecesOnAllThreads) {

@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QToolButton>
 
+#include "rendering/scene/Edges.h"
 #include "viewer/model/Translation.h"
 #include "viewer/panels/CarvingRows.h"
 #include "viewer/panels/ImportanceList.h"

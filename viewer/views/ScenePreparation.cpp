@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "rendering/Renderer.h"
+#include "rendering/scene/Edges.h"
 #include "rendering/scene/Explosion.h"
 #include "rendering/scene/Fading.h"
 #include "rendering/scene/FaintLabels.h"
